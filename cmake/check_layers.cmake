@@ -1,0 +1,65 @@
+# SPDX-FileCopyrightText: 2026 The Dyncal authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Checks the dependency rule of docs/architecture.md: cmake -DROOT=... -P check_layers.cmake
+# core knows no Qt; inside core a folder includes only folders before it in the list; plots only in
+# ui/plot; nothing includes upward.
+set(order base capture signal shock decomposition realization model_analysis uncertainty
+    certificate project pipeline synthesis)
+set(errors "")
+
+file(GLOB_RECURSE core_files RELATIVE "${ROOT}" "${ROOT}/core/*.h" "${ROOT}/core/*.cpp")
+foreach(file IN LISTS core_files)
+    file(STRINGS "${ROOT}/${file}" includes REGEX "^#include")
+    string(REGEX REPLACE "^core/([a-z_]+)/.*" "\\1" folder "${file}")
+    list(FIND order "${folder}" rank)
+    if(rank LESS 0)
+        list(APPEND errors "${file}: folder '${folder}' is not in the order of the core's folders")
+    endif()
+    foreach(line IN LISTS includes)
+        if(line MATCHES "<Q|[\"<](ui|app|tests)/|qcustomplot")
+            list(APPEND errors "${file}: ${line}: core must know nothing of Qt, ui and app")
+        endif()
+        if(line MATCHES "\"core/([a-z_]+)/")
+            list(FIND order "${CMAKE_MATCH_1}" used)
+            if(used GREATER rank)
+                list(APPEND errors "${file}: ${line}: '${folder}' may include only folders before it")
+            endif()
+        endif()
+        if(line MATCHES "\"core/capture/formats/" AND NOT file MATCHES "^core/capture/(formats/|format_registry)"
+            AND NOT folder STREQUAL "synthesis")
+            list(APPEND errors "${file}: ${line}: only the format registry knows the readers")
+        endif()
+        if(line MATCHES "Eigen/SVD" AND NOT file STREQUAL "core/base/svd.cpp")
+            list(APPEND errors "${file}: ${line}: SVD code belongs to core/base/svd.cpp (compile time)")
+        endif()
+    endforeach()
+endforeach()
+
+file(GLOB_RECURSE ui_files RELATIVE "${ROOT}" "${ROOT}/ui/*.h" "${ROOT}/ui/*.cpp")
+foreach(file IN LISTS ui_files)
+    file(STRINGS "${ROOT}/${file}" includes REGEX "^#include")
+    foreach(line IN LISTS includes)
+        if(line MATCHES "[\"<](app|tests)/")
+            list(APPEND errors "${file}: ${line}: ui must not include app")
+        endif()
+        if(line MATCHES "qcustomplot" AND NOT file MATCHES "^ui/plot/[a-z_]+\\.cpp$"
+            AND NOT file MATCHES "^ui/plot/qcp_")
+            list(APPEND errors "${file}: ${line}: only sources in ui/plot know QCustomPlot")
+        endif()
+        if(line MATCHES "\"ui/(plot|stages|shell|report)/" AND file MATCHES "^ui/session/")
+            list(APPEND errors "${file}: ${line}: the session knows no views")
+        endif()
+        if(line MATCHES "\"ui/(session|stages|shell|report)/" AND file MATCHES "^ui/plot/")
+            list(APPEND errors "${file}: ${line}: plots know values only")
+        endif()
+    endforeach()
+endforeach()
+
+if(errors)
+    list(JOIN errors "\n" text)
+    message(FATAL_ERROR "Dependency rule broken:\n${text}")
+endif()
+list(LENGTH core_files core_count)
+list(LENGTH ui_files ui_count)
+message(STATUS "Dependency rule holds in ${core_count} core and ${ui_count} ui files")

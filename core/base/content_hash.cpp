@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/base/content_hash.h"
+
+#include <openssl/evp.h>
+
+#include <array>
+#include <fstream>
+#include <memory>
+#include <vector>
+
+namespace dyncal {
+namespace {
+
+class Sha256
+{
+public:
+    Sha256()
+        : m_context(EVP_MD_CTX_new(), &EVP_MD_CTX_free)
+    {
+        EVP_DigestInit_ex(m_context.get(), EVP_sha256(), nullptr);
+    }
+
+    void add(const void *data, std::size_t size) { EVP_DigestUpdate(m_context.get(), data, size); }
+
+    std::string hex()
+    {
+        std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+        unsigned int length = 0;
+        EVP_DigestFinal_ex(m_context.get(), digest.data(), &length);
+        static constexpr char kDigits[] = "0123456789abcdef";
+        std::string text;
+        for (unsigned int i = 0; i < length; ++i) {
+            text += kDigits[digest[i] >> 4];
+            text += kDigits[digest[i] & 0xf];
+        }
+        return text;
+    }
+
+private:
+    std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> m_context;
+};
+
+} // namespace
+
+std::string sha256Hex(std::span<const std::byte> bytes)
+{
+    Sha256 hash;
+    hash.add(bytes.data(), bytes.size());
+    return hash.hex();
+}
+
+std::string sha256Hex(std::string_view text)
+{
+    return sha256Hex(std::as_bytes(std::span(text.data(), text.size())));
+}
+
+std::string sha256OfFile(const std::string &path)
+{
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        return {};
+    Sha256 hash;
+    std::vector<char> block(1 << 20);
+    while (file) {
+        file.read(block.data(), static_cast<std::streamsize>(block.size()));
+        hash.add(block.data(), static_cast<std::size_t>(file.gcount()));
+    }
+    return file.bad() ? std::string() : hash.hex();
+}
+
+} // namespace dyncal

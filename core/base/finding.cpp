@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/base/finding.h"
+
+#include <algorithm>
+
+namespace dyncal {
+
+const char *severityName(Severity severity)
+{
+    switch (severity) {
+    case Severity::Info:
+        return "info";
+    case Severity::Caution:
+        return "caution";
+    case Severity::Block:
+        return "block";
+    }
+    return "info";
+}
+
+Severity worstSeverity(const Findings &findings)
+{
+    Severity worst = Severity::Info;
+    for (const Finding &finding : findings)
+        worst = std::max(worst, finding.severity);
+    return worst;
+}
+
+} // namespace dyncal

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/index.h"
+#include "core/base/message.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dyncal {
+
+enum class Severity { Info, Caution, Block };
+
+/// A result exists and the operator must see something about it. Ids are stable (findings catalogue
+/// in docs/findings.md); scripts and tests key on them.
+struct Finding
+{
+    std::string id; ///< "CAP-006"
+    Severity severity = Severity::Info;
+    Index shot = 0; ///< number from 1; 0 = concerns no single shot
+    std::string channel;
+    std::optional<double> time_s; ///< on the record's own axis
+    Message message;
+    std::optional<double> value;
+    std::optional<double> limit;
+
+    bool operator==(const Finding &) const = default;
+};
+
+using Findings = std::vector<Finding>;
+
+/// "info", "caution" or "block": the words of results.json.
+const char *severityName(Severity severity);
+
+/// The most severe entry; Info for an empty list.
+Severity worstSeverity(const Findings &findings);
+
+} // namespace dyncal

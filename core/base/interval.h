@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+namespace dyncal {
+
+/// Closed interval of seconds or hertz; which one, and relative to what, the owner's name says.
+struct Interval
+{
+    double begin = 0.0;
+    double end = 0.0;
+
+    double length() const { return end - begin; }
+    bool contains(double x) const { return x >= begin && x <= end; }
+    bool operator==(const Interval &) const = default;
+};
+
+} // namespace dyncal

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/base/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace dyncal {
+
+std::string numberText(double value)
+{
+    std::array<char, 32> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+    return {buffer.data(), end.ptr};
+}
+
+std::string numberText(double value, int digits)
+{
+    std::array<char, 64> buffer;
+    const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+        std::chars_format::general, std::clamp(digits, 1, 17));
+    return {buffer.data(), end.ptr};
+}
+
+std::string numberWithUnit(double value, std::string_view unit, int digits)
+{
+    struct Prefix
+    {
+        double factor;
+        const char *symbol;
+    };
+    static constexpr std::array<Prefix, 9> kPrefixes{{{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1.0, ""},
+        {1e-3, "m"}, {1e-6, "\xC2\xB5"}, {1e-9, "n"}, {1e-12, "p"}, {1e-15, "f"}}};
+    Prefix chosen{1.0, ""};
+    if (std::isfinite(value) && value != 0.0 && !unit.empty()) {
+        // Half a unit of the last digit up, so that 999.96 with 4 digits becomes 1.000 k.
+        const double magnitude = std::abs(value) * (1.0 + 0.5 * std::pow(10.0, -digits));
+        const auto fits = std::find_if(kPrefixes.begin(), kPrefixes.end(),
+            [&](const Prefix &p) { return magnitude >= p.factor; });
+        chosen = fits != kPrefixes.end() ? *fits : kPrefixes.back();
+    }
+    std::string text = numberText(value / chosen.factor, digits);
+    if (!unit.empty())
+        text.append(" ").append(chosen.symbol).append(unit);
+    return text;
+}
+
+std::optional<double> parseNumber(std::string_view text)
+{
+    if (!text.empty() && text.front() == '+')
+        text.remove_prefix(1);
+    double value = 0.0;
+    const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (end.ec != std::errc() || end.ptr != text.data() + text.size())
+        return std::nullopt;
+    return value;
+}
+
+} // namespace dyncal

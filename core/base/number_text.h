@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace dyncal {
+
+/// Shortest text that reads back as the same double, '.' as decimal mark whatever the locale.
+/// Not finite: "nan", "inf", "-inf".
+std::string numberText(double value);
+
+/// `digits` significant digits (1..17), '.' as decimal mark, exponent only outside 1e-4..1e15.
+std::string numberText(double value, int digits);
+
+/// Value with SI prefix and unit: numberWithUnit(2.33e6, "Hz", 3) == "2.33 MHz". 0 has no prefix.
+std::string numberWithUnit(double value, std::string_view unit, int digits = 4);
+
+/// Reads the whole of `text` as one number with decimal mark '.', independent of the locale.
+/// Empty if anything is left over or nothing is there.
+std::optional<double> parseNumber(std::string_view text);
+
+} // namespace dyncal

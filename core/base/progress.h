@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <functional>
+#include <stop_token>
+
+namespace dyncal {
+
+/// Called now and then with the done fraction 0..1 by long work, on the thread that does the work.
+using ProgressSink = std::function<void(double)>;
+
+/// What every long stage takes last: a request to stop, and where to report how far it is.
+struct JobControl
+{
+    std::stop_token stop;
+    ProgressSink progress;
+
+    bool stopRequested() const { return stop.stop_requested(); }
+    void report(double fraction) const
+    {
+        if (progress)
+            progress(fraction);
+    }
+};
+
+} // namespace dyncal

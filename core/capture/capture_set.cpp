@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/capture/capture_set.h"
+
+#include "core/base/number_text.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace dyncal {
+
+namespace {
+constexpr double kNotRecorded = std::numeric_limits<double>::quiet_NaN();
+}
+
+const char *shotLevelName(ShotLevel level)
+{
+    switch (level) {
+    case ShotLevel::Low:
+        return "low";
+    case ShotLevel::Medium:
+        return "medium";
+    case ShotLevel::High:
+        return "high";
+    case ShotLevel::None:
+        break;
+    }
+    return "";
+}
+
+ShotLevel shotLevelFromName(std::string_view name)
+{
+    for (const ShotLevel level : {ShotLevel::Low, ShotLevel::Medium, ShotLevel::High}) {
+        if (name == shotLevelName(level))
+            return level;
+    }
+    return ShotLevel::None;
+}
+
+Environment::Environment()
+    : p1_Pa(kNotRecorded)
+    , u_p1_Pa(kNotRecorded)
+    , T1_K(kNotRecorded)
+    , u_T1_K(kNotRecorded)
+    , p4_Pa(kNotRecorded)
+    , T4_K(kNotRecorded)
+    , ambientPressure_Pa(kNotRecorded)
+    , ambientT_K(kNotRecorded)
+    , relativeHumidity(kNotRecorded)
+{
+}
+
+const Channel *Shot::channelWithRole(ChannelRole role) const
+{
+    const auto found = std::find_if(
+        channels.begin(), channels.end(), [&](const Channel &c) { return c.role == role; });
+    return found != channels.end() ? &*found : nullptr;
+}
+
+std::optional<double> CaptureSet::tubeNumber(const std::string &key) const
+{
+    const auto found = tube.find(key);
+    return found != tube.end() ? parseNumber(found->second) : std::nullopt;
+}
+
+} // namespace dyncal

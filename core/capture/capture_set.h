@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/finding.h"
+#include "core/capture/channel.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dyncal {
+
+enum class ShotLevel { None, Low, Medium, High };
+
+const char *shotLevelName(ShotLevel level); ///< "low", "medium", "high", ""
+ShotLevel shotLevelFromName(std::string_view name);
+
+/// Surroundings of one shot as recorded; NaN = not recorded.
+struct Environment
+{
+    double p1_Pa, u_p1_Pa, T1_K, u_T1_K, p4_Pa, T4_K, ambientPressure_Pa, ambientT_K,
+        relativeHumidity;
+    Environment(); ///< all not recorded
+};
+
+/// Where a shot came from.
+struct InputFile
+{
+    std::string path; ///< as given
+    std::string file; ///< base name
+    std::string sha256; ///< of the file's bytes
+    std::string format; ///< name of the reader: "dyncal-capture", "lvm", "text"
+};
+
+/// One burst, recorded on several channels that may differ in rate and length.
+struct Shot
+{
+    std::string label;
+    ShotLevel level = ShotLevel::None;
+    std::vector<Channel> channels;
+    Environment environment;
+    Index input = 0; ///< position in CaptureSet::inputs
+    bool included = true;
+    std::string excludeReason;
+
+    /// The first channel of that role, or null.
+    const Channel *channelWithRole(ChannelRole role) const;
+};
+
+/// What is known of the sensors and the tube; free key -> text, SI units in the key (formats.md 3).
+using Attributes = std::map<std::string, std::string>;
+
+/// All shots of one sensor, in order. Shot numbers shown to people count from 1 in this order.
+struct CaptureSet
+{
+    std::vector<InputFile> inputs;
+    std::vector<Shot> shots;
+    Attributes tube; ///< e.g. "driver_length_m" -> "0.97"
+    std::map<std::string, Attributes> sensors; ///< by sensor id
+    std::map<std::string, Attributes> instruments;
+    Findings findings; ///< raised while reading
+
+    /// A number of `tube`, if it is there and is one.
+    std::optional<double> tubeNumber(const std::string &key) const;
+};
+
+} // namespace dyncal

@@ -1,0 +1,71 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/capture/channel.h"
+
+#include <array>
+#include <utility>
+
+namespace dyncal {
+namespace {
+
+constexpr std::array<std::pair<const char *, ChannelRole>, 7> kRoles{{{"dut", ChannelRole::Dut},
+    {"driven_side", ChannelRole::DrivenSide}, {"driver", ChannelRole::Driver},
+    {"trigger", ChannelRole::Trigger}, {"other", ChannelRole::Other},
+    {"velocity", ChannelRole::DrivenSide}, {"driver_static", ChannelRole::Driver}}};
+
+} // namespace
+
+const char *channelRoleName(ChannelRole role)
+{
+    for (const auto &[name, value] : kRoles) {
+        if (value == role)
+            return name;
+    }
+    return "other";
+}
+
+ChannelRole channelRoleFromName(std::string_view name)
+{
+    for (const auto &[known, value] : kRoles) {
+        if (name == known)
+            return value;
+    }
+    return ChannelRole::Other;
+}
+
+const char *pressureReferenceName(PressureReference reference)
+{
+    switch (reference) {
+    case PressureReference::Gauge:
+        return "gauge";
+    case PressureReference::Absolute:
+        return "absolute";
+    case PressureReference::Unknown:
+        break;
+    }
+    return "";
+}
+
+double physicalValue(const Channel &channel, double raw)
+{
+    double value = 0.0; // Horner
+    for (auto c = channel.polynomial.rbegin(); c != channel.polynomial.rend(); ++c)
+        value = value * raw + *c;
+    return channel.polarity * channel.userScale * value;
+}
+
+Eigen::VectorXd physicalValues(const Channel &channel, Index begin, Index count)
+{
+    Eigen::VectorXd values(count);
+    std::visit(
+        [&](const auto &counts) {
+            const auto *source = counts.data() + begin;
+            for (Index i = 0; i < count; ++i)
+                values[i] = physicalValue(channel, static_cast<double>(source[i]));
+        },
+        channel.samples.counts());
+    return values;
+}
+
+} // namespace dyncal

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/capture/capture_set.h"
+#include "core/capture/import_settings.h"
+
+#include <string>
+#include <vector>
+
+namespace dyncal {
+
+/// One readable format. Only this registry knows the readers in capture/formats.
+struct CaptureFormat
+{
+    std::string id; ///< "dyncal-capture", "lvm", "text": recipe import.format
+    std::string title; ///< "HDF5 capture", for messages and file dialogs
+    std::vector<std::string> extensions; ///< without dot, lower case
+    /// How sure this reader is that the file is its own, from the first bytes (up to 64 KiB)
+    /// and the name: 0 not mine .. 100 certain.
+    int (*recognise)(const std::string &path, std::string_view head);
+    /// Reads the file whole. Findings go into the set, failure is an Error with kind
+    /// FileUnreadable.
+    Result<CaptureSet> (*read)(
+        const std::string &path, const ImportSettings &settings, const JobControl &control);
+};
+
+/// All formats, in the order in which messages list them.
+const std::vector<CaptureFormat> &captureFormats();
+
+/// "HDF5 capture (.h5), LabVIEW measurement (.lvm), ..." for messages.
+std::string readableFormatsText();
+
+/// Reads one file with the reader that recognises it (or the one that settings.format names).
+/// Fails with CAP-001 (names what the file looks like and the list of formats) or CAP-018.
+Result<CaptureSet> readCapture(
+    const std::string &path, const ImportSettings &settings, const JobControl &control = {});
+
+/// Reads several files, or folders (every readable file in natural order; unreadable ones there
+/// are skipped with a finding), and joins their shots in the order given. All problems of all
+/// files are in the one Error; a set without shots is an error too.
+Result<CaptureSet> readCaptures(const std::vector<std::string> &paths,
+    const ImportSettings &settings, const JobControl &control = {});
+
+} // namespace dyncal

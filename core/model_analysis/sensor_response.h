@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/finding.h"
+#include "core/base/result.h"
+#include "core/model_analysis/response_settings.h"
+#include "core/realization/sensor_model.h"
+#include "core/shock/shock_conditions.h"
+#include "core/signal/response_window.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dyncal {
+
+/// Continuous response of the model at one frequency: G(jw) = c0 + sum c_i jw/(jw - s_i)
+/// (identification.md 2.2; impulse: sum c_i/(jw - s_i)).
+std::complex<double> modelResponse(
+    const SensorModel &model, ResponseTreatment treatment, double frequency_Hz);
+
+/// One curve of the response over frequency; phase unwrapped from 0 at f -> 0, lag negative.
+struct ResponseCurve
+{
+    Eigen::VectorXd frequency_Hz;
+    Eigen::VectorXd magnitude;
+    Eigen::VectorXd phase_rad;
+};
+
+/// Bode curve of the model on `count` log-spaced frequencies.
+ResponseCurve modelCurve(const SensorModel &model, ResponseTreatment treatment, double from_Hz,
+    double to_Hz, Index count);
+
+/// Characteristics of the model's step response and bands, all from the parametric model.
+struct StepCharacteristics
+{
+    std::optional<double> riseTime_s;
+    std::optional<double> overshoot_percent;
+    std::optional<double> settlingTime_s;
+    std::optional<double> within5percent_Hz;
+    std::optional<double> within10percent_Hz;
+    std::optional<double> minus3dB_Hz;
+};
+
+StepCharacteristics stepCharacteristics(const SensorModel &model, ResponseTreatment treatment);
+
+/// Sensitivity of one shot: c0 times its step over the pressure step.
+struct ShotSensitivity
+{
+    Index shot = 0;
+    std::optional<double> sensitivity; ///< empty = not determined (no pressure step)
+    std::string unit; ///< "V/Pa"
+};
+
+struct ResponseResult
+{
+    Eigen::VectorXd frequency_Hz; ///< as asked by the recipe, inside the usable band
+    Eigen::VectorXd magnitude; ///< non-parametric, metrology.md 1.4; empty for impulse
+    Eigen::VectorXd u_magnitude;
+    Eigen::VectorXd phase_rad;
+    Eigen::VectorXd u_phase_rad;
+    Eigen::VectorXd modelMagnitude;
+    Eigen::VectorXd modelPhase_rad;
+    double fLow_Hz = 0.0; ///< 1 / window
+    double fHigh_Hz = 0.0; ///< where the noise exceeds 10 % of the magnitude, or 0.4 rate
+    std::string unit; ///< "V/Pa" with a pressure step, "1" without
+    StepCharacteristics characteristics;
+    std::vector<ShotSensitivity> shots;
+    std::optional<double> sensitivity; ///< mean over the shots
+    std::string sensitivityUnit;
+    ResponseCurve modelCurve; ///< for plots: 600 points over the band and past it
+    Findings findings;
+};
+
+Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &responses,
+    const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,
+    const ResponseSettings &settings);
+
+} // namespace dyncal

@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/realization/model_input.h"
+#include "core/realization/realization_settings.h"
+
+#include <Eigen/Core>
+
+#include <string>
+#include <vector>
+
+namespace dyncal {
+
+/// Leading singular triplets of the matrix that was decomposed. One decomposition serves all
+/// orders: A_n, B_n, C_n are the leading blocks (proof: docs/method/hankel.md).
+struct HankelDecomposition
+{
+    Index rows = 0; ///< r
+    Index columns = 0; ///< s, summed over the stacked series
+    bool onesProjected = false; ///< right projection that removes the step's pole at 1
+    Eigen::VectorXd singularValues; ///< largest first, at most maxOrder
+    Eigen::MatrixXd leftVectors; ///< r x k
+    Eigen::MatrixXd rightVectors; ///< s x k; only with step-as-impulse
+    Eigen::MatrixXd shiftedCore; ///< U^T H1 V, k x k; only with step-as-impulse
+    std::vector<double> seriesWeights; ///< each series was divided by this (its noise sd)
+    double noiseFloor_p95 = 0.0; ///< largest singular value expected of noise alone (95 %)
+    std::string method; ///< "dense" or "lanczos"
+};
+
+/// Singular values whose plot the operator reads the order from (thesis eqs 3.18, 3.19).
+Result<HankelDecomposition> decomposeHankel(
+    const ModelInput &input, const RealizationSettings &settings, const JobControl &control = {});
+
+/// Suggested order with the sentence that says why.
+struct OrderSuggestion
+{
+    Index order = 0;
+    Message reason;
+    Eigen::VectorXd bic; ///< of orders 1..bic.size(); empty where it could not be formed
+};
+
+/// BIC on the pre-whitened response (identification.md 4): an AR model of the pre-trigger noise
+/// filters the response (poles survive a FIR filter), then BIC over orders 1..20.
+OrderSuggestion suggestOrder(const ModelInput &input, const HankelDecomposition &decomposition);
+
+} // namespace dyncal

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/finding.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/decomposition/principal_components.h"
+#include "core/signal/power_spectrum.h"
+#include "core/signal/resampler.h"
+#include "core/signal/response_window.h"
+#include "core/signal/signal_settings.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace dyncal {
+
+/// One series that goes into the Hankel matrix: one shot, or the average of the reconstructions.
+struct ModelSeries
+{
+    Index shot = 0; ///< number from 1; 0 = the average
+    Eigen::VectorXd y; ///< at the model rate
+    double first_s = 0.0; ///< time of y[0] relative to the detected start
+    Eigen::VectorXd noise; ///< pre-trigger noise through the same filter, at the model rate
+    double noiseSd = 0.0; ///< of `noise`
+    AntiAliasFilter filter; ///< identity when nothing was reduced
+    /// The same stretch at the shot's own rate, from the start on: what the refinement works on.
+    Eigen::VectorXd fullRate;
+    double fullRate_Hz = 0.0;
+    double fullRateNoiseSd = 0.0;
+};
+
+struct ModelInput
+{
+    ResponseTreatment treatment = ResponseTreatment::StepDeflated;
+    CombineMethod combine = CombineMethod::Stacked;
+    double sampleRate_Hz = 0.0;
+    double offset_s = 0.0; ///< start of the input behind the detected start
+    Index samples = 0;
+    std::vector<ModelSeries> series;
+    std::optional<double> samplesPerPeriod; ///< of the main resonance
+    std::optional<double> lostResponse_percent; ///< energy of the ringing before the input starts
+    Findings findings; ///< MIN-001..005, CAP-004
+};
+
+/// Resamples to the model rate, cuts the model input and says what was lost (thesis 3.7 4d-5).
+/// Rules of "auto" for rate, offset and length: docs/method/model-input.md.
+Result<ModelInput> prepareModelInput(const std::vector<WindowedResponse> &responses,
+    const SpectrumResult &spectrum, const ComponentResult &components,
+    const InputSettings &settings, const JobControl &control = {});
+
+} // namespace dyncal

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/auto_value.h"
+#include "core/base/index.h"
+
+namespace dyncal {
+
+/// Recipe section "realization".
+struct RealizationSettings
+{
+    Auto<Index> order; ///< auto = the suggested order
+    Index maxOrder = 120; ///< singular values and orders offered at most
+    Auto<Index> rows; ///< block rows r of the Hankel matrix; auto = floor(N/2) - 1
+    bool refine = true; ///< nonlinear least squares on the poles after the realisation
+
+    bool operator==(const RealizationSettings &) const = default;
+};
+
+} // namespace dyncal

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/finding.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/realization/hankel_decomposition.h"
+#include "core/realization/model_input.h"
+#include "core/realization/state_space_model.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dyncal {
+
+enum class PoleClass { Sensor, Step, Nyquist, Unstable, Other };
+
+const char *poleClassName(PoleClass poleClass); ///< "sensor", "step", ...
+
+inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// One pole of the model: z in the sampled plane, s = ln(z)/Ts in the continuous one.
+struct Pole
+{
+    std::complex<double> z;
+    std::complex<double> s_rad_s;
+    PoleClass poleClass = PoleClass::Other;
+    std::vector<std::string> flags; ///< "near-cancelled", "below-noise", ...
+    double frequency_Hz = 0.0; ///< undamped, |s|/2pi, for real poles too
+    double u_frequency_Hz = kUnknown;
+    double dampingRatio = 0.0; ///< -Re s/|s|
+    double u_dampingRatio = kUnknown;
+    double amplitude = 0.0; ///< |c_i| at the onset, pooled over the shots
+};
+
+/// How one series is described by the shared poles: y(t) = c0 + sum c_i e^(s_i (t - onset)).
+struct SeriesFit
+{
+    Index shot = 0; ///< number from 1; 0 = the average
+    double plateauGain = 0.0; ///< c0, in the units of the series (0 for impulse)
+    double u_plateauGain = kUnknown;
+    Eigen::VectorXcd amplitudes; ///< c_i at the onset, the anti-alias filter's gain divided out
+    double onset_s = 0.0; ///< relative to the detected start
+    double u_onset_s = kUnknown;
+    Eigen::VectorXd simulated; ///< at the samples of the series, through the filter as measured
+    Eigen::VectorXd error; ///< y - simulated
+    double fit_percent = 0.0;
+    double fitAttainable_percent = 0.0; ///< what the true model would score, from pre-trigger noise
+};
+
+/// The realised model of one order. Immutable; every number of the model views comes from here.
+struct SensorModel
+{
+    Index order = 0;
+    StateSpaceModel stateSpace;
+    std::vector<Pole> poles; ///< by frequency, then imaginary part descending
+    std::vector<std::complex<double>> zeros;
+    std::vector<SeriesFit> series;
+    double plateauGain = 0.0; ///< pooled c0
+    Eigen::VectorXcd
+        amplitudes; ///< pooled c_i at the onset, order of `poles` without the step pole
+    double fit_percent = 0.0; ///< aligned, pooled over the shots
+    double fitAttainable_percent = 0.0;
+    std::optional<double> fitListing_percent; ///< thesis mode: as the listing computes it
+    bool diverges = false; ///< a pole outside the unit circle makes the simulation run away
+    bool refined = false;
+    Findings findings; ///< ORD-001, ORD-003, MOD-001..008
+};
+
+/// Realises the model of one order from the decomposition (eq 3.22 or shift invariance, least
+/// squares amplitudes, optional refinement). Fails (Usage) if order < 1 or larger than the data
+/// allow, naming the largest.
+Result<SensorModel> realizeModel(const ModelInput &input, const HankelDecomposition &decomposition,
+    Index order, const RealizationSettings &settings, const SpectrumResult &spectrum,
+    const JobControl &control = {});
+
+} // namespace dyncal

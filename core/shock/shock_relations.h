@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/result.h"
+
+namespace dyncal {
+
+inline constexpr double kGasConstant_J_molK = 8.314462618; ///< CODATA 2018
+
+/// Ideal gas of constant heat capacity.
+struct Gas
+{
+    double gamma = 1.402;
+    double molarMass_kg_mol = 0.028966;
+};
+
+/// Speed of sound a = sqrt(gamma R T / M) (thesis 3.1). T > 0.
+double soundSpeed_m_s(const Gas &gas, double temperature_K);
+
+/// State of a gas at rest or moving along the tube.
+struct GasState
+{
+    double pressure_Pa = 0.0;
+    double temperature_K = 0.0;
+    double density_kg_m3 = 0.0;
+    double soundSpeed_m_s = 0.0;
+    double velocity_m_s = 0.0;
+};
+
+/// Everything that follows from a shock of velocity W into gas at rest (p1, T1) with a rigid end
+/// wall: regions 1, 2, 5 and the reflected shock (thesis 3.1-3.9).
+struct ShockStates
+{
+    double velocity_m_s = 0.0;
+    double mach = 0.0;
+    GasState driven; ///< region 1
+    GasState shocked; ///< region 2
+    GasState reflected; ///< region 5
+    double reflectedVelocity_m_s = 0.0;
+    double reflectedMach = 0.0;
+};
+
+/// Fails (DataBlocked, SHK-001) if M <= 1, (SHK-004) if T1 is outside 200..400 K, and on p1 <= 0.
+Result<ShockStates> shockStates(const Gas &gas, double p1_Pa, double T1_K, double velocity_m_s);
+
+/// Time from the shock's reflection until the disturbance from the contact surface is back at the
+/// end wall, for a driven section of the given length (metrology.md 1.3).
+double plateauTime_s(const ShockStates &states, double drivenLength_m);
+
+/// Driver pressure that an ideal diaphragm needs for this shock (eq 3.10). Fails where none can.
+Result<double> driverPressure_Pa(
+    const ShockStates &states, const Gas &driven, const Gas &driver, double T4_K);
+
+} // namespace dyncal

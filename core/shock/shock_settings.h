@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dyncal {
+
+/// Ideal gas of constant heat capacity.
+struct GasSettings
+{
+    double gamma = 1.402; ///< thesis table 4.1
+    double molarMass_kg_mol = 0.028966; ///< thesis table 4.1
+    bool operator==(const GasSettings &) const = default;
+};
+
+/// A sensor that marks the passing of the shock before it reaches the end wall.
+struct ArrivalSensor
+{
+    std::string channel; ///< channel name or role name
+    double distanceToEndWall_m = 0.0;
+    double u_distance_m = 0.0;
+    bool operator==(const ArrivalSensor &) const = default;
+};
+
+/// Recipe section "shock". Empty values are taken from the capture (environment, tube) if it has
+/// them.
+struct ShockSettings
+{
+    bool enabled = true;
+    std::optional<double> p1_Pa;
+    std::optional<double> T1_K;
+    std::optional<double> T4_K;
+    GasSettings drivenGas;
+    GasSettings driverGas;
+    std::optional<double> relativeHumidity;
+    std::optional<double> velocity_m_s;
+    std::optional<double> step_Pa; ///< typed pressure step: wins over a computed one
+    std::vector<ArrivalSensor> arrivalSensors;
+    std::optional<double> driverLength_m;
+    std::optional<double> drivenLength_m;
+    std::optional<double> innerDiameter_m;
+    std::string dutPosition = "end-wall"; ///< or "side-wall"
+    double frontDuration_s = 0.0;
+    double u_frontDuration_s = 0.0;
+
+    bool operator==(const ShockSettings &) const = default;
+};
+
+} // namespace dyncal

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/finding.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/signal/response_window.h"
+#include "core/signal/signal_settings.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace dyncal {
+
+/// One-sided power spectral density, (unit of the values)^2/Hz; Parseval: sum(psd) df = mean
+/// square.
+struct PowerSpectrum
+{
+    Eigen::VectorXd frequency_Hz; ///< from 0 (or df) up to Nyquist
+    Eigen::VectorXd psd;
+};
+
+/// A peak that stands out of the spectrum of the shots.
+struct Resonance
+{
+    double frequency_Hz = 0.0; ///< mean over the shots that show it
+    double prominence_dB = 0.0; ///< over the spectrum's local background, smallest over the shots
+    double q = 0.0; ///< frequency over half-power width (limited by the window)
+    std::vector<std::optional<double>> perShot_Hz;
+};
+
+struct SpectrumResult
+{
+    std::vector<PowerSpectrum> perShot; ///< same order as the responses
+    std::vector<Resonance> resonances; ///< most prominent first
+    Findings findings; ///< SPC-001, SPC-002
+};
+
+/// PSD of one series sampled at `rate_Hz`; at least 8 values, all finite.
+Result<PowerSpectrum> computePowerSpectrum(const Eigen::Ref<const Eigen::VectorXd> &values,
+    double rate_Hz, const SpectrumSettings &settings);
+
+/// Spectra of all responses and the resonances they share (thesis 3.7 step 3). A resonance is a
+/// local maximum with at least 6 dB prominence in the smoothed log spectrum (background: running
+/// median over a band of log frequency), above the fourth bin and below 0.9 Nyquist, its frequency
+/// interpolated by a parabola through the log power. The operator's own list is matched to the
+/// nearest maxima.
+Result<SpectrumResult> analyseSpectra(const std::vector<WindowedResponse> &responses,
+    const SpectrumSettings &settings, const JobControl &control = {});
+
+/// At most `count` log-spaced points; each holds the maximum of its cell (for results.json).
+PowerSpectrum thinned(const PowerSpectrum &spectrum, Index count);
+
+} // namespace dyncal

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/result.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <optional>
+
+namespace dyncal {
+
+/// Linear-phase low-pass for a reduction by an integer factor: Kaiser-windowed sinc of odd length.
+struct AntiAliasFilter
+{
+    Index factor = 1; ///< input samples per output sample
+    Eigen::VectorXd taps; ///< symmetric, sum 1; {1} for factor 1
+    double rate_Hz = 0.0; ///< input rate
+
+    Index halfLength() const { return (taps.size() - 1) / 2; }
+    /// Time that the filter spans, (taps - 1) / rate: how long the response must have lasted
+    /// before an output sample sees nothing of the time before the onset.
+    double span_s() const { return static_cast<double>(taps.size() - 1) / rate_Hz; }
+    /// Gain for e^(s t), s complex: sum taps[k] e^(s (k - half) / rate); real on the jw axis.
+    /// A decaying exponential passes with exactly this constant gain (README decision 11).
+    std::complex<double> gain(std::complex<double> s_rad_s) const;
+};
+
+/// Filter for a reduction by `factor` >= 1 of a record at `rate_Hz`: -70 dB beyond
+/// 1.36 of the new Nyquist frequency, within 0.01 dB up to 0.64 of it.
+AntiAliasFilter designAntiAliasFilter(Index factor, double rate_Hz);
+
+/// Output k is centred on input sample first + k factor. All input samples that the filter
+/// touches must exist: first >= half and first + (count-1) factor + half < size.
+Eigen::VectorXd decimate(const Eigen::Ref<const Eigen::VectorXd> &values,
+    const AntiAliasFilter &filter, Index first, Index count);
+
+/// from_Hz / to_Hz if that is an integer >= 1 within 1e-9 relative, else empty.
+std::optional<Index> integerReduction(double from_Hz, double to_Hz);
+
+} // namespace dyncal

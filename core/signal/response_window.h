@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/finding.h"
+#include "core/base/interval.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/capture/capture_set.h"
+#include "core/signal/signal_settings.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dyncal {
+
+/// The response of one shot: the DUT's record around the start as doubles, remapped where asked.
+/// Times are seconds relative to the start (values[lead] is at time 0).
+struct WindowedResponse
+{
+    Index shot = 0; ///< number from 1 within the capture set
+    std::string label;
+    ShotLevel level = ShotLevel::None;
+    std::string channel;
+    std::string unit; ///< of baseline, settled, step, noiseSd
+    double sampleRate_Hz = 0.0;
+    double start_s = 0.0; ///< of values[lead], on the record's own axis
+    Index startSample = 0; ///< its position in the record
+    bool startDetected = true;
+
+    Interval baseline_s; ///< bands as used
+    Interval settle_s;
+    double end_s = 0.0;
+
+    double baseline = 0.0;
+    double baselineSlope_per_s = 0.0;
+    double settled = 0.0; ///< mean of the settle band (impulse treatment: 0)
+    double settleSlope_per_s = 0.0;
+    double step = 0.0; ///< settled - baseline (impulse treatment: peak excursion, signed)
+    double noiseSd = 0.0; ///< sd about the baseline's line, in `unit`
+    double snr_dB = 0.0; ///< 20 log10(|step| / noiseSd)
+
+    double valueScale = 1.0; ///< physical = baseline + valueScale * value; the step if remapped
+    Eigen::VectorXd values; ///< from the begin of the baseline (or earlier) past the window's end
+    Index lead = 0; ///< samples of `values` before the start
+    Index length = 0; ///< samples of the window proper: values[lead .. lead + length)
+    Eigen::VectorXd noise; ///< pre-trigger noise in the units of `values`, detrended
+
+    std::optional<double> riseTime_s; ///< 10-90 % of the step, first crossings, interpolated
+    std::optional<double> overshoot_percent;
+    std::optional<double> settlingTime_s; ///< last entry into +-5 % of the plateau
+
+    /// The window proper.
+    Eigen::Ref<const Eigen::VectorXd> window() const { return values.segment(lead, length); }
+};
+
+struct WindowResult
+{
+    std::vector<WindowedResponse> responses; ///< one per included shot, in shot order
+    Findings findings;
+};
+
+/// What the window stage needs beside its own settings.
+struct WindowContext
+{
+    ResponseTreatment treatment = ResponseTreatment::StepDeflated;
+    bool remap = true;
+    std::vector<std::optional<double>> plateau_s; ///< per shot of the set; for end "plateau"
+};
+
+/// Cuts the response of every included shot (thesis 3.7 step 2): start, baseline, window, settle
+/// band, remap to 0..1. Rules of each "auto": docs/recipe.md. Fails (DataBlocked) with the
+/// finding's id on CAP-006 (invalid samples inside), CAP-007 (saturated inside), CAP-009 (no
+/// step), WIN-002 (baseline over the step), and on a window that leaves the record. A shot whose
+/// baseline is not at rest is reported (CAP-020, block) and not used; if none is left, it fails.
+Result<WindowResult> cutWindows(const CaptureSet &set, const WindowSettings &settings,
+    const WindowContext &context, const JobControl &control = {});
+
+} // namespace dyncal
