@@ -9,6 +9,7 @@
 #include "core/capture/import_settings.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace dyncal {

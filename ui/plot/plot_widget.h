@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/interval.h"
+#include "ui/plot/plot_content.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QPainter;
+
+namespace dyncal {
+
+/// The only plot of the program: wraps QCustomPlot, so that zoom, pan, cursors, handles, theme and
+/// export are the same everywhere. Setting content keeps the view (zoom, pan); only fit() and the
+/// first content change it. It knows values only: no results, no session.
+///
+/// Mouse: wheel zooms x at the pointer, Ctrl+wheel y, Shift+wheel pans; left drag pans; right drag
+/// zooms a box; double click fits; hover shows the nearest point. Keys: F fit, G grid, 1 / 2 put
+/// cursor A / B at the pointer, arrows move the focused handle by one step (signal handleMoved).
+class PlotWidget : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit PlotWidget(QWidget *parent = nullptr);
+    ~PlotWidget() override;
+
+    void setContent(const PlotContent &content);
+    const PlotContent &content() const;
+    void fit();
+
+    /// A draggable band over x with two edges; `id` names it in signals. Drawn behind the curves.
+    void setBand(const QString &id, const QString &label, Interval x, bool movable = true);
+    void removeBand(const QString &id);
+    /// A draggable vertical line. With `snapToIntegers` it stops between whole numbers
+    /// (the cut in the singular values: value n means "keep n").
+    void setLine(const QString &id, const QString &label, double x, bool snapToIntegers = false);
+    void removeLine(const QString &id);
+
+    /// Pixel position (widget coordinates) of a plot coordinate: for tests that use the mouse.
+    QPoint pixelOf(double x, double y) const;
+    Interval xRange() const;
+    Interval yRange() const;
+
+    /// Draws the plot as vectors, light theme, opaque colours, into `target` of a painter (PDF,
+    /// SVG). Text and pens are sized in millimetres of a page at 96 dpi.
+    static void paint(QPainter &painter, const QRectF &target, const PlotContent &content);
+
+    bool exportImage(const QString &path) const; ///< .png, .svg or .pdf by suffix
+    QString csv() const; ///< the plotted numbers at full precision, '.' as decimal mark
+
+signals:
+    void bandMoved(const QString &id, dyncal::Interval x, bool finished); ///< finished = released
+    void lineMoved(const QString &id, double x, bool finished);
+    void pointPicked(double x, double y); ///< plain click, at the nearest data point
+    void replotted(); ///< after the pixels are up to date
+
+protected:
+    void changeEvent(QEvent *event) override; ///< follows the palette (light, dark)
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+} // namespace dyncal
