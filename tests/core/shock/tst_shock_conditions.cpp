@@ -364,12 +364,17 @@ void TestShockConditions::quietSideChannel_namedAsMissing()
 void TestShockConditions::swappedChannels_blockWithSentence()
 {
     const std::vector<DutArrival> early{{1, kDutArrival_s - kDistance_m / kVelocity_m_s - 3.1e-4}};
-    const auto result = estimateShockConditions(setWithSide(kVelocity_m_s), early, {});
+    CaptureSet set = setWithSide(kVelocity_m_s);
+    Channel dut;
+    dut.name = "PXI 0";
+    dut.role = ChannelRole::Dut;
+    set.shots[0].channels.push_back(dut);
+    const auto result = estimateShockConditions(set, early, {});
     QVERIFY(!result->shots[0].step_Pa.has_value());
     QCOMPARE(ids(result->findings), QStringList({"SHK-001"}));
     QCOMPARE(result->findings[0].severity, Severity::Block);
     QCOMPARE(english(result->findings[0].message),
-        std::string("The shock reaches 'Driven side' 310 \xC2\xB5s after 'DUT', which is farther "
+        std::string("The shock reaches 'Driven side' 310 \xC2\xB5s after 'PXI 0', which is farther "
                     "down the tube: check whether the two channels are swapped, and their "
                     "distances."));
 }
