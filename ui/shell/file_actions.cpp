@@ -1,0 +1,355 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/shell/file_actions.h"
+
+#include "core/capture/format_registry.h"
+#include "core/pipeline/results_json.h"
+#include "ui/report/report_output.h"
+#include "ui/session/capture_edit.h"
+#include "ui/session/example.h"
+#include "ui/session/project_file.h"
+#include "ui/text/core_text.h"
+
+#include <QApplication>
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <QSaveFile>
+#include <QTemporaryDir>
+
+namespace dyncal {
+
+namespace {
+
+constexpr const char *kProjectSuffix = "dyncal";
+
+bool isProject(const QString &path)
+{
+    return QFileInfo(path).suffix() == kProjectSuffix;
+}
+
+QString captureFilter()
+{
+    QStringList patterns;
+    for (const CaptureFormat &format : captureFormats())
+        for (const std::string &extension : format.extensions)
+            patterns << "*." + QString::fromStdString(extension);
+    patterns.removeDuplicates();
+    return FileActions::tr("Recordings (%1)").arg(patterns.join(' ')) + ";;"
+        + FileActions::tr("All files (*)");
+}
+
+QString projectFilter()
+{
+    return FileActions::tr("Dyncal projects (*.%1)").arg(kProjectSuffix);
+}
+
+std::string nowUtc()
+{
+    bool fixed = false;
+    const qint64 epoch = qEnvironmentVariable("SOURCE_DATE_EPOCH").toLongLong(&fixed);
+    const QDateTime now
+        = fixed ? QDateTime::fromSecsSinceEpoch(epoch, Qt::UTC) : QDateTime::currentDateTimeUtc();
+    return now.toString(Qt::ISODate).toStdString();
+}
+
+bool writeText(const QString &path, const std::string &text)
+{
+    QSaveFile file(path);
+    const QByteArray bytes = QByteArray::fromStdString(text);
+    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
+}
+
+Error notWritten(const QString &path)
+{
+    return {ErrorKind::FileUnreadable,
+        {DYNCAL_TEXT("core", "%1 cannot be written; choose another place."), {path.toStdString()}},
+        {}, 0};
+}
+
+/// The pointer says that the program works: drawing happens on this thread.
+class WaitCursor
+{
+public:
+    WaitCursor() { QApplication::setOverrideCursor(Qt::WaitCursor); }
+    ~WaitCursor() { QApplication::restoreOverrideCursor(); }
+};
+
+} // namespace
+
+FileActions::FileActions(
+    Session &session, Prompts &prompts, Preferences &preferences, QWidget *window)
+    : QObject(window)
+    , m_session(session)
+    , m_prompts(prompts)
+    , m_preferences(preferences)
+    , m_window(window)
+    , m_jobs(this)
+{
+    connect(&session.undoStack(), &QUndoStack::cleanChanged, this, &FileActions::projectChanged);
+}
+
+QString FileActions::projectName() const
+{
+    if (!m_path.isEmpty())
+        return QFileInfo(m_path).completeBaseName();
+    return m_session.state().hasShots() ? tr("Untitled") : QString();
+}
+
+bool FileActions::isModified() const
+{
+    return !m_session.undoStack().isClean();
+}
+
+bool FileActions::mayDiscard()
+{
+    if (!isModified())
+        return true;
+    switch (m_prompts.saveChanges(m_window, projectName())) {
+    case Answer::Save:
+        return save();
+    case Answer::Discard:
+        return true;
+    case Answer::Cancel:
+        break;
+    }
+    return false;
+}
+
+QStringList FileActions::askForCaptures()
+{
+    const QStringList paths = m_prompts.openFiles(
+        m_window, tr("Open captures"), captureFilter(), m_preferences.lastFolder());
+    if (!paths.isEmpty())
+        m_preferences.setLastFolder(QFileInfo(paths.first()).absolutePath());
+    return paths;
+}
+
+void FileActions::openCaptures()
+{
+    const QStringList paths = askForCaptures();
+    if (!paths.isEmpty() && mayDiscard())
+        readRecordings(paths, false);
+}
+
+void FileActions::addCaptures()
+{
+    const QStringList paths = askForCaptures();
+    if (!paths.isEmpty())
+        readRecordings(paths, m_session.state().hasShots());
+}
+
+void FileActions::openPaths(const QStringList &paths)
+{
+    if (paths.isEmpty())
+        return;
+    if (isProject(paths.first())) {
+        if (mayDiscard())
+            openProjectFile(paths.first());
+        return;
+    }
+    readRecordings(paths, m_session.state().hasShots());
+}
+
+void FileActions::readRecordings(const QStringList &paths, bool add)
+{
+    std::vector<std::string> files;
+    for (const QString &path : paths)
+        files.push_back(path.toStdString());
+    const ImportSettings settings = add ? m_session.recipe().import : ImportSettings{};
+    emit busy(tr("Reading recordings"));
+    m_jobs.start<CaptureSet>(
+        [files, settings](
+            const JobControl &control) { return readCaptures(files, settings, control); },
+        [this, add](Result<CaptureSet> set) {
+            if (set)
+                takeRecordings(*set, add);
+            else
+                showProblem(set.error());
+        },
+        [this](double done) { emit progress(done); });
+}
+
+void FileActions::takeRecordings(const CaptureSet &set, bool add)
+{
+    emit idle(tr("%n shot(s) read", nullptr, static_cast<int>(set.shots.size())));
+    if (!add) {
+        startJob({std::make_shared<const CaptureSet>(set), {}}, {});
+        return;
+    }
+    ProjectState next = m_session.state();
+    next.captures = std::make_shared<const CaptureSet>(joinedCaptures(*next.captures, set));
+    m_session.applyState(next, tr("Add recordings"));
+}
+
+void FileActions::startJob(const ProjectState &state, const QString &path)
+{
+    m_path = path;
+    m_session.reset(state);
+    emit projectChanged();
+}
+
+void FileActions::openExample()
+{
+    if (!mayDiscard())
+        return;
+    emit busy(tr("Making the example"));
+    m_jobs.start<CaptureSet>(
+        [duration = m_exampleDuration_s](
+            const JobControl &control) { return exampleCaptures(control, duration); },
+        [this](Result<CaptureSet> set) {
+            if (set)
+                takeRecordings(*set, false);
+            else
+                showProblem(set.error());
+        },
+        [this](double done) { emit progress(done); });
+}
+
+void FileActions::openProject()
+{
+    if (!mayDiscard())
+        return;
+    const QString path = m_prompts.openFile(
+        m_window, tr("Open project"), projectFilter(), m_preferences.lastFolder());
+    if (!path.isEmpty())
+        openProjectFile(path);
+}
+
+void FileActions::openProjectFile(const QString &path)
+{
+    emit busy(tr("Opening project"));
+    m_jobs.start<ProjectState>(
+        [path](const JobControl &control) { return dyncal::openProject(path, control); },
+        [this, path](Result<ProjectState> state) {
+            if (!state) {
+                showProblem(state.error());
+                return;
+            }
+            m_preferences.setLastFolder(QFileInfo(path).absolutePath());
+            m_preferences.addRecentFile(path);
+            emit idle(tr("Project opened"));
+            startJob(*state, path);
+        },
+        [this](double done) { emit progress(done); });
+}
+
+bool FileActions::save()
+{
+    return m_path.isEmpty() ? saveAs() : saveTo(m_path);
+}
+
+bool FileActions::saveAs()
+{
+    const QString path = m_prompts.saveFile(m_window, tr("Save project"), projectFilter(),
+        proposedPath(projectName() + "." + kProjectSuffix), kProjectSuffix);
+    return !path.isEmpty() && saveTo(path);
+}
+
+bool FileActions::saveTo(const QString &path)
+{
+    const Result<void> saved = saveProject(path, m_session.state());
+    if (!saved) {
+        showProblem(saved.error());
+        return false;
+    }
+    m_path = path;
+    m_preferences.setLastFolder(QFileInfo(path).absolutePath());
+    m_preferences.addRecentFile(path);
+    m_session.undoStack().setClean();
+    emit projectChanged();
+    emit idle(tr("Project saved"));
+    return true;
+}
+
+/// Only results that belong to the settings on the screen are written.
+bool FileActions::hasResults()
+{
+    if (!m_session.results().model || m_session.isComputing()) {
+        m_prompts.showProblem(m_window,
+            m_session.isComputing()
+                ? tr("The results are still being computed; try again in a moment.")
+                : tr("There is no model yet: open recordings and clear what blocks the stages."));
+        return false;
+    }
+    return true;
+}
+
+void FileActions::exportResults()
+{
+    if (!hasResults())
+        return;
+    const QString folder = m_prompts.folder(
+        m_window, tr("Export results into a folder"), m_preferences.lastFolder());
+    if (folder.isEmpty())
+        return;
+    const WaitCursor waiting;
+    const std::string created = nowUtc();
+    const PipelineOutcome outcome{m_session.results(), m_session.error(), m_session.failedStage()};
+    const QDir target(folder);
+    const std::pair<QString, std::string> texts[] = {
+        {target.filePath("results.json"), resultsJson(outcome, m_session.recipe(), created)},
+        {target.filePath("recipe.json"), recipeJson(m_session.recipe())},
+    };
+    for (const auto &[path, text] : texts) {
+        if (!writeText(path, text)) {
+            showProblem(notWritten(path));
+            return;
+        }
+    }
+    const auto written
+        = writeReport(m_session.results(), m_session.recipe(), created, folder.toStdString());
+    if (!written)
+        showProblem(written.error());
+    else
+        emit idle(tr("Results written to %1").arg(folder));
+}
+
+void FileActions::exportCertificate()
+{
+    if (!hasResults())
+        return;
+    const QString path = m_prompts.saveFile(m_window, tr("Export certificate"),
+        tr("PDF documents (*.pdf)"), proposedPath("certificate.pdf"), "pdf");
+    if (path.isEmpty())
+        return;
+    const WaitCursor waiting;
+    // The report is drawn whole; beside the target, so that the rename is atomic.
+    const QTemporaryDir folder(QFileInfo(path).absolutePath() + "/.dyncal-XXXXXX");
+    if (!folder.isValid()) {
+        showProblem(notWritten(path));
+        return;
+    }
+    const auto written = writeReport(
+        m_session.results(), m_session.recipe(), nowUtc(), folder.path().toStdString());
+    if (!written) {
+        showProblem(written.error());
+        return;
+    }
+    QFile::remove(path);
+    if (QFile::rename(folder.filePath("certificate.pdf"), path))
+        emit idle(tr("Certificate written to %1").arg(path));
+    else
+        showProblem(notWritten(path));
+}
+
+void FileActions::cancel()
+{
+    m_jobs.cancel();
+    emit idle(tr("Cancelled"));
+}
+
+void FileActions::showProblem(const Error &error)
+{
+    emit idle({});
+    if (error.kind != ErrorKind::Cancelled)
+        m_prompts.showProblem(m_window, translated(error.message));
+}
+
+QString FileActions::proposedPath(const QString &fileName) const
+{
+    return QDir(m_preferences.lastFolder()).filePath(fileName);
+}
+
+} // namespace dyncal

@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "ui/session/session.h"
+#include "ui/shell/preferences.h"
+#include "ui/shell/prompts.h"
+
+#include <QObject>
+#include <QPointer>
+
+namespace dyncal {
+
+/// Opening, saving and exporting: what the File menu does. Reading and writing of data runs in the
+/// background; a failure leaves the job as it was and shows one message.
+class FileActions : public QObject
+{
+    Q_OBJECT
+
+public:
+    FileActions(Session &session, Prompts &prompts, Preferences &preferences, QWidget *window);
+
+    void openCaptures(); ///< asks for files, starts a new job
+    void addCaptures(); ///< asks for files, adds their shots to the job
+    void openExample();
+    void openProject();
+    void openProjectFile(const QString &path);
+    /// Files or folders from a drop or the command line: a project is opened; recordings start a
+    /// job or are added to the one that is open.
+    void openPaths(const QStringList &paths);
+    bool save();
+    bool saveAs();
+    void exportResults();
+    void exportCertificate();
+
+    /// False when the operator wants to keep working on unsaved changes.
+    bool mayDiscard();
+    bool isModified() const;
+    bool isBusy() const { return m_jobs.isRunning(); }
+    void cancel();
+
+    QString projectName() const;
+
+    /// Length of the built-in example; tests shorten it.
+    void setExampleDuration(double seconds) { m_exampleDuration_s = seconds; }
+
+signals:
+    void busy(const QString &what);
+    void progress(double fraction);
+    void idle(const QString &outcome);
+    void projectChanged(); ///< name or modified state
+
+private:
+    QStringList askForCaptures();
+    void readRecordings(const QStringList &paths, bool add);
+    void takeRecordings(const CaptureSet &set, bool add);
+    void startJob(const ProjectState &state, const QString &path);
+    bool saveTo(const QString &path);
+    bool hasResults();
+    void showProblem(const Error &error);
+    QString proposedPath(const QString &fileName) const;
+
+    Session &m_session;
+    Prompts &m_prompts;
+    Preferences &m_preferences;
+    QWidget *m_window;
+    QString m_path; ///< of the project; empty = never saved
+    double m_exampleDuration_s = 0.02;
+    JobRunner m_jobs;
+};
+
+} // namespace dyncal
