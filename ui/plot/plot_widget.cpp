@@ -1,4 +1,259 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "ui/plot/plot_widget.h"
+#include "ui/plot/plot_widget_private.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QFileDialog>
+#include <QMenu>
+#include <QMimeData>
+#include <QStyle>
+#include <QToolTip>
+
+namespace dyncal {
+
+namespace {
+
+constexpr int kRing_px = 2; ///< width of the focus ring around the plot
+
+bool sameAxis(const PlotAxis &a, const PlotAxis &b)
+{
+    return a.quantity == b.quantity && a.unit == b.unit && a.logarithmic == b.logarithmic;
+}
+
+} // namespace
+
+PlotWidget::Private::Private(PlotWidget *widget)
+    : q(widget)
+    , plot(new QCustomPlot(widget))
+    , scene(*plot)
+    , handles(*plot)
+    , cursors(*plot)
+    , rubberBand(new QRubberBand(QRubberBand::Rectangle, widget))
+{
+    plot->setAttribute(Qt::WA_TransparentForMouseEvents);
+    plot->setFocusPolicy(Qt::NoFocus);
+    plot->setPlottingHints(QCP::phFastPolylines | QCP::phCacheLabels);
+    rubberBand->hide();
+    QObject::connect(plot, &QCustomPlot::afterReplot, q, &PlotWidget::replotted);
+}
+
+void PlotWidget::Private::replot()
+{
+    scene.equaliseAspect();
+    plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotWidget::Private::applyTheme()
+{
+    const PlotTheme theme = screenTheme(q->palette(), q->font());
+    scene.setTheme(theme);
+    handles.setTheme(theme);
+    cursors.refresh(scene);
+    replot();
+}
+
+void PlotWidget::Private::fitView()
+{
+    scene.fitX();
+    scene.fitY();
+}
+
+void PlotWidget::Private::setView(const View &view)
+{
+    plot->xAxis->setRange(view.x);
+    plot->yAxis->setRange(view.y);
+    replot();
+}
+
+PlotPicture PlotWidget::Private::picture() const
+{
+    const View shown = view();
+    return {std::make_shared<const PlotContent>(scene.content()),
+        Interval{shown.x.lower, shown.x.upper}, Interval{shown.y.lower, shown.y.upper},
+        handles.states()};
+}
+
+void PlotWidget::Private::announce(const HandleState &state, bool finished)
+{
+    if (state.isLine)
+        emit q->lineMoved(state.id, state.x.begin, finished);
+    else
+        emit q->bandMoved(state.id, state.x, finished);
+}
+
+PlotWidget::PlotWidget(QWidget *parent)
+    : QWidget(parent)
+    , d(std::make_unique<Private>(this))
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    d->applyTheme();
+}
+
+PlotWidget::~PlotWidget() = default;
+
+void PlotWidget::setContent(const PlotContent &content)
+{
+    const bool newX = !d->hasView || !sameAxis(content.xAxis, d->scene.content().xAxis);
+    const bool newY = !d->hasView || !sameAxis(content.yAxis, d->scene.content().yAxis);
+    d->scene.setContent(std::make_shared<const PlotContent>(content));
+    if (newX)
+        d->scene.fitX();
+    if (newY)
+        d->scene.fitY();
+    d->hasView = d->scene.hasData();
+    setAccessibleName(content.title);
+    setAccessibleDescription(content.summary);
+    d->cursors.refresh(d->scene);
+    d->replot();
+}
+
+const PlotContent &PlotWidget::content() const
+{
+    return d->scene.content();
+}
+
+void PlotWidget::fit()
+{
+    d->remember();
+    d->fitView();
+    d->replot();
+}
+
+void PlotWidget::setBand(const QString &id, const QString &label, Interval x, bool movable)
+{
+    d->handles.set({id, label, false, x, movable, false});
+    d->replot();
+}
+
+void PlotWidget::removeBand(const QString &id)
+{
+    d->handles.remove(id, false);
+    d->replot();
+}
+
+void PlotWidget::setLine(const QString &id, const QString &label, double x, bool snapToIntegers)
+{
+    d->handles.set({id, label, true, {x, x}, true, snapToIntegers});
+    d->replot();
+}
+
+void PlotWidget::removeLine(const QString &id)
+{
+    d->handles.remove(id, true);
+    d->replot();
+}
+
+QPoint PlotWidget::pixelOf(double x, double y) const
+{
+    const QPointF inner(d->plot->xAxis->coordToPixel(x), d->plot->yAxis->coordToPixel(y));
+    return d->plot->mapTo(this, inner.toPoint());
+}
+
+Interval PlotWidget::xRange() const
+{
+    return {d->plot->xAxis->range().lower, d->plot->xAxis->range().upper};
+}
+
+Interval PlotWidget::yRange() const
+{
+    return {d->plot->yAxis->range().lower, d->plot->yAxis->range().upper};
+}
+
+void PlotWidget::paint(QPainter &painter, const QRectF &target, const PlotContent &content)
+{
+    paintPicture(painter, target, {std::make_shared<const PlotContent>(content), {}, {}, {}});
+}
+
+void PlotWidget::setLegendVisible(bool visible)
+{
+    d->scene.setLegendVisible(visible);
+    d->replot();
+}
+
+QString PlotWidget::cursorReadout() const
+{
+    return d->cursors.readout(d->scene.content());
+}
+
+QSize PlotWidget::sizeHint() const
+{
+    return {480, 300};
+}
+
+QSize PlotWidget::minimumSizeHint() const
+{
+    return {160, 110};
+}
+
+bool PlotWidget::exportImage(const QString &path) const
+{
+    return savePicture(d->picture(), d->plot->size(), path);
+}
+
+QString PlotWidget::csv() const
+{
+    return contentCsv(d->scene.content());
+}
+
+void PlotWidget::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange
+        || event->type() == QEvent::StyleChange)
+        d->applyTheme();
+}
+
+void PlotWidget::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    d->plot->setGeometry(rect().adjusted(kRing_px, kRing_px, -kRing_px, -kRing_px));
+    d->scene.setTheme(d->scene.theme()); // the legend wraps by the width
+    d->replot();
+}
+
+void PlotWidget::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(), hasFocus() ? d->scene.theme().focus : d->scene.theme().background);
+}
+
+void PlotWidget::showMenu(const QPoint &globalPosition)
+{
+    QMenu menu(this);
+    menu.addAction(tr("Copy image"), this, [this] {
+        QApplication::clipboard()->setImage(renderPicture(d->picture(), d->plot->size(), 2.0));
+    });
+    menu.addAction(tr("Copy data"), this, [this] { QApplication::clipboard()->setText(csv()); });
+    menu.addAction(tr("Export..."), this, &PlotWidget::exportWithDialog);
+    menu.addSeparator();
+    menu.addAction(tr("Fit"), this, &PlotWidget::fit);
+    menu.exec(globalPosition);
+}
+
+void PlotWidget::exportWithDialog()
+{
+    const QString path = QFileDialog::getSaveFileName(this, tr("Export plot"), QString(),
+        tr("Vector image (*.svg);;Image (*.png);;PDF (*.pdf);;Data (*.csv)"));
+    if (path.isEmpty())
+        return;
+    bool done = false;
+    if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
+        QSaveFile file(path);
+        done = file.open(QIODevice::WriteOnly) && file.write(csv().toUtf8()) >= 0 && file.commit();
+    } else {
+        done = exportImage(path);
+    }
+    if (!done)
+        QToolTip::showText(mapToGlobal(rect().center()),
+            tr("The plot could not be written to %1; choose a folder that can be written and a "
+               "name that ends in .svg, .png, .pdf or .csv.")
+                .arg(path),
+            this);
+}
+
+} // namespace dyncal

@@ -20,7 +20,9 @@ namespace dyncal {
 ///
 /// Mouse: wheel zooms x at the pointer, Ctrl+wheel y, Shift+wheel pans; left drag pans; right drag
 /// zooms a box; double click fits; hover shows the nearest point. Keys: F fit, G grid, 1 / 2 put
-/// cursor A / B at the pointer, arrows move the focused handle by one step (signal handleMoved).
+/// cursor A / B at the pointer, arrows move the focused handle by one step (signals bandMoved,
+/// lineMoved; Shift: ten steps) or else the view, + / - zoom, Backspace the view before, Tab the
+/// next handle, Esc ends a drag and restores.
 class PlotWidget : public QWidget
 {
     Q_OBJECT
@@ -50,6 +52,16 @@ public:
     /// SVG). Text and pens are sized in millimetres of a page at 96 dpi.
     static void paint(QPainter &painter, const QRectF &target, const PlotContent &content);
 
+    /// The legend is shown above the plot by itself when two or more curves have names; a click
+    /// on an entry hides or shows its curve, Ctrl+click shows it alone.
+    void setLegendVisible(bool visible);
+
+    /// Readings of the cursors as shown ("A: 1.2 µs; 0.98 V"), empty without cursors.
+    QString cursorReadout() const;
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
     bool exportImage(const QString &path) const; ///< .png, .svg or .pdf by suffix
     QString csv() const; ///< the plotted numbers at full precision, '.' as decimal mark
 
@@ -61,8 +73,24 @@ signals:
 
 protected:
     void changeEvent(QEvent *event) override; ///< follows the palette (light, dark)
+    bool event(QEvent *event) override; ///< tool tip, undo of a drag by Esc before shortcuts
+    void resizeEvent(QResizeEvent *event) override;
+    void paintEvent(QPaintEvent *event) override; ///< focus ring
+    void focusInEvent(QFocusEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
+    bool focusNextPrevChild(bool next) override; ///< Tab walks through the handles first
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
 
 private:
+    void showMenu(const QPoint &globalPosition);
+    void exportWithDialog();
+
     struct Private;
     std::unique_ptr<Private> d;
 };

@@ -1,0 +1,302 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/plot/qcp_scene.h"
+
+#include "ui/plot/axis_prefix.h"
+#include "ui/plot/qcp_ticker.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+
+namespace {
+
+constexpr int kLegendIconWidth = 26;
+
+QSharedPointer<QCPAxisTicker> makeTicker(const PlotAxis &axis)
+{
+    if (axis.logarithmic)
+        return QSharedPointer<DecadeTicker>::create(axis);
+    return QSharedPointer<PrefixTicker>::create(axis);
+}
+
+QCPRange widened(QCPRange range, const PlotAxis &axis, double margin)
+{
+    if (axis.logarithmic) {
+        const double factor
+            = range.upper > range.lower ? std::pow(range.upper / range.lower, margin) : 3.0;
+        return {range.lower / factor, range.upper * factor};
+    }
+    double extra = margin * range.size();
+    if (!(range.size() > 0.0))
+        extra = range.lower == 0.0 ? 1.0 : 0.1 * std::abs(range.lower);
+    return {range.lower - extra, range.upper + extra};
+}
+
+bool hasMargin(const PlotCurve &curve)
+{
+    return curve.style == CurveStyle::Markers || curve.style == CurveStyle::Dots
+        || curve.style == CurveStyle::Bars || curve.style == CurveStyle::Stems;
+}
+
+} // namespace
+
+PlotScene::PlotScene(QCustomPlot &plot)
+    : m_plot(plot)
+    , m_content(std::make_shared<const PlotContent>())
+{
+    m_plot.setAutoAddPlottableToLegend(false);
+    m_plot.setNoAntialiasingOnDrag(false);
+    m_plot.legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
+    m_plot.legend->setMargins(QMargins(0, 0, 0, 0));
+    m_plot.legend->setRowSpacing(0);
+    m_plot.legend->setColumnSpacing(10);
+    m_plot.legend->setIconSize(kLegendIconWidth, 12);
+    m_plot.legend->setIconTextPadding(4);
+    m_plot.legend->setLayer("legend");
+    m_title = new QCPTextElement(&m_plot);
+    m_title->setMargins(QMargins(0, 0, 0, 0));
+    m_title->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+    m_plot.plotLayout()->setRowSpacing(2);
+    for (QCPAxis *axis : {m_plot.xAxis, m_plot.yAxis}) {
+        axis->setLabelPadding(3);
+        axis->setTickLabelPadding(3);
+        QObject::connect(axis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), &m_plot,
+            [this, axis] { updateAxisLabel(axis); });
+    }
+    m_plot.axisRect()->setupFullAxesBox();
+    for (QCPAxis *axis : {m_plot.xAxis2, m_plot.yAxis2}) {
+        axis->setTicks(false);
+        axis->setTickLabels(false);
+    }
+    QObject::connect(&m_plot, &QCustomPlot::afterLayout, &m_plot, [this] { drawView(); });
+}
+
+void PlotScene::setContent(std::shared_ptr<const PlotContent> content)
+{
+    m_content = std::move(content);
+    makeAxis(m_plot.xAxis, m_content->xAxis);
+    makeAxis(m_plot.yAxis, m_content->yAxis);
+    m_title->setText(m_content->title);
+    makeCurves();
+    makeDecorations();
+    makeLegend();
+    setTheme(m_theme);
+}
+
+void PlotScene::makeAxis(QCPAxis *axis, const PlotAxis &meaning)
+{
+    axis->setScaleType(meaning.logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+    axis->setTicker(makeTicker(meaning));
+    axis->grid()->setSubGridVisible(meaning.logarithmic);
+    axis->grid()->setZeroLinePen(Qt::NoPen);
+    updateAxisLabel(axis);
+}
+
+void PlotScene::updateAxisLabel(QCPAxis *axis)
+{
+    const PlotAxis &meaning = axis == m_plot.xAxis ? m_content->xAxis : m_content->yAxis;
+    const QCPRange range = axis->range();
+    // Decades carry their own prefix ("10 k"), so the label of a logarithmic axis has none.
+    const AxisPrefix prefix
+        = meaning.logarithmic ? AxisPrefix{} : axisPrefix(range.lower, range.upper, meaning.unit);
+    axis->setLabel(axisLabel(meaning.quantity, meaning.unit, prefix));
+}
+
+void PlotScene::arrange()
+{
+    QCPLayoutGrid *grid = m_plot.plotLayout();
+    QCPAxisRect *axes = m_plot.axisRect();
+    const auto inLegend = std::count_if(m_curves.begin(), m_curves.end(),
+        [](const DrawnCurve &c) { return c.curve->inLegend && !c.curve->name.isEmpty(); });
+    const bool legendShown = m_legendVisible && inLegend > 1;
+    for (QCPLayoutElement *element :
+        std::initializer_list<QCPLayoutElement *>{m_title, m_plot.legend, axes})
+        if (element->layout())
+            element->layout()->take(element);
+    grid->simplify();
+    int row = 0;
+    m_title->setVisible(!m_content->title.isEmpty());
+    m_plot.legend->setVisible(legendShown);
+    if (m_title->visible())
+        grid->addElement(row++, 0, m_title);
+    if (legendShown) {
+        grid->addElement(row, 0, m_plot.legend);
+        grid->setRowStretchFactor(row++, 0.001);
+    }
+    grid->addElement(row, 0, axes);
+    grid->setRowStretchFactor(row, 1.0);
+}
+
+void PlotScene::makeLegend()
+{
+    m_plot.legend->clearItems();
+    m_plot.legend->setWrap(0);
+    for (const DrawnCurve &drawn : m_curves)
+        if (drawn.curve->inLegend && !drawn.curve->name.isEmpty())
+            drawn.plottable()->addToLegend();
+    updateLegend();
+    arrange();
+}
+
+void PlotScene::updateLegend()
+{
+    const QFontMetrics metrics(m_theme.font);
+    int widest = 1;
+    for (const DrawnCurve &drawn : m_curves) {
+        QCPPlottableLegendItem *item = m_plot.legend->itemWithPlottable(drawn.plottable());
+        if (!item)
+            continue;
+        QFont font = m_theme.font;
+        font.setStrikeOut(!drawn.visible);
+        item->setFont(font);
+        item->setTextColor(m_theme.text);
+        widest = std::max(widest, metrics.horizontalAdvance(drawn.curve->name));
+    }
+    const int cell = widest + kLegendIconWidth + 16;
+    m_plot.legend->setWrap(std::max(1, m_plot.viewport().width() / cell));
+    m_plot.legend->setFillOrder(QCPLayoutGrid::foColumnsFirst, true);
+}
+
+void PlotScene::setLegendVisible(bool visible)
+{
+    m_legendVisible = visible;
+    arrange();
+}
+
+std::optional<std::size_t> PlotScene::legendEntryAt(const QPointF &position) const
+{
+    if (!m_plot.legend->visible())
+        return std::nullopt;
+    for (std::size_t i = 0; i < m_curves.size(); ++i) {
+        const QCPPlottableLegendItem *item
+            = m_plot.legend->itemWithPlottable(m_curves[i].plottable());
+        if (item && item->outerRect().contains(position.toPoint()))
+            return i;
+    }
+    return std::nullopt;
+}
+
+void PlotScene::setCurveVisible(std::size_t position, bool visible)
+{
+    DrawnCurve &drawn = m_curves[position];
+    drawn.visible = visible;
+    drawn.plottable()->setVisible(visible);
+    if (drawn.markers)
+        drawn.markers->setVisible(visible);
+    if (visible)
+        m_hidden.erase(drawn.curve->name);
+    else
+        m_hidden.insert(drawn.curve->name);
+    updateLegend();
+}
+
+void PlotScene::setTheme(const PlotTheme &theme)
+{
+    m_theme = theme;
+    m_plot.setBackground(theme.background);
+    for (QCPAxis *axis : {m_plot.xAxis, m_plot.yAxis, m_plot.xAxis2, m_plot.yAxis2}) {
+        axis->setBasePen(QPen(theme.axis, 1));
+        axis->setTickPen(QPen(theme.axis, 1));
+        axis->setSubTickPen(QPen(theme.axis, 1));
+        axis->setTickLabelColor(theme.text);
+        axis->setLabelColor(theme.text);
+        axis->setTickLabelFont(theme.font);
+        axis->setLabelFont(theme.font);
+        axis->grid()->setPen(QPen(theme.grid, 1));
+        axis->grid()->setSubGridPen(QPen(theme.fineGrid, 1));
+    }
+    QFont bold = theme.font;
+    bold.setBold(true);
+    m_title->setFont(bold);
+    m_title->setTextColor(theme.text);
+    m_plot.legend->setBrush(Qt::NoBrush);
+    m_plot.legend->setBorderPen(Qt::NoPen);
+    for (DrawnCurve &drawn : m_curves)
+        styleCurve(drawn);
+    styleDecorations();
+    updateLegend();
+}
+
+bool PlotScene::hasData() const
+{
+    return std::any_of(m_curves.begin(), m_curves.end(),
+        [](const DrawnCurve &drawn) { return !drawn.x().empty(); });
+}
+
+QCPRange PlotScene::dataRange(bool alongX) const
+{
+    const PlotAxis &axis = alongX ? m_content->xAxis : m_content->yAxis;
+    bool any = false;
+    bool margin = !alongX;
+    QCPRange range(0.0, 0.0);
+    const auto include = [&](double value) {
+        if (!std::isfinite(value) || (axis.logarithmic && !(value > 0.0)))
+            return;
+        range.lower = any ? std::min(range.lower, value) : value;
+        range.upper = any ? std::max(range.upper, value) : value;
+        any = true;
+    };
+    for (const DrawnCurve &drawn : m_curves) {
+        if (!drawn.visible)
+            continue;
+        for (const double value : alongX ? drawn.x() : drawn.y())
+            include(value);
+        if (drawn.bars && !alongX)
+            include(0.0);
+        margin = margin || hasMargin(*drawn.curve);
+    }
+    if (any && !alongX)
+        for (const PlotLevel &level : m_content->levels)
+            include(level.y);
+    if (m_content->unitCircle) {
+        include(-1.0);
+        include(1.0);
+    }
+    if (!any)
+        return axis.logarithmic ? QCPRange(1.0, 10.0) : QCPRange(0.0, 1.0);
+    const bool single = !(range.upper > range.lower);
+    return widened(range, axis, margin || single ? 0.05 : 0.0);
+}
+
+void PlotScene::fitX()
+{
+    const QCPRange range = dataRange(true);
+    m_plot.xAxis->setRange(
+        m_content->xMin.value_or(range.lower), m_content->xMax.value_or(range.upper));
+}
+
+void PlotScene::fitY()
+{
+    const QCPRange range = dataRange(false);
+    m_plot.yAxis->setRange(
+        m_content->yMin.value_or(range.lower), m_content->yMax.value_or(range.upper));
+}
+
+void PlotScene::equaliseAspect()
+{
+    if (!m_content->equalAspect)
+        return;
+    // The size of the axes is known only after a layout pass.
+    for (const auto phase :
+        {QCPLayoutElement::upPreparation, QCPLayoutElement::upMargins, QCPLayoutElement::upLayout})
+        m_plot.plotLayout()->update(phase);
+    const QRect rect = m_plot.axisRect()->rect();
+    if (rect.width() < 10 || rect.height() < 10)
+        return;
+    const double perPixelX = m_plot.xAxis->range().size() / rect.width();
+    const double perPixelY = m_plot.yAxis->range().size() / rect.height();
+    const auto widen = [](QCPAxis *axis, double size) {
+        const double centre = axis->range().center();
+        axis->setRange(centre - 0.5 * size, centre + 0.5 * size);
+    };
+    // The slack ends the mutual widening that rounding would otherwise keep going.
+    if (perPixelX > perPixelY * (1.0 + 1e-6))
+        widen(m_plot.yAxis, perPixelX * rect.height());
+    else if (perPixelY > perPixelX * (1.0 + 1e-6))
+        widen(m_plot.xAxis, perPixelY * rect.width());
+}
+
+} // namespace dyncal

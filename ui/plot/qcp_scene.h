@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "ui/plot/curve_envelope.h"
+#include "ui/plot/plot_content.h"
+#include "ui/plot/plot_theme.h"
+
+#include <qcustomplot.h>
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace dyncal {
+
+QCPScatterStyle scatterStyle(MarkerShape shape, const QColor &color, double size);
+
+/// A graph whose legend icon shows dash and marker together; markers are drawn by another graph.
+class RoleGraph : public QCPGraph
+{
+public:
+    using QCPGraph::QCPGraph;
+    void setLegendMarker(const QCPScatterStyle &marker) { m_legendMarker = marker; }
+
+protected:
+    void drawLegendIcon(QCPPainter *painter, const QRectF &rect) const override;
+
+private:
+    QCPScatterStyle m_legendMarker;
+};
+
+/// One curve as QCustomPlot draws it, and the samples it comes from.
+struct DrawnCurve
+{
+    const PlotCurve *curve = nullptr;
+    RoleGraph *graph = nullptr; ///< null for bars
+    QCPGraph *markers = nullptr; ///< a few role markers along a line, or dots on every sample
+    QCPBars *bars = nullptr;
+    /// Sorted, positive on logarithmic axes; empty while the content's own vectors serve.
+    std::vector<double> ownX, ownY;
+    std::optional<CurveEnvelope> envelope;
+    bool dense = false; ///< too many points to hand over: drawn through the envelope
+    bool visible = true;
+
+    QCPAbstractPlottable *plottable() const;
+    const std::vector<double> &x() const { return ownX.empty() ? curve->x : ownX; }
+    const std::vector<double> &y() const { return ownX.empty() ? curve->y : ownY; }
+};
+
+/// What one content looks like on one QCustomPlot: axes, curves, marks, levels, legend, theme.
+/// Used by the widget and, without any widget shown, by printing. No mouse, no keyboard.
+class PlotScene
+{
+public:
+    explicit PlotScene(QCustomPlot &plot);
+
+    /// Replaces what is drawn; the ranges stay. The content is shared, never copied.
+    void setContent(std::shared_ptr<const PlotContent> content);
+    const PlotContent &content() const { return *m_content; }
+    void setTheme(const PlotTheme &theme);
+    const PlotTheme &theme() const { return m_theme; }
+    void setColumnsPerPixel(int columns) { m_columnsPerPixel = columns; }
+
+    void fitX();
+    void fitY();
+    bool hasData() const;
+    /// Widens one axis so that both have the same scale, for contents that ask for it. Needs the
+    /// viewport; call before every drawing.
+    void equaliseAspect();
+
+    const std::vector<DrawnCurve> &curves() const { return m_curves; }
+    void setLegendVisible(bool visible);
+    /// Position in curves() of the legend entry at a pixel, if any.
+    std::optional<std::size_t> legendEntryAt(const QPointF &position) const;
+    void setCurveVisible(std::size_t position, bool visible);
+
+private:
+    struct Decoration
+    {
+        QCPAbstractItem *line = nullptr;
+        QCPItemText *label = nullptr;
+        CurveRole role = CurveRole::Reference;
+        std::optional<double> markX;
+    };
+
+    // qcp_scene.cpp: axes, title, legend, theme, ranges
+    void makeAxis(QCPAxis *axis, const PlotAxis &meaning);
+    void updateAxisLabel(QCPAxis *axis);
+    void arrange();
+    void makeLegend();
+    void updateLegend();
+    QCPRange dataRange(bool alongX) const;
+    // qcp_scene_curves.cpp
+    void makeCurves();
+    void prepareSamples(DrawnCurve &drawn) const;
+    void makePlottable(DrawnCurve &drawn);
+    void styleCurve(DrawnCurve &drawn) const;
+    void styleLine(DrawnCurve &drawn) const;
+    void drawView();
+    void drawCurve(DrawnCurve &drawn, const std::vector<double> &edges) const;
+    void drawMarkers(DrawnCurve &drawn) const;
+    std::vector<double> columnEdges() const;
+    // qcp_scene_decorations.cpp
+    void makeDecorations();
+    void makeMark(const PlotMark &mark);
+    void makeLevel(const PlotLevel &level);
+    void styleDecorations();
+    void staggerMarks();
+
+    QCustomPlot &m_plot;
+    std::shared_ptr<const PlotContent> m_content;
+    PlotTheme m_theme;
+    int m_columnsPerPixel = 1;
+    std::vector<DrawnCurve> m_curves;
+    std::set<QString> m_hidden; ///< names of curves hidden by the operator
+    bool m_legendVisible = true;
+    QCPTextElement *m_title = nullptr;
+    std::vector<Decoration> m_decorations;
+    QCPItemEllipse *m_unitCircle = nullptr;
+};
+
+} // namespace dyncal

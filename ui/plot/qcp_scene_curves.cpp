@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/plot/qcp_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace dyncal {
+
+namespace {
+
+constexpr std::size_t kDensePoints = 20000;
+constexpr int kPixelsPerDot = 4; ///< samples get dots when they are at least this far apart
+constexpr Index kMarkersPerCurve = 8;
+constexpr double kMarkerSize = 6.0;
+constexpr double kDotSize = 4.0;
+
+QVector<double> toQt(const std::vector<double> &values)
+{
+    return {values.begin(), values.end()};
+}
+
+/// Roles whose lines may lie on each other and are told apart by markers too.
+bool isShot(CurveRole role)
+{
+    return role == CurveRole::ShotLow || role == CurveRole::ShotMedium
+        || role == CurveRole::ShotHigh || role == CurveRole::ShotOther;
+}
+
+bool isLine(CurveStyle style)
+{
+    return style == CurveStyle::Line || style == CurveStyle::Steps
+        || style == CurveStyle::LineAndDots;
+}
+
+bool usable(const PlotCurve &curve, const PlotContent &content, std::size_t i)
+{
+    const double x = curve.x[i];
+    return std::isfinite(x) && !(content.xAxis.logarithmic && !(x > 0.0));
+}
+
+} // namespace
+
+QCPScatterStyle scatterStyle(MarkerShape shape, const QColor &color, double size)
+{
+    const auto style = [&](QCPScatterStyle::ScatterShape scatter, bool filled) {
+        return QCPScatterStyle(
+            scatter, QPen(color, 1.3), filled ? QBrush(color) : QBrush(Qt::NoBrush), size);
+    };
+    switch (shape) {
+    case MarkerShape::None:
+        return QCPScatterStyle(QCPScatterStyle::ssNone);
+    case MarkerShape::Dot:
+        return style(QCPScatterStyle::ssDisc, true);
+    case MarkerShape::Circle:
+        return style(QCPScatterStyle::ssCircle, false);
+    case MarkerShape::TriangleUp:
+        return style(QCPScatterStyle::ssTriangle, false);
+    case MarkerShape::TriangleDown:
+        return style(QCPScatterStyle::ssTriangleInverted, true);
+    case MarkerShape::Square:
+        return style(QCPScatterStyle::ssSquare, false);
+    case MarkerShape::Diamond:
+        return style(QCPScatterStyle::ssDiamond, false);
+    case MarkerShape::Cross:
+        return style(QCPScatterStyle::ssCross, false);
+    case MarkerShape::Star:
+        return style(QCPScatterStyle::ssStar, false);
+    case MarkerShape::CrossInBox:
+        return style(QCPScatterStyle::ssCrossSquare, false);
+    }
+    return {};
+}
+
+void RoleGraph::drawLegendIcon(QCPPainter *painter, const QRectF &rect) const
+{
+    QCPGraph::drawLegendIcon(painter, rect);
+    if (m_legendMarker.isNone())
+        return;
+    applyScattersAntialiasingHint(painter);
+    m_legendMarker.applyTo(painter, pen());
+    m_legendMarker.drawShape(painter, rect.center());
+}
+
+QCPAbstractPlottable *DrawnCurve::plottable() const
+{
+    return bars ? static_cast<QCPAbstractPlottable *>(bars) : graph;
+}
+
+void PlotScene::makeCurves()
+{
+    m_plot.legend->clearItems();
+    m_plot.clearPlottables();
+    m_curves.clear();
+    // Envelopes keep views of the vectors in here: never reallocate.
+    m_curves.reserve(m_content->curves.size());
+    for (const PlotCurve &curve : m_content->curves) {
+        DrawnCurve &drawn = m_curves.emplace_back();
+        drawn.curve = &curve;
+        drawn.visible = m_hidden.count(curve.name) == 0;
+        prepareSamples(drawn);
+        makePlottable(drawn);
+    }
+}
+
+void PlotScene::prepareSamples(DrawnCurve &drawn) const
+{
+    const PlotCurve &curve = *drawn.curve;
+    const std::size_t count = std::min(curve.x.size(), curve.y.size());
+    const bool logY = m_content->yAxis.logarithmic;
+    bool asGiven = curve.x.size() == curve.y.size();
+    for (std::size_t i = 0; asGiven && i < count; ++i)
+        asGiven = usable(curve, *m_content, i) && (i == 0 || curve.x[i] >= curve.x[i - 1])
+            && !(logY && curve.y[i] <= 0.0);
+    if (!asGiven) {
+        std::vector<std::size_t> order;
+        for (std::size_t i = 0; i < count; ++i)
+            if (usable(curve, *m_content, i))
+                order.push_back(i);
+        std::stable_sort(order.begin(), order.end(),
+            [&curve](std::size_t a, std::size_t b) { return curve.x[a] < curve.x[b]; });
+        for (const std::size_t i : order) {
+            const double y = curve.y[i];
+            drawn.ownX.push_back(curve.x[i]);
+            drawn.ownY.push_back(logY && !(y > 0.0) ? std::numeric_limits<double>::quiet_NaN() : y);
+        }
+        if (drawn.ownX.empty()) { // not even one usable point: shows nothing
+            drawn.ownX.push_back(std::numeric_limits<double>::quiet_NaN());
+            drawn.ownY.push_back(std::numeric_limits<double>::quiet_NaN());
+        }
+    }
+    drawn.envelope.emplace(drawn.x(), drawn.y());
+    drawn.dense = drawn.x().size() > kDensePoints;
+}
+
+void PlotScene::makePlottable(DrawnCurve &drawn)
+{
+    const PlotCurve &curve = *drawn.curve;
+    if (curve.style == CurveStyle::Bars) {
+        drawn.bars = new QCPBars(m_plot.xAxis, m_plot.yAxis);
+        drawn.bars->setData(toQt(drawn.x()), toQt(drawn.y()), true);
+        drawn.bars->setWidth(0.6);
+    } else {
+        drawn.graph = new RoleGraph(m_plot.xAxis, m_plot.yAxis);
+        if (!drawn.dense)
+            drawn.graph->setData(toQt(drawn.x()), toQt(drawn.y()), true);
+    }
+    drawn.plottable()->setName(curve.name);
+    drawn.plottable()->setVisible(drawn.visible);
+    if (isLine(curve.style)) {
+        drawn.markers = new QCPGraph(m_plot.xAxis, m_plot.yAxis);
+        drawn.markers->setLineStyle(QCPGraph::lsNone);
+        drawn.markers->setVisible(drawn.visible);
+    }
+}
+
+void PlotScene::styleCurve(DrawnCurve &drawn) const
+{
+    const RoleStyle style = m_theme.style(drawn.curve->role);
+    if (drawn.bars) {
+        drawn.bars->setPen(QPen(style.color, 1));
+        drawn.bars->setBrush(style.color);
+        return;
+    }
+    const MarkerShape lone = style.marker == MarkerShape::None ? MarkerShape::Dot : style.marker;
+    switch (drawn.curve->style) {
+    case CurveStyle::Dots:
+        drawn.graph->setLineStyle(QCPGraph::lsNone);
+        drawn.graph->setScatterStyle(scatterStyle(MarkerShape::Dot, style.color, kDotSize));
+        break;
+    case CurveStyle::Markers:
+        drawn.graph->setLineStyle(QCPGraph::lsNone);
+        drawn.graph->setScatterStyle(scatterStyle(lone, style.color, kMarkerSize + 2));
+        break;
+    case CurveStyle::Stems:
+        drawn.graph->setLineStyle(QCPGraph::lsImpulse);
+        drawn.graph->setScatterStyle(scatterStyle(MarkerShape::Dot, style.color, kDotSize));
+        drawn.graph->setPen(QPen(style.color, 1));
+        break;
+    default:
+        styleLine(drawn);
+    }
+}
+
+void PlotScene::styleLine(DrawnCurve &drawn) const
+{
+    const RoleStyle style = m_theme.style(drawn.curve->role);
+    const bool steps = drawn.curve->style == CurveStyle::Steps;
+    drawn.graph->setLineStyle(steps ? QCPGraph::lsStepLeft : QCPGraph::lsLine);
+    drawn.graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssNone));
+    QPen pen(style.color, style.width, style.dash);
+    pen.setJoinStyle(Qt::RoundJoin);
+    drawn.graph->setPen(pen);
+    drawn.graph->setLegendMarker(isShot(drawn.curve->role)
+            ? scatterStyle(style.marker, style.color, kMarkerSize)
+            : QCPScatterStyle());
+}
+
+std::vector<double> PlotScene::columnEdges() const
+{
+    const QCPAxis *axis = m_plot.xAxis;
+    const QRect rect = m_plot.axisRect()->rect();
+    const int columns = std::max(1, rect.width() * m_columnsPerPixel);
+    std::vector<double> edges(static_cast<std::size_t>(columns) + 1);
+    for (int k = 0; k <= columns; ++k)
+        edges[static_cast<std::size_t>(k)]
+            = axis->pixelToCoord(rect.left() + static_cast<double>(k) / m_columnsPerPixel);
+    if (axis->rangeReversed())
+        std::reverse(edges.begin(), edges.end());
+    return edges;
+}
+
+void PlotScene::drawView()
+{
+    const std::vector<double> edges = columnEdges();
+    for (DrawnCurve &drawn : m_curves)
+        if (drawn.graph && drawn.visible)
+            drawCurve(drawn, edges);
+    staggerMarks();
+}
+
+void PlotScene::drawCurve(DrawnCurve &drawn, const std::vector<double> &edges) const
+{
+    bool enveloped = false;
+    if (drawn.dense) {
+        const DrawnPoints points = drawn.envelope->points(edges);
+        drawn.graph->setData(toQt(points.x), toQt(points.y), true);
+        enveloped = points.enveloped;
+    }
+    if (drawn.markers) {
+        // Dashes of an envelope are unreadable and slow: its verticals would all be dashed.
+        QPen pen = drawn.graph->pen();
+        pen.setStyle(enveloped ? Qt::SolidLine : m_theme.style(drawn.curve->role).dash);
+        drawn.graph->setPen(pen);
+        drawMarkers(drawn);
+    }
+}
+
+void PlotScene::drawMarkers(DrawnCurve &drawn) const
+{
+    const RoleStyle style = m_theme.style(drawn.curve->role);
+    const QCPRange range = m_plot.xAxis->range();
+    const Index begin = drawn.envelope->firstFrom(range.lower);
+    const Index count = drawn.envelope->firstBeyond(range.upper) - begin;
+    const bool everySample = drawn.curve->style == CurveStyle::LineAndDots
+        || count < m_plot.axisRect()->width() / kPixelsPerDot;
+    QVector<double> x;
+    QVector<double> y;
+    const auto add = [&](Index i) {
+        x.append(drawn.x()[static_cast<std::size_t>(i)]);
+        y.append(drawn.y()[static_cast<std::size_t>(i)]);
+    };
+    if (everySample) {
+        for (Index i = begin; i < begin + count; ++i)
+            add(i);
+    } else if (isShot(drawn.curve->role)) {
+        // Each role begins elsewhere, so that markers of curves on each other do not coincide.
+        const Index phase = 1 + 2 * static_cast<Index>(drawn.curve->role);
+        for (Index k = 0; k < kMarkersPerCurve; ++k)
+            add(begin + (8 * k + phase) * count / (8 * kMarkersPerCurve));
+    }
+    const bool plain = !isShot(drawn.curve->role);
+    drawn.markers->setData(x, y, true);
+    drawn.markers->setScatterStyle(scatterStyle(
+        plain ? MarkerShape::Dot : style.marker, style.color, plain ? kDotSize : kMarkerSize));
+}
+
+} // namespace dyncal

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/plot/qcp_scene.h"
+
+#include <algorithm>
+
+namespace dyncal {
+
+namespace {
+
+constexpr int kLabelGap_px = 6;
+constexpr int kMarkRows = 4;
+
+} // namespace
+
+void PlotScene::makeDecorations()
+{
+    for (const Decoration &decoration : m_decorations) {
+        m_plot.removeItem(decoration.line);
+        m_plot.removeItem(decoration.label);
+    }
+    m_decorations.clear();
+    if (m_unitCircle)
+        m_plot.removeItem(m_unitCircle);
+    m_unitCircle = nullptr;
+    if (m_content->unitCircle) {
+        m_unitCircle = new QCPItemEllipse(&m_plot);
+        m_unitCircle->topLeft->setCoords(-1.0, 1.0);
+        m_unitCircle->bottomRight->setCoords(1.0, -1.0);
+        m_unitCircle->setSelectable(false);
+    }
+    for (const PlotLevel &level : m_content->levels)
+        makeLevel(level);
+    for (const PlotMark &mark : m_content->marks)
+        makeMark(mark);
+    std::stable_sort(
+        m_decorations.begin(), m_decorations.end(), [](const Decoration &a, const Decoration &b) {
+            return a.markX.value_or(0.0) < b.markX.value_or(0.0);
+        });
+}
+
+void PlotScene::makeMark(const PlotMark &mark)
+{
+    auto *line = new QCPItemLine(&m_plot);
+    for (QCPItemPosition *position : {line->start, line->end}) {
+        position->setTypeX(QCPItemPosition::ptPlotCoords);
+        position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    }
+    line->start->setCoords(mark.x, 0.0);
+    line->end->setCoords(mark.x, 1.0);
+    auto *label = new QCPItemText(&m_plot);
+    label->position->setTypeX(QCPItemPosition::ptPlotCoords);
+    label->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    label->position->setCoords(mark.x, 0.0);
+    label->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
+    label->setPadding(QMargins(3, 1, 1, 0));
+    label->setText(mark.label);
+    m_decorations.push_back({line, label, mark.role, mark.x});
+}
+
+void PlotScene::makeLevel(const PlotLevel &level)
+{
+    auto *line = new QCPItemLine(&m_plot);
+    for (QCPItemPosition *position : {line->start, line->end}) {
+        position->setTypeX(QCPItemPosition::ptAxisRectRatio);
+        position->setTypeY(QCPItemPosition::ptPlotCoords);
+    }
+    line->start->setCoords(0.0, level.y);
+    line->end->setCoords(1.0, level.y);
+    auto *label = new QCPItemText(&m_plot);
+    label->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
+    label->position->setTypeY(QCPItemPosition::ptPlotCoords);
+    label->position->setCoords(1.0, level.y);
+    label->setPositionAlignment(Qt::AlignRight | Qt::AlignBottom);
+    label->setPadding(QMargins(1, 0, 3, 1));
+    label->setText(level.label);
+    m_decorations.push_back({line, label, level.role, std::nullopt});
+}
+
+void PlotScene::styleDecorations()
+{
+    for (const Decoration &decoration : m_decorations) {
+        const RoleStyle style = m_theme.style(decoration.role);
+        const QPen pen(style.color, 1.0, style.dash == Qt::SolidLine ? Qt::DashLine : style.dash);
+        static_cast<QCPItemLine *>(decoration.line)->setPen(pen);
+        decoration.line->setSelectable(false);
+        decoration.label->setSelectable(false);
+        decoration.label->setColor(m_theme.text);
+        decoration.label->setFont(m_theme.font);
+        decoration.label->setVisible(!decoration.label->text().isEmpty());
+    }
+    if (m_unitCircle)
+        m_unitCircle->setPen(QPen(m_theme.axis, 1.0, Qt::DashLine));
+}
+
+void PlotScene::staggerMarks()
+{
+    // Labels of marks that lie close go one row down, so that they stay readable.
+    const QFontMetrics metrics(m_theme.font);
+    const double height = m_plot.axisRect()->height();
+    if (!(height > 0.0))
+        return;
+    std::vector<double> rowEnds(kMarkRows, -1e9);
+    for (const Decoration &decoration : m_decorations) {
+        if (!decoration.markX)
+            continue;
+        const double left = m_plot.xAxis->coordToPixel(*decoration.markX);
+        const double width = metrics.horizontalAdvance(decoration.label->text()) + kLabelGap_px;
+        const bool flip = left + width > m_plot.axisRect()->right();
+        const double from = flip ? left - width : left;
+        const auto row = std::find_if(
+            rowEnds.begin(), rowEnds.end(), [from](double end) { return from > end; });
+        const auto place = row == rowEnds.end() ? rowEnds.begin() : row;
+        *place = from + width;
+        decoration.label->setPositionAlignment(
+            (flip ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
+        decoration.label->position->setCoords(*decoration.markX,
+            static_cast<double>((place - rowEnds.begin()) * metrics.height()) / height);
+    }
+}
+
+} // namespace dyncal
