@@ -87,4 +87,8 @@ std::string recipeJson(const Recipe &recipe);
 /// Reads a recipe file (kind FileUnreadable if it cannot be opened).
 Result<Recipe> readRecipeFile(const std::string &path);
 
+/// Every key that a recipe may hold, as dotted path ("window.end_s", "import.exclude[].shot"):
+/// what docs/recipe.md is checked against.
+const std::vector<std::string> &recipeKeyPaths();
+
 } // namespace dyncal

@@ -1,0 +1,260 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/auto_value.h"
+#include "core/base/interval.h"
+#include "core/project/strict_json.h"
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace dyncal {
+
+/// A JSON value and where it stands, for messages. Internal to core/project.
+struct JsonAt
+{
+    const Json &value;
+    std::string path; ///< "window.end_s", "import.exclude[0].shot"
+    const std::vector<std::string> &knownPaths; ///< of the whole document, list places as "[]"
+};
+
+/// How a value of type T is read from JSON and written as JSON. Reading is the only place where a
+/// value is checked; writing gives what reading takes.
+template <typename T>
+struct Codec
+{
+    std::string needs; ///< what it accepts, in words: "a number above 0"
+    std::function<Result<T>(const JsonAt &)> read;
+    std::function<Json(const T &)> write;
+    std::vector<std::string> paths = {}; ///< of the keys below: ".gamma", "[].shot"
+};
+
+/// "Recipe key %1 is %2; it needs %3."
+tl::unexpected<Error> mismatch(const JsonAt &at, const std::string &needs);
+/// "Recipe key %1 is unknown; ..." with the nearest known one.
+tl::unexpected<Error> unknownKey(const JsonAt &at);
+/// The value at `key` of an object.
+JsonAt child(const JsonAt &object, const std::string &key);
+
+enum class Bound { Inclusive, Exclusive };
+
+/// A finite number between two limits; the limits themselves count unless Exclusive.
+Codec<double> number(double least, double most, Bound bound = Bound::Inclusive);
+Codec<double> anyNumber();
+Codec<double> positiveNumber();
+Codec<double> nonNegativeNumber();
+/// A whole number; 1e6 and 1000.0 are whole too, because many programs write them so.
+Codec<Index> whole(Index least, Index most);
+Codec<bool> boolean();
+Codec<std::string> nonEmptyText();
+Codec<std::string> anyText();
+/// One of the words; "" stands for null in the JSON where `words` holds it.
+Codec<std::string> oneOf(std::vector<std::string> words);
+/// Two numbers, the smaller first.
+Codec<Interval> interval();
+
+template <typename E>
+Codec<E> choice(std::vector<std::pair<std::string, E>> names)
+{
+    std::vector<std::string> words;
+    for (const auto &[word, value] : names)
+        words.push_back(word);
+    Codec<std::string> inner = oneOf(words);
+    const auto read = [inner, names](const JsonAt &at) -> Result<E> {
+        const Result<std::string> found = inner.read(at);
+        if (!found)
+            return tl::unexpected<Error>(found.error());
+        for (const auto &[word, value] : names) {
+            if (word == *found)
+                return value;
+        }
+        return mismatch(at, inner.needs);
+    };
+    const auto write = [names](const E &value) -> Json {
+        for (const auto &[word, known] : names) {
+            if (known == value)
+                return word;
+        }
+        return nullptr;
+    };
+    return {inner.needs, read, write};
+}
+
+/// A word of its own that stands for "no value", or a value.
+template <typename T>
+Codec<std::optional<T>> valueOr(const Json &word, Codec<T> inner)
+{
+    const std::string needs = word.dump() + " or " + inner.needs;
+    const auto read = [word, inner, needs](const JsonAt &at) -> Result<std::optional<T>> {
+        if (at.value == word)
+            return std::optional<T>();
+        Result<T> value = inner.read(at);
+        if (!value && !at.value.is_structured())
+            return mismatch(at, needs); // the inner codec does not know of the word
+        return value.map([](const T &v) { return std::optional<T>(v); });
+    };
+    const auto write = [word, inner](const std::optional<T> &value) {
+        return value ? inner.write(*value) : word;
+    };
+    return {needs, read, write, inner.paths};
+}
+
+template <typename T>
+Codec<std::optional<T>> orNull(Codec<T> inner)
+{
+    return valueOr(Json(nullptr), std::move(inner));
+}
+
+template <typename T>
+Codec<Auto<T>> orAuto(Codec<T> inner)
+{
+    const Codec<std::optional<T>> plain = valueOr(Json("auto"), std::move(inner));
+    const auto read = [plain](const JsonAt &at) -> Result<Auto<T>> {
+        return plain.read(at).map([](const std::optional<T> &v) {
+            Auto<T> setting;
+            setting.value = v;
+            return setting;
+        });
+    };
+    const auto write = [plain](const Auto<T> &setting) { return plain.write(setting.value); };
+    return {plain.needs, read, write, plain.paths};
+}
+
+/// A list of at least `least` values.
+template <typename T>
+Codec<std::vector<T>> list(Codec<T> inner, std::size_t least = 0)
+{
+    const std::string needs
+        = std::string(least > 0 ? "a list that is not empty, each value " : "a list, each value ")
+        + inner.needs;
+    const auto read = [inner, needs, least](const JsonAt &at) -> Result<std::vector<T>> {
+        if (!at.value.is_array() || at.value.size() < least)
+            return mismatch(at, needs);
+        std::vector<T> values;
+        for (std::size_t i = 0; i < at.value.size(); ++i) {
+            Result<T> value
+                = inner.read({at.value[i], at.path + "[" + std::to_string(i) + "]", at.knownPaths});
+            if (!value)
+                return tl::unexpected<Error>(value.error());
+            values.push_back(std::move(*value));
+        }
+        return values;
+    };
+    const auto write = [inner](const std::vector<T> &values) {
+        Json array = Json::array();
+        for (const T &value : values)
+            array.push_back(inner.write(value));
+        return array;
+    };
+    std::vector<std::string> paths;
+    for (const std::string &path : inner.paths)
+        paths.push_back("[]" + path);
+    return {needs, read, write, paths};
+}
+
+/// An object whose keys are free words, or only those of `keys` if that is not empty.
+template <typename T>
+Codec<std::map<std::string, T>> dictionary(
+    Codec<T> inner, const std::string &keyName, std::vector<std::string> keys = {})
+{
+    const std::string needs = "an object from " + keyName + " to " + inner.needs;
+    const auto read = [inner, needs, keys](const JsonAt &at) -> Result<std::map<std::string, T>> {
+        if (!at.value.is_object())
+            return mismatch(at, needs);
+        std::map<std::string, T> values;
+        for (const auto &[key, json] : at.value.items()) {
+            const JsonAt here = child(at, key);
+            if (!keys.empty() && std::find(keys.begin(), keys.end(), key) == keys.end())
+                return unknownKey(here);
+            Result<T> value = inner.read(here);
+            if (!value)
+                return tl::unexpected<Error>(value.error());
+            values.emplace(key, std::move(*value));
+        }
+        return values;
+    };
+    const auto write = [inner](const std::map<std::string, T> &values) {
+        Json object = Json::object();
+        for (const auto &[key, value] : values)
+            object[key] = inner.write(value);
+        return object;
+    };
+    std::vector<std::string> paths;
+    for (const std::string &key : keys)
+        paths.push_back("." + key);
+    return {needs, read, write, paths};
+}
+
+/// One key of an object that becomes the struct S.
+template <typename S>
+struct Field
+{
+    std::string key;
+    std::function<Result<void>(const JsonAt &, S &)> read;
+    std::function<Json(const S &)> write;
+    std::vector<std::string> paths = {}; ///< of the keys below
+    bool required = false;
+};
+
+/// A key whose value is one member.
+template <typename S, typename T>
+Field<S> field(const char *key, T S::*member, Codec<T> codec, bool required = false)
+{
+    const auto read = [codec, member](const JsonAt &at, S &object) -> Result<void> {
+        Result<T> value = codec.read(at);
+        if (!value)
+            return tl::unexpected<Error>(value.error());
+        object.*member = std::move(*value);
+        return {};
+    };
+    const auto write = [codec, member](const S &object) { return codec.write(object.*member); };
+    return {key, read, write, codec.paths, required};
+}
+
+/// An object with exactly these keys; one that is missing keeps the struct's own default.
+template <typename S>
+Codec<S> object(std::vector<Field<S>> fields)
+{
+    std::vector<std::string> paths;
+    for (const Field<S> &f : fields) {
+        paths.push_back("." + f.key);
+        for (const std::string &below : f.paths)
+            paths.push_back("." + f.key + below);
+    }
+    const auto read = [fields](const JsonAt &at) -> Result<S> {
+        if (!at.value.is_object())
+            return mismatch(at, "an object");
+        for (const auto &[key, json] : at.value.items()) {
+            const auto isKey = [&key = key](const Field<S> &f) { return f.key == key; };
+            if (std::none_of(fields.begin(), fields.end(), isKey))
+                return unknownKey(child(at, key));
+        }
+        S value;
+        for (const Field<S> &f : fields) {
+            const bool given = at.value.contains(f.key);
+            if (!given && f.required)
+                return mismatch(at, "the key \"" + f.key + "\"");
+            if (!given)
+                continue;
+            if (const Result<void> done = f.read(child(at, f.key), value); !done)
+                return tl::unexpected<Error>(done.error());
+        }
+        return value;
+    };
+    const auto write = [fields](const S &value) {
+        Json json = Json::object();
+        for (const Field<S> &f : fields)
+            json[f.key] = f.write(value);
+        return json;
+    };
+    return {"an object", read, write, paths};
+}
+
+} // namespace dyncal

@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/project/recipe.h"
+
+#include "core/project/recipe_fields.h"
+
+#include <filesystem>
+#include <fstream>
+
+namespace dyncal {
+namespace {
+
+constexpr const char *kSchema = "dyncal-recipe/1";
+constexpr std::size_t kLargestFile = 4 * 1024 * 1024;
+
+/// The schema is checked and written, but is no part of the value.
+Field<Recipe> schema()
+{
+    const Codec<std::string> codec = oneOf({kSchema});
+    return {"schema",
+        [codec](const JsonAt &at, Recipe &) -> Result<void> {
+            return codec.read(at).map([](const std::string &) {});
+        },
+        [](const Recipe &) { return Json(kSchema); }};
+}
+
+const Codec<Recipe> &recipeCodec()
+{
+    static const Codec<Recipe> codec = object<Recipe>({
+        schema(),
+        field("import", &Recipe::import, importCodec()),
+        field("shock", &Recipe::shock, shockCodec()),
+        field("window", &Recipe::window, windowCodec()),
+        field("remap", &Recipe::remap, boolean()),
+        field("spectrum", &Recipe::spectrum, spectrumCodec()),
+        field("pca", &Recipe::pca, componentCodec()),
+        field("input", &Recipe::input, inputCodec()),
+        field("realization", &Recipe::realization, realizationCodec()),
+        field("response", &Recipe::response, responseCodec()),
+        field("uncertainty", &Recipe::uncertainty, uncertaintyCodec()),
+        field("acknowledge", &Recipe::acknowledge, list(acknowledgementCodec())),
+        field("certificate", &Recipe::certificate, certificateCodec()),
+    });
+    return codec;
+}
+
+/// What no single key can see.
+Result<void> checkTogether(const Recipe &recipe)
+{
+    const RealizationSettings &realization = recipe.realization;
+    if (!realization.order.isAuto() && *realization.order.value > realization.maxOrder)
+        return fail(ErrorKind::Usage,
+            {DYNCAL_TEXT("core",
+                 "Recipe key realization.order is %1; it needs at most realization.max_order, "
+                 "which is %2."),
+                {std::to_string(*realization.order.value), std::to_string(realization.maxOrder)}});
+    return {};
+}
+
+tl::unexpected<Error> unreadable(const std::string &path, const char *why)
+{
+    return fail(ErrorKind::FileUnreadable,
+        {DYNCAL_TEXT("core", "The recipe %1 cannot be read: %2."), {path, why}});
+}
+
+} // namespace
+
+Result<Recipe> parseRecipe(const std::string &json)
+{
+    const Result<Json> document = parseStrictJson(json, "The recipe");
+    if (!document)
+        return tl::unexpected<Error>(document.error());
+    Result<Recipe> recipe = recipeCodec().read({*document, "", recipeKeyPaths()});
+    if (!recipe)
+        return recipe;
+    if (const Result<void> checked = checkTogether(*recipe); !checked)
+        return tl::unexpected<Error>(checked.error());
+    return recipe;
+}
+
+std::string recipeJson(const Recipe &recipe)
+{
+    return recipeCodec().write(recipe).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<Recipe> readRecipeFile(const std::string &path)
+{
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+        return unreadable(path, "it is a folder");
+    std::ifstream file(path, std::ios::binary);
+    if (!file)
+        return unreadable(path, "there is no such file, or no permission to read it");
+    std::string text(kLargestFile + 1, '\0');
+    file.read(text.data(), static_cast<std::streamsize>(text.size()));
+    text.resize(static_cast<std::size_t>(file.gcount()));
+    if (file.bad())
+        return unreadable(path, "reading failed");
+    if (text.size() > kLargestFile)
+        return unreadable(path, "it is larger than the 4 MiB that any recipe needs");
+    return parseRecipe(text);
+}
+
+const std::vector<std::string> &recipeKeyPaths()
+{
+    static const std::vector<std::string> paths = [] {
+        std::vector<std::string> found;
+        for (const std::string &path : recipeCodec().paths)
+            found.push_back(path.substr(1)); // without the leading dot
+        return found;
+    }();
+    return paths;
+}
+
+} // namespace dyncal

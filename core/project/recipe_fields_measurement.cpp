@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/project/gas_names.h"
+#include "core/project/recipe_fields.h"
+
+#include "core/capture/channel.h"
+
+namespace dyncal {
+namespace {
+
+constexpr Index kMostColumns = 100000;
+constexpr Index kMostShots = 100000;
+constexpr Index kMostRows = 1000000000;
+constexpr Index kLongestGap = 1000;
+constexpr double kFastestRate_Hz = 1e12;
+constexpr Index kMostSamples = 1000000000;
+
+Codec<std::string> role()
+{
+    std::vector<std::string> words;
+    for (const ChannelRole r : {ChannelRole::Dut, ChannelRole::DrivenSide, ChannelRole::Driver,
+             ChannelRole::Trigger, ChannelRole::Other})
+        words.emplace_back(channelRoleName(r));
+    return oneOf(words);
+}
+
+std::vector<std::string> columnNames()
+{
+    return {"time", "dut", "driven_side", "driver", "trigger", "other"};
+}
+
+Codec<int> polarity()
+{
+    const Codec<Index> inner = whole(-1, 1);
+    const auto read = [inner](const JsonAt &at) -> Result<int> {
+        const Result<Index> value = inner.read(at);
+        if (!value || *value == 0)
+            return mismatch(at, "1 or -1");
+        return static_cast<int>(*value);
+    };
+    return {"1 or -1", read, [](const int &value) { return Json(value); }};
+}
+
+/// A list whose absence is written as null.
+template <typename T>
+Codec<std::vector<T>> listOrNull(Codec<T> inner)
+{
+    const Codec<std::vector<T>> plain = list(std::move(inner));
+    const auto read = [plain](const JsonAt &at) -> Result<std::vector<T>> {
+        if (at.value.is_null())
+            return std::vector<T>();
+        return plain.read(at);
+    };
+    const auto write = [plain](const std::vector<T> &values) {
+        return values.empty() ? Json(nullptr) : plain.write(values);
+    };
+    return {"null or " + plain.needs, read, write, plain.paths};
+}
+
+Codec<ExcludedShot> excludedShot()
+{
+    return object<ExcludedShot>({
+        field("shot", &ExcludedShot::shot, whole(1, kMostShots), true),
+        field("reason", &ExcludedShot::reason, nonEmptyText(), true),
+    });
+}
+
+Codec<GasSettings> gas()
+{
+    std::string names;
+    for (const auto &[name, settings] : namedGases())
+        names += "\"" + name + "\", ";
+    const std::string needs = "one of " + names + "or an object with gamma and molar_mass_kg_mol";
+    const Codec<GasSettings> plain = object<GasSettings>({
+        field("gamma", &GasSettings::gamma, number(1.0, 2.0, Bound::Exclusive), true),
+        field("molar_mass_kg_mol", &GasSettings::molarMass_kg_mol,
+            number(0.0, 1.0, Bound::Exclusive), true),
+    });
+    const auto read = [plain, needs](const JsonAt &at) -> Result<GasSettings> {
+        for (const auto &[name, settings] : namedGases()) {
+            if (at.value == name)
+                return settings;
+        }
+        if (!at.value.is_object())
+            return mismatch(at, needs);
+        return plain.read(at);
+    };
+    return {needs, read, plain.write, plain.paths};
+}
+
+Codec<ArrivalSensor> arrivalSensor()
+{
+    return object<ArrivalSensor>({
+        field("channel", &ArrivalSensor::channel, nonEmptyText(), true),
+        field(
+            "distance_to_end_wall_m", &ArrivalSensor::distanceToEndWall_m, positiveNumber(), true),
+        field("u_distance_m", &ArrivalSensor::u_distance_m, nonNegativeNumber()),
+    });
+}
+
+/// "auto" (nothing in the list), one time, or one time per shot.
+Codec<std::vector<double>> start()
+{
+    const std::string needs = "\"auto\", a time in seconds or a list of one time per shot";
+    const Codec<std::vector<double>> times = list(anyNumber(), 1);
+    const auto read = [=](const JsonAt &at) -> Result<std::vector<double>> {
+        if (at.value == "auto")
+            return std::vector<double>();
+        if (at.value.is_number())
+            return std::vector<double>{at.value.get<double>()};
+        if (!at.value.is_array())
+            return mismatch(at, needs);
+        return times.read(at);
+    };
+    const auto write = [times](const std::vector<double> &values) {
+        if (values.empty())
+            return Json("auto");
+        return values.size() == 1 ? Json(values.front()) : times.write(values);
+    };
+    return {needs, read, write};
+}
+
+/// null = nothing is subtracted; two members share the key.
+Field<WindowSettings> baseline()
+{
+    const auto codec = valueOr(Json(nullptr), orAuto(interval()));
+    return {"baseline_s",
+        [codec](const JsonAt &at, WindowSettings &window) -> Result<void> {
+            const Result<std::optional<Auto<Interval>>> value = codec.read(at);
+            if (!value)
+                return tl::unexpected<Error>(value.error());
+            window.subtractBaseline = value->has_value();
+            window.baseline_s = value->value_or(Auto<Interval>());
+            return {};
+        },
+        [codec](const WindowSettings &window) {
+            return codec.write(
+                window.subtractBaseline ? std::optional(window.baseline_s) : std::nullopt);
+        }};
+}
+
+/// "plateau" or a time behind the start; two members share the key.
+Field<WindowSettings> windowEnd()
+{
+    const auto codec = valueOr(Json("plateau"), orAuto(positiveNumber()));
+    return {"end_s",
+        [codec](const JsonAt &at, WindowSettings &window) -> Result<void> {
+            const Result<std::optional<Auto<double>>> value = codec.read(at);
+            if (!value)
+                return tl::unexpected<Error>(value.error());
+            window.endAtPlateau = !value->has_value();
+            window.end_s = value->value_or(Auto<double>());
+            return {};
+        },
+        [codec](const WindowSettings &window) {
+            return codec.write(window.endAtPlateau ? std::nullopt : std::optional(window.end_s));
+        }};
+}
+
+/// "auto" = search, "none", or the operator's own list; two members share the key.
+Field<SpectrumSettings> resonance()
+{
+    const auto frequencies = list(positiveNumber());
+    const std::string needs = "\"auto\", \"none\" or a list of frequencies in hertz";
+    return {"resonance",
+        [=](const JsonAt &at, SpectrumSettings &spectrum) -> Result<void> {
+            const bool isWord = at.value == "auto" || at.value == "none";
+            if (!isWord && !at.value.is_array())
+                return mismatch(at, needs);
+            spectrum.searchResonance = at.value == "auto";
+            spectrum.resonances_Hz.clear();
+            if (isWord)
+                return {};
+            Result<std::vector<double>> values = frequencies.read(at);
+            if (!values)
+                return tl::unexpected<Error>(values.error());
+            spectrum.resonances_Hz = std::move(*values);
+            return {};
+        },
+        [frequencies](const SpectrumSettings &spectrum) {
+            if (spectrum.searchResonance)
+                return Json("auto");
+            return spectrum.resonances_Hz.empty() ? Json("none")
+                                                  : frequencies.write(spectrum.resonances_Hz);
+        }};
+}
+
+} // namespace
+
+Codec<ImportSettings> importCodec()
+{
+    using S = ImportSettings;
+    return object<S>({
+        field("format", &S::format, nonEmptyText()),
+        field("columns", &S::columns,
+            dictionary(whole(0, kMostColumns), "\"time\" or a role", columnNames())),
+        field("channels", &S::channels, dictionary(role(), "a channel's name")),
+        field("decimal", &S::decimal, oneOf({"auto", ".", ","})),
+        field("separator", &S::separator, oneOf({"auto", ",", ";", "tab", "space", "|"})),
+        field("sample_rate_hz", &S::sampleRate_Hz,
+            orNull(number(0.0, kFastestRate_Hz, Bound::Exclusive))),
+        field("unit", &S::unit, orNull(nonEmptyText())),
+        field("scale", &S::scale, positiveNumber()),
+        field("polarity", &S::polarity, polarity()),
+        field("reference", &S::reference, oneOf({"", "gauge", "absolute"})),
+        field("skip_rows", &S::skipRows, orNull(whole(0, kMostRows))),
+        field("interpolate_invalid", &S::interpolateInvalid, whole(0, kLongestGap)),
+        field("levels", &S::levels, listOrNull(oneOf({"low", "medium", "high", ""}))),
+        field("exclude", &S::exclude, list(excludedShot())),
+    });
+}
+
+Codec<ShockSettings> shockCodec()
+{
+    using S = ShockSettings;
+    return object<S>({
+        field("enabled", &S::enabled, boolean()),
+        field("p1_pa", &S::p1_Pa, orNull(positiveNumber())),
+        field("t1_k", &S::T1_K, orNull(positiveNumber())),
+        field("t4_k", &S::T4_K, orNull(positiveNumber())),
+        field("driven_gas", &S::drivenGas, gas()),
+        field("driver_gas", &S::driverGas, gas()),
+        field("relative_humidity", &S::relativeHumidity, orNull(number(0.0, 1.0))),
+        field("velocity_m_s", &S::velocity_m_s, orNull(positiveNumber())),
+        field("step_pa", &S::step_Pa, orNull(positiveNumber())),
+        field("arrival_sensors", &S::arrivalSensors, list(arrivalSensor())),
+        field("driver_length_m", &S::driverLength_m, orNull(positiveNumber())),
+        field("driven_length_m", &S::drivenLength_m, orNull(positiveNumber())),
+        field("inner_diameter_m", &S::innerDiameter_m, orNull(positiveNumber())),
+        field("dut_position", &S::dutPosition, oneOf({"end-wall", "side-wall"})),
+        field("front_duration_s", &S::frontDuration_s, nonNegativeNumber()),
+        field("u_front_duration_s", &S::u_frontDuration_s, nonNegativeNumber()),
+    });
+}
+
+Codec<WindowSettings> windowCodec()
+{
+    using S = WindowSettings;
+    return object<S>({
+        field("start", &S::start_s, start()),
+        baseline(),
+        windowEnd(),
+        field("settle_s", &S::settle_s, orAuto(interval())),
+    });
+}
+
+Codec<SpectrumSettings> spectrumCodec()
+{
+    using S = SpectrumSettings;
+    return object<S>({
+        field("taper", &S::taper,
+            choice<Taper>({{"rectangular", Taper::Rectangular}, {"hann", Taper::Hann}})),
+        field("method", &S::method,
+            choice<SpectrumMethod>(
+                {{"periodogram", SpectrumMethod::Periodogram}, {"welch", SpectrumMethod::Welch}})),
+        field("segment", &S::segment, orNull(whole(8, kMostSamples))),
+        field("detrend", &S::detrend,
+            choice<Detrend>(
+                {{"none", Detrend::None}, {"mean", Detrend::Mean}, {"linear", Detrend::Linear}})),
+        field("resonance_band_hz", &S::resonanceBand_Hz, orNull(interval())),
+        resonance(),
+    });
+}
+
+} // namespace dyncal

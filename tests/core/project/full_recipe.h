@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/project/recipe.h"
+
+namespace dyncal {
+
+/// A recipe in which no member has its default value.
+inline Recipe fullRecipe()
+{
+    Recipe r;
+    r.import = {.format = "text",
+        .columns = {{"time", 0}, {"dut", 2}},
+        .channels = {{"Acceleration_1", "dut"}},
+        .decimal = ",",
+        .separator = "tab",
+        .sampleRate_Hz = 1e8,
+        .unit = "V",
+        .scale = 0.1,
+        .polarity = -1,
+        .reference = "absolute",
+        .skipRows = 3,
+        .interpolateInvalid = 5,
+        .levels = {"low", "high"},
+        .exclude = {{2, "diaphragm leaked"}}};
+    r.shock = {.enabled = false,
+        .p1_Pa = 101100.0,
+        .T1_K = 294.15,
+        .T4_K = 295.35,
+        .drivenGas = {1.4, 0.028},
+        .driverGas = {1.667, 0.004},
+        .relativeHumidity = 0.4,
+        .velocity_m_s = 512.8,
+        .step_Pa = 4.3e5,
+        .arrivalSensors = {{"side", 0.8, 0.0002}},
+        .driverLength_m = 0.97,
+        .drivenLength_m = 0.96,
+        .innerDiameter_m = 0.1,
+        .dutPosition = "side-wall",
+        .frontDuration_s = 1e-7,
+        .u_frontDuration_s = 2e-8};
+    r.window.start_s = {0.001, 0.0021};
+    r.window.baseline_s = Interval{-2e-4, -1e-5};
+    r.window.end_s = 1.5e-3;
+    r.window.settle_s = Interval{8e-4, 1.4e-3};
+    r.remap = false;
+    r.spectrum = {.taper = Taper::Hann,
+        .method = SpectrumMethod::Welch,
+        .segment = 4096,
+        .detrend = Detrend::Linear,
+        .resonanceBand_Hz = Interval{1e5, 3e6},
+        .searchResonance = false,
+        .resonances_Hz = {2.33e6}};
+    r.pca = {.components = 2, .centre = true, .residualLags = 100, .residualConfidence = 0.95};
+    r.input.sampleRate_Hz = 1e6;
+    r.input.samples = Index(1000);
+    r.input.offset_s = 1e-6;
+    r.input.combine = CombineMethod::PcaAverage;
+    r.input.treatment = ResponseTreatment::StepAsImpulse;
+    r.realization.order = Index(3);
+    r.realization.maxOrder = 60;
+    r.realization.rows = Index(499);
+    r.realization.refine = false;
+    r.response = {.frequencies_Hz = {1e3, 1e5}, .grid = "list", .reference = "unit-step"};
+    r.uncertainty = {.budget = {{"t1_k", 0.3, "rectangular", 12.0}},
+        .monteCarloTrials = 0,
+        .seed = 7,
+        .coverage = 0.99};
+    r.acknowledge = {{"WIN-001", 3, "known"}};
+    r.certificate = {.templateName = "short",
+        .languages = {"sv", "en"},
+        .fields = {{"customer", "Åsa Ström AB"}}};
+    return r;
+}
+
+} // namespace dyncal
