@@ -13,6 +13,9 @@
 
 namespace dyncal {
 
+/// What is known of the sensors and the tube; free key -> text, SI units in the key.
+using Attributes = std::map<std::string, std::string>;
+
 enum class ShotLevel { None, Low, Medium, High };
 
 const char *shotLevelName(ShotLevel level); ///< "low", "medium", "high", ""
@@ -45,13 +48,11 @@ struct Shot
     Index input = 0; ///< position in CaptureSet::inputs
     bool included = true;
     std::string excludeReason;
+    Attributes notes; ///< what else the source says of the shot: "start_utc", "operator", "comment"
 
     /// The first channel of that role, or null.
     const Channel *channelWithRole(ChannelRole role) const;
 };
-
-/// What is known of the sensors and the tube; free key -> text, SI units in the key (formats.md 3).
-using Attributes = std::map<std::string, std::string>;
 
 /// All shots of one sensor, in order. Shot numbers shown to people count from 1 in this order.
 struct CaptureSet

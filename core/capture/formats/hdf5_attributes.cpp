@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/capture/formats/hdf5_attributes.h"
+
+#include "core/base/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+
+namespace dyncal {
+namespace {
+
+/// Longer texts and longer lists are none of this layout; a broken size must not be allocated.
+constexpr hsize_t kMaxTextBytes = 1 << 20;
+constexpr hssize_t kMaxNumbers = 64;
+
+bool isIdentifier(std::string_view key)
+{
+    static constexpr std::array<std::string_view, 7> kIdentifiers{"serial", "model", "manufacturer",
+        "vendor", "certificate", "conditioner", "calibration_date"};
+    return std::find(kIdentifiers.begin(), kIdentifiers.end(), key) != kIdentifiers.end();
+}
+
+bool writeAttribute(hid_t object, const std::string &name, hid_t stored, hid_t memory, hid_t space,
+    const void *data)
+{
+    Hdf5Handle attribute(
+        H5Acreate2(object, name.c_str(), stored, space, H5P_DEFAULT, H5P_DEFAULT), &H5Aclose);
+    return attribute.valid() && H5Awrite(attribute.id(), memory, data) >= 0 && attribute.close();
+}
+
+bool writeScalar(
+    hid_t object, const std::string &name, hid_t stored, hid_t memory, const void *data)
+{
+    const Hdf5Handle space(H5Screate(H5S_SCALAR), &H5Sclose);
+    return space.valid() && writeAttribute(object, name, stored, memory, space.id(), data);
+}
+
+bool writeList(hid_t object, const std::string &name, hid_t stored, hid_t memory, std::size_t size,
+    const void *data)
+{
+    const hsize_t extent = size;
+    const Hdf5Handle space(H5Screate_simple(1, &extent, nullptr), &H5Sclose);
+    return space.valid() && writeAttribute(object, name, stored, memory, space.id(), data);
+}
+
+Hdf5Handle variableTextType()
+{
+    Hdf5Handle type(H5Tcopy(H5T_C_S1), &H5Tclose);
+    const bool usable = type.valid() && H5Tset_size(type.id(), H5T_VARIABLE) >= 0
+        && H5Tset_cset(type.id(), H5T_CSET_UTF8) >= 0;
+    return usable ? std::move(type) : Hdf5Handle();
+}
+
+/// An opened attribute with its type and number of elements; elements 0 = not usable.
+struct OpenAttribute
+{
+    Hdf5Handle attribute;
+    Hdf5Handle type;
+    hssize_t elements = 0;
+
+    H5T_class_t typeClass() const { return H5Tget_class(type.id()); }
+    bool isNumeric() const { return typeClass() == H5T_INTEGER || typeClass() == H5T_FLOAT; }
+};
+
+OpenAttribute openAttribute(hid_t object, const std::string &name)
+{
+    OpenAttribute opened;
+    if (H5Aexists(object, name.c_str()) <= 0)
+        return opened;
+    opened.attribute = Hdf5Handle(H5Aopen(object, name.c_str(), H5P_DEFAULT), &H5Aclose);
+    if (!opened.attribute.valid())
+        return opened;
+    opened.type = Hdf5Handle(H5Aget_type(opened.attribute.id()), &H5Tclose);
+    const Hdf5Handle space(H5Aget_space(opened.attribute.id()), &H5Sclose);
+    const bool small = H5Aget_storage_size(opened.attribute.id()) <= kMaxTextBytes;
+    if (opened.type.valid() && space.valid() && small)
+        opened.elements = std::max<hssize_t>(H5Sget_simple_extent_npoints(space.id()), 0);
+    return opened;
+}
+
+std::optional<std::string> variableText(const OpenAttribute &opened)
+{
+    // The character set must be that of the stored type, the library converts none.
+    const Hdf5Handle memory(H5Tcopy(opened.type.id()), &H5Tclose);
+    char *text = nullptr;
+    if (!memory.valid() || H5Aread(opened.attribute.id(), memory.id(), &text) < 0)
+        return std::nullopt;
+    std::string copy = text != nullptr ? text : "";
+    H5free_memory(text);
+    return copy;
+}
+
+std::optional<std::string> fixedText(const OpenAttribute &opened)
+{
+    const std::size_t size = H5Tget_size(opened.type.id());
+    if (size == 0 || size > kMaxTextBytes)
+        return std::nullopt;
+    std::string text(size, '\0');
+    if (H5Aread(opened.attribute.id(), opened.type.id(), text.data()) < 0)
+        return std::nullopt;
+    text.resize(std::min(text.find('\0'), text.size()));
+    text.erase(text.find_last_not_of(' ') + 1); // space padded, as Fortran and LabVIEW write it
+    return text;
+}
+
+std::optional<std::string> textOf(const OpenAttribute &opened)
+{
+    if (opened.elements != 1 || opened.typeClass() != H5T_STRING)
+        return std::nullopt;
+    return H5Tis_variable_str(opened.type.id()) > 0 ? variableText(opened) : fixedText(opened);
+}
+
+std::vector<double> numbersOf(const OpenAttribute &opened)
+{
+    if (opened.elements < 1 || opened.elements > kMaxNumbers || !opened.isNumeric())
+        return {};
+    std::vector<double> values(static_cast<std::size_t>(opened.elements));
+    if (H5Aread(opened.attribute.id(), H5T_NATIVE_DOUBLE, values.data()) < 0)
+        return {};
+    return values;
+}
+
+std::string attributeName(hid_t object, hsize_t position)
+{
+    const ssize_t length = H5Aget_name_by_idx(
+        object, ".", H5_INDEX_NAME, H5_ITER_INC, position, nullptr, 0, H5P_DEFAULT);
+    if (length <= 0 || length > static_cast<ssize_t>(kMaxTextBytes))
+        return {};
+    std::string name(static_cast<std::size_t>(length) + 1, '\0');
+    H5Aget_name_by_idx(
+        object, ".", H5_INDEX_NAME, H5_ITER_INC, position, name.data(), name.size(), H5P_DEFAULT);
+    name.pop_back();
+    return name;
+}
+
+} // namespace
+
+bool writeTextAttribute(hid_t object, const std::string &name, const std::string &text)
+{
+    const Hdf5Handle type = variableTextType();
+    const char *data = text.c_str();
+    return type.valid() && writeScalar(object, name, type.id(), type.id(), &data);
+}
+
+bool writeNumberAttribute(hid_t object, const std::string &name, double value)
+{
+    return writeScalar(object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &value);
+}
+
+bool writeIntegerAttribute(hid_t object, const std::string &name, int value)
+{
+    return writeScalar(object, name, H5T_STD_I32LE, H5T_NATIVE_INT, &value);
+}
+
+bool writeByteAttribute(hid_t object, const std::string &name, int value)
+{
+    return writeScalar(object, name, H5T_STD_I8LE, H5T_NATIVE_INT, &value);
+}
+
+bool writeNumbersAttribute(hid_t object, const std::string &name, const std::vector<double> &values)
+{
+    return writeList(object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, values.size(), values.data());
+}
+
+bool writeIntegersAttribute(hid_t object, const std::string &name, const std::vector<int> &values)
+{
+    return writeList(object, name, H5T_STD_I32LE, H5T_NATIVE_INT, values.size(), values.data());
+}
+
+bool writeAttributes(hid_t object, const Attributes &attributes)
+{
+    return std::all_of(attributes.begin(), attributes.end(), [&](const auto &entry) {
+        const auto &[key, text] = entry;
+        const std::optional<double> number = isIdentifier(key) ? std::nullopt : parseNumber(text);
+        return number ? writeNumberAttribute(object, key, *number)
+                      : writeTextAttribute(object, key, text);
+    });
+}
+
+std::optional<std::string> readTextAttribute(hid_t object, const std::string &name)
+{
+    const OpenAttribute opened = openAttribute(object, name);
+    if (opened.elements != 1)
+        return std::nullopt;
+    if (opened.isNumeric()) {
+        const std::vector<double> values = numbersOf(opened);
+        return values.empty() ? std::nullopt : std::optional(numberText(values.front()));
+    }
+    return textOf(opened);
+}
+
+std::optional<double> readNumberAttribute(hid_t object, const std::string &name)
+{
+    const OpenAttribute opened = openAttribute(object, name);
+    if (opened.elements != 1)
+        return std::nullopt;
+    if (opened.isNumeric()) {
+        const std::vector<double> values = numbersOf(opened);
+        return values.empty() ? std::nullopt : std::optional(values.front());
+    }
+    const std::optional<std::string> text = textOf(opened);
+    return text ? parseNumber(*text) : std::nullopt;
+}
+
+std::vector<double> readNumbersAttribute(hid_t object, const std::string &name)
+{
+    const OpenAttribute opened = openAttribute(object, name);
+    return opened.elements > 0 ? numbersOf(opened) : std::vector<double>();
+}
+
+Attributes readAttributes(hid_t object)
+{
+    Attributes attributes;
+    H5O_info_t info;
+    if (H5Oget_info2(object, &info, H5O_INFO_NUM_ATTRS) < 0)
+        return attributes;
+    for (hsize_t i = 0; i < info.num_attrs; ++i) {
+        const std::string name = attributeName(object, i);
+        const std::optional<std::string> text
+            = name.empty() ? std::nullopt : readTextAttribute(object, name);
+        if (text && *text != "nan")
+            attributes[name] = *text;
+    }
+    return attributes;
+}
+
+} // namespace dyncal

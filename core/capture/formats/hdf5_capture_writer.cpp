@@ -1,0 +1,333 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/capture/formats/hdf5_capture.h"
+
+#include "core/base/content_hash.h"
+#include "core/base/version.h"
+#include "core/capture/formats/hdf5_attributes.h"
+#include "core/capture/formats/hdf5_handle.h"
+#include "core/capture/formats/hdf5_layout.h"
+#include "core/capture/formats/hdf5_samples.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <set>
+#include <system_error>
+
+namespace dyncal {
+namespace {
+
+Hdf5Handle createFile(const std::string &path)
+{
+    const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), &H5Pclose);
+    const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), &H5Pclose);
+    // The newest format has checksums on its metadata.
+    const bool usable = creation.valid() && access.valid() && forgetTimes(creation.id())
+        && H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110) >= 0;
+    if (!usable)
+        return {};
+    return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), &H5Fclose};
+}
+
+/// Groups remember the order in which members were added: shots and channels keep theirs.
+Hdf5Handle createGroup(hid_t parent, const std::string &name)
+{
+    const Hdf5Handle creation(H5Pcreate(H5P_GROUP_CREATE), &H5Pclose);
+    const bool usable = creation.valid() && forgetTimes(creation.id())
+        && H5Pset_link_creation_order(creation.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED)
+            >= 0;
+    if (!usable)
+        return {};
+    return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, creation.id(), H5P_DEFAULT), &H5Gclose};
+}
+
+/// A name that HDF5 takes for a member and that is not used yet in this group.
+std::string linkName(const std::string &name, std::set<std::string> &used)
+{
+    std::string link = name.empty() || name == "." ? "channel" : name;
+    std::replace(link.begin(), link.end(), '/', '|');
+    std::string unique = link;
+    for (int copy = 2; !used.insert(unique).second; ++copy)
+        unique = link + " (" + std::to_string(copy) + ")";
+    return unique;
+}
+
+std::string paddedNumber(std::size_t number)
+{
+    const std::string digits = std::to_string(number);
+    return std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
+}
+
+/// Writes one capture into an open file; any false means that the file is not complete.
+class CaptureWriter
+{
+public:
+    CaptureWriter(const CaptureSet &set, const JobControl &control)
+        : m_set(set)
+        , m_control(control)
+    {
+        for (const Shot &shot : set.shots) {
+            for (const Channel &channel : shot.channels) {
+                m_totalSamples += channel.samples.size();
+                m_hashes.push_back(sha256Hex(channel.samples.bytes()));
+            }
+        }
+    }
+
+    bool write(hid_t file, const std::string &createdUtc, const std::string &title,
+        const std::vector<ShotTruth> &truth)
+    {
+        return writeHead(file, createdUtc, title) && writeSetup(file) && writeShots(file)
+            && (truth.empty() || writeTruth(file, truth));
+    }
+
+private:
+    bool writeHead(hid_t file, const std::string &createdUtc, const std::string &title)
+    {
+        return writeTextAttribute(file, "format", kCaptureFormatName)
+            && writeIntegersAttribute(
+                file, "format_version", {kCaptureMajorVersion, kCaptureMinorVersion})
+            && writeTextAttribute(file, "creator", std::string("dyncal ") + versionText())
+            && writeTextAttribute(file, "created_utc", createdUtc)
+            && writeTextAttribute(file, "uuid", contentUuid(createdUtc, title))
+            && writeTextAttribute(file, "title", title)
+            && writeTextAttribute(file, "default", "shots");
+    }
+
+    /// Derived from the content (UUID version 8), so that the same capture has the same one.
+    std::string contentUuid(const std::string &createdUtc, const std::string &title) const
+    {
+        std::string content = createdUtc + '\n' + title;
+        for (const Shot &shot : m_set.shots) {
+            content.append("\n").append(shot.label);
+            for (const Channel &channel : shot.channels)
+                content.append("\n").append(channel.name);
+        }
+        for (const std::string &hash : m_hashes)
+            content.append("\n").append(hash);
+        std::string hex = sha256Hex(content);
+        hex[12] = '8';
+        hex[16] = 'a';
+        return hex.substr(0, 8) + '-' + hex.substr(8, 4) + '-' + hex.substr(12, 4) + '-'
+            + hex.substr(16, 4) + '-' + hex.substr(20, 12);
+    }
+
+    bool writeSetup(hid_t file)
+    {
+        Hdf5Handle setup = createGroup(file, "setup");
+        if (!setup.valid())
+            return false;
+        Hdf5Handle tube = createGroup(setup.id(), "tube");
+        return tube.valid() && writeAttributes(tube.id(), m_set.tube) && tube.close()
+            && writeCatalogue(setup.id(), "sensors", m_set.sensors)
+            && writeCatalogue(setup.id(), "instruments", m_set.instruments) && setup.close();
+    }
+
+    static bool writeCatalogue(
+        hid_t setup, const char *name, const std::map<std::string, Attributes> &entries)
+    {
+        Hdf5Handle catalogue = createGroup(setup, name);
+        std::set<std::string> used;
+        const bool written = catalogue.valid()
+            && std::all_of(entries.begin(), entries.end(), [&](const auto &entry) {
+                   Hdf5Handle group = createGroup(catalogue.id(), linkName(entry.first, used));
+                   return group.valid() && writeAttributes(group.id(), entry.second)
+                       && group.close();
+               });
+        return written && catalogue.close();
+    }
+
+    bool writeShots(hid_t file)
+    {
+        Hdf5Handle shots = createGroup(file, "shots");
+        if (!shots.valid())
+            return false;
+        for (std::size_t i = 0; i < m_set.shots.size(); ++i) {
+            Hdf5Handle group = createGroup(shots.id(), paddedNumber(i + 1));
+            if (!group.valid() || !writeShot(group.id(), m_set.shots[i]) || !group.close())
+                return false;
+        }
+        return shots.close();
+    }
+
+    bool writeShot(hid_t group, const Shot &shot)
+    {
+        const bool described = writeTextAttribute(group, "label", shot.label)
+            && writeTextAttribute(group, "level", shotLevelName(shot.level))
+            && writeByteAttribute(group, "valid", shot.included ? 1 : 0)
+            && writeTextAttribute(group, "reject_reason", shot.excludeReason)
+            && writeOrigin(group, shot) && writeAttributes(group, ownNotes(shot))
+            && writeEnvironment(group, shot.environment);
+        Hdf5Handle channels = described ? createGroup(group, "channels") : Hdf5Handle();
+        if (!channels.valid())
+            return false;
+        std::set<std::string> used;
+        return std::all_of(shot.channels.begin(), shot.channels.end(), [&](const Channel &channel) {
+            return writeChannel(channels.id(), channel, linkName(channel.name, used));
+        }) && channels.close();
+    }
+
+    static Attributes ownNotes(const Shot &shot)
+    {
+        Attributes notes = shot.notes;
+        std::erase_if(notes, [](const auto &note) { return isLayoutShotAttribute(note.first); });
+        return notes;
+    }
+
+    bool writeOrigin(hid_t group, const Shot &shot)
+    {
+        if (shot.input < 0 || shot.input >= static_cast<Index>(m_set.inputs.size()))
+            return true;
+        const InputFile &input = m_set.inputs[static_cast<std::size_t>(shot.input)];
+        return writeTextAttribute(group, "imported_from", input.file)
+            && writeTextAttribute(group, "import_sha256", input.sha256);
+    }
+
+    static bool writeEnvironment(hid_t shot, const Environment &environment)
+    {
+        Hdf5Handle group = createGroup(shot, "environment");
+        return group.valid()
+            && std::all_of(kEnvironmentEntries.begin(), kEnvironmentEntries.end(),
+                [&](const EnvironmentEntry &entry) {
+                    return writeNumberAttribute(group.id(), entry.name, environment.*entry.value);
+                })
+            && group.close();
+    }
+
+    bool writeChannel(hid_t group, const Channel &channel, const std::string &link)
+    {
+        Hdf5Handle dataset = createSampleDataset(group, link, channel.samples);
+        return dataset.valid() && writeSamples(dataset.id(), channel.samples)
+            && (link == channel.name || writeTextAttribute(dataset.id(), "name", channel.name))
+            && writeChannelAttributes(dataset.id(), channel) && dataset.close();
+    }
+
+    bool writeSamples(hid_t dataset, const RawSamples &samples)
+    {
+        const hsize_t size = static_cast<hsize_t>(samples.size());
+        for (hsize_t begin = 0; begin < size; begin += kHdf5BlockSamples) {
+            const hsize_t count = std::min(size - begin, kHdf5BlockSamples);
+            if (m_control.stopRequested() || !writeSampleBlock(dataset, samples, begin, count))
+                return false;
+            m_doneSamples += static_cast<Index>(count);
+            m_control.report(
+                static_cast<double>(m_doneSamples) / static_cast<double>(m_totalSamples));
+        }
+        return true;
+    }
+
+    bool writeChannelAttributes(hid_t dataset, const Channel &channel)
+    {
+        return writeNumberAttribute(dataset, "sample_rate_Hz", channel.sampleRate_Hz)
+            && writeNumberAttribute(dataset, "t0_s", channel.t0_s)
+            && writeCalibration(dataset, channel)
+            && writeTextAttribute(dataset, "unit", channel.unit)
+            && writeTextAttribute(dataset, "quantity", channel.quantity)
+            && writeTextAttribute(dataset, "role", channelRoleName(channel.role))
+            && writeTextAttribute(
+                dataset, "pressure_reference", pressureReferenceName(channel.reference))
+            && writeTextAttribute(dataset, "sensor",
+                channel.sensorId.empty() ? "" : std::string(kSensorFolder) + channel.sensorId)
+            && writeIntegerAttribute(dataset, "adc_bits", channel.adcBits)
+            && (!channel.adcMin || writeNumberAttribute(dataset, "adc_min", *channel.adcMin))
+            && (!channel.adcMax || writeNumberAttribute(dataset, "adc_max", *channel.adcMax))
+            && writeTextAttribute(dataset, "raw_sha256", m_hashes[m_channel++]);
+    }
+
+    /// The layout has no polarity and no operator's factor: they go into the coefficients, so that
+    /// every reader gets the same physical values.
+    static bool writeCalibration(hid_t dataset, const Channel &channel)
+    {
+        std::vector<double> coefficients = channel.polynomial;
+        coefficients.resize(std::max<std::size_t>(coefficients.size(), 2), 0.0);
+        for (double &coefficient : coefficients)
+            coefficient *= channel.polarity * channel.userScale;
+        if (coefficients.size() > 2)
+            return writeNumbersAttribute(dataset, "poly", coefficients);
+        return writeNumberAttribute(dataset, "scale", coefficients[1])
+            && writeNumberAttribute(dataset, "offset", coefficients[0]);
+    }
+
+    static bool writeTruth(hid_t file, const std::vector<ShotTruth> &truth)
+    {
+        Hdf5Handle group = createGroup(file, "truth");
+        for (std::size_t i = 0; group.valid() && i < truth.size(); ++i) {
+            Hdf5Handle shot = createGroup(group.id(), "shot_" + paddedNumber(i + 1));
+            const bool written = shot.valid()
+                && std::all_of(truth[i].begin(), truth[i].end(), [&](const auto &entry) {
+                       return writeNumberAttribute(shot.id(), entry.first, entry.second);
+                   });
+            if (!written || !shot.close())
+                return false;
+        }
+        return group.valid() && group.close();
+    }
+
+    const CaptureSet &m_set;
+    const JobControl &m_control;
+    std::vector<std::string> m_hashes; ///< of every channel of every shot, in order
+    std::size_t m_channel = 0; ///< position of the channel being written in m_hashes
+    Index m_totalSamples = 0;
+    Index m_doneSamples = 0;
+};
+
+bool syncToDisk(const std::string &path)
+{
+    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    if (descriptor < 0)
+        return false;
+    const bool synced = ::fsync(descriptor) == 0;
+    return ::close(descriptor) == 0 && synced;
+}
+
+bool moveIntoPlace(const std::string &temporary, const std::string &path)
+{
+    std::error_code error;
+    if (!syncToDisk(temporary))
+        return false;
+    std::filesystem::rename(temporary, path, error);
+    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+    return !error && syncToDisk(folder.empty() ? "." : folder.string());
+}
+
+} // namespace
+
+Result<void> writeHdf5Capture(const CaptureSet &set, const std::string &path,
+    const std::string &createdUtc, const std::string &title, const std::vector<ShotTruth> &truth,
+    const JobControl &control)
+{
+    silenceHdf5();
+    std::error_code error;
+    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
+        return fail(ErrorKind::Usage,
+            {DYNCAL_TEXT("core", "%1 is not a regular file; give the name of a capture file."),
+                {path}});
+    // A fixed name: what a killed run left behind is overwritten, not collected.
+    const std::string temporary = path + ".part";
+    Hdf5Handle file = createFile(temporary);
+    if (!file.valid())
+        return fail(ErrorKind::Usage,
+            {DYNCAL_TEXT(
+                 "core", "Cannot create %1; check that the folder exists and may be written to."),
+                {path}});
+    const bool written = CaptureWriter(set, control).write(file.id(), createdUtc, title, truth)
+        && H5Fflush(file.id(), H5F_SCOPE_GLOBAL) >= 0;
+    const bool complete = file.close() && written && moveIntoPlace(temporary, path);
+    if (complete)
+        return {};
+    std::filesystem::remove(temporary, error);
+    if (control.stopRequested())
+        return fail(ErrorKind::Cancelled,
+            {DYNCAL_TEXT("core", "Writing %1 was cancelled; nothing was left behind."), {path}});
+    return fail(ErrorKind::Internal,
+        {DYNCAL_TEXT("core",
+             "%1 could not be written completely and was not created; check the space on the "
+             "disk."),
+            {path}});
+}
+
+} // namespace dyncal

@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <hdf5.h>
+
+#include <utility>
+
+namespace dyncal {
+
+/// Owns one HDF5 identifier. The library reports a full disk only when an object is closed, so
+/// writers call close() and look at what it says; the destructor is for the way out after a
+/// failure.
+class Hdf5Handle
+{
+public:
+    using CloseFunction = herr_t (*)(hid_t);
+
+    Hdf5Handle() = default;
+    Hdf5Handle(hid_t id, CloseFunction closeFunction)
+        : m_id(id)
+        , m_close(closeFunction)
+    {
+    }
+    Hdf5Handle(Hdf5Handle &&other) noexcept
+        : m_id(std::exchange(other.m_id, kNone))
+        , m_close(other.m_close)
+    {
+    }
+    Hdf5Handle &operator=(Hdf5Handle &&other) noexcept
+    {
+        std::swap(m_id, other.m_id);
+        std::swap(m_close, other.m_close);
+        return *this;
+    }
+    ~Hdf5Handle() { close(); }
+
+    bool valid() const { return m_id >= 0; }
+    hid_t id() const { return m_id; }
+
+    /// Closes now; true if the library closed it without complaint. A second call is harmless.
+    bool close()
+    {
+        const hid_t id = std::exchange(m_id, kNone);
+        return id < 0 || m_close(id) >= 0;
+    }
+
+private:
+    static constexpr hid_t kNone = -1;
+    hid_t m_id = kNone;
+    CloseFunction m_close = nullptr;
+};
+
+/// Keeps the library from printing its own error stack; we make sentences of our own. The setting
+/// belongs to the calling thread, so every entry point switches it off for itself.
+inline void silenceHdf5()
+{
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+} // namespace dyncal
