@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/signal/fft.h"
+
+#include <fftw3.h>
+
+#include <algorithm>
+#include <limits>
+#include <mutex>
+#include <new>
+
+namespace dyncal {
+namespace {
+
+/// FFTW's planner has global state; only execution is thread-safe.
+std::mutex &plannerMutex()
+{
+    static std::mutex mutex;
+    return mutex;
+}
+
+fftw_complex *fftwData(std::complex<double> *data)
+{
+    return reinterpret_cast<fftw_complex *>(data); // layout guaranteed by FFTW and by C++
+}
+
+/// Plans are made for aligned buffers (unaligned ones cost the SIMD code), so every buffer that is
+/// not known to be aligned must be checked before a plan is run on it.
+bool isAligned(const double *data)
+{
+    return fftw_alignment_of(const_cast<double *>(data)) == 0; // FFTW does not write through it
+}
+
+} // namespace
+
+struct RealFft::Plans
+{
+    Index length = 0;
+    fftw_plan forward = nullptr;
+    fftw_plan inverse = nullptr;
+
+    explicit Plans(Index n)
+        : length(n)
+    {
+        eigen_assert(n >= 1 && n <= std::numeric_limits<int>::max());
+        Eigen::VectorXd time(n); // ESTIMATE only looks at the alignment of the buffers
+        Eigen::VectorXcd spectrum(n / 2 + 1);
+        const int size = static_cast<int>(n);
+        const std::lock_guard lock(plannerMutex());
+        forward = fftw_plan_dft_r2c_1d(
+            size, time.data(), fftwData(spectrum.data()), FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
+        inverse = fftw_plan_dft_c2r_1d(
+            size, fftwData(spectrum.data()), time.data(), FFTW_ESTIMATE | FFTW_DESTROY_INPUT);
+        if (forward == nullptr || inverse == nullptr) {
+            destroy();
+            throw std::bad_alloc(); // the only way in which an ESTIMATE plan can fail
+        }
+    }
+    ~Plans()
+    {
+        const std::lock_guard lock(plannerMutex());
+        destroy();
+    }
+    Plans(const Plans &) = delete;
+    Plans &operator=(const Plans &) = delete;
+
+private:
+    void destroy()
+    {
+        fftw_destroy_plan(forward); // accepts null
+        fftw_destroy_plan(inverse);
+    }
+};
+
+RealFft::RealFft(Index length)
+    : m_plans(std::make_unique<Plans>(length))
+{
+}
+
+RealFft::~RealFft() = default;
+RealFft::RealFft(RealFft &&) noexcept = default;
+RealFft &RealFft::operator=(RealFft &&) noexcept = default;
+
+Index RealFft::length() const
+{
+    return m_plans->length;
+}
+
+Eigen::VectorXcd RealFft::forward(const Eigen::Ref<const Eigen::VectorXd> &time) const
+{
+    eigen_assert(time.size() <= length());
+    Eigen::VectorXcd spectrum(length() / 2 + 1);
+    if (time.size() == length() && isAligned(time.data())) {
+        fftw_execute_dft_r2c(
+            m_plans->forward, const_cast<double *>(time.data()), fftwData(spectrum.data()));
+        return spectrum;
+    }
+    Eigen::VectorXd padded(length());
+    padded << time, Eigen::VectorXd::Zero(length() - time.size());
+    fftw_execute_dft_r2c(m_plans->forward, padded.data(), fftwData(spectrum.data()));
+    return spectrum;
+}
+
+Eigen::VectorXd RealFft::inverse(const Eigen::Ref<const Eigen::VectorXcd> &spectrum) const
+{
+    eigen_assert(spectrum.size() == length() / 2 + 1);
+    Eigen::VectorXcd scratch = spectrum / static_cast<double>(length()); // FFTW overwrites it
+    Eigen::VectorXd time(length());
+    fftw_execute_dft_c2r(m_plans->inverse, fftwData(scratch.data()), time.data());
+    return time;
+}
+
+Index fastFftLength(Index n)
+{
+    Index best = 1;
+    while (best < n)
+        best *= 2;
+    for (Index fives = 1; fives < best; fives *= 5) {
+        for (Index odd = fives; odd < best; odd *= 3) {
+            Index length = odd;
+            while (length < n)
+                length *= 2;
+            best = std::min(best, length);
+        }
+    }
+    return best;
+}
+
+} // namespace dyncal
