@@ -44,8 +44,11 @@ struct DutArrival
 
 /// Pressure step per shot: typed, or computed from the velocity (typed, or distance over time
 /// between one arrival sensor and the DUT) with the relations 3.1-3.9. Missing inputs leave the
-/// step "not determined" with a finding that says what is missing; never a guess.
-/// Recipe values win over the capture's environment and tube attributes.
+/// step "not determined" with a finding that says what is missing (SHK-007); never a guess.
+/// Inputs that contradict each other (SHK-001, SHK-004) leave it undetermined for that shot too,
+/// as a finding that blocks (a caution where the step is typed, which then stands).
+/// Recipe values win over the capture's environment and tube attributes. End wall: step = p5 - p1;
+/// side wall: p2 - p1. Fails (Usage) on settings that make no sense.
 Result<ShockConditionsSet> estimateShockConditions(
     const CaptureSet &set, const std::vector<DutArrival> &arrivals, const ShockSettings &settings);
 

@@ -29,6 +29,9 @@ struct GasState
     double velocity_m_s = 0.0;
 };
 
+/// A gas at rest; density from p M / (R T). T > 0.
+GasState gasAtRest(const Gas &gas, double pressure_Pa, double temperature_K);
+
 /// Everything that follows from a shock of velocity W into gas at rest (p1, T1) with a rigid end
 /// wall: regions 1, 2, 5 and the reflected shock (thesis 3.1-3.9).
 struct ShockStates
@@ -42,14 +45,17 @@ struct ShockStates
     double reflectedMach = 0.0;
 };
 
-/// Fails (DataBlocked, SHK-001) if M <= 1, (SHK-004) if T1 is outside 200..400 K, and on p1 <= 0.
+/// Fails (DataBlocked, SHK-001) if M <= 1, (SHK-004) if T1 is outside 200..400 K, and on p1 <= 0;
+/// (Usage) on a gas that is none: gamma outside (1, 2], molar mass outside 0.001..0.4 kg/mol.
+/// Relative error of the results below 1e-12 down to M - 1 = 1e-6.
 Result<ShockStates> shockStates(const Gas &gas, double p1_Pa, double T1_K, double velocity_m_s);
 
 /// Time from the shock's reflection until the disturbance from the contact surface is back at the
-/// end wall, for a driven section of the given length (metrology.md 1.3).
+/// end wall, for a driven section of the given length > 0 (docs/method/shock.md).
 double plateauTime_s(const ShockStates &states, double drivenLength_m);
 
-/// Driver pressure that an ideal diaphragm needs for this shock (eq 3.10). Fails where none can.
+/// Driver pressure that an ideal diaphragm needs for this shock (eq 3.10). Fails where none can
+/// (DataBlocked), on T4 outside 200..400 K (SHK-004) and on a driver gas that is none (Usage).
 Result<double> driverPressure_Pa(
     const ShockStates &states, const Gas &driven, const Gas &driver, double T4_K);
 
