@@ -1,0 +1,130 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/pipeline/results_json.h"
+
+#include "core/base/version.h"
+#include "core/pipeline/results_sections.h"
+
+#include <algorithm>
+
+namespace dyncal {
+namespace {
+
+using Json = JsonRecord::Json;
+
+constexpr const char *kSchema = "dyncal-results/1";
+
+Json software()
+{
+    return {{"name", "dyncal"}, {"version", versionText()}, {"build", buildText()}};
+}
+
+Json findingJson(const Finding &finding)
+{
+    JsonRecord record;
+    record.set("id", finding.id);
+    record.set("severity", severityName(finding.severity));
+    if (finding.shot > 0)
+        record.set("shot", finding.shot);
+    else
+        record.missing("shot", "Concerns no single shot.");
+    record.text("channel", finding.channel, "Concerns no single channel.");
+    record.number("time_s", finding.time_s, "Has no place in time.");
+    record.set("message", english(finding.message));
+    record.number("value", finding.value, "Is not about one number.");
+    record.number("limit", finding.limit, "Has no limit.");
+    return record.take();
+}
+
+/// The error that stopped the run is the gravest finding of all.
+Finding asFinding(const Error &error)
+{
+    Finding finding;
+    finding.id = error.findingId;
+    finding.severity = Severity::Block;
+    finding.shot = error.shot;
+    finding.message = error.message;
+    return finding;
+}
+
+void addError(JsonRecord &root, const PipelineOutcome &outcome)
+{
+    if (!outcome.error) {
+        root.missing("error", "The run came to its end.");
+        return;
+    }
+    JsonRecord record;
+    record.set("stage", stageName(outcome.failedStage));
+    record.set("message", english(outcome.error->message));
+    record.text("finding", outcome.error->findingId, "Is no entry of the findings catalogue.");
+    root.set("error", record.take());
+}
+
+} // namespace
+
+std::string ResultsContext::whyMissing() const
+{
+    if (!outcome.error)
+        return "Not computed: the run was not asked to go this far.";
+    return "Not computed, because the run stopped before: " + english(outcome.error->message);
+}
+
+const WindowedResponse *ResultsContext::responseOf(Index shot) const
+{
+    if (!results().window)
+        return nullptr;
+    const auto &responses = results().window->responses;
+    const auto found = std::find_if(responses.begin(), responses.end(),
+        [shot](const WindowedResponse &response) { return response.shot == shot; });
+    return found != responses.end() ? &*found : nullptr;
+}
+
+const SeriesFit *ResultsContext::fitOf(Index shot) const
+{
+    if (!results().model)
+        return nullptr;
+    const auto &series = results().model->series;
+    const auto found = std::find_if(
+        series.begin(), series.end(), [shot](const SeriesFit &fit) { return fit.shot == shot; });
+    return found != series.end() ? &*found : nullptr;
+}
+
+void addFindings(JsonRecord &root, const ResultsContext &context)
+{
+    Findings findings = context.results().findings();
+    if (context.outcome.error && !context.outcome.error->findingId.empty())
+        findings.push_back(asFinding(*context.outcome.error));
+    Json list = Json::array();
+    for (const Finding &finding : findings)
+        list.push_back(findingJson(finding));
+    root.set("findings", std::move(list));
+}
+
+std::string resultsJson(
+    const PipelineOutcome &outcome, const Recipe &recipe, const std::string &createdUtc)
+{
+    const ResultsContext context{outcome, recipe};
+    JsonRecord root;
+    root.set("schema", kSchema);
+    root.set("software", software());
+    root.set("created_utc", createdUtc);
+    root.set("recipe", Json::parse(recipeJson(recipe)));
+    addInputs(root, context);
+    addShots(root, context);
+    addShock(root, context);
+    addSpectrum(root, context);
+    addComponents(root, context);
+    addModelInput(root, context);
+    addRealization(root, context);
+    addModel(root, context);
+    addResponse(root, context);
+    addBands(root, context);
+    addBudget(root);
+    addFindings(root, context);
+    addError(root, outcome);
+    // Names in foreign files need not be UTF-8; results.json always is.
+    return root.take().dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+} // namespace dyncal

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/pipeline/results_sections.h"
+
+#include <algorithm>
+
+namespace dyncal {
+namespace {
+
+using Json = JsonRecord::Json;
+
+Json poleJson(const Pole &pole)
+{
+    const char *noFrequency = "The pole has no counterpart in continuous time.";
+    JsonRecord record;
+    record.number("re", pole.z.real(), "Not determined.");
+    record.number("im", pole.z.imag(), "Not determined.");
+    record.set("class", poleClassName(pole.poleClass));
+    record.set("flags", pole.flags);
+    record.number("frequency_hz", pole.frequency_Hz, noFrequency);
+    record.number("u_frequency_hz", pole.u_frequency_Hz, kNoUncertainty);
+    record.number("damping_ratio", pole.dampingRatio, noFrequency);
+    record.number("u_damping_ratio", pole.u_dampingRatio, kNoUncertainty);
+    record.number("amplitude", pole.amplitude, "The amplitude could not be fitted.");
+    return record.take();
+}
+
+void addStateSpace(JsonRecord &section, const StateSpaceModel &model)
+{
+    section.number("dt_s", model.sampleInterval_s, "Not determined.");
+    const auto matrix = [&section](const char *key, const Eigen::MatrixXd &values) {
+        section.set(key, rowsOf(values));
+        if (!values.allFinite())
+            section.set(std::string(key) + "_reason", "null where the model diverges.");
+    };
+    matrix("A", model.A);
+    matrix("B", model.B);
+    matrix("C", model.C);
+    matrix("D", model.D);
+}
+
+void addFits(JsonRecord &section, const SensorModel &model)
+{
+    const char *diverges = "The simulation of the model runs away.";
+    section.number("fit_percent", model.fit_percent, diverges);
+    section.number("fit_attainable_percent", model.fitAttainable_percent,
+        "There is too little record before the start to know the noise.");
+    section.number("fit_listing_percent", model.fitListing_percent,
+        "Only the treatment step-as-impulse has the listing's FIT.");
+    const bool ofAverage = model.series.size() == 1 && model.series.front().shot == 0;
+    Eigen::VectorXd fits(ofAverage ? 0 : static_cast<Index>(model.series.size()));
+    for (Index i = 0; i < fits.size(); ++i)
+        fits[i] = model.series[static_cast<std::size_t>(i)].fit_percent;
+    section.numbers("fit_per_shot_percent", fits,
+        ofAverage ? "The model describes the average of the shots." : diverges);
+}
+
+/// Unit of c0: 1 for a response remapped to 0..1, else that of the recordings.
+std::string gainUnit(const ResultsContext &context)
+{
+    if (context.recipe.remap && isStepTreatment(context.recipe.input.treatment))
+        return "1";
+    const auto window = context.results().window;
+    return window && !window->responses.empty() ? window->responses.front().unit : "";
+}
+
+void addCurves(JsonRecord &section, const ResponseResult &response)
+{
+    const char *none = "This treatment of the response gives no frequency response of a step.";
+    const char *noModel = "The model gives no response here.";
+    section.numbers("frequency_hz", response.frequency_Hz,
+        "None of the frequencies asked for lies in the usable band.");
+    section.numbers("magnitude", response.magnitude, none);
+    section.numbers("u_magnitude", response.u_magnitude, kNoUncertainty);
+    section.missing("k_magnitude", kNoUncertainty);
+    section.numbers("phase_rad", response.phase_rad, none);
+    section.numbers("u_phase_rad", response.u_phase_rad, kNoUncertainty);
+    section.missing("k_phase", kNoUncertainty);
+    section.numbers("model_magnitude", response.modelMagnitude, noModel);
+    section.numbers("model_phase_rad", response.modelPhase_rad, noModel);
+}
+
+} // namespace
+
+void addModel(JsonRecord &root, const ResultsContext &context)
+{
+    const auto model = context.results().model;
+    if (!model) {
+        root.missing("model", context.whyMissing());
+        return;
+    }
+    JsonRecord section;
+    section.set("order", model->order);
+    addStateSpace(section, model->stateSpace);
+    Json poles = Json::array();
+    for (const Pole &pole : model->poles)
+        poles.push_back(poleJson(pole));
+    section.set("poles", std::move(poles));
+    Json zeros = Json::array();
+    for (const std::complex<double> &zero : model->zeros)
+        zeros.push_back({{"re", finiteOrNull(zero.real())}, {"im", finiteOrNull(zero.imag())}});
+    section.set("zeros", std::move(zeros));
+    addFits(section, *model);
+    section.number("plateau_gain", model->plateauGain, "The plateau could not be fitted.");
+    section.text("gain_unit", gainUnit(context), "The recordings state no unit.");
+    root.set("model", section.take());
+}
+
+void addResponse(JsonRecord &root, const ResultsContext &context)
+{
+    const auto response = context.results().response;
+    if (!response) {
+        root.missing("response", context.whyMissing());
+        return;
+    }
+    JsonRecord section;
+    addCurves(section, *response);
+    section.number("f_low_hz", response->fLow_Hz, "Not determined.");
+    section.number("f_high_hz", response->fHigh_Hz, "Not determined.");
+    section.text("unit", response->unit, "The recordings state no unit.");
+    root.set("response", section.take());
+}
+
+void addBands(JsonRecord &root, const ResultsContext &context)
+{
+    const auto response = context.results().response;
+    if (!response) {
+        root.missing("bands", context.whyMissing());
+        return;
+    }
+    const StepCharacteristics &found = response->characteristics;
+    const char *reason = "The model's response does not leave this band below its own limit.";
+    JsonRecord section;
+    section.number("within_5_percent_hz", found.within5percent_Hz, reason);
+    section.number("within_10_percent_hz", found.within10percent_Hz, reason);
+    section.number("minus_3_db_hz", found.minus3dB_Hz, reason);
+    section.set("source", "model");
+    root.set("bands", section.take());
+}
+
+void addBudget(JsonRecord &root)
+{
+    root.missing("budget", "Not evaluated: this version computes no uncertainty budget.");
+    root.missing(
+        "gum_validated_by_monte_carlo", "Not evaluated: this version computes no Monte Carlo.");
+}
+
+} // namespace dyncal
