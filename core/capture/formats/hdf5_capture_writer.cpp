@@ -4,52 +4,35 @@
 #include "core/capture/formats/hdf5_capture.h"
 
 #include "core/base/content_hash.h"
+#include "core/base/durable_file.h"
 #include "core/base/version.h"
 #include "core/capture/formats/hdf5_attributes.h"
+#include "core/capture/formats/hdf5_create.h"
 #include "core/capture/formats/hdf5_handle.h"
 #include "core/capture/formats/hdf5_layout.h"
 #include "core/capture/formats/hdf5_samples.h"
 
-#include <fcntl.h>
-#include <unistd.h>
-
 #include <algorithm>
 #include <filesystem>
+#include <limits>
+#include <mutex>
 #include <set>
 #include <system_error>
 
 namespace dyncal {
 namespace {
 
-Hdf5Handle createFile(const std::string &path)
+/// A name that HDF5 takes for a member.
+std::string memberName(std::string name)
 {
-    const Hdf5Handle creation(H5Pcreate(H5P_FILE_CREATE), &H5Pclose);
-    const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), &H5Pclose);
-    // The newest format has checksums on its metadata.
-    const bool usable = creation.valid() && access.valid() && forgetTimes(creation.id())
-        && H5Pset_libver_bounds(access.id(), H5F_LIBVER_V110, H5F_LIBVER_V110) >= 0;
-    if (!usable)
-        return {};
-    return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), &H5Fclose};
-}
-
-/// Groups remember the order in which members were added: shots and channels keep theirs.
-Hdf5Handle createGroup(hid_t parent, const std::string &name)
-{
-    const Hdf5Handle creation(H5Pcreate(H5P_GROUP_CREATE), &H5Pclose);
-    const bool usable = creation.valid() && forgetTimes(creation.id())
-        && H5Pset_link_creation_order(creation.id(), H5P_CRT_ORDER_TRACKED | H5P_CRT_ORDER_INDEXED)
-            >= 0;
-    if (!usable)
-        return {};
-    return {H5Gcreate2(parent, name.c_str(), H5P_DEFAULT, creation.id(), H5P_DEFAULT), &H5Gclose};
+    std::replace(name.begin(), name.end(), '/', '|');
+    return name.empty() || name == "." ? "unnamed" : name;
 }
 
 /// A name that HDF5 takes for a member and that is not used yet in this group.
 std::string linkName(const std::string &name, std::set<std::string> &used)
 {
-    std::string link = name.empty() || name == "." ? "channel" : name;
-    std::replace(link.begin(), link.end(), '/', '|');
+    const std::string link = memberName(name);
     std::string unique = link;
     for (int copy = 2; !used.insert(unique).second; ++copy)
         unique = link + " (" + std::to_string(copy) + ")";
@@ -62,6 +45,13 @@ std::string paddedNumber(std::size_t number)
     return std::string(digits.size() < 3 ? 3 - digits.size() : 0, '0') + digits;
 }
 
+/// A dataset that was written, and the hash of what it must hold.
+struct WrittenChannel
+{
+    std::string path;
+    std::string sha256;
+};
+
 /// Writes one capture into an open file; any false means that the file is not complete.
 class CaptureWriter
 {
@@ -73,7 +63,7 @@ public:
         for (const Shot &shot : set.shots) {
             for (const Channel &channel : shot.channels) {
                 m_totalSamples += channel.samples.size();
-                m_hashes.push_back(sha256Hex(channel.samples.bytes()));
+                m_channels.push_back({{}, sha256Hex(channel.samples.bytes())});
             }
         }
     }
@@ -84,6 +74,8 @@ public:
         return writeHead(file, createdUtc, title) && writeSetup(file) && writeShots(file)
             && (truth.empty() || writeTruth(file, truth));
     }
+
+    const std::vector<WrittenChannel> &channels() const { return m_channels; }
 
 private:
     bool writeHead(hid_t file, const std::string &createdUtc, const std::string &title)
@@ -107,8 +99,8 @@ private:
             for (const Channel &channel : shot.channels)
                 content.append("\n").append(channel.name);
         }
-        for (const std::string &hash : m_hashes)
-            content.append("\n").append(hash);
+        for (const WrittenChannel &channel : m_channels)
+            content.append("\n").append(channel.sha256);
         std::string hex = sha256Hex(content);
         hex[12] = '8';
         hex[16] = 'a';
@@ -147,7 +139,9 @@ private:
         if (!shots.valid())
             return false;
         for (std::size_t i = 0; i < m_set.shots.size(); ++i) {
-            Hdf5Handle group = createGroup(shots.id(), paddedNumber(i + 1));
+            const std::string number = paddedNumber(i + 1);
+            Hdf5Handle group = createGroup(shots.id(), number);
+            m_folder = "/shots/" + number + "/channels/";
             if (!group.valid() || !writeShot(group.id(), m_set.shots[i]) || !group.close())
                 return false;
         }
@@ -200,10 +194,13 @@ private:
 
     bool writeChannel(hid_t group, const Channel &channel, const std::string &link)
     {
+        m_channels[m_channel].path = m_folder + link;
         Hdf5Handle dataset = createSampleDataset(group, link, channel.samples);
-        return dataset.valid() && writeSamples(dataset.id(), channel.samples)
+        const bool written = dataset.valid() && writeSamples(dataset.id(), channel.samples)
             && (link == channel.name || writeTextAttribute(dataset.id(), "name", channel.name))
             && writeChannelAttributes(dataset.id(), channel) && dataset.close();
+        ++m_channel;
+        return written;
     }
 
     bool writeSamples(hid_t dataset, const RawSamples &samples)
@@ -231,11 +228,13 @@ private:
             && writeTextAttribute(
                 dataset, "pressure_reference", pressureReferenceName(channel.reference))
             && writeTextAttribute(dataset, "sensor",
-                channel.sensorId.empty() ? "" : std::string(kSensorFolder) + channel.sensorId)
+                channel.sensorId.empty()
+                    ? ""
+                    : std::string(kSensorFolder) + memberName(channel.sensorId))
             && writeIntegerAttribute(dataset, "adc_bits", channel.adcBits)
             && (!channel.adcMin || writeNumberAttribute(dataset, "adc_min", *channel.adcMin))
             && (!channel.adcMax || writeNumberAttribute(dataset, "adc_max", *channel.adcMax))
-            && writeTextAttribute(dataset, "raw_sha256", m_hashes[m_channel++]);
+            && writeTextAttribute(dataset, "raw_sha256", m_channels[m_channel].sha256);
     }
 
     /// The layout has no polarity and no operator's factor: they go into the coefficients, so that
@@ -269,29 +268,26 @@ private:
 
     const CaptureSet &m_set;
     const JobControl &m_control;
-    std::vector<std::string> m_hashes; ///< of every channel of every shot, in order
-    std::size_t m_channel = 0; ///< position of the channel being written in m_hashes
+    std::vector<WrittenChannel> m_channels; ///< of every shot, in order
+    std::size_t m_channel = 0; ///< position of the channel being written
+    std::string m_folder; ///< where the channels of the shot being written go
     Index m_totalSamples = 0;
     Index m_doneSamples = 0;
 };
 
-bool syncToDisk(const std::string &path)
+/// Reads back what has just been written: a full disk is not always reported when it happens.
+bool readsBack(const std::string &path, const std::vector<WrittenChannel> &channels)
 {
-    const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor < 0)
-        return false;
-    const bool synced = ::fsync(descriptor) == 0;
-    return ::close(descriptor) == 0 && synced;
-}
-
-bool moveIntoPlace(const std::string &temporary, const std::string &path)
-{
-    std::error_code error;
-    if (!syncToDisk(temporary))
-        return false;
-    std::filesystem::rename(temporary, path, error);
-    const std::filesystem::path folder = std::filesystem::path(path).parent_path();
-    return !error && syncToDisk(folder.empty() ? "." : folder.string());
+    const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), &H5Fclose);
+    hsize_t budgetBytes = std::numeric_limits<hsize_t>::max();
+    return file.valid()
+        && std::all_of(channels.begin(), channels.end(), [&](const WrittenChannel &channel) {
+               const Hdf5Handle dataset(
+                   H5Dopen2(file.id(), channel.path.c_str(), H5P_DEFAULT), &H5Dclose);
+               const Result<StoredSamples> stored = readSampleDataset(
+                   dataset.id(), path, channel.path, budgetBytes, SampleUse::Keep, {});
+               return stored && sha256Hex(stored->samples.bytes()) == channel.sha256;
+           });
 }
 
 } // namespace
@@ -300,6 +296,7 @@ Result<void> writeHdf5Capture(const CaptureSet &set, const std::string &path,
     const std::string &createdUtc, const std::string &title, const std::vector<ShotTruth> &truth,
     const JobControl &control)
 {
+    const std::scoped_lock lock(hdf5Mutex());
     silenceHdf5();
     std::error_code error;
     if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
@@ -314,9 +311,11 @@ Result<void> writeHdf5Capture(const CaptureSet &set, const std::string &path,
             {DYNCAL_TEXT(
                  "core", "Cannot create %1; check that the folder exists and may be written to."),
                 {path}});
-    const bool written = CaptureWriter(set, control).write(file.id(), createdUtc, title, truth)
+    CaptureWriter writer(set, control);
+    const bool written = writer.write(file.id(), createdUtc, title, truth)
         && H5Fflush(file.id(), H5F_SCOPE_GLOBAL) >= 0;
-    const bool complete = file.close() && written && moveIntoPlace(temporary, path);
+    const bool complete = file.close() && written && readsBack(temporary, writer.channels())
+        && moveIntoPlace(temporary, path);
     if (complete)
         return {};
     std::filesystem::remove(temporary, error);

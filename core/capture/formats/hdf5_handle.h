@@ -5,6 +5,7 @@
 
 #include <hdf5.h>
 
+#include <mutex>
 #include <utility>
 
 namespace dyncal {
@@ -51,6 +52,14 @@ private:
     hid_t m_id = kNone;
     CloseFunction m_close = nullptr;
 };
+
+/// Held by whoever uses the library. It has one global lock of its own and gains nothing from two
+/// threads; and a process may be forked for a rehearsal only while no other thread is inside.
+inline std::mutex &hdf5Mutex()
+{
+    static std::mutex mutex;
+    return mutex;
+}
 
 /// Keeps the library from printing its own error stack; we make sentences of our own. The setting
 /// belongs to the calling thread, so every entry point switches it off for itself.
