@@ -94,13 +94,14 @@ private:
     {
         try {
             if (control.stopRequested())
-                return fail(ErrorKind::Cancelled, {DYNCAL_TEXT("core", "Cancelled.")});
+                return fail(ErrorKind::Cancelled, {DYNCAL_TEXT("core", "Cancelled."), {}});
             return job(control);
         } catch (const std::bad_alloc &) {
             return fail(ErrorKind::Internal,
                 {DYNCAL_TEXT("core",
-                    "There is not enough memory for this work; close other "
-                    "programs or choose a shorter window.")});
+                     "There is not enough memory for this work; close other "
+                     "programs or choose a shorter window."),
+                    {}});
         } catch (const std::exception &problem) {
             return fail(ErrorKind::Internal,
                 {DYNCAL_TEXT("core",

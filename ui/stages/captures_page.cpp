@@ -3,7 +3,7 @@
 
 #include "ui/stages/captures_page.h"
 
-#include "ui/plot/capture_curves.h"
+#include "ui/plot/signal_curves.h"
 #include "ui/session/capture_edit.h"
 #include "ui/shell/prompts.h"
 #include "ui/stages/quantity_edit.h"
@@ -150,7 +150,7 @@ void CapturesPage::showPlots()
             [r = role](const Shot &shot) { return shot.channelWithRole(r) != nullptr; });
         plot->setVisible(present || role == ChannelRole::Dut);
         if (present)
-            plot->setContent(captureContent(shownSet(), role));
+            plot->setContent(rawCurves(shownSet(), role));
     }
 }
 

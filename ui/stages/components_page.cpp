@@ -105,14 +105,17 @@ void ComponentsPage::showRecipe()
 void ComponentsPage::showResults()
 {
     const auto &components = results().components;
-    const auto show = [&](PlotWidget *plot, auto content) {
-        plot->setContent(components ? content(*components) : PlotContent());
+    const auto &window = results().window;
+    const auto show = [&](PlotWidget *plot, auto draw) {
+        plot->setContent(components && window ? draw(*components, *window) : PlotContent());
     };
-    show(m_explained, explainedContent);
-    show(m_reconstruction, reconstructionContent);
-    show(m_residual, residualContent);
-    show(m_autocovariance, autocovarianceContent);
-    show(m_spectrum, residualSpectrumContent);
+    m_explained->setContent(components ? explainedCurves(*components) : PlotContent());
+    show(m_reconstruction, reconstructionCurves);
+    show(m_residual, residualCurves);
+    show(m_autocovariance, [](const ComponentResult &result, const WindowResult &responses) {
+        return autocovarianceCurves(result, responses);
+    });
+    show(m_spectrum, residualSpectrumCurves);
 
     QVector<QStringList> rows;
     for (std::size_t i = 0; components && i < components->residuals.size(); ++i) {

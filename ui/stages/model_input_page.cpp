@@ -3,7 +3,7 @@
 
 #include "ui/stages/model_input_page.h"
 
-#include "ui/plot/model_curves.h"
+#include "ui/plot/realization_curves.h"
 #include "ui/stages/quantity_edit.h"
 #include "ui/text/quantity_format.h"
 
@@ -94,7 +94,8 @@ void ModelInputPage::showRecipe()
 void ModelInputPage::showResults()
 {
     const auto &input = results().input;
-    m_plot->setContent(input ? modelInputContent(*input) : PlotContent());
+    m_plot->setContent(
+        input && results().window ? modelInputCurves(*input, *results().window) : PlotContent());
     showSamplesPerPeriod();
     m_length->setText(input && input->sampleRate_Hz > 0.0
             ? shownQuantity(static_cast<double>(input->samples) / input->sampleRate_Hz, "s", 4)

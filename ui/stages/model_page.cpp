@@ -69,11 +69,13 @@ void ModelPage::showResults()
     const auto &model = results().model;
     const auto &input = results().input;
     const auto &response = results().response;
-    m_fit->setContent(model && input ? modelFitContent(*input, *model) : PlotContent());
-    m_error->setContent(model && input ? modelErrorContent(*input, *model) : PlotContent());
-    m_magnitude->setContent(response ? magnitudeContent(*response) : PlotContent());
-    m_phase->setContent(response ? phaseContent(*response) : PlotContent());
-    m_poles->setContent(model ? poleZeroContent(*model) : PlotContent());
+    const auto &window = results().window;
+    const bool data = model && input && window;
+    m_fit->setContent(data ? simulationCurves(*input, *model, *window) : PlotContent());
+    m_error->setContent(data ? errorCurves(*input, *model, *window) : PlotContent());
+    m_magnitude->setContent(response ? bodeMagnitudeCurves(*response) : PlotContent());
+    m_phase->setContent(response ? bodePhaseCurves(*response) : PlotContent());
+    m_poles->setContent(model ? poleZeroCurves(*model) : PlotContent());
     m_table->setValues(poleHeaders(), model ? poleRows(*model) : QVector<QStringList>());
 
     m_order->setText(model ? QString::number(model->order) : "–");
@@ -81,9 +83,8 @@ void ModelPage::showResults()
     QStringList perShot;
     if (model && !model->diverges)
         for (const SeriesFit &fit : model->series)
-            perShot << (fit.shot > 0 ? tr("shot %1: %2 %").arg(fit.shot)
-                                     : tr("average%1: %2 %").arg(""))
-                           .arg(shownNumber(fit.fit_percent, 3));
+            perShot << (fit.shot > 0 ? tr("Shot %1").arg(fit.shot) : tr("Average")) + ": "
+                    + shownNumber(fit.fit_percent, 3) + " %";
     m_perShot->setText(perShot.isEmpty() ? "–" : perShot.join("\n"));
     m_listing->setText(model && model->fitListing_percent
             ? tr("%1 % (one sample late)").arg(shownNumber(*model->fitListing_percent, 3))

@@ -4,6 +4,7 @@
 #include "ui/stages/order_page.h"
 
 #include "ui/plot/model_curves.h"
+#include "ui/plot/realization_curves.h"
 #include "ui/stages/model_text.h"
 #include "ui/stages/quantity_edit.h"
 #include "ui/stages/value_table.h"
@@ -75,6 +76,8 @@ void OrderPage::buildPlots()
             if (finished)
                 session().endMerge();
         });
+    for (PlotWidget *plot : {m_values, m_bic, m_fit, m_bode, m_poles})
+        plot->installEventFilter(this);
     for (PlotWidget *plot : {m_values, m_bic})
         connect(plot, &PlotWidget::pointPicked, this,
             [this](double order, double) { setOrder(order, {}); });
@@ -148,11 +151,15 @@ void OrderPage::setOrder(double order, const QString &mergeKey)
         tr("Order %1").arg(chosen), [&](Recipe &r) { r.realization.order = chosen; }, mergeKey);
 }
 
-void OrderPage::keyPressEvent(QKeyEvent *event)
+bool OrderPage::takeKey(const QKeyEvent &event)
 {
-    const auto step
-        = [this](Index by) { setOrder(static_cast<double>(shownOrder() + by), kKeysKey); };
-    switch (event->key()) {
+    if (event.modifiers() & ~Qt::KeypadModifier)
+        return false;
+    const auto step = [this](Index by) {
+        setOrder(static_cast<double>(shownOrder() + by), kKeysKey);
+        return true;
+    };
+    switch (event.key()) {
     case Qt::Key_Left:
         return step(-1);
     case Qt::Key_Right:
@@ -162,10 +169,24 @@ void OrderPage::keyPressEvent(QKeyEvent *event)
     case Qt::Key_PageUp:
         return step(kLargeStep);
     case Qt::Key_Home:
-        return m_useSuggestion->click();
+        m_useSuggestion->click();
+        return true;
     default:
-        StagePage::keyPressEvent(event);
+        return false;
     }
+}
+
+void OrderPage::keyPressEvent(QKeyEvent *event)
+{
+    if (!takeKey(*event))
+        StagePage::keyPressEvent(event);
+}
+
+bool OrderPage::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::KeyPress && takeKey(*static_cast<QKeyEvent *>(event)))
+        return true;
+    return StagePage::eventFilter(watched, event);
 }
 
 void OrderPage::showRecipe()
@@ -188,16 +209,21 @@ void OrderPage::showRecipe()
 void OrderPage::showResults()
 {
     const auto &decomposition = results().decomposition;
-    m_values->setContent(decomposition ? singularValueContent(*decomposition) : PlotContent());
-    m_bic->setContent(decomposition ? bicContent(*decomposition) : PlotContent());
+    const auto &input = results().input;
+    m_values->setContent(decomposition && input ? singularValueCurves(
+                             decomposition->hankel, decomposition->suggestion, input->treatment)
+                                                : PlotContent());
+    m_bic->setContent(decomposition ? bicCurves(decomposition->suggestion) : PlotContent());
     m_bic->setVisible(decomposition && decomposition->suggestion.bic.size() > 0);
     if (!decomposition)
         m_values->removeLine(kCut);
     const auto &model = results().model;
-    const auto &input = results().input;
-    m_fit->setContent(model && input ? modelFitContent(*input, *model) : PlotContent());
-    m_bode->setContent(model && input ? modelMagnitudeContent(*model, *input) : PlotContent());
-    m_poles->setContent(model ? poleZeroContent(*model) : PlotContent());
+    const auto &window = results().window;
+    const auto &response = results().response;
+    m_fit->setContent(
+        model && input && window ? simulationCurves(*input, *model, *window) : PlotContent());
+    m_bode->setContent(response ? bodeMagnitudeCurves(*response) : PlotContent());
+    m_poles->setContent(model ? poleZeroCurves(*model) : PlotContent());
     m_table->setValues(poleHeaders(), model ? poleRows(*model) : QVector<QStringList>());
     showReadouts();
 }

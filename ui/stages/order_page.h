@@ -27,10 +27,13 @@ protected:
     void showRecipe() override;
     void showResults() override;
     void keyPressEvent(QKeyEvent *event) override;
+    /// The order's keys work while a plot has the focus, too.
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
     void buildPlots();
     void buildInspector();
+    bool takeKey(const QKeyEvent &event);
     void setOrder(double order, const QString &mergeKey);
     Index shownOrder() const;
     Index largestOrder() const;

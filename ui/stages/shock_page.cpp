@@ -3,7 +3,7 @@
 
 #include "ui/stages/shock_page.h"
 
-#include "ui/plot/capture_curves.h"
+#include "ui/plot/signal_curves.h"
 #include "ui/stages/quantity_edit.h"
 #include "ui/stages/value_table.h"
 #include "ui/text/core_text.h"
@@ -223,7 +223,7 @@ void ShockPage::showResults()
         for (const Shot &shot : captures->set.shots)
             side = side || shot.channelWithRole(ChannelRole::DrivenSide);
         if (side)
-            content = captureContent(captures->set, ChannelRole::DrivenSide);
+            content = rawCurves(captures->set, ChannelRole::DrivenSide);
     }
     QStringList headers{tr("Quantity")};
     if (shock) {

@@ -3,7 +3,7 @@
 
 #include "ui/stages/spectrum_page.h"
 
-#include "ui/plot/spectrum_curves.h"
+#include "ui/plot/signal_curves.h"
 #include "ui/stages/quantity_edit.h"
 #include "ui/stages/value_table.h"
 #include "ui/text/quantity_format.h"
@@ -138,9 +138,8 @@ void SpectrumPage::showRecipe()
 void SpectrumPage::showResults()
 {
     const auto &spectrum = results().spectrum;
-    m_plot->setContent(spectrum && results().window
-            ? spectrumContent(*spectrum, results().window->responses)
-            : PlotContent());
+    m_plot->setContent(spectrum && results().window ? spectrumCurves(*spectrum, *results().window)
+                                                    : PlotContent());
     QStringList headers{tr("Resonance"), tr("Above background"), tr("Q")};
     QVector<QStringList> rows;
     if (spectrum) {

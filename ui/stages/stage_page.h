@@ -44,6 +44,7 @@ protected:
     void showEvent(QShowEvent *event) override;
 
     Session &session() { return m_session; }
+    const Session &session() const { return m_session; }
     const CalibrationResults &results() const { return m_session.results(); }
     const Recipe &recipe() const { return m_session.recipe(); }
     QVBoxLayout *content() { return m_content; }

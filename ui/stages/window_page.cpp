@@ -3,7 +3,7 @@
 
 #include "ui/stages/window_page.h"
 
-#include "ui/plot/window_curves.h"
+#include "ui/plot/signal_curves.h"
 #include "ui/stages/interval_edit.h"
 #include "ui/stages/value_table.h"
 #include "ui/text/level_text.h"
@@ -26,7 +26,6 @@ const QString kStart = QStringLiteral("start");
 const QString kEnd = QStringLiteral("end");
 const ShownUnit kMicroseconds{"µs", 1e-6};
 constexpr double kLongest_s = 100.0;
-constexpr double kDetail_s = 20e-6; ///< first stretch shown below: the rise and the first periods
 
 } // namespace
 
@@ -258,8 +257,8 @@ void WindowPage::showResults()
 {
     const auto &window = results().window;
     const WindowedResponse *first = firstResponse();
-    m_plot->setContent(first ? windowContent(*window) : PlotContent());
-    m_detail->setContent(first ? windowDetailContent(*window, kDetail_s) : PlotContent());
+    m_plot->setContent(first ? windowCurves(*window) : PlotContent());
+    m_detail->setContent(first ? startCurves(*window) : PlotContent());
     showTable();
     const QSignalBlocker quiet(m_startShot);
     const int chosen = std::max(m_startShot->currentIndex(), 0);
