@@ -43,7 +43,7 @@ bool takesPrefix(const QString &unit)
 AxisPrefix axisPrefix(double lower, double upper, const QString &unit)
 {
     const double magnitude = std::max(std::abs(lower), std::abs(upper));
-    if (!(magnitude > 0.0) || !std::isfinite(magnitude) || unit == QLatin1String("dB"))
+    if (!(magnitude > 0.0) || !std::isfinite(magnitude) || unit.startsWith(QLatin1String("dB")))
         return {};
     const int exponent = engineeringExponent(magnitude);
     if (takesPrefix(unit))

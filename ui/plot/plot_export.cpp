@@ -44,7 +44,7 @@ QPicture record(const PlotPicture &picture, QSize size)
         plot.xAxis->setRange(picture.x->begin, picture.x->end);
     if (picture.y)
         plot.yAxis->setRange(picture.y->begin, picture.y->end);
-    scene.equaliseAspect();
+    scene.prepare();
 
     QPicture recorded;
     QCPPainter painter(&recorded);

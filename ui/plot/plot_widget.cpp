@@ -42,7 +42,6 @@ PlotWidget::Private::Private(PlotWidget *widget)
 
 void PlotWidget::Private::replot()
 {
-    scene.equaliseAspect();
     plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
@@ -212,7 +211,6 @@ void PlotWidget::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
     d->plot->setGeometry(rect().adjusted(kRing_px, kRing_px, -kRing_px, -kRing_px));
-    d->scene.setTheme(d->scene.theme()); // the legend wraps by the width
     d->replot();
 }
 

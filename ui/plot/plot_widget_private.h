@@ -40,6 +40,9 @@ struct View
     QCPRange x, y;
 };
 
+/// A range moved by a fraction of itself, along the axis' own scale.
+QCPRange shiftedRange(const QCPAxis &axis, const QCPRange &range, double fraction);
+
 /// State and behaviour behind PlotWidget. Positions are pixels of the inner QCustomPlot.
 struct PlotWidget::Private
 {
@@ -54,7 +57,7 @@ struct PlotWidget::Private
     PlotPicture picture() const;
     void announce(const HandleState &state, bool finished);
 
-    // plot_interaction.cpp
+    // plot_mouse.cpp
     QPointF inPlot(const QPointF &widgetPosition) const;
     void press(const QMouseEvent &event);
     void move(const QMouseEvent &event);
@@ -66,8 +69,10 @@ struct PlotWidget::Private
     void click(const QPointF &position, Qt::KeyboardModifiers modifiers);
     void toggleCurve(std::size_t position, bool alone);
     void wheel(const QWheelEvent &event);
-    bool key(const QKeyEvent &event);
     bool cancelDrag();
+
+    // plot_keyboard.cpp
+    bool key(const QKeyEvent &event);
     void placeCursor(int which);
     void nudge(double steps);
     void pan(double xFraction, double yFraction);

@@ -82,7 +82,7 @@ PlotCursors::PlotCursors(QCustomPlot &plot)
         name->position->setTypeX(QCPItemPosition::ptPlotCoords);
         name->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
         name->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
-        name->setPadding(QMargins(3, 0, 3, 1));
+        name->setPadding(QMargins(3, 0, 3, 20));
         name->setText(cursorName(i));
         name->setSelectable(false);
         name->setVisible(false);

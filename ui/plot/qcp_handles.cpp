@@ -11,6 +11,7 @@ namespace dyncal {
 namespace {
 
 constexpr double kReach_px = 10.0;
+constexpr int kLabelLift_px = 7; ///< labels stand above the ticks
 
 void placeVertical(QCPItemLine *line, double x)
 {
@@ -65,7 +66,7 @@ PlotHandles::Items PlotHandles::makeItems(const HandleState &state)
     items.label->position->setTypeX(QCPItemPosition::ptPlotCoords);
     items.label->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
     items.label->setSelectable(false);
-    items.label->setPadding(QMargins(3, 1, 3, 1));
+    items.label->setPadding(QMargins(3, 1, 3, kLabelLift_px));
     return items;
 }
 

@@ -14,6 +14,9 @@ namespace dyncal {
 namespace {
 
 constexpr int kLegendIconWidth = 26;
+constexpr int kLegendGap = 16;
+/// Right: half of the last tick's label.
+constexpr QMargins kLeastMargins(4, 6, 16, 4);
 
 QSharedPointer<QCPAxisTicker> makeTicker(const PlotAxis &axis)
 {
@@ -52,14 +55,20 @@ PlotScene::PlotScene(QCustomPlot &plot)
     m_plot.legend->setFillOrder(QCPLayoutGrid::foColumnsFirst);
     m_plot.legend->setMargins(QMargins(0, 0, 0, 0));
     m_plot.legend->setRowSpacing(0);
-    m_plot.legend->setColumnSpacing(10);
+    m_plot.legend->setColumnSpacing(kLegendGap);
     m_plot.legend->setIconSize(kLegendIconWidth, 12);
     m_plot.legend->setIconTextPadding(4);
     m_plot.legend->setLayer("legend");
     m_title = new QCPTextElement(&m_plot);
     m_title->setMargins(QMargins(0, 0, 0, 0));
     m_title->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+    m_legendRow = new QCPLayoutGrid;
+    m_plot.plotLayout()->addElement(1, 0, m_legendRow); // a row needs its plot before elements
+    m_legendRow->addElement(0, 0, m_plot.legend);
+    m_legendRow->expandTo(1, 2);
+    m_legendRow->setColumnStretchFactor(0, 0.001);
     m_plot.plotLayout()->setRowSpacing(2);
+    m_plot.axisRect()->setMinimumMargins(kLeastMargins);
     for (QCPAxis *axis : {m_plot.xAxis, m_plot.yAxis}) {
         axis->setLabelPadding(3);
         axis->setTickLabelPadding(3);
@@ -71,6 +80,7 @@ PlotScene::PlotScene(QCustomPlot &plot)
         axis->setTicks(false);
         axis->setTickLabels(false);
     }
+    QObject::connect(&m_plot, &QCustomPlot::beforeReplot, &m_plot, [this] { prepare(); });
     QObject::connect(&m_plot, &QCustomPlot::afterLayout, &m_plot, [this] { drawView(); });
 }
 
@@ -113,7 +123,7 @@ void PlotScene::arrange()
         [](const DrawnCurve &c) { return c.curve->inLegend && !c.curve->name.isEmpty(); });
     const bool legendShown = m_legendVisible && inLegend > 1;
     for (QCPLayoutElement *element :
-        std::initializer_list<QCPLayoutElement *>{m_title, m_plot.legend, axes})
+        std::initializer_list<QCPLayoutElement *>{m_title, m_legendRow, axes})
         if (element->layout())
             element->layout()->take(element);
     grid->simplify();
@@ -123,7 +133,7 @@ void PlotScene::arrange()
     if (m_title->visible())
         grid->addElement(row++, 0, m_title);
     if (legendShown) {
-        grid->addElement(row, 0, m_plot.legend);
+        grid->addElement(row, 0, m_legendRow);
         grid->setRowStretchFactor(row++, 0.001);
     }
     grid->addElement(row, 0, axes);
@@ -133,18 +143,16 @@ void PlotScene::arrange()
 void PlotScene::makeLegend()
 {
     m_plot.legend->clearItems();
-    m_plot.legend->setWrap(0);
     for (const DrawnCurve &drawn : m_curves)
         if (drawn.curve->inLegend && !drawn.curve->name.isEmpty())
             drawn.plottable()->addToLegend();
-    updateLegend();
+    m_legendWrap = 0;
+    styleLegend();
     arrange();
 }
 
-void PlotScene::updateLegend()
+void PlotScene::styleLegend()
 {
-    const QFontMetrics metrics(m_theme.font);
-    int widest = 1;
     for (const DrawnCurve &drawn : m_curves) {
         QCPPlottableLegendItem *item = m_plot.legend->itemWithPlottable(drawn.plottable());
         if (!item)
@@ -153,11 +161,29 @@ void PlotScene::updateLegend()
         font.setStrikeOut(!drawn.visible);
         item->setFont(font);
         item->setTextColor(m_theme.text);
-        widest = std::max(widest, metrics.horizontalAdvance(drawn.curve->name));
     }
-    const int cell = widest + kLegendIconWidth + 16;
-    m_plot.legend->setWrap(std::max(1, m_plot.viewport().width() / cell));
+}
+
+void PlotScene::wrapLegend()
+{
+    const QFontMetrics metrics(m_theme.font);
+    int widest = 1;
+    for (const DrawnCurve &drawn : m_curves)
+        if (drawn.curve->inLegend)
+            widest = std::max(widest, metrics.horizontalAdvance(drawn.curve->name));
+    const int cell = widest + kLegendIconWidth + 2 * kLegendGap;
+    const int wrap = std::max(1, m_plot.viewport().width() / cell);
+    if (wrap == m_legendWrap)
+        return;
+    m_legendWrap = wrap;
+    m_plot.legend->setWrap(wrap);
     m_plot.legend->setFillOrder(QCPLayoutGrid::foColumnsFirst, true);
+}
+
+void PlotScene::prepare()
+{
+    wrapLegend();
+    equaliseAspect();
 }
 
 void PlotScene::setLegendVisible(bool visible)
@@ -190,12 +216,13 @@ void PlotScene::setCurveVisible(std::size_t position, bool visible)
         m_hidden.erase(drawn.curve->name);
     else
         m_hidden.insert(drawn.curve->name);
-    updateLegend();
+    styleLegend();
 }
 
 void PlotScene::setTheme(const PlotTheme &theme)
 {
     m_theme = theme;
+    m_legendWrap = 0; // the font may be wider now
     m_plot.setBackground(theme.background);
     for (QCPAxis *axis : {m_plot.xAxis, m_plot.yAxis, m_plot.xAxis2, m_plot.yAxis2}) {
         axis->setBasePen(QPen(theme.axis, 1));
@@ -217,7 +244,7 @@ void PlotScene::setTheme(const PlotTheme &theme)
     for (DrawnCurve &drawn : m_curves)
         styleCurve(drawn);
     styleDecorations();
-    updateLegend();
+    styleLegend();
 }
 
 bool PlotScene::hasData() const

@@ -67,9 +67,9 @@ public:
     void fitX();
     void fitY();
     bool hasData() const;
-    /// Widens one axis so that both have the same scale, for contents that ask for it. Needs the
-    /// viewport; call before every drawing.
-    void equaliseAspect();
+    /// What depends on the size of the viewport: rows of the legend, equal scales. Done by itself
+    /// before every replot; printing calls it.
+    void prepare();
 
     const std::vector<DrawnCurve> &curves() const { return m_curves; }
     void setLegendVisible(bool visible);
@@ -91,7 +91,10 @@ private:
     void updateAxisLabel(QCPAxis *axis);
     void arrange();
     void makeLegend();
-    void updateLegend();
+    void styleLegend();
+    void wrapLegend();
+    /// Widens one axis so that both have the same scale, for contents that ask for it.
+    void equaliseAspect();
     QCPRange dataRange(bool alongX) const;
     // qcp_scene_curves.cpp
     void makeCurves();
@@ -118,6 +121,8 @@ private:
     std::set<QString> m_hidden; ///< names of curves hidden by the operator
     bool m_legendVisible = true;
     QCPTextElement *m_title = nullptr;
+    QCPLayoutGrid *m_legendRow = nullptr; ///< keeps the legend at the left
+    int m_legendWrap = 0;
     std::vector<Decoration> m_decorations;
     QCPItemEllipse *m_unitCircle = nullptr;
 };

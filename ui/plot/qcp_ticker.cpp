@@ -37,6 +37,16 @@ Index countInside(const QVector<double> &ticks, const QCPRange &range)
         ticks.begin(), ticks.end(), [&range](double tick) { return range.contains(tick); });
 }
 
+/// Fewest decimals that write multiples of `step` exactly: 0.25 needs two.
+int decimalsOf(double step)
+{
+    double scaled = std::abs(step);
+    for (int decimals = 0; decimals < kMaxDecimals; ++decimals, scaled *= 10.0)
+        if (scaled >= 1.0 && std::abs(scaled - std::round(scaled)) < 1e-6 * scaled)
+            return decimals;
+    return kMaxDecimals;
+}
+
 } // namespace
 
 PrefixTicker::PrefixTicker(const PlotAxis &axis)
@@ -70,9 +80,7 @@ QVector<QString> PrefixTicker::createLabelVector(
     QVector<QString> labels;
     labels.reserve(ticks.size());
     const double step = ticks.size() > 1 ? (ticks[1] - ticks[0]) / m_prefix.factor : 1.0;
-    // The slack keeps a step of 0.1 (0.0999999) from getting a second decimal.
-    const int decimals
-        = std::clamp(static_cast<int>(std::ceil(-std::log10(step) - 1e-6)), 0, kMaxDecimals);
+    const int decimals = decimalsOf(step);
     const QLocale locale;
     for (const double tick : ticks) {
         const double value = tick / m_prefix.factor;

@@ -17,21 +17,10 @@ namespace dyncal {
 namespace {
 
 constexpr double kWheelZoom = 0.85; ///< range kept per wheel notch
-constexpr double kPanStep = 0.1; ///< of the range per wheel notch or arrow
-constexpr double kKeyZoom = 0.7;
+constexpr double kPanStep = 0.1; ///< of the range per wheel notch
 constexpr double kDragStart_px = 4.0;
 constexpr double kHoverReach_px = 12.0;
 constexpr double kPickReach_px = 20.0;
-constexpr std::size_t kMostViews = 50;
-
-QCPRange shifted(const QCPAxis &axis, const QCPRange &range, double fraction)
-{
-    if (axis.scaleType() == QCPAxis::stLogarithmic) {
-        const double factor = std::pow(range.upper / range.lower, fraction);
-        return {range.lower * factor, range.upper * factor};
-    }
-    return {range.lower + fraction * range.size(), range.upper + fraction * range.size()};
-}
 
 double length(const QPointF &vector)
 {
@@ -43,26 +32,6 @@ double length(const QPointF &vector)
 QPointF PlotWidget::Private::inPlot(const QPointF &widgetPosition) const
 {
     return widgetPosition - QPointF(plot->pos());
-}
-
-void PlotWidget::Private::remember()
-{
-    back.push_back(view());
-    if (back.size() > kMostViews)
-        back.erase(back.begin());
-    forward.clear();
-}
-
-void PlotWidget::Private::goBack(bool toForward)
-{
-    std::vector<View> &from = toForward ? forward : back;
-    std::vector<View> &to = toForward ? back : forward;
-    if (from.empty())
-        return;
-    to.push_back(view());
-    const View target = from.back();
-    from.pop_back();
-    setView(target);
 }
 
 void PlotWidget::Private::press(const QMouseEvent &event)
@@ -112,8 +81,8 @@ void PlotWidget::Private::panTo(DragPan &pan, const QPointF &position)
     q->setCursor(Qt::ClosedHandCursor);
     const QRect rect = plot->axisRect()->rect();
     const QPointF way = position - pan.from;
-    plot->xAxis->setRange(shifted(*plot->xAxis, pan.x, -way.x() / std::max(1, rect.width())));
-    plot->yAxis->setRange(shifted(*plot->yAxis, pan.y, way.y() / std::max(1, rect.height())));
+    plot->xAxis->setRange(shiftedRange(*plot->xAxis, pan.x, -way.x() / std::max(1, rect.width())));
+    plot->yAxis->setRange(shiftedRange(*plot->yAxis, pan.y, way.y() / std::max(1, rect.height())));
     replot();
 }
 
@@ -235,22 +204,6 @@ void PlotWidget::Private::wheel(const QWheelEvent &event)
     replot();
 }
 
-void PlotWidget::Private::pan(double xFraction, double yFraction)
-{
-    plot->xAxis->setRange(shifted(*plot->xAxis, plot->xAxis->range(), xFraction));
-    plot->yAxis->setRange(shifted(*plot->yAxis, plot->yAxis->range(), yFraction));
-    replot();
-}
-
-void PlotWidget::Private::zoomBy(double factor)
-{
-    remember();
-    plot->xAxis->scaleRange(factor);
-    if (scene.content().equalAspect)
-        plot->yAxis->scaleRange(factor);
-    replot();
-}
-
 bool PlotWidget::Private::cancelDrag()
 {
     const Drag cancelled = std::exchange(drag, Drag{});
@@ -263,104 +216,6 @@ bool PlotWidget::Private::cancelDrag()
     }
     replot();
     return !std::holds_alternative<std::monostate>(cancelled);
-}
-
-void PlotWidget::Private::placeCursor(int which)
-{
-    const QRect rect = plot->axisRect()->rect();
-    const QPointF at = rect.contains(pointer.toPoint()) ? pointer : QPointF(rect.center());
-    if (const auto point = nearestPoint(*plot, scene, at, std::nullopt)) {
-        cursors.place(which, *point);
-        cursors.refresh(scene);
-        replot();
-    }
-}
-
-void PlotWidget::Private::nudge(double steps)
-{
-    const HandleState *state = focused ? handles.find(focused->id) : nullptr;
-    if (!state)
-        return;
-    const double at = handles.positionOf(*focused);
-    double step = 1.0;
-    if (!state->snapToIntegers) // one pixel at this zoom
-        step = plot->xAxis->pixelToCoord(plot->xAxis->coordToPixel(at) + 1.0) - at;
-    const HandleState after = handles.moved(*state, *focused, at + steps * step);
-    handles.set(after);
-    replot();
-    announce(after, true);
-}
-
-void PlotWidget::Private::focusGrip(const std::optional<HandleGrip> &grip)
-{
-    focused = grip;
-    handles.setFocus(grip);
-    replot();
-}
-
-bool PlotWidget::Private::focusNextGrip(bool next)
-{
-    const std::vector<HandleGrip> grips = handles.grips();
-    if (grips.empty())
-        return false;
-    const auto count = static_cast<Index>(grips.size());
-    Index at = next ? -1 : count;
-    if (focused)
-        at = std::find(grips.begin(), grips.end(), *focused) - grips.begin();
-    at += next ? 1 : -1;
-    const bool inside = at >= 0 && at < count;
-    focusGrip(inside ? std::optional(grips[static_cast<std::size_t>(at)]) : std::nullopt);
-    return inside;
-}
-
-bool PlotWidget::Private::key(const QKeyEvent &event)
-{
-    const double many = event.modifiers().testFlag(Qt::ShiftModifier) ? 10.0 : 1.0;
-    const bool onHandle = focused && handles.find(focused->id);
-    switch (event.key()) {
-    case Qt::Key_F:
-        q->fit();
-        return true;
-    case Qt::Key_G: {
-        const bool visible = !plot->xAxis->grid()->visible();
-        plot->xAxis->grid()->setVisible(visible);
-        plot->yAxis->grid()->setVisible(visible);
-        replot();
-        return true;
-    }
-    case Qt::Key_1:
-    case Qt::Key_2:
-        placeCursor(event.key() == Qt::Key_1 ? 0 : 1);
-        return true;
-    case Qt::Key_Left:
-    case Qt::Key_Right: {
-        const double sign = event.key() == Qt::Key_Left ? -1.0 : 1.0;
-        onHandle ? nudge(sign * many) : pan(sign * kPanStep, 0.0);
-        return true;
-    }
-    case Qt::Key_Up:
-    case Qt::Key_Down:
-        pan(0.0, event.key() == Qt::Key_Up ? kPanStep : -kPanStep);
-        return true;
-    case Qt::Key_Plus:
-    case Qt::Key_Minus:
-        zoomBy(event.key() == Qt::Key_Plus ? kKeyZoom : 1.0 / kKeyZoom);
-        return true;
-    case Qt::Key_Backspace:
-        goBack(event.modifiers().testFlag(Qt::ShiftModifier));
-        return true;
-    case Qt::Key_Escape:
-        if (cancelDrag())
-            return true;
-        if (!cursors.any())
-            return false;
-        cursors.clear();
-        cursors.refresh(scene);
-        replot();
-        return true;
-    default:
-        return false;
-    }
 }
 
 void PlotWidget::mousePressEvent(QMouseEvent *event)
@@ -390,50 +245,12 @@ void PlotWidget::wheelEvent(QWheelEvent *event)
     event->accept();
 }
 
-void PlotWidget::keyPressEvent(QKeyEvent *event)
-{
-    if (!d->key(*event))
-        QWidget::keyPressEvent(event);
-}
-
 void PlotWidget::contextMenuEvent(QContextMenuEvent *event)
 {
     // The right button opens the menu on release: a drag with it zooms.
     if (event->reason() == QContextMenuEvent::Keyboard)
         showMenu(mapToGlobal(rect().center()));
     event->accept();
-}
-
-bool PlotWidget::event(QEvent *event)
-{
-    // The keys of the plot come before shortcuts of the window while the plot has the focus.
-    if (event->type() == QEvent::ShortcutOverride) {
-        const auto *key = static_cast<QKeyEvent *>(event);
-        const bool dragging = !std::holds_alternative<std::monostate>(d->drag);
-        if (key->key() == Qt::Key_Escape && (dragging || d->cursors.any())) {
-            event->accept();
-            return true;
-        }
-    }
-    return QWidget::event(event);
-}
-
-bool PlotWidget::focusNextPrevChild(bool next)
-{
-    return (hasFocus() && d->focusNextGrip(next)) || QWidget::focusNextPrevChild(next);
-}
-
-void PlotWidget::focusInEvent(QFocusEvent *event)
-{
-    QWidget::focusInEvent(event);
-    update();
-}
-
-void PlotWidget::focusOutEvent(QFocusEvent *event)
-{
-    QWidget::focusOutEvent(event);
-    d->focusGrip(std::nullopt);
-    update();
 }
 
 } // namespace dyncal

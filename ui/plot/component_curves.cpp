@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/plot/component_curves.h"
+
+#include "ui/plot/axis_prefix.h"
+#include "ui/plot/curve_building.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace dyncal {
+
+namespace {
+
+constexpr double kEnough_percent = 95.0;
+
+/// One curve per shot from the columns of `values` (samples x shots).
+PlotContent columnsContent(const ComponentResult &components, const WindowResult &window,
+    const Eigen::MatrixXd &values, const QString &title)
+{
+    PlotContent content;
+    content.title = title;
+    content.xAxis = timeAxisMeaning();
+    content.yAxis = responseAxisMeaning(window);
+    const auto shots = std::min(values.cols(), static_cast<Index>(components.shots.size()));
+    for (Index i = 0; i < shots; ++i) {
+        const ShotStyle style = shotStyle(components.shots[static_cast<std::size_t>(i)], window);
+        content.curves.push_back({style.name, style.role, CurveStyle::Line,
+            timeAxis(0.0, 1.0 / components.sampleRate_Hz, values.rows()), toVector(values.col(i)),
+            true});
+    }
+    return content;
+}
+
+std::vector<double> lagAxis(Index count)
+{
+    return timeAxis(0.0, 1.0, count);
+}
+
+} // namespace
+
+PlotContent explainedCurves(const ComponentResult &components)
+{
+    PlotContent content;
+    content.title = Plots::tr("Explained by the first components");
+    content.xAxis = {Plots::tr("Components"), QString(), false, true};
+    content.yAxis = {Plots::tr("Explained, cumulative"), QStringLiteral("%")};
+    content.yMin = 0.0;
+    content.yMax = 105.0;
+    content.levels.push_back({kEnough_percent, Plots::tr("95 %"), CurveRole::Reference});
+    if (!components.principal) {
+        content.summary = Plots::tr("One shot only: there are no components to compare.");
+        return content;
+    }
+    const Eigen::VectorXd &percent = components.principal->explainedCumulative_percent;
+    content.xMin = 0.4;
+    content.xMax = static_cast<double>(percent.size()) + 0.6;
+    content.curves.push_back({Plots::tr("Explained, cumulative"), CurveRole::Measured,
+        CurveStyle::Bars, timeAxis(1.0, 1.0, percent.size()), toVector(percent), true});
+    if (percent.size() > 0)
+        content.summary = Plots::tr("The first of %n component(s) explains %1 %.", nullptr,
+            static_cast<int>(percent.size()))
+                              .arg(valueWithUnit(percent[0], QString(), 5));
+    return content;
+}
+
+PlotContent reconstructionCurves(const ComponentResult &components, const WindowResult &window)
+{
+    PlotContent content = columnsContent(components, window, components.reconstructions,
+        Plots::tr(
+            "Reconstructed from %n component(s)", nullptr, static_cast<int>(components.kept)));
+    content.summary = content.title;
+    return content;
+}
+
+PlotContent residualCurves(const ComponentResult &components, const WindowResult &window)
+{
+    const bool same = components.responses.rows() == components.reconstructions.rows()
+        && components.responses.cols() == components.reconstructions.cols();
+    PlotContent content = columnsContent(components, window,
+        same ? Eigen::MatrixXd(components.responses - components.reconstructions)
+             : Eigen::MatrixXd(),
+        Plots::tr("Residuals"));
+    content.yAxis.quantity = Plots::tr("Residual");
+    content.summary = Plots::tr("What the components leave of each shot.");
+    return content;
+}
+
+PlotContent autocovarianceCurves(
+    const ComponentResult &components, const WindowResult &window, std::optional<Index> shot)
+{
+    PlotContent content;
+    content.title = Plots::tr("Autocovariance of the residuals");
+    content.xAxis = {Plots::tr("Lag"), QString(), false, true};
+    content.yAxis = {Plots::tr("Autocovariance, normalised"), QString()};
+    double bound = 0.0;
+    for (std::size_t i = 0; i < components.residuals.size() && i < components.shots.size(); ++i) {
+        if (shot && components.shots[i] != *shot)
+            continue;
+        const ResidualAnalysis &residual = components.residuals[i];
+        const ShotStyle style = shotStyle(components.shots[i], window);
+        content.curves.push_back({style.name, style.role, CurveStyle::Line,
+            lagAxis(residual.autocovariance.size()), toVector(residual.autocovariance), true});
+        bound = std::max(bound, residual.confidenceBound);
+        if (shot)
+            content.title += QStringLiteral(", ") + style.name;
+    }
+    if (bound > 0.0) {
+        content.levels.push_back({bound, Plots::tr("White noise"), CurveRole::Noise});
+        content.levels.push_back({-bound, QString(), CurveRole::Noise});
+    }
+    content.summary = Plots::tr("Autocovariance of the residuals with the bounds of white noise.");
+    return content;
+}
+
+PlotContent residualSpectrumCurves(const ComponentResult &components, const WindowResult &window)
+{
+    PlotContent content;
+    content.title = Plots::tr("Power spectrum of the residuals");
+    content.xAxis = frequencyAxisMeaning();
+    const QString unit = responseAxisMeaning(window).unit;
+    content.yAxis = {Plots::tr("Power spectral density"),
+        unit.isEmpty() ? QStringLiteral("dB re 1/Hz") : QStringLiteral("dB re %1²/Hz").arg(unit)};
+    for (std::size_t i = 0; i < components.residuals.size() && i < components.shots.size(); ++i) {
+        const ResidualAnalysis &residual = components.residuals[i];
+        const ShotStyle style = shotStyle(components.shots[i], window);
+        content.curves.push_back({style.name, style.role, CurveStyle::Line,
+            toVector(residual.spectrum.frequency_Hz), decibels(residual.spectrum.psd), true});
+        if (!residual.peaks_Hz.empty())
+            content.marks.push_back({residual.peaks_Hz.front(),
+                valueWithUnit(residual.peaks_Hz.front(), QStringLiteral("Hz"), 3), style.role});
+    }
+    content.yMin = lowestShown_dB(content.curves);
+    content.summary = Plots::tr("Power spectra of the residuals; the strongest maximum of each "
+                                "shot is marked.");
+    return content;
+}
+
+PlotContent averageCurves(const ComponentResult &components, const WindowResult &window)
+{
+    PlotContent content;
+    content.title = Plots::tr("Average of the reconstructions");
+    content.xAxis = timeAxisMeaning();
+    content.yAxis = responseAxisMeaning(window);
+    const ShotStyle style = shotStyle(0, ShotLevel::None);
+    content.curves.push_back({style.name, style.role, CurveStyle::Line,
+        timeAxis(0.0, 1.0 / components.sampleRate_Hz, components.average.size()),
+        toVector(components.average), true});
+    content.summary = content.title;
+    return content;
+}
+
+} // namespace dyncal

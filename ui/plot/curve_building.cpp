@@ -1,0 +1,120 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/plot/curve_building.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace dyncal {
+
+namespace {
+
+QString levelText(ShotLevel level)
+{
+    switch (level) {
+    case ShotLevel::Low:
+        return Plots::tr("low");
+    case ShotLevel::Medium:
+        return Plots::tr("medium");
+    case ShotLevel::High:
+        return Plots::tr("high");
+    case ShotLevel::None:
+        break;
+    }
+    return {};
+}
+
+CurveRole roleOf(Index shot, ShotLevel level)
+{
+    if (level == ShotLevel::Low || (level == ShotLevel::None && shot == 1))
+        return CurveRole::ShotLow;
+    if (level == ShotLevel::Medium || (level == ShotLevel::None && shot == 2))
+        return CurveRole::ShotMedium;
+    if (level == ShotLevel::High || (level == ShotLevel::None && shot == 3))
+        return CurveRole::ShotHigh;
+    return CurveRole::ShotOther;
+}
+
+} // namespace
+
+ShotStyle shotStyle(Index shot, ShotLevel level)
+{
+    if (shot <= 0)
+        return {Plots::tr("Average"), CurveRole::Mean};
+    QString name = Plots::tr("Shot %1").arg(shot);
+    if (level != ShotLevel::None)
+        name += QStringLiteral(" (%1)").arg(levelText(level));
+    return {name, roleOf(shot, level)};
+}
+
+ShotStyle shotStyle(Index shot, const WindowResult &window)
+{
+    const auto response = std::find_if(window.responses.begin(), window.responses.end(),
+        [shot](const WindowedResponse &candidate) { return candidate.shot == shot; });
+    return shotStyle(shot, response == window.responses.end() ? ShotLevel::None : response->level);
+}
+
+std::vector<double> toVector(const Eigen::Ref<const Eigen::VectorXd> &values)
+{
+    return {values.data(), values.data() + values.size()};
+}
+
+std::vector<double> timeAxis(double first, double step, Index count)
+{
+    std::vector<double> times(static_cast<std::size_t>(std::max<Index>(0, count)));
+    for (std::size_t i = 0; i < times.size(); ++i)
+        times[i] = first + step * static_cast<double>(i);
+    return times;
+}
+
+std::vector<double> decibels(const Eigen::VectorXd &power)
+{
+    std::vector<double> values(static_cast<std::size_t>(power.size()));
+    for (Index i = 0; i < power.size(); ++i)
+        values[static_cast<std::size_t>(i)] = power[i] > 0.0
+            ? 10.0 * std::log10(power[i])
+            : std::numeric_limits<double>::quiet_NaN();
+    return values;
+}
+
+std::optional<double> lowestShown_dB(const std::vector<PlotCurve> &curves)
+{
+    constexpr double kHiddenShare = 0.02;
+    constexpr double kRoom_dB = 6.0;
+    std::vector<double> values;
+    for (const PlotCurve &curve : curves)
+        std::copy_if(curve.y.begin(), curve.y.end(), std::back_inserter(values),
+            [](double value) { return std::isfinite(value); });
+    if (values.empty())
+        return std::nullopt;
+    const auto place
+        = values.begin() + static_cast<Index>(kHiddenShare * static_cast<double>(values.size()));
+    std::nth_element(values.begin(), place, values.end());
+    return *place - kRoom_dB;
+}
+
+PlotAxis timeAxisMeaning()
+{
+    return {Plots::tr("Time"), QStringLiteral("s")};
+}
+
+PlotAxis frequencyAxisMeaning()
+{
+    return {Plots::tr("Frequency"), QStringLiteral("Hz"), true};
+}
+
+PlotAxis responseAxisMeaning(const WindowResult &window)
+{
+    const bool remapped = std::any_of(window.responses.begin(), window.responses.end(),
+        [](const WindowedResponse &response) { return response.valueScale != 1.0; });
+    if (remapped)
+        return {Plots::tr("Response, remapped"), QString()};
+    const QString unit = window.responses.empty()
+        ? QString()
+        : QString::fromStdString(window.responses.front().unit);
+    return {Plots::tr("Response"), unit};
+}
+
+} // namespace dyncal
