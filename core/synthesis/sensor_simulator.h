@@ -32,11 +32,16 @@ struct SensorSpec
     std::optional<double> acCoupling_s; ///< tau
 };
 
-/// The presets after the thesis's sensors: piezo, optic1..optic4, in that order.
+/// The presets after the thesis's sensors: piezo, optic1..optic4, in that order
+/// (docs/simulator.md).
 const std::vector<SensorSpec> &sensorPresets();
 
 /// Fails (Usage) naming the known presets.
 Result<SensorSpec> sensorPreset(const std::string &name);
+
+/// Fails (Usage) on a sensor that cannot be simulated: no or too many modes, weights that do not
+/// add up to 1, values out of range (docs/simulator.md), real poles that coincide.
+Result<void> checkSensor(const SensorSpec &sensor);
 
 /// G(jw) of the truth, for tests: complex response at a frequency.
 std::complex<double> sensorResponse(const SensorSpec &sensor, double frequency_Hz);

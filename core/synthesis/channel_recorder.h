@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/capture/channel.h"
+#include "core/synthesis/portable_random.h"
+#include "core/synthesis/sensor_simulator.h"
+
+#include <vector>
+
+namespace dyncal {
+
+/// A change of pressure at the sensor's face: at once, or with a time constant.
+struct PressureEvent
+{
+    double time_s = 0.0; ///< on the record's axis
+    double change_Pa = 0.0;
+    double relaxation_s = 0.0; ///< 0 = at once
+};
+
+/// What one sensor is exposed to and what spoils its signal.
+struct SignalPlan
+{
+    SensorSpec sensor;
+    double initial_Pa = 0.0; ///< since ever
+    std::vector<PressureEvent> events;
+    double driftPerSecond_V = 0.0; ///< from 0 at the first sample
+    double noise_V = 0.0; ///< standard deviation
+};
+
+/// When samples are taken.
+struct RecordAxis
+{
+    double t0_s = 0.0;
+    double sampleRate_Hz = 0.0;
+    Index count = 0;
+};
+
+/// Converter with 2^bits codes over +-range_V.
+struct Digitizer
+{
+    int bits = 14;
+    double range_V = 5.0;
+
+    double lowestCount() const { return -static_cast<double>(Index{1} << (bits - 1)); }
+    double highestCount() const { return -lowestCount() - 1.0; }
+    double step_V() const { return range_V / -lowestCount(); }
+};
+
+/// The recorded channel: volts rounded half to even to counts and cut at the rails; rate, t0, unit
+/// "V", polynomial and rails filled in, name and role left to the caller. 16 bit integers up to 16
+/// bits, else 32. Fails only on a request to stop (Cancelled).
+Result<Channel> recordChannel(const SignalPlan &plan, const RecordAxis &axis,
+    const Digitizer &digitizer, RandomStream random, const JobControl &control);
+
+} // namespace dyncal

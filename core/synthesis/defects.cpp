@@ -1,0 +1,138 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/synthesis/defects.h"
+
+#include "core/base/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <limits>
+
+namespace dyncal {
+namespace {
+
+constexpr double kPascalPerPsi = 6894.757293168361;
+constexpr double kMountFrequencyRatio = 1.0 / 25.0;
+constexpr double kMountDamping = 5e-4;
+constexpr double kMountWeight = 0.8;
+constexpr Index kInvalidSamples = 3;
+
+constexpr std::array<std::pair<const char *, DefectKind>, 9> kKinds{
+    {{"clip", DefectKind::Clip}, {"nan", DefectKind::Nan}, {"swap", DefectKind::Swap},
+        {"nostep", DefectKind::NoStep}, {"short", DefectKind::Short}, {"fs50", DefectKind::Fs50},
+        {"drift", DefectKind::Drift}, {"psi", DefectKind::Psi}, {"ringvar", DefectKind::RingVar}}};
+
+std::string kindNames()
+{
+    std::string names;
+    for (const auto &[name, kind] : kKinds)
+        names.append(names.empty() ? "" : ", ").append(name);
+    return names;
+}
+
+std::optional<Index> wholeNumberFromOne(std::string_view text)
+{
+    Index number = 0;
+    const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
+    if (end.ec != std::errc() || end.ptr != text.data() + text.size() || number < 1)
+        return std::nullopt;
+    return number;
+}
+
+} // namespace
+
+Result<Defect> parseDefect(const std::string &text)
+{
+    const std::string_view whole(text);
+    const std::size_t at = whole.find('@');
+    const std::string_view word = whole.substr(0, at);
+    const auto known = std::find_if(
+        kKinds.begin(), kKinds.end(), [&](const auto &entry) { return entry.first == word; });
+    if (known == kKinds.end())
+        return fail(ErrorKind::Usage,
+            Message{DYNCAL_TEXT("core", "There is no defect '%1'; choose one of %2."),
+                {std::string(word), kindNames()}});
+    if (at == std::string_view::npos)
+        return Defect{known->second, 0};
+    const auto shot = wholeNumberFromOne(whole.substr(at + 1));
+    if (!shot)
+        return fail(ErrorKind::Usage,
+            Message{DYNCAL_TEXT("core",
+                        "Defect '%1': what follows '@' must be the number of a shot, from 1."),
+                {text}});
+    return Defect{known->second, *shot};
+}
+
+bool hasDefect(const SimulationSettings &settings, DefectKind kind, Index shot)
+{
+    const Index middle = (std::ssize(settings.shots) + 1) / 2;
+    return std::any_of(settings.defects.begin(), settings.defects.end(), [&](const Defect &defect) {
+        const bool concernsAll = defect.shot == 0 && kind != DefectKind::RingVar;
+        const Index concerned = defect.shot == 0 ? middle : defect.shot;
+        return defect.kind == kind && (concernsAll || concerned == shot);
+    });
+}
+
+Result<void> checkDefects(const SimulationSettings &settings)
+{
+    for (const Defect &defect : settings.defects) {
+        if (defect.shot < 0 || defect.shot > std::ssize(settings.shots))
+            return fail(ErrorKind::Usage,
+                Message{DYNCAL_TEXT("core",
+                            "A defect is asked for in shot %1, but the shots to simulate are 1 to "
+                            "%2."),
+                    {std::to_string(defect.shot), std::to_string(settings.shots.size())}});
+    }
+    return {};
+}
+
+SensorSpec looselyMounted(const SensorSpec &sensor)
+{
+    SensorSpec loose = sensor;
+    for (SensorMode &mode : loose.modes)
+        mode.weight *= 1.0 - kMountWeight;
+    SensorMode &first = loose.modes.front();
+    loose.modes.push_back({first.f0_Hz * kMountFrequencyRatio, kMountDamping, kMountWeight});
+    loose.modes.front().zeta *= 2.0;
+    return loose;
+}
+
+void spoilWithInvalidSamples(Channel &channel, double time_s)
+{
+    const Index count = channel.samples.size();
+    const Eigen::VectorXd volts = physicalValues(channel, 0, count);
+    std::vector<double> values(volts.begin(), volts.end());
+    const double position = std::ceil((time_s - channel.t0_s) * channel.sampleRate_Hz);
+    const Index first = std::clamp<Index>(
+        static_cast<Index>(position), 0, std::max<Index>(count - kInvalidSamples, 0));
+    for (Index i = first; i < std::min(count, first + kInvalidSamples); ++i)
+        values[static_cast<std::size_t>(i)] = std::numeric_limits<double>::quiet_NaN();
+    channel.adcMin = physicalValue(channel, *channel.adcMin);
+    channel.adcMax = physicalValue(channel, *channel.adcMax);
+    channel.polynomial = {0.0, 1.0};
+    channel.samples = RawSamples(std::move(values));
+}
+
+void mislabelAsBar(Channel &channel, double sensitivity_V_Pa)
+{
+    for (double &coefficient : channel.polynomial)
+        coefficient /= sensitivity_V_Pa * kPascalPerPsi;
+    channel.unit = "bar";
+    channel.quantity = "pressure";
+    channel.reference = PressureReference::Gauge;
+}
+
+void swapRoles(Shot &shot)
+{
+    for (Channel &channel : shot.channels) {
+        if (channel.role == ChannelRole::Dut)
+            channel.role = ChannelRole::DrivenSide;
+        else if (channel.role == ChannelRole::DrivenSide)
+            channel.role = ChannelRole::Dut;
+    }
+}
+
+} // namespace dyncal

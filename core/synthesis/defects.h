@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/synthesis/shot_generator.h"
+
+namespace dyncal {
+
+inline constexpr double kDriftPerSecond = 20.0; ///< of the step: 2 % per millisecond
+
+/// Whether shot `shot` (from 1) is to have the defect. Without a shot number a defect concerns all
+/// shots; RingVar, which is about one shot being unlike the others, then the middle one.
+bool hasDefect(const SimulationSettings &settings, DefectKind kind, Index shot);
+
+/// Fails (Usage) on a defect of a shot that is not simulated.
+Result<void> checkDefects(const SimulationSettings &settings);
+
+/// The sensor with damping doubled in its first mode, most of its response passing through a
+/// slow, hardly damped resonance of its mount instead (docs/simulator.md).
+SensorSpec looselyMounted(const SensorSpec &sensor);
+
+/// Volts as floating point numbers, three of them invalid from `time_s` on.
+void spoilWithInvalidSamples(Channel &channel, double time_s);
+
+/// Values in psi under the unit "bar", as when somebody typed the wrong unit.
+void mislabelAsBar(Channel &channel, double sensitivity_V_Pa);
+
+/// Exchanges the roles of the DUT and the driven-side channel.
+void swapRoles(Shot &shot);
+
+} // namespace dyncal

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/index.h"
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+namespace dyncal {
+
+/// Quantile of the standard normal distribution for 0 < p < 1 (algorithm AS 241, PPND16, relative
+/// accuracy about 1e-15), with the portable logarithm.
+double normalQuantile(double probability);
+
+/// Random numbers that are the same on every machine: xoshiro256++, its state from the seed, the
+/// shot and the stream by splitmix64, so that every record has numbers of its own whatever else
+/// is drawn and in whatever order.
+class RandomStream
+{
+public:
+    RandomStream(std::uint64_t seed, Index shot, Index stream);
+
+    std::uint64_t nextBits();
+
+    /// (k + 1/2) / 2^52 with k uniform in 0 .. 2^52 - 1: never 0 or 1, symmetric about 1/2.
+    double nextUniform();
+
+    /// Standard normal, by inversion: one uniform number each.
+    double nextNormal() { return normalQuantile(nextUniform()); }
+
+    /// Adds independent normal numbers of the given standard deviation.
+    void addNormal(std::span<double> values, double deviation);
+
+private:
+    std::array<std::uint64_t, 4> m_state;
+};
+
+} // namespace dyncal

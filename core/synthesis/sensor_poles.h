@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/synthesis/sensor_simulator.h"
+
+#include <complex>
+#include <vector>
+
+namespace dyncal {
+
+inline constexpr double kTwoPi = 6.283185307179586;
+
+/// The two poles of a mode in rad/s. Damping within 1e-8 of 1 is moved to 1 - 1e-8, so that the
+/// poles stay distinct (the response changes by less than 1e-8).
+std::vector<std::complex<double>> modePoles(const SensorMode &mode);
+
+} // namespace dyncal

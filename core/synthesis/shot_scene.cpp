@@ -1,0 +1,93 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/synthesis/shot_scene.h"
+
+#include "core/synthesis/portable_random.h"
+
+#include <cmath>
+
+namespace dyncal {
+namespace {
+
+using Recorded = RecordedConditions;
+
+constexpr double kVelocitySpread = 0.003; ///< relative, shot to shot
+constexpr double kTriggerJitter_s = 20e-6; ///< half width
+constexpr double kPressureSteps_Pa = 100.0; ///< resolution of the driver's gauge
+constexpr Index kSceneStream = 0; ///< random stream of a shot that is not a channel's
+
+double nominalVelocity_m_s(ShotLevel level)
+{
+    switch (level) {
+    case ShotLevel::Low:
+        return 430.0; // M 1.25
+    case ShotLevel::Medium:
+        return 471.4; // M 1.37
+    default:
+        return 512.8; // M 1.49, the thesis's High shot
+    }
+}
+
+/// What the instruments of one day have wrong, the same in all shots.
+struct TrueConditions
+{
+    double distance_m;
+    double T1_K;
+    double p1_Pa;
+};
+
+TrueConditions drawConditions(std::uint64_t seed)
+{
+    RandomStream random(seed, 0, kSceneStream);
+    const double distance_m = Recorded::distance_m + Recorded::u_distance_m * random.nextNormal();
+    const double T1_K = Recorded::T1_K + Recorded::u_T1_K * random.nextNormal();
+    const double p1_Pa = Recorded::p1_Pa + Recorded::u_p1_Pa * random.nextNormal();
+    return {distance_m, T1_K, p1_Pa};
+}
+
+Result<ShotScene> drawScene(
+    const TrueConditions &conditions, std::uint64_t seed, Index shot, ShotLevel level)
+{
+    RandomStream random(seed, shot, kSceneStream);
+    const double velocity_m_s
+        = nominalVelocity_m_s(level) * (1.0 + kVelocitySpread * random.nextNormal());
+    const double jitter_s = kTriggerJitter_s * (2.0 * random.nextUniform() - 1.0);
+    auto states = shockStates(Recorded::gas, conditions.p1_Pa, conditions.T1_K, velocity_m_s);
+    if (!states)
+        return tl::unexpected(states.error());
+    const auto p4_Pa = driverPressure_Pa(*states, Recorded::gas, Recorded::gas, Recorded::T4_K);
+    if (!p4_Pa)
+        return tl::unexpected(p4_Pa.error());
+
+    ShotScene scene;
+    scene.states = *states;
+    scene.distance_m = conditions.distance_m;
+    // The steps also keep the C library's power function, whose last bit is the machine's, out.
+    scene.driverPressure_Pa = kPressureSteps_Pa * std::round(*p4_Pa / kPressureSteps_Pa);
+    scene.plateau_s = plateauTime_s(*states, Recorded::drivenLength_m);
+    scene.sideArrival_s = jitter_s; // the side sensor triggers
+    scene.wallArrival_s = jitter_s + scene.distance_m / velocity_m_s;
+    scene.reflectionAtSide_s
+        = scene.wallArrival_s + scene.distance_m / states->reflectedVelocity_m_s;
+    scene.burst_s = scene.wallArrival_s - Recorded::drivenLength_m / velocity_m_s;
+    return scene;
+}
+
+} // namespace
+
+Result<std::vector<ShotScene>> drawScenes(const SimulationSettings &settings)
+{
+    const TrueConditions conditions = drawConditions(settings.seed);
+    std::vector<ShotScene> scenes;
+    for (Index i = 0; i < std::ssize(settings.shots); ++i) {
+        auto scene = drawScene(
+            conditions, settings.seed, i + 1, settings.shots[static_cast<std::size_t>(i)]);
+        if (!scene)
+            return tl::unexpected(scene.error());
+        scenes.push_back(*scene);
+    }
+    return scenes;
+}
+
+} // namespace dyncal

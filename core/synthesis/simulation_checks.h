@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/synthesis/shot_generator.h"
+
+namespace dyncal {
+
+/// Fails (Usage) on settings that make no sense, naming the value and the range (the ranges are
+/// listed in docs/simulator.md).
+Result<void> checkSimulation(const SimulationSettings &settings);
+
+} // namespace dyncal
