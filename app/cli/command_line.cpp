@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/cli/command_line.h"
+
+#include "app/cli/console.h"
+#include "app/cli/verbs.h"
+
+#include "core/base/message.h"
+#include "core/base/version.h"
+#include "core/project/nearest_word.h"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string_view>
+
+namespace dyncal {
+namespace {
+
+constexpr std::array<std::string_view, 3> kVerbs{"simulate", "info", "run"};
+/// Further apart than this, a word is not taken for a misspelt subcommand.
+constexpr Index kMostMisspelt = 2;
+
+Error usageError(const std::string &sentence)
+{
+    return {ErrorKind::Usage,
+        {DYNCAL_TEXT("core", "Wrong usage: %1; see dyncal --help."), {sentence}}, {}, 0};
+}
+
+/// What the parser found wrong, as the part of one sentence.
+std::string withoutFullStop(std::string text)
+{
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    while (!text.empty() && (text.back() == '.' || text.back() == ' '))
+        text.pop_back();
+    return text;
+}
+
+int parseAndAct(int argc, char **argv)
+{
+    CLI::App program("Dynamic calibration of pressure sensors. Without a subcommand the workbench "
+                     "opens, with the files given.",
+        "dyncal");
+    program.set_version_flag(
+        "--version", std::string("dyncal ") + versionText() + " (build " + buildText() + ")");
+    program.require_subcommand(1);
+    program.footer("Example:\n  dyncal simulate -o example.h5\n  dyncal run example.h5 -o out\n\n"
+                   "Exit codes: 0 done, 1 done with cautions, 2 blocked by data quality, 3 a file "
+                   "cannot be read,\n4 wrong usage, 5 internal error.");
+    VerbAction action;
+    addSimulate(program, action);
+    addInfo(program, action);
+    addRun(program, action);
+    try {
+        program.parse(argc, argv);
+    } catch (const CLI::ParseError &e) {
+        if (e.get_exit_code() == 0) // --help and --version
+            return program.exit(e);
+        return report(usageError(withoutFullStop(e.what())));
+    }
+    return action();
+}
+
+Error internalError(const char *what)
+{
+    return {ErrorKind::Internal,
+        {DYNCAL_TEXT("core", "Internal error (%1); please report it with the files that show it."),
+            {what}},
+        {}, 0};
+}
+
+} // namespace
+
+bool isCommandLine(int argc, const char *const *argv)
+{
+    if (argc < 2)
+        return false;
+    const std::string_view first = argv[1];
+    return first.starts_with('-') || std::find(kVerbs.begin(), kVerbs.end(), first) != kVerbs.end();
+}
+
+int runCommandLine(int argc, char **argv)
+{
+    int code = 0;
+    try {
+        code = parseAndAct(argc, argv);
+    } catch (const std::bad_alloc &) {
+        code = report(internalError("not enough memory"));
+    } catch (const std::exception &e) {
+        code = report(internalError(e.what()));
+    }
+    if (!std::cout.flush())
+        code = report({ErrorKind::Internal,
+            {DYNCAL_TEXT("core", "The answer could not be written to the standard output."), {}},
+            {}, 0});
+    return code;
+}
+
+std::string similarVerb(const std::string &word)
+{
+    for (const std::string_view verb : kVerbs) {
+        if (editDistance(word, verb) <= kMostMisspelt)
+            return std::string(verb);
+    }
+    return {};
+}
+
+} // namespace dyncal

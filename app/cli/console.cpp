@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/cli/console.h"
+
+#include <algorithm>
+#include <iostream>
+
+#include <unistd.h>
+
+namespace dyncal {
+
+ExitCode exitCodeOf(const Error &error)
+{
+    switch (error.kind) {
+    case ErrorKind::FileUnreadable:
+        return ExitCode::FileUnreadable;
+    case ErrorKind::Usage:
+        return ExitCode::Usage;
+    case ErrorKind::DataBlocked:
+        return ExitCode::Blocked;
+    case ErrorKind::Cancelled:
+        return ExitCode::Interrupted;
+    case ErrorKind::Internal:
+        return ExitCode::Internal;
+    }
+    return ExitCode::Internal;
+}
+
+ExitCode exitCodeOf(const Findings &findings)
+{
+    switch (worstSeverity(findings)) {
+    case Severity::Block:
+        return ExitCode::Blocked;
+    case Severity::Caution:
+        return ExitCode::DoneWithCautions;
+    case Severity::Info:
+        return ExitCode::Done;
+    }
+    return ExitCode::Done;
+}
+
+int report(const Error &error)
+{
+    if (error.kind == ErrorKind::Cancelled)
+        std::cerr << "Stopped on request.\n";
+    else if (error.findingId.empty())
+        std::cerr << english(error.message) << '\n';
+    else
+        std::cerr << error.findingId << ": " << english(error.message) << '\n';
+    return static_cast<int>(exitCodeOf(error));
+}
+
+void reportFindings(const Findings &findings)
+{
+    for (const Finding &finding : findings) {
+        if (finding.severity != Severity::Info)
+            std::cerr << finding.id << " (" << severityName(finding.severity)
+                      << "): " << english(finding.message) << '\n';
+    }
+}
+
+ProgressLine::ProgressLine(const char *work)
+    : m_work(work)
+    , m_shown(::isatty(STDERR_FILENO) == 1)
+{
+}
+
+ProgressLine::~ProgressLine()
+{
+    if (m_percent >= 0)
+        std::cerr << "\r\033[K" << std::flush;
+}
+
+ProgressSink ProgressLine::sink()
+{
+    if (!m_shown)
+        return {};
+    return [this](double fraction) {
+        const int percent = static_cast<int>(100.0 * std::clamp(fraction, 0.0, 1.0));
+        if (percent == m_percent)
+            return;
+        m_percent = percent;
+        std::cerr << '\r' << m_work << ' ' << percent << " %\033[K" << std::flush;
+    };
+}
+
+} // namespace dyncal

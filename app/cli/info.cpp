@@ -1,0 +1,156 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/cli/console.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/verbs.h"
+
+#include "core/base/number_text.h"
+#include "core/capture/format_registry.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+
+namespace dyncal {
+namespace {
+
+using Json = nlohmann::json;
+
+struct InfoOptions
+{
+    std::vector<std::string> files;
+    bool json = false;
+};
+
+Json orNull(bool known, const Json &value)
+{
+    return known ? value : Json(nullptr);
+}
+
+Json channelJson(const Channel &channel)
+{
+    const bool timed = channel.sampleRate_Hz > 0.0;
+    return {{"name", channel.name}, {"role", channelRoleName(channel.role)},
+        {"sample_rate_hz", orNull(timed, channel.sampleRate_Hz)},
+        {"samples", channel.samples.size()}, {"unit", channel.unit}, {"quantity", channel.quantity},
+        {"duration_s", timed ? Json(channel.duration_s()) : Json(nullptr)},
+        {"adc_bits", orNull(channel.adcBits > 0, channel.adcBits)}, {"sensor", channel.sensorId},
+        {"sha256", channel.sha256}};
+}
+
+Json shotJson(const CaptureSet &set, std::size_t i)
+{
+    const Shot &shot = set.shots[i];
+    Json channels = Json::array();
+    for (const Channel &channel : shot.channels)
+        channels.push_back(channelJson(channel));
+    return {{"shot", i + 1}, {"label", shot.label}, {"level", shotLevelName(shot.level)},
+        {"file", set.inputs.at(static_cast<std::size_t>(shot.input)).file},
+        {"included", shot.included}, {"channels", std::move(channels)}};
+}
+
+Json infoJson(const CaptureSet &set)
+{
+    Json files = Json::array();
+    for (const InputFile &input : set.inputs)
+        files.push_back({{"file", input.file}, {"format", input.format}, {"sha256", input.sha256}});
+    Json shots = Json::array();
+    for (std::size_t i = 0; i < set.shots.size(); ++i)
+        shots.push_back(shotJson(set, i));
+    Json findings = Json::array();
+    for (const Finding &finding : set.findings)
+        findings.push_back({{"id", finding.id}, {"severity", severityName(finding.severity)},
+            {"message", english(finding.message)}});
+    return {{"schema", "dyncal-info/1"}, {"files", std::move(files)}, {"shots", std::move(shots)},
+        {"tube", set.tube}, {"sensors", set.sensors}, {"instruments", set.instruments},
+        {"findings", std::move(findings)}};
+}
+
+void printAttributes(const std::string &title, const Attributes &attributes)
+{
+    if (attributes.empty())
+        return;
+    std::cout << title << ":\n";
+    for (const auto &[key, value] : attributes)
+        std::cout << "  " << key << " = " << value << '\n';
+}
+
+void printChannel(const Channel &channel, std::size_t nameWidth)
+{
+    const bool timed = channel.sampleRate_Hz > 0.0;
+    std::cout << "    " << std::left << std::setw(static_cast<int>(nameWidth) + 2) << channel.name
+              << std::setw(13) << channelRoleName(channel.role) << std::right << std::setw(10)
+              << (timed ? numberWithUnit(channel.sampleRate_Hz, "Hz") : "rate ?") << std::setw(12)
+              << channel.samples.size() << " samples  " << std::setw(9)
+              << (timed ? numberWithUnit(channel.duration_s(), "s") : "?") << "  "
+              << (channel.unit.empty() ? "unit ?" : channel.unit) << '\n';
+}
+
+void printShots(const CaptureSet &set)
+{
+    std::size_t width = 0;
+    for (const Shot &shot : set.shots) {
+        for (const Channel &channel : shot.channels)
+            width = std::max(width, channel.name.size());
+    }
+    for (std::size_t i = 0; i < set.shots.size(); ++i) {
+        const Shot &shot = set.shots[i];
+        std::cout << "Shot " << i + 1;
+        if (!shot.label.empty())
+            std::cout << " \"" << shot.label << '"';
+        if (shot.level != ShotLevel::None)
+            std::cout << ", level " << shotLevelName(shot.level);
+        std::cout << ", " << set.inputs.at(static_cast<std::size_t>(shot.input)).file
+                  << (shot.included ? "\n" : ", excluded\n");
+        for (const Channel &channel : shot.channels)
+            printChannel(channel, width);
+    }
+}
+
+void printInfo(const CaptureSet &set)
+{
+    for (const InputFile &input : set.inputs)
+        std::cout << input.file << ": " << input.format << ", sha256 " << input.sha256 << '\n';
+    printShots(set);
+    printAttributes("Tube", set.tube);
+    for (const auto &[id, attributes] : set.sensors)
+        printAttributes("Sensor " + id, attributes);
+    for (const auto &[id, attributes] : set.instruments)
+        printAttributes("Instrument " + id, attributes);
+}
+
+int info(const InfoOptions &options)
+{
+    ProgressLine progress("Reading");
+    const Result<CaptureSet> set
+        = readCaptures(options.files, {}, {interruptToken(), progress.sink()});
+    if (!set)
+        return report(set.error());
+    if (options.json)
+        std::cout << infoJson(*set).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+    else
+        printInfo(*set);
+    reportFindings(set->findings);
+    return static_cast<int>(exitCodeOf(set->findings));
+}
+
+} // namespace
+
+void addInfo(CLI::App &program, VerbAction &action)
+{
+    const auto options = std::make_shared<InfoOptions>();
+    CLI::App *verb
+        = program.add_subcommand("info", "Show what files hold: shots, channels, rates, units");
+    verb->add_option("files", options->files, "Captures, or folders of captures")
+        ->required()
+        ->type_name("FILE");
+    verb->add_flag("--json", options->json, "As JSON");
+    verb->footer("Example:\n  dyncal info example.h5\n  dyncal info --json shots/");
+    verb->callback([options, &action] { action = [options] { return info(*options); }; });
+}
+
+} // namespace dyncal

@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/cli/run_summary.h"
+
+#include "core/base/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+namespace {
+
+constexpr std::size_t kLabelWidth = 24;
+
+void addLine(std::string &text, std::string label, const std::string &value)
+{
+    label.resize(std::max(kLabelWidth, label.size() + 1), ' ');
+    text += label;
+    text += value;
+    text += '\n';
+}
+
+std::string percent(double value)
+{
+    return numberText(value, 4) + " %";
+}
+
+/// The sensor's pole pair that rings most.
+const Pole *mainPole(const SensorModel &model)
+{
+    const Pole *strongest = nullptr;
+    for (const Pole &pole : model.poles) {
+        const bool rings = pole.poleClass == PoleClass::Sensor && pole.z.imag() > 0.0;
+        if (rings && (!strongest || pole.amplitude > strongest->amplitude))
+            strongest = &pole;
+    }
+    return strongest;
+}
+
+std::string withUncertainty(const std::string &value, double u, const char *unit)
+{
+    if (!std::isfinite(u))
+        return value;
+    return value + "  (u = " + (*unit ? numberWithUnit(u, unit, 2) : numberText(u, 2)) + ")";
+}
+
+void addShots(std::string &text, const CalibrationResults &results)
+{
+    if (!results.captures)
+        return;
+    const std::vector<Shot> &shots = results.captures->set.shots;
+    const auto used
+        = std::count_if(shots.begin(), shots.end(), [](const Shot &shot) { return shot.included; });
+    addLine(text, "Shots", std::to_string(used) + " of " + std::to_string(shots.size()) + " used");
+}
+
+void addModel(std::string &text, const SensorModel &model)
+{
+    if (const Pole *pole = mainPole(model)) {
+        addLine(text, "Natural frequency f0",
+            withUncertainty(
+                numberWithUnit(pole->frequency_Hz, "Hz", 6), pole->u_frequency_Hz, "Hz"));
+        addLine(text, "Damping ratio zeta",
+            withUncertainty(numberText(pole->dampingRatio, 4), pole->u_dampingRatio, ""));
+    } else {
+        addLine(text, "Natural frequency f0", "none: the model has no oscillating sensor pole");
+    }
+}
+
+void addSensitivity(std::string &text, const ResponseResult &response)
+{
+    if (!response.sensitivity) {
+        addLine(text, "Plateau sensitivity", "not determined (no pressure step)");
+        return;
+    }
+    // The prefix belongs to the numerator, so "V/Pa" becomes "uV/Pa".
+    addLine(text, "Plateau sensitivity",
+        numberWithUnit(*response.sensitivity, response.sensitivityUnit, 5));
+    for (const ShotSensitivity &shot : response.shots) {
+        if (shot.sensitivity)
+            addLine(text, "  shot " + std::to_string(shot.shot),
+                numberWithUnit(*shot.sensitivity, shot.unit, 5));
+    }
+}
+
+void addFit(std::string &text, const SensorModel &model)
+{
+    addLine(text, "Fit (FIT)",
+        percent(model.fit_percent) + " of attainable " + percent(model.fitAttainable_percent));
+    if (model.fitListing_percent)
+        addLine(text, "Fit as in the listing", percent(*model.fitListing_percent));
+}
+
+void addOrder(std::string &text, const SensorModel &model, const CalibrationResults &results,
+    const Recipe &recipe)
+{
+    std::string order = std::to_string(model.order);
+    if (results.decomposition) {
+        const OrderSuggestion &suggestion = results.decomposition->suggestion;
+        const bool asked = !recipe.realization.order.isAuto();
+        order += asked ? " (as asked; suggested " + std::to_string(suggestion.order) + ")"
+                       : " (suggested: " + english(suggestion.reason) + ")";
+    }
+    addLine(text, "Order", order);
+}
+
+void addBand(std::string &text, const char *label, const std::optional<double> &limit_Hz)
+{
+    if (limit_Hz)
+        addLine(text, label, "up to " + numberWithUnit(*limit_Hz, "Hz"));
+}
+
+void addFindings(std::string &text, const Findings &findings)
+{
+    const auto count = [&findings](Severity severity) {
+        return std::to_string(std::count_if(findings.begin(), findings.end(),
+            [severity](const Finding &finding) { return finding.severity == severity; }));
+    };
+    addLine(text, "Findings",
+        count(Severity::Block) + " blocking, " + count(Severity::Caution) + " cautions, "
+            + count(Severity::Info) + " notes");
+}
+
+} // namespace
+
+std::string runSummary(const CalibrationResults &results, const Recipe &recipe)
+{
+    std::string text;
+    addShots(text, results);
+    if (results.model)
+        addModel(text, *results.model);
+    if (results.response)
+        addSensitivity(text, *results.response);
+    if (results.model) {
+        addFit(text, *results.model);
+        addOrder(text, *results.model, results, recipe);
+    }
+    if (results.response) {
+        const StepCharacteristics &found = results.response->characteristics;
+        addBand(text, "Within 5 %", found.within5percent_Hz);
+        addBand(text, "Within 10 %", found.within10percent_Hz);
+        addBand(text, "-3 dB", found.minus3dB_Hz);
+    }
+    addFindings(text, results.findings());
+    return text;
+}
+
+} // namespace dyncal

@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+#include <functional>
+
+namespace dyncal {
+
+/// What the chosen subcommand does once all arguments are read; returns the exit code.
+using VerbAction = std::function<int()>;
+
+/// Each declares its subcommand with options, help and example, and sets `action` when chosen.
+void addSimulate(CLI::App &program, VerbAction &action);
+void addInfo(CLI::App &program, VerbAction &action);
+void addRun(CLI::App &program, VerbAction &action);
+
+} // namespace dyncal
