@@ -3,6 +3,8 @@
 
 #include "core/base/atomic_file.h"
 
+#include "core/base/durable_file.h"
+
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -25,14 +27,6 @@ tl::unexpected<Error> cannotWrite(const std::string &path, int errorNumber)
         || errorNumber == ENAMETOOLONG;
     return fail(isPlace ? ErrorKind::Usage : ErrorKind::Internal,
         {DYNCAL_TEXT("core", "%1 cannot be written: %2."), {path, std::strerror(errorNumber)}});
-}
-
-std::string folderOf(const std::string &path)
-{
-    const std::size_t slash = path.rfind('/');
-    if (slash == std::string::npos)
-        return ".";
-    return slash == 0 ? "/" : path.substr(0, slash);
 }
 
 /// A file that disappears again unless it is renamed to its final name.
@@ -80,9 +74,7 @@ public:
 
     bool moveTo(const std::string &target)
     {
-        if (::fsync(m_descriptor) != 0 || ::close(std::exchange(m_descriptor, -1)) != 0)
-            return false;
-        if (::rename(m_path.c_str(), target.c_str()) != 0)
+        if (::close(std::exchange(m_descriptor, -1)) != 0 || !moveIntoPlace(m_path, target))
             return false;
         m_exists = false;
         return true;
@@ -93,17 +85,6 @@ private:
     int m_descriptor = -1;
     bool m_exists = false;
 };
-
-/// The rename itself must survive a power cut. Not every file system can do it, and then there is
-/// nothing to be done about it, so the outcome is not an error.
-void syncFolder(const std::string &folder)
-{
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-    if (descriptor < 0)
-        return;
-    ::fsync(descriptor);
-    ::close(descriptor);
-}
 
 } // namespace
 
@@ -119,7 +100,6 @@ Result<void> writeFileAtomically(const std::string &path, std::string_view bytes
     TemporaryFile file(path);
     if (!file.isOpen() || !file.write(bytes) || !file.moveTo(path))
         return cannotWrite(path, errno);
-    syncFolder(folderOf(path));
     return {};
 }
 

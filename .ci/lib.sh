@@ -1,0 +1,74 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The Dyncal authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# Shared by ./run, ./test and .ci/run: sourced, not run. Expects `root`, the top of the tree.
+# shellcheck disable=SC2154
+
+build="$root/build-release"
+
+say() {
+    printf '==> %s\n' "$*" >&2
+}
+
+die() {
+    printf '%s\n' "$*" >&2
+    exit 1
+}
+
+# Package names of a list file: no comments, no empty lines.
+package_names() {
+    sed -e 's/#.*//' -e '/^[[:space:]]*$/d' "$1"
+}
+
+as_root() {
+    if [ "$(id -u)" -eq 0 ]; then
+        "$@"
+    elif command -v sudo > /dev/null; then
+        sudo "$@"
+    else
+        die "Installing packages needs root and there is no sudo; run as root: $*"
+    fi
+}
+
+# Installs what is missing of the packages in the given list files. Asks the network for nothing
+# when all are there.
+install_packages() {
+    if ! command -v dpkg-query > /dev/null; then
+        say "Not Debian: the packages of packaging/debian-packages.txt must be there already."
+        return
+    fi
+    local missing=() name
+    while IFS= read -r name; do
+        if [ "$(dpkg-query -W -f='${db:Status-Status}' "$name" 2> /dev/null)" != installed ]; then
+            missing+=("$name")
+        fi
+    done < <(for list in "$@"; do package_names "$list"; done)
+    [ ${#missing[@]} -gt 0 ] || return 0
+    say "Installing ${missing[*]}"
+    as_root apt-get -o DPkg::Lock::Timeout=300 update -qq
+    as_root env DEBIAN_FRONTEND=noninteractive apt-get -o DPkg::Lock::Timeout=300 \
+        install -y -qq --no-install-recommends "${missing[@]}" > /dev/null
+}
+
+# Configures once; afterwards Ninja itself notices changed CMake files. A tree that was moved or
+# copied is configured afresh.
+configure() {
+    if [ -f "$build/build.ninja" ] \
+        && grep -qxF "CMAKE_HOME_DIRECTORY:INTERNAL=$root" "$build/CMakeCache.txt"; then
+        return
+    fi
+    say "Configuring $build"
+    mkdir -p "$build"
+    if ! (cd "$root" && cmake --fresh --preset release > "$build/configure.log" 2>&1); then
+        cat "$build/configure.log" >&2
+        die "Configuring failed."
+    fi
+}
+
+# Builds the given targets, or everything.
+build_targets() {
+    configure
+    say "Building ${*:-everything} (release)"
+    cmake --build "$build" ${1:+--target "$@"} >&2
+}
