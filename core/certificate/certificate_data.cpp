@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/certificate/certificate_data.h"
+
+#include "core/certificate/certificate_sections.h"
+#include "core/certificate/rounding.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+
+std::vector<Message> CertificateData::missingFields() const
+{
+    std::vector<Message> labels;
+    for (const CertificateSection &part : sections)
+        for (const CertificateField &field : part.fields)
+            if (field.missing)
+                labels.push_back(field.label);
+    return labels;
+}
+
+const CertificateSection *CertificateData::section(const std::string &id) const
+{
+    const auto found = std::find_if(sections.begin(), sections.end(),
+        [&id](const CertificateSection &part) { return part.id == id; });
+    return found == sections.end() ? nullptr : &*found;
+}
+
+CertificateData makeCertificate(const CertificateSources &sources)
+{
+    CertificateData data;
+    data.language = sources.language;
+    data.createdUtc = sources.createdUtc;
+    if (const auto number = sources.fields.find("certificate_number");
+        number != sources.fields.end())
+        data.number = number->second;
+    data.title = {DYNCAL_TEXT("core", "Certificate of dynamic calibration"), {}};
+    data.sections = {administrativeSection(sources), itemSection(sources), methodSection(sources),
+        conditionsSection(sources), resultsSection(sources), shotsSection(sources),
+        modelSection(sources), frequencyResponseSection(sources), remarksSection(sources),
+        recordsSection(sources), statementsSection(sources), figuresSection(sources)};
+    return data;
+}
+
+Message verbatim(std::string text)
+{
+    return {"%1", {std::move(text)}};
+}
+
+Message dash()
+{
+    return verbatim("\xE2\x80\x93");
+}
+
+Message printed(const std::optional<double> &value, std::string_view unit, Message otherwise)
+{
+    if (!value || !std::isfinite(*value))
+        return otherwise;
+    return verbatim(roundedText(*value, kUnknown, unit));
+}
+
+Message printedWithUncertainty(double value, double u, std::string_view unit)
+{
+    if (!std::isfinite(value))
+        return dash();
+    const RoundedValue rounded = roundedValue(value, kCoverageFactor * u, unit);
+    const std::string tail = rounded.unit.empty() ? "" : " " + rounded.unit;
+    if (rounded.u.empty())
+        return verbatim(rounded.value + tail);
+    return verbatim(rounded.value + tail + " \xC2\xB1 " + rounded.u + tail + " (k = 2)");
+}
+
+Message levelWord(ShotLevel level)
+{
+    switch (level) {
+    case ShotLevel::Low:
+        return {DYNCAL_TEXT("core", "low"), {}};
+    case ShotLevel::Medium:
+        return {DYNCAL_TEXT("core", "medium"), {}};
+    case ShotLevel::High:
+        return {DYNCAL_TEXT("core", "high"), {}};
+    case ShotLevel::None:
+        break;
+    }
+    return dash();
+}
+
+} // namespace dyncal

@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/certificate/certificate_sections.h"
+
+namespace dyncal {
+
+namespace {
+
+/// A typed field; `required` ones are missing when empty (ISO/IEC 17025, 7.8.2.1).
+CertificateField typedField(
+    const CertificateSources &sources, const char *id, Message label, bool required)
+{
+    const auto typed = sources.fields.find(id);
+    if (typed != sources.fields.end() && !typed->second.empty())
+        return {id, std::move(label), verbatim(typed->second), false};
+    if (required)
+        return {id, std::move(label), {DYNCAL_TEXT("core", "to be filled in"), {}}, true};
+    return {id, std::move(label), dash(), false};
+}
+
+/// What the captures know of the sensor under test, by attribute name.
+std::string cardEntry(const CertificateSources &sources, const std::string &attribute)
+{
+    if (!sources.captures)
+        return {};
+    for (const Shot &shot : sources.captures->shots) {
+        const Channel *dut = shot.channelWithRole(ChannelRole::Dut);
+        const auto card
+            = dut ? sources.captures->sensors.find(dut->sensorId) : sources.captures->sensors.end();
+        if (card == sources.captures->sensors.end())
+            continue;
+        const auto entry = card->second.find(attribute);
+        if (entry != card->second.end() && !entry->second.empty())
+            return entry->second;
+    }
+    return {};
+}
+
+/// Typed, else from the sensor's card in the capture, else missing.
+CertificateField itemField(
+    const CertificateSources &sources, const char *id, const std::string &attribute, Message label)
+{
+    CertificateField field = typedField(sources, id, std::move(label), true);
+    if (const std::string known = cardEntry(sources, attribute); field.missing && !known.empty()) {
+        field.value = verbatim(known);
+        field.missing = false;
+    }
+    return field;
+}
+
+} // namespace
+
+CertificateSection administrativeSection(const CertificateSources &sources)
+{
+    CertificateSection section;
+    section.id = "administrative";
+    section.title = {DYNCAL_TEXT("core", "Laboratory and customer"), {}};
+    section.fields = {
+        typedField(
+            sources, "certificate_number", {DYNCAL_TEXT("core", "Certificate number"), {}}, true),
+        typedField(sources, "laboratory", {DYNCAL_TEXT("core", "Laboratory"), {}}, true),
+        typedField(sources, "laboratory_address",
+            {DYNCAL_TEXT("core", "Address of the laboratory"), {}}, true),
+        typedField(sources, "place", {DYNCAL_TEXT("core", "Place of calibration"), {}}, true),
+        typedField(sources, "customer", {DYNCAL_TEXT("core", "Customer"), {}}, true),
+        typedField(sources, "customer_address",
+            {DYNCAL_TEXT("core", "Address of the customer"), {}}, true),
+        typedField(sources, "date_received", {DYNCAL_TEXT("core", "Date of receipt"), {}}, true),
+        typedField(
+            sources, "date_performed", {DYNCAL_TEXT("core", "Date of calibration"), {}}, true),
+        typedField(sources, "date_issued", {DYNCAL_TEXT("core", "Date of issue"), {}}, true),
+        typedField(sources, "operator", {DYNCAL_TEXT("core", "Calibrated by"), {}}, true),
+    };
+    return section;
+}
+
+CertificateSection itemSection(const CertificateSources &sources)
+{
+    CertificateSection section;
+    section.id = "item";
+    section.title = {DYNCAL_TEXT("core", "Item calibrated"), {}};
+    section.fields = {
+        itemField(sources, "sensor_manufacturer", "manufacturer",
+            {DYNCAL_TEXT("core", "Manufacturer"), {}}),
+        itemField(sources, "sensor_model", "model", {DYNCAL_TEXT("core", "Model"), {}}),
+        itemField(sources, "sensor_serial", "serial", {DYNCAL_TEXT("core", "Serial number"), {}}),
+        typedField(sources, "sensor_description",
+            {DYNCAL_TEXT("core", "Description and condition"), {}}, true),
+    };
+    return section;
+}
+
+CertificateSection remarksSection(const CertificateSources &sources)
+{
+    CertificateSection section;
+    section.id = "remarks";
+    section.title = {DYNCAL_TEXT("core", "Remarks"), {}};
+    if (const auto remarks = sources.fields.find("remarks");
+        remarks != sources.fields.end() && !remarks->second.empty())
+        section.paragraphs.push_back(verbatim(remarks->second));
+    if (sources.captures)
+        for (std::size_t i = 0; i < sources.captures->shots.size(); ++i) {
+            const Shot &shot = sources.captures->shots[i];
+            if (!shot.included)
+                section.paragraphs.push_back(
+                    {DYNCAL_TEXT("core", "Shot %1 was excluded. Reason: %2."),
+                        {std::to_string(i + 1), shot.excludeReason}});
+        }
+
+    CertificateTable table;
+    table.id = "findings";
+    table.caption = {DYNCAL_TEXT("core", "Findings on the quality of the data"), {}};
+    table.columns = {{{DYNCAL_TEXT("core", "Finding"), {}}, false},
+        {{DYNCAL_TEXT("core", "Shot"), {}}, true}, {{DYNCAL_TEXT("core", "Severity"), {}}, false},
+        {{DYNCAL_TEXT("core", "What was found"), {}}, false},
+        {{DYNCAL_TEXT("core", "Accepted because"), {}}, false}};
+    for (const Finding &finding : sources.findings) {
+        if (finding.severity == Severity::Info)
+            continue;
+        Message reason = dash();
+        for (const CertificateAcknowledgement &seen : sources.acknowledgements)
+            if (seen.finding == finding.id && (seen.shot == 0 || seen.shot == finding.shot))
+                reason = verbatim(seen.reason);
+        const Message severity = finding.severity == Severity::Block
+            ? Message{DYNCAL_TEXT("core", "blocking"), {}}
+            : Message{DYNCAL_TEXT("core", "caution"), {}};
+        table.rows.push_back({verbatim(finding.id),
+            finding.shot > 0 ? verbatim(std::to_string(finding.shot)) : dash(), severity,
+            finding.message, reason});
+    }
+    if (table.rows.empty())
+        section.paragraphs.push_back(
+            {DYNCAL_TEXT("core", "The automatic checks of the data raised no caution."), {}});
+    else
+        section.tables.push_back(std::move(table));
+    return section;
+}
+
+CertificateSection recordsSection(const CertificateSources &sources)
+{
+    CertificateSection section;
+    section.id = "records";
+    section.title = {DYNCAL_TEXT("core", "Records and software"), {}};
+    section.fields = {{"software", {DYNCAL_TEXT("core", "Software"), {}},
+                          {DYNCAL_TEXT("core", "Dyncal %1, build %2"),
+                              {sources.softwareVersion, sources.softwareBuild}},
+                          false},
+        {"created", {DYNCAL_TEXT("core", "Computed"), {}}, verbatim(sources.createdUtc), false}};
+    CertificateTable table;
+    table.id = "inputs";
+    table.caption = {DYNCAL_TEXT("core", "Recordings evaluated"), {}};
+    table.columns
+        = {{{DYNCAL_TEXT("core", "File"), {}}, false}, {{DYNCAL_TEXT("core", "Format"), {}}, false},
+            {{DYNCAL_TEXT("core", "SHA-256 of the file"), {}}, false}};
+    if (sources.captures)
+        for (const InputFile &input : sources.captures->inputs)
+            table.rows.push_back(
+                {verbatim(input.file), verbatim(input.format), verbatim(input.sha256)});
+    if (!table.rows.empty())
+        section.tables.push_back(std::move(table));
+    return section;
+}
+
+CertificateSection statementsSection(const CertificateSources &)
+{
+    CertificateSection section;
+    section.id = "statements";
+    section.title = {DYNCAL_TEXT("core", "Statements"), {}};
+    section.paragraphs = {
+        {DYNCAL_TEXT("core", "The results relate only to the item calibrated."), {}},
+        {DYNCAL_TEXT("core",
+             "This document shall not be reproduced except in full without the written approval "
+             "of the laboratory."),
+            {}},
+        {DYNCAL_TEXT("core", "No statement of conformity is made."), {}},
+        {DYNCAL_TEXT("core",
+             "The software does not know how the measuring equipment is traceable; this draft "
+             "makes no statement of metrological traceability."),
+            {}}};
+    return section;
+}
+
+} // namespace dyncal

@@ -1,0 +1,173 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/certificate/certificate_sections.h"
+#include "core/certificate/rounding.h"
+
+#include <algorithm>
+
+namespace dyncal {
+
+namespace {
+
+Message treatmentSentence(ResponseTreatment treatment)
+{
+    switch (treatment) {
+    case ResponseTreatment::StepDeflated:
+        return {DYNCAL_TEXT("core",
+                    "Response to a pressure step; the pole of the step is removed before the "
+                    "realisation, so that the model describes the sensor alone."),
+            {}};
+    case ResponseTreatment::StepAsImpulse:
+        return {DYNCAL_TEXT("core",
+                    "Response to a pressure step, realised as if it were an impulse response; "
+                    "the model contains the pole of the step."),
+            {}};
+    case ResponseTreatment::Differenced:
+        return {DYNCAL_TEXT("core",
+                    "First difference of the response to a pressure step, realised as an impulse "
+                    "response."),
+            {}};
+    case ResponseTreatment::Impulse:
+        break;
+    }
+    return {DYNCAL_TEXT("core", "Free decay, realised as an impulse response."), {}};
+}
+
+CertificateField methodField(const CertificateSources &sources)
+{
+    const auto typed = sources.fields.find("method_id");
+    const bool there = typed != sources.fields.end() && !typed->second.empty();
+    return {"method_id", {DYNCAL_TEXT("core", "Method"), {}},
+        there ? verbatim(typed->second) : Message{DYNCAL_TEXT("core", "to be filled in"), {}},
+        !there};
+}
+
+/// Recorded value of one surrounding quantity as the range over the included shots.
+Message environmentRange(
+    const CertificateSources &sources, double Environment::*quantity, std::string_view unit)
+{
+    std::optional<double> lowest;
+    std::optional<double> highest;
+    if (sources.captures)
+        for (const Shot &shot : sources.captures->shots) {
+            const double value = shot.environment.*quantity;
+            if (!shot.included || !(value == value))
+                continue;
+            lowest = std::min(lowest.value_or(value), value);
+            highest = std::max(highest.value_or(value), value);
+        }
+    if (!lowest)
+        return {DYNCAL_TEXT("core", "not determined (not recorded)"), {}};
+    if (*lowest == *highest)
+        return verbatim(roundedText(*lowest, kUnknown, unit));
+    return verbatim(roundedText(*lowest, kUnknown, unit) + " \xE2\x80\xA6 "
+        + roundedText(*highest, kUnknown, unit));
+}
+
+ShotLevel levelOf(const CertificateSources &sources, Index shot)
+{
+    const auto position = static_cast<std::size_t>(shot - 1);
+    if (!sources.captures || shot < 1 || position >= sources.captures->shots.size())
+        return ShotLevel::None;
+    return sources.captures->shots[position].level;
+}
+
+std::vector<Message> conditionsRow(const CertificateSources &sources, const ShockConditions &shot)
+{
+    const bool known = shot.states.has_value();
+    const auto ofStates = [&](auto pick) {
+        return known ? std::optional<double>(pick(*shot.states)) : std::nullopt;
+    };
+    return {verbatim(std::to_string(shot.shot)), levelWord(levelOf(sources, shot.shot)),
+        printed(ofStates([](const ShockStates &s) { return s.driven.pressure_Pa; }), "Pa", dash()),
+        printed(ofStates([](const ShockStates &s) { return s.driven.temperature_K; }), "K", dash()),
+        printed(ofStates([](const ShockStates &s) { return s.velocity_m_s; }), "m/s", dash()),
+        printed(ofStates([](const ShockStates &s) { return s.mach; }), "", dash()),
+        printed(shot.step_Pa, "Pa", {DYNCAL_TEXT("core", "not determined"), {}}),
+        shot.step_Pa ? (shot.stepTyped ? Message{DYNCAL_TEXT("core", "stated"), {}}
+                                       : Message{DYNCAL_TEXT("core", "computed"), {}})
+                     : dash(),
+        printed(shot.plateau_s, "s", dash())};
+}
+
+} // namespace
+
+CertificateSection methodSection(const CertificateSources &sources)
+{
+    CertificateSection section;
+    section.id = "method";
+    section.title = {DYNCAL_TEXT("core", "Method"), {}};
+    section.fields.push_back(methodField(sources));
+    section.paragraphs.push_back({DYNCAL_TEXT("core",
+                                      "The sensitivity S(f) is the complex ratio of the item's "
+                                      "output to the change of pressure "
+                                      "at the sensor's face in the end-wall plane of a shock tube; "
+                                      "phase of output over input, "
+                                      "lag negative, relative to the sensor's own onset."),
+        {}});
+    if (!sources.input)
+        return section;
+    const ModelInput &input = *sources.input;
+    section.paragraphs.push_back(treatmentSentence(input.treatment));
+    section.fields.push_back({"series", {DYNCAL_TEXT("core", "Shots combined"), {}},
+        input.combine == CombineMethod::Stacked
+            ? Message{DYNCAL_TEXT("core", "stacked, each with its own amplitude (%1 series)"),
+                {std::to_string(input.series.size())}}
+            : Message{DYNCAL_TEXT(
+                          "core", "average of the reconstructions from principal components"),
+                {}},
+        false});
+    section.fields.push_back({"model_rate", {DYNCAL_TEXT("core", "Sample rate of the model"), {}},
+        verbatim(roundedText(input.sampleRate_Hz, kUnknown, "Hz")), false});
+    section.fields.push_back({"model_samples", {DYNCAL_TEXT("core", "Samples per series"), {}},
+        verbatim(std::to_string(input.samples)), false});
+    section.fields.push_back(
+        {"model_offset", {DYNCAL_TEXT("core", "Start of the model input after the onset"), {}},
+            verbatim(roundedText(input.offset_s, kUnknown, "s")), false});
+    return section;
+}
+
+CertificateSection conditionsSection(const CertificateSources &sources)
+{
+    CertificateSection section;
+    section.id = "conditions";
+    section.title = {DYNCAL_TEXT("core", "Conditions"), {}};
+    section.fields = {{"ambient_temperature", {DYNCAL_TEXT("core", "Ambient temperature"), {}},
+                          environmentRange(sources, &Environment::ambientT_K, "K"), false},
+        {"ambient_pressure", {DYNCAL_TEXT("core", "Ambient pressure"), {}},
+            environmentRange(sources, &Environment::ambientPressure_Pa, "Pa"), false},
+        {"relative_humidity", {DYNCAL_TEXT("core", "Relative humidity (ratio)"), {}},
+            environmentRange(sources, &Environment::relativeHumidity, ""), false}};
+    CertificateTable table;
+    table.id = "shock";
+    table.caption = {DYNCAL_TEXT("core", "Pressure steps"), {}};
+    table.columns
+        = {{{DYNCAL_TEXT("core", "Shot"), {}}, true}, {{DYNCAL_TEXT("core", "Level"), {}}, false},
+            {{DYNCAL_TEXT("core", "Initial pressure"), {}}, true},
+            {{DYNCAL_TEXT("core", "Initial temperature"), {}}, true},
+            {{DYNCAL_TEXT("core", "Shock velocity"), {}}, true},
+            {{DYNCAL_TEXT("core", "Mach number"), {}}, true},
+            {{DYNCAL_TEXT("core", "Pressure step"), {}}, true},
+            {{DYNCAL_TEXT("core", "Step is"), {}}, false},
+            {{DYNCAL_TEXT("core", "Plateau"), {}}, true}};
+    bool stepMissing = !sources.shock || sources.shock->shots.empty();
+    if (sources.shock)
+        for (const ShockConditions &shot : sources.shock->shots) {
+            table.rows.push_back(conditionsRow(sources, shot));
+            stepMissing = stepMissing || !shot.step_Pa;
+        }
+    if (!table.rows.empty())
+        section.tables.push_back(std::move(table));
+    if (stepMissing)
+        section.notes.push_back(
+            {DYNCAL_TEXT("core",
+                 "The pressure step is not determined for every shot: neither a step nor a shock "
+                 "velocity with initial pressure and temperature was given. A sensitivity in the "
+                 "unit "
+                 "of pressure cannot be stated for those shots."),
+                {}});
+    return section;
+}
+
+} // namespace dyncal

@@ -1,0 +1,347 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/certificate/certificate_sections.h"
+#include "core/certificate/rounding.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+
+namespace {
+
+constexpr double kDegreesPerRadian = 57.295779513082320877;
+
+Message noModel()
+{
+    return {DYNCAL_TEXT("core", "not determined (no model)"), {}};
+}
+
+Message notReached()
+{
+    return {DYNCAL_TEXT("core", "not determined (outside the range of the model)"), {}};
+}
+
+/// The sensor's main resonance: the oscillating sensor pole with the largest amplitude.
+const Pole *mainPole(const SensorModel &model)
+{
+    const Pole *main = nullptr;
+    for (const Pole &pole : model.poles)
+        if (pole.poleClass == PoleClass::Sensor && pole.s_rad_s.imag() > 0.0
+            && (!main || pole.amplitude > main->amplitude))
+            main = &pole;
+    return main;
+}
+
+void addSensitivity(const CertificateSources &sources, CertificateSection &section)
+{
+    const ResponseResult *response = sources.response;
+    section.fields.push_back({"sensitivity", {DYNCAL_TEXT("core", "Sensitivity"), {}},
+        printed(response ? response->sensitivity : std::nullopt,
+            response ? response->sensitivityUnit : "",
+            {DYNCAL_TEXT("core", "not determined (no pressure step)"), {}}),
+        false});
+}
+
+void addResonance(const CertificateSources &sources, CertificateSection &section)
+{
+    const Pole *pole = sources.model ? mainPole(*sources.model) : nullptr;
+    const Message none = sources.model
+        ? Message{DYNCAL_TEXT("core", "not determined (the model does not oscillate)"), {}}
+        : noModel();
+    section.fields.push_back(
+        {"natural_frequency", {DYNCAL_TEXT("core", "Undamped natural frequency"), {}},
+            pole ? printedWithUncertainty(pole->frequency_Hz, pole->u_frequency_Hz, "Hz") : none,
+            false});
+    section.fields.push_back({"damping_ratio", {DYNCAL_TEXT("core", "Damping ratio"), {}},
+        pole ? printedWithUncertainty(pole->dampingRatio, pole->u_dampingRatio, "") : none, false});
+}
+
+void addCharacteristics(const CertificateSources &sources, CertificateSection &section)
+{
+    const StepCharacteristics none;
+    const StepCharacteristics &found = sources.response ? sources.response->characteristics : none;
+    const Message otherwise = sources.response ? notReached() : noModel();
+    const auto add = [&](const char *id, Message label, const std::optional<double> &value,
+                         const char *unit) {
+        section.fields.push_back({id, std::move(label), printed(value, unit, otherwise), false});
+    };
+    add("rise_time", {DYNCAL_TEXT("core", "Rise time, 10 % to 90 %"), {}}, found.riseTime_s, "s");
+    add("overshoot", {DYNCAL_TEXT("core", "Overshoot"), {}}, found.overshoot_percent, "%");
+    add("settling_time", {DYNCAL_TEXT("core", "Settling time, within 5 %"), {}},
+        found.settlingTime_s, "s");
+    add("within_5_percent", {DYNCAL_TEXT("core", "Magnitude within 5 % up to"), {}},
+        found.within5percent_Hz, "Hz");
+    add("within_10_percent", {DYNCAL_TEXT("core", "Magnitude within 10 % up to"), {}},
+        found.within10percent_Hz, "Hz");
+    add("minus_3_db", {DYNCAL_TEXT("core", "Magnitude above -3 dB up to"), {}}, found.minus3dB_Hz,
+        "Hz");
+}
+
+std::vector<Message> shotRow(const CertificateSources &sources, const WindowedResponse &response)
+{
+    Message sensitivity{DYNCAL_TEXT("core", "not determined"), {}};
+    if (sources.response)
+        for (const ShotSensitivity &entry : sources.response->shots)
+            if (entry.shot == response.shot && entry.sensitivity)
+                sensitivity = printed(entry.sensitivity, entry.unit, sensitivity);
+    return {verbatim(std::to_string(response.shot)), levelWord(response.level),
+        verbatim(roundedText(response.sampleRate_Hz, kUnknown, "Hz")),
+        verbatim(roundedText(response.step, kUnknown, response.unit)),
+        verbatim(fixedText(response.snr_dB, 1) + " dB"), printed(response.riseTime_s, "s", dash()),
+        printed(response.overshoot_percent, "%", dash()),
+        printed(response.settlingTime_s, "s", dash()), sensitivity};
+}
+
+Message poleWord(PoleClass poleClass)
+{
+    switch (poleClass) {
+    case PoleClass::Sensor:
+        return {DYNCAL_TEXT("core", "sensor"), {}};
+    case PoleClass::Step:
+        return {DYNCAL_TEXT("core", "step"), {}};
+    case PoleClass::Nyquist:
+        return {DYNCAL_TEXT("core", "Nyquist"), {}};
+    case PoleClass::Unstable:
+        return {DYNCAL_TEXT("core", "unstable"), {}};
+    case PoleClass::Other:
+        break;
+    }
+    return {DYNCAL_TEXT("core", "other"), {}};
+}
+
+Message expanded(double value, double u, std::string_view unit)
+{
+    const RoundedValue rounded = roundedValue(value, kCoverageFactor * u, unit);
+    if (rounded.u.empty())
+        return dash();
+    return verbatim(rounded.unit.empty() ? rounded.u : rounded.u + " " + rounded.unit);
+}
+
+Message withRounding(double value, double u, std::string_view unit)
+{
+    return verbatim(roundedText(value, kCoverageFactor * u, unit));
+}
+
+std::string complexText(std::complex<double> z)
+{
+    const bool pair = z.imag() != 0.0;
+    return fixedText(z.real(), 6) + (pair ? " \xC2\xB1 j" + fixedText(z.imag(), 6) : "");
+}
+
+CertificateTable poleTable(const SensorModel &model)
+{
+    CertificateTable table;
+    table.id = "poles";
+    table.caption = {DYNCAL_TEXT("core", "Poles of the model (a conjugate pair is one line)"), {}};
+    table.columns = {{{DYNCAL_TEXT("core", "Class"), {}}, false},
+        {{DYNCAL_TEXT("core", "z-plane"), {}}, true},
+        {{DYNCAL_TEXT("core", "Undamped frequency"), {}}, true},
+        {{DYNCAL_TEXT("core", "U (k = 2)"), {}}, true},
+        {{DYNCAL_TEXT("core", "Damping ratio"), {}}, true},
+        {{DYNCAL_TEXT("core", "U (k = 2)"), {}}, true},
+        {{DYNCAL_TEXT("core", "Amplitude"), {}}, true}};
+    for (const Pole &pole : model.poles) {
+        if (pole.z.imag() < 0.0)
+            continue;
+        table.rows.push_back({poleWord(pole.poleClass), verbatim(complexText(pole.z)),
+            withRounding(pole.frequency_Hz, pole.u_frequency_Hz, "Hz"),
+            expanded(pole.frequency_Hz, pole.u_frequency_Hz, "Hz"),
+            withRounding(pole.dampingRatio, pole.u_dampingRatio, ""),
+            expanded(pole.dampingRatio, pole.u_dampingRatio, ""),
+            verbatim(roundedText(pole.amplitude, kUnknown, ""))});
+    }
+    return table;
+}
+
+double valueAt(const Eigen::VectorXd &values, Index i)
+{
+    return i < values.size() ? values[i] : kUnknown;
+}
+
+Message cell(double value, double u, std::string_view unit)
+{
+    return std::isfinite(value) ? withRounding(value, u, unit) : dash();
+}
+
+std::vector<Message> frequencyRow(const ResponseResult &response, Index i)
+{
+    const std::string unit = response.unit == "1" ? "" : response.unit;
+    const double magnitude = valueAt(response.magnitude, i);
+    const double uMagnitude = valueAt(response.u_magnitude, i);
+    const double phase = kDegreesPerRadian * valueAt(response.phase_rad, i);
+    const double uPhase = kDegreesPerRadian * valueAt(response.u_phase_rad, i);
+    return {cell(response.frequency_Hz[i], kUnknown, "Hz"), cell(magnitude, uMagnitude, unit),
+        std::isfinite(magnitude) ? expanded(magnitude, uMagnitude, unit) : dash(),
+        cell(phase, uPhase, "\xC2\xB0"),
+        std::isfinite(phase) ? expanded(phase, uPhase, "\xC2\xB0") : dash(),
+        cell(valueAt(response.modelMagnitude, i), kUnknown, unit),
+        cell(kDegreesPerRadian * valueAt(response.modelPhase_rad, i), kUnknown, "\xC2\xB0")};
+}
+
+} // namespace
+
+CertificateSection resultsSection(const CertificateSources &sources)
+{
+    CertificateSection section;
+    section.id = "results";
+    section.title = {DYNCAL_TEXT("core", "Results"), {}};
+    addSensitivity(sources, section);
+    addResonance(sources, section);
+    addCharacteristics(sources, section);
+    section.notes.push_back(
+        {DYNCAL_TEXT("core",
+             "Uncertainties marked U are expanded uncertainties with the coverage factor k = 2 and "
+             "contain only what the noise of the recordings contributes. A complete uncertainty "
+             "budget "
+             "was not evaluated; where no uncertainty stands beside a value, none was determined. "
+             "Rise "
+             "time, overshoot, settling time and band edges are those of the model."),
+            {}});
+    return section;
+}
+
+CertificateSection shotsSection(const CertificateSources &sources)
+{
+    CertificateSection section;
+    section.id = "shots";
+    section.title = {DYNCAL_TEXT("core", "Shots"), {}};
+    if (!sources.window || sources.window->responses.empty()) {
+        section.paragraphs.push_back(
+            {DYNCAL_TEXT("core", "No shot could be evaluated; see the remarks."), {}});
+        return section;
+    }
+    CertificateTable table;
+    table.id = "shots";
+    table.caption = {DYNCAL_TEXT("core", "Measured responses, shot by shot"), {}};
+    table.columns
+        = {{{DYNCAL_TEXT("core", "Shot"), {}}, true}, {{DYNCAL_TEXT("core", "Level"), {}}, false},
+            {{DYNCAL_TEXT("core", "Sample rate"), {}}, true},
+            {{DYNCAL_TEXT("core", "Output step"), {}}, true},
+            {{DYNCAL_TEXT("core", "Signal to noise"), {}}, true},
+            {{DYNCAL_TEXT("core", "Rise time"), {}}, true},
+            {{DYNCAL_TEXT("core", "Overshoot"), {}}, true},
+            {{DYNCAL_TEXT("core", "Settling time"), {}}, true},
+            {{DYNCAL_TEXT("core", "Sensitivity"), {}}, true}};
+    for (const WindowedResponse &response : sources.window->responses)
+        table.rows.push_back(shotRow(sources, response));
+    section.tables.push_back(std::move(table));
+    section.notes.push_back({DYNCAL_TEXT("core",
+                                 "Signal to noise is the output step over the standard deviation "
+                                 "of the noise before it. "
+                                 "Rise time 10 % to 90 %; settling to within 5 % of the step."),
+        {}});
+    return section;
+}
+
+CertificateSection modelSection(const CertificateSources &sources)
+{
+    CertificateSection section;
+    section.id = "model";
+    section.title = {DYNCAL_TEXT("core", "Model of the sensor"), {}};
+    if (!sources.model) {
+        section.paragraphs.push_back(
+            {DYNCAL_TEXT("core", "No model could be determined; see the remarks."), {}});
+        return section;
+    }
+    const SensorModel &model = *sources.model;
+    const bool suggested = sources.order.isAuto();
+    section.fields
+        = {{"order", {DYNCAL_TEXT("core", "Order"), {}},
+               suggested ? Message{DYNCAL_TEXT("core", "%1 (as suggested from the data)"),
+                   {std::to_string(model.order)}}
+                         : Message{DYNCAL_TEXT("core", "%1 (chosen by the operator)"),
+                             {std::to_string(model.order)}},
+               false},
+            {"fit", {DYNCAL_TEXT("core", "Fit"), {}},
+                {DYNCAL_TEXT("core", "%1 % of %2 % attainable with this noise"),
+                    {fixedText(model.fit_percent, 2), fixedText(model.fitAttainable_percent, 2)}},
+                false}};
+    if (model.fitListing_percent)
+        section.fields.push_back(
+            {"fit_listing", {DYNCAL_TEXT("core", "Fit as in the listing (lagged)"), {}},
+                verbatim(fixedText(*model.fitListing_percent, 2) + " %"), false});
+    if (sources.suggestion && suggested)
+        section.paragraphs.push_back(sources.suggestion->reason);
+    if (model.diverges)
+        section.paragraphs.push_back(
+            {DYNCAL_TEXT(
+                 "core", "The model has a pole outside the unit circle: its simulation diverges."),
+                {}});
+    section.tables.push_back(poleTable(model));
+    return section;
+}
+
+CertificateSection frequencyResponseSection(const CertificateSources &sources)
+{
+    CertificateSection section;
+    section.id = "frequency-response";
+    section.title = {DYNCAL_TEXT("core", "Frequency response"), {}};
+    if (!sources.response || sources.response->frequency_Hz.size() == 0) {
+        section.paragraphs.push_back(
+            {DYNCAL_TEXT("core", "The frequency response could not be determined."), {}});
+        return section;
+    }
+    const ResponseResult &response = *sources.response;
+    section.fields = {{"f_low", {DYNCAL_TEXT("core", "Lower frequency limit"), {}},
+                          verbatim(roundedText(response.fLow_Hz, kUnknown, "Hz")), false},
+        {"f_high", {DYNCAL_TEXT("core", "Upper frequency limit"), {}},
+            verbatim(roundedText(response.fHigh_Hz, kUnknown, "Hz")), false}};
+    CertificateTable table;
+    table.id = "frequency-response";
+    table.caption = {DYNCAL_TEXT("core",
+                         "Sensitivity over frequency: from the responses without a model, and from "
+                         "the model"),
+        {}};
+    table.columns = {{{DYNCAL_TEXT("core", "Frequency"), {}}, true},
+        {{DYNCAL_TEXT("core", "Magnitude"), {}}, true},
+        {{DYNCAL_TEXT("core", "U (k = 2)"), {}}, true}, {{DYNCAL_TEXT("core", "Phase"), {}}, true},
+        {{DYNCAL_TEXT("core", "U (k = 2)"), {}}, true},
+        {{DYNCAL_TEXT("core", "Model, magnitude"), {}}, true},
+        {{DYNCAL_TEXT("core", "Model, phase"), {}}, true}};
+    for (Index i = 0; i < response.frequency_Hz.size(); ++i)
+        table.rows.push_back(frequencyRow(response, i));
+    section.tables.push_back(std::move(table));
+    section.notes.push_back({DYNCAL_TEXT("core",
+                                 "The lower limit follows from the length of the window, the upper "
+                                 "one from the noise. A "
+                                 "dash means that the value was not determined."),
+        {}});
+    if (response.unit == "1")
+        section.notes.push_back(
+            {DYNCAL_TEXT(
+                 "core", "Without a pressure step the magnitude is relative to the output step."),
+                {}});
+    return section;
+}
+
+CertificateSection figuresSection(const CertificateSources &sources)
+{
+    CertificateSection section;
+    section.id = "figures";
+    section.title = {DYNCAL_TEXT("core", "Figures"), {}};
+    if (sources.suggestion)
+        section.figures.push_back(
+            {"singular-values", {DYNCAL_TEXT("core", "Singular values of the Hankel matrix"), {}}});
+    if (sources.model) {
+        section.figures.push_back({"model-data", {DYNCAL_TEXT("core", "Responses and model"), {}}});
+        section.figures.push_back(
+            {"model-error", {DYNCAL_TEXT("core", "Responses minus model"), {}}});
+    }
+    if (sources.response) {
+        section.figures.push_back(
+            {"magnitude", {DYNCAL_TEXT("core", "Frequency response, magnitude"), {}}});
+        section.figures.push_back(
+            {"phase", {DYNCAL_TEXT("core", "Frequency response, phase"), {}}});
+    }
+    if (sources.window)
+        section.figures.push_back(
+            {"spectrum", {DYNCAL_TEXT("core", "Power spectra of the responses"), {}}});
+    if (sources.model)
+        section.figures.push_back({"pole-zero",
+            {DYNCAL_TEXT("core", "Poles and zeros of the model in the z-plane"), {}}});
+    return section;
+}
+
+} // namespace dyncal

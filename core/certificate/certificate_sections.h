@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/certificate/certificate_data.h"
+
+#include <optional>
+#include <string_view>
+
+namespace dyncal {
+
+// One function per section of the certificate, in the order in which they appear.
+CertificateSection administrativeSection(const CertificateSources &sources);
+CertificateSection itemSection(const CertificateSources &sources);
+CertificateSection methodSection(const CertificateSources &sources);
+CertificateSection conditionsSection(const CertificateSources &sources);
+CertificateSection resultsSection(const CertificateSources &sources);
+CertificateSection shotsSection(const CertificateSources &sources);
+CertificateSection modelSection(const CertificateSources &sources);
+CertificateSection frequencyResponseSection(const CertificateSources &sources);
+CertificateSection remarksSection(const CertificateSources &sources);
+CertificateSection recordsSection(const CertificateSources &sources);
+CertificateSection statementsSection(const CertificateSources &sources);
+CertificateSection figuresSection(const CertificateSources &sources);
+
+/// Coverage factor of every expanded uncertainty on the certificate.
+inline constexpr double kCoverageFactor = 2.0;
+
+/// Words that are printed as they are.
+Message verbatim(std::string text);
+/// A table cell without a value.
+Message dash();
+/// Value and unit at five digits, or `otherwise` where there is none.
+Message printed(const std::optional<double> &value, std::string_view unit, Message otherwise);
+/// "2.3301 MHz ± 0.0024 MHz (k = 2)" from a standard uncertainty; without one as printed().
+Message printedWithUncertainty(double value, double u, std::string_view unit);
+/// Name of a level as a word that is translated; a dash for none.
+Message levelWord(ShotLevel level);
+
+} // namespace dyncal

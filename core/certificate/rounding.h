@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace dyncal {
+
+/// Significant digits of a value whose uncertainty is not known.
+inline constexpr int kDigitsWithoutUncertainty = 5;
+
+/// A value and its uncertainty as printed: the same unit, the same number of decimals.
+struct RoundedValue
+{
+    std::string value; ///< "2.3301"
+    std::string u; ///< "0.0012"; empty if not known
+    std::string unit; ///< "MHz"
+};
+
+/// Rounds for print (GUM 7.2.6): u to two significant digits, the value to the decimal of the last
+/// of them. Without a known u (NaN, or not positive) five significant digits. SI prefix chosen
+/// so that the larger of |value| and u reads 1..1000, for units that take prefixes; a value of
+/// another unit outside 1e-4..1e6 gets a power of ten in front of its unit.
+/// `value` must be finite.
+RoundedValue roundedValue(double value, double u, std::string_view unit);
+
+/// "2.3301 MHz".
+std::string roundedText(double value, double u, std::string_view unit);
+
+/// `value` with `decimals` digits behind the point; negative: rounded to tens, hundreds... Never
+/// "-0".
+std::string fixedText(double value, int decimals);
+
+} // namespace dyncal
