@@ -3,6 +3,7 @@
 
 #include "app/gui_main.h"
 
+#include "app/clock.h"
 #include "core/base/version.h"
 #include "core/pipeline/pipeline.h"
 #include "ui/shell/main_window.h"
@@ -43,7 +44,7 @@ int runGui(int argc, char **argv, const std::vector<std::string> &files)
     Prompts prompts;
     Language language;
     language.install(tour >= 0 ? QString("en") : preferences.language());
-    MainWindow window(runPipeline, preferences, prompts, language);
+    MainWindow window(runPipeline, currentUtc, preferences, prompts, language);
     window.show();
     if (tour >= 0)
         return runScreenshotTour(window, arguments.value(tour + 1)) ? 0 : 5;

@@ -12,11 +12,12 @@
 #include "ui/text/core_text.h"
 
 #include <QApplication>
-#include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
 #include <QSaveFile>
 #include <QTemporaryDir>
+
+#include <filesystem>
 
 namespace dyncal {
 
@@ -45,15 +46,6 @@ QString projectFilter()
     return FileActions::tr("Dyncal projects (*.%1)").arg(kProjectSuffix);
 }
 
-std::string nowUtc()
-{
-    bool fixed = false;
-    const qint64 epoch = qEnvironmentVariable("SOURCE_DATE_EPOCH").toLongLong(&fixed);
-    const QDateTime now
-        = fixed ? QDateTime::fromSecsSinceEpoch(epoch, Qt::UTC) : QDateTime::currentDateTimeUtc();
-    return now.toString(Qt::ISODate).toStdString();
-}
-
 bool writeText(const QString &path, const std::string &text)
 {
     QSaveFile file(path);
@@ -79,9 +71,10 @@ public:
 } // namespace
 
 FileActions::FileActions(
-    Session &session, Prompts &prompts, Preferences &preferences, QWidget *window)
+    Session &session, Clock clock, Prompts &prompts, Preferences &preferences, QWidget *window)
     : QObject(window)
     , m_session(session)
+    , m_clock(std::move(clock))
     , m_prompts(prompts)
     , m_preferences(preferences)
     , m_window(window)
@@ -285,25 +278,32 @@ void FileActions::exportResults()
     if (folder.isEmpty())
         return;
     const WaitCursor waiting;
-    const std::string created = nowUtc();
+    const Result<void> written = writeResults(folder);
+    if (written)
+        emit idle(tr("Results written to %1").arg(folder));
+    else
+        showProblem(written.error());
+}
+
+Result<void> FileActions::writeResults(const QString &folder)
+{
+    const Result<std::string> created = m_clock();
+    if (!created)
+        return tl::unexpected(created.error());
     const PipelineOutcome outcome{m_session.results(), m_session.error(), m_session.failedStage()};
     const QDir target(folder);
     const std::pair<QString, std::string> texts[] = {
-        {target.filePath("results.json"), resultsJson(outcome, m_session.recipe(), created)},
+        {target.filePath("results.json"), resultsJson(outcome, m_session.recipe(), *created)},
         {target.filePath("recipe.json"), recipeJson(m_session.recipe())},
     };
-    for (const auto &[path, text] : texts) {
-        if (!writeText(path, text)) {
-            showProblem(notWritten(path));
-            return;
-        }
-    }
-    const auto written
-        = writeReport(m_session.results(), m_session.recipe(), created, folder.toStdString());
-    if (!written)
-        showProblem(written.error());
-    else
-        emit idle(tr("Results written to %1").arg(folder));
+    for (const auto &[path, text] : texts)
+        if (!writeText(path, text))
+            return tl::unexpected(notWritten(path));
+    const auto drawn
+        = writeReport(m_session.results(), m_session.recipe(), *created, folder.toStdString());
+    if (!drawn)
+        return tl::unexpected(drawn.error());
+    return {};
 }
 
 void FileActions::exportCertificate()
@@ -315,23 +315,32 @@ void FileActions::exportCertificate()
     if (path.isEmpty())
         return;
     const WaitCursor waiting;
-    // The report is drawn whole; beside the target, so that the rename is atomic.
-    const QTemporaryDir folder(QFileInfo(path).absolutePath() + "/.dyncal-XXXXXX");
-    if (!folder.isValid()) {
-        showProblem(notWritten(path));
-        return;
-    }
-    const auto written = writeReport(
-        m_session.results(), m_session.recipe(), nowUtc(), folder.path().toStdString());
-    if (!written) {
-        showProblem(written.error());
-        return;
-    }
-    QFile::remove(path);
-    if (QFile::rename(folder.filePath("certificate.pdf"), path))
+    const Result<void> written = writeCertificate(path);
+    if (written)
         emit idle(tr("Certificate written to %1").arg(path));
     else
-        showProblem(notWritten(path));
+        showProblem(written.error());
+}
+
+/// The report is drawn whole, in a folder beside the target, so that the rename is atomic.
+Result<void> FileActions::writeCertificate(const QString &path)
+{
+    const QTemporaryDir folder(QFileInfo(path).absolutePath() + "/.dyncal-XXXXXX");
+    if (!folder.isValid())
+        return tl::unexpected(notWritten(path));
+    const Result<std::string> created = m_clock();
+    if (!created)
+        return tl::unexpected(created.error());
+    const auto drawn = writeReport(
+        m_session.results(), m_session.recipe(), *created, folder.path().toStdString());
+    if (!drawn)
+        return tl::unexpected(drawn.error());
+    const std::filesystem::path from = folder.filePath("certificate.pdf").toStdString();
+    std::error_code problem;
+    std::filesystem::rename(from, path.toStdString(), problem);
+    if (problem)
+        return tl::unexpected(notWritten(path));
+    return {};
 }
 
 void FileActions::cancel()

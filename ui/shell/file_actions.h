@@ -19,7 +19,11 @@ class FileActions : public QObject
     Q_OBJECT
 
 public:
-    FileActions(Session &session, Prompts &prompts, Preferences &preferences, QWidget *window);
+    /// The time as ISO 8601 with Z, for what is written.
+    using Clock = std::function<Result<std::string>()>;
+
+    FileActions(
+        Session &session, Clock clock, Prompts &prompts, Preferences &preferences, QWidget *window);
 
     void openCaptures(); ///< asks for files, starts a new job
     void addCaptures(); ///< asks for files, adds their shots to the job
@@ -57,11 +61,14 @@ private:
     void takeRecordings(const CaptureSet &set, bool add);
     void startJob(const ProjectState &state, const QString &path);
     bool saveTo(const QString &path);
+    Result<void> writeResults(const QString &folder);
+    Result<void> writeCertificate(const QString &path);
     bool hasResults();
     void showProblem(const Error &error);
     QString proposedPath(const QString &fileName) const;
 
     Session &m_session;
+    Clock m_clock;
     Prompts &m_prompts;
     Preferences &m_preferences;
     QWidget *m_window;

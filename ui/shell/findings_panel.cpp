@@ -7,7 +7,9 @@
 
 #include <QApplication>
 #include <QClipboard>
+#include <QContextMenuEvent>
 #include <QKeyEvent>
+#include <QMenu>
 
 #include <algorithm>
 
@@ -28,29 +30,51 @@ FindingsPanel::FindingsPanel(QWidget *parent)
     connect(this, &QListWidget::itemActivated, this, &FindingsPanel::request);
 }
 
-void FindingsPanel::setFindings(const Findings &findings)
+void FindingsPanel::setFindings(
+    const Findings &findings, const std::vector<Acknowledgement> &acknowledged)
 {
-    Findings sorted = findings;
+    m_shown = findings;
     std::ranges::stable_sort(
-        sorted, [](const Finding &a, const Finding &b) { return a.severity > b.severity; });
+        m_shown, [](const Finding &a, const Finding &b) { return a.severity > b.severity; });
     clear();
-    for (const Finding &finding : sorted) {
-        auto *item = new QListWidgetItem(findingLine(finding), this);
-        const std::optional<StageId> stage = stageOfFinding(finding.id);
-        item->setData(Qt::UserRole, stage ? static_cast<int>(*stage) : -1);
-        item->setToolTip(tr("Click to go to the stage"));
+    for (const Finding &finding : m_shown) {
+        QString line = findingLine(finding);
+        for (const Acknowledgement &entry : acknowledged)
+            if (entry.finding == finding.id && entry.shot == finding.shot)
+                line += " " + tr("Accepted: %1").arg(QString::fromStdString(entry.reason));
+        addItem(line);
+        item(count() - 1)
+            ->setToolTip(finding.severity == Severity::Caution
+                    ? tr("Click to go to the stage; right click to give a reason")
+                    : tr("Click to go to the stage"));
     }
-    if (findings.empty()) {
-        auto *item = new QListWidgetItem(tr("No findings."), this);
-        item->setFlags(Qt::NoItemFlags);
+    if (m_shown.empty()) {
+        addItem(tr("No findings."));
+        item(0)->setFlags(Qt::NoItemFlags);
     }
 }
 
 void FindingsPanel::request(const QListWidgetItem *item)
 {
-    const int stage = item->data(Qt::UserRole).toInt();
-    if (item->data(Qt::UserRole).isValid() && stage >= 0)
-        emit stageRequested(static_cast<StageId>(stage));
+    const auto position = static_cast<std::size_t>(row(item));
+    if (position >= m_shown.size())
+        return;
+    if (const std::optional<StageId> stage = stageOfFinding(m_shown[position].id))
+        emit stageRequested(*stage);
+}
+
+void FindingsPanel::contextMenuEvent(QContextMenuEvent *event)
+{
+    const int position = row(itemAt(event->pos()));
+    if (position < 0 || position >= static_cast<int>(m_shown.size()))
+        return;
+    const Finding finding = m_shown[static_cast<std::size_t>(position)];
+    if (finding.severity != Severity::Caution)
+        return;
+    QMenu menu(this);
+    menu.addAction(
+        tr("Give a reason..."), this, [this, finding] { emit reasonRequested(finding); });
+    menu.exec(event->globalPos());
 }
 
 void FindingsPanel::keyPressEvent(QKeyEvent *event)

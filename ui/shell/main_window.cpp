@@ -30,6 +30,13 @@
 
 #include <algorithm>
 
+/// A static library's resources are linked in only when asked for; the macro does not work inside a
+/// namespace.
+static void initialiseResources()
+{
+    Q_INIT_RESOURCE(dyncal);
+}
+
 namespace dyncal {
 
 namespace {
@@ -44,19 +51,20 @@ constexpr int kFindingsHeight = 230;
 
 } // namespace
 
-MainWindow::MainWindow(
-    Session::Pipeline pipeline, Preferences &preferences, Prompts &prompts, Language &language)
+MainWindow::MainWindow(Session::Pipeline pipeline, FileActions::Clock clock,
+    Preferences &preferences, Prompts &prompts, Language &language)
     : m_preferences(preferences)
     , m_prompts(prompts)
     , m_language(language)
     , m_session(std::move(pipeline))
-    , m_files(new FileActions(m_session, prompts, preferences, this))
+    , m_files(new FileActions(m_session, std::move(clock), prompts, preferences, this))
     , m_centre(new QStackedWidget(this))
     , m_inspectors(new QStackedWidget(this))
     , m_message(new QLabel(this))
     , m_progress(new QProgressBar(this))
     , m_cancel(new QPushButton(this))
 {
+    initialiseResources();
     setObjectName("mainWindow");
     setAcceptDrops(true);
     setMinimumSize(kSmallestSize);
@@ -67,8 +75,10 @@ MainWindow::MainWindow(
     buildContents();
     resize(kFirstSize);
     restoreGeometry(m_preferences.geometry());
-    if (!restoreState(m_preferences.layout()))
+    if (!restoreState(m_preferences.layout())) {
         resetLayout();
+        m_sizeDocks = true;
+    }
     showStart();
 }
 
@@ -105,9 +115,14 @@ void MainWindow::resetLayout()
     addDockWidget(Qt::LeftDockWidgetArea, m_stagesDock);
     addDockWidget(Qt::RightDockWidgetArea, m_inspectorDock);
     addDockWidget(Qt::RightDockWidgetArea, m_findingsDock);
+    sizeDocks();
+}
+
+void MainWindow::sizeDocks()
+{
     resizeDocks({m_stagesDock, m_inspectorDock}, {kStagesWidth, kInspectorWidth}, Qt::Horizontal);
-    resizeDocks({m_inspectorDock, m_findingsDock},
-        {kFirstSize.height() - kFindingsHeight, kFindingsHeight}, Qt::Vertical);
+    resizeDocks({m_inspectorDock, m_findingsDock}, {height() - kFindingsHeight, kFindingsHeight},
+        Qt::Vertical);
 }
 
 void MainWindow::buildStatusBar()
@@ -141,6 +156,7 @@ void MainWindow::connectSession()
     connect(&m_session, &Session::progress, this, showFraction);
     connect(&m_session, &Session::capturesChanged, this, &MainWindow::showCaptures);
     connect(&m_session, &Session::resultsChanged, this, &MainWindow::showFindings);
+    connect(&m_session, &Session::recipeChanged, this, &MainWindow::showFindings);
     connect(&m_session, &Session::stageStatusChanged, this, &MainWindow::showStatuses);
     connect(&m_session, &Session::stageStatusChanged, this, &MainWindow::showComputing);
     connect(&m_slow, &QTimer::timeout, this, [this] {
@@ -164,6 +180,7 @@ void MainWindow::buildContents()
     m_findings = new FindingsPanel(m_findingsDock);
     m_findingsDock->setWidget(m_findings);
     connect(m_findings, &FindingsPanel::stageRequested, this, &MainWindow::showStage);
+    connect(m_findings, &FindingsPanel::reasonRequested, this, &MainWindow::acknowledge);
     delete m_chips;
     m_chips = new ShotChips(this);
     statusBar()->addWidget(m_chips);
@@ -378,12 +395,27 @@ void MainWindow::showStatuses()
 void MainWindow::showFindings()
 {
     const Findings findings = m_session.findings();
-    m_findings->setFindings(findings);
+    m_findings->setFindings(findings, m_session.recipe().acknowledge);
     const auto count = std::ranges::count_if(
         findings, [](const Finding &finding) { return finding.severity != Severity::Info; });
     m_findingsDock->setWindowTitle(count > 0 ? tr("Findings (%1)").arg(count) : tr("Findings"));
     const auto &prepared = m_session.results().captures;
     m_chips->setShots(prepared ? prepared->set : *m_session.state().captures);
+}
+
+void MainWindow::acknowledge(const Finding &finding)
+{
+    const QString id = QString::fromStdString(finding.id);
+    const std::optional<QString> reason = m_prompts.sentence(this, tr("Reason for %1").arg(id),
+        tr("Why is the result used all the same? The certificate prints the reason."));
+    if (!reason)
+        return;
+    Recipe next = m_session.recipe();
+    std::erase_if(next.acknowledge, [&](const Acknowledgement &entry) {
+        return entry.finding == finding.id && entry.shot == finding.shot;
+    });
+    next.acknowledge.push_back({finding.id, finding.shot, reason->toStdString()});
+    m_session.apply(next, tr("Give a reason for %1").arg(id));
 }
 
 void MainWindow::showCaptures()
@@ -420,6 +452,14 @@ void MainWindow::showComputing()
     m_slow.stop();
     if (!m_files->isBusy() && m_progress->isVisible())
         showIdle({});
+}
+
+void MainWindow::showEvent(QShowEvent *event)
+{
+    QMainWindow::showEvent(event);
+    if (m_sizeDocks)
+        QMetaObject::invokeMethod(this, &MainWindow::sizeDocks, Qt::QueuedConnection);
+    m_sizeDocks = false;
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)

@@ -32,8 +32,8 @@ class MainWindow : public QMainWindow
     Q_OBJECT
 
 public:
-    MainWindow(
-        Session::Pipeline pipeline, Preferences &preferences, Prompts &prompts, Language &language);
+    MainWindow(Session::Pipeline pipeline, FileActions::Clock clock, Preferences &preferences,
+        Prompts &prompts, Language &language);
     ~MainWindow() override;
 
     Session &session() { return m_session; }
@@ -44,6 +44,7 @@ public:
     void showStart();
 
 protected:
+    void showEvent(QShowEvent *event) override;
     void closeEvent(QCloseEvent *event) override;
     void changeEvent(QEvent *event) override;
     void dragEnterEvent(QDragEnterEvent *event) override;
@@ -68,11 +69,13 @@ private:
     void showTitle();
     void showStatuses();
     void showFindings();
+    void acknowledge(const Finding &finding);
     void showCaptures();
     void showBusy(const QString &what);
     void showIdle(const QString &outcome);
     void showComputing();
     void resetLayout();
+    void sizeDocks();
 
     Preferences &m_preferences;
     Prompts &m_prompts;
@@ -94,6 +97,7 @@ private:
     QLabel *m_message;
     QProgressBar *m_progress;
     QPushButton *m_cancel;
+    bool m_sizeDocks = false; ///< sizes count only once the window is laid out
     QTimer m_slow; ///< short computations show no progress bar
 };
 

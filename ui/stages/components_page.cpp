@@ -107,9 +107,9 @@ void ComponentsPage::showResults()
     const auto &components = results().components;
     const auto &window = results().window;
     const auto show = [&](PlotWidget *plot, auto draw) {
-        plot->setContent(components && window ? draw(*components, *window) : PlotContent());
+        plot->setContent(components && window ? draw(*components, *window) : nothingYet());
     };
-    m_explained->setContent(components ? explainedCurves(*components) : PlotContent());
+    m_explained->setContent(components ? explainedCurves(*components) : nothingYet());
     show(m_reconstruction, reconstructionCurves);
     show(m_residual, residualCurves);
     show(m_autocovariance, [](const ComponentResult &result, const WindowResult &responses) {

@@ -51,8 +51,8 @@ void IntervalEdit::setNames(const QString &objectName, const QString &accessible
 void IntervalEdit::set(const Auto<Interval> &setting, const std::optional<Interval> &used)
 {
     m_auto->setChecked(setting.isAuto());
-    m_begin->setEnabled(!setting.isAuto());
-    m_end->setEnabled(!setting.isAuto());
+    m_begin->setShownOnly(setting.isAuto());
+    m_end->setShownOnly(setting.isAuto());
     const std::optional<Interval> shown = setting.value ? setting.value : used;
     if (!shown)
         return;

@@ -95,7 +95,7 @@ void ModelInputPage::showResults()
 {
     const auto &input = results().input;
     m_plot->setContent(
-        input && results().window ? modelInputCurves(*input, *results().window) : PlotContent());
+        input && results().window ? modelInputCurves(*input, *results().window) : nothingYet());
     showSamplesPerPeriod();
     m_length->setText(input && input->sampleRate_Hz > 0.0
             ? shownQuantity(static_cast<double>(input->samples) / input->sampleRate_Hz, "s", 4)

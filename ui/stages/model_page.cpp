@@ -70,13 +70,13 @@ void ModelPage::showResults()
     const auto &input = results().input;
     const auto &response = results().response;
     const auto &window = results().window;
-    const bool data = model && input && window;
-    m_fit->setContent(data ? simulationCurves(*input, *model, *window) : PlotContent());
-    m_error->setContent(data ? errorCurves(*input, *model, *window) : PlotContent());
-    m_magnitude->setContent(response ? bodeMagnitudeCurves(*response) : PlotContent());
-    m_phase->setContent(response ? bodePhaseCurves(*response) : PlotContent());
-    m_poles->setContent(model ? poleZeroCurves(*model) : PlotContent());
-    m_table->setValues(poleHeaders(), model ? poleRows(*model) : QVector<QStringList>());
+    const bool drawn = model && input && window;
+    m_fit->setContent(drawn ? simulationCurves(*input, *model, *window) : nothingYet());
+    m_error->setContent(drawn ? errorCurves(*input, *model, *window) : nothingYet());
+    m_magnitude->setContent(response ? bodeMagnitudeCurves(*response) : nothingYet());
+    m_phase->setContent(response ? bodePhaseCurves(*response) : nothingYet());
+    m_poles->setContent(model ? poleZeroCurves(*model) : nothingYet());
+    m_table->setValues(poleHeaders(PoleColumns::All), poleRows(model.get(), PoleColumns::All));
 
     m_order->setText(model ? QString::number(model->order) : "–");
     m_score->setText(model ? fitText(*model) : "–");

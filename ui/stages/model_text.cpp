@@ -47,27 +47,34 @@ QString fitText(const SensorModel &model)
         .arg(shownNumber(model.fit_percent, 3), attainable);
 }
 
-QStringList poleHeaders()
+QStringList poleHeaders(PoleColumns columns)
 {
+    if (columns == PoleColumns::Few)
+        return {ModelText::tr("Frequency"), ModelText::tr("Damping"), ModelText::tr("Class")};
     return {ModelText::tr("Frequency"), ModelText::tr("u"), ModelText::tr("Damping ratio"),
         ModelText::tr("u"), ModelText::tr("Class"), ModelText::tr("Flags")};
 }
 
-QVector<QStringList> poleRows(const SensorModel &model)
+QVector<QStringList> poleRows(const SensorModel *model, PoleColumns columns)
 {
     QVector<QStringList> rows;
-    for (const Pole &pole : model.poles) {
+    if (!model)
+        return rows;
+    for (const Pole &pole : model->poles) {
         if (pole.z.imag() < 0.0)
             continue; // shown with its conjugate
         QStringList flags;
         for (const std::string &flag : pole.flags)
             flags << QString::fromStdString(flag);
-        rows.push_back(
-            {shownQuantity(pole.frequency_Hz, "Hz", 5), shownQuantity(pole.u_frequency_Hz, "Hz", 2),
-                shownNumber(pole.dampingRatio, 4), shownNumber(pole.u_dampingRatio, 2),
-                classText(pole.poleClass)
-                    + (pole.z.imag() > 0.0 ? ModelText::tr(" (pair)") : QString()),
-                flags.join(", ")});
+        const QString kind = classText(pole.poleClass)
+            + (pole.z.imag() > 0.0 ? ModelText::tr(" (pair)") : QString());
+        const QString frequency = shownQuantity(pole.frequency_Hz, "Hz", 5);
+        const QString damping = shownNumber(pole.dampingRatio, 4);
+        if (columns == PoleColumns::Few)
+            rows.push_back({frequency, damping, kind});
+        else
+            rows.push_back({frequency, shownQuantity(pole.u_frequency_Hz, "Hz", 2), damping,
+                shownNumber(pole.u_dampingRatio, 2), kind, flags.join(", ")});
     }
     return rows;
 }

@@ -212,8 +212,8 @@ void OrderPage::showResults()
     const auto &input = results().input;
     m_values->setContent(decomposition && input ? singularValueCurves(
                              decomposition->hankel, decomposition->suggestion, input->treatment)
-                                                : PlotContent());
-    m_bic->setContent(decomposition ? bicCurves(decomposition->suggestion) : PlotContent());
+                                                : nothingYet());
+    m_bic->setContent(decomposition ? bicCurves(decomposition->suggestion) : nothingYet());
     m_bic->setVisible(decomposition && decomposition->suggestion.bic.size() > 0);
     if (!decomposition)
         m_values->removeLine(kCut);
@@ -221,10 +221,10 @@ void OrderPage::showResults()
     const auto &window = results().window;
     const auto &response = results().response;
     m_fit->setContent(
-        model && input && window ? simulationCurves(*input, *model, *window) : PlotContent());
-    m_bode->setContent(response ? bodeMagnitudeCurves(*response) : PlotContent());
-    m_poles->setContent(model ? poleZeroCurves(*model) : PlotContent());
-    m_table->setValues(poleHeaders(), model ? poleRows(*model) : QVector<QStringList>());
+        model && input && window ? simulationCurves(*input, *model, *window) : nothingYet());
+    m_bode->setContent(response ? bodeMagnitudeCurves(*response) : nothingYet());
+    m_poles->setContent(model ? poleZeroCurves(*model) : nothingYet());
+    m_table->setValues(poleHeaders(PoleColumns::Few), poleRows(model.get(), PoleColumns::Few));
     showReadouts();
 }
 

@@ -44,6 +44,12 @@ void QuantityEdit::setSi(double value)
     setValue(value / m_unit.si);
 }
 
+void QuantityEdit::setShownOnly(bool shownOnly)
+{
+    setReadOnly(shownOnly);
+    setButtonSymbols(shownOnly ? NoButtons : UpDownArrows);
+}
+
 QString QuantityEdit::bare(QString text) const
 {
     text = text.trimmed();
@@ -103,7 +109,7 @@ void AutoEdit::setNames(const QString &objectName, const QString &accessibleName
 void AutoEdit::set(const Auto<double> &setting, std::optional<double> used)
 {
     m_auto->setChecked(setting.isAuto());
-    m_value->setEnabled(!setting.isAuto());
+    m_value->setShownOnly(setting.isAuto());
     if (setting.value)
         m_value->setSi(*setting.value);
     else if (used)
@@ -114,6 +120,7 @@ OptionalEdit::OptionalEdit(const ShownUnit &unit, double lowest, double highest,
     : QWidget(parent)
     , m_text(new QLineEdit(this))
     , m_unit(unit)
+    , m_emptyText(tr("not known"))
     , m_lowest(lowest)
     , m_highest(highest)
 {
@@ -139,9 +146,8 @@ void OptionalEdit::set(const std::optional<double> &value, const std::optional<d
     if (m_text->hasFocus() && m_text->isModified())
         return;
     m_text->setText(value ? shownNumber(*value / m_unit.si, kShownDigits) : QString());
-    m_text->setPlaceholderText(fallback
-            ? tr("%1 (recorded)").arg(shownNumber(*fallback / m_unit.si, 6))
-            : tr("not known"));
+    m_text->setPlaceholderText(
+        fallback ? tr("%1 (recorded)").arg(shownNumber(*fallback / m_unit.si, 6)) : m_emptyText);
 }
 
 /// What cannot be read, or lies outside the range, is not taken: the last good value comes back.

@@ -29,6 +29,8 @@ public:
         QWidget *parent = nullptr);
 
     void setSi(double value); ///< without a signal
+    /// A value that is shown, not asked for: readable and to be copied, without arrows.
+    void setShownOnly(bool shownOnly);
     double si() const { return value() * m_unit.si; }
 
     double valueFromText(const QString &text) const override;
@@ -74,6 +76,8 @@ public:
     OptionalEdit(const ShownUnit &unit, double lowest, double highest, QWidget *parent = nullptr);
 
     void setNames(const QString &objectName, const QString &accessibleName);
+    /// What stands there while nothing is known or typed.
+    void setEmptyText(const QString &text) { m_emptyText = text; }
     /// `fallback` is shown greyed while nothing is typed: what the recording says.
     void set(const std::optional<double> &value, const std::optional<double> &fallback = {});
 
@@ -84,6 +88,7 @@ private:
     void commit();
     class QLineEdit *m_text;
     ShownUnit m_unit;
+    QString m_emptyText;
     double m_lowest;
     double m_highest;
     std::optional<double> m_value;

@@ -83,6 +83,8 @@ void ShockPage::buildReferenceControls()
         new OptionalEdit(kKilopascal, 1e-3, 1e12), &ShockSettings::step_Pa);
     addOptional(m_velocity, tr("Velocity, typed"), "shockVelocity",
         new OptionalEdit({"m/s", 1.0}, 1.0, 1e5), &ShockSettings::velocity_m_s);
+    m_step->setEmptyText(tr("computed"));
+    m_velocity->setEmptyText(tr("measured"));
     m_sideChannel = form->addChoice(tr("Arrival at"), "arrivalChannel",
         {roleText(ChannelRole::DrivenSide), roleText(ChannelRole::Driver),
             roleText(ChannelRole::Trigger)});

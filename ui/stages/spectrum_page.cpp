@@ -31,7 +31,7 @@ Source sourceOf(const SpectrumSettings &settings)
 SpectrumPage::SpectrumPage(Session &session)
     : StagePage(session,
         {"spectrumPage", tr("Spectrum"),
-            tr("Confirm the resonance; click a peak to give it yourself.")},
+            tr("Confirm the resonance. With \"given by me\" a click on a peak takes it.")},
         {StageId::Spectrum})
     , m_plot(makePlot("spectrumPlot", tr("Power spectral density")))
     , m_table(new ValueTable("resonanceTable", tr("Resonances"), this))
@@ -62,6 +62,8 @@ void SpectrumPage::buildInspector()
         tr("Search from"), "resonanceBandBegin", new OptionalEdit({"kHz", 1e3}, 0.0, kHighest_Hz));
     m_bandEnd = form->add(tr("Search to"), "resonanceBandEnd",
         new OptionalEdit({"kHz", 1e3}, kLowest_Hz, kHighest_Hz));
+    for (OptionalEdit *edit : {m_bandBegin, m_bandEnd})
+        edit->setEmptyText(tr("no limit"));
     connect(m_bandBegin, &OptionalEdit::edited, this,
         [this](const std::optional<double> &f_Hz) { setBand(true, f_Hz); });
     connect(m_bandEnd, &OptionalEdit::edited, this,
@@ -122,7 +124,7 @@ void SpectrumPage::showRecipe()
     const auto &found = results().spectrum;
     const Source source = sourceOf(settings);
     m_source->setCurrentIndex(source);
-    m_frequency->setEnabled(source == Given);
+    m_frequency->setShownOnly(source != Given);
     if (source == Given)
         m_frequency->setSi(settings.resonances_Hz.front());
     else if (found && !found->resonances.empty())
@@ -138,13 +140,14 @@ void SpectrumPage::showRecipe()
 void SpectrumPage::showResults()
 {
     const auto &spectrum = results().spectrum;
-    m_plot->setContent(spectrum && results().window ? spectrumCurves(*spectrum, *results().window)
-                                                    : PlotContent());
+    m_plot->setContent(
+        spectrum && results().window ? spectrumCurves(*spectrum, *results().window) : nothingYet());
     QStringList headers{tr("Resonance"), tr("Above background"), tr("Q")};
     QVector<QStringList> rows;
     if (spectrum) {
-        for (std::size_t shot = 0; shot < spectrum->perShot.size(); ++shot)
-            headers << tr("Response %1").arg(shot + 1);
+        if (results().window)
+            for (const WindowedResponse &response : results().window->responses)
+                headers << tr("Shot %1").arg(response.shot);
         for (const Resonance &resonance : spectrum->resonances) {
             QStringList row{shownQuantity(resonance.frequency_Hz, "Hz", 5),
                 shownNumber(resonance.prominence_dB, 3) + " dB", shownNumber(resonance.q, 3)};

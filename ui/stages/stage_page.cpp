@@ -92,6 +92,13 @@ void StagePage::showStatus()
         m_problem->setText(severityGlyph(Severity::Block) + " " + translated(error->message));
 }
 
+PlotContent StagePage::nothingYet()
+{
+    PlotContent content;
+    content.title = tr("Nothing to show yet");
+    return content;
+}
+
 PlotWidget *StagePage::makePlot(const QString &objectName, const QString &accessibleName)
 {
     auto *plot = new PlotWidget(this);

@@ -48,6 +48,7 @@ protected:
     const CalibrationResults &results() const { return m_session.results(); }
     const Recipe &recipe() const { return m_session.recipe(); }
     QVBoxLayout *content() { return m_content; }
+    static PlotContent nothingYet(); ///< an empty plot that says so
     PlotWidget *makePlot(const QString &objectName, const QString &accessibleName);
 
     /// Changes the recipe as one undo step.

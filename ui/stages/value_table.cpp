@@ -8,6 +8,8 @@
 #include <QHeaderView>
 #include <QKeyEvent>
 
+#include <algorithm>
+
 namespace dyncal {
 
 ValueTable::ValueTable(const QString &objectName, const QString &accessibleName, QWidget *parent)
@@ -20,8 +22,6 @@ ValueTable::ValueTable(const QString &objectName, const QString &accessibleName,
     setTabKeyNavigation(false);
     verticalHeader()->hide();
     verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    horizontalHeader()->setStretchLastSection(true);
     horizontalHeader()->setHighlightSections(false);
 }
 
@@ -43,6 +43,24 @@ void ValueTable::setValues(const QStringList &headers, const QVector<QStringList
             setItem(row, column, cell);
         }
     }
+    fitColumns();
+}
+
+void ValueTable::fitColumns()
+{
+    int widest = 0;
+    for (int column = 0; column < columnCount(); ++column)
+        widest = std::max(
+            {widest, sizeHintForColumn(column), horizontalHeader()->sectionSizeHint(column)});
+    horizontalHeader()->setSectionResizeMode(widest * columnCount() < viewport()->width()
+            ? QHeaderView::Stretch
+            : QHeaderView::ResizeToContents);
+}
+
+void ValueTable::resizeEvent(QResizeEvent *event)
+{
+    QTableWidget::resizeEvent(event);
+    fitColumns();
 }
 
 QString ValueTable::selectedText() const

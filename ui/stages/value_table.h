@@ -20,7 +20,12 @@ public:
     QString selectedText() const; ///< the selected cells, or all without a selection
 
 protected:
+    void resizeEvent(QResizeEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    /// Columns share the width when there is enough, and scroll when there is not.
+    void fitColumns();
 };
 
 } // namespace dyncal

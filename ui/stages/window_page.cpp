@@ -257,8 +257,8 @@ void WindowPage::showResults()
 {
     const auto &window = results().window;
     const WindowedResponse *first = firstResponse();
-    m_plot->setContent(first ? windowCurves(*window) : PlotContent());
-    m_detail->setContent(first ? startCurves(*window) : PlotContent());
+    m_plot->setContent(first ? windowCurves(*window) : nothingYet());
+    m_detail->setContent(first ? startCurves(*window) : nothingYet());
     showTable();
     const QSignalBlocker quiet(m_startShot);
     const int chosen = std::max(m_startShot->currentIndex(), 0);

@@ -23,7 +23,7 @@ QString severityGlyph(Severity severity)
 {
     switch (severity) {
     case Severity::Info:
-        return QStringLiteral("ⓘ");
+        return QStringLiteral("○");
     case Severity::Caution:
         return QStringLiteral("▲");
     case Severity::Block:

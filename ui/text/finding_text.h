@@ -11,7 +11,7 @@
 namespace dyncal {
 
 /// Shape and word of a severity or status: never colour alone.
-QString severityGlyph(Severity severity); ///< "i", "▲", "■"
+QString severityGlyph(Severity severity); ///< "○", "▲", "■"
 QString severityWord(Severity severity);
 QString statusGlyph(StageStatus status); ///< "●", "▲", "■", "◌", "–", "⟳"
 QString statusWord(StageStatus status);
