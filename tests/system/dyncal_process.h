@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QString>
+#include <QStringList>
+
+/// What one call of the program answered.
+struct Answer
+{
+    int exitCode = -1;
+    QByteArray out;
+    QByteArray err;
+
+    /// Lines of the diagnostics.
+    QList<QByteArray> complaints() const
+    {
+        QList<QByteArray> lines = err.split('\n');
+        lines.removeAll(QByteArray());
+        return lines;
+    }
+    QJsonObject json() const { return QJsonDocument::fromJson(out).object(); }
+};
+
+/// Calls the built program ($DYNCAL_BINARY) without a display and waits for its end. `extra` are
+/// further environment variables ("NAME=value").
+inline Answer dyncal(const QStringList &arguments, const QStringList &extra = {})
+{
+    constexpr int kLongest_ms = 240000;
+    QProcess process;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char *name : {"DISPLAY", "WAYLAND_DISPLAY", "QT_QPA_PLATFORM", "SOURCE_DATE_EPOCH"})
+        environment.remove(QLatin1String(name));
+    for (const QString &variable : extra)
+        environment.insert(variable.section('=', 0, 0), variable.section('=', 1));
+    process.setProcessEnvironment(environment);
+    process.start(qEnvironmentVariable("DYNCAL_BINARY"), arguments);
+    Answer answer;
+    if (process.waitForFinished(kLongest_ms) && process.exitStatus() == QProcess::NormalExit)
+        answer.exitCode = process.exitCode();
+    answer.out = process.readAllStandardOutput();
+    answer.err = process.readAllStandardError();
+    return answer;
+}
+
+inline QByteArray fileBytes(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+inline QJsonObject fileJson(const QString &path)
+{
+    return QJsonDocument::fromJson(fileBytes(path)).object();
+}
+
+inline bool writeBytes(const QString &path, const QByteArray &bytes)
+{
+    QFile file(path);
+    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
+}

@@ -1,0 +1,228 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tests/system/dyncal_process.h"
+
+#include <QDir>
+#include <QJsonArray>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+
+namespace {
+
+/// The truth of the preset optic3 as the capture states it; damping is known less well than
+/// frequency because it shows in the decay only.
+constexpr double kLargestErrorF0 = 0.001;
+constexpr double kLargestErrorZeta = 0.03;
+
+const QStringList kEpoch{"SOURCE_DATE_EPOCH=1767225600"};
+
+/// The sensor's pole with the largest amplitude above the real axis.
+QJsonObject mainPole(const QJsonObject &results)
+{
+    QJsonObject strongest;
+    for (const QJsonValue &pole : results["model"]["poles"].toArray()) {
+        const bool rings = pole["class"].toString() == "sensor" && pole["im"].toDouble() > 0.0;
+        if (rings && pole["amplitude"].toDouble() > strongest["amplitude"].toDouble())
+            strongest = pole.toObject();
+    }
+    return strongest;
+}
+
+/// A value of the truth table that `simulate` prints, in SI.
+double printedTruth(const QByteArray &table, int column)
+{
+    const QString row = QString::fromUtf8(table).section("\n1     ", 1).section('\n', 0, 0);
+    const QStringList cells = row.split(QRegularExpression(" {2,}"), Qt::SkipEmptyParts);
+    const QString value = cells.value(column).section(' ', 0, 0);
+    const QString unit = cells.value(column).section(' ', 1);
+    const double factor = unit.startsWith('M') ? 1e6 : unit.startsWith('k') ? 1e3 : 1.0;
+    return value.toDouble() * factor;
+}
+
+} // namespace
+
+/// The whole chain on the simulated example: what a lab script sees.
+class TestCalibrationRun : public QObject
+{
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+    QByteArray m_truth;
+    QString path(const char *name) const { return m_folder.filePath(QLatin1String(name)); }
+
+    Answer runExample(const char *output, const QStringList &more = {}) const
+    {
+        return dyncal(QStringList{"run", path("example.h5"), "-o", path(output)} + more, kEpoch);
+    }
+
+private slots:
+    void initTestCase()
+    {
+        const Answer answer
+            = dyncal({"simulate", "-o", path("example.h5"), "--preset", "optic3"}, kEpoch);
+        QCOMPARE(answer.exitCode, 0);
+        m_truth = answer.out;
+    }
+
+    void example_givesTheTruth()
+    {
+        const Answer answer = runExample("first");
+        QVERIFY2(answer.exitCode == 0 || answer.exitCode == 1, answer.err);
+        const QJsonObject results = fileJson(path("first/results.json"));
+        QCOMPARE(results["schema"].toString(), QStringLiteral("dyncal-results/1"));
+        QCOMPARE(results["created_utc"].toString(), QStringLiteral("2026-01-01T00:00:00Z"));
+        QCOMPARE(results["realization"]["suggested_order"].toInt(), 2);
+        QCOMPARE(results["model"]["order"].toInt(), 2);
+        const QJsonObject pole = mainPole(results);
+        const double f0 = printedTruth(m_truth, 1);
+        const double zeta = printedTruth(m_truth, 2);
+        QVERIFY2(f0 > 1e3 && zeta > 0.0, m_truth);
+        QVERIFY2(std::abs(pole["frequency_hz"].toDouble() / f0 - 1.0) < kLargestErrorF0,
+            QByteArray::number(pole["frequency_hz"].toDouble()));
+        QVERIFY2(std::abs(pole["damping_ratio"].toDouble() / zeta - 1.0) < kLargestErrorZeta,
+            QByteArray::number(pole["damping_ratio"].toDouble()));
+    }
+
+    void example_writesEveryFileItNames()
+    {
+        const Answer answer = runExample("files");
+        QVERIFY(answer.exitCode <= 1);
+        const QString written = QString::fromUtf8(answer.out).section("Written:\n", 1);
+        const QStringList lines = written.split('\n', Qt::SkipEmptyParts);
+        QVERIFY2(lines.size() > 3, answer.out);
+        for (const QString &line : lines)
+            QVERIFY2(QFile::exists(line.trimmed()), qPrintable(line));
+        for (const char *name : {"files/results.json", "files/recipe.json", "files/certificate.pdf",
+                 "files/csv/spectrum_shot_001.csv", "files/csv/singular_values.csv",
+                 "files/csv/components.csv", "files/csv/frequency_response.csv"})
+            QVERIFY2(QFile::exists(path(name)), name);
+        QVERIFY(!QDir(path("files/plots")).entryList({"*.svg"}).isEmpty());
+        QVERIFY(fileBytes(path("files/certificate.pdf")).startsWith("%PDF-"));
+        QVERIFY(QDir(path("files")).entryList({"*.part*"}, QDir::Files | QDir::Hidden).isEmpty());
+    }
+
+    void summary_showsTheKeyResults()
+    {
+        const Answer answer = runExample("first");
+        for (const char *label : {"Natural frequency f0", "Damping ratio zeta",
+                 "Plateau sensitivity", "of attainable", "Order", "Findings"})
+            QVERIFY2(answer.out.contains(label), answer.out);
+    }
+
+    void secondRun_isByteIdentical()
+    {
+        QVERIFY(runExample("a").exitCode <= 1);
+        QVERIFY(runExample("b").exitCode <= 1);
+        QVERIFY(!fileBytes(path("a/results.json")).isEmpty());
+        QVERIFY(fileBytes(path("a/results.json")) == fileBytes(path("b/results.json")));
+        const QStringList tables = QDir(path("a/csv")).entryList(QDir::Files);
+        QVERIFY(!tables.isEmpty());
+        for (const QString &name : tables)
+            QVERIFY2(fileBytes(path("a/csv/") + name) == fileBytes(path("b/csv/") + name),
+                qPrintable(name));
+    }
+
+    void recipeAsUsed_repeatsTheRun()
+    {
+        QVERIFY(runExample("a").exitCode <= 1);
+        QVERIFY(runExample("again", {"--recipe", path("a/recipe.json")}).exitCode <= 1);
+        QVERIFY(fileBytes(path("a/results.json")) == fileBytes(path("again/results.json")));
+    }
+
+    void orderAskedFor_isUsedAndTheSuggestionStays()
+    {
+        const Answer answer = runExample("ten", {"--order", "10"});
+        QVERIFY2(answer.exitCode <= 2, answer.err);
+        const QJsonObject results = fileJson(path("ten/results.json"));
+        QCOMPARE(results["model"]["order"].toInt(), 10);
+        QCOMPARE(results["model"]["poles"].toArray().size(), 10);
+        QCOMPARE(results["realization"]["suggested_order"].toInt(), 2);
+        QCOMPARE(results["recipe"]["realization"]["order"].toInt(), 10);
+    }
+
+    void thesisTreatment_countsTheStepAsAState()
+    {
+        QVERIFY(
+            writeBytes(path("thesis.json"), "{\"input\": {\"treatment\": \"step-as-impulse\"}}"));
+        const Answer answer
+            = runExample("thesis", {"--recipe", path("thesis.json"), "--order", "3"});
+        QVERIFY2(answer.exitCode <= 1, answer.err);
+        const QJsonObject results = fileJson(path("thesis/results.json"));
+        QCOMPARE(results["input"]["combine"].toString(), QStringLiteral("pca-average"));
+        QVERIFY(results["model"]["fit_listing_percent"].isDouble());
+        QStringList classes;
+        for (const QJsonValue &pole : results["model"]["poles"].toArray())
+            classes << pole["class"].toString();
+        QCOMPARE(classes.count("step"), 1);
+        QCOMPARE(results["model"]["D"][0][0].toDouble(), 0.0);
+        const double f0 = printedTruth(m_truth, 1);
+        const double found = mainPole(results)["frequency_hz"].toDouble();
+        QVERIFY2(std::abs(found / f0 - 1.0) < 10.0 * kLargestErrorF0, QByteArray::number(found));
+    }
+
+    void noStep_isBlockedAndKeepsWhatThereIs()
+    {
+        QCOMPARE(
+            dyncal({"simulate", "-o", path("nostep.h5"), "--defect", "nostep"}, kEpoch).exitCode,
+            0);
+        const Answer answer = dyncal({"run", path("nostep.h5"), "-o", path("nostep")}, kEpoch);
+        QCOMPARE(answer.exitCode, 2);
+        QVERIFY2(answer.err.contains("CAP-009"), answer.err);
+        const QJsonObject results = fileJson(path("nostep/results.json"));
+        QVERIFY(results["model"].isNull());
+        QVERIFY(!results["model_reason"].toString().isEmpty());
+        QCOMPARE(results["shots"].toArray().size(), 3);
+        QVERIFY(!QFile::exists(path("nostep/certificate.pdf")));
+        bool listed = false;
+        for (const QJsonValue &finding : results["findings"].toArray())
+            listed = listed || finding["id"].toString() == "CAP-009";
+        QVERIFY(listed);
+    }
+
+    void blockedRun_removesTheCertificateOfAnEarlierOne()
+    {
+        QVERIFY(runExample("reused").exitCode <= 1);
+        QVERIFY(QFile::exists(path("reused/certificate.pdf")));
+        QVERIFY(QFile::exists(path("reused/csv/poles.csv")));
+        QCOMPARE(dyncal({"simulate", "-o", path("none.h5"), "--defect", "nostep"}).exitCode, 0);
+        QCOMPARE(dyncal({"run", path("none.h5"), "-o", path("reused")}).exitCode, 2);
+        QVERIFY(!QFile::exists(path("reused/certificate.pdf")));
+        QVERIFY(!QFile::exists(path("reused/csv/poles.csv")));
+        QVERIFY(fileJson(path("reused/results.json"))["model"].isNull());
+    }
+
+    void otherFilesInTheFolder_areLeftAlone()
+    {
+        QVERIFY(QDir().mkpath(path("mixed/csv")));
+        QVERIFY(writeBytes(path("mixed/certificate.pdf.note"), "mine"));
+        QVERIFY(writeBytes(path("mixed/csv/mine.csv"), "mine")); // no earlier run: not ours
+        QVERIFY(runExample("mixed").exitCode <= 1);
+        QCOMPARE(fileBytes(path("mixed/certificate.pdf.note")), QByteArray("mine"));
+        QCOMPARE(fileBytes(path("mixed/csv/mine.csv")), QByteArray("mine"));
+    }
+
+    void folderWithSpacesAndLetters_works()
+    {
+        const QString folder = path("ut å ö/dir");
+        QVERIFY(dyncal({"run", path("example.h5"), "-o", folder}).exitCode <= 1);
+        QVERIFY(QFile::exists(folder + "/results.json"));
+    }
+
+    void locale_changesNoNumber()
+    {
+        QVERIFY(runExample("a").exitCode <= 1);
+        QVERIFY(dyncal({"run", path("example.h5"), "-o", path("locale")},
+                    kEpoch + QStringList{"LC_ALL=sv_SE.UTF-8", "LANG=sv_SE.UTF-8"})
+                    .exitCode
+            <= 1);
+        QVERIFY(fileBytes(path("a/results.json")) == fileBytes(path("locale/results.json")));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCalibrationRun)
+#include "tst_calibration_run.moc"

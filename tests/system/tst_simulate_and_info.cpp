@@ -1,0 +1,141 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tests/system/dyncal_process.h"
+
+#include <QDir>
+#include <QElapsedTimer>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <csignal>
+
+/// Files written by `simulate`, and what `info` says of them.
+class TestSimulateAndInfo : public QObject
+{
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+    QString path(const char *name) const { return m_folder.filePath(QLatin1String(name)); }
+
+    static QStringList small(const QString &output)
+    {
+        return {"simulate", "-o", output, "--sample-rate-hz", "2e7", "--duration-s", "0.005"};
+    }
+
+private slots:
+    void simulate_printsTheTruthOfEveryShot()
+    {
+        const Answer answer = dyncal(small(path("a.h5")) << "--shots"
+                                                         << "low,high");
+        QCOMPARE(answer.exitCode, 0);
+        QVERIFY2(answer.out.startsWith("Wrote " + path("a.h5").toUtf8()), answer.out);
+        QVERIFY2(answer.out.contains("\n1     low ") && answer.out.contains("\n2     high "),
+            answer.out);
+        QVERIFY2(answer.out.contains("Hz"), answer.out);
+        QCOMPARE(answer.err, QByteArray());
+    }
+
+    void simulate_withTheClockSet_isByteIdentical()
+    {
+        const QStringList epoch{"SOURCE_DATE_EPOCH=1767225600"};
+        QCOMPARE(dyncal(small(path("one.h5")), epoch).exitCode, 0);
+        QCOMPARE(dyncal(small(path("two.h5")), epoch).exitCode, 0);
+        QVERIFY(!fileBytes(path("one.h5")).isEmpty());
+        QVERIFY(fileBytes(path("one.h5")) == fileBytes(path("two.h5")));
+        QCOMPARE(dyncal(small(path("three.h5")) << "--seed"
+                                                << "2",
+                     epoch)
+                     .exitCode,
+            0);
+        QVERIFY(fileBytes(path("one.h5")) != fileBytes(path("three.h5")));
+    }
+
+    void simulate_customSensor_saysItsTruth()
+    {
+        const Answer answer = dyncal(small(path("custom.h5")) << "--f0-hz"
+                                                              << "123000"
+                                                              << "--zeta"
+                                                              << "0.05");
+        QCOMPARE(answer.exitCode, 0);
+        QVERIFY2(answer.out.contains("123 kHz") && answer.out.contains("0.05"), answer.out);
+    }
+
+    void simulate_intoAMissingFolder_isRefusedAndLeavesNothing()
+    {
+        const Answer answer = dyncal(small(path("none/a.h5")));
+        QVERIFY(answer.exitCode >= 3);
+        QVERIFY2(answer.err.contains("none/a.h5"), answer.err);
+        QVERIFY(!QDir(path("none")).exists());
+    }
+
+    void simulate_interrupted_leavesNoFile()
+    {
+        QDir().mkpath(path("stopped"));
+        QProcess process;
+        process.start(qEnvironmentVariable("DYNCAL_BINARY"),
+            {"simulate", "-o", path("stopped/big.h5"), "--duration-s", "0.2"});
+        QVERIFY(process.waitForStarted());
+        QTest::qWait(150);
+        if (process.state() == QProcess::NotRunning)
+            QSKIP("The simulation was done before it could be stopped");
+        ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+        QVERIFY(process.waitForFinished(60000));
+        if (process.exitCode() == 0)
+            QSKIP("The simulation was done before it could be stopped");
+        QCOMPARE(process.exitCode(), 130);
+        QCOMPARE(
+            QDir(path("stopped")).entryList(QDir::AllEntries | QDir::NoDotAndDotDot | QDir::Hidden),
+            QStringList());
+    }
+
+    void info_listsShotsAndChannels()
+    {
+        QCOMPARE(dyncal(small(path("info.h5"))).exitCode, 0);
+        const Answer answer = dyncal({"info", path("info.h5")});
+        QVERIFY2(answer.exitCode <= 1, answer.err);
+        QVERIFY2(answer.out.startsWith("info.h5: dyncal-capture, sha256 "), answer.out);
+        QVERIFY2(answer.out.contains("Shot 3"), answer.out);
+        QVERIFY2(answer.out.contains("dut") && answer.out.contains("20 MHz"), answer.out);
+        QVERIFY2(answer.out.contains("100000 samples"), answer.out);
+    }
+
+    void info_asJson_holdsTheSame()
+    {
+        QCOMPARE(dyncal(small(path("json.h5"))).exitCode, 0);
+        const QJsonObject info = dyncal({"info", "--json", path("json.h5")}).json();
+        QCOMPARE(info["schema"].toString(), QStringLiteral("dyncal-info/1"));
+        QCOMPARE(info["files"].toArray().size(), 1);
+        QCOMPARE(info["files"][0]["sha256"].toString().size(), 64);
+        QCOMPARE(info["shots"].toArray().size(), 3);
+        QCOMPARE(info["shots"][2]["shot"].toInt(), 3);
+        QCOMPARE(info["shots"][2]["level"].toString(), QStringLiteral("high"));
+        QStringList roles;
+        for (const QJsonValue &channel : info["shots"][0]["channels"].toArray()) {
+            roles << channel["role"].toString();
+            QCOMPARE(channel["sample_rate_hz"].toDouble(), 2e7);
+            QCOMPARE(channel["samples"].toInt(), 100000);
+            QCOMPARE(channel["duration_s"].toDouble(), 0.005);
+        }
+        QVERIFY2(roles.contains("dut"), qPrintable(roles.join(',')));
+    }
+
+    void info_ofAFolder_takesEveryReadableFileInNaturalOrder()
+    {
+        QDir().mkpath(path("set"));
+        for (const char *name : {"set/shot10.h5", "set/shot2.h5"})
+            QCOMPARE(dyncal(small(path(name)) << "--shots"
+                                              << "low")
+                         .exitCode,
+                0);
+        const QJsonObject info = dyncal({"info", "--json", path("set")}).json();
+        QCOMPARE(info["files"].toArray().size(), 2);
+        QCOMPARE(info["files"][0]["file"].toString(), QStringLiteral("shot2.h5"));
+        QCOMPARE(info["files"][1]["file"].toString(), QStringLiteral("shot10.h5"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSimulateAndInfo)
+#include "tst_simulate_and_info.moc"
