@@ -3,6 +3,7 @@
 
 #include "app/gui_main.h"
 
+#include "app/cli/run_output.h"
 #include "app/clock.h"
 #include "core/base/version.h"
 #include "core/pipeline/pipeline.h"
@@ -10,9 +11,11 @@
 #include "ui/shell/screenshot_tour.h"
 
 #include <QApplication>
+#include <QHashSeed>
 #include <QIcon>
 
 #include <clocale>
+#include <string_view>
 
 namespace dyncal {
 
@@ -35,19 +38,23 @@ void prepareApplication()
 
 int runGui(int argc, char **argv, const std::vector<std::string> &files)
 {
+    const bool tour = argc == 3 && std::string_view(argv[1]) == kTourOption;
+    const QString tourFolder = tour ? QString::fromLocal8Bit(argv[2]) : QString();
+    if (tour && !qEnvironmentVariableIsSet("DISPLAY"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    // What is exported must be the same bytes as from the command line.
+    QHashSeed::setDeterministicGlobalSeed();
     QApplication application(argc, argv);
     prepareApplication();
-    const QStringList arguments = QCoreApplication::arguments();
-    const auto tour = arguments.indexOf(kTourOption);
 
     Preferences preferences;
     Prompts prompts;
     Language language;
-    language.install(tour >= 0 ? QString("en") : preferences.language());
-    MainWindow window(runPipeline, currentUtc, preferences, prompts, language);
+    language.install(tour ? QString("en") : preferences.language());
+    MainWindow window(runPipeline, {currentUtc, writeRun}, preferences, prompts, language);
     window.show();
-    if (tour >= 0)
-        return runScreenshotTour(window, arguments.value(tour + 1)) ? 0 : 5;
+    if (tour)
+        return runScreenshotTour(window, tourFolder) ? 0 : 5;
     QStringList paths;
     for (const std::string &file : files)
         paths << QString::fromStdString(file);

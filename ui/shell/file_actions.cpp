@@ -4,8 +4,6 @@
 #include "ui/shell/file_actions.h"
 
 #include "core/capture/format_registry.h"
-#include "core/pipeline/results_json.h"
-#include "ui/report/report_output.h"
 #include "ui/session/capture_edit.h"
 #include "ui/session/example.h"
 #include "ui/session/project_file.h"
@@ -14,7 +12,6 @@
 #include <QApplication>
 #include <QDir>
 #include <QFileInfo>
-#include <QSaveFile>
 #include <QTemporaryDir>
 
 #include <filesystem>
@@ -46,13 +43,6 @@ QString projectFilter()
     return FileActions::tr("Dyncal projects (*.%1)").arg(kProjectSuffix);
 }
 
-bool writeText(const QString &path, const std::string &text)
-{
-    QSaveFile file(path);
-    const QByteArray bytes = QByteArray::fromStdString(text);
-    return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() && file.commit();
-}
-
 Error notWritten(const QString &path)
 {
     return {ErrorKind::FileUnreadable,
@@ -71,10 +61,10 @@ public:
 } // namespace
 
 FileActions::FileActions(
-    Session &session, Clock clock, Prompts &prompts, Preferences &preferences, QWidget *window)
+    Session &session, Outputs outputs, Prompts &prompts, Preferences &preferences, QWidget *window)
     : QObject(window)
     , m_session(session)
-    , m_clock(std::move(clock))
+    , m_outputs(std::move(outputs))
     , m_prompts(prompts)
     , m_preferences(preferences)
     , m_window(window)
@@ -287,22 +277,14 @@ void FileActions::exportResults()
 
 Result<void> FileActions::writeResults(const QString &folder)
 {
-    const Result<std::string> created = m_clock();
+    const Result<std::string> created = m_outputs.currentUtc();
     if (!created)
         return tl::unexpected(created.error());
     const PipelineOutcome outcome{m_session.results(), m_session.error(), m_session.failedStage()};
-    const QDir target(folder);
-    const std::pair<QString, std::string> texts[] = {
-        {target.filePath("results.json"), resultsJson(outcome, m_session.recipe(), *created)},
-        {target.filePath("recipe.json"), recipeJson(m_session.recipe())},
-    };
-    for (const auto &[path, text] : texts)
-        if (!writeText(path, text))
-            return tl::unexpected(notWritten(path));
-    const auto drawn
-        = writeReport(m_session.results(), m_session.recipe(), *created, folder.toStdString());
-    if (!drawn)
-        return tl::unexpected(drawn.error());
+    const auto written
+        = m_outputs.writeRun(outcome, m_session.recipe(), *created, folder.toStdString());
+    if (!written)
+        return tl::unexpected(written.error());
     return {};
 }
 
@@ -328,13 +310,8 @@ Result<void> FileActions::writeCertificate(const QString &path)
     const QTemporaryDir folder(QFileInfo(path).absolutePath() + "/.dyncal-XXXXXX");
     if (!folder.isValid())
         return tl::unexpected(notWritten(path));
-    const Result<std::string> created = m_clock();
-    if (!created)
-        return tl::unexpected(created.error());
-    const auto drawn = writeReport(
-        m_session.results(), m_session.recipe(), *created, folder.path().toStdString());
-    if (!drawn)
-        return tl::unexpected(drawn.error());
+    if (const Result<void> written = writeResults(folder.path()); !written)
+        return written;
     const std::filesystem::path from = folder.filePath("certificate.pdf").toStdString();
     std::error_code problem;
     std::filesystem::rename(from, path.toStdString(), problem);

@@ -12,6 +12,16 @@
 
 namespace dyncal {
 
+/// What the program gives the window for writing results: the same that the command line uses.
+struct Outputs
+{
+    std::function<Result<std::string>()> currentUtc; ///< ISO 8601 with Z
+    /// Writes results, recipe, certificate, plots and tables into an existing folder.
+    std::function<Result<std::vector<std::string>>(const PipelineOutcome &, const Recipe &,
+        const std::string &createdUtc, const std::string &folder)>
+        writeRun;
+};
+
 /// Opening, saving and exporting: what the File menu does. Reading and writing of data runs in the
 /// background; a failure leaves the job as it was and shows one message.
 class FileActions : public QObject
@@ -19,11 +29,8 @@ class FileActions : public QObject
     Q_OBJECT
 
 public:
-    /// The time as ISO 8601 with Z, for what is written.
-    using Clock = std::function<Result<std::string>()>;
-
-    FileActions(
-        Session &session, Clock clock, Prompts &prompts, Preferences &preferences, QWidget *window);
+    FileActions(Session &session, Outputs outputs, Prompts &prompts, Preferences &preferences,
+        QWidget *window);
 
     void openCaptures(); ///< asks for files, starts a new job
     void addCaptures(); ///< asks for files, adds their shots to the job
@@ -68,7 +75,7 @@ private:
     QString proposedPath(const QString &fileName) const;
 
     Session &m_session;
-    Clock m_clock;
+    Outputs m_outputs;
     Prompts &m_prompts;
     Preferences &m_preferences;
     QWidget *m_window;

@@ -52,7 +52,8 @@ std::optional<double> typedNumber(QString text)
     text = text.trimmed();
     text.replace(',', '.');
     text.replace(QChar(0x2212), '-'); // minus sign
-    return parseNumber(text.toStdString());
+    const std::optional<double> number = parseNumber(text.toStdString());
+    return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 } // namespace dyncal

@@ -16,7 +16,8 @@ QString shownNumber(double value, int digits = 4);
 /// "–" where there is no value.
 QString shownQuantity(const std::optional<double> &value, const QString &unit, int digits = 4);
 
-/// A number as people type it: ',' or '.' as decimal mark, blanks around it. Empty if it is none.
+/// A number as people type it: ',' or '.' as decimal mark, blanks around it. Empty if it is none
+/// or not finite.
 std::optional<double> typedNumber(QString text);
 
 } // namespace dyncal

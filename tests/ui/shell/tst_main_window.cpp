@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/base/atomic_file.h"
+#include "core/pipeline/results_json.h"
 #include "tests/ui/support/sample_results.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/session/project_file.h"
@@ -34,6 +36,18 @@ constexpr int kCapturesRow = 0;
 constexpr int kWindowRow = 2;
 constexpr int kOrderRow = 6;
 
+/// Stands in for the program's writer: results and a certificate.
+Result<std::vector<std::string>> writeSample(const PipelineOutcome &outcome, const Recipe &recipe,
+    const std::string &createdUtc, const std::string &folder)
+{
+    const std::string results = folder + "/results.json";
+    const std::string certificate = folder + "/certificate.pdf";
+    if (!writeFileAtomically(results, resultsJson(outcome, recipe, createdUtc))
+        || !writeFileAtomically(certificate, "%PDF-1.4"))
+        return fail(ErrorKind::FileUnreadable, {"Cannot write %1.", {folder}});
+    return std::vector<std::string>{results, certificate};
+}
+
 /// A window over formula results, with scripted dialogs and its own settings file.
 struct Bench
 {
@@ -48,9 +62,10 @@ struct Bench
         language.install("en");
         prompts.setScripted();
         preferences.setLastFolder(folder.path());
-        const auto clock = [] { return Result<std::string>("2026-01-31T12:00:00Z"); };
+        const Outputs outputs{
+            [] { return Result<std::string>("2026-01-31T12:00:00Z"); }, writeSample};
         window = std::make_unique<MainWindow>(
-            std::move(pipeline), clock, preferences, prompts, language);
+            std::move(pipeline), outputs, preferences, prompts, language);
         window->resize(1400, 900);
         window->show();
     }
@@ -393,7 +408,14 @@ void TestMainWindow::export_results_writesWhatIsOnTheScreen()
     QCOMPARE(json["created_utc"].toString(), QString("2026-01-31T12:00:00Z"));
     QCOMPARE(json["model"]["fit_percent"].toDouble(),
         bench.window->session().results().model->fit_percent);
-    QVERIFY(QFile::exists(folder + "/recipe.json"));
+    const QString certificate = bench.folder.filePath("c1");
+    bench.prompts.setNextFile(certificate);
+    bench.window->files().exportCertificate();
+    QCOMPARE(bench.prompts.shownProblems(), QStringList());
+    QVERIFY(QFile::exists(certificate + ".pdf"));
+    // Nothing half-made stays beside it.
+    QCOMPARE(QDir(bench.folder.path()).entryList({".dyncal*"}, QDir::AllEntries | QDir::Hidden),
+        QStringList());
 }
 
 void TestMainWindow::caution_reasonGiven_isInTheRecipe()
