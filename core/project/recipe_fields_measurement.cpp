@@ -22,6 +22,7 @@ Codec<std::string> role()
     for (const ChannelRole r : {ChannelRole::Dut, ChannelRole::DrivenSide, ChannelRole::Driver,
              ChannelRole::Trigger, ChannelRole::Other})
         words.emplace_back(channelRoleName(r));
+    words.insert(words.end(), {"velocity", "driver_static"}); // older words, as in captures
     return oneOf(words);
 }
 
