@@ -75,6 +75,12 @@ Message noArrivalMessage(const std::string &channel)
         {channel}};
 }
 
+std::string dutName(const Shot &shot)
+{
+    const Channel *dut = shot.channelWithRole(ChannelRole::Dut);
+    return dut != nullptr ? dut->name : "DUT";
+}
+
 /// One sighting per sensor, or the sentence that says which one is missing.
 tl::expected<std::vector<Sighting>, Message> sightings(const CaptureSet &set, const Shot &shot,
     const std::optional<double> &dutArrival_s, const ShockSettings &settings)
@@ -94,7 +100,7 @@ tl::expected<std::vector<Sighting>, Message> sightings(const CaptureSet &set, co
         seen.push_back({sensor.distanceToEndWall_m, sensor.u_distance_m, *time_s, sensor.channel});
     }
     if (dutCounts && dutArrival_s && std::isfinite(*dutArrival_s))
-        seen.push_back({0.0, 0.0, *dutArrival_s, "DUT"});
+        seen.push_back({0.0, 0.0, *dutArrival_s, dutName(shot)});
     return seen;
 }
 

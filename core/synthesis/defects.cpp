@@ -16,8 +16,8 @@ namespace {
 
 constexpr double kPascalPerPsi = 6894.757293168361;
 constexpr double kMountFrequencyRatio = 1.0 / 25.0;
-constexpr double kMountDamping = 5e-4;
-constexpr double kMountWeight = 0.8;
+constexpr double kMountDamping = 1e-4;
+constexpr double kMountWeight = 0.9;
 constexpr Index kInvalidSamples = 3;
 
 constexpr std::array<std::pair<const char *, DefectKind>, 9> kKinds{

@@ -4,44 +4,11 @@
 #include "core/shock/shock_conditions.h"
 
 #include "core/base/number_text.h"
-#include "core/signal/start_detection.h"
 
 #include <QtTest>
 
 #include <algorithm>
 #include <cmath>
-
-// Plain stand-ins for core/signal/start_detection.h: what is tested here is what is made of an
-// arrival, not how it is found.
-namespace dyncal {
-
-Result<DetectedStart> detectStart(const Channel &channel, const JobControl &)
-{
-    constexpr double kThreshold = 0.01;
-    DetectedStart start;
-    start.baseline = physicalValue(channel, channel.samples.at(0));
-    for (Index i = 0; i < channel.samples.size(); ++i) {
-        if (std::abs(physicalValue(channel, channel.samples.at(i)) - start.baseline) > kThreshold) {
-            start.sample = i;
-            start.time_s = channel.timeOf_s(i);
-            return start;
-        }
-    }
-    return fail(ErrorKind::DataBlocked, Message{"no step", {}}, "CAP-009");
-}
-
-std::optional<double> crossingTime_s(const Channel &channel, double level, Index from)
-{
-    for (Index i = from; i + 1 < channel.samples.size(); ++i) {
-        const double a = physicalValue(channel, channel.samples.at(i)) - level;
-        const double b = physicalValue(channel, channel.samples.at(i + 1)) - level;
-        if (a <= 0.0 && b > 0.0)
-            return channel.timeOf_s(i) - a / (b - a) / channel.sampleRate_Hz;
-    }
-    return std::nullopt;
-}
-
-} // namespace dyncal
 
 using namespace dyncal;
 
@@ -364,12 +331,17 @@ void TestShockConditions::quietSideChannel_namedAsMissing()
 void TestShockConditions::swappedChannels_blockWithSentence()
 {
     const std::vector<DutArrival> early{{1, kDutArrival_s - kDistance_m / kVelocity_m_s - 3.1e-4}};
-    const auto result = estimateShockConditions(setWithSide(kVelocity_m_s), early, {});
+    CaptureSet set = setWithSide(kVelocity_m_s);
+    Channel dut;
+    dut.name = "PXI 0";
+    dut.role = ChannelRole::Dut;
+    set.shots[0].channels.push_back(dut);
+    const auto result = estimateShockConditions(set, early, {});
     QVERIFY(!result->shots[0].step_Pa.has_value());
     QCOMPARE(ids(result->findings), QStringList({"SHK-001"}));
     QCOMPARE(result->findings[0].severity, Severity::Block);
     QCOMPARE(english(result->findings[0].message),
-        std::string("The shock reaches 'Driven side' 310 \xC2\xB5s after 'DUT', which is farther "
+        std::string("The shock reaches 'Driven side' 310 \xC2\xB5s after 'PXI 0', which is farther "
                     "down the tube: check whether the two channels are swapped, and their "
                     "distances."));
 }
