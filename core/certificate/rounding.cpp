@@ -13,6 +13,7 @@ namespace dyncal {
 namespace {
 
 constexpr int kUncertaintyDigits = 2;
+constexpr int kExactDigits = 17;
 constexpr std::array<const char *, 9> kPrefixes{"f", "p", "n", "\xC2\xB5", "m", "", "k", "M", "G"};
 constexpr int kUnityPlace = 5;
 
@@ -93,7 +94,12 @@ RoundedValue roundedValue(double value, double u, std::string_view unit)
     const bool known = std::isfinite(u) && u > 0.0;
     const int digits = known ? kUncertaintyDigits : kDigitsWithoutUncertainty;
     const double leading = known ? std::max(std::abs(value), u) : std::abs(value);
-    const Scale scale = chooseScale(leading, kDigitsWithoutUncertainty, unit);
+    int leadingDigits = digits;
+    if (known)
+        leadingDigits += std::clamp(exponentAfterRounding(leading, kExactDigits)
+                - exponentAfterRounding(u, kUncertaintyDigits),
+            0, kExactDigits - kUncertaintyDigits);
+    const Scale scale = chooseScale(leading, leadingDigits, unit);
     const double shown = scaled(value, scale.exponent);
 
     RoundedValue result;

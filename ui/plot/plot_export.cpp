@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "ui/plot/axis_prefix.h"
+#include "ui/plot/qcp_handles.h"
 #include "ui/plot/qcp_scene.h"
 
 #include <QFileInfo>

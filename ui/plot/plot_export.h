@@ -3,11 +3,16 @@
 
 #pragma once
 
-#include "core/base/interval.h"
 #include "ui/plot/plot_content.h"
-#include "ui/plot/qcp_handles.h"
+#include "ui/plot/plot_handle_state.h"
 
 #include <QImage>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+class QPainter;
 
 namespace dyncal {
 

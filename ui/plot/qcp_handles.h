@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "core/base/interval.h"
+#include "ui/plot/plot_handle_state.h"
 #include "ui/plot/plot_theme.h"
 
 #include <qcustomplot.h>
@@ -12,19 +12,6 @@
 #include <vector>
 
 namespace dyncal {
-
-/// A band over x or (`isLine`) a vertical line, as set by the page.
-struct HandleState
-{
-    QString id;
-    QString label;
-    bool isLine = false;
-    Interval x; ///< of a line: begin == end
-    bool movable = true;
-    bool snapToIntegers = false;
-
-    bool operator==(const HandleState &) const = default;
-};
 
 enum class HandlePart { Begin, End, Whole };
 

@@ -12,11 +12,9 @@
 
 namespace dyncal {
 
-/// Draws the certificate and every plot of the results: `directory`/certificate.pdf and
-/// `directory`/plots/*.svg, written through temporary files. Returns the paths written, in the
-/// order in which they are to be shown. `createdUtc` is ISO 8601 with Z; the same arguments give
-/// the same bytes. Needs a QGuiApplication (the offscreen platform will do) and an existing
-/// `directory`. Results that are missing leave out what they would have shown.
+/// Writes certificate.pdf and plots/NN-name.svg into `directory` (made if missing) and returns the
+/// files written, relative to it. Each file appears whole or not at all. Needs a QApplication.
+/// `createdUtc` (ISO 8601 with Z) is printed and makes the bytes reproducible.
 Result<std::vector<std::string>> writeReport(const CalibrationResults &results,
     const Recipe &recipe, const std::string &createdUtc, const std::string &directory);
 

@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/report/certificate_blocks.h"
+
+#include "ui/plot/plot_widget.h"
+#include "ui/text/core_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <numeric>
+
+namespace dyncal {
+
+namespace {
+
+constexpr double kLabelShare = 0.36; ///< of the width, for labels of fields
+constexpr double kCellPadding = 4.0;
+constexpr double kRowPadding = 2.0;
+constexpr double kFigureHeight = 250.0;
+constexpr double kPoleZeroHeight = 330.0;
+constexpr double kPoleZeroWidth = 420.0;
+
+QFont font(int pixels, bool bold = false)
+{
+    QFont made(QStringLiteral("DejaVu Sans"));
+    made.setPixelSize(pixels);
+    made.setBold(bold);
+    // The same advance widths on every screen: a certificate must not depend on one.
+    made.setHintingPreference(QFont::PreferNoHinting);
+    return made;
+}
+
+class BlockMaker
+{
+public:
+    BlockMaker(const CertificateStyle &style, double width, QPaintDevice *device)
+        : m_style(style)
+        , m_width(width)
+        , m_device(device)
+    {
+    }
+
+    FlowBlock text(
+        const QString &words, const QFont &face, const QColor &color, double spaceBefore) const
+    {
+        const FlowText set(words, face, m_width, m_device);
+        FlowBlock block;
+        block.height = set.height();
+        block.spaceBefore = spaceBefore;
+        block.paint = [set, color](QPainter &painter, const QRectF &area) {
+            set.draw(painter, area.topLeft(), color);
+        };
+        return block;
+    }
+
+    FlowBlock heading(const QString &words) const
+    {
+        FlowBlock block = text(words, m_style.heading, m_style.text, 16.0);
+        const double textHeight = block.height;
+        block.height += 4.0;
+        block.keepWithNext = true;
+        block.paint = [paint = block.paint, textHeight, rule = m_style.rule](
+                          QPainter &painter, const QRectF &area) {
+            paint(painter, area);
+            painter.setPen(QPen(rule, 0.7));
+            const double y = area.top() + textHeight + 1.5;
+            painter.drawLine(QPointF(area.left(), y), QPointF(area.right(), y));
+        };
+        return block;
+    }
+
+    FlowBlock field(const CertificateField &field) const
+    {
+        const double labelWidth = kLabelShare * m_width;
+        const FlowText label(translated(field.label), m_style.body, labelWidth - 8.0, m_device);
+        const FlowText value(translated(field.value), field.missing ? m_style.body : m_style.bold,
+            m_width - labelWidth, m_device);
+        FlowBlock block;
+        block.height = std::max(label.height(), value.height()) + kRowPadding;
+        block.paint = [label, value, labelWidth, style = m_style, missing = field.missing](
+                          QPainter &painter, const QRectF &area) {
+            label.draw(painter, area.topLeft(), style.quiet);
+            value.draw(painter, area.topLeft() + QPointF(labelWidth, 0.0),
+                missing ? style.missing : style.text);
+        };
+        return block;
+    }
+
+    void table(const CertificateTable &table, std::vector<FlowBlock> &blocks) const
+    {
+        const std::vector<double> widths = tableWidths(table);
+        if (!table.caption.arguments.empty() || *table.caption.text) {
+            blocks.push_back(text(translated(table.caption), m_style.body, m_style.text, 8.0));
+            blocks.back().keepWithNext = true;
+            blocks.back().height += 3.0;
+        }
+        std::vector<Message> headings;
+        for (const CertificateColumn &column : table.columns)
+            headings.push_back(column.heading);
+        const auto header = std::make_shared<const FlowBlock>(row(table, headings, widths, true));
+        blocks.push_back(*header);
+        blocks.back().keepWithNext = true;
+        for (std::size_t i = 0; i < table.rows.size(); ++i) {
+            FlowBlock block = row(table, table.rows[i], widths, false);
+            block.repeatedHeader = header;
+            // Neither the first nor the last row of a table stands alone on a page.
+            block.keepWithNext = table.rows.size() > 2 && (i == 0 || i + 2 == table.rows.size());
+            blocks.push_back(std::move(block));
+        }
+    }
+
+    FlowBlock figure(const PlotContent &content, const QString &caption) const
+    {
+        PlotContent drawn = content;
+        drawn.title.clear(); // the caption says it
+        const bool square = content.equalAspect;
+        const double width = square ? std::min(m_width, kPoleZeroWidth) : m_width;
+        const double height = square ? kPoleZeroHeight : kFigureHeight;
+        const FlowText words(caption, m_style.body, m_width, m_device);
+        FlowBlock block;
+        block.height = height + 4.0 + words.height();
+        block.spaceBefore = 14.0;
+        block.paint = [drawn, words, width, height, color = m_style.text](
+                          QPainter &painter, const QRectF &area) {
+            const double left = area.left() + 0.5 * (area.width() - width);
+            PlotWidget::paint(painter, QRectF(left, area.top(), width, height), drawn);
+            words.draw(painter, area.topLeft() + QPointF(0.0, height + 4.0), color);
+        };
+        return block;
+    }
+
+private:
+    std::vector<double> tableWidths(const CertificateTable &table) const
+    {
+        std::vector<double> natural(table.columns.size(), 1.0);
+        std::vector<double> least(table.columns.size(), 1.0);
+        const auto include = [&](std::size_t column, const QString &words, const QFont &face) {
+            const double padding = 2.0 * kCellPadding;
+            natural[column] = std::max(
+                natural[column], FlowText::naturalWidth(words, face, m_device) + padding);
+            least[column]
+                = std::max(least[column], FlowText::longestWord(words, face, m_device) + padding);
+        };
+        for (std::size_t c = 0; c < table.columns.size(); ++c) {
+            const QString words = translated(table.columns[c].heading);
+            // Headings may wrap: only their longest word counts as natural.
+            const double word
+                = FlowText::longestWord(words, m_style.tableBold, m_device) + 2.0 * kCellPadding;
+            natural[c] = std::max(natural[c], word);
+            least[c] = std::max(least[c], word);
+            for (const std::vector<Message> &cells : table.rows)
+                include(c, translated(cells[c]), m_style.table);
+        }
+        return columnWidths(natural, least, m_width);
+    }
+
+    FlowBlock row(const CertificateTable &table, const std::vector<Message> &cells,
+        const std::vector<double> &widths, bool isHeader) const
+    {
+        std::vector<FlowText> texts;
+        double height = 0.0;
+        for (std::size_t c = 0; c < cells.size(); ++c) {
+            const Qt::Alignment side = table.columns[c].number ? Qt::AlignRight : Qt::AlignLeft;
+            texts.emplace_back(translated(cells[c]), isHeader ? m_style.tableBold : m_style.table,
+                widths[c] - 2.0 * kCellPadding, m_device, side);
+            height = std::max(height, texts.back().height());
+        }
+        FlowBlock block;
+        block.height = height + 2.0 * kRowPadding;
+        block.paint
+            = [texts, widths, isHeader, style = m_style](QPainter &painter, const QRectF &area) {
+                  if (isHeader)
+                      painter.fillRect(area, style.tableHead);
+                  painter.setPen(QPen(style.rule, isHeader ? 0.8 : 0.3));
+                  painter.drawLine(area.bottomLeft(), area.bottomRight());
+                  double left = area.left();
+                  for (std::size_t c = 0; c < texts.size(); ++c) {
+                      texts[c].draw(painter, QPointF(left + kCellPadding, area.top() + kRowPadding),
+                          style.text);
+                      left += widths[c];
+                  }
+              };
+        return block;
+    }
+
+    const CertificateStyle &m_style;
+    double m_width;
+    QPaintDevice *m_device;
+};
+
+QString reportText(const char *text)
+{
+    return QCoreApplication::translate("Report", text);
+}
+
+void addMissing(const CertificateData &data, const CertificateStyle &style, const BlockMaker &make,
+    std::vector<FlowBlock> &blocks)
+{
+    QStringList labels;
+    for (const Message &label : data.missingFields())
+        labels += translated(label);
+    if (labels.isEmpty())
+        return;
+    blocks.push_back(
+        make.text(QCoreApplication::translate("Report", "To be filled in before issue: %1.")
+                      .arg(labels.join(QStringLiteral(", "))),
+            style.body, style.missing, 6.0));
+}
+
+} // namespace
+
+CertificateStyle::CertificateStyle()
+    : title(font(22, true))
+    , heading(font(14, true))
+    , body(font(12))
+    , bold(font(12, true))
+    , table(font(10))
+    , tableBold(font(10, true))
+    , small(font(10))
+    , mark(font(170, true))
+{
+}
+
+std::vector<double> columnWidths(
+    const std::vector<double> &natural, const std::vector<double> &least, double width)
+{
+    const double naturalSum = std::accumulate(natural.begin(), natural.end(), 0.0);
+    const double leastSum = std::accumulate(least.begin(), least.end(), 0.0);
+    std::vector<double> widths(natural.size());
+    for (std::size_t c = 0; c < widths.size(); ++c) {
+        if (naturalSum <= width)
+            widths[c] = natural[c] * width / naturalSum;
+        else if (leastSum >= width)
+            widths[c] = least[c] * width / leastSum;
+        else
+            widths[c]
+                = least[c] + (natural[c] - least[c]) * (width - leastSum) / (naturalSum - leastSum);
+    }
+    return widths;
+}
+
+std::vector<FlowBlock> certificateBlocks(const CertificateData &data,
+    const std::vector<ReportFigure> &figures, const CertificateStyle &style, double width,
+    QPaintDevice *device)
+{
+    const BlockMaker make(style, width, device);
+    std::vector<FlowBlock> blocks;
+    blocks.push_back(make.text(translated(data.title), style.title, style.text, 0.0));
+    addMissing(data, style, make, blocks);
+    int figureNumber = 0;
+    for (const CertificateSection &section : data.sections) {
+        std::vector<FlowBlock> body;
+        for (const Message &paragraph : section.paragraphs)
+            body.push_back(make.text(translated(paragraph), style.body, style.text, 4.0));
+        for (std::size_t i = 0; i < section.fields.size(); ++i) {
+            body.push_back(make.field(section.fields[i]));
+            body.back().spaceBefore = i == 0 ? 5.0 : 0.0;
+        }
+        for (const CertificateTable &table : section.tables)
+            make.table(table, body);
+        for (const Message &note : section.notes)
+            body.push_back(make.text(translated(note), style.small, style.quiet, 5.0));
+        for (const CertificateFigure &figure : section.figures)
+            if (const PlotContent *content = findFigure(figures, figure.id))
+                body.push_back(make.figure(*content,
+                    reportText(QT_TRANSLATE_NOOP("Report", "Figure %1. %2."))
+                        .arg(++figureNumber)
+                        .arg(translated(figure.caption))));
+        if (body.empty())
+            continue; // a section without content has no heading
+        blocks.push_back(make.heading(translated(section.title)));
+        std::move(body.begin(), body.end(), std::back_inserter(blocks));
+    }
+    blocks.push_back(make.text(QCoreApplication::translate("Report", "End of the certificate"),
+        style.small, style.quiet, 14.0));
+    return blocks;
+}
+
+} // namespace dyncal

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <QByteArray>
+#include <QString>
+
+namespace dyncal {
+
+/// A PDF from QPdfWriter with its dates set to `createdUtc` (ISO 8601 with Z) and its document id
+/// to a hash of the content, so that the same content gives the same bytes. Only fields of the same
+/// length are replaced: the offsets of the file stay right. Qt 6.4 offers no way to set them.
+QByteArray withFixedDates(QByteArray pdf, const QString &createdUtc);
+
+} // namespace dyncal
