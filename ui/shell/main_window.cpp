@@ -354,6 +354,7 @@ void MainWindow::showStart()
 {
     m_centre->setCurrentWidget(m_start);
     m_inspectorDock->setVisible(false);
+    m_findingsDock->setVisible(false);
 }
 
 void MainWindow::showPage(int row)
@@ -363,10 +364,19 @@ void MainWindow::showPage(int row)
     StagePage *page = m_pages[static_cast<std::size_t>(row)];
     m_session.setFocus(*std::ranges::max_element(page->stages()));
     if (m_centre->currentWidget() == m_start)
-        m_inspectorDock->setVisible(true);
+        showInspector();
     m_centre->setCurrentWidget(page);
     m_inspectors->setCurrentIndex(row);
     m_stageList->setCurrentRow(row);
+}
+
+void MainWindow::showInspector()
+{
+    m_inspectorDock->setVisible(true);
+    m_findingsDock->setVisible(true);
+    if (m_sizeDocks)
+        QMetaObject::invokeMethod(this, &MainWindow::sizeDocks, Qt::QueuedConnection);
+    m_sizeDocks = false;
 }
 
 void MainWindow::showStage(StageId stage)
@@ -459,7 +469,6 @@ void MainWindow::showEvent(QShowEvent *event)
     QMainWindow::showEvent(event);
     if (m_sizeDocks)
         QMetaObject::invokeMethod(this, &MainWindow::sizeDocks, Qt::QueuedConnection);
-    m_sizeDocks = false;
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)
@@ -468,6 +477,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
         event->ignore();
         return;
     }
+    showInspector(); // the layout of work is kept, not that of the start page
     m_preferences.setWindow(saveGeometry(), saveState());
     event->accept();
 }

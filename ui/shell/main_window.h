@@ -76,6 +76,7 @@ private:
     void showComputing();
     void resetLayout();
     void sizeDocks();
+    void showInspector();
 
     Preferences &m_preferences;
     Prompts &m_prompts;

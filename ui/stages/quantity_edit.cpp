@@ -54,9 +54,12 @@ QString QuantityEdit::bare(QString text) const
 {
     text = text.trimmed();
     const QString unit = suffix().trimmed();
-    if (!unit.isEmpty() && text.endsWith(unit))
+    // Twice, when a number with unit is pasted over the number before the unit.
+    while (!unit.isEmpty() && text.endsWith(unit)) {
         text.chop(unit.size());
-    return text.trimmed();
+        text = text.trimmed();
+    }
+    return text;
 }
 
 double QuantityEdit::valueFromText(const QString &text) const
