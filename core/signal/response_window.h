@@ -41,8 +41,9 @@ struct WindowedResponse
     double settled = 0.0; ///< mean of the settle band (impulse treatment: 0)
     double settleSlope_per_s = 0.0;
     double step = 0.0; ///< settled - baseline (impulse treatment: peak excursion, signed)
-    double noiseSd = 0.0; ///< sd about the baseline's line, in `unit`
-    double snr_dB = 0.0; ///< 20 log10(|step| / noiseSd)
+    double noiseSd = 0.0; ///< sd about the baseline's line, at least that of the converter's codes
+                          ///< (code/sqrt(12)), in `unit`; 0 = not known (nothing subtracted)
+    double snr_dB = 0.0; ///< 20 log10(|step| / noiseSd); infinite where noiseSd is 0
 
     double valueScale = 1.0; ///< physical = baseline + valueScale * value; the step if remapped
     Eigen::VectorXd values; ///< from the begin of the baseline (or earlier) past the window's end
@@ -50,6 +51,7 @@ struct WindowedResponse
     Index length = 0; ///< samples of the window proper: values[lead .. lead + length)
     Eigen::VectorXd noise; ///< pre-trigger noise in the units of `values`, detrended
 
+    /// Empty below 20 dB SNR; overshoot and settling also below 38 dB, where noise decides them.
     std::optional<double> riseTime_s; ///< 10-90 % of the step, first crossings, interpolated
     std::optional<double> overshoot_percent;
     std::optional<double> settlingTime_s; ///< last entry into +-5 % of the plateau
@@ -73,10 +75,13 @@ struct WindowContext
 };
 
 /// Cuts the response of every included shot (thesis 3.7 step 2): start, baseline, window, settle
-/// band, remap to 0..1. Rules of each "auto": docs/recipe.md. Fails (DataBlocked) with the
-/// finding's id on CAP-006 (invalid samples inside), CAP-007 (saturated inside), CAP-009 (no
-/// step), WIN-002 (baseline over the step), and on a window that leaves the record. A shot whose
-/// baseline is not at rest is reported (CAP-020, block) and not used; if none is left, it fails.
+/// band, remap to 0..1. Rules of each "auto": docs/method/window.md. Fails (DataBlocked) with the
+/// finding's id on CAP-002 (no DUT), CAP-006 (invalid samples inside), CAP-007 (saturated inside),
+/// CAP-009 (no step), WIN-002 (baseline over the step or too short), and on a window that leaves
+/// the record; all errors carry the shot. A shot whose baseline is not at rest is reported
+/// (CAP-020, block) and not used; if none is left, it fails. Findings: CAP-007 (caution, rails
+/// unknown), CAP-012, CAP-014, CAP-020, WIN-001, WIN-003, WIN-004, WIN-006. Drifts are percent of
+/// the step per ms.
 Result<WindowResult> cutWindows(const CaptureSet &set, const WindowSettings &settings,
     const WindowContext &context, const JobControl &control = {});
 

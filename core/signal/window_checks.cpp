@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/signal/window_checks.h"
+
+#include "core/base/number_text.h"
+#include "core/signal/level_statistics.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace dyncal {
+namespace {
+
+constexpr Index kLeastRun = 3;
+constexpr Index kLongRun = 16;
+constexpr double kJumpShare = 0.01; ///< of the range of the window
+constexpr double kJumpSigmas = 6.0;
+constexpr double kLeastCodes = 64.0;
+constexpr double kSettleDrift_per_ms = 0.01; ///< of the step
+constexpr double kBaselineDrift_per_ms = 0.005;
+constexpr double kSlopeSigmas = 3.0; ///< a slope that noise alone explains is none
+constexpr double kLeastSnr_dB = 20.0;
+constexpr double kMilli = 1e-3;
+
+/// Calls `visit(begin, count)` for every run of at least kLeastRun samples that `isAt` accepts,
+/// until it returns true.
+template <typename Test, typename Visit>
+void forEachRun(Index size, const Test &isAt, const Visit &visit)
+{
+    for (Index begin = 0; begin < size;) {
+        Index end = begin;
+        while (end < size && isAt(end))
+            ++end;
+        if (end - begin >= kLeastRun && visit(begin, end - begin))
+            return;
+        begin = std::max(end, begin + 1);
+    }
+}
+
+std::string shotText(const WindowedResponse &response)
+{
+    return std::to_string(response.shot);
+}
+
+Finding finding(
+    const char *id, const WindowedResponse &response, Message message, double value, double limit)
+{
+    return {id, Severity::Caution, response.shot, response.channel, std::nullopt,
+        std::move(message), value, limit};
+}
+
+/// Standard uncertainty of a fitted slope per second, for white noise over `band`.
+double slopeUncertainty_per_s(const WindowedResponse &response, const Interval &band)
+{
+    const double n = std::max(band.length() * response.sampleRate_Hz, 2.0);
+    return response.noiseSd * std::sqrt(12.0 / (n * n * n)) * response.sampleRate_Hz;
+}
+
+std::optional<Finding> driftFinding(const char *id, const char *text,
+    const WindowedResponse &response, double slope_per_s, const Interval &band, double limit_per_ms)
+{
+    const double drift_per_ms = std::abs(slope_per_s * kMilli / response.step);
+    if (drift_per_ms <= limit_per_ms
+        || std::abs(slope_per_s) <= kSlopeSigmas * slopeUncertainty_per_s(response, band))
+        return std::nullopt;
+    const double half_percent = 50.0 * std::abs(slope_per_s * band.length() / response.step);
+    return finding(id, response,
+        {text,
+            {shotText(response), numberText(100.0 * drift_per_ms, 2), numberText(half_percent, 2)}},
+        100.0 * drift_per_ms, 100.0 * limit_per_ms);
+}
+
+/// FIT that a perfect model of this window would score, in percent.
+double attainableFit_percent(const WindowedResponse &response)
+{
+    const auto window = response.window();
+    const double spread = std::sqrt((window.array() - window.mean()).square().mean());
+    const double noise = std::abs(response.noiseSd / response.valueScale);
+    return 100.0 * std::clamp(1.0 - noise / spread, 0.0, 1.0);
+}
+
+Finding saturationFinding(const WindowedResponse &response, const SaturatedRun &run)
+{
+    const double begin_s
+        = response.start_s + static_cast<double>(run.begin) / response.sampleRate_Hz;
+    Finding result = finding("CAP-007", response,
+        {DYNCAL_TEXT("core",
+             "Shot %1: %2 samples in a row at %3 are equal and the extreme of the window; the "
+             "record may be saturated there."),
+            {shotText(response), std::to_string(run.count), numberWithUnit(begin_s, "s", 6)}},
+        static_cast<double>(run.count), static_cast<double>(kLeastRun));
+    result.time_s = begin_s;
+    return result;
+}
+
+void addStepFindings(const WindowedResponse &response, Findings &findings)
+{
+    if (response.step < 0.0)
+        findings.push_back(finding("CAP-012", response,
+            {DYNCAL_TEXT("core",
+                 "Shot %1: the step is negative (%2); set import.polarity to -1 if "
+                 "the sensor is inverted."),
+                {shotText(response), numberWithUnit(response.step, response.unit)}},
+            response.step, 0.0));
+    const char *text = DYNCAL_TEXT("core",
+        "Shot %1: the settling level still drifts %2 % of the step per ms; the level depends by "
+        "+-%3 % on where the settle band lies.");
+    if (auto drift = driftFinding("WIN-003", text, response, response.settleSlope_per_s,
+            response.settle_s, kSettleDrift_per_ms))
+        findings.push_back(std::move(*drift));
+}
+
+} // namespace
+
+std::optional<Error> unusableSamples(const Channel &channel, Index shot, const WindowBands &bands)
+{
+    SampleRange joined = bands.window;
+    if (bands.baseline.size() > 0 && bands.baseline.end <= bands.window.begin)
+        joined.begin = bands.baseline.begin;
+    for (const SampleRange &range : {joined, bands.baseline}) {
+        const Eigen::VectorXd values = physicalValues(channel, range.begin, range.size());
+        const auto invalid = std::find_if(
+            values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
+        if (invalid == values.end())
+            continue;
+        const Index sample = range.begin + (invalid - values.begin());
+        return Error{ErrorKind::DataBlocked,
+            {DYNCAL_TEXT("core",
+                 "Shot %1, channel %2: invalid sample %3 at %4, inside the response window or its "
+                 "baseline; exclude the shot or set import.interpolate_invalid."),
+                {std::to_string(shot), channel.name, std::to_string(sample),
+                    numberWithUnit(channel.timeOf_s(sample), "s", 6)}},
+            "CAP-006", shot};
+    }
+    for (const SampleRange &range : {bands.window, bands.baseline}) {
+        if (const auto run = runAtRail(channel, range))
+            return Error{ErrorKind::DataBlocked,
+                {DYNCAL_TEXT("core",
+                     "Shot %1, channel %2 is saturated for %3 samples from %4 on, inside the "
+                     "response window or its baseline; the shot cannot be used: exclude it."),
+                    {std::to_string(shot), channel.name, std::to_string(run->count),
+                        numberWithUnit(channel.timeOf_s(run->begin), "s", 6)}},
+                "CAP-007", shot};
+    }
+    return std::nullopt;
+}
+
+std::optional<SaturatedRun> runAtRail(const Channel &channel, const SampleRange &range)
+{
+    std::optional<SaturatedRun> result;
+    for (const bool top : {true, false}) {
+        const std::optional<double> rail = top ? channel.adcMax : channel.adcMin;
+        if (!rail || result)
+            continue;
+        const auto isAt = [&](Index i) {
+            const double raw = channel.samples.at(range.begin + i);
+            return top ? raw >= *rail : raw <= *rail;
+        };
+        forEachRun(range.size(), isAt, [&](Index begin, Index count) {
+            result = SaturatedRun{range.begin + begin, count};
+            return true;
+        });
+    }
+    return result;
+}
+
+std::optional<SaturatedRun> runAtExtreme(
+    const Eigen::Ref<const Eigen::VectorXd> &values, double noiseSd, double codeSize)
+{
+    std::optional<SaturatedRun> result;
+    if (values.size() == 0)
+        return result;
+    const double highest = values.maxCoeff(), lowest = values.minCoeff();
+    const double leastJump = std::max(kJumpShare * (highest - lowest), kJumpSigmas * noiseSd);
+    for (const double extreme : {highest, lowest}) {
+        const auto isAt = [&](Index i) { return values[i] == extreme; };
+        forEachRun(values.size(), isAt, [&](Index begin, Index count) {
+            const Index end = begin + count;
+            const double in = begin > 0 ? std::abs(values[begin - 1] - extreme) : 0.0;
+            const double out = end < values.size() ? std::abs(values[end] - extreme) : 0.0;
+            const bool jumps = std::max(in, out) > leastJump;
+            const bool tooStill = count >= kLongRun && noiseSd > 0.5 * codeSize;
+            if ((jumps || tooStill) && (!result || count > result->count))
+                result = SaturatedRun{begin, count};
+            return false;
+        });
+    }
+    return result;
+}
+
+Findings windowFindings(const Channel &channel, const WindowedResponse &response,
+    ResponseTreatment treatment, std::optional<double> plateau_s)
+{
+    Findings findings;
+    const double code = countSize(channel, channel.samples.at(response.startSample));
+    if (!channel.adcMin && !channel.adcMax) {
+        const double scale = std::abs(response.valueScale);
+        if (const auto run
+            = runAtExtreme(response.window(), response.noiseSd / scale, code / scale))
+            findings.push_back(saturationFinding(response, *run));
+    }
+    if (isStepTreatment(treatment))
+        addStepFindings(response, findings);
+    if (code > 0.0 && std::abs(response.step) < kLeastCodes * code)
+        findings.push_back(finding("CAP-014", response,
+            {DYNCAL_TEXT("core",
+                 "Shot %1: the step uses %2 codes of the converter; quantisation limits the "
+                 "result."),
+                {shotText(response), numberText(std::abs(response.step) / code, 3)}},
+            std::abs(response.step) / code, kLeastCodes));
+    if (plateau_s && response.end_s > *plateau_s)
+        findings.push_back(finding("WIN-001", response,
+            {DYNCAL_TEXT("core",
+                 "Shot %1: the window ends %2 after the computed end of the plateau, %3 behind the "
+                 "start; move window.end_s."),
+                {shotText(response), numberWithUnit(response.end_s - *plateau_s, "s", 3),
+                    numberWithUnit(*plateau_s, "s", 4)}},
+            response.end_s, *plateau_s));
+    const char *text = DYNCAL_TEXT(
+        "core", "Shot %1: the baseline drifts %2 % of the step per ms, +-%3 % over the band.");
+    if (auto drift = driftFinding("WIN-004", text, response, response.baselineSlope_per_s,
+            response.baseline_s, kBaselineDrift_per_ms))
+        findings.push_back(std::move(*drift));
+    if (response.snr_dB < kLeastSnr_dB)
+        findings.push_back(finding("WIN-006", response,
+            {DYNCAL_TEXT("core",
+                 "Shot %1: SNR %2 dB; even a perfect model would score a FIT of about %3 %."),
+                {shotText(response), numberText(response.snr_dB, 3),
+                    numberText(attainableFit_percent(response), 2)}},
+            response.snr_dB, kLeastSnr_dB));
+    return findings;
+}
+
+} // namespace dyncal
