@@ -7,6 +7,9 @@
 
 #include <Eigen/Core>
 
+#include <complex>
+#include <vector>
+
 namespace dyncal {
 
 /// x(k+1) = A x(k) + B u(k), y(k) = C x(k) + D u(k), sampled every `sampleInterval_s` (eq 3.23).
@@ -20,5 +23,15 @@ struct StateSpaceModel
 
     Index order() const { return A.rows(); }
 };
+
+/// Real block-diagonal realisation of D + sum r_i / (z - p_i); poles paired as by pairedPoles().
+StateSpaceModel modalStateSpace(const std::vector<std::complex<double>> &poles,
+    const Eigen::VectorXcd &residues, double feedthrough, double sampleInterval_s);
+
+/// D, CB, CAB, ...: `count` values (thesis appendix D calls this dimpulse).
+Eigen::VectorXd impulseResponse(const StateSpaceModel &model, Index count);
+
+/// Finite zeros of C (zI - A)^-1 B + D; those further out than 1e6 are numerical infinities.
+std::vector<std::complex<double>> transmissionZeros(const StateSpaceModel &model);
 
 } // namespace dyncal

@@ -1,0 +1,109 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/realization/exponential_sum.h"
+
+#include "core/base/svd.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+
+double ExponentialSum::derivative(double t_s, int k) const
+{
+    std::complex<double> sum = k == 0 ? constant : 0.0;
+    for (Index i = 0; i < rates_rad_s.size(); ++i) {
+        std::complex<double> term = amplitudes[i] * std::exp(rates_rad_s[i] * t_s);
+        for (int d = 0; d < k; ++d)
+            term *= rates_rad_s[i];
+        sum += term;
+    }
+    return sum.real();
+}
+
+std::vector<std::complex<double>> pairedPoles(const Eigen::VectorXcd &eigenvalues)
+{
+    std::vector<std::complex<double>> upper;
+    for (const std::complex<double> &z : eigenvalues) {
+        if (z.imag() >= 0.0)
+            upper.push_back(z);
+    }
+    std::sort(upper.begin(), upper.end(), [](const auto &a, const auto &b) {
+        const double left = std::abs(std::arg(a));
+        const double right = std::abs(std::arg(b));
+        return left != right ? left < right : std::abs(a) < std::abs(b);
+    });
+    std::vector<std::complex<double>> poles;
+    for (const std::complex<double> &z : upper) {
+        poles.push_back(z);
+        if (z.imag() > 0.0)
+            poles.push_back(std::conj(z));
+    }
+    return poles;
+}
+
+bool isUpperOfPair(const std::vector<std::complex<double>> &poles, std::size_t i)
+{
+    return poles[i].imag() > 0.0;
+}
+
+Eigen::MatrixXd exponentialBasis(const std::vector<std::complex<double>> &poles, Index count,
+    bool withConstant, Eigen::VectorXd *scales)
+{
+    const Index n = static_cast<Index>(poles.size());
+    Eigen::MatrixXd basis(count, n + (withConstant ? 1 : 0));
+    Eigen::VectorXd divisors = Eigen::VectorXd::Ones(basis.cols());
+    for (Index i = 0; i < n; ++i) {
+        const std::complex<double> p = poles[static_cast<std::size_t>(i)];
+        // Growing exponentials are written backwards from 1 at the last sample: no overflow.
+        const double magnitude = std::abs(p);
+        const bool grows = magnitude > 1.0;
+        const double log_p = magnitude > 0.0 ? std::log(magnitude) : 0.0;
+        if (grows)
+            divisors[i] = std::exp(std::min(700.0, log_p * static_cast<double>(count - 1)));
+        for (Index k = 0; k < count; ++k) {
+            const double power = static_cast<double>(grows ? k - (count - 1) : k);
+            const double envelope
+                = magnitude > 0.0 ? std::exp(log_p * power) : (k == 0 ? 1.0 : 0.0);
+            const double angle = std::arg(p) * static_cast<double>(k);
+            if (p.imag() >= 0.0)
+                basis(k, i) = envelope * std::cos(angle);
+            else
+                basis(k, i) = -envelope * std::sin(-angle);
+        }
+    }
+    if (withConstant)
+        basis.rightCols(1).setOnes();
+    if (scales)
+        *scales = divisors;
+    return basis;
+}
+
+AmplitudeFit fitAmplitudes(const Eigen::VectorXd &y,
+    const std::vector<std::complex<double>> &poles, bool withConstant)
+{
+    Eigen::VectorXd scales;
+    const Eigen::MatrixXd basis = exponentialBasis(poles, y.size(), withConstant, &scales);
+    const Eigen::VectorXd x = leastSquares(basis, y);
+
+    AmplitudeFit fit;
+    fit.fitted = basis * x;
+    const Index n = static_cast<Index>(poles.size());
+    fit.constant = withConstant ? x[n] : 0.0;
+    fit.amplitudes.resize(n);
+    for (Index i = 0; i < n; ++i) {
+        if (isUpperOfPair(poles, static_cast<std::size_t>(i))) {
+            // a cos + b (-sin) = 2 Re(c e^(j angle)) with c = (a + j b) / 2
+            const std::complex<double> c(x[i] / scales[i] / 2.0, x[i + 1] / scales[i + 1] / 2.0);
+            fit.amplitudes[i] = c;
+            fit.amplitudes[i + 1] = std::conj(c);
+            ++i;
+        } else {
+            fit.amplitudes[i] = x[i] / scales[i];
+        }
+    }
+    return fit;
+}
+
+} // namespace dyncal

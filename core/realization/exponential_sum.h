@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/index.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <vector>
+
+namespace dyncal {
+
+/// y(t) = c0 + sum c_i e^(s_i t): the form in which all results are kept (identification.md 2.2).
+/// `rates` come in exact conjugate pairs (upper half first) or real; amplitudes likewise.
+struct ExponentialSum
+{
+    double constant = 0.0;          ///< c0
+    Eigen::VectorXcd rates_rad_s;   ///< s_i
+    Eigen::VectorXcd amplitudes;    ///< c_i
+
+    /// Value of the k-th derivative at time t (k = 0: the value itself).
+    double derivative(double t_s, int k) const;
+    double value(double t_s) const { return derivative(t_s, 0); }
+};
+
+/// Sorted so that pairs are adjacent with the upper half first, then made exact: conjugates equal,
+/// lone values real. Input: eigenvalues of a real matrix in any order. Order: by |arg|, then |z|.
+std::vector<std::complex<double>> pairedPoles(const Eigen::VectorXcd &eigenvalues);
+
+/// True where pole i is the upper half of a conjugate pair (then i + 1 is the lower).
+bool isUpperOfPair(const std::vector<std::complex<double>> &poles, std::size_t i);
+
+/// Real basis of sum c_i p_i^k for k = 0..count-1: columns |p|^k cos, |p|^k sin for pairs, p^k for
+/// real poles (sign kept); the last column is 1 when `withConstant`. Columns are scaled to largest
+/// value 1; `scales` receives the divisors.
+Eigen::MatrixXd exponentialBasis(const std::vector<std::complex<double>> &poles, Index count,
+    bool withConstant, Eigen::VectorXd *scales = nullptr);
+
+/// Least-squares amplitudes of `y_k = c0 + sum c_i p_i^k`, k = 0.. (eq in identification.md 2.2).
+struct AmplitudeFit
+{
+    double constant = 0.0;
+    Eigen::VectorXcd amplitudes;
+    Eigen::VectorXd fitted;
+};
+AmplitudeFit fitAmplitudes(const Eigen::VectorXd &y,
+    const std::vector<std::complex<double>> &poles, bool withConstant);
+
+} // namespace dyncal

@@ -1,0 +1,201 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/realization/hankel_decomposition.h"
+
+#include "core/base/number_text.h"
+#include "core/base/svd.h"
+#include "core/realization/hankel_operator.h"
+#include "core/realization/lanczos.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+namespace {
+
+/// Beyond this many rows the dense decomposition takes more than about 0.2 s.
+constexpr Index kDenseRows = 260;
+
+struct Shape
+{
+    Index rows = 0;
+    std::vector<Index> columns; ///< per series
+    Index kept = 0;             ///< singular values wanted
+};
+
+bool isThesis(const ModelInput &input)
+{
+    return input.treatment == ResponseTreatment::StepAsImpulse;
+}
+
+Result<Shape> chooseShape(const ModelInput &input, const RealizationSettings &settings)
+{
+    Shape shape;
+    const Index length = input.treatment == ResponseTreatment::Differenced ? input.samples - 1
+                                                                          : input.samples;
+    shape.rows = settings.rows.value.value_or(length / 2 - 1);
+    if (shape.rows < 2 || shape.rows > length - 2) {
+        return fail(ErrorKind::Usage,
+            Message{DYNCAL_TEXT("core",
+                        "Hankel matrix: %1 rows do not fit a model input of %2 samples; choose 2 to "
+                        "%3."),
+                {std::to_string(shape.rows), std::to_string(length), std::to_string(length - 2)}});
+    }
+    Index total = 0;
+    for (std::size_t i = 0; i < input.series.size(); ++i) {
+        // The listing's matrix is square and leaves the last samples of the series out.
+        shape.columns.push_back(isThesis(input) && settings.rows.isAuto() ? shape.rows
+                : isThesis(input) ? length - shape.rows
+                                  : length - shape.rows + 1);
+        total += shape.columns.back();
+    }
+    shape.kept = std::min({settings.maxOrder, shape.rows, total});
+    return shape;
+}
+
+std::vector<HankelOperator> operators(const ModelInput &input, const Shape &shape,
+    const std::vector<double> &weights, bool projectOnes)
+{
+    std::vector<HankelOperator> list;
+    list.reserve(input.series.size());
+    for (std::size_t i = 0; i < input.series.size(); ++i) {
+        list.emplace_back(hankelSequence(input.series[i], input.treatment, weights[i]), shape.rows,
+            shape.columns[i], projectOnes);
+    }
+    return list;
+}
+
+/// What the thesis's formulas need beside U and the singular values (eq 3.22).
+void keepThesisParts(const Eigen::VectorXd &y, const Shape &shape, const Eigen::MatrixXd &right,
+    HankelDecomposition &result)
+{
+    const HankelOperator shifted(y.tail(y.size() - 1), shape.rows, shape.columns.front(), false);
+    Eigen::MatrixXd product(shape.rows, right.cols());
+    for (Index k = 0; k < right.cols(); ++k)
+        product.col(k) = shifted.times(right.col(k));
+    result.shiftedCore = result.leftVectors.transpose() * product;
+    result.firstRightRow = right.row(0);
+}
+
+Eigen::MatrixXd decomposeDense(const std::vector<HankelOperator> &blocks, const Shape &shape,
+    HankelDecomposition &result)
+{
+    Eigen::MatrixXd matrix(shape.rows, result.columns);
+    Index column = 0;
+    for (const HankelOperator &block : blocks) {
+        matrix.middleCols(column, block.columns()) = block.dense();
+        column += block.columns();
+    }
+    const ThinSvd svd = thinSvd(matrix);
+    result.singularValues = svd.singularValues.head(shape.kept);
+    result.leftVectors = svd.left.leftCols(shape.kept);
+    result.method = "dense";
+    return svd.right.leftCols(shape.kept);
+}
+
+Result<Eigen::MatrixXd> decomposeLanczos(const std::vector<HankelOperator> &blocks,
+    const Shape &shape, HankelDecomposition &result, const JobControl &control)
+{
+    auto triplets = leadingTriplets(blocks, shape.kept, control);
+    if (!triplets)
+        return tl::unexpected(triplets.error());
+    result.singularValues = triplets->singularValues;
+    result.leftVectors = std::move(triplets->left);
+    result.method = "lanczos";
+    return std::move(triplets->right);
+}
+
+/// Largest singular value of matrices of the same shape built from the pre-trigger noise: the 95 %
+/// point of the draws the noise record allows; with too short a record 0.75 sqrt(2 m ln m) of unit
+/// noise (identification.md 4; the Marchenko-Pastur edge does not hold for Hankel matrices).
+double noiseFloor(const ModelInput &input, const Shape &shape, const HankelDecomposition &result)
+{
+    constexpr Index kDraws = 12;
+    const Index length = shape.rows + shape.columns.front() - 1;
+    std::vector<double> tops;
+    for (Index draw = 0; draw < kDraws; ++draw) {
+        std::vector<HankelOperator> blocks;
+        for (std::size_t i = 0; i < input.series.size(); ++i) {
+            ModelSeries noise = input.series[i];
+            const Index begin = draw * length;
+            if (begin + length + 1 > noise.noise.size())
+                break;
+            noise.y = noise.noise.segment(begin, length + 1);
+            blocks.emplace_back(hankelSequence(noise, input.treatment, result.seriesWeights[i])
+                                    .head(length),
+                shape.rows, shape.columns[i], result.onesProjected);
+        }
+        if (blocks.size() != input.series.size())
+            break;
+        tops.push_back(largestSingularValue(blocks));
+    }
+    if (tops.size() < 3) {
+        double mean = 0.0;
+        for (std::size_t i = 0; i < input.series.size(); ++i)
+            mean += input.series[i].noiseSd / result.seriesWeights[i];
+        mean /= static_cast<double>(input.series.size());
+        const double m = std::sqrt(static_cast<double>(shape.rows * result.columns));
+        return 0.75 * mean * std::sqrt(2.0 * m * std::log(m));
+    }
+    // Few draws: mean + 1.645 sd is steadier than the largest of them.
+    const Eigen::Map<const Eigen::ArrayXd> values(tops.data(), static_cast<Index>(tops.size()));
+    const double mean = values.mean();
+    const double sd = std::sqrt((values - mean).square().sum() / static_cast<double>(tops.size() - 1));
+    return mean + 1.645 * sd;
+}
+
+} // namespace
+
+Eigen::VectorXd hankelSequence(
+    const ModelSeries &series, ResponseTreatment treatment, double weight)
+{
+    if (treatment == ResponseTreatment::Differenced)
+        return (series.y.tail(series.y.size() - 1) - series.y.head(series.y.size() - 1)) / weight;
+    return series.y / weight;
+}
+
+Result<HankelDecomposition> decomposeHankel(
+    const ModelInput &input, const RealizationSettings &settings, const JobControl &control)
+{
+    const auto shape = chooseShape(input, settings);
+    if (!shape)
+        return tl::unexpected(shape.error());
+
+    HankelDecomposition result;
+    result.rows = shape->rows;
+    for (const Index columns : shape->columns)
+        result.columns += columns;
+    result.onesProjected = input.treatment == ResponseTreatment::StepDeflated;
+    // A single series needs no scaling, and the thesis's singular values are those of the raw one.
+    for (const ModelSeries &series : input.series) {
+        result.seriesWeights.push_back(
+            input.series.size() > 1 && series.noiseSd > 0.0 ? series.noiseSd : 1.0);
+    }
+
+    const std::vector<HankelOperator> blocks
+        = operators(input, *shape, result.seriesWeights, result.onesProjected);
+    Eigen::MatrixXd right;
+    if (shape->rows <= kDenseRows) {
+        right = decomposeDense(blocks, *shape, result);
+    } else {
+        auto vectors = decomposeLanczos(blocks, *shape, result, control);
+        if (!vectors)
+            return tl::unexpected(vectors.error());
+        right = std::move(*vectors);
+    }
+    if (control.stopRequested())
+        return fail(ErrorKind::Cancelled, {});
+
+    const Index r = result.rows;
+    result.shiftGram
+        = result.leftVectors.topRows(r - 1).transpose() * result.leftVectors.bottomRows(r - 1);
+    if (isThesis(input)) {
+        keepThesisParts(hankelSequence(input.series.front(), input.treatment, 1.0), *shape, right,
+            result);
+    }
+    result.noiseFloor_p95 = noiseFloor(input, *shape, result);
+    return result;
+}
+
+} // namespace dyncal

@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/realization/model_input.h"
+
+#include "core/base/number_text.h"
+#include "core/realization/rate_choice.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+namespace {
+
+/// What one series is made of before it is resampled: samples from `lead` on are the response.
+struct Source
+{
+    Index shot = 0;
+    Eigen::Ref<const Eigen::VectorXd> values;
+    Index lead = 0;
+    Index length = 0;
+    double rate_Hz = 0.0;
+    Eigen::VectorXd noise;
+};
+
+double standardDeviation(const Eigen::VectorXd &values)
+{
+    if (values.size() < 2)
+        return 0.0;
+    const double mean = values.mean();
+    return std::sqrt(
+        (values.array() - mean).square().sum() / static_cast<double>(values.size() - 1));
+}
+
+/// Noise of the average: the shots' noise averaged point by point, as the reconstructions are.
+Eigen::VectorXd averageNoise(const std::vector<WindowedResponse> &responses, double rate_Hz)
+{
+    Eigen::VectorXd sum;
+    Index count = 0;
+    for (const WindowedResponse &response : responses) {
+        if (std::abs(response.sampleRate_Hz - rate_Hz) > 1e-9 * rate_Hz)
+            continue;
+        const Index size = sum.size() ? std::min(sum.size(), response.noise.size())
+                                      : response.noise.size();
+        if (sum.size() == 0)
+            sum = Eigen::VectorXd::Zero(size);
+        sum = (sum.head(size) + response.noise.head(size)).eval();
+        ++count;
+    }
+    return count ? Eigen::VectorXd(sum / static_cast<double>(count)) : sum;
+}
+
+std::vector<Source> sources(const std::vector<WindowedResponse> &responses,
+    const ComponentResult &components, CombineMethod combine)
+{
+    std::vector<Source> list;
+    if (combine == CombineMethod::PcaAverage) {
+        list.push_back({0, components.average, 0, components.average.size(),
+            components.sampleRate_Hz, averageNoise(responses, components.sampleRate_Hz)});
+        return list;
+    }
+    for (const WindowedResponse &response : responses) {
+        list.push_back({response.shot, response.values, response.lead, response.length,
+            response.sampleRate_Hz, response.noise});
+    }
+    return list;
+}
+
+Result<Index> reductionFactor(const Source &source, double rate_Hz)
+{
+    if (const auto factor = integerReduction(source.rate_Hz, rate_Hz))
+        return *factor;
+    return fail(ErrorKind::DataBlocked,
+        Message{DYNCAL_TEXT("core",
+                    "Model input: shot %1 is recorded at %2, which is no whole multiple of the model "
+                    "rate %3; choose %2 divided by a whole number."),
+            {std::to_string(source.shot), numberWithUnit(source.rate_Hz, "Hz", 6),
+                numberWithUnit(rate_Hz, "Hz", 6)}},
+        "MIN-001", source.shot);
+}
+
+/// Samples of the input that fit before the window ends, the filter's second half included.
+Index availableSamples(const Source &source, const AntiAliasFilter &filter, Index first)
+{
+    const Index last = std::min(source.lead + source.length - 1,
+        source.values.size() - 1 - filter.halfLength());
+    return last < first ? 0 : (last - first) / filter.factor + 1;
+}
+
+Eigen::VectorXd filteredNoise(const Source &source, const AntiAliasFilter &filter)
+{
+    const Index half = filter.halfLength();
+    const Index count = (source.noise.size() - 1 - 2 * half) / filter.factor + 1;
+    return count >= 8 ? decimate(source.noise, filter, half, count) : Eigen::VectorXd();
+}
+
+struct Cut
+{
+    double offset_s = 0.0;
+    Index samples = 0;
+};
+
+ModelSeries makeSeries(
+    const Source &source, const AntiAliasFilter &filter, Index first, const Cut &cut)
+{
+    ModelSeries series;
+    series.shot = source.shot;
+    series.filter = filter;
+    series.y = decimate(source.values, filter, first, cut.samples);
+    series.first_s = static_cast<double>(first - source.lead) / source.rate_Hz;
+    series.noise = filteredNoise(source, filter);
+    series.fullRateNoiseSd = standardDeviation(source.noise);
+    series.noiseSd = series.noise.size() ? standardDeviation(series.noise)
+                                         : series.fullRateNoiseSd * filter.taps.norm();
+    const Index last = first + (cut.samples - 1) * filter.factor;
+    series.fullRate = source.values.segment(source.lead, last - source.lead + 1);
+    series.fullRate_Hz = source.rate_Hz;
+    return series;
+}
+
+/// Share of the ringing's energy that lies before the first sample of the input, noise taken off.
+std::optional<double> lostResponse_percent(const ModelInput &input)
+{
+    double before = 0.0;
+    double all = 0.0;
+    for (const ModelSeries &series : input.series) {
+        const Index count = series.fullRate.size();
+        const double plateau = isStepTreatment(input.treatment)
+            ? series.fullRate.tail(std::max<Index>(1, count / 4)).mean()
+            : 0.0;
+        const Index first = std::min(
+            count, static_cast<Index>(std::llround(series.first_s * series.fullRate_Hz)));
+        const Eigen::ArrayXd energy = (series.fullRate.array() - plateau).square()
+            - series.fullRateNoiseSd * series.fullRateNoiseSd;
+        before += energy.head(first).sum();
+        all += energy.sum();
+    }
+    if (!(all > 0.0))
+        return std::nullopt;
+    return std::clamp(100.0 * before / all, 0.0, 100.0);
+}
+
+Message tooFewSamples(Index shot, Index found, Index needed)
+{
+    return {DYNCAL_TEXT("core",
+                "Model input: shot %1 offers %2 samples before its window ends, %3 are asked for; "
+                "lengthen the window or ask for fewer samples."),
+        {std::to_string(shot), std::to_string(found), std::to_string(needed)}};
+}
+
+constexpr Index kFewestSamples = 12; ///< a Hankel matrix of 5 rows
+
+} // namespace
+
+Result<ModelInput> prepareModelInput(const std::vector<WindowedResponse> &responses,
+    const SpectrumResult &spectrum, const ComponentResult &components,
+    const InputSettings &settings, const JobControl &control)
+{
+    ModelInput input;
+    input.treatment = settings.treatment;
+    input.combine = settings.effectiveCombine();
+    const std::vector<Source> list = sources(responses, components, input.combine);
+
+    const SensorTraits traits = sensorTraits(responses, spectrum);
+    double lowestRate_Hz = list.front().rate_Hz;
+    for (const Source &source : list)
+        lowestRate_Hz = std::min(lowestRate_Hz, source.rate_Hz);
+    input.sampleRate_Hz = settings.sampleRate_Hz.value
+        ? *settings.sampleRate_Hz.value
+        : lowestRate_Hz / static_cast<double>(chooseReduction(lowestRate_Hz, traits));
+    if (auto findings = judgeRate(input.sampleRate_Hz, traits))
+        input.findings = std::move(*findings);
+    else
+        return tl::unexpected(findings.error());
+    if (traits.resonance_Hz)
+        input.samplesPerPeriod = input.sampleRate_Hz / *traits.resonance_Hz;
+
+    std::vector<AntiAliasFilter> filters;
+    double filterHalf_s = 0.0;
+    for (const Source &source : list) {
+        const auto factor = reductionFactor(source, input.sampleRate_Hz);
+        if (!factor)
+            return tl::unexpected(factor.error());
+        filters.push_back(designAntiAliasFilter(*factor, source.rate_Hz));
+        filterHalf_s = std::max(filterHalf_s, filters.back().span_s() / 2.0);
+    }
+
+    // A centred filter sees nothing of the time before the start once half of it lies behind the
+    // sample's own time: the whole filter, both halves, then lies behind the onset.
+    Cut cut;
+    cut.offset_s = settings.offset_s.value.value_or(filterHalf_s);
+    if (cut.offset_s < filterHalf_s * (1.0 - 1e-9))
+        input.findings.push_back(insideFilterFinding(cut.offset_s, filterHalf_s));
+
+    std::vector<Index> firsts;
+    Index available = 0;
+    Index scarcest = 0;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const Index first = list[i].lead
+            + static_cast<Index>(std::ceil(cut.offset_s * list[i].rate_Hz - 1e-6));
+        if (first < filters[i].halfLength()) {
+            return fail(ErrorKind::DataBlocked,
+                Message{DYNCAL_TEXT("core",
+                            "Model input: shot %1 has %2 samples before the input starts, the "
+                            "anti-alias filter needs %3; start later or raise the model rate."),
+                    {std::to_string(list[i].shot), std::to_string(first),
+                        std::to_string(filters[i].halfLength())}},
+                "MIN-006", list[i].shot);
+        }
+        firsts.push_back(first);
+        const Index here = availableSamples(list[i], filters[i], first);
+        if (i == 0 || here < available) {
+            available = here;
+            scarcest = list[i].shot;
+        }
+    }
+    cut.samples = settings.samples.value.value_or(
+        std::min(available, chooseSamples(input.sampleRate_Hz, traits)));
+    if (cut.samples > available || available < kFewestSamples)
+        return fail(ErrorKind::DataBlocked,
+            tooFewSamples(scarcest, available, std::max(cut.samples, kFewestSamples)), "MIN-005",
+            scarcest);
+
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        if (control.stopRequested())
+            return fail(ErrorKind::Cancelled, {});
+        input.series.push_back(makeSeries(list[i], filters[i], firsts[i], cut));
+    }
+    input.offset_s = input.series.front().first_s;
+    input.samples = cut.samples;
+    input.lostResponse_percent = lostResponse_percent(input);
+    if (isStepTreatment(input.treatment) && input.treatment == ResponseTreatment::StepAsImpulse)
+        input.findings.push_back({"MIN-004", Severity::Info, 0, {}, {},
+            {DYNCAL_TEXT("core",
+                 "The step is treated as an impulse response (thesis method): one extra order "
+                 "models the step itself."),
+                {}},
+            {}, {}});
+    return input;
+}
+
+} // namespace dyncal

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/realization/exponential_sum.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <optional>
+#include <vector>
+
+namespace dyncal {
+
+/// One record that the refinement fits: y(t) = c0 + sum c_i e^(s_i t), t = index / rate.
+struct RefinementRecord
+{
+    Eigen::VectorXd y;
+    double rate_Hz = 0.0;
+    double weight = 1.0; ///< 1 / noise sd
+};
+
+/// Outcome of the joint fit: poles shared by all records, amplitudes of each its own.
+struct Refinement
+{
+    std::vector<std::complex<double>> rates_rad_s; ///< s_i, paired as given
+    std::vector<ExponentialSum> records;           ///< amplitudes at t = 0
+    Eigen::MatrixXd covariance; ///< of (real parameters of the poles, then per record of amplitudes, c0)
+    Index poleParameters = 0;   ///< n: per pair (Re s, Im s), per real pole Re s
+    bool withConstant = false;
+    double residualToNoise = 1.0; ///< rms of the weighted residual: 1 where the noise explains it
+};
+
+/// The response of one record with parameter `index` of its own (poles first, then amplitudes, c0)
+/// moved by `delta`: for propagating the covariance through what is derived from the response.
+ExponentialSum perturbed(const Refinement &refinement, Index record, Index index, double delta);
+
+/// Covariance of the poles' and one record's parameters, in the order of perturbed().
+Eigen::MatrixXd recordCovariance(const Refinement &refinement, Index record);
+
+/// Nonlinear least squares (Levenberg-Marquardt) on all records at their own rate, started from
+/// the realised poles (identification.md 2.3 e). Minimises sum w^2 |y - model|^2; the covariance is
+/// (J^T J)^-1 times the larger of 1 and the reduced chi square. Empty when it does not converge to
+/// decaying poles within a factor of 1.5 in frequency of the start: the realisation then stands.
+/// Assumes white noise within each record.
+std::optional<Refinement> refinePoles(const std::vector<RefinementRecord> &records,
+    const std::vector<std::complex<double>> &start_rad_s, bool withConstant,
+    const JobControl &control = {});
+
+} // namespace dyncal

@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/realization/state_space_model.h"
+
+#include "core/base/svd.h"
+#include "core/realization/exponential_sum.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+
+StateSpaceModel modalStateSpace(const std::vector<std::complex<double>> &poles,
+    const Eigen::VectorXcd &residues, double feedthrough, double sampleInterval_s)
+{
+    const Index n = static_cast<Index>(poles.size());
+    StateSpaceModel model;
+    model.A = Eigen::MatrixXd::Zero(n, n);
+    model.B = Eigen::MatrixXd::Zero(n, 1);
+    model.C = Eigen::MatrixXd::Zero(1, n);
+    model.D = Eigen::MatrixXd::Constant(1, 1, feedthrough);
+    model.sampleInterval_s = sampleInterval_s;
+    for (Index i = 0; i < n; ++i) {
+        const std::complex<double> p = poles[static_cast<std::size_t>(i)];
+        const double gain = std::sqrt(std::abs(residues[i]));
+        if (isUpperOfPair(poles, static_cast<std::size_t>(i))) {
+            // C (zI - A)^-1 B = 2 Re-form of r/(z-p) + r*/(z-p*), inputs and outputs balanced.
+            model.A.block(i, i, 2, 2) << p.real(), p.imag(), -p.imag(), p.real();
+            const std::complex<double> output = gain > 0.0 ? residues[i] / gain : 0.0;
+            model.B(i, 0) = 2.0 * gain;
+            model.C(0, i) = output.real();
+            model.C(0, i + 1) = output.imag();
+            ++i;
+        } else {
+            model.A(i, i) = p.real();
+            model.B(i, 0) = gain;
+            model.C(0, i) = gain > 0.0 ? residues[i].real() / gain : 0.0;
+        }
+    }
+    return model;
+}
+
+Eigen::VectorXd impulseResponse(const StateSpaceModel &model, Index count)
+{
+    Eigen::VectorXd h(count);
+    if (count > 0)
+        h[0] = model.D(0, 0);
+    Eigen::VectorXd x = model.B;
+    for (Index k = 1; k < count; ++k) {
+        h[k] = (model.C * x)(0, 0);
+        x = (model.A * x).eval();
+    }
+    return h;
+}
+
+std::vector<std::complex<double>> transmissionZeros(const StateSpaceModel &model)
+{
+    constexpr double kNegligible = 1e-9; ///< of the largest impulse response value
+    constexpr double kFarAway = 1e6;     ///< numerical infinity of a strictly proper system
+    const Index n = model.order();
+    if (n == 0)
+        return {};
+    const double scale = impulseResponse(model, 2 * n + 2).cwiseAbs().maxCoeff();
+    const double D = model.D(0, 0);
+    const double CB = (model.C * model.B)(0, 0);
+    Eigen::VectorXcd candidates;
+    if (std::abs(D) > kNegligible * scale)
+        candidates = eigenvalues(model.A - model.B * model.C / D);
+    else if (std::abs(CB) > kNegligible * scale)
+        candidates = eigenvalues(model.A - model.B * (model.C * model.A) / CB);
+    else
+        return {};
+    std::vector<std::complex<double>> zeros;
+    // Without feedthrough the matrix has one eigenvalue at 0 (up to rounding) that is no zero.
+    Index skip = -1;
+    if (std::abs(D) <= kNegligible * scale)
+        candidates.cwiseAbs().minCoeff(&skip);
+    for (Index i = 0; i < candidates.size(); ++i) {
+        if (i != skip && std::abs(candidates[i]) < kFarAway)
+            zeros.push_back(candidates[i]);
+    }
+    std::sort(zeros.begin(), zeros.end(), [](const auto &a, const auto &b) {
+        return a.real() != b.real() ? a.real() < b.real() : a.imag() > b.imag();
+    });
+    return zeros;
+}
+
+} // namespace dyncal
