@@ -22,7 +22,8 @@ int refuseMissing(const std::string &word)
     const std::string verb = similarVerb(word);
     if (!verb.empty())
         return report({ErrorKind::Usage,
-            {DYNCAL_TEXT("core", "%1 is neither a subcommand nor a file; did you mean %2?"),
+            {DYNCAL_TEXT(
+                 "core", "%1 is neither a subcommand nor a file; the nearest subcommand is %2."),
                 {word, verb}},
             {}, 0});
     return report({ErrorKind::FileUnreadable,

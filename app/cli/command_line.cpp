@@ -46,7 +46,7 @@ int parseAndAct(int argc, char **argv)
         "dyncal");
     program.set_version_flag(
         "--version", std::string("dyncal ") + versionText() + " (build " + buildText() + ")");
-    program.require_subcommand(1);
+    program.require_subcommand(0, 1); // asked for below, so that a wrong option is named first
     program.footer("Example:\n  dyncal simulate -o example.h5\n  dyncal run example.h5 -o out\n\n"
                    "Exit codes: 0 done, 1 done with cautions, 2 blocked by data quality, 3 a file "
                    "cannot be read,\n4 wrong usage, 5 internal error.");
@@ -61,6 +61,8 @@ int parseAndAct(int argc, char **argv)
             return program.exit(e);
         return report(usageError(withoutFullStop(e.what())));
     }
+    if (!action)
+        return report(usageError("a subcommand is missing"));
     return action();
 }
 

@@ -76,7 +76,7 @@ Result<CaptureSet> readFiles(const RunOptions &options, const Recipe &recipe)
 int conclude(
     const PipelineOutcome &outcome, const Recipe &recipe, const std::vector<std::string> &paths)
 {
-    std::cout << runSummary(outcome.results, recipe) << "Written:\n";
+    std::cout << runSummary(outcome, recipe) << "Written:\n";
     for (const std::string &path : paths)
         std::cout << "  " << path << '\n';
     const Findings findings = outcome.results.findings();

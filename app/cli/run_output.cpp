@@ -70,14 +70,20 @@ void removeEarlierRun(const fs::path &folder)
     removeFilesIn(folder / "plots", ".svg");
 }
 
-Result<void> writeCsv(const CalibrationResults &results, const fs::path &folder)
+/// Whether there was anything to write.
+Result<bool> writeCsv(const CalibrationResults &results, const fs::path &folder)
 {
-    for (const CsvFile &file : resultsCsv(results)) {
+    const std::vector<CsvFile> files = resultsCsv(results);
+    if (files.empty())
+        return false;
+    if (const Result<void> made = makeFolder(folder.string()); !made)
+        return tl::unexpected<Error>(made.error());
+    for (const CsvFile &file : files) {
         const Result<void> written = writeFileAtomically((folder / file.name).string(), file.text);
         if (!written)
-            return written;
+            return tl::unexpected<Error>(written.error());
     }
-    return {};
+    return true;
 }
 
 } // namespace
@@ -103,11 +109,9 @@ Result<std::vector<std::string>> writeRun(const PipelineOutcome &outcome, const 
     std::vector<std::string> paths{resultsPath, recipePath};
     if (const auto written = writeFileAtomically(recipePath, recipeJson(recipe)); !written)
         return tl::unexpected<Error>(written.error());
-    const fs::path csv = root / "csv";
-    if (const auto made = makeFolder(csv.string()); !made)
-        return tl::unexpected<Error>(made.error());
-    if (const auto written = writeCsv(outcome.results, csv); !written)
-        return tl::unexpected<Error>(written.error());
+    const Result<bool> tables = writeCsv(outcome.results, root / "csv");
+    if (!tables)
+        return tl::unexpected<Error>(tables.error());
     if (!outcome.error) {
         const auto drawn = drawReport(outcome.results, recipe, createdUtc, folder);
         if (!drawn)
@@ -117,7 +121,8 @@ Result<std::vector<std::string>> writeRun(const PipelineOutcome &outcome, const 
     const std::string json = resultsJson(outcome, recipe, createdUtc);
     if (const auto written = writeFileAtomically(resultsPath, json); !written)
         return tl::unexpected<Error>(written.error());
-    paths.push_back((csv / "").string());
+    if (*tables)
+        paths.push_back((root / "csv" / "").string());
     return paths;
 }
 

@@ -111,11 +111,15 @@ void addBand(std::string &text, const char *label, const std::optional<double> &
         addLine(text, label, "up to " + numberWithUnit(*limit_Hz, "Hz"));
 }
 
-void addFindings(std::string &text, const Findings &findings)
+/// The error that stopped the run counts as one that blocks.
+void addFindings(std::string &text, const PipelineOutcome &outcome)
 {
-    const auto count = [&findings](Severity severity) {
-        return std::to_string(std::count_if(findings.begin(), findings.end(),
-            [severity](const Finding &finding) { return finding.severity == severity; }));
+    const Findings findings = outcome.results.findings();
+    const auto count = [&](Severity severity) {
+        const bool byError = severity == Severity::Block && outcome.error;
+        return std::to_string((byError ? 1 : 0)
+            + std::count_if(findings.begin(), findings.end(),
+                [severity](const Finding &finding) { return finding.severity == severity; }));
     };
     addLine(text, "Findings",
         count(Severity::Block) + " blocking, " + count(Severity::Caution) + " cautions, "
@@ -124,8 +128,9 @@ void addFindings(std::string &text, const Findings &findings)
 
 } // namespace
 
-std::string runSummary(const CalibrationResults &results, const Recipe &recipe)
+std::string runSummary(const PipelineOutcome &outcome, const Recipe &recipe)
 {
+    const CalibrationResults &results = outcome.results;
     std::string text;
     addShots(text, results);
     if (results.model)
@@ -142,7 +147,7 @@ std::string runSummary(const CalibrationResults &results, const Recipe &recipe)
         addBand(text, "Within 10 %", found.within10percent_Hz);
         addBand(text, "-3 dB", found.minus3dB_Hz);
     }
-    addFindings(text, results.findings());
+    addFindings(text, outcome);
     return text;
 }
 

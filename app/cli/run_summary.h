@@ -11,6 +11,6 @@ namespace dyncal {
 
 /// The key results as a short table for a person: natural frequency, damping, sensitivity, fit,
 /// order and why, bands, findings. What was not computed is left out.
-std::string runSummary(const CalibrationResults &results, const Recipe &recipe);
+std::string runSummary(const PipelineOutcome &outcome, const Recipe &recipe);
 
 } // namespace dyncal

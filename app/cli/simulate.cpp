@@ -150,7 +150,9 @@ void addSimulate(CLI::App &program, VerbAction &action)
             "Standard deviation of the noise as a fraction of each shot's step")
         ->capture_default_str();
     verb->add_option("--bits", settings.bits, "Resolution of the converter")->capture_default_str();
-    verb->add_option("--seed", settings.seed, "Seed of the noise")->capture_default_str();
+    verb->add_option("--seed", settings.seed, "Seed of the noise")
+        ->check(CLI::NonNegativeNumber)
+        ->capture_default_str();
     verb->add_option("--defect", options->defects,
             "A fault put in on purpose, e.g. clip or clip@2 (shot 2); may be repeated")
         ->allow_extra_args(false)

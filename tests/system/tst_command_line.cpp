@@ -66,6 +66,7 @@ private slots:
         row("missing files", {"run", "-o", "y"}, "files");
         row("misspelt verb", {"simulat", "-o", "x"}, "simulate");
         row("no number", {"simulate", "-o", "x.h5", "--seed", "seven"}, "seven");
+        row("negative seed", {"simulate", "-o", "x.h5", "--seed", "-4"}, "-4");
         row("unknown level", {"simulate", "-o", "x.h5", "--shots", "low,hgh"}, "hgh");
         row("unknown preset", {"simulate", "-o", "x.h5", "--preset", "optic9"}, "optic9");
         row("unknown defect", {"simulate", "-o", "x.h5", "--defect", "melted"}, "melted");
