@@ -477,7 +477,8 @@ void MainWindow::closeEvent(QCloseEvent *event)
         event->ignore();
         return;
     }
-    showInspector(); // the layout of work is kept, not that of the start page
+    if (m_centre->currentWidget() == m_start)
+        showInspector(); // the layout of work is kept, not that of the start page
     m_preferences.setWindow(saveGeometry(), saveState());
     event->accept();
 }

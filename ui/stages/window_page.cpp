@@ -158,6 +158,21 @@ std::vector<double> usedStarts(const WindowResult &window, std::size_t shots)
     return starts;
 }
 
+/// The first view reaches past the end, so that its line can be seen and dragged outwards.
+PlotContent contentWithRoom(const WindowResult &window)
+{
+    PlotContent content = windowCurves(window);
+    double first_s = 0.0;
+    double last_s = 0.0;
+    for (const WindowedResponse &response : window.responses) {
+        first_s = std::min(first_s, -static_cast<double>(response.lead) / response.sampleRate_Hz);
+        last_s = std::max(last_s, response.end_s);
+    }
+    content.xMin = first_s;
+    content.xMax = last_s + 0.08 * (last_s - first_s);
+    return content;
+}
+
 } // namespace
 
 void WindowPage::shiftStarts(double by_s)
@@ -257,7 +272,7 @@ void WindowPage::showResults()
 {
     const auto &window = results().window;
     const WindowedResponse *first = firstResponse();
-    m_plot->setContent(first ? windowCurves(*window) : nothingYet());
+    m_plot->setContent(first ? contentWithRoom(*window) : nothingYet());
     m_detail->setContent(first ? startCurves(*window) : nothingYet());
     showTable();
     const QSignalBlocker quiet(m_startShot);
