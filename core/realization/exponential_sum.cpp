@@ -80,8 +80,8 @@ Eigen::MatrixXd exponentialBasis(const std::vector<std::complex<double>> &poles,
     return basis;
 }
 
-AmplitudeFit fitAmplitudes(const Eigen::VectorXd &y,
-    const std::vector<std::complex<double>> &poles, bool withConstant)
+AmplitudeFit fitAmplitudes(
+    const Eigen::VectorXd &y, const std::vector<std::complex<double>> &poles, bool withConstant)
 {
     Eigen::VectorXd scales;
     const Eigen::MatrixXd basis = exponentialBasis(poles, y.size(), withConstant, &scales);

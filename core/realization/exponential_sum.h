@@ -16,9 +16,9 @@ namespace dyncal {
 /// `rates` come in exact conjugate pairs (upper half first) or real; amplitudes likewise.
 struct ExponentialSum
 {
-    double constant = 0.0;          ///< c0
-    Eigen::VectorXcd rates_rad_s;   ///< s_i
-    Eigen::VectorXcd amplitudes;    ///< c_i
+    double constant = 0.0; ///< c0
+    Eigen::VectorXcd rates_rad_s; ///< s_i
+    Eigen::VectorXcd amplitudes; ///< c_i
 
     /// Value of the k-th derivative at time t (k = 0: the value itself).
     double derivative(double t_s, int k) const;
@@ -45,7 +45,7 @@ struct AmplitudeFit
     Eigen::VectorXcd amplitudes;
     Eigen::VectorXd fitted;
 };
-AmplitudeFit fitAmplitudes(const Eigen::VectorXd &y,
-    const std::vector<std::complex<double>> &poles, bool withConstant);
+AmplitudeFit fitAmplitudes(
+    const Eigen::VectorXd &y, const std::vector<std::complex<double>> &poles, bool withConstant);
 
 } // namespace dyncal

@@ -21,7 +21,7 @@ struct Shape
 {
     Index rows = 0;
     std::vector<Index> columns; ///< per series
-    Index kept = 0;             ///< singular values wanted
+    Index kept = 0; ///< singular values wanted
 };
 
 bool isThesis(const ModelInput &input)
@@ -32,21 +32,22 @@ bool isThesis(const ModelInput &input)
 Result<Shape> chooseShape(const ModelInput &input, const RealizationSettings &settings)
 {
     Shape shape;
-    const Index length = input.treatment == ResponseTreatment::Differenced ? input.samples - 1
-                                                                          : input.samples;
+    const Index length
+        = input.treatment == ResponseTreatment::Differenced ? input.samples - 1 : input.samples;
     shape.rows = settings.rows.value.value_or(length / 2 - 1);
     if (shape.rows < 2 || shape.rows > length - 2) {
         return fail(ErrorKind::Usage,
-            Message{DYNCAL_TEXT("core",
-                        "Hankel matrix: %1 rows do not fit a model input of %2 samples; choose 2 to "
-                        "%3."),
+            Message{
+                DYNCAL_TEXT("core",
+                    "Hankel matrix: %1 rows do not fit a model input of %2 samples; choose 2 to "
+                    "%3."),
                 {std::to_string(shape.rows), std::to_string(length), std::to_string(length - 2)}});
     }
     Index total = 0;
     for (std::size_t i = 0; i < input.series.size(); ++i) {
         // The listing's matrix is square and leaves the last samples of the series out.
         shape.columns.push_back(isThesis(input) && settings.rows.isAuto() ? shape.rows
-                : isThesis(input) ? length - shape.rows
+                : isThesis(input)                                         ? length - shape.rows
                                   : length - shape.rows + 1);
         total += shape.columns.back();
     }
@@ -78,8 +79,8 @@ void keepThesisParts(const Eigen::VectorXd &y, const Shape &shape, const Eigen::
     result.firstRightRow = right.row(0);
 }
 
-Eigen::MatrixXd decomposeDense(const std::vector<HankelOperator> &blocks, const Shape &shape,
-    HankelDecomposition &result)
+Eigen::MatrixXd decomposeDense(
+    const std::vector<HankelOperator> &blocks, const Shape &shape, HankelDecomposition &result)
 {
     Eigen::MatrixXd matrix(shape.rows, result.columns);
     Index column = 0;
@@ -122,8 +123,8 @@ double noiseFloor(const ModelInput &input, const Shape &shape, const HankelDecom
             if (begin + length + 1 > noise.noise.size())
                 break;
             noise.y = noise.noise.segment(begin, length + 1);
-            blocks.emplace_back(hankelSequence(noise, input.treatment, result.seriesWeights[i])
-                                    .head(length),
+            blocks.emplace_back(
+                hankelSequence(noise, input.treatment, result.seriesWeights[i]).head(length),
                 shape.rows, shape.columns[i], result.onesProjected);
         }
         if (blocks.size() != input.series.size())
@@ -141,7 +142,8 @@ double noiseFloor(const ModelInput &input, const Shape &shape, const HankelDecom
     // Few draws: mean + 1.645 sd is steadier than the largest of them.
     const Eigen::Map<const Eigen::ArrayXd> values(tops.data(), static_cast<Index>(tops.size()));
     const double mean = values.mean();
-    const double sd = std::sqrt((values - mean).square().sum() / static_cast<double>(tops.size() - 1));
+    const double sd
+        = std::sqrt((values - mean).square().sum() / static_cast<double>(tops.size() - 1));
     return mean + 1.645 * sd;
 }
 
@@ -191,8 +193,8 @@ Result<HankelDecomposition> decomposeHankel(
     result.shiftGram
         = result.leftVectors.topRows(r - 1).transpose() * result.leftVectors.bottomRows(r - 1);
     if (isThesis(input)) {
-        keepThesisParts(hankelSequence(input.series.front(), input.treatment, 1.0), *shape, right,
-            result);
+        keepThesisParts(
+            hankelSequence(input.series.front(), input.treatment, 1.0), *shape, right, result);
     }
     result.noiseFloor_p95 = noiseFloor(input, *shape, result);
     return result;

@@ -35,7 +35,8 @@ struct HankelDecomposition
 
 /// The sequence that the Hankel matrix of a series is built from: the series itself, or its first
 /// difference, divided by `weight`.
-Eigen::VectorXd hankelSequence(const ModelSeries &series, ResponseTreatment treatment, double weight);
+Eigen::VectorXd hankelSequence(
+    const ModelSeries &series, ResponseTreatment treatment, double weight);
 
 /// Singular values whose plot the operator reads the order from (thesis eqs 3.18, 3.19).
 Result<HankelDecomposition> decomposeHankel(

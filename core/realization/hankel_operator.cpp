@@ -19,8 +19,7 @@ HankelOperator::HankelOperator(
 // sum_j y(i + j) x(j) for i < count: circular over L >= rows + columns - 1, so nothing wraps.
 Eigen::VectorXd HankelOperator::correlate(const Eigen::VectorXd &x, Index count) const
 {
-    const Eigen::VectorXcd product
-        = m_spectrum.cwiseProduct(m_fft.forward(x).conjugate());
+    const Eigen::VectorXcd product = m_spectrum.cwiseProduct(m_fft.forward(x).conjugate());
     return m_fft.inverse(product).head(count);
 }
 

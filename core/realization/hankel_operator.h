@@ -12,8 +12,8 @@ namespace dyncal {
 
 /// The Hankel matrix H(i, j) = y(i + j), r x s with r + s - 1 <= y.size(), as products only:
 /// H x is a correlation, so it costs two FFTs and the matrix is never formed. With
-/// `projectOnes` the matrix is H (I - 11^T / s): each row without its mean, which removes a constant
-/// from y exactly (identification.md 2.3 c).
+/// `projectOnes` the matrix is H (I - 11^T / s): each row without its mean, which removes a
+/// constant from y exactly (identification.md 2.3 c).
 class HankelOperator
 {
 public:
@@ -22,7 +22,7 @@ public:
     Index rows() const { return m_rows; }
     Index columns() const { return m_columns; }
 
-    Eigen::VectorXd times(const Eigen::Ref<const Eigen::VectorXd> &x) const;           ///< H x
+    Eigen::VectorXd times(const Eigen::Ref<const Eigen::VectorXd> &x) const; ///< H x
     Eigen::VectorXd transposedTimes(const Eigen::Ref<const Eigen::VectorXd> &x) const; ///< H^T x
     Eigen::MatrixXd dense() const;
 

@@ -82,8 +82,8 @@ Result<SingularTriplets> leadingTriplets(
         Spectra::SymEigsSolver<GramProduct> solver(
             const_cast<GramProduct &>(product), wanted, basis); // takes a reference, does not write
         solver.init();
-        const Index found = solver.compute(Spectra::SortRule::LargestMagn, kRestarts, kResidual,
-            Spectra::SortRule::LargestMagn);
+        const Index found = solver.compute(
+            Spectra::SortRule::LargestMagn, kRestarts, kResidual, Spectra::SortRule::LargestMagn);
         if (found < std::min<Index>(wanted, 8)) {
             return fail(ErrorKind::Internal,
                 Message{DYNCAL_TEXT("core",

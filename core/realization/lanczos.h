@@ -17,13 +17,14 @@ namespace dyncal {
 struct SingularTriplets
 {
     Eigen::VectorXd singularValues;
-    Eigen::MatrixXd left;  ///< r x k
+    Eigen::MatrixXd left; ///< r x k
     Eigen::MatrixXd right; ///< s x k, s summed over the blocks
 };
 
 /// The `count` leading triplets by implicitly restarted Lanczos on x -> sum H_i H_i^T x (Spectra),
 /// residuals below 1e-10. Values below about 1e-8 of the first are noise of the squaring. The start
-/// vector is fixed, so results repeat. Fails (Cancelled) on request, (Internal) without convergence.
+/// vector is fixed, so results repeat. Fails (Cancelled) on request, (Internal) without
+/// convergence.
 Result<SingularTriplets> leadingTriplets(
     const std::vector<HankelOperator> &blocks, Index count, const JobControl &control);
 

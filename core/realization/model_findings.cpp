@@ -12,7 +12,7 @@ namespace dyncal {
 namespace {
 
 constexpr double kPairRatio = 1.05;
-constexpr double kGoodShare = 0.8;      ///< of the attainable FIT
+constexpr double kGoodShare = 0.8; ///< of the attainable FIT
 constexpr double kOverFit_points = 2.0;
 constexpr double kNoiseLimit_percent = 10.0; ///< below, FIT says nothing
 constexpr double kSameFrequency = 0.02;
@@ -105,7 +105,8 @@ void judgeFit(const SensorModel &model, Findings &out)
         numberText(std::round(model.fit_percent * 10.0) / 10.0, 4), numberText(attainable, 3)};
     if (model.fit_percent < kGoodShare * attainable) {
         out.push_back(about("MOD-004", Severity::Caution,
-            {DYNCAL_TEXT("core", "FIT is %1 % of an attainable %2 %: the model misses part of the response."),
+            {DYNCAL_TEXT("core",
+                 "FIT is %1 % of an attainable %2 %: the model misses part of the response."),
                 words},
             model.fit_percent, kGoodShare * attainable));
     } else if (model.fit_percent > attainable + kOverFit_points) {
@@ -127,16 +128,18 @@ void judgeAgainstSpectrum(const SensorModel &model, const SpectrumResult &spectr
         if (pole.poleClass != PoleClass::Sensor || pole.z.imag() <= 0.0)
             continue;
         // The spectrum of a ringing peaks at the damped frequency, not at |s| / 2 pi.
-        const double ringing_Hz
-            = pole.frequency_Hz * std::sqrt(std::max(0.0, 1.0 - pole.dampingRatio * pole.dampingRatio));
+        const double ringing_Hz = pole.frequency_Hz
+            * std::sqrt(std::max(0.0, 1.0 - pole.dampingRatio * pole.dampingRatio));
         if (std::abs(ringing_Hz - seen_Hz) < std::abs(nearest_Hz - seen_Hz))
             nearest_Hz = ringing_Hz;
     }
     if (std::abs(nearest_Hz - seen_Hz) > kSameFrequency * seen_Hz) {
         out.push_back(about("MOD-006", Severity::Caution,
-            {nearest_Hz > 0.0
-                    ? DYNCAL_TEXT("core", "The spectrum's resonance at %1 is not in the model, whose nearest lies at %2.")
-                    : DYNCAL_TEXT("core", "The spectrum's resonance at %1 is not in the model, which has none."),
+            {nearest_Hz > 0.0 ? DYNCAL_TEXT("core",
+                 "The spectrum's resonance at %1 is not in the model, whose nearest lies at %2.")
+                              : DYNCAL_TEXT("core",
+                                  "The spectrum's resonance at %1 is not in the model, which has "
+                                  "none."),
                 {numberWithUnit(seen_Hz, "Hz", 4), numberWithUnit(nearest_Hz, "Hz", 4)}},
             nearest_Hz, seen_Hz));
     }
@@ -152,7 +155,8 @@ void judgeOnset(const SensorModel &model, const ModelInput &input, Findings &out
     if (atOnset > kMissingFast) {
         out.push_back(about("MOD-009", Severity::Caution,
             {DYNCAL_TEXT("core",
-                 "The model starts at %1 % of the step instead of 0: a fast part of the response is "
+                 "The model starts at %1 % of the step instead of 0: a fast part of the response "
+                 "is "
                  "missing; raise the model rate or the order."),
                 {numberText(100.0 * atOnset, 3)}},
             atOnset, kMissingFast));

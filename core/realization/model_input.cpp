@@ -40,8 +40,8 @@ Eigen::VectorXd averageNoise(const std::vector<WindowedResponse> &responses, dou
     for (const WindowedResponse &response : responses) {
         if (std::abs(response.sampleRate_Hz - rate_Hz) > 1e-9 * rate_Hz)
             continue;
-        const Index size = sum.size() ? std::min(sum.size(), response.noise.size())
-                                      : response.noise.size();
+        const Index size
+            = sum.size() ? std::min(sum.size(), response.noise.size()) : response.noise.size();
         if (sum.size() == 0)
             sum = Eigen::VectorXd::Zero(size);
         sum = (sum.head(size) + response.noise.head(size)).eval();
@@ -71,9 +71,10 @@ Result<Index> reductionFactor(const Source &source, double rate_Hz)
     if (const auto factor = integerReduction(source.rate_Hz, rate_Hz))
         return *factor;
     return fail(ErrorKind::DataBlocked,
-        Message{DYNCAL_TEXT("core",
-                    "Model input: shot %1 is recorded at %2, which is no whole multiple of the model "
-                    "rate %3; choose %2 divided by a whole number."),
+        Message{
+            DYNCAL_TEXT("core",
+                "Model input: shot %1 is recorded at %2, which is no whole multiple of the model "
+                "rate %3; choose %2 divided by a whole number."),
             {std::to_string(source.shot), numberWithUnit(source.rate_Hz, "Hz", 6),
                 numberWithUnit(rate_Hz, "Hz", 6)}},
         "MIN-001", source.shot);
@@ -82,8 +83,8 @@ Result<Index> reductionFactor(const Source &source, double rate_Hz)
 /// Samples of the input that fit before the window ends, the filter's second half included.
 Index availableSamples(const Source &source, const AntiAliasFilter &filter, Index first)
 {
-    const Index last = std::min(source.lead + source.length - 1,
-        source.values.size() - 1 - filter.halfLength());
+    const Index last
+        = std::min(source.lead + source.length - 1, source.values.size() - 1 - filter.halfLength());
     return last < first ? 0 : (last - first) / filter.factor + 1;
 }
 
@@ -196,8 +197,8 @@ Result<ModelInput> prepareModelInput(const std::vector<WindowedResponse> &respon
     Index available = 0;
     Index scarcest = 0;
     for (std::size_t i = 0; i < list.size(); ++i) {
-        const Index first = list[i].lead
-            + static_cast<Index>(std::ceil(cut.offset_s * list[i].rate_Hz - 1e-6));
+        const Index first
+            = list[i].lead + static_cast<Index>(std::ceil(cut.offset_s * list[i].rate_Hz - 1e-6));
         if (first < filters[i].halfLength()) {
             return fail(ErrorKind::DataBlocked,
                 Message{DYNCAL_TEXT("core",

@@ -64,8 +64,7 @@ std::optional<double> findOnset_s(const ExponentialSum &response, double search_
         constexpr double kVanishes = 0.05;
         const auto flat = nearestRoot(response, 2, search_s);
         if (flat
-            && std::abs(response.derivative(*flat, 1))
-                < kVanishes * largest(response, 1, search_s))
+            && std::abs(response.derivative(*flat, 1)) < kVanishes * largest(response, 1, search_s))
             return flat;
     }
     return nearestRoot(response, 1, search_s);

@@ -22,8 +22,7 @@ std::vector<Eigen::VectorXd> whitenedSeries(const ModelInput &input)
 {
     std::vector<Eigen::VectorXd> list;
     for (const ModelSeries &series : input.series)
-        list.push_back(
-            whitened(series.y, autoregressiveModel(series.noise, kNoiseModelOrder)));
+        list.push_back(whitened(series.y, autoregressiveModel(series.noise, kNoiseModelOrder)));
     return list;
 }
 
@@ -40,8 +39,7 @@ double bicOf(const std::vector<Eigen::VectorXd> &series,
         bic += n * std::log(std::max(meanSquare, floor * floor));
         samples += n;
     }
-    const double perSeries
-        = static_cast<double>(poles.size()) + (withConstant ? 1.0 : 0.0);
+    const double perSeries = static_cast<double>(poles.size()) + (withConstant ? 1.0 : 0.0);
     const double parameters
         = static_cast<double>(poles.size()) + perSeries * static_cast<double>(series.size());
     return bic + parameters * std::log(samples);
@@ -49,7 +47,8 @@ double bicOf(const std::vector<Eigen::VectorXd> &series,
 
 Message reasonFor(const Eigen::VectorXd &bic, Index order)
 {
-    const auto above = [&](Index n) { return numberText(std::round(bic[n - 1] - bic[order - 1]), 6); };
+    const auto above
+        = [&](Index n) { return numberText(std::round(bic[n - 1] - bic[order - 1]), 6); };
     if (order > 1 && order < bic.size()) {
         return {DYNCAL_TEXT("core",
                     "Order %1 has the smallest BIC on the pre-whitened response: order %2 is %3 "
@@ -70,8 +69,7 @@ OrderSuggestion suggestOrder(const ModelInput &input, const HankelDecomposition 
     Index shortest = series.front().size();
     for (const Eigen::VectorXd &y : series)
         shortest = std::min(shortest, y.size());
-    const Index highest
-        = std::min({kHighestTried, largestOrder(decomposition), shortest / 4});
+    const Index highest = std::min({kHighestTried, largestOrder(decomposition), shortest / 4});
 
     // In thesis mode the step is one of the poles; in impulse mode there is none.
     const bool withConstant = input.treatment == ResponseTreatment::StepDeflated

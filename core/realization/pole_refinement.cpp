@@ -32,10 +32,7 @@ struct Problem
         return n;
     }
     Index perRecord() const { return poles() + (withConstant ? 1 : 0); }
-    Index parameters() const
-    {
-        return poles() + perRecord() * static_cast<Index>(records.size());
-    }
+    Index parameters() const { return poles() + perRecord() * static_cast<Index>(records.size()); }
 };
 
 /// Model and its derivatives at one time, for one record.
@@ -143,8 +140,8 @@ double costOf(const Problem &problem, const Eigen::VectorXd &theta)
         const RefinementRecord &record = problem.records[r];
         const double dt = 1.0 / record.rate_Hz / problem.unit_s;
         for (Index k = 0; k < record.y.size(); ++k) {
-            const double model = row.evaluate(
-                static_cast<double>(k) * dt, theta, n + m * static_cast<Index>(r));
+            const double model
+                = row.evaluate(static_cast<double>(k) * dt, theta, n + m * static_cast<Index>(r));
             const double residual = record.weight * (record.y[k] - model);
             cost += residual * residual;
         }
@@ -159,7 +156,8 @@ void solveAmplitudes(const Problem &problem, Eigen::VectorXd &theta)
     theta.tail(theta.size() - n).setZero();
     const NormalEquations equations = normalEquations(problem, theta);
     const Index m = theta.size() - n;
-    theta.tail(m) = equations.matrix.bottomRightCorner(m, m).ldlt().solve(equations.gradient.tail(m));
+    theta.tail(m)
+        = equations.matrix.bottomRightCorner(m, m).ldlt().solve(equations.gradient.tail(m));
 }
 
 bool staysNearStart(
@@ -209,7 +207,8 @@ Refinement unpack(const Problem &problem, const Eigen::VectorXd &theta, const No
     result.withConstant = problem.withConstant;
     Index at = 0;
     for (const bool pair : problem.isPair) {
-        const std::complex<double> s(theta[at] / problem.unit_s, pair ? theta[at + 1] / problem.unit_s : 0.0);
+        const std::complex<double> s(
+            theta[at] / problem.unit_s, pair ? theta[at + 1] / problem.unit_s : 0.0);
         result.rates_rad_s.push_back(s);
         if (pair)
             result.rates_rad_s.push_back(std::conj(s));
@@ -221,8 +220,8 @@ Refinement unpack(const Problem &problem, const Eigen::VectorXd &theta, const No
     const double freedom = static_cast<double>(std::max<Index>(1, last.samples - theta.size()));
     const double chiSquare = last.cost / freedom;
     result.residualToNoise = std::sqrt(chiSquare);
-    result.covariance = last.matrix.ldlt().solve(
-        Eigen::MatrixXd::Identity(theta.size(), theta.size()));
+    result.covariance
+        = last.matrix.ldlt().solve(Eigen::MatrixXd::Identity(theta.size(), theta.size()));
     result.covariance *= std::max(1.0, chiSquare);
     result.covariance.topRows(result.poleParameters) /= problem.unit_s;
     result.covariance.leftCols(result.poleParameters) /= problem.unit_s;

@@ -26,9 +26,10 @@ struct RefinementRecord
 struct Refinement
 {
     std::vector<std::complex<double>> rates_rad_s; ///< s_i, paired as given
-    std::vector<ExponentialSum> records;           ///< amplitudes at t = 0
-    Eigen::MatrixXd covariance; ///< of (real parameters of the poles, then per record of amplitudes, c0)
-    Index poleParameters = 0;   ///< n: per pair (Re s, Im s), per real pole Re s
+    std::vector<ExponentialSum> records; ///< amplitudes at t = 0
+    Eigen::MatrixXd
+        covariance; ///< of (real parameters of the poles, then per record of amplitudes, c0)
+    Index poleParameters = 0; ///< n: per pair (Re s, Im s), per real pole Re s
     bool withConstant = false;
     double residualToNoise = 1.0; ///< rms of the weighted residual: 1 where the noise explains it
 };

@@ -95,9 +95,10 @@ Result<Findings> judgeRate(double rate_Hz, const SensorTraits &traits)
     if (perPeriod <= 2.0) {
         const double alias_Hz = std::abs(f_Hz - rate_Hz * std::round(f_Hz / rate_Hz));
         return fail(ErrorKind::DataBlocked,
-            Message{DYNCAL_TEXT("core",
-                        "Model input: a rate of %1 cannot represent the resonance at %2, which would "
-                        "appear at %3; choose more than %4."),
+            Message{
+                DYNCAL_TEXT("core",
+                    "Model input: a rate of %1 cannot represent the resonance at %2, which would "
+                    "appear at %3; choose more than %4."),
                 {numberWithUnit(rate_Hz, "Hz", 4), numberWithUnit(f_Hz, "Hz", 4),
                     numberWithUnit(alias_Hz, "Hz", 3), numberWithUnit(2.0 * f_Hz, "Hz", 4)}},
             "MIN-001");
@@ -106,8 +107,8 @@ Result<Findings> judgeRate(double rate_Hz, const SensorTraits &traits)
         const bool few = perPeriod < kFewestPerPeriod;
         findings.push_back({"MIN-002", few ? Severity::Caution : Severity::Info, 0, {}, {},
             {few ? DYNCAL_TEXT("core",
-                       "%1 samples per period of the resonance; damping will be uncertain, 4 or more "
-                       "are better.")
+                 "%1 samples per period of the resonance; damping will be uncertain, 4 or more "
+                 "are better.")
                  : DYNCAL_TEXT("core", "%1 samples per period of the resonance."),
                 {numberText(perPeriod, 3)}},
             perPeriod, kFewestPerPeriod});

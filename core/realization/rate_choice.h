@@ -17,8 +17,8 @@ namespace dyncal {
 struct SensorTraits
 {
     std::optional<double> resonance_Hz; ///< most prominent peak of the spectra
-    std::optional<double> ringTime_s;   ///< Q / (pi f): decay time of that resonance
-    std::optional<double> riseTime_s;   ///< 10-90 %, mean over the shots that show it
+    std::optional<double> ringTime_s; ///< Q / (pi f): decay time of that resonance
+    std::optional<double> riseTime_s; ///< 10-90 %, mean over the shots that show it
 };
 
 SensorTraits sensorTraits(

@@ -35,9 +35,9 @@ Index largestOrder(const HankelDecomposition &decomposition)
 std::vector<std::complex<double>> realizedPoles(
     const HankelDecomposition &decomposition, Index order)
 {
-    return pairedPoles(eigenvalues(isThesis(decomposition)
-            ? thesisRealization(decomposition, order, 1.0).A
-            : shiftInvarianceMatrix(decomposition, order)));
+    return pairedPoles(
+        eigenvalues(isThesis(decomposition) ? thesisRealization(decomposition, order, 1.0).A
+                                            : shiftInvarianceMatrix(decomposition, order)));
 }
 
 StateSpaceModel thesisRealization(

@@ -25,7 +25,7 @@ constexpr Index kLargestRefined = 12; ///< beyond, spurious poles make the fit i
 struct Draft
 {
     std::vector<std::complex<double>> rates_rad_s; ///< without the step pole
-    std::vector<ExponentialSum> series;            ///< at time 0 = detected start
+    std::vector<ExponentialSum> series; ///< at time 0 = detected start
     std::optional<Refinement> refinement;
 };
 
@@ -76,8 +76,7 @@ Draft linearDraft(const ModelInput &input, std::vector<std::complex<double>> rat
     draft.rates_rad_s = std::move(rates);
     const auto poles = discrete(draft.rates_rad_s, sampleInterval_s(input));
     for (const ModelSeries &series : input.series) {
-        const AmplitudeFit fit
-            = fitAmplitudes(series.y, poles, isStepTreatment(input.treatment));
+        const AmplitudeFit fit = fitAmplitudes(series.y, poles, isStepTreatment(input.treatment));
         ExponentialSum sum;
         sum.constant = fit.constant;
         sum.rates_rad_s = Eigen::Map<const Eigen::VectorXcd>(
@@ -94,8 +93,7 @@ Draft linearDraft(const ModelInput &input, std::vector<std::complex<double>> rat
 
 bool canRefine(const ModelInput &input, const std::vector<std::complex<double>> &poles)
 {
-    return !isThesis(input) && !poles.empty()
-        && static_cast<Index>(poles.size()) <= kLargestRefined
+    return !isThesis(input) && !poles.empty() && static_cast<Index>(poles.size()) <= kLargestRefined
         && std::all_of(poles.begin(), poles.end(), [](const std::complex<double> &z) {
                return std::abs(z) < 1.0 && !(z.imag() == 0.0 && z.real() <= 0.0);
            });
@@ -128,13 +126,13 @@ std::vector<bool> standingOut(const ModelInput &input, const Draft &draft)
     std::vector<bool> result(draft.rates_rad_s.size(), false);
     for (std::size_t r = 0; r < input.series.size(); ++r) {
         const ModelSeries &series = input.series[r];
-        const double noise = std::max(
-            series.noiseSd * series.noiseSd, kRounding * series.y.squaredNorm());
+        const double noise
+            = std::max(series.noiseSd * series.noiseSd, kRounding * series.y.squaredNorm());
         for (std::size_t i = 0; i < result.size(); ++i) {
             const Index at = static_cast<Index>(i);
             const std::complex<double> s = draft.rates_rad_s[i];
-            const double first = std::norm(draft.series[r].amplitudes[at]
-                * series.filter.gain(s) * std::exp(s * series.first_s));
+            const double first = std::norm(draft.series[r].amplitudes[at] * series.filter.gain(s)
+                * std::exp(s * series.first_s));
             const double decay = std::norm(std::exp(s * sampleInterval_s(input)));
             const double samples = static_cast<double>(series.y.size());
             const double sum = std::abs(1.0 - decay) > 1e-12
@@ -198,10 +196,10 @@ Onset locateOnset(const Draft &draft, std::size_t series, const std::vector<bool
         const double step = 0.1 * std::sqrt(std::max(0.0, covariance(i, i)));
         if (!(step > 0.0))
             continue;
-        const auto above
-            = findOnset_s(sensorPart(perturbed(*draft.refinement, record, i, step), isSensor), search_s);
-        const auto below
-            = findOnset_s(sensorPart(perturbed(*draft.refinement, record, i, -step), isSensor), search_s);
+        const auto above = findOnset_s(
+            sensorPart(perturbed(*draft.refinement, record, i, step), isSensor), search_s);
+        const auto below = findOnset_s(
+            sensorPart(perturbed(*draft.refinement, record, i, -step), isSensor), search_s);
         if (!above || !below)
             return onset;
         gradient[i] = (*above - *below) / (2.0 * step);
@@ -252,10 +250,10 @@ SeriesFit describeSeries(const ModelInput &input, const Draft &draft, std::size_
         fit.onset_s = onset.time_s;
         fit.u_onset_s = onset.u_s;
     }
-    fit.amplitudes
-        = sum.amplitudes.array() * (sum.rates_rad_s.array() * fit.onset_s).exp();
+    fit.amplitudes = sum.amplitudes.array() * (sum.rates_rad_s.array() * fit.onset_s).exp();
     fit.simulated = isThesis(input)
-        ? Eigen::VectorXd(impulseResponse(model.stateSpace, series.y.size() + 1).tail(series.y.size()))
+        ? Eigen::VectorXd(
+            impulseResponse(model.stateSpace, series.y.size() + 1).tail(series.y.size()))
         : simulate(series, sum, sampleInterval_s(input));
     fit.error = series.y - fit.simulated;
     fit.fit_percent = fitPercent(fit.error.squaredNorm(), spreadSquares(series.y));
@@ -300,8 +298,7 @@ void poolFits(const ModelInput &input, SensorModel &model)
 double listingFit(const StateSpaceModel &stateSpace, const Eigen::VectorXd &y)
 {
     // Appendix D compares y(1) with dimpulse's first value, D = 0: one sample late.
-    return fitPercent(
-        (y - impulseResponse(stateSpace, y.size())).squaredNorm(), spreadSquares(y));
+    return fitPercent((y - impulseResponse(stateSpace, y.size())).squaredNorm(), spreadSquares(y));
 }
 
 bool runsAway(const SensorModel &model, const ModelInput &input)
@@ -315,7 +312,8 @@ bool runsAway(const SensorModel &model, const ModelInput &input)
     }
     return std::any_of(model.poles.begin(), model.poles.end(), [&](const Pole &pole) {
         return pole.poleClass == PoleClass::Unstable
-            && static_cast<double>(input.samples) * std::log(std::abs(pole.z)) > std::log(kTooLarge);
+            && static_cast<double>(input.samples) * std::log(std::abs(pole.z))
+            > std::log(kTooLarge);
     });
 }
 
@@ -340,8 +338,7 @@ void addUncertainties(const Draft &draft, std::vector<Pole> &poles)
             poles[i].u_frequency_Hz = poles[i - 1].u_frequency_Hz;
             poles[i].u_dampingRatio = poles[i - 1].u_dampingRatio;
         } else {
-            poles[i].u_frequency_Hz
-                = std::sqrt(covariance(at, at)) / (2.0 * std::numbers::pi);
+            poles[i].u_frequency_Hz = std::sqrt(covariance(at, at)) / (2.0 * std::numbers::pi);
             poles[i].u_dampingRatio = 0.0; // a real pole has damping ratio 1 by definition
         }
     }
@@ -418,16 +415,17 @@ std::optional<std::complex<double>> takeStepPole(
 
 } // namespace
 
-Result<SensorModel> realizeModel(const ModelInput &input,
-    const HankelDecomposition &decomposition, Index order, const RealizationSettings &settings,
-    const SpectrumResult &spectrum, const JobControl &control)
+Result<SensorModel> realizeModel(const ModelInput &input, const HankelDecomposition &decomposition,
+    Index order, const RealizationSettings &settings, const SpectrumResult &spectrum,
+    const JobControl &control)
 {
     const Index largest = largestOrder(decomposition);
     if (order < 1 || order > largest) {
         return fail(ErrorKind::Usage,
-            Message{DYNCAL_TEXT("core",
-                        "Model order %1 is not possible: the Hankel matrix of %2 rows serves orders 1 "
-                        "to %3; choose one of them, or a longer model input."),
+            Message{
+                DYNCAL_TEXT("core",
+                    "Model order %1 is not possible: the Hankel matrix of %2 rows serves orders 1 "
+                    "to %3; choose one of them, or a longer model input."),
                 {std::to_string(order), std::to_string(decomposition.rows),
                     std::to_string(largest)}});
     }

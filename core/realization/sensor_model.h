@@ -60,7 +60,7 @@ struct SensorModel
 {
     Index order = 0;
     StateSpaceModel stateSpace;
-    std::vector<Pole> poles; ///< by frequency, then imaginary part descending
+    std::vector<Pole> poles; ///< by frequency, upper half first; the step's own pole last
     std::vector<std::complex<double>> zeros;
     std::vector<SeriesFit> series;
     double plateauGain = 0.0; ///< pooled c0

@@ -57,7 +57,7 @@ Eigen::VectorXd impulseResponse(const StateSpaceModel &model, Index count)
 std::vector<std::complex<double>> transmissionZeros(const StateSpaceModel &model)
 {
     constexpr double kNegligible = 1e-9; ///< of the largest impulse response value
-    constexpr double kFarAway = 1e6;     ///< numerical infinity of a strictly proper system
+    constexpr double kFarAway = 1e6; ///< numerical infinity of a strictly proper system
     const Index n = model.order();
     if (n == 0)
         return {};

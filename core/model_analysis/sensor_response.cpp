@@ -1,0 +1,281 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/model_analysis/sensor_response.h"
+
+#include "core/base/number_text.h"
+#include "core/model_analysis/step_transform.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dyncal {
+namespace {
+
+constexpr double kLargestNoise = 0.1; ///< of the magnitude: above, the data say nothing
+constexpr double kHighestOfRate = 0.4;
+constexpr double kPeriodsKept
+    = 20.0; ///< of the frequency asked, at least, where the window has them
+constexpr Index kCurvePoints = 600;
+
+/// What one shot contributes: its own step and its own place in the series of the model input.
+struct ShotView
+{
+    const WindowedResponse *response = nullptr;
+    const SeriesFit *fit = nullptr; ///< null with the averaged input
+    double perPressure = 1.0; ///< physical units of a remapped value, per pascal if known
+};
+
+double inputSpan_s(const ModelInput &input)
+{
+    return input.offset_s + static_cast<double>(input.samples) / input.sampleRate_Hz;
+}
+
+const SeriesFit *fitOfShot(const SensorModel &model, Index shot)
+{
+    for (const SeriesFit &fit : model.series) {
+        if (fit.shot == shot || fit.shot == 0)
+            return &fit;
+    }
+    return nullptr;
+}
+
+std::vector<ShotView> views(const std::vector<WindowedResponse> &responses,
+    const SensorModel &model, const ShockConditionsSet &shock, const ResponseSettings &settings,
+    bool &isAbsolute)
+{
+    std::vector<ShotView> list;
+    isAbsolute = settings.reference == "computed-step";
+    for (const WindowedResponse &response : responses) {
+        const ShockConditions *conditions = shock.ofShot(response.shot);
+        isAbsolute = isAbsolute && conditions && conditions->step_Pa;
+    }
+    for (const WindowedResponse &response : responses) {
+        ShotView view{&response, fitOfShot(model, response.shot)};
+        if (isAbsolute)
+            view.perPressure = response.valueScale / *shock.ofShot(response.shot)->step_Pa;
+        else if (view.fit && view.fit->plateauGain != 0.0)
+            view.perPressure = 1.0 / view.fit->plateauGain;
+        list.push_back(view);
+    }
+    return list;
+}
+
+/// Long enough for the frequency and for the sensor to settle, no longer: noise grows with length.
+Index samplesUsed(const WindowedResponse &response, double span_s, double frequency_Hz)
+{
+    const double length_s = std::max(span_s, kPeriodsKept / frequency_Hz);
+    return std::clamp<Index>(
+        static_cast<Index>(std::ceil(length_s * response.sampleRate_Hz)), 2, response.length);
+}
+
+struct Point
+{
+    std::complex<double> S;
+    double u = 0.0; ///< of Re and of Im
+};
+
+Point measuredAt(const std::vector<ShotView> &shots, double span_s, double frequency_Hz)
+{
+    Point mean;
+    double variance = 0.0;
+    for (const ShotView &shot : shots) {
+        const WindowedResponse &response = *shot.response;
+        const Index count = samplesUsed(response, span_s, frequency_Hz);
+        const double plateau = shot.fit ? shot.fit->plateauGain : 1.0;
+        mean.S += shot.perPressure
+            * stepTransform(response.values.segment(response.lead, count), response.sampleRate_Hz,
+                plateau, shot.fit ? shot.fit->onset_s : 0.0, frequency_Hz);
+        const double u = std::abs(shot.perPressure)
+            * stepTransformNoise(count, response.sampleRate_Hz,
+                response.noiseSd / std::abs(response.valueScale), frequency_Hz);
+        variance += u * u;
+    }
+    const double n = static_cast<double>(shots.size());
+    mean.S /= n;
+    mean.u = std::sqrt(variance) / n;
+    return mean;
+}
+
+Eigen::VectorXd frequencyGrid(const ResponseSettings &settings, double low_Hz, double high_Hz)
+{
+    std::vector<double> list;
+    if (settings.grid == "list") {
+        list = settings.frequencies_Hz;
+    } else if (settings.grid == "linear") {
+        for (Index k = 1; k <= settings.linearCount; ++k) {
+            list.push_back(low_Hz
+                + (high_Hz - low_Hz) * static_cast<double>(k)
+                    / static_cast<double>(settings.linearCount));
+        }
+    } else {
+        // Base-ten third octaves, ISO 266: 10^(k/10).
+        for (int k = static_cast<int>(std::ceil(10.0 * std::log10(low_Hz) - 1e-9));
+             k <= static_cast<int>(std::floor(10.0 * std::log10(high_Hz) + 1e-9)); ++k)
+            list.push_back(std::pow(10.0, k / 10.0));
+    }
+    return Eigen::Map<const Eigen::VectorXd>(list.data(), static_cast<Index>(list.size()));
+}
+
+double lowestRate_Hz(const std::vector<WindowedResponse> &responses)
+{
+    double rate_Hz = responses.front().sampleRate_Hz;
+    for (const WindowedResponse &response : responses)
+        rate_Hz = std::min(rate_Hz, response.sampleRate_Hz);
+    return rate_Hz;
+}
+
+double longestWindow_s(const std::vector<WindowedResponse> &responses)
+{
+    double window_s = 0.0;
+    for (const WindowedResponse &response : responses)
+        window_s
+            = std::max(window_s, static_cast<double>(response.length) / response.sampleRate_Hz);
+    return window_s;
+}
+
+/// Upper end of the band: the last third-octave point before the noise takes over.
+double upperLimit_Hz(
+    const std::vector<ShotView> &shots, double span_s, double low_Hz, double rate_Hz)
+{
+    double limit_Hz = low_Hz;
+    for (double f = low_Hz; f <= kHighestOfRate * rate_Hz; f *= std::pow(10.0, 0.1)) {
+        const Point point = measuredAt(shots, span_s, f);
+        if (point.u > kLargestNoise * std::abs(point.S))
+            return limit_Hz;
+        limit_Hz = f;
+    }
+    return kHighestOfRate * rate_Hz;
+}
+
+void measure(const std::vector<ShotView> &shots, double span_s, ResponseResult &result)
+{
+    const Index count = result.frequency_Hz.size();
+    result.magnitude.resize(count);
+    result.u_magnitude.resize(count);
+    result.phase_rad.resize(count);
+    result.u_phase_rad.resize(count);
+    for (Index k = 0; k < count; ++k) {
+        const Point point = measuredAt(shots, span_s, result.frequency_Hz[k]);
+        result.magnitude[k] = std::abs(point.S);
+        result.u_magnitude[k] = point.u;
+        // The branch nearest the model's unwrapped phase: points may lie far apart.
+        const double reference = result.modelPhase_rad[k];
+        result.phase_rad[k]
+            = reference + std::remainder(std::arg(point.S) - reference, 2.0 * std::numbers::pi);
+        result.u_phase_rad[k] = point.u / std::abs(point.S);
+    }
+}
+
+double interpolatedPhase(const ResponseCurve &curve, double frequency_Hz)
+{
+    const auto begin = curve.frequency_Hz.begin();
+    const auto above = std::lower_bound(begin, curve.frequency_Hz.end(), frequency_Hz);
+    if (above == begin)
+        return curve.phase_rad[0];
+    const Index i = std::min<Index>(above - begin, curve.frequency_Hz.size() - 1);
+    const double t = (frequency_Hz - curve.frequency_Hz[i - 1])
+        / (curve.frequency_Hz[i] - curve.frequency_Hz[i - 1]);
+    return curve.phase_rad[i - 1] + t * (curve.phase_rad[i] - curve.phase_rad[i - 1]);
+}
+
+void describeModel(
+    const SensorModel &model, ResponseTreatment treatment, double scale, ResponseResult &result)
+{
+    const Index count = result.frequency_Hz.size();
+    result.modelMagnitude.resize(count);
+    result.modelPhase_rad.resize(count);
+    const double top_Hz
+        = std::max(count ? result.frequency_Hz.maxCoeff() : result.fHigh_Hz, result.fHigh_Hz);
+    result.modelCurve = modelCurve(model, treatment, result.fLow_Hz, 1.25 * top_Hz, kCurvePoints);
+    result.modelCurve.magnitude *= scale;
+    for (Index k = 0; k < count; ++k) {
+        const std::complex<double> G = modelResponse(model, treatment, result.frequency_Hz[k]);
+        result.modelMagnitude[k] = scale * std::abs(G);
+        const double near = interpolatedPhase(result.modelCurve, result.frequency_Hz[k]);
+        result.modelPhase_rad[k]
+            = near + std::remainder(std::arg(G) - near, 2.0 * std::numbers::pi);
+    }
+}
+
+/// Decision 3: two independent answers; where they differ beyond their uncertainty, say so.
+void compareAnswers(ResponseResult &result)
+{
+    constexpr double kCoverage = 4.0;
+    constexpr double kModelShare = 0.02; // what the model itself may be off
+    for (Index k = 0; k < result.magnitude.size(); ++k) {
+        const double difference = std::abs(result.magnitude[k] - result.modelMagnitude[k]);
+        const double limit
+            = kCoverage * result.u_magnitude[k] + kModelShare * result.modelMagnitude[k];
+        if (difference > limit) {
+            result.findings.push_back({"RSP-001", Severity::Caution, 0, {}, {},
+                {DYNCAL_TEXT("core",
+                     "At %1 the response taken from the data directly differs by %2 % from the "
+                     "model, more than noise allows: the model misses something there."),
+                    {numberWithUnit(result.frequency_Hz[k], "Hz", 3),
+                        numberText(100.0 * difference / result.modelMagnitude[k], 2)}},
+                difference, limit});
+            return;
+        }
+    }
+}
+
+void describeShots(const std::vector<WindowedResponse> &responses, const SensorModel &model,
+    const ShockConditionsSet &shock, ResponseResult &result)
+{
+    double sum = 0.0;
+    int count = 0;
+    for (const WindowedResponse &response : responses) {
+        ShotSensitivity shot{response.shot, {}, response.unit + "/Pa"};
+        const ShockConditions *conditions = shock.ofShot(response.shot);
+        const SeriesFit *fit = fitOfShot(model, response.shot);
+        if (conditions && conditions->step_Pa && fit && !model.diverges) {
+            shot.sensitivity = fit->plateauGain * response.valueScale / *conditions->step_Pa;
+            sum += *shot.sensitivity;
+            ++count;
+        }
+        result.sensitivityUnit = shot.unit;
+        result.shots.push_back(std::move(shot));
+    }
+    if (count > 0 && count == static_cast<int>(responses.size()))
+        result.sensitivity = sum / count;
+}
+
+} // namespace
+
+Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &responses,
+    const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,
+    const ResponseSettings &settings)
+{
+    ResponseResult result;
+    const bool isStep = isStepTreatment(input.treatment);
+    const double span_s = inputSpan_s(input);
+    const double rate_Hz = lowestRate_Hz(responses);
+    result.fLow_Hz = 1.0 / longestWindow_s(responses);
+    result.fHigh_Hz = kHighestOfRate * rate_Hz;
+    result.characteristics = stepCharacteristics(model, input.treatment);
+
+    bool isAbsolute = false;
+    const std::vector<ShotView> shots = views(responses, model, shock, settings, isAbsolute);
+    if (isStep) {
+        describeShots(responses, model, shock, result);
+        result.fHigh_Hz = upperLimit_Hz(shots, span_s, result.fLow_Hz, rate_Hz);
+    }
+    result.unit = isStep && isAbsolute ? result.sensitivityUnit : "1";
+    result.frequency_Hz = frequencyGrid(settings, result.fLow_Hz, result.fHigh_Hz);
+    double scale = 1.0;
+    if (isStep && model.plateauGain != 0.0) {
+        scale = isAbsolute && result.sensitivity ? *result.sensitivity / model.plateauGain
+                                                 : 1.0 / model.plateauGain;
+    }
+    if (!model.diverges)
+        describeModel(model, input.treatment, scale, result);
+    if (isStep && !model.diverges) {
+        measure(shots, span_s, result);
+        compareAnswers(result);
+    }
+    return result;
+}
+
+} // namespace dyncal

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/index.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+
+namespace dyncal {
+
+/// Response at one frequency from a sampled step response, without any model (metrology.md 1.4):
+/// S(f) = D(f) [jwTs / (1 - e^(-jwTs))] e^(jw onset), D(f) = sum (y_n - y_(n-1)) e^(-jwnTs).
+/// `y` starts at time 0 (y before it is 0) and is continued by `endLevel` after its last sample;
+/// the bracket turns the sampled unit step into the true one. Exact up to aliasing and truncation.
+std::complex<double> stepTransform(const Eigen::Ref<const Eigen::VectorXd> &y, double rate_Hz,
+    double endLevel, double onset_s, double frequency_Hz);
+
+/// Standard deviation of Re S and of Im S from white noise of standard deviation `noiseSd` in y.
+double stepTransformNoise(Index samples, double rate_Hz, double noiseSd, double frequency_Hz);
+
+} // namespace dyncal

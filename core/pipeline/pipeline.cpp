@@ -1,0 +1,247 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/pipeline/pipeline.h"
+
+#include "core/capture/capture_check.h"
+#include "core/capture/import_rules.h"
+#include "core/pipeline/stage_keys.h"
+#include "core/signal/start_detection.h"
+
+#include <exception>
+#include <new>
+
+namespace dyncal {
+namespace {
+
+Result<PreparedCaptures> prepareCaptures(const CaptureSet &captures, const Recipe &recipe)
+{
+    auto set = applyImportSettings(captures, recipe.import);
+    if (!set)
+        return tl::unexpected(set.error());
+    PreparedCaptures prepared{std::move(*set), {}};
+    prepared.findings = prepared.set.findings;
+    const Findings checked = checkCaptures(prepared.set);
+    prepared.findings.insert(prepared.findings.end(), checked.begin(), checked.end());
+    return prepared;
+}
+
+/// The plateau's end as far as it can be known before the window is cut: from the detected starts.
+std::vector<std::optional<double>> expectedPlateaus(
+    const CaptureSet &set, const Recipe &recipe, const JobControl &control)
+{
+    std::vector<std::optional<double>> plateaus(set.shots.size());
+    if (!recipe.shock.enabled)
+        return plateaus;
+    std::vector<DutArrival> arrivals;
+    for (std::size_t i = 0; i < set.shots.size(); ++i) {
+        const Channel *dut = set.shots[i].channelWithRole(ChannelRole::Dut);
+        if (!set.shots[i].included || !dut)
+            continue;
+        if (const auto start = detectStart(*dut, control))
+            arrivals.push_back({static_cast<Index>(i) + 1, start->time_s});
+    }
+    const auto shock = estimateShockConditions(set, arrivals, recipe.shock);
+    for (std::size_t i = 0; shock && i < plateaus.size(); ++i) {
+        if (const ShockConditions *conditions = shock->ofShot(static_cast<Index>(i) + 1))
+            plateaus[i] = conditions->plateau_s;
+    }
+    return plateaus;
+}
+
+Result<WindowResult> window(const CaptureSet &set, const Recipe &recipe, const JobControl &control)
+{
+    const WindowContext context{
+        recipe.input.treatment, recipe.remap, expectedPlateaus(set, recipe, control)};
+    return cutWindows(set, recipe.window, context, control);
+}
+
+Result<DecompositionResult> decompose(
+    const ModelInput &input, const RealizationSettings &settings, const JobControl &control)
+{
+    auto hankel = decomposeHankel(input, settings, control);
+    if (!hankel)
+        return tl::unexpected(hankel.error());
+    OrderSuggestion suggestion = suggestOrder(input, *hankel);
+    return DecompositionResult{std::move(*hankel), std::move(suggestion)};
+}
+
+/// When each sensor felt the shock: the model's onset where there is one, else the detected start.
+std::vector<DutArrival> dutArrivals(const WindowResult &window, const SensorModel &model)
+{
+    std::vector<DutArrival> arrivals;
+    for (const WindowedResponse &response : window.responses) {
+        double onset_s = 0.0;
+        for (const SeriesFit &fit : model.series) {
+            if (fit.shot == response.shot)
+                onset_s = fit.onset_s;
+        }
+        arrivals.push_back({response.shot, response.start_s + onset_s});
+    }
+    return arrivals;
+}
+
+Result<ShockConditionsSet> shockConditions(const CaptureSet &set, const WindowResult &window,
+    const SensorModel &model, const ShockSettings &settings)
+{
+    if (!settings.enabled)
+        return ShockConditionsSet{};
+    return estimateShockConditions(set, dutArrivals(window, model), settings);
+}
+
+/// Runs one stage unless its result is in the cache; keeps count and stops at the first failure.
+class Run
+{
+public:
+    Run(PipelineOutcome &outcome, ResultCache &cache, StageId last, const JobControl &control)
+        : m_outcome(outcome)
+        , m_cache(cache)
+        , m_last(last)
+        , m_control(control)
+    {
+    }
+
+    template <typename T, typename Compute>
+    Run &stage(StageId id, std::shared_ptr<const T> CalibrationResults::*member, Compute compute)
+    {
+        if (m_outcome.error || id > m_last)
+            return *this;
+        const std::string &key = m_outcome.results.keys[static_cast<std::size_t>(id)];
+        m_outcome.results.*member = m_cache.find<T>(key);
+        if (!(m_outcome.results.*member)) {
+            if (m_control.stopRequested())
+                return stop(id, Error{ErrorKind::Cancelled, {}, {}, 0});
+            Result<T> result = compute();
+            if (!result)
+                return stop(id, std::move(result.error()));
+            m_outcome.results.*member = std::make_shared<const T>(std::move(*result));
+            m_cache.store(key, m_outcome.results.*member);
+        }
+        m_control.report((static_cast<double>(id) + 1.0) / kStageCount);
+        return *this;
+    }
+
+private:
+    Run &stop(StageId id, Error error)
+    {
+        m_outcome.error = std::move(error);
+        m_outcome.failedStage = id;
+        return *this;
+    }
+
+    PipelineOutcome &m_outcome;
+    ResultCache &m_cache;
+    StageId m_last;
+    const JobControl &m_control;
+};
+
+/// The method (thesis 3.7), one call per step.
+void runStages(const CaptureSet &captures, const Recipe &recipe, Run &run, CalibrationResults &r,
+    const JobControl &control)
+{
+    using R = CalibrationResults;
+    run.stage(StageId::Captures, &R::captures, [&] { return prepareCaptures(captures, recipe); })
+        .stage(
+            StageId::Window, &R::window, [&] { return window(r.captures->set, recipe, control); })
+        .stage(StageId::Spectrum, &R::spectrum,
+            [&] { return analyseSpectra(r.window->responses, recipe.spectrum, control); })
+        .stage(StageId::Components, &R::components,
+            [&] {
+                return analyseComponents(r.window->responses, recipe.pca, recipe.spectrum, control);
+            })
+        .stage(StageId::ModelInput, &R::input,
+            [&] {
+                return prepareModelInput(
+                    r.window->responses, *r.spectrum, *r.components, recipe.input, control);
+            })
+        .stage(StageId::Decomposition, &R::decomposition,
+            [&] { return decompose(*r.input, recipe.realization, control); })
+        .stage(StageId::Model, &R::model,
+            [&] {
+                const Index order
+                    = recipe.realization.order.value.value_or(r.decomposition->suggestion.order);
+                return realizeModel(*r.input, r.decomposition->hankel, order, recipe.realization,
+                    *r.spectrum, control);
+            })
+        .stage(StageId::Shock, &R::shock,
+            [&] { return shockConditions(r.captures->set, *r.window, *r.model, recipe.shock); })
+        .stage(StageId::Response, &R::response, [&] {
+            return computeResponse(
+                r.window->responses, *r.input, *r.model, *r.shock, recipe.response);
+        });
+}
+
+Error outOfMemory()
+{
+    return {ErrorKind::Internal,
+        {DYNCAL_TEXT("core",
+             "Not enough memory for this calibration; shorten the window or the model input."),
+            {}},
+        {}, 0};
+}
+
+} // namespace
+
+const char *stageName(StageId stage)
+{
+    switch (stage) {
+    case StageId::Captures:
+        return "captures";
+    case StageId::Window:
+        return "window";
+    case StageId::Spectrum:
+        return "spectrum";
+    case StageId::Components:
+        return "components";
+    case StageId::ModelInput:
+        return "model input";
+    case StageId::Decomposition:
+        return "decomposition";
+    case StageId::Model:
+        return "model";
+    case StageId::Shock:
+        return "shock";
+    case StageId::Response:
+        return "response";
+    }
+    return "";
+}
+
+Findings CalibrationResults::findings() const
+{
+    Findings all;
+    const auto add = [&all](const auto &result) {
+        if (result)
+            all.insert(all.end(), result->findings.begin(), result->findings.end());
+    };
+    add(captures);
+    add(window);
+    add(spectrum);
+    add(components);
+    add(input);
+    add(model);
+    add(shock);
+    add(response);
+    return all;
+}
+
+PipelineOutcome runPipeline(const std::shared_ptr<const CaptureSet> &captures, const Recipe &recipe,
+    ResultCache &cache, StageId last, const JobControl &control)
+{
+    PipelineOutcome outcome;
+    try {
+        outcome.results.keys = stageKeys(*captures, recipe);
+        Run run(outcome, cache, last, control);
+        runStages(*captures, recipe, run, outcome.results, control);
+    } catch (const std::bad_alloc &) {
+        outcome.error = outOfMemory();
+    } catch (const std::exception &exception) {
+        outcome.error = Error{ErrorKind::Internal,
+            {DYNCAL_TEXT("core", "Internal error: %1. Please report it with the recipe."),
+                {exception.what()}},
+            {}, 0};
+    }
+    return outcome;
+}
+
+} // namespace dyncal

@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/pipeline/stage_keys.h"
+
+#include "core/base/content_hash.h"
+#include "core/base/number_text.h"
+
+namespace dyncal {
+namespace {
+
+/// What identifies the recordings: their samples' hashes and what the file says of them.
+std::string identityOf(const CaptureSet &captures)
+{
+    std::string text;
+    for (const InputFile &input : captures.inputs)
+        text += input.sha256 + ' ' + input.file + '\n';
+    for (const Shot &shot : captures.shots) {
+        text += shot.label + '|' + shotLevelName(shot.level) + '|' + (shot.included ? "+" : "-")
+            + numberText(shot.environment.p1_Pa) + ' ' + numberText(shot.environment.T1_K) + '\n';
+        for (const Channel &channel : shot.channels) {
+            text += channel.name + ' ' + channelRoleName(channel.role) + ' ' + channel.sha256 + ' '
+                + numberText(channel.sampleRate_Hz) + ' ' + numberText(channel.t0_s) + ' '
+                + channel.unit;
+            for (const double coefficient : channel.polynomial)
+                text += ' ' + numberText(coefficient);
+            text += '\n';
+        }
+    }
+    for (const auto &[key, value] : captures.tube)
+        text += key + '=' + value + '\n';
+    return text;
+}
+
+/// The recipe sections one stage reads, as JSON with everything else at its default.
+std::string sectionsOf(StageId stage, const Recipe &recipe)
+{
+    Recipe part;
+    switch (stage) {
+    case StageId::Captures:
+        part.import = recipe.import;
+        break;
+    case StageId::Window:
+        part.window = recipe.window;
+        part.remap = recipe.remap;
+        part.input.treatment = recipe.input.treatment;
+        part.shock = recipe.shock; // the plateau's end
+        break;
+    case StageId::Spectrum:
+        part.spectrum = recipe.spectrum;
+        break;
+    case StageId::Components:
+        part.pca = recipe.pca;
+        break;
+    case StageId::ModelInput:
+        part.input = recipe.input;
+        break;
+    case StageId::Decomposition:
+        part.realization = recipe.realization;
+        part.realization.order = {};
+        part.realization.refine = true;
+        break;
+    case StageId::Model:
+        part.realization.order = recipe.realization.order;
+        part.realization.refine = recipe.realization.refine;
+        break;
+    case StageId::Shock:
+        break; // in the window's key already
+    case StageId::Response:
+        part.response = recipe.response;
+        break;
+    }
+    return recipeJson(part);
+}
+
+} // namespace
+
+std::array<std::string, kStageCount> stageKeys(const CaptureSet &captures, const Recipe &recipe)
+{
+    std::array<std::string, kStageCount> keys;
+    std::string before = identityOf(captures);
+    for (int i = 0; i < kStageCount; ++i) {
+        const StageId stage = static_cast<StageId>(i);
+        before = sha256Hex(before + stageName(stage) + sectionsOf(stage, recipe));
+        keys[static_cast<std::size_t>(i)] = before;
+    }
+    return keys;
+}
+
+} // namespace dyncal

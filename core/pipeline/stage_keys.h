@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/capture/capture_set.h"
+#include "core/pipeline/pipeline.h"
+#include "core/project/recipe.h"
+
+#include <array>
+#include <string>
+
+namespace dyncal {
+
+/// For every stage the hash of all it is computed from: the recordings and the recipe sections of
+/// the stage and of those before it. Equal keys mean equal results: the one table behind caching,
+/// stale marks and instant undo.
+std::array<std::string, kStageCount> stageKeys(const CaptureSet &captures, const Recipe &recipe);
+
+} // namespace dyncal
