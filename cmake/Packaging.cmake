@@ -4,6 +4,8 @@
 # Install rules and the Debian package: cpack --config build-release/CPackConfig.cmake
 include(GNUInstallDirs)
 
+# Debian's libraries are found without a search path of our own.
+set_target_properties(dyncal PROPERTIES INSTALL_RPATH "")
 install(TARGETS dyncal RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
 install(FILES packaging/dyncal.desktop DESTINATION "${CMAKE_INSTALL_DATADIR}/applications")
 install(FILES packaging/org.dyncal.Dyncal.metainfo.xml
@@ -35,13 +37,13 @@ endif()
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME dyncal)
 set(CPACK_PACKAGE_VENDOR "The Dyncal authors")
-set(CPACK_PACKAGE_CONTACT "The Dyncal authors <dyncal@localhost.localdomain>")
+set(CPACK_PACKAGE_CONTACT "The Dyncal authors <dyncal@example.org>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "dynamic calibration of pressure sensors")
 set(CPACK_PACKAGE_DESCRIPTION
 "Computes the frequency response, the resonances and a state-space model of a
- pressure sensor from recordings of pressure steps, such as those of a shock
- tube, in a workbench or on the command line, and writes results, plots and a
- certificate.")
+pressure sensor from recordings of pressure steps, such as those of a shock
+tube, in a workbench or on the command line, and writes results, plots and a
+certificate.")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS

@@ -4,6 +4,7 @@
 #include "app/cli/run_summary.h"
 
 #include "core/base/number_text.h"
+#include "core/pipeline/results_json.h"
 
 #include <algorithm>
 #include <cmath>
@@ -111,15 +112,12 @@ void addBand(std::string &text, const char *label, const std::optional<double> &
         addLine(text, label, "up to " + numberWithUnit(*limit_Hz, "Hz"));
 }
 
-/// The error that stopped the run counts as one that blocks.
 void addFindings(std::string &text, const PipelineOutcome &outcome)
 {
-    const Findings findings = outcome.results.findings();
-    const auto count = [&](Severity severity) {
-        const bool byError = severity == Severity::Block && outcome.error;
-        return std::to_string((byError ? 1 : 0)
-            + std::count_if(findings.begin(), findings.end(),
-                [severity](const Finding &finding) { return finding.severity == severity; }));
+    const Findings findings = allFindings(outcome);
+    const auto count = [&findings](Severity severity) {
+        return std::to_string(std::count_if(findings.begin(), findings.end(),
+            [severity](const Finding &finding) { return finding.severity == severity; }));
     };
     addLine(text, "Findings",
         count(Severity::Block) + " blocking, " + count(Severity::Caution) + " cautions, "

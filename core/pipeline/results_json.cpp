@@ -92,13 +92,24 @@ const SeriesFit *ResultsContext::fitOf(Index shot) const
 
 void addFindings(JsonRecord &root, const ResultsContext &context)
 {
-    Findings findings = context.results().findings();
-    if (context.outcome.error && !context.outcome.error->findingId.empty())
-        findings.push_back(asFinding(*context.outcome.error));
     Json list = Json::array();
-    for (const Finding &finding : findings)
+    for (const Finding &finding : allFindings(context.outcome))
         list.push_back(findingJson(finding));
     root.set("findings", std::move(list));
+}
+
+Findings allFindings(const PipelineOutcome &outcome)
+{
+    Findings findings = outcome.results.findings();
+    if (!outcome.error || outcome.error->findingId.empty())
+        return findings;
+    const Finding gravest = asFinding(*outcome.error);
+    const bool listed = std::any_of(findings.begin(), findings.end(), [&](const Finding &f) {
+        return f.id == gravest.id && f.shot == gravest.shot && f.severity == gravest.severity;
+    });
+    if (!listed)
+        findings.push_back(gravest);
+    return findings;
 }
 
 std::string resultsJson(

@@ -15,4 +15,8 @@ namespace dyncal {
 std::string resultsJson(
     const PipelineOutcome &outcome, const Recipe &recipe, const std::string &createdUtc);
 
+/// Findings of all stages and the error that stopped the run, if that is one of the catalogue and
+/// not among them already: the list of results.json.
+Findings allFindings(const PipelineOutcome &outcome);
+
 } // namespace dyncal

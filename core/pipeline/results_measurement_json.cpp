@@ -187,6 +187,10 @@ void addShock(JsonRecord &root, const ResultsContext &context)
         root.missing("shock", context.whyMissing());
         return;
     }
+    if (!context.recipe.shock.enabled) {
+        root.missing("shock", "Not computed: the recipe switches it off (shock.enabled).");
+        return;
+    }
     Json list = Json::array();
     for (const ShockConditions &shock : context.results().shock->shots)
         list.push_back(shockJson(shock));

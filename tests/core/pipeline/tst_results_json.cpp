@@ -381,6 +381,32 @@ private slots:
         QCOMPARE(findings[1]["shot"].toInt(), 1);
     }
 
+    void errorThatIsAFindingAlready_isListedOnce()
+    {
+        PipelineOutcome outcome = stopped();
+        PreparedCaptures prepared = *outcome.results.captures;
+        Finding same;
+        same.id = "CAP-009";
+        same.severity = Severity::Block;
+        same.shot = 1;
+        prepared.findings = {same};
+        outcome.results.captures = std::make_shared<PreparedCaptures>(prepared);
+        QCOMPARE(allFindings(outcome).size(), std::size_t(1));
+        same.shot = 2; // of another shot: both stay
+        prepared.findings = {same};
+        outcome.results.captures = std::make_shared<PreparedCaptures>(prepared);
+        QCOMPARE(allFindings(outcome).size(), std::size_t(2));
+    }
+
+    void shockSwitchedOff_isNullWithThatReason()
+    {
+        Recipe recipe;
+        recipe.shock.enabled = false;
+        const QJsonObject root = written(complete(), recipe);
+        QVERIFY(root["shock"].isNull());
+        QVERIFY(root["shock_reason"].toString().contains("shock.enabled"));
+    }
+
     void recipe_isTheOneUsedWithDefaultsFilledIn()
     {
         Recipe recipe;
