@@ -72,6 +72,11 @@ CertificateSection administrativeSection(const CertificateSources &sources)
         typedField(sources, "date_issued", {DYNCAL_TEXT("core", "Date of issue"), {}}, true),
         typedField(sources, "operator", {DYNCAL_TEXT("core", "Calibrated by"), {}}, true),
     };
+    CertificateField approval
+        = typedField(sources, "approved_by", {DYNCAL_TEXT("core", "Approved by"), {}}, false);
+    if (sources.fields.count("approved_by") == 0)
+        approval.value = {DYNCAL_TEXT("core", "not yet approved"), {}};
+    section.fields.push_back(std::move(approval));
     return section;
 }
 

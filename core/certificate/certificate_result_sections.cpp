@@ -37,11 +37,12 @@ const Pole *mainPole(const SensorModel &model)
 void addSensitivity(const CertificateSources &sources, CertificateSection &section)
 {
     const ResponseResult *response = sources.response;
-    section.fields.push_back({"sensitivity", {DYNCAL_TEXT("core", "Sensitivity"), {}},
-        printed(response ? response->sensitivity : std::nullopt,
-            response ? response->sensitivityUnit : "",
-            {DYNCAL_TEXT("core", "not determined (no pressure step)"), {}}),
-        false});
+    section.fields.push_back(
+        {"sensitivity", {DYNCAL_TEXT("core", "Sensitivity at the plateau, mean of the shots"), {}},
+            printed(response ? response->sensitivity : std::nullopt,
+                response ? response->sensitivityUnit : "",
+                {DYNCAL_TEXT("core", "not determined (no pressure step)"), {}}),
+            false});
 }
 
 void addResonance(const CertificateSources &sources, CertificateSection &section)
@@ -89,8 +90,8 @@ std::vector<Message> shotRow(const CertificateSources &sources, const WindowedRe
     return {verbatim(std::to_string(response.shot)), levelWord(response.level),
         verbatim(roundedText(response.sampleRate_Hz, kUnknown, "Hz")),
         verbatim(roundedText(response.step, kUnknown, response.unit)),
-        verbatim(fixedText(response.snr_dB, 1) + " dB"), printed(response.riseTime_s, "s", dash()),
-        printed(response.overshoot_percent, "%", dash()),
+        std::isfinite(response.snr_dB) ? verbatim(fixedText(response.snr_dB, 1) + " dB") : dash(),
+        printed(response.riseTime_s, "s", dash()), printed(response.overshoot_percent, "%", dash()),
         printed(response.settlingTime_s, "s", dash()), sensitivity};
 }
 
@@ -176,8 +177,8 @@ std::vector<Message> frequencyRow(const ResponseResult &response, Index i)
         std::isfinite(magnitude) ? expanded(magnitude, uMagnitude, unit) : dash(),
         cell(phase, uPhase, "\xC2\xB0"),
         std::isfinite(phase) ? expanded(phase, uPhase, "\xC2\xB0") : dash(),
-        cell(valueAt(response.modelMagnitude, i), kUnknown, unit),
-        cell(kDegreesPerRadian * valueAt(response.modelPhase_rad, i), kUnknown, "\xC2\xB0")};
+        cell(valueAt(response.modelMagnitude, i), uMagnitude, unit),
+        cell(kDegreesPerRadian * valueAt(response.modelPhase_rad, i), uPhase, "\xC2\xB0")};
 }
 
 } // namespace

@@ -3,8 +3,6 @@
 
 #include "ui/plot/axis_prefix.h"
 
-#include <QLocale>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -59,6 +57,13 @@ QString axisLabel(const QString &quantity, const QString &unit, const AxisPrefix
     return shown.isEmpty() ? quantity : quantity + " / " + shown;
 }
 
+QLocale plotLocale()
+{
+    QLocale locale;
+    locale.setNumberOptions(QLocale::OmitGroupSeparator);
+    return locale;
+}
+
 QString powerOfTen(int exponent)
 {
     static const std::array<const char *, 10> kDigits{
@@ -82,9 +87,9 @@ QString valueWithUnit(double value, const QString &unit, int digits)
     QString number;
     if (magnitude == 0.0 || (magnitude >= 1e-3 && magnitude < 1e6)) {
         const int whole = magnitude < 1.0 ? 1 : static_cast<int>(std::log10(magnitude)) + 1;
-        number = QLocale().toString(scaled, 'f', std::max(0, digits - whole));
+        number = plotLocale().toString(scaled, 'f', std::max(0, digits - whole));
     } else {
-        number = QLocale().toString(scaled, 'e', digits - 1);
+        number = plotLocale().toString(scaled, 'e', digits - 1);
     }
     const QString shown = prefix.symbol + unit;
     return shown.isEmpty() ? number : number + QChar(0x202F) + shown;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <QLocale>
 #include <QString>
 
 namespace dyncal {
@@ -26,7 +27,10 @@ AxisPrefix axisPrefix(double lower, double upper, const QString &unit);
 /// "Time / µs"; "Lag" for a quantity without unit.
 QString axisLabel(const QString &quantity, const QString &unit, const AxisPrefix &prefix);
 
-/// A plain number as "10⁻³" for the decade `exponent`, and with the mantissa for 2 and 5.
+/// The locale of the program without group separators: "1000", decimal mark of the language.
+QLocale plotLocale();
+
+/// A power of ten as "10⁻³" for the decade `exponent`.
 QString powerOfTen(int exponent);
 
 /// SI value with prefix and unit, for readouts and marks: "2.330 MHz". Locale of the program.

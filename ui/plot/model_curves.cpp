@@ -30,21 +30,39 @@ void clipTo(const Eigen::VectorXd &measured, std::vector<double> &values)
         value = std::isfinite(value) ? std::clamp(value, low - room, high + room) : kNone;
 }
 
-void addSeries(PlotContent &content, const ModelInput &input, const SensorModel &model,
-    const WindowResult &window, std::size_t position, bool first)
+void addMeasuredSeries(
+    PlotContent &content, const ModelInput &input, std::size_t position, const ShotStyle &style)
 {
     const ModelSeries &series = input.series[position];
-    const SeriesFit &fit = model.series[position];
-    const ShotStyle style = shotStyle(series.shot, window);
-    const double step = 1.0 / input.sampleRate_Hz;
     content.curves.push_back({style.name, style.role, CurveStyle::Line,
-        timeAxis(series.first_s, step, series.y.size()), toVector(series.y), true});
-    std::vector<double> simulated = toVector(fit.simulated);
+        timeAxis(series.first_s, 1.0 / input.sampleRate_Hz, series.y.size()), toVector(series.y),
+        true});
+}
+
+void addModelSeries(PlotContent &content, const ModelInput &input, const SensorModel &model,
+    std::size_t position, bool first)
+{
+    const ModelSeries &series = input.series[position];
+    std::vector<double> simulated = toVector(model.series[position].simulated);
     if (model.diverges)
         clipTo(series.y, simulated);
-    content.curves.push_back(
-        {Plots::tr("Model of order %1").arg(model.order), CurveRole::Model, CurveStyle::Line,
-            timeAxis(series.first_s, step, fit.simulated.size()), std::move(simulated), first});
+    const auto count = static_cast<Index>(simulated.size());
+    content.curves.push_back({Plots::tr("Model of order %1").arg(model.order), CurveRole::Model,
+        CurveStyle::Line, timeAxis(series.first_s, 1.0 / input.sampleRate_Hz, count),
+        std::move(simulated), first});
+}
+
+/// Time after which the slowest oscillating pole of the sensor has decayed to nothing visible.
+std::optional<double> ringingTime_s(const SensorModel &model)
+{
+    constexpr double kDecays = 6.0;
+    std::optional<double> longest;
+    for (const Pole &pole : model.poles) {
+        const double decay = -pole.s_rad_s.real();
+        if (pole.poleClass == PoleClass::Sensor && pole.s_rad_s.imag() > 0.0 && decay > 0.0)
+            longest = std::max(longest.value_or(0.0), kDecays / decay);
+    }
+    return longest;
 }
 
 struct PoleLook
@@ -73,23 +91,31 @@ PoleLook lookOf(PoleClass poleClass)
 void addResponseMarks(PlotContent &content, const ResponseResult &response)
 {
     if (response.fLow_Hz > 0.0)
-        content.marks.push_back({response.fLow_Hz, QString(), CurveRole::Reference});
+        content.marks.push_back({response.fLow_Hz, Plots::tr("lower limit"), CurveRole::Reference});
     if (response.fHigh_Hz > response.fLow_Hz)
-        content.marks.push_back({response.fHigh_Hz, QString(), CurveRole::Reference});
+        content.marks.push_back(
+            {response.fHigh_Hz, Plots::tr("upper limit"), CurveRole::Reference});
 }
 
-/// Values with +- 2u around them, where uncertainties are known.
+/// Values with bars of +- 2u, where uncertainties are known. Never a band: between two frequencies
+/// of the grid there may be a resonance.
 void addMeasured(PlotContent &content, const Eigen::VectorXd &frequency_Hz,
     const Eigen::VectorXd &values, const Eigen::VectorXd &u, double scale)
 {
     if (values.size() == 0 || values.size() != frequency_Hz.size())
         return;
     const std::vector<double> x = toVector(frequency_Hz);
-    if (u.size() == values.size() && u.allFinite() && (u.array() > 0.0).any()) {
-        content.curves.push_back({Plots::tr("Non-parametric ± 2u"), CurveRole::Noise,
-            CurveStyle::Line, x, toVector(scale * (values - 2.0 * u)), true});
-        content.curves.push_back({QString(), CurveRole::Noise, CurveStyle::Line, x,
-            toVector(scale * (values + 2.0 * u)), false});
+    if (u.size() == values.size()) {
+        PlotCurve bars{Plots::tr("± 2u"), CurveRole::Noise, CurveStyle::Line, {}, {}, true};
+        for (Index i = 0; i < u.size(); ++i) {
+            if (!std::isfinite(u[i]) || !(u[i] > 0.0))
+                continue;
+            bars.x.insert(bars.x.end(), 3, frequency_Hz[i]);
+            bars.y.insert(bars.y.end(),
+                {scale * (values[i] - 2.0 * u[i]), scale * (values[i] + 2.0 * u[i]), kNone});
+        }
+        if (!bars.x.empty())
+            content.curves.push_back(std::move(bars));
     }
     content.curves.push_back({Plots::tr("Non-parametric"), CurveRole::Measured, CurveStyle::Dots, x,
         toVector(scale * values), true});
@@ -121,13 +147,17 @@ PlotContent simulationCurves(const ModelInput &input, const SensorModel &model,
     content.xAxis = timeAxisMeaning();
     content.yAxis = responseAxisMeaning(window);
     const std::size_t count = std::min(input.series.size(), model.series.size());
-    bool first = true;
-    for (std::size_t i = 0; i < count; ++i) {
-        if (series && *series != i)
-            continue;
-        addSeries(content, input, model, window, i, first);
-        first = false;
-    }
+    std::vector<std::size_t> shown;
+    for (std::size_t i = 0; i < count; ++i)
+        if (!series || *series == i)
+            shown.push_back(i);
+    for (const std::size_t i : shown)
+        addMeasuredSeries(content, input, i, shotStyle(input.series[i].shot, window));
+    for (const std::size_t i : shown)
+        addModelSeries(content, input, model, i, i == shown.front());
+    const double length_s = static_cast<double>(input.samples) / input.sampleRate_Hz;
+    if (const auto ringing_s = ringingTime_s(model); ringing_s && *ringing_s < length_s)
+        content.xMax = input.offset_s + *ringing_s;
     content.summary = Plots::tr("Data and model of order %1; the fit is %2 %.")
                           .arg(model.order)
                           .arg(valueWithUnit(model.fit_percent, QString(), 4));
@@ -196,7 +226,7 @@ PlotContent poleZeroCurves(const SensorModel &model)
         + Plots::tr("%n zero(s)", nullptr, static_cast<int>(model.zeros.size()));
     if (beyond > 0)
         content.summary += QStringLiteral("; ")
-            + Plots::tr("%n of them outside the first view", nullptr, beyond);
+            + Plots::tr("%n of them further out than shown", nullptr, beyond);
     return content;
 }
 

@@ -35,6 +35,7 @@ QPicture record(const PlotPicture &picture, QSize size)
     scene.setColumnsPerPixel(kPrintColumnsPerPixel);
     scene.setTheme(printTheme());
     scene.setContent(picture.content);
+    plot.setBackground(Qt::NoBrush); // what lies under the plot on its page stays visible
     PlotHandles handles(plot);
     handles.setTheme(printTheme());
     for (const HandleState &state : picture.handles)
@@ -68,6 +69,7 @@ bool saveSvg(const PlotPicture &picture, QSize size, QIODevice &device)
     QPainter painter;
     if (!painter.begin(&generator))
         return false;
+    painter.fillRect(QRect(QPoint(0, 0), size), printTheme().background);
     paintPicture(painter, QRectF(QPointF(0, 0), size), picture);
     return painter.end();
 }

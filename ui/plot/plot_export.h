@@ -25,7 +25,7 @@ struct PlotPicture
     std::vector<HandleState> handles;
 };
 
-/// Draws into `target` as vectors, light, opaque.
+/// Draws into `target` as vectors, light, opaque colours, without a background.
 void paintPicture(QPainter &painter, const QRectF &target, const PlotPicture &picture);
 
 QImage renderPicture(const PlotPicture &picture, QSize size, double scale);

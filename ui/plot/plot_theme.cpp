@@ -102,12 +102,14 @@ PlotTheme printTheme()
     PlotTheme theme = lightTheme();
     theme.font = QFont("DejaVu Sans");
     theme.font.setPixelSize(10);
+    // Turns ligatures off, so that the text of a printed plot can be searched.
+    theme.font.setLetterSpacing(QFont::AbsoluteSpacing, 0.02);
     return theme;
 }
 
 double contrastRatio(const QColor &a, const QColor &b)
 {
-    const auto [darker, lighter] = std::minmax(luminance(a), luminance(b));
+    const auto [darker, lighter] = std::minmax({luminance(a), luminance(b)});
     return (lighter + 0.05) / (darker + 0.05);
 }
 

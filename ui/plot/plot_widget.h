@@ -48,8 +48,8 @@ public:
     Interval xRange() const;
     Interval yRange() const;
 
-    /// Draws the plot as vectors, light theme, opaque colours, into `target` of a painter (PDF,
-    /// SVG). Text and pens are sized in millimetres of a page at 96 dpi.
+    /// Draws the plot as vectors, light theme, opaque colours, no background, into `target` of a
+    /// painter (PDF, SVG). Text and pens are sized in millimetres of a page at 96 dpi.
     static void paint(QPainter &painter, const QRectF &target, const PlotContent &content);
 
     /// The legend is shown above the plot by itself when two or more curves have names; a click

@@ -14,6 +14,7 @@ namespace {
 
 constexpr std::size_t kDensePoints = 20000;
 constexpr int kPixelsPerDot = 4; ///< samples get dots when they are at least this far apart
+constexpr int kPixelsPerDash = 2; ///< least distance of samples for a dashed line
 constexpr Index kMarkersPerCurve = 8;
 constexpr double kMarkerSize = 6.0;
 constexpr double kDotSize = 4.0;
@@ -230,13 +231,18 @@ void PlotScene::drawCurve(DrawnCurve &drawn, const std::vector<double> &edges) c
         drawn.graph->setData(toQt(points.x), toQt(points.y), true);
         enveloped = points.enveloped;
     }
-    if (drawn.markers) {
-        // Dashes of an envelope are unreadable and slow: its verticals would all be dashed.
-        QPen pen = drawn.graph->pen();
-        pen.setStyle(enveloped ? Qt::SolidLine : m_theme.style(drawn.curve->role).dash);
-        drawn.graph->setPen(pen);
-        drawMarkers(drawn);
-    }
+    if (!drawn.markers)
+        return;
+    // Dashes need room: on an envelope or on noise they are unreadable, and slow.
+    const QCPRange range = m_plot.xAxis->range();
+    const Index count
+        = drawn.envelope->firstBeyond(range.upper) - drawn.envelope->firstFrom(range.lower);
+    const bool crowded
+        = isShot(drawn.curve->role) && count > m_plot.axisRect()->width() / kPixelsPerDash;
+    QPen pen = drawn.graph->pen();
+    pen.setStyle(enveloped || crowded ? Qt::SolidLine : m_theme.style(drawn.curve->role).dash);
+    drawn.graph->setPen(pen);
+    drawMarkers(drawn);
 }
 
 void PlotScene::drawMarkers(DrawnCurve &drawn) const
@@ -245,8 +251,9 @@ void PlotScene::drawMarkers(DrawnCurve &drawn) const
     const QCPRange range = m_plot.xAxis->range();
     const Index begin = drawn.envelope->firstFrom(range.lower);
     const Index count = drawn.envelope->firstBeyond(range.upper) - begin;
+    const bool wide = count < m_plot.axisRect()->width() / kPixelsPerDot;
     const bool everySample = drawn.curve->style == CurveStyle::LineAndDots
-        || count < m_plot.axisRect()->width() / kPixelsPerDot;
+        || (wide && drawn.curve->role != CurveRole::Noise);
     QVector<double> x;
     QVector<double> y;
     const auto add = [&](Index i) {

@@ -3,8 +3,6 @@
 
 #include "ui/plot/qcp_ticker.h"
 
-#include <QLocale>
-
 #include <algorithm>
 #include <cmath>
 
@@ -81,7 +79,7 @@ QVector<QString> PrefixTicker::createLabelVector(
     labels.reserve(ticks.size());
     const double step = ticks.size() > 1 ? (ticks[1] - ticks[0]) / m_prefix.factor : 1.0;
     const int decimals = decimalsOf(step);
-    const QLocale locale;
+    const QLocale locale = plotLocale();
     for (const double tick : ticks) {
         const double value = tick / m_prefix.factor;
         // No "-0.0" for a tick that is zero but for rounding.
@@ -131,7 +129,7 @@ QString DecadeTicker::getTickLabel(double tick, const QLocale &, QChar, int)
     }
     const AxisPrefix prefix
         = takesPrefix(m_axis.unit) ? axisPrefix(0.0, tick, m_axis.unit) : AxisPrefix{};
-    const QString number = QLocale().toString(tick / prefix.factor, 'g', 6);
+    const QString number = plotLocale().toString(tick / prefix.factor, 'g', 6);
     return prefix.symbol.isEmpty() ? number : number + QChar(0x202F) + prefix.symbol;
 }
 

@@ -29,6 +29,9 @@ QFont font(int pixels, bool bold = false)
     made.setBold(bold);
     // The same advance widths on every screen: a certificate must not depend on one.
     made.setHintingPreference(QFont::PreferNoHinting);
+    // Any letter spacing turns ligatures off: "certificate" with one letter for "fi" would not be
+    // found by a search of the document.
+    made.setLetterSpacing(QFont::AbsoluteSpacing, 0.02);
     return made;
 }
 
@@ -190,9 +193,11 @@ private:
     QPaintDevice *m_device;
 };
 
-QString reportText(const char *text)
+/// What the map of poles cannot show is said in its caption.
+QString figureCaption(const CertificateFigure &figure, const PlotContent &content)
 {
-    return QCoreApplication::translate("Report", text);
+    const QString caption = translated(figure.caption);
+    return content.equalAspect ? caption + QStringLiteral(": ") + content.summary : caption;
 }
 
 void addMissing(const CertificateData &data, const CertificateStyle &style, const BlockMaker &make,
@@ -257,6 +262,7 @@ std::vector<FlowBlock> certificateBlocks(const CertificateData &data,
         for (std::size_t i = 0; i < section.fields.size(); ++i) {
             body.push_back(make.field(section.fields[i]));
             body.back().spaceBefore = i == 0 ? 5.0 : 0.0;
+            body.back().keepWithNext = i == 0 || i + 2 == section.fields.size();
         }
         for (const CertificateTable &table : section.tables)
             make.table(table, body);
@@ -265,9 +271,9 @@ std::vector<FlowBlock> certificateBlocks(const CertificateData &data,
         for (const CertificateFigure &figure : section.figures)
             if (const PlotContent *content = findFigure(figures, figure.id))
                 body.push_back(make.figure(*content,
-                    reportText(QT_TRANSLATE_NOOP("Report", "Figure %1. %2."))
+                    QCoreApplication::translate("Report", "Figure %1. %2.")
                         .arg(++figureNumber)
-                        .arg(translated(figure.caption))));
+                        .arg(figureCaption(figure, *content))));
         if (body.empty())
             continue; // a section without content has no heading
         blocks.push_back(make.heading(translated(section.title)));

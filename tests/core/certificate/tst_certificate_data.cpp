@@ -1,0 +1,312 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/certificate/certificate_data.h"
+#include "tests/support/example_results.h"
+
+#include <limits>
+
+#include <QtTest>
+
+#include <algorithm>
+
+using dyncal::CalibrationResults;
+using dyncal::CertificateData;
+using dyncal::CertificateField;
+using dyncal::CertificateSection;
+using dyncal::CertificateSources;
+using dyncal::CertificateTable;
+using dyncal::english;
+using dyncal::Finding;
+using dyncal::Index;
+using dyncal::makeCertificate;
+using dyncal::Message;
+using dyncal::Severity;
+
+namespace {
+
+CertificateSources sourcesOf(const CalibrationResults &results)
+{
+    CertificateSources sources;
+    sources.captures = &results.captures->set;
+    sources.window = results.window.get();
+    sources.shock = results.shock.get();
+    sources.input = results.input.get();
+    sources.suggestion = &results.decomposition->suggestion;
+    sources.model = results.model.get();
+    sources.response = results.response.get();
+    sources.fields = dyncal::example::certificateFields();
+    sources.createdUtc = "2026-11-21T03:04:05Z";
+    sources.softwareVersion = "0.1.0";
+    sources.softwareBuild = "abc";
+    return sources;
+}
+
+QString value(const CertificateData &data, const char *section, const char *field)
+{
+    const CertificateSection *part = data.section(section);
+    if (!part)
+        return "no section";
+    for (const CertificateField &candidate : part->fields)
+        if (candidate.id == field)
+            return QString::fromStdString(english(candidate.value));
+    return "no field";
+}
+
+const CertificateTable *table(const CertificateData &data, const char *section)
+{
+    const CertificateSection *part = data.section(section);
+    return part && !part->tables.empty() ? &part->tables.front() : nullptr;
+}
+
+QString cell(const CertificateTable &table, std::size_t row, std::size_t column)
+{
+    return QString::fromStdString(english(table.rows[row][column]));
+}
+
+QString allText(const CertificateData &data)
+{
+    QString text;
+    const auto add = [&text](const Message &message) {
+        text += QString::fromStdString(english(message)) + '\n';
+    };
+    for (const CertificateSection &section : data.sections) {
+        add(section.title);
+        for (const auto *messages : {&section.paragraphs, &section.notes})
+            std::for_each(messages->begin(), messages->end(), add);
+        for (const CertificateField &field : section.fields) {
+            add(field.label);
+            add(field.value);
+        }
+        for (const CertificateTable &part : section.tables) {
+            add(part.caption);
+            for (const auto &row : part.rows)
+                std::for_each(row.begin(), row.end(), add);
+        }
+    }
+    return text;
+}
+
+} // namespace
+
+class TestCertificateData : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void complete_example_hasEverySectionAndNumber();
+    void complete_example_missesNothingButStaysDraft();
+    void fields_notTyped_areMissing();
+    void item_typedField_winsOverCard();
+    void nothing_computed_saysWhy();
+    void shock_withoutStep_isNotDetermined();
+    void findings_cautions_areListedWithReason();
+    void excluded_shot_isNamedWithReason();
+    void poles_pairOnce_realAndUnstableToo();
+    void frequency_withoutMeasuredValues_hasDashes();
+    void order_typed_isSaid();
+    void tables_everyRow_hasAllCells();
+    void text_never_containsNan();
+};
+
+void TestCertificateData::complete_example_hasEverySectionAndNumber()
+{
+    const CalibrationResults results = dyncal::example::calibration();
+    const CertificateData data = makeCertificate(sourcesOf(results));
+    QCOMPARE(data.number, std::string("D-2026-0117"));
+    QCOMPARE(value(data, "results", "sensitivity"), QString::fromUtf8("12.500 µV/Pa"));
+    // u = 412 Hz; U = 824 Hz rounds to 0.00082 MHz, the value to the same decimal.
+    QCOMPARE(value(data, "results", "natural_frequency"),
+        QString::fromUtf8("2.33000 MHz ± 0.00082 MHz (k = 2)"));
+    QCOMPARE(
+        value(data, "results", "damping_ratio"), QString::fromUtf8("0.02000 ± 0.00035 (k = 2)"));
+    QCOMPARE(value(data, "results", "within_5_percent"), QString("508.00 kHz"));
+    QCOMPARE(value(data, "model", "order"), QString("2 (as suggested from the data)"));
+    QCOMPARE(value(data, "model", "fit"), QString("98.76 % of 98.91 % attainable with this noise"));
+    QCOMPARE(value(data, "item", "sensor_serial"), QString("SN-0042"));
+    QCOMPARE(value(data, "conditions", "ambient_temperature"), QString("294.15 K"));
+    QCOMPARE(
+        value(data, "conditions", "ambient_pressure"), QString("not determined (not recorded)"));
+    QCOMPARE(cell(*table(data, "conditions"), 2, 6), QString("434.50 kPa"));
+    QCOMPARE(cell(*table(data, "shots"), 1, 1), QString("medium"));
+    QCOMPARE(cell(*table(data, "records"), 0, 2).size(), 64);
+    QCOMPARE(data.section("figures")->figures.size(), std::size_t(7));
+}
+
+void TestCertificateData::complete_example_missesNothingButStaysDraft()
+{
+    const CalibrationResults results = dyncal::example::calibration();
+    const CertificateData data = makeCertificate(sourcesOf(results));
+    QVERIFY(data.missingFields().empty());
+    QVERIFY(data.draft);
+}
+
+void TestCertificateData::fields_notTyped_areMissing()
+{
+    const CalibrationResults results = dyncal::example::calibration();
+    CertificateSources sources = sourcesOf(results);
+    sources.fields.clear();
+    const CertificateData data = makeCertificate(sources);
+    QStringList missing;
+    for (const Message &label : data.missingFields())
+        missing += QString::fromStdString(english(label));
+    QVERIFY(missing.contains("Customer"));
+    QVERIFY(missing.contains("Certificate number"));
+    QVERIFY(missing.contains("Method"));
+    QVERIFY(!missing.contains("Manufacturer")); // the capture knows it
+    QVERIFY(data.number.empty());
+}
+
+void TestCertificateData::item_typedField_winsOverCard()
+{
+    const CalibrationResults results = dyncal::example::calibration();
+    CertificateSources sources = sourcesOf(results);
+    sources.fields["sensor_serial"] = "typed";
+    QCOMPARE(value(makeCertificate(sources), "item", "sensor_serial"), QString("typed"));
+}
+
+void TestCertificateData::nothing_computed_saysWhy()
+{
+    const CertificateData data = makeCertificate({});
+    QCOMPARE(value(data, "results", "natural_frequency"), QString("not determined (no model)"));
+    QCOMPARE(value(data, "results", "sensitivity"), QString("not determined (no pressure step)"));
+    QVERIFY(!data.section("shots")->paragraphs.empty());
+    QVERIFY(!data.section("model")->paragraphs.empty());
+    QVERIFY(data.section("figures")->figures.empty());
+    QVERIFY(!data.section("conditions")->notes.empty());
+}
+
+void TestCertificateData::shock_withoutStep_isNotDetermined()
+{
+    const CalibrationResults results = dyncal::example::calibration();
+    CertificateSources sources = sourcesOf(results);
+    dyncal::ShockConditionsSet shock = *results.shock;
+    shock.shots[1].step_Pa.reset();
+    shock.shots[1].states.reset();
+    sources.shock = &shock;
+    const CertificateData data = makeCertificate(sources);
+    QCOMPARE(cell(*table(data, "conditions"), 1, 6), QString("not determined"));
+    QCOMPARE(cell(*table(data, "conditions"), 0, 7), QString("computed"));
+    QCOMPARE(data.section("conditions")->notes.size(), std::size_t(1));
+}
+
+void TestCertificateData::findings_cautions_areListedWithReason()
+{
+    const CalibrationResults results = dyncal::example::calibration();
+    CertificateSources sources = sourcesOf(results);
+    QVERIFY(table(makeCertificate(sources), "remarks") == nullptr);
+    sources.findings
+        = {Finding{"CAP-005", Severity::Info, 0, "", {}, {"Only for information.", {}}, {}, {}},
+            Finding{"WIN-001", Severity::Caution, 3, "", {}, {"Shot %1 drifts.", {"3"}}, {}, {}},
+            Finding{"CAP-020", Severity::Block, 2, "", {}, {"Not at rest.", {}}, {}, {}}};
+    sources.acknowledgements = {{"WIN-001", 3, "known of this tube"}, {"CAP-020", 1, "other"}};
+    const CertificateData data = makeCertificate(sources);
+    const CertificateTable *findings = table(data, "remarks");
+    QVERIFY(findings);
+    QCOMPARE(findings->rows.size(), std::size_t(2));
+    QCOMPARE(cell(*findings, 0, 0), QString("WIN-001"));
+    QCOMPARE(cell(*findings, 0, 3), QString("Shot 3 drifts."));
+    QCOMPARE(cell(*findings, 0, 4), QString("known of this tube"));
+    QCOMPARE(cell(*findings, 1, 2), QString("blocking"));
+    QCOMPARE(cell(*findings, 1, 4), QString::fromUtf8("–"));
+}
+
+void TestCertificateData::excluded_shot_isNamedWithReason()
+{
+    const CalibrationResults results = dyncal::example::calibration();
+    CertificateSources sources = sourcesOf(results);
+    dyncal::CaptureSet captures = results.captures->set;
+    captures.shots[1].included = false;
+    captures.shots[1].excludeReason = "diaphragm burst twice";
+    sources.captures = &captures;
+    const CertificateData data = makeCertificate(sources);
+    const std::string text = english(data.section("remarks")->paragraphs.front());
+    QCOMPARE(text, std::string("Shot 2 was excluded. Reason: diaphragm burst twice."));
+}
+
+void TestCertificateData::poles_pairOnce_realAndUnstableToo()
+{
+    const CalibrationResults results = dyncal::example::calibration();
+    CertificateSources sources = sourcesOf(results);
+    dyncal::SensorModel model = *results.model;
+    dyncal::Pole real;
+    real.z = {1.2, 0.0};
+    real.s_rad_s = {1.8e6, 0.0};
+    real.poleClass = dyncal::PoleClass::Unstable;
+    real.frequency_Hz = 290e3;
+    real.dampingRatio = -1.0;
+    model.poles.push_back(real);
+    model.diverges = true;
+    sources.model = &model;
+    const CertificateData data = makeCertificate(sources);
+    const CertificateTable *poles = table(data, "model");
+    QCOMPARE(poles->rows.size(), std::size_t(2));
+    QVERIFY(cell(*poles, 0, 1).contains(QString::fromUtf8(" ± j")));
+    QCOMPARE(cell(*poles, 1, 0), QString("unstable"));
+    QCOMPARE(cell(*poles, 1, 1), QString("1.200000"));
+    QCOMPARE(cell(*poles, 1, 3), QString::fromUtf8("–"));
+    QVERIFY(allText(data).contains("diverges"));
+}
+
+void TestCertificateData::frequency_withoutMeasuredValues_hasDashes()
+{
+    const CalibrationResults results = dyncal::example::calibration();
+    CertificateSources sources = sourcesOf(results);
+    dyncal::ResponseResult response = *results.response;
+    for (auto *values :
+        {&response.magnitude, &response.u_magnitude, &response.phase_rad, &response.u_phase_rad})
+        values->resize(0);
+    response.unit = "1";
+    sources.response = &response;
+    const CertificateData data = makeCertificate(sources);
+    const CertificateTable *frequency = table(data, "frequency-response");
+    for (const std::size_t column : {1U, 2U, 3U, 4U})
+        QCOMPARE(cell(*frequency, 0, column), QString::fromUtf8("–"));
+    QVERIFY(!cell(*frequency, 0, 5).contains("V/Pa"));
+    QCOMPARE(data.section("frequency-response")->notes.size(), std::size_t(2));
+}
+
+void TestCertificateData::order_typed_isSaid()
+{
+    const CalibrationResults results = dyncal::example::calibration();
+    CertificateSources sources = sourcesOf(results);
+    sources.order = Index(2);
+    const CertificateData data = makeCertificate(sources);
+    QCOMPARE(value(data, "model", "order"), QString("2 (chosen by the operator)"));
+    QVERIFY(data.section("model")->paragraphs.empty()); // no reason for a suggestion
+}
+
+void TestCertificateData::tables_everyRow_hasAllCells()
+{
+    const CalibrationResults results = dyncal::example::calibration();
+    const CertificateData data = makeCertificate(sourcesOf(results));
+    int tables = 0;
+    for (const CertificateSection &section : data.sections)
+        for (const CertificateTable &part : section.tables) {
+            ++tables;
+            for (const auto &row : part.rows)
+                QCOMPARE(row.size(), part.columns.size());
+        }
+    QCOMPARE(tables, 5);
+}
+
+void TestCertificateData::text_never_containsNan()
+{
+    const CalibrationResults results = dyncal::example::calibration();
+    CertificateSources sources = sourcesOf(results);
+    dyncal::ResponseResult response = *results.response;
+    response.magnitude[3] = dyncal::kUnknown;
+    response.u_phase_rad[4] = dyncal::kUnknown;
+    response.sensitivity = dyncal::kUnknown;
+    dyncal::WindowResult window = *results.window;
+    window.responses[0].riseTime_s = dyncal::kUnknown;
+    window.responses[0].snr_dB = std::numeric_limits<double>::infinity();
+    sources.response = &response;
+    sources.window = &window;
+    const QString text = allText(makeCertificate(sources));
+    QVERIFY(!text.contains("nan"));
+    QVERIFY2(!text.contains("inf "), "an infinite signal to noise ratio is printed as a dash");
+}
+
+QTEST_APPLESS_MAIN(TestCertificateData)
+#include "tst_certificate_data.moc"

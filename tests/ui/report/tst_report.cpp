@@ -1,0 +1,235 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tests/support/example_results.h"
+#include "ui/report/report_output.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QFile>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using dyncal::CalibrationResults;
+using dyncal::Recipe;
+using dyncal::writeReport;
+
+namespace {
+
+constexpr const char *kCreated = "2026-11-21T03:04:05Z";
+
+QByteArray bytesOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+Recipe exampleRecipe()
+{
+    Recipe recipe;
+    recipe.certificate.fields = dyncal::example::certificateFields();
+    return recipe;
+}
+
+/// Output of a tool, or empty where the tool is not installed or fails.
+QByteArray outputOf(const QString &tool, const QStringList &arguments)
+{
+    QProcess process;
+    process.start(tool, arguments);
+    return process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit
+            && process.exitCode() == 0
+        ? process.readAllStandardOutput()
+        : QByteArray();
+}
+
+bool has(const char *tool)
+{
+    return !QStandardPaths::findExecutable(tool).isEmpty();
+}
+
+} // namespace
+
+class TestReport : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void write_completeResults_givesCertificateAndPlots();
+    void write_twice_givesSameBytes();
+    void write_otherDate_changesOnlyDates();
+    void pdf_numbers_areReadable();
+    void pdf_structure_isValid();
+    void pdf_fonts_areEmbedded();
+    void pdf_pages_areVectorsAndOpaque();
+    void pdf_pages_carryNumberAndDraftMark();
+    void write_noResults_stillGivesCertificate();
+    void write_manyPolesAndFindings_repeatsTableHeads();
+    void write_folderOfFile_failsWithSentence();
+
+private:
+    QString certificate() const { return m_folder.filePath("certificate.pdf"); }
+
+    QTemporaryDir m_folder;
+    std::vector<std::string> m_files;
+};
+
+void TestReport::initTestCase()
+{
+    const auto files = writeReport(
+        dyncal::example::calibration(), exampleRecipe(), kCreated, m_folder.path().toStdString());
+    QVERIFY(files.has_value());
+    m_files = *files;
+}
+
+void TestReport::write_completeResults_givesCertificateAndPlots()
+{
+    QCOMPARE(m_files.front(), std::string("certificate.pdf"));
+    QVERIFY(m_files.size() >= 19);
+    for (const std::string &file : m_files)
+        QVERIFY2(
+            bytesOf(m_folder.filePath(QString::fromStdString(file))).size() > 2000, file.c_str());
+    QCOMPARE(
+        static_cast<std::size_t>(QDir(m_folder.filePath("plots")).entryList(QDir::Files).size()),
+        m_files.size() - 1);
+    QVERIFY(QFile::exists(m_folder.filePath("plots/12-singular-values.svg")));
+    QVERIFY(bytesOf(certificate()).startsWith("%PDF-1."));
+}
+
+void TestReport::write_twice_givesSameBytes()
+{
+    QTemporaryDir other;
+    QVERIFY(writeReport(
+        dyncal::example::calibration(), exampleRecipe(), kCreated, other.path().toStdString()));
+    for (const std::string &file : m_files)
+        QVERIFY2(bytesOf(m_folder.filePath(QString::fromStdString(file)))
+                == bytesOf(other.filePath(QString::fromStdString(file))),
+            file.c_str());
+}
+
+void TestReport::write_otherDate_changesOnlyDates()
+{
+    QTemporaryDir other;
+    QVERIFY(writeReport(dyncal::example::calibration(), exampleRecipe(), "2027-01-02T00:00:00Z",
+        other.path().toStdString()));
+    const QByteArray pdf = bytesOf(other.filePath("certificate.pdf"));
+    QVERIFY(pdf.contains("D:20270102000000Z"));
+    QVERIFY(bytesOf(certificate()).contains("D:20261121030405Z"));
+    QCOMPARE(bytesOf(m_folder.filePath("plots/12-singular-values.svg")),
+        bytesOf(other.filePath("plots/12-singular-values.svg")));
+}
+
+void TestReport::pdf_numbers_areReadable()
+{
+    if (!has("pdftotext"))
+        QSKIP("pdftotext is not installed");
+    const QString text = QString::fromUtf8(outputOf("pdftotext", {"-raw", certificate(), "-"}));
+    for (const char *words : {"D-2026-0117", "Borås", "12.500 µV/Pa",
+             "2.33000 MHz ± 0.00082 MHz (k = 2)", "0.02000 ± 0.00035 (k = 2)", "434.50 kPa",
+             "optic3.h5", "9f3a5b7c1d2e4f60718293a4b5c6d7e8f90123456789abcdef0123456789abcd",
+             "The results relate only to the item calibrated", "Figure 7.", "SN-0042"})
+        QVERIFY2(text.contains(QString::fromUtf8(words)), words);
+}
+
+void TestReport::pdf_structure_isValid()
+{
+    if (!has("qpdf"))
+        QSKIP("qpdf is not installed");
+    QVERIFY(outputOf("qpdf", {"--check", certificate()}).contains("No syntax"));
+}
+
+void TestReport::pdf_fonts_areEmbedded()
+{
+    if (!has("pdffonts"))
+        QSKIP("pdffonts is not installed");
+    const QList<QByteArray> lines = outputOf("pdffonts", {certificate()}).trimmed().split('\n');
+    QVERIFY(lines.size() > 2);
+    for (const QByteArray &line : lines.mid(2)) {
+        QVERIFY2(line.contains("DejaVu"), line.constData());
+        QVERIFY2(line.contains(" yes "), line.constData());
+    }
+}
+
+void TestReport::pdf_pages_areVectorsAndOpaque()
+{
+    if (!has("qpdf"))
+        QSKIP("qpdf is not installed");
+    const QByteArray plain
+        = outputOf("qpdf", {"--qdf", "--object-streams=disable", certificate(), "-"});
+    QVERIFY(plain.size() > 1000);
+    QVERIFY2(!plain.contains("/Subtype /Image"), "a figure became a picture");
+    // Every graphics state must be fully opaque.
+    for (const char *key : {"/ca ", "/CA "})
+        for (qsizetype at = plain.indexOf(key); at >= 0; at = plain.indexOf(key, at + 1))
+            QCOMPARE(plain.mid(at + 4, 1), QByteArray("1"));
+    QVERIFY2(bytesOf(certificate()).size() < 1000000, "figures must be drawn from envelopes");
+}
+
+void TestReport::pdf_pages_carryNumberAndDraftMark()
+{
+    if (!has("pdftotext"))
+        QSKIP("pdftotext is not installed");
+    const QList<QByteArray> pages = outputOf("pdftotext", {"-raw", certificate(), "-"}).split('\f');
+    const auto count = pages.size() - 1; // a form feed ends every page
+    QVERIFY(count >= 4);
+    for (qsizetype i = 0; i < count; ++i) {
+        const QString page = QString::fromUtf8(pages[i]).simplified();
+        QVERIFY(page.contains(QString("page %1 of %2").arg(i + 1).arg(count)));
+        QVERIFY(page.contains("D-2026-0117"));
+        QVERIFY(page.contains("Draft, not valid as a certificate"));
+        QVERIFY(page.contains("D R A F T") || page.contains("DRAFT"));
+    }
+}
+
+void TestReport::write_noResults_stillGivesCertificate()
+{
+    QTemporaryDir folder;
+    const auto files
+        = writeReport(CalibrationResults{}, Recipe{}, kCreated, folder.path().toStdString());
+    QVERIFY(files.has_value());
+    QCOMPARE(files->size(), std::size_t(1));
+    if (!has("pdftotext"))
+        QSKIP("pdftotext is not installed");
+    const QByteArray text
+        = outputOf("pdftotext", {"-raw", folder.filePath("certificate.pdf"), "-"}).simplified();
+    QVERIFY(text.contains("not determined (no model)"));
+    QVERIFY(text.contains("no number yet"));
+    QVERIFY(text.contains("To be filled in before issue: Certificate number"));
+}
+
+void TestReport::write_manyPolesAndFindings_repeatsTableHeads()
+{
+    CalibrationResults results = dyncal::example::calibration();
+    auto model = std::make_shared<dyncal::SensorModel>(*results.model);
+    for (int i = 1; i <= 120; ++i) {
+        dyncal::Pole pole = model->poles.front();
+        pole.frequency_Hz = 1e4 * i;
+        pole.poleClass = dyncal::PoleClass::Other;
+        model->poles.push_back(pole);
+    }
+    results.model = model;
+    QTemporaryDir folder;
+    QVERIFY(writeReport(results, exampleRecipe(), kCreated, folder.path().toStdString()));
+    if (!has("pdftotext"))
+        QSKIP("pdftotext is not installed");
+    const QList<QByteArray> pages
+        = outputOf("pdftotext", {"-raw", folder.filePath("certificate.pdf"), "-"}).split('\f');
+    int headed = 0;
+    for (const QByteArray &page : pages)
+        if (page.contains("Damping") && page.contains("other"))
+            ++headed;
+    QVERIFY(headed >= 3);
+}
+
+void TestReport::write_folderOfFile_failsWithSentence()
+{
+    const auto files = writeReport(
+        CalibrationResults{}, Recipe{}, kCreated, certificate().toStdString() + "/below");
+    QVERIFY(!files.has_value());
+    QVERIFY(english(files.error().message).find("cannot be written") != std::string::npos);
+}
+
+QTEST_MAIN(TestReport)
+#include "tst_report.moc"
