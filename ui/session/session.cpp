@@ -3,6 +3,8 @@
 
 #include "ui/session/session.h"
 
+#include "core/pipeline/results_json.h"
+
 #include <QUndoCommand>
 
 namespace dyncal {
@@ -69,10 +71,11 @@ Session::~Session() = default;
 
 Findings Session::findings() const
 {
-    Findings all = m_run.results.findings();
-    if (m_run.error && m_run.error->kind != ErrorKind::Cancelled) {
+    Findings all = allFindings({m_run.results, m_run.error, m_run.failedStage});
+    // The list of results.json leaves out errors that are not of the catalogue; people see them.
+    if (m_run.error && m_run.error->findingId.empty()
+        && m_run.error->kind != ErrorKind::Cancelled) {
         Finding block;
-        block.id = m_run.error->findingId;
         block.severity = Severity::Block;
         block.shot = m_run.error->shot;
         block.message = m_run.error->message;

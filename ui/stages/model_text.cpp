@@ -51,8 +51,8 @@ QStringList poleHeaders(PoleColumns columns)
 {
     if (columns == PoleColumns::Few)
         return {ModelText::tr("Frequency"), ModelText::tr("Damping"), ModelText::tr("Class")};
-    return {ModelText::tr("Frequency"), ModelText::tr("u"), ModelText::tr("Damping ratio"),
-        ModelText::tr("u"), ModelText::tr("Class"), ModelText::tr("Flags")};
+    return {ModelText::tr("Frequency"), ModelText::tr("u(f)"), ModelText::tr("Damping ratio"),
+        ModelText::tr("u(ζ)"), ModelText::tr("Class"), ModelText::tr("Flags")};
 }
 
 QVector<QStringList> poleRows(const SensorModel *model, PoleColumns columns)

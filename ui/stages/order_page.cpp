@@ -65,8 +65,8 @@ void OrderPage::buildPlots()
     auto *split = new QSplitter(Qt::Horizontal, this);
     split->addWidget(left);
     split->addWidget(right);
-    split->setSizes({1000, 1000});
-    lower->setSizes({1000, 1000});
+    split->setSizes({880, 1120});
+    lower->setSizes({840, 1160});
     content()->addWidget(split);
 
     connect(m_values, &PlotWidget::lineMoved, this,

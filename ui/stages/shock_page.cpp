@@ -199,11 +199,11 @@ QVector<QStringList> ShockPage::stateRows() const
     state(
         tr("p5"), [](States s) { return s.reflected.pressure_Pa; }, "Pa", 5);
     state(
-        tr("T1"), [](States s) { return s.driven.temperature_K; }, "K", 4);
+        tr("T1"), [](States s) { return s.driven.temperature_K; }, "K", 5);
     state(
-        tr("T2"), [](States s) { return s.shocked.temperature_K; }, "K", 4);
+        tr("T2"), [](States s) { return s.shocked.temperature_K; }, "K", 5);
     state(
-        tr("T5"), [](States s) { return s.reflected.temperature_K; }, "K", 4);
+        tr("T5"), [](States s) { return s.reflected.temperature_K; }, "K", 5);
     state(
         tr("Gas velocity u2"), [](States s) { return s.shocked.velocity_m_s; }, "m/s", 4);
     state(

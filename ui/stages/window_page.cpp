@@ -101,9 +101,13 @@ void WindowPage::buildInspector()
 void WindowPage::buildStartControls()
 {
     InspectorForm *form = inspector();
+    m_startShot = form->addChoice(tr("Values of"), "startShot", {});
+    m_startShot->setToolTip(tr("What is automatic may differ from shot to shot"));
+    connect(m_startShot, &QComboBox::activated, this, [this] {
+        showLength();
+        showRecipe();
+    });
     form->addSection(tr("Start, on the record's own axis"));
-    m_startShot = form->addChoice(tr("Shot"), "startShot", {});
-    connect(m_startShot, &QComboBox::activated, this, [this] { showRecipe(); });
     m_start = form->add(tr("Start"), "start", new AutoEdit(kMicroseconds, -1e4, 1e4, 6));
     connect(m_start, &AutoEdit::edited, this, &WindowPage::setStart);
 }
@@ -219,7 +223,6 @@ const WindowedResponse *WindowPage::responseOfChosenShot() const
 void WindowPage::showRecipe()
 {
     const WindowSettings &settings = recipe().window;
-    const WindowedResponse *first = firstResponse();
     const WindowedResponse *chosen = responseOfChosenShot();
     const auto used = [](const WindowedResponse *response, auto member) {
         return response ? std::optional(response->*member) : std::nullopt;
@@ -229,11 +232,11 @@ void WindowPage::showRecipe()
         settings.start_s.empty() || !start_s ? Auto<double>() : Auto<double>(*start_s), start_s);
     m_subtract->setChecked(settings.subtractBaseline);
     m_baseline->setEnabled(settings.subtractBaseline);
-    m_baseline->set(settings.baseline_s, used(first, &WindowedResponse::baseline_s));
-    m_end->set(settings.end_s, used(first, &WindowedResponse::end_s));
+    m_baseline->set(settings.baseline_s, used(chosen, &WindowedResponse::baseline_s));
+    m_end->set(settings.end_s, used(chosen, &WindowedResponse::end_s));
     m_end->setEnabled(!settings.endAtPlateau);
     m_plateau->setChecked(settings.endAtPlateau);
-    m_settle->set(settings.settle_s, used(first, &WindowedResponse::settle_s));
+    m_settle->set(settings.settle_s, used(chosen, &WindowedResponse::settle_s));
     m_remap->setChecked(recipe().remap);
     const bool step = isStepTreatment(recipe().input.treatment);
     m_remap->setEnabled(step);
@@ -245,8 +248,8 @@ void WindowPage::showHandles()
 {
     if (m_dragging)
         return;
-    const WindowedResponse *first = firstResponse();
-    if (!first) {
+    const WindowedResponse *chosen = responseOfChosenShot();
+    if (!chosen) {
         for (const QString &id : {kBaseline, kSettle})
             m_plot->removeBand(id);
         for (const QString &id : {kStart, kEnd})
@@ -256,16 +259,16 @@ void WindowPage::showHandles()
     const WindowSettings &settings = recipe().window;
     if (settings.subtractBaseline)
         m_plot->setBand(
-            kBaseline, tr("baseline"), settings.baseline_s.value.value_or(first->baseline_s));
+            kBaseline, tr("baseline"), settings.baseline_s.value.value_or(chosen->baseline_s));
     else
         m_plot->removeBand(kBaseline);
     if (isStepTreatment(recipe().input.treatment))
-        m_plot->setBand(kSettle, tr("settle"), settings.settle_s.value.value_or(first->settle_s));
+        m_plot->setBand(kSettle, tr("settle"), settings.settle_s.value.value_or(chosen->settle_s));
     else
         m_plot->removeBand(kSettle);
     m_plot->setLine(kStart, tr("start"), 0.0);
     m_plot->setLine(kEnd, tr("end"),
-        settings.endAtPlateau ? first->end_s : settings.end_s.value.value_or(first->end_s));
+        settings.endAtPlateau ? chosen->end_s : settings.end_s.value.value_or(chosen->end_s));
 }
 
 void WindowPage::showResults()
@@ -283,12 +286,18 @@ void WindowPage::showResults()
             m_startShot->addItem(
                 tr("Shot %1 %2").arg(response.shot).arg(levelText(response.level)));
     m_startShot->setCurrentIndex(std::min(chosen, m_startShot->count() - 1));
-    m_length->setText(first
-            ? tr("%1, %2 samples").arg(shownQuantity(first->end_s, "s")).arg(first->length)
+    showLength();
+}
+
+void WindowPage::showLength()
+{
+    const WindowedResponse *chosen = responseOfChosenShot();
+    const bool cut = chosen && chosen->end_s > 0.0;
+    m_length->setText(cut
+            ? tr("%1, %2 samples").arg(shownQuantity(chosen->end_s, "s")).arg(chosen->length)
             : "–");
-    m_resolution->setText(first && first->end_s > 0.0
-            ? tr("%1 (1 / length)").arg(shownQuantity(1.0 / first->end_s, "Hz", 3))
-            : "–");
+    m_resolution->setText(
+        cut ? tr("%1 (1 / length)").arg(shownQuantity(1.0 / chosen->end_s, "Hz", 3)) : "–");
 }
 
 void WindowPage::showTable()

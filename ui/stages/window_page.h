@@ -36,6 +36,7 @@ private:
     void shiftStarts(double by_s);
     void setStart(const Auto<double> &start_s);
     void showHandles();
+    void showLength();
     void showTable();
     const WindowedResponse *firstResponse() const;
     const WindowedResponse *responseOfChosenShot() const;

@@ -88,6 +88,8 @@ QString findingLine(const Finding &finding)
     QString head = severityGlyph(finding.severity) + " " + severityWord(finding.severity);
     if (!finding.id.empty())
         head += " " + QString::fromStdString(finding.id);
+    if (finding.shot > 0)
+        head += FindingText::tr(", shot %1").arg(finding.shot);
     return head + ": " + translated(finding.message);
 }
 

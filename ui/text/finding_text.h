@@ -16,7 +16,7 @@ QString severityWord(Severity severity);
 QString statusGlyph(StageStatus status); ///< "●", "▲", "■", "◌", "–", "⟳"
 QString statusWord(StageStatus status);
 
-/// "▲ Caution WIN-001 (shot 2): sentence"
+/// "▲ Caution WIN-001, shot 2: sentence"
 QString findingLine(const Finding &finding);
 
 } // namespace dyncal
