@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/pipeline/results_sections.h"
+#include "core/realization/pole_classes.h"
 
 #include <algorithm>
 
@@ -42,16 +43,20 @@ void addStateSpace(JsonRecord &section, const StateSpaceModel &model)
 
 void addFits(JsonRecord &section, const SensorModel &model)
 {
-    const char *diverges = "The simulation of the model runs away.";
-    section.number("fit_percent", model.fit_percent, diverges);
+    const char *diverges = "The simulation of the model diverges.";
+    const auto fit
+        = [&model](double percent) { return model.diverges ? std::optional<double>() : percent; };
+    section.number("fit_percent", fit(model.fit_percent), diverges);
     section.number("fit_attainable_percent", model.fitAttainable_percent,
         "There is too little record before the start to know the noise.");
-    section.number("fit_listing_percent", model.fitListing_percent,
-        "Only the treatment step-as-impulse has the listing's FIT.");
+    section.number("fit_listing_percent",
+        model.diverges ? std::optional<double>() : model.fitListing_percent,
+        model.fitListing_percent ? diverges
+                                 : "Only the treatment step-as-impulse has the listing's FIT.");
     const bool ofAverage = model.series.size() == 1 && model.series.front().shot == 0;
     Eigen::VectorXd fits(ofAverage ? 0 : static_cast<Index>(model.series.size()));
     for (Index i = 0; i < fits.size(); ++i)
-        fits[i] = model.series[static_cast<std::size_t>(i)].fit_percent;
+        fits[i] = model.diverges ? kUnknown : model.series[static_cast<std::size_t>(i)].fit_percent;
     section.numbers("fit_per_shot_percent", fits,
         ofAverage ? "The model describes the average of the shots." : diverges);
 }
@@ -94,7 +99,9 @@ void addModel(JsonRecord &root, const ResultsContext &context)
     section.set("order", model->order);
     addStateSpace(section, model->stateSpace);
     Json poles = Json::array();
-    for (const Pole &pole : model->poles)
+    std::vector<Pole> sorted = model->poles;
+    sortPoles(sorted);
+    for (const Pole &pole : sorted)
         poles.push_back(poleJson(pole));
     section.set("poles", std::move(poles));
     Json zeros = Json::array();

@@ -6,7 +6,6 @@
 #include <Spectra/SymEigsSolver.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace dyncal {
 namespace {
@@ -78,13 +77,14 @@ Result<SingularTriplets> leadingTriplets(
     const Index wanted = std::min(count, basis - 1);
     constexpr int kRestarts = 300;
     constexpr double kResidual = 1e-10;
+    constexpr Index kFewest = 8; ///< enough to judge an order by
     try {
         Spectra::SymEigsSolver<GramProduct> solver(
             const_cast<GramProduct &>(product), wanted, basis); // takes a reference, does not write
         solver.init();
         const Index found = solver.compute(
             Spectra::SortRule::LargestMagn, kRestarts, kResidual, Spectra::SortRule::LargestMagn);
-        if (found < std::min<Index>(wanted, 8)) {
+        if (found < std::min<Index>(wanted, kFewest)) {
             return fail(ErrorKind::Internal,
                 Message{DYNCAL_TEXT("core",
                             "Hankel decomposition: %1 of %2 singular values converged; shorten the "
@@ -112,26 +112,12 @@ Result<SingularTriplets> leadingTriplets(
 
 double largestSingularValue(const std::vector<HankelOperator> &blocks)
 {
-    constexpr int kSteps = 60;
-    constexpr double kEnough = 1e-5;
-    const Index rows = blocks.front().rows();
-    // Not orthogonal to anything likely, and the same every time.
-    Eigen::VectorXd x(rows);
-    for (Index i = 0; i < rows; ++i)
-        x[i] = std::sin(1.0 + 0.7 * static_cast<double>(i * i % 1009));
-    x.normalize();
-    double last = 0.0;
-    for (int step = 0; step < kSteps; ++step) {
-        Eigen::VectorXd next = timesItsTranspose(blocks, x);
-        const double value = std::sqrt(next.norm());
-        if (!(value > 0.0))
-            return 0.0;
-        x = next.normalized();
-        if (std::abs(value - last) <= kEnough * value)
-            return value;
-        last = value;
-    }
-    return last;
+    // Spectra refuses a zero matrix: records without any noise have one.
+    const Eigen::VectorXd probe = Eigen::VectorXd::Ones(blocks.front().rows());
+    if (timesItsTranspose(blocks, probe).norm() == 0.0)
+        return 0.0;
+    const auto triplets = leadingTriplets(blocks, 1, {});
+    return triplets ? triplets->singularValues[0] : 0.0;
 }
 
 } // namespace dyncal

@@ -28,7 +28,7 @@ struct SingularTriplets
 Result<SingularTriplets> leadingTriplets(
     const std::vector<HankelOperator> &blocks, Index count, const JobControl &control);
 
-/// Largest singular value alone, to 1e-4: for estimates of the noise floor.
+/// Largest singular value alone; 0 if it does not converge.
 double largestSingularValue(const std::vector<HankelOperator> &blocks);
 
 } // namespace dyncal

@@ -283,11 +283,15 @@ void poolFits(const ModelInput &input, SensorModel &model)
         const double weight = relativeNoise != 0.0 ? 1.0 / (relativeNoise * relativeNoise) : 1.0;
         weights += weight;
         model.plateauGain += weight * fit.plateauGain;
-        // Free decays start at an arbitrary phase: their sizes are pooled, not their phases.
+        // Free decays start at an arbitrary phase: their sizes are pooled, the first one's phase
+        // kept.
+        const Eigen::ArrayXcd amplitudes = fit.amplitudes.array();
         if (isStep)
-            shape += weight * fit.amplitudes / unit;
+            shape.array() += weight * amplitudes / unit;
         else
-            shape += weight * fit.amplitudes.cwiseAbs();
+            shape.array() += weight * amplitudes.abs()
+                * (model.series.front().amplitudes.array().arg() * std::complex<double>(0.0, 1.0))
+                      .exp();
     }
     model.plateauGain /= weights;
     model.amplitudes = shape / weights * (isStep ? model.plateauGain : 1.0);

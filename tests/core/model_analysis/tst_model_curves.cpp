@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/model_analysis/sensor_response.h"
+#include "core/model_analysis/step_transform.h"
+#include "tests/support/model_inputs.h"
+#include "tests/support/second_order_model.h"
+
+#include <QTest>
+
+using namespace dyncal;
+
+namespace {
+/// The closed-form table prints six decimals; half of the last one.
+constexpr double kPrinted = 0.6e-6;
+constexpr ResponseTreatment kStep = ResponseTreatment::StepDeflated;
+} // namespace
+
+class TestModelCurves : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void characteristics_equalTheClosedForm_data()
+    {
+        QTest::addColumn<double>("zeta");
+        QTest::addColumn<double>("overshoot");
+        QTest::addColumn<double>("rise");
+        QTest::addColumn<double>("settling");
+        QTest::addColumn<double>("within5");
+        QTest::addColumn<double>("within10");
+        QTest::addColumn<double>("minus3");
+        const auto row = [](double z, double o, double r, double s, double a, double b, double c) {
+            QTest::newRow(qPrintable(QString::number(z))) << z << o << r << s << a << b << c;
+        };
+        row(0.02, 93.90896, 0.164806, 23.550619, 0.218310, 0.301644, 1.553334);
+        row(0.05, 85.44679, 0.168749, 9.531381, 0.218793, 0.302344, 1.551026);
+        row(0.10, 72.92476, 0.175739, 4.610377, 0.220547, 0.304888, 1.542771);
+        row(0.20, 52.66206, 0.191532, 2.187495, 0.228028, 0.315797, 1.509577);
+        row(0.40, 25.38267, 0.232922, 1.210975, 0.268687, 0.377566, 1.374517);
+        row(0.50, 16.30335, 0.260628, 0.841785, 0.322072, 0.472769, 1.272020);
+        row(0.70, 4.59879, 0.338396, 0.461521, 0.591009, 0.710447, 1.010049);
+    }
+    void characteristics_equalTheClosedForm()
+    {
+        QFETCH(double, zeta);
+        QFETCH(double, overshoot);
+        QFETCH(double, rise);
+        QFETCH(double, settling);
+        QFETCH(double, within5);
+        QFETCH(double, within10);
+        QFETCH(double, minus3);
+        for (const double gain : {1.0, -3.5}) {
+            const double f0_Hz = 2.33e6;
+            const StepCharacteristics c
+                = stepCharacteristics(testing::secondOrderModel(f0_Hz, zeta, gain), kStep);
+            QVERIFY2(std::abs(*c.overshoot_percent - overshoot) < 1e-4,
+                qPrintable(QString::number(*c.overshoot_percent, 'g', 10)));
+            QVERIFY(std::abs(*c.riseTime_s * f0_Hz - rise) < kPrinted);
+            QVERIFY2(std::abs(*c.settlingTime_s * f0_Hz - settling) < kPrinted,
+                qPrintable(QString::number(*c.settlingTime_s * f0_Hz, 'g', 10)));
+            QVERIFY2(std::abs(*c.within5percent_Hz / f0_Hz - within5) < kPrinted,
+                qPrintable(QString::number(*c.within5percent_Hz / f0_Hz, 'g', 10)));
+            QVERIFY(std::abs(*c.within10percent_Hz / f0_Hz - within10) < kPrinted);
+            QVERIFY(std::abs(*c.minus3dB_Hz / f0_Hz - minus3) < kPrinted);
+        }
+    }
+
+    void characteristics_ofAFreeDecayOrADivergingModel_areNone()
+    {
+        SensorModel model = testing::secondOrderModel(1e3, 0.1);
+        QVERIFY(!stepCharacteristics(model, ResponseTreatment::Impulse).riseTime_s);
+        model.diverges = true;
+        QVERIFY(!stepCharacteristics(model, kStep).minus3dB_Hz);
+    }
+
+    void response_equalsTheTransferFunction()
+    {
+        const double f0_Hz = 318e3;
+        const double zeta = 0.02;
+        const SensorModel model = testing::secondOrderModel(f0_Hz, zeta);
+        for (const double f_Hz : {1.0, 1e3, 1e5, 318e3, 1e6, 1e8}) {
+            const double r = f_Hz / f0_Hz;
+            const std::complex<double> G = 1.0 / std::complex<double>(1.0 - r * r, 2.0 * zeta * r);
+            QVERIFY(std::abs(modelResponse(model, kStep, f_Hz) - G) < 1e-12 * (1.0 + std::abs(G)));
+        }
+    }
+
+    void curve_phaseRunsFromZeroToMinusPi()
+    {
+        const ResponseCurve curve
+            = modelCurve(testing::secondOrderModel(1e5, 0.02), kStep, 10.0, 1e8, 800);
+        QVERIFY(std::abs(curve.phase_rad[0]) < 1e-4);
+        QVERIFY(std::abs(curve.phase_rad[799] + std::numbers::pi) < 1e-3);
+        QVERIFY((curve.phase_rad.tail(799) - curve.phase_rad.head(799)).maxCoeff() <= 0.0);
+    }
+
+    void stepTransform_recoversTheSensor()
+    {
+        // metrology 1.4: at 10 MHz, f0 = 300 kHz, zeta = 0.02, onset half a sample before the
+        // first: the bracket leaves less than 1e-4 % at 100 kHz; a long record leaves no
+        // truncation.
+        const double rate_Hz = 10e6;
+        const SensorModel model = testing::secondOrderModel(300e3, 0.02);
+        const Eigen::VectorXd y = testing::sampledStep(300e3, 0.02, rate_Hz, 20000, 0.5);
+        for (const double f_Hz : {1e3, 3e4, 1e5, 2.5e5}) {
+            const std::complex<double> S = stepTransform(y, rate_Hz, 1.0, -0.5 / rate_Hz, f_Hz);
+            const std::complex<double> G = modelResponse(model, kStep, f_Hz);
+            // Aliasing grows with frequency; 1 % of (f / rate) bounds it here.
+            QVERIFY2(std::abs(S / G - 1.0) < 2e-6 + 1e-4 * f_Hz / 2.5e5,
+                qPrintable(QString::number(std::abs(S / G - 1.0))));
+        }
+    }
+
+    void stepTransform_atZeroFrequency_isThePlateau()
+    {
+        const Eigen::VectorXd y = testing::sampledStep(300e3, 0.02, 1e7, 500, 0.5);
+        QVERIFY(std::abs(stepTransform(y, 1e7, 1.25, 0.0, 0.0) - 1.25) < 1e-12);
+    }
+
+    void stepTransformNoise_matchesTheScatter()
+    {
+        constexpr Index kSamples = 1000;
+        constexpr int kTrials = 400;
+        testing::Noise noise(8);
+        double squares = 0.0;
+        for (int trial = 0; trial < kTrials; ++trial) {
+            const std::complex<double> S
+                = stepTransform(noise.series(kSamples, 0.01), 1e7, 0.0, 0.0, 4e5);
+            squares += std::norm(S) / 2.0 / kTrials;
+        }
+        const double stated = stepTransformNoise(kSamples, 1e7, 0.01, 4e5);
+        // sd of a mean of 400 squares of a complex Gaussian is 5 %; the end level adds a little
+        QVERIFY2(std::abs(std::sqrt(squares) / stated - 1.0) < 0.1,
+            qPrintable(QString::number(std::sqrt(squares) / stated)));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestModelCurves)
+#include "tst_model_curves.moc"
