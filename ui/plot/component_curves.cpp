@@ -59,8 +59,7 @@ PlotContent explainedCurves(const ComponentResult &components)
     content.curves.push_back({Plots::tr("Explained, cumulative"), CurveRole::Measured,
         CurveStyle::Bars, timeAxis(1.0, 1.0, percent.size()), toVector(percent), true});
     if (percent.size() > 0)
-        content.summary = Plots::tr("The first of %n component(s) explains %1 %.", nullptr,
-            static_cast<int>(percent.size()))
+        content.summary = Plots::tr("The first component explains %1 %.")
                               .arg(valueWithUnit(percent[0], QString(), 5));
     return content;
 }
@@ -68,8 +67,7 @@ PlotContent explainedCurves(const ComponentResult &components)
 PlotContent reconstructionCurves(const ComponentResult &components, const WindowResult &window)
 {
     PlotContent content = columnsContent(components, window, components.reconstructions,
-        Plots::tr(
-            "Reconstructed from %n component(s)", nullptr, static_cast<int>(components.kept)));
+        Plots::tr("Reconstructed; components kept: %1").arg(components.kept));
     content.summary = content.title;
     return content;
 }

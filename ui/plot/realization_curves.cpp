@@ -46,8 +46,7 @@ PlotContent modelInputCurves(const ModelInput &input, const WindowResult &window
             timeAxis(series.first_s, 1.0 / input.sampleRate_Hz, series.y.size()),
             toVector(series.y), true});
     }
-    content.summary = Plots::tr(
-        "Model input: %n sample(s) in each series.", nullptr, static_cast<int>(input.samples));
+    content.summary = Plots::tr("Model input; samples in each series: %1.").arg(input.samples);
     return content;
 }
 
@@ -93,8 +92,8 @@ PlotContent singularValueCurves(const HankelDecomposition &decomposition,
         content.levels.push_back(
             {decomposition.noiseFloor_p95, Plots::tr("Noise floor (95 %)"), CurveRole::Noise});
     addSuggestion(content, suggestion);
-    content.summary = Plots::tr(
-        "%n singular value(s); suggested order %1.", nullptr, static_cast<int>(values.size()))
+    content.summary = Plots::tr("Singular values: %1; suggested order: %2.")
+                          .arg(values.size())
                           .arg(suggestion.order);
     return content;
 }
