@@ -15,7 +15,7 @@ namespace {
 constexpr int kDebounce_ms = 15;
 /// A run younger than this is let finish although a newer request waits: otherwise a drag whose
 /// steps come faster than results would never show one.
-constexpr qint64 kGrace_ms = 250;
+constexpr qint64 kGrace_ms = 700;
 constexpr int kUndoSteps = 500;
 
 } // namespace

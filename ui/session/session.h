@@ -35,6 +35,9 @@ public:
     const std::optional<Error> &error() const { return m_run.error; }
     StageId failedStage() const { return m_run.failedStage; }
     bool isComputing() const { return m_run.computing; }
+    /// Whether the results belong to the recipe on the screen: false while computing, and after a
+    /// cancelled computation. Only results that do may leave the program.
+    bool isUpToDate() const { return !m_run.computing && m_run.firstStale == kStageCount; }
     StageStatus status(StageId stage) const { return stageStatus(m_run, stage); }
     /// Findings of all stages, and the error of a failed stage as a finding that blocks.
     Findings findings() const;

@@ -84,7 +84,7 @@ StageStatus stageStatus(const RunState &run, StageId stage)
 
 std::optional<StageId> stageOfFinding(const std::string &id)
 {
-    static const std::array<std::pair<const char *, StageId>, 8> kPrefixes{{
+    static const std::array<std::pair<const char *, StageId>, 9> kPrefixes{{
         {"CAP-", StageId::Captures},
         {"SHK-", StageId::Shock},
         {"WIN-", StageId::Window},
@@ -93,6 +93,7 @@ std::optional<StageId> stageOfFinding(const std::string &id)
         {"MIN-", StageId::ModelInput},
         {"ORD-", StageId::Decomposition},
         {"MOD-", StageId::Model},
+        {"RSP-", StageId::Response},
     }};
     for (const auto &[prefix, stage] : kPrefixes)
         if (id.starts_with(prefix))

@@ -249,14 +249,17 @@ bool FileActions::saveTo(const QString &path)
 /// Only results that belong to the settings on the screen are written.
 bool FileActions::hasResults()
 {
-    if (!m_session.results().model || m_session.isComputing()) {
-        m_prompts.showProblem(m_window,
-            m_session.isComputing()
-                ? tr("The results are still being computed; try again in a moment.")
-                : tr("There is no model yet: open recordings and clear what blocks the stages."));
-        return false;
-    }
-    return true;
+    QString problem;
+    if (m_session.isComputing())
+        problem = tr("The results are still being computed; try again in a moment.");
+    else if (!m_session.isUpToDate())
+        problem = tr("The results are out of date because the computation was cancelled; press "
+                     "F9 to compute them again.");
+    else if (!m_session.results().model)
+        problem = tr("There is no model yet: open recordings and clear what blocks the stages.");
+    if (!problem.isEmpty())
+        m_prompts.showProblem(m_window, problem);
+    return problem.isEmpty();
 }
 
 void FileActions::exportResults()

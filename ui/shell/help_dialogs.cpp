@@ -37,6 +37,7 @@ QString shortcutTable()
         {Help::tr("Left, Right (Order)"), Help::tr("order minus or plus one")},
         {Help::tr("Page Up, Page Down (Order)"), Help::tr("order plus or minus ten")},
         {Help::tr("Home (Order)"), Help::tr("take the suggested order")},
+        {Help::tr("F9"), Help::tr("compute again")},
         {Help::tr("F4, F5, F6"), Help::tr("inspector, stages, findings on or off")},
     };
     QString table = "<table cellpadding='3'>";

@@ -324,6 +324,9 @@ void MainWindow::buildStageMenu()
         addAction(menu, QString("stageAction%1").arg(row + 1),
             m_pages[static_cast<std::size_t>(row)]->text().title,
             QKeySequence(QString("Alt+%1").arg(row + 1)), [this, row] { showPage(row); });
+    menu->addSeparator();
+    addAction(menu, "recomputeAction", tr("Compute &again"), QKeySequence("F9"),
+        [this] { m_session.recompute(); });
 }
 
 void MainWindow::buildLanguageMenu()
