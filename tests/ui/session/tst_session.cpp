@@ -314,6 +314,11 @@ void TestSession::cancel_leavesStale()
     QVERIFY(!session.isComputing());
     QCOMPARE(session.status(StageId::Model), StageStatus::Stale);
     QCOMPARE(shownOrder(session), Index(2));
+    QVERIFY(!session.isUpToDate());
+    pipeline.log->delay_ms = 0;
+    session.recompute();
+    QTRY_VERIFY(session.isUpToDate());
+    QCOMPARE(shownOrder(session), Index(9));
 }
 
 void TestSession::removeShot_movesNumbersAndIsUndoable()
@@ -356,6 +361,7 @@ void TestSession::findingIds_leadToStages()
 {
     QCOMPARE(*stageOfFinding("WIN-001"), StageId::Window);
     QCOMPARE(*stageOfFinding("MOD-003"), StageId::Model);
+    QCOMPARE(*stageOfFinding("RSP-001"), StageId::Response);
     QCOMPARE(*stageOfFinding("CAP-006"), StageId::Captures);
     QVERIFY(!stageOfFinding("CER-001"));
     QVERIFY(!stageOfFinding(""));
