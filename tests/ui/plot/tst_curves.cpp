@@ -189,6 +189,9 @@ void TestCurves::components_barsAndBounds()
     const PlotContent residual = residualCurves(*m_results.components, *m_results.window);
     QCOMPARE(residual.curves[1].y[10],
         m_results.components->responses(10, 1) - m_results.components->reconstructions(10, 1));
+    const PlotContent spectrum = residualSpectrumCurves(*m_results.components, *m_results.window);
+    QCOMPARE(spectrum.curves.size(), std::size_t(3));
+    QCOMPARE(spectrum.marks.size(), std::size_t(1)); // 6.8 kHz in all three shots
     const PlotContent average = averageCurves(*m_results.components, *m_results.window);
     QCOMPARE(average.curves[0].role, CurveRole::Mean);
 }
