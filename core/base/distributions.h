@@ -13,7 +13,8 @@ double upperGammaRatio(double a, double x);
 /// Probability that a chi-square variable with `degrees` > 0 degrees of freedom exceeds x >= 0.
 double chiSquareSurvival(double x, double degrees);
 
-/// z with P(Z <= z) = p for standard normal Z, 0 < p < 1; to rounding.
-double normalQuantile(double p);
+/// z with P(Z <= z) = p for standard normal Z, 0 < p < 1 (algorithm AS 241, PPND16, relative
+/// accuracy about 1e-15), with the portable logarithm: the same bits on every machine.
+double normalQuantile(double probability);
 
 } // namespace dyncal
