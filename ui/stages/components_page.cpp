@@ -21,6 +21,14 @@ namespace {
 
 constexpr std::array kConfidences{0.90, 0.95, 0.99, 0.999};
 
+/// Below this the number says nothing more.
+constexpr double kSmallestShown = 0.001;
+
+QString probabilityText(double p)
+{
+    return p < kSmallestShown ? "< " + shownNumber(kSmallestShown, 1) : shownNumber(p, 2);
+}
+
 } // namespace
 
 ComponentsPage::ComponentsPage(Session &session)
@@ -122,7 +130,7 @@ void ComponentsPage::showResults()
         const ResidualAnalysis &residual = components->residuals[i];
         rows.push_back({i < components->shots.size() ? QString::number(components->shots[i]) : "–",
             shownNumber(residual.rms, 3), shownNumber(100.0 * residual.outsideFraction, 3) + " %",
-            shownNumber(residual.whiteness_p, 2),
+            probabilityText(residual.whiteness_p),
             residual.peaks_Hz.empty() ? "–" : shownQuantity(residual.peaks_Hz.front(), "Hz", 4)});
     }
     m_table->setValues(
