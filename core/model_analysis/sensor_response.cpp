@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace dyncal {
@@ -126,12 +127,12 @@ double lowestRate_Hz(const std::vector<WindowedResponse> &responses)
     return rate_Hz;
 }
 
-double longestWindow_s(const std::vector<WindowedResponse> &responses)
+double shortestWindow_s(const std::vector<WindowedResponse> &responses)
 {
-    double window_s = 0.0;
+    double window_s = std::numeric_limits<double>::infinity();
     for (const WindowedResponse &response : responses)
         window_s
-            = std::max(window_s, static_cast<double>(response.length) / response.sampleRate_Hz);
+            = std::min(window_s, static_cast<double>(response.length) / response.sampleRate_Hz);
     return window_s;
 }
 
@@ -252,7 +253,7 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
     const bool isStep = isStepTreatment(input.treatment);
     const double span_s = inputSpan_s(input);
     const double rate_Hz = lowestRate_Hz(responses);
-    result.fLow_Hz = 1.0 / longestWindow_s(responses);
+    result.fLow_Hz = 1.0 / shortestWindow_s(responses);
     result.fHigh_Hz = kHighestOfRate * rate_Hz;
     result.characteristics = stepCharacteristics(model, input.treatment);
 
