@@ -26,7 +26,7 @@ foreach(file IN LISTS core_files)
                 list(APPEND errors "${file}: ${line}: '${folder}' may include only folders before it")
             endif()
         endif()
-        if(line MATCHES "\"core/capture/formats/" AND NOT file MATCHES "^core/capture/(formats/|format_registry)"
+        if(line MATCHES "\"core/capture/formats/" AND NOT file MATCHES "^core/capture/(formats/|format_registry|file_kind)"
             AND NOT folder STREQUAL "synthesis")
             list(APPEND errors "${file}: ${line}: only the format registry knows the readers")
         endif()

@@ -57,9 +57,9 @@ double lowestRate_Hz(const std::vector<WindowedResponse> &responses)
 
 /// The response from its start on, reduced by `factor`. Where the record begins with the start the
 /// first value is taken to have been there before.
-Eigen::VectorXd reduced(const WindowedResponse &response, Index factor)
+Eigen::VectorXd reduced(const WindowedResponse &response, double factor)
 {
-    if (factor == 1)
+    if (factor == 1.0)
         return response.window();
     const AntiAliasFilter filter = designAntiAliasFilter(factor, response.sampleRate_Hz);
     const Index half = filter.halfLength();
@@ -69,31 +69,20 @@ Eigen::VectorXd reduced(const WindowedResponse &response, Index factor)
     padded.head(missing).setConstant(response.values[0]);
     padded.tail(size) = response.values;
     const Index first = missing + response.lead;
-    const Index inWindow = (response.length - 1) / factor + 1;
-    const Index room = padded.size() - 1 - half - first;
-    const Index reachable = room < 0 ? 0 : room / factor + 1;
-    return decimate(padded, filter, first, std::min(reachable, inWindow));
+    const Index inWindow
+        = static_cast<Index>(std::floor(static_cast<double>(response.length - 1) / factor)) + 1;
+    return decimate(
+        padded, filter, first, std::min(outputCount(filter, first, padded.size() - 1), inWindow));
 }
 
-Error differentRates(const WindowedResponse &response, double lowest_Hz)
-{
-    return {ErrorKind::DataBlocked,
-        {DYNCAL_TEXT("core",
-             "Shot %1 was sampled at %2 and another one at %3, which is not a whole ratio; exclude "
-             "one of them."),
-            {std::to_string(response.shot), numberWithUnit(response.sampleRate_Hz, "Hz", 6),
-                numberWithUnit(lowest_Hz, "Hz", 6)}},
-        "CAP-004", response.shot};
-}
-
-Error tooShort(const WindowedResponse &response, Index factor)
+Error tooShort(const WindowedResponse &response, double factor)
 {
     return {ErrorKind::DataBlocked,
         {DYNCAL_TEXT("core",
              "Shot %1 has %2 samples in its window, too few to be reduced %3 times to the rate of "
              "the other shots; set window.end_s or exclude a shot."),
             {std::to_string(response.shot), std::to_string(response.length),
-                std::to_string(factor)}},
+                numberText(factor, 6)}},
         "CAP-004", response.shot};
 }
 
@@ -115,13 +104,13 @@ std::optional<Error> unify(const std::vector<WindowedResponse> &responses, Compo
     Index rows = std::numeric_limits<Index>::max();
     bool unified = false;
     for (const WindowedResponse &response : responses) {
-        const auto factor = integerReduction(response.sampleRate_Hz, result.sampleRate_Hz);
-        if (!factor)
-            return differentRates(response, result.sampleRate_Hz);
-        unified = unified || *factor > 1;
-        columns.push_back(reduced(response, *factor));
+        // The lowest rate is the target, so there always is a factor.
+        const double factor
+            = reductionFactor(response.sampleRate_Hz, result.sampleRate_Hz).value_or(1.0);
+        unified = unified || factor > 1.0;
+        columns.push_back(reduced(response, factor));
         if (columns.back().size() < kLeastSamples)
-            return tooShort(response, *factor);
+            return tooShort(response, factor);
         rows = std::min(rows, columns.back().size());
         result.shots.push_back(response.shot);
     }

@@ -62,8 +62,7 @@ struct ComponentResult
 };
 
 /// PCA, reconstructions, residuals and the average (thesis 3.7 step 4). Shots of a higher rate are
-/// reduced to the lowest one (integer ratios; else linear phase interpolation is not offered and
-/// the stage fails naming both rates); the common length is the shortest window. Usage error on
+/// reduced to the lowest one; the common length is the shortest window. Usage error on
 /// settings out of range.
 Result<ComponentResult> analyseComponents(const std::vector<WindowedResponse> &responses,
     const ComponentSettings &settings, const SpectrumSettings &spectrum,

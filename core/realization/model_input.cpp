@@ -66,15 +66,14 @@ std::vector<Source> sources(const std::vector<WindowedResponse> &responses,
     return list;
 }
 
-Result<Index> reductionFactor(const Source &source, double rate_Hz)
+Result<double> reductionOf(const Source &source, double rate_Hz)
 {
-    if (const auto factor = integerReduction(source.rate_Hz, rate_Hz))
+    if (const auto factor = reductionFactor(source.rate_Hz, rate_Hz))
         return *factor;
     return fail(ErrorKind::DataBlocked,
-        Message{
-            DYNCAL_TEXT("core",
-                "Model input: shot %1 is recorded at %2, which is no whole multiple of the model "
-                "rate %3; choose %2 divided by a whole number."),
+        Message{DYNCAL_TEXT("core",
+                    "Model input: shot %1 is recorded at %2, below the model rate of %3; choose at "
+                    "most %2."),
             {std::to_string(source.shot), numberWithUnit(source.rate_Hz, "Hz", 6),
                 numberWithUnit(rate_Hz, "Hz", 6)}},
         "MIN-001", source.shot);
@@ -83,15 +82,15 @@ Result<Index> reductionFactor(const Source &source, double rate_Hz)
 /// Samples of the input that fit before the window ends, the filter's second half included.
 Index availableSamples(const Source &source, const AntiAliasFilter &filter, Index first)
 {
-    const Index last
-        = std::min(source.lead + source.length - 1, source.values.size() - 1 - filter.halfLength());
-    return last < first ? 0 : (last - first) / filter.factor + 1;
+    // The sample's own time lies in the window; the filter may look beyond its end.
+    return outputCount(filter, first,
+        std::min(source.lead + source.length - 1 + filter.halfLength(), source.values.size() - 1));
 }
 
 Eigen::VectorXd filteredNoise(const Source &source, const AntiAliasFilter &filter)
 {
     const Index half = filter.halfLength();
-    const Index count = (source.noise.size() - 1 - 2 * half) / filter.factor + 1;
+    const Index count = outputCount(filter, half, source.noise.size() - 1);
     return count >= 8 ? decimate(source.noise, filter, half, count) : Eigen::VectorXd();
 }
 
@@ -113,7 +112,9 @@ ModelSeries makeSeries(
     series.fullRateNoiseSd = standardDeviation(source.noise);
     series.noiseSd = series.noise.size() ? standardDeviation(series.noise)
                                          : series.fullRateNoiseSd * filter.taps.norm();
-    const Index last = first + (cut.samples - 1) * filter.factor;
+    const Index last = first
+        + static_cast<Index>(
+            std::floor(static_cast<double>(cut.samples - 1) * filter.factor + 1e-9));
     series.fullRate = source.values.segment(source.lead, last - source.lead + 1);
     series.fullRate_Hz = source.rate_Hz;
     return series;
@@ -179,7 +180,7 @@ Result<ModelInput> prepareModelInput(const std::vector<WindowedResponse> &respon
     std::vector<AntiAliasFilter> filters;
     double filterHalf_s = 0.0;
     for (const Source &source : list) {
-        const auto factor = reductionFactor(source, input.sampleRate_Hz);
+        const auto factor = reductionOf(source, input.sampleRate_Hz);
         if (!factor)
             return tl::unexpected(factor.error());
         filters.push_back(designAntiAliasFilter(*factor, source.rate_Hz));

@@ -23,7 +23,7 @@ constexpr double kRiseTimes = 20.0;
 bool keepsResponse(double rate_Hz, Index factor, const SensorTraits &traits)
 {
     const double reduced_Hz = rate_Hz / static_cast<double>(factor);
-    const double span_s = designAntiAliasFilter(factor, rate_Hz).span_s();
+    const double span_s = designAntiAliasFilter(static_cast<double>(factor), rate_Hz).span_s();
     if (traits.resonance_Hz)
         return reduced_Hz >= kFewestPerPeriod * *traits.resonance_Hz
             && span_s <= traits.ringTime_s.value_or(0.0);

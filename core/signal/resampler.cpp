@@ -24,6 +24,27 @@ double sinc(double x)
     return angle == 0.0 ? 1.0 : std::sin(angle) / angle;
 }
 
+bool isWhole(double factor)
+{
+    return factor == std::round(factor);
+}
+
+/// The prototype at whole offsets from a point `beside` (-0.5..0.5) the centre; sum 1.
+Eigen::VectorXd tapsAt(double factor, Index half, double beside)
+{
+    const double reach = static_cast<double>(kHalfLength) * factor;
+    Eigen::VectorXd taps = Eigen::VectorXd::Zero(2 * half + 1);
+    for (Index k = -half; k <= half; ++k) {
+        const double offset = static_cast<double>(k) - beside;
+        const double place = offset / reach;
+        if (std::abs(place) > 1.0)
+            continue;
+        const double weight = std::cyl_bessel_i(0.0, kBeta * std::sqrt(1.0 - place * place));
+        taps[half + k] = weight * sinc(offset / factor);
+    }
+    return taps / taps.sum();
+}
+
 } // namespace
 
 std::complex<double> AntiAliasFilter::gain(std::complex<double> s_rad_s) const
@@ -35,22 +56,15 @@ std::complex<double> AntiAliasFilter::gain(std::complex<double> s_rad_s) const
     return sum;
 }
 
-AntiAliasFilter designAntiAliasFilter(Index factor, double rate_Hz)
+AntiAliasFilter designAntiAliasFilter(double factor, double rate_Hz)
 {
-    eigen_assert(factor >= 1);
-    if (factor == 1)
-        return {1, Eigen::VectorXd::Ones(1), rate_Hz};
-    const Index half = kHalfLength * factor;
-    Eigen::VectorXd taps(2 * half + 1);
-    for (Index k = 0; k <= half; ++k) {
-        const double place = static_cast<double>(k) / static_cast<double>(half);
-        const double weight = std::cyl_bessel_i(0.0, kBeta * std::sqrt(1.0 - place * place));
-        const double tap = weight * sinc(static_cast<double>(k) / static_cast<double>(factor));
-        taps[half + k] = tap;
-        taps[half - k] = tap;
-    }
-    taps /= taps.sum();
-    return {factor, std::move(taps), rate_Hz};
+    eigen_assert(factor >= 1.0);
+    if (factor == 1.0)
+        return {1.0, Eigen::VectorXd::Ones(1), rate_Hz};
+    // Between the inputs the prototype reaches one sample further on one side.
+    const Index half = isWhole(factor) ? kHalfLength * static_cast<Index>(factor)
+                                       : static_cast<Index>(std::ceil(kHalfLength * factor)) + 1;
+    return {factor, tapsAt(factor, half, 0.0), rate_Hz};
 }
 
 Eigen::VectorXd decimate(const Eigen::Ref<const Eigen::VectorXd> &values,
@@ -58,29 +72,41 @@ Eigen::VectorXd decimate(const Eigen::Ref<const Eigen::VectorXd> &values,
 {
     const Index half = filter.halfLength();
     eigen_assert(count >= 0);
-    eigen_assert(count == 0
-        || (first >= half && first + (count - 1) * filter.factor + half < values.size()));
-    if (filter.factor == 1)
+    eigen_assert(
+        count == 0 || (first >= half && count <= outputCount(filter, first, values.size() - 1)));
+    if (filter.factor == 1.0)
         return values.segment(count > 0 ? first : 0, count);
+    const bool whole = isWhole(filter.factor);
     Eigen::VectorXd result(count);
     for (Index k = 0; k < count; ++k) {
-        const Index centre = first + k * filter.factor;
-        result[k] = filter.taps.dot(values.segment(centre - half, 2 * half + 1));
+        const double place = static_cast<double>(k) * filter.factor;
+        const Index nearest = static_cast<Index>(std::llround(place));
+        const auto around = values.segment(first + nearest - half, 2 * half + 1);
+        const double beside = place - static_cast<double>(nearest);
+        result[k]
+            = whole ? filter.taps.dot(around) : tapsAt(filter.factor, half, beside).dot(around);
     }
     return result;
 }
 
-std::optional<Index> integerReduction(double from_Hz, double to_Hz)
+Index outputCount(const AntiAliasFilter &filter, Index first, Index last)
+{
+    const Index room = last - filter.halfLength() - first;
+    if (room < 0)
+        return 0;
+    return static_cast<Index>(std::floor(static_cast<double>(room) / filter.factor + 1e-9)) + 1;
+}
+
+std::optional<double> reductionFactor(double from_Hz, double to_Hz)
 {
     constexpr double kTolerance = 1e-9;
-    constexpr double kLargest = 1e9; // beyond it the tolerance no longer tells integers apart
+    constexpr double kLargest = 1e9; // beyond it the tolerance no longer tells whole numbers apart
     const double ratio = from_Hz / to_Hz;
     if (!(from_Hz > 0.0) || !(to_Hz > 0.0) || !(ratio < kLargest))
         return std::nullopt;
     const double whole = std::round(ratio);
-    if (whole < 1.0 || std::abs(ratio - whole) > kTolerance * whole)
-        return std::nullopt;
-    return static_cast<Index>(whole);
+    const double factor = std::abs(ratio - whole) <= kTolerance * whole ? whole : ratio;
+    return factor >= 1.0 ? std::optional<double>(factor) : std::nullopt;
 }
 
 } // namespace dyncal

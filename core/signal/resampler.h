@@ -12,10 +12,10 @@
 
 namespace dyncal {
 
-/// Linear-phase low-pass for a reduction by an integer factor: Kaiser-windowed sinc of odd length.
+/// Linear-phase low-pass for a reduction of the sample rate: Kaiser-windowed sinc of odd length.
 struct AntiAliasFilter
 {
-    Index factor = 1; ///< input samples per output sample
+    double factor = 1.0; ///< input samples per output sample, >= 1, mostly whole
     Eigen::VectorXd taps; ///< symmetric, sum 1; {1} for factor 1
     double rate_Hz = 0.0; ///< input rate
 
@@ -30,15 +30,22 @@ struct AntiAliasFilter
 
 /// Filter for a reduction by `factor` >= 1 of a record at `rate_Hz`: 12 factor + 1 taps, within
 /// 0.004 dB up to 0.64 of the new Nyquist frequency, -6 dB at it, at least 68 dB down from 1.36 of
-/// it on and 70 dB from 1.42 (docs/method/resampling.md). Factor 1 passes everything.
-AntiAliasFilter designAntiAliasFilter(Index factor, double rate_Hz);
+/// it on and 70 dB from 1.42 (docs/method/resampling.md). Factor 1 passes everything. For a factor
+/// that is not whole the prototype is sampled anew for every output; its gain then varies with the
+/// output's place between the inputs by less than 1e-3.
+AntiAliasFilter designAntiAliasFilter(double factor, double rate_Hz);
 
 /// Output k is centred on input sample first + k factor. All input samples that the filter
 /// touches must exist: first >= half and first + (count-1) factor + half < size.
 Eigen::VectorXd decimate(const Eigen::Ref<const Eigen::VectorXd> &values,
     const AntiAliasFilter &filter, Index first, Index count);
 
-/// from_Hz / to_Hz if that is an integer >= 1 within 1e-9 relative, else empty.
-std::optional<Index> integerReduction(double from_Hz, double to_Hz);
+/// Outputs that decimate() can give from `first` on when input `last` is the last that the filter
+/// may touch; 0 if none.
+Index outputCount(const AntiAliasFilter &filter, Index first, Index last);
+
+/// from_Hz / to_Hz, exactly whole where it is within 1e-9 of it; empty below 1 (rates are not
+/// raised).
+std::optional<double> reductionFactor(double from_Hz, double to_Hz);
 
 } // namespace dyncal

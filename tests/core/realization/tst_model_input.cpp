@@ -88,7 +88,7 @@ private slots:
         const auto input = prepareModelInput(responses, spectrumWith(2.33e6, 25.0), {}, settings);
         QVERIFY(input.has_value());
         const ModelSeries &series = input->series.front();
-        QCOMPARE(series.filter.factor, Index(10));
+        QCOMPARE(series.filter.factor, 10.0);
         QVERIFY(std::abs(input->offset_s - series.filter.span_s() / 2.0) < 1e-12);
         const double w0 = 2.0 * std::numbers::pi * 2.33e6;
         const std::complex<double> s = w0 * std::complex<double>(-0.02, std::sqrt(1.0 - 0.0004));
@@ -162,10 +162,31 @@ private slots:
         QCOMPARE(worstSeverity(low->findings), Severity::Caution);
     }
 
-    void nonIntegerReduction_isRefused()
+    void rateThatIsNoWholeFraction_givesTheSameResponse()
     {
         InputSettings settings;
         settings.sampleRate_Hz = 7e6;
+        const auto input = prepareModelInput(
+            {response(1, 100e6, 1.1e6, 0.02, 0.0)}, spectrumWith(1.1e6, 25.0), {}, settings);
+        QVERIFY(input.has_value());
+        const ModelSeries &series = input->series.front();
+        const double w0 = 2.0 * std::numbers::pi * 1.1e6;
+        const std::complex<double> s = w0 * std::complex<double>(-0.02, std::sqrt(1.0 - 0.0004));
+        const std::complex<double> c = std::conj(s) / (s - std::conj(s));
+        double worst = 0.0;
+        for (Index k = 0; k < series.y.size(); ++k) {
+            const double t = series.first_s + static_cast<double>(k) / 7e6 + 0.5 / 100e6;
+            const double expected
+                = 1.0 + 2.0 * (c * series.filter.gain(s) * std::exp(s * t)).real();
+            worst = std::max(worst, std::abs(series.y[k] - expected));
+        }
+        QVERIFY2(worst < 1e-3, qPrintable(QString::number(worst)));
+    }
+
+    void rateAboveTheRecords_isRefused()
+    {
+        InputSettings settings;
+        settings.sampleRate_Hz = 200e6;
         const auto input = prepareModelInput(
             {response(1, 100e6, 2.33e6, 0.02, 0.0)}, spectrumWith(2.33e6, 25.0), {}, settings);
         QVERIFY(!input.has_value());
@@ -180,8 +201,8 @@ private slots:
             {response(1, 100e6, 2.33e6, 0.02, 0.0), response(2, 50e6, 2.33e6, 0.02, 0.0)},
             spectrumWith(2.33e6, 25.0), {}, settings);
         QVERIFY(input.has_value());
-        QCOMPARE(input->series[0].filter.factor, Index(10));
-        QCOMPARE(input->series[1].filter.factor, Index(5));
+        QCOMPARE(input->series[0].filter.factor, 10.0);
+        QCOMPARE(input->series[1].filter.factor, 5.0);
         QCOMPARE(input->series[0].y.size(), input->series[1].y.size());
     }
 

@@ -48,7 +48,7 @@ private slots:
     void decimate_firstOutput_isCentredOnFirst();
     void decimate_toneBeyondStopEdge_vanishes();
     void decimate_wholeRecord_usesEverySample();
-    void integerReduction_ratios_acceptedOnlyWhenWhole();
+    void reductionFactor_ratios_wholeWhereTheyAre();
 };
 
 void TestResampler::design_anyFactor_meetsStatedFigures_data()
@@ -185,22 +185,22 @@ void TestResampler::decimate_wholeRecord_usesEverySample()
     }
 }
 
-void TestResampler::integerReduction_ratios_acceptedOnlyWhenWhole()
+void TestResampler::reductionFactor_ratios_wholeWhereTheyAre()
 {
     constexpr double kInf = std::numeric_limits<double>::infinity();
-    QCOMPARE(integerReduction(100e6, 50e6), std::optional<Index>(2));
-    QCOMPARE(integerReduction(100e6, 100e6), std::optional<Index>(1));
-    QCOMPARE(integerReduction(1.0 / 1e-8, 1e6), std::optional<Index>(100));
-    QCOMPARE(integerReduction(51200.0 * (1.0 + 1e-10), 5120.0), std::optional<Index>(10));
-    QVERIFY(!integerReduction(100e6, 40e6));
-    QVERIFY(!integerReduction(50e6, 100e6));
-    QVERIFY(!integerReduction(51200.0 * (1.0 + 1e-8), 5120.0));
-    QVERIFY(!integerReduction(0.0, 0.0));
-    QVERIFY(!integerReduction(1e6, 0.0));
-    QVERIFY(!integerReduction(-2.0, -1.0));
-    QVERIFY(!integerReduction(kInf, 1.0));
-    QVERIFY(!integerReduction(std::nan(""), 1.0));
-    QVERIFY(!integerReduction(1e30, 1e-30));
+    QCOMPARE(reductionFactor(100e6, 50e6), std::optional<double>(2.0));
+    QCOMPARE(reductionFactor(100e6, 100e6), std::optional<double>(1.0));
+    QCOMPARE(reductionFactor(1.0 / 1e-8, 1e6), std::optional<double>(100.0));
+    QCOMPARE(reductionFactor(51200.0 * (1.0 + 1e-10), 5120.0), std::optional<double>(10.0));
+    QCOMPARE(reductionFactor(100e6, 40e6), std::optional<double>(2.5));
+    QVERIFY(!reductionFactor(50e6, 100e6));
+    QVERIFY(reductionFactor(51200.0 * (1.0 + 1e-8), 5120.0) != std::optional<double>(10.0));
+    QVERIFY(!reductionFactor(0.0, 0.0));
+    QVERIFY(!reductionFactor(1e6, 0.0));
+    QVERIFY(!reductionFactor(-2.0, -1.0));
+    QVERIFY(!reductionFactor(kInf, 1.0));
+    QVERIFY(!reductionFactor(std::nan(""), 1.0));
+    QVERIFY(!reductionFactor(1e30, 1e-30));
 }
 
 QTEST_APPLESS_MAIN(TestResampler)
