@@ -3,17 +3,62 @@
 
 #include "app/gui_main.h"
 
+#include "app/cli/run_output.h"
+#include "app/clock.h"
+#include "core/base/version.h"
+#include "core/pipeline/pipeline.h"
+#include "ui/shell/main_window.h"
+#include "ui/shell/screenshot_tour.h"
+
 #include <QApplication>
-#include <QMainWindow>
+#include <QHashSeed>
+#include <QIcon>
+
+#include <clocale>
+#include <string_view>
 
 namespace dyncal {
 
-int runGui(int argc, char **argv, const std::vector<std::string> &)
+namespace {
+
+constexpr const char *kTourOption = "--screenshot-tour";
+
+/// The numbers of C libraries keep '.' whatever the desktop's language.
+void prepareApplication()
 {
-    const QApplication application(argc, argv);
-    QMainWindow window;
-    window.setWindowTitle(QStringLiteral("Dyncal"));
+    std::setlocale(LC_NUMERIC, "C");
+    QCoreApplication::setApplicationName("dyncal");
+    QCoreApplication::setOrganizationName("dyncal");
+    QCoreApplication::setApplicationVersion(versionText());
+    QGuiApplication::setDesktopFileName("dyncal");
+    QApplication::setWindowIcon(QIcon(":/icons/dyncal.svg"));
+}
+
+} // namespace
+
+int runGui(int argc, char **argv, const std::vector<std::string> &files)
+{
+    const bool tour = argc == 3 && std::string_view(argv[1]) == kTourOption;
+    const QString tourFolder = tour ? QString::fromLocal8Bit(argv[2]) : QString();
+    if (tour && !qEnvironmentVariableIsSet("DISPLAY"))
+        qputenv("QT_QPA_PLATFORM", "offscreen");
+    // What is exported must be the same bytes as from the command line.
+    QHashSeed::setDeterministicGlobalSeed();
+    QApplication application(argc, argv);
+    prepareApplication();
+
+    Preferences preferences;
+    Prompts prompts;
+    Language language;
+    language.install(tour ? QString("en") : preferences.language());
+    MainWindow window(runPipeline, {currentUtc, writeRun}, preferences, prompts, language);
     window.show();
+    if (tour)
+        return runScreenshotTour(window, tourFolder) ? 0 : 5;
+    QStringList paths;
+    for (const std::string &file : files)
+        paths << QString::fromStdString(file);
+    window.files().openPaths(paths);
     return QApplication::exec();
 }
 

@@ -10,6 +10,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace dyncal {
@@ -53,6 +54,8 @@ int openWorkbench(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
+    if (argc == 3 && std::string_view(argv[1]) == "--screenshot-tour")
+        return dyncal::runGui(argc, argv, {});
     return dyncal::isCommandLine(argc, argv) ? dyncal::runCommandLine(argc, argv)
                                              : dyncal::openWorkbench(argc, argv);
 }

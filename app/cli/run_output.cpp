@@ -28,6 +28,13 @@ void ignoreMessage(QtMsgType, const QMessageLogContext &, const QString &) { }
 Result<std::vector<std::string>> drawReport(const CalibrationResults &results, const Recipe &recipe,
     const std::string &createdUtc, const std::string &folder)
 {
+    if (QCoreApplication::instance()) { // the workbench exports: its language must not show
+        const QLocale shown;
+        QLocale::setDefault(QLocale::c());
+        auto drawn = writeReport(results, recipe, createdUtc, folder);
+        QLocale::setDefault(shown);
+        return drawn;
+    }
     for (const char *name : {"QT_SCALE_FACTOR", "QT_SCREEN_SCALE_FACTORS", "QT_FONT_DPI",
              "QT_STYLE_OVERRIDE", "QT_QPA_PLATFORMTHEME"})
         qunsetenv(name);

@@ -28,9 +28,12 @@ struct PrincipalComponents
     Eigen::VectorXd mean; ///< empty unless centred
 };
 
+/// `shots`: samples x shots, at least one of each, finite. With fewer samples than shots there are
+/// as many components as samples. Signs: docs/method/principal-components.md.
 PrincipalComponents computePrincipalComponents(const Eigen::MatrixXd &shots, bool centre);
 
-/// Reconstruction of every shot from the first `kept` components: samples x shots.
+/// Reconstruction of every shot from the first `kept` components (1..their number): samples x
+/// shots.
 Eigen::MatrixXd reconstruct(const PrincipalComponents &components, Index kept);
 
 /// What one shot keeps after its reconstruction is taken away.
@@ -53,14 +56,15 @@ struct ComponentResult
     Eigen::MatrixXd responses; ///< samples x shots at the common rate, from the start on
     Eigen::MatrixXd reconstructions;
     Eigen::VectorXd average; ///< of the reconstructions; of one shot: the shot itself
-    std::vector<ResidualAnalysis> residuals;
-    Index kept = 1;
-    Findings findings; ///< PCA-001..004, CAP-004 when rates were unified
+    std::vector<ResidualAnalysis> residuals; ///< per shot; empty with one shot
+    Index kept = 1; ///< components in the reconstructions: as set, at most the shots
+    Findings findings; ///< PCA-001..004, CAP-017, CAP-004 (info) when rates were unified
 };
 
 /// PCA, reconstructions, residuals and the average (thesis 3.7 step 4). Shots of a higher rate are
 /// reduced to the lowest one (integer ratios; else linear phase interpolation is not offered and
-/// the stage fails naming both rates); the common length is the shortest window.
+/// the stage fails naming both rates); the common length is the shortest window. Usage error on
+/// settings out of range.
 Result<ComponentResult> analyseComponents(const std::vector<WindowedResponse> &responses,
     const ComponentSettings &settings, const SpectrumSettings &spectrum,
     const JobControl &control = {});

@@ -66,7 +66,7 @@ struct ResponseResult
     Eigen::VectorXd u_phase_rad;
     Eigen::VectorXd modelMagnitude;
     Eigen::VectorXd modelPhase_rad;
-    double fLow_Hz = 0.0; ///< 1 / window
+    double fLow_Hz = 0.0; ///< 1 / shortest window
     double fHigh_Hz = 0.0; ///< where the noise exceeds 10 % of the magnitude, or 0.4 rate
     std::string unit; ///< "V/Pa" with a pressure step, "1" without
     StepCharacteristics characteristics;

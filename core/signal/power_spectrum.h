@@ -17,7 +17,7 @@
 namespace dyncal {
 
 /// One-sided power spectral density, (unit of the values)^2/Hz; Parseval: sum(psd) df = mean
-/// square.
+/// square of the detrended series, weighted by the square of the taper.
 struct PowerSpectrum
 {
     Eigen::VectorXd frequency_Hz; ///< from 0 (or df) up to Nyquist
@@ -46,13 +46,16 @@ Result<PowerSpectrum> computePowerSpectrum(const Eigen::Ref<const Eigen::VectorX
 
 /// Spectra of all responses and the resonances they share (thesis 3.7 step 3). A resonance is a
 /// local maximum with at least 6 dB prominence in the smoothed log spectrum (background: running
-/// median over a band of log frequency), above the fourth bin and below 0.9 Nyquist, its frequency
-/// interpolated by a parabola through the log power. The operator's own list is matched to the
-/// nearest maxima.
+/// median over a band of log frequency; more where few bins are averaged, so that white noise shows
+/// one in a thousand spectra), above the fourth bin and below 0.9 Nyquist, its frequency
+/// interpolated by a parabola through the log power. Peaks of different shots within 5 % are one
+/// resonance if at least half of the shots show it; a spread beyond 2 % is SPC-002. The operator's
+/// own list is matched to the nearest maxima within 10 %. Details: docs/method/spectrum.md.
 Result<SpectrumResult> analyseSpectra(const std::vector<WindowedResponse> &responses,
     const SpectrumSettings &settings, const JobControl &control = {});
 
-/// At most `count` log-spaced points; each holds the maximum of its cell (for results.json).
+/// At most `count` log-spaced points without 0 Hz; each holds the maximum of its cell (for
+/// results.json) and stands at the cell's geometric middle, so that it depends on the axis only.
 PowerSpectrum thinned(const PowerSpectrum &spectrum, Index count);
 
 } // namespace dyncal

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/base/distributions.h"
 #include "core/base/index.h"
 
 #include <array>
@@ -10,10 +11,6 @@
 #include <span>
 
 namespace dyncal {
-
-/// Quantile of the standard normal distribution for 0 < p < 1 (algorithm AS 241, PPND16, relative
-/// accuracy about 1e-15), with the portable logarithm.
-double normalQuantile(double probability);
 
 /// Random numbers that are the same on every machine: xoshiro256++, its state from the seed, the
 /// shot and the stream by splitmix64, so that every record has numbers of its own whatever else

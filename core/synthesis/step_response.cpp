@@ -3,7 +3,7 @@
 
 #include "core/synthesis/step_response.h"
 
-#include "core/synthesis/portable_math.h"
+#include "core/base/portable_math.h"
 #include "core/synthesis/sensor_poles.h"
 
 #include <algorithm>

@@ -7,7 +7,7 @@
 #include "ui/plot/curve_building.h"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
 
 namespace dyncal {
 
@@ -38,6 +38,19 @@ std::vector<double> lagAxis(Index count)
     return timeAxis(0.0, 1.0, count);
 }
 
+/// A mark per frequency, not per shot: shots mostly share their maxima.
+void markOnce(PlotContent &content, double frequency_Hz)
+{
+    constexpr double kSame = 0.02; // relative; about the width of a label on a decade
+    const bool known = std::any_of(
+        content.marks.begin(), content.marks.end(), [frequency_Hz](const PlotMark &mark) {
+            return std::abs(mark.x - frequency_Hz) < kSame * frequency_Hz;
+        });
+    if (!known)
+        content.marks.push_back({frequency_Hz, valueWithUnit(frequency_Hz, QStringLiteral("Hz"), 3),
+            CurveRole::Suggestion});
+}
+
 } // namespace
 
 PlotContent explainedCurves(const ComponentResult &components)
@@ -59,8 +72,7 @@ PlotContent explainedCurves(const ComponentResult &components)
     content.curves.push_back({Plots::tr("Explained, cumulative"), CurveRole::Measured,
         CurveStyle::Bars, timeAxis(1.0, 1.0, percent.size()), toVector(percent), true});
     if (percent.size() > 0)
-        content.summary = Plots::tr("The first of %n component(s) explains %1 %.", nullptr,
-            static_cast<int>(percent.size()))
+        content.summary = Plots::tr("The first component explains %1 %.")
                               .arg(valueWithUnit(percent[0], QString(), 5));
     return content;
 }
@@ -68,8 +80,7 @@ PlotContent explainedCurves(const ComponentResult &components)
 PlotContent reconstructionCurves(const ComponentResult &components, const WindowResult &window)
 {
     PlotContent content = columnsContent(components, window, components.reconstructions,
-        Plots::tr(
-            "Reconstructed from %n component(s)", nullptr, static_cast<int>(components.kept)));
+        Plots::tr("Reconstructed; components kept: %1").arg(components.kept));
     content.summary = content.title;
     return content;
 }
@@ -128,8 +139,7 @@ PlotContent residualSpectrumCurves(const ComponentResult &components, const Wind
         content.curves.push_back({style.name, style.role, CurveStyle::Line,
             toVector(residual.spectrum.frequency_Hz), decibels(residual.spectrum.psd), true});
         if (!residual.peaks_Hz.empty())
-            content.marks.push_back({residual.peaks_Hz.front(),
-                valueWithUnit(residual.peaks_Hz.front(), QStringLiteral("Hz"), 3), style.role});
+            markOnce(content, residual.peaks_Hz.front());
     }
     content.yMin = lowestShown_dB(content.curves);
     content.summary = Plots::tr("Power spectra of the residuals; the strongest maximum of each "

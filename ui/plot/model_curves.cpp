@@ -221,12 +221,11 @@ PlotContent poleZeroCurves(const SensorModel &model)
         content.curves.push_back(std::move(zeros));
     content.xMin = content.yMin = -1.1 * reach;
     content.xMax = content.yMax = 1.1 * reach;
-    content.summary = Plots::tr("%n pole(s)", nullptr, static_cast<int>(model.poles.size()))
-        + QStringLiteral(", ")
-        + Plots::tr("%n zero(s)", nullptr, static_cast<int>(model.zeros.size()));
+    content.summary
+        = Plots::tr("poles: %1, zeros: %2").arg(model.poles.size()).arg(model.zeros.size());
     if (beyond > 0)
-        content.summary += QStringLiteral("; ")
-            + Plots::tr("%n of them further out than shown", nullptr, beyond);
+        content.summary
+            += QStringLiteral("; ") + Plots::tr("further out than shown: %1").arg(beyond);
     return content;
 }
 

@@ -15,6 +15,7 @@ namespace {
 /// |<u, ones>| / sqrt(r) of a vector that is constant but for little.
 constexpr double kConstantEnough = 0.9;
 constexpr double kFirstValuesShown = 40.5;
+constexpr Index kSamplesShown = 150;
 
 void addSuggestion(PlotContent &content, const OrderSuggestion &suggestion)
 {
@@ -46,8 +47,10 @@ PlotContent modelInputCurves(const ModelInput &input, const WindowResult &window
             timeAxis(series.first_s, 1.0 / input.sampleRate_Hz, series.y.size()),
             toVector(series.y), true});
     }
-    content.summary = Plots::tr(
-        "Model input: %n sample(s) in each series.", nullptr, static_cast<int>(input.samples));
+    // The samples must be told apart at first sight; the rest is a zoom away.
+    if (input.samples > kSamplesShown && input.sampleRate_Hz > 0.0)
+        content.xMax = input.offset_s + static_cast<double>(kSamplesShown) / input.sampleRate_Hz;
+    content.summary = Plots::tr("Model input; samples in each series: %1.").arg(input.samples);
     return content;
 }
 
@@ -93,8 +96,8 @@ PlotContent singularValueCurves(const HankelDecomposition &decomposition,
         content.levels.push_back(
             {decomposition.noiseFloor_p95, Plots::tr("Noise floor (95 %)"), CurveRole::Noise});
     addSuggestion(content, suggestion);
-    content.summary = Plots::tr(
-        "%n singular value(s); suggested order %1.", nullptr, static_cast<int>(values.size()))
+    content.summary = Plots::tr("Singular values: %1; suggested order: %2.")
+                          .arg(values.size())
                           .arg(suggestion.order);
     return content;
 }

@@ -149,9 +149,8 @@ PlotContent rawCurves(const CaptureSet &set, ChannelRole role)
         content.curves.push_back(
             rawCurve(*channel, shotStyle(static_cast<Index>(i) + 1, shot.level)));
     }
-    content.summary = Plots::tr(
-        "%1: recordings of %n shot(s).", nullptr, static_cast<int>(content.curves.size()))
-                          .arg(content.title);
+    content.summary
+        = Plots::tr("%1; recordings: %2.").arg(content.title).arg(content.curves.size());
     return content;
 }
 
@@ -162,7 +161,7 @@ PlotContent windowCurves(const WindowResult &window)
         content.curves.push_back(responseCurve(response, 0,
             std::min(response.lead + response.length, static_cast<Index>(response.values.size()))));
     content.summary
-        = Plots::tr("Responses of %n shot(s).", nullptr, static_cast<int>(window.responses.size()));
+        = Plots::tr("Responses aligned at the start; shots: %1.").arg(window.responses.size());
     return content;
 }
 
@@ -175,8 +174,8 @@ PlotContent startCurves(const WindowResult &window)
         content.curves.push_back(responseCurve(response, std::max<Index>(0, response.lead - before),
             std::min(response.lead + shown, static_cast<Index>(response.values.size()))));
     }
-    content.summary = Plots::tr("The first moments of the responses of %n shot(s).", nullptr,
-        static_cast<int>(window.responses.size()));
+    content.summary
+        = Plots::tr("The first moments of the responses; shots: %1.").arg(window.responses.size());
     return content;
 }
 

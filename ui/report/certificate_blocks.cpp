@@ -197,7 +197,7 @@ private:
 QString figureCaption(const CertificateFigure &figure, const PlotContent &content)
 {
     const QString caption = translated(figure.caption);
-    return content.equalAspect ? caption + QStringLiteral(": ") + content.summary : caption;
+    return content.equalAspect ? caption + QStringLiteral("; ") + content.summary : caption;
 }
 
 void addMissing(const CertificateData &data, const CertificateStyle &style, const BlockMaker &make,
@@ -266,6 +266,8 @@ std::vector<FlowBlock> certificateBlocks(const CertificateData &data,
         }
         for (const CertificateTable &table : section.tables)
             make.table(table, body);
+        if (!section.notes.empty() && !body.empty())
+            body.back().keepWithNext = true; // what a note explains is above it
         for (const Message &note : section.notes)
             body.push_back(make.text(translated(note), style.small, style.quiet, 5.0));
         for (const CertificateFigure &figure : section.figures)

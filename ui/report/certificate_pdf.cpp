@@ -5,11 +5,11 @@
 
 #include "ui/report/certificate_blocks.h"
 #include "ui/report/pdf_bytes.h"
+#include "ui/report/reproducible_output.h"
 #include "ui/text/core_text.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
-#include <QHashSeed>
 #include <QPdfWriter>
 
 namespace dyncal {
@@ -20,14 +20,6 @@ constexpr int kPageDpi = 96; ///< vectors: says how big a pixel is, not how fine
 constexpr double kMargin = 57.0; ///< 15 mm
 constexpr double kHeaderHeight = 30.0;
 constexpr double kFooterHeight = 26.0;
-
-/// The fonts' order in a PDF follows hash order, which Qt makes random per process.
-struct FixedHashOrder
-{
-    FixedHashOrder() { QHashSeed::setDeterministicGlobalSeed(); }
-    ~FixedHashOrder() { QHashSeed::resetRandomGlobalSeed(); }
-    Q_DISABLE_COPY(FixedHashOrder)
-};
 
 class PagePainter
 {
@@ -131,7 +123,7 @@ private:
 
 QByteArray certificatePdf(const CertificateData &data, const std::vector<ReportFigure> &figures)
 {
-    const FixedHashOrder fixedOrder;
+    const ReproducibleOutput reproducible;
     QByteArray bytes;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::WriteOnly);

@@ -7,6 +7,7 @@
 #include "ui/report/certificate_pdf.h"
 #include "ui/report/certificate_sources.h"
 #include "ui/report/report_figures.h"
+#include "ui/report/reproducible_output.h"
 
 #include <QApplication>
 #include <QDir>
@@ -45,13 +46,14 @@ Result<std::vector<std::string>> writeReport(const CalibrationResults &results,
     if (!folder.mkpath(QStringLiteral("plots")))
         return cannotWrite(folder.filePath(QStringLiteral("plots")));
 
+    const ReproducibleOutput reproducible;
     const std::vector<ReportFigure> figures = reportFigures(results);
     const QByteArray pdf
         = certificatePdf(makeCertificate(certificateSources(results, recipe, createdUtc)), figures);
     const QString certificate = QStringLiteral("certificate.pdf");
     if (pdf.isEmpty() || !writeFile(folder.filePath(certificate), pdf))
         return cannotWrite(folder.filePath(certificate));
-    std::vector<std::string> written{certificate.toStdString()};
+    std::vector<std::string> written{folder.filePath(certificate).toStdString()};
 
     for (std::size_t i = 0; i < figures.size(); ++i) {
         const QString name = QStringLiteral("plots/%1-%2.svg")
@@ -61,8 +63,9 @@ Result<std::vector<std::string>> writeReport(const CalibrationResults &results,
             std::make_shared<const PlotContent>(figures[i].content), {}, {}, {}};
         if (!savePicture(picture, kPlotSize, folder.filePath(name)))
             return cannotWrite(folder.filePath(name));
-        written.push_back(name.toStdString());
     }
+    if (!figures.empty())
+        written.push_back(folder.filePath(QStringLiteral("plots/")).toStdString());
     return written;
 }
 

@@ -13,8 +13,9 @@
 namespace dyncal {
 
 /// Writes certificate.pdf and plots/NN-name.svg into `directory` (made if missing) and returns the
-/// files written, relative to it. Each file appears whole or not at all. Needs a QApplication.
-/// `createdUtc` (ISO 8601 with Z) is printed and makes the bytes reproducible.
+/// paths to show: of the certificate, and of the folder of plots if there are any. Each file
+/// appears whole or not at all. Needs a QApplication. `createdUtc` (ISO 8601 with Z) is printed and
+/// makes the bytes reproducible.
 Result<std::vector<std::string>> writeReport(const CalibrationResults &results,
     const Recipe &recipe, const std::string &createdUtc, const std::string &directory);
 

@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/decomposition/residual_analysis.h"
+
+#include "core/base/distributions.h"
+#include "core/base/number_text.h"
+#include "core/signal/fft.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace dyncal {
+namespace {
+
+constexpr Index kWhitenessLags = 20;
+constexpr std::size_t kMostPeaks = 5;
+constexpr double kLargestOutside = 0.05; ///< share of lags
+constexpr double kSameFrequency = 0.03;
+constexpr double kTolerableShare = 0.1; ///< amplitude left of a resonance before it is a caution
+constexpr double kLargestShare = 0.9; ///< of the energy that one shot of several can hold
+
+/// A series as the spectrum stage takes it.
+WindowedResponse asResponse(const Eigen::Ref<const Eigen::VectorXd> &values, double rate_Hz)
+{
+    WindowedResponse response;
+    response.sampleRate_Hz = rate_Hz;
+    response.values = values;
+    response.length = values.size();
+    return response;
+}
+
+Finding caution(const char *id, Index shot, Message message, double value,
+    std::optional<double> limit = std::nullopt)
+{
+    return {id, Severity::Caution, shot, {}, std::nullopt, std::move(message), value, limit};
+}
+
+/// The peak of a residual that is a resonance of the average, if one is.
+std::optional<double> resonanceLeft(
+    const ResidualAnalysis &residual, const std::vector<Resonance> &resonances)
+{
+    for (const double peak_Hz : residual.peaks_Hz) {
+        for (const Resonance &resonance : resonances) {
+            if (std::abs(peak_Hz / resonance.frequency_Hz - 1.0) <= kSameFrequency)
+                return peak_Hz;
+        }
+    }
+    return std::nullopt;
+}
+
+/// Largest density within +-3 % of a frequency.
+double densityNear(const PowerSpectrum &spectrum, double frequency_Hz)
+{
+    double top = 0.0;
+    for (Index k = 0; k < spectrum.psd.size(); ++k) {
+        if (std::abs(spectrum.frequency_Hz[k] / frequency_Hz - 1.0) <= kSameFrequency)
+            top = std::max(top, spectrum.psd[k]);
+    }
+    return top;
+}
+
+void addResonanceLeft(
+    Index shot, const ResidualAnalysis &residual, const SpectrumResult &average, Findings &findings)
+{
+    const auto left_Hz = resonanceLeft(residual, average.resonances);
+    if (!left_Hz)
+        return;
+    const double share = std::sqrt(
+        densityNear(residual.spectrum, *left_Hz) / densityNear(average.perShot.front(), *left_Hz));
+    Finding finding = caution("PCA-003", shot,
+        {DYNCAL_TEXT("core",
+             "Shot %1: %2 % of the resonance at %3 is left in the residual; its amplitude or its "
+             "time varies between the shots."),
+            {std::to_string(shot), numberText(100.0 * share, 2),
+                numberWithUnit(*left_Hz, "Hz", 4)}},
+        share, kTolerableShare);
+    // Shots start at their own fraction of a sample: a few percent are left of any ringing.
+    if (share <= kTolerableShare)
+        finding.severity = Severity::Info;
+    findings.push_back(std::move(finding));
+}
+
+void addWhiteness(Index shot, const ResidualAnalysis &residual, Findings &findings)
+{
+    if (residual.outsideFraction <= kLargestOutside)
+        return;
+    Finding finding = caution("PCA-002", shot,
+        {DYNCAL_TEXT("core",
+             "Shot %1: the residual is not white, %2 % of the lags lie outside the confidence "
+             "band."),
+            {std::to_string(shot), numberText(100.0 * residual.outsideFraction, 2)}},
+        100.0 * residual.outsideFraction, 100.0 * kLargestOutside);
+    finding.severity = Severity::Info; // says what one component cannot: no reason to stop
+    findings.push_back(std::move(finding));
+}
+
+/// The components follow the odd shot by 1/n, so of n equal ones it holds (n - 1)/n of the energy
+/// of the residuals at most; of two, both hold half whatever they are.
+void addDominance(const ComponentResult &result, Findings &findings)
+{
+    const auto shots = static_cast<double>(result.residuals.size());
+    if (shots < 3.0)
+        return;
+    const double limit = kLargestShare * (shots - 1.0) / shots;
+    Eigen::VectorXd energy(static_cast<Index>(result.residuals.size()));
+    for (Index i = 0; i < energy.size(); ++i)
+        energy[i] = std::pow(result.residuals[static_cast<std::size_t>(i)].rms, 2);
+    Index worst = 0;
+    const double share = energy.maxCoeff(&worst) / energy.sum();
+    if (!(share > limit))
+        return;
+    const Index shot = result.shots[static_cast<std::size_t>(worst)];
+    findings.push_back(caution("PCA-004", shot,
+        {DYNCAL_TEXT("core",
+             "Shot %1 holds %2 % of the energy of all residuals; look at it before using the "
+             "average."),
+            {std::to_string(shot), numberText(100.0 * share, 3)}},
+        100.0 * share, 100.0 * limit));
+}
+
+} // namespace
+
+Eigen::VectorXd autocovariance(const Eigen::Ref<const Eigen::VectorXd> &values, Index maxLag)
+{
+    const Index n = values.size();
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(maxLag + 1);
+    if (n == 0)
+        return result;
+    const Index lags = std::min(maxLag, n - 1);
+    const RealFft fft(fastFftLength(n + lags)); // padding keeps the wrap-around beyond `lags`
+    const Eigen::VectorXcd power = fft.forward(values).cwiseAbs2().cast<std::complex<double>>();
+    result.head(lags + 1) = fft.inverse(power).head(lags + 1) / static_cast<double>(n);
+    return result;
+}
+
+double ljungBox_p(const Eigen::VectorXd &autocorrelation, Index samples, Index lags)
+{
+    if (lags < 1)
+        return 1.0;
+    const auto n = static_cast<double>(samples);
+    double sum = 0.0;
+    for (Index k = 1; k <= lags; ++k)
+        sum += autocorrelation[k] * autocorrelation[k] / (n - static_cast<double>(k));
+    return chiSquareSurvival(n * (n + 2.0) * sum, static_cast<double>(lags));
+}
+
+Result<ResidualAnalysis> analyseResidual(const Eigen::Ref<const Eigen::VectorXd> &residual,
+    double rate_Hz, const ComponentSettings &settings, const SpectrumSettings &spectrum)
+{
+    SpectrumSettings search = spectrum; // the operator's resonance is no peak of the residual
+    search.resonances_Hz.clear();
+    search.resonanceBand_Hz.reset();
+    search.searchResonance = true;
+    Result<SpectrumResult> spectra = analyseSpectra({asResponse(residual, rate_Hz)}, search);
+    if (!spectra)
+        return tl::unexpected(spectra.error());
+
+    ResidualAnalysis result;
+    const Index n = residual.size();
+    result.rms = std::sqrt(residual.squaredNorm() / static_cast<double>(n));
+    result.spectrum = std::move(spectra->perShot[0]);
+    for (const Resonance &peak : spectra->resonances) {
+        if (result.peaks_Hz.size() < kMostPeaks)
+            result.peaks_Hz.push_back(peak.frequency_Hz);
+    }
+    const Index lags = std::min(settings.residualLags, n - 1);
+    result.autocovariance = autocovariance((residual.array() - residual.mean()).matrix(), lags);
+    if (result.autocovariance[0] > 0.0)
+        result.autocovariance /= result.autocovariance[0];
+    result.autocovariance[0] = 1.0;
+    result.confidenceBound = normalQuantile(0.5 * (1.0 + settings.residualConfidence))
+        / std::sqrt(static_cast<double>(n));
+    const auto outside = (result.autocovariance.tail(lags).array().abs() > result.confidenceBound);
+    result.outsideFraction = static_cast<double>(outside.count()) / static_cast<double>(lags);
+    result.whiteness_p = ljungBox_p(result.autocovariance, n, std::min(lags, kWhitenessLags));
+    return result;
+}
+
+Findings residualFindings(const ComponentResult &result, const SpectrumSettings &spectrum)
+{
+    Findings findings;
+    const Result<SpectrumResult> average
+        = analyseSpectra({asResponse(result.average, result.sampleRate_Hz)}, spectrum);
+    for (std::size_t i = 0; i < result.residuals.size(); ++i) {
+        addWhiteness(result.shots[i], result.residuals[i], findings);
+        if (average)
+            addResonanceLeft(result.shots[i], result.residuals[i], *average, findings);
+    }
+    addDominance(result, findings);
+    return findings;
+}
+
+} // namespace dyncal

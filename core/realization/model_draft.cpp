@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/realization/model_draft.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dyncal {
+namespace {
+
+constexpr Index kLargestRefined = 12; ///< beyond, spurious poles make the fit ill-posed
+
+/// Pairs stay together: both have the same |s|, the upper half comes first.
+void sortByFrequency(std::vector<std::complex<double>> &rates)
+{
+    std::stable_sort(rates.begin(), rates.end(), [](const auto &a, const auto &b) {
+        const double left = std::abs(a);
+        const double right = std::abs(b);
+        return left != right ? left < right : a.imag() > b.imag();
+    });
+}
+
+bool canRefine(const ModelInput &input, const std::vector<std::complex<double>> &poles)
+{
+    return !isThesisMode(input) && !poles.empty()
+        && static_cast<Index>(poles.size()) <= kLargestRefined
+        && std::all_of(poles.begin(), poles.end(), [](const std::complex<double> &z) {
+               return std::abs(z) < 1.0 && !(z.imag() == 0.0 && z.real() <= 0.0);
+           });
+}
+
+} // namespace
+
+double sampleInterval_s(const ModelInput &input)
+{
+    return 1.0 / input.sampleRate_Hz;
+}
+
+std::complex<double> rateOf(std::complex<double> z, double dt_s)
+{
+    // A pole at 0 is a pure delay: infinitely fast, kept finite so that it can be listed.
+    constexpr double kTiny = 1e-300;
+    return std::log(std::abs(z) > kTiny ? z : std::complex<double>(kTiny)) / dt_s;
+}
+
+std::vector<std::complex<double>> discretePoles(
+    const std::vector<std::complex<double>> &rates, double dt_s)
+{
+    std::vector<std::complex<double>> poles;
+    for (const std::complex<double> &s : rates) {
+        const std::complex<double> z = std::exp(s * dt_s);
+        // The s of a negative real z lies on the Nyquist line and has no partner there.
+        const bool onNyquistLine = std::abs(std::abs(s.imag()) * dt_s - std::numbers::pi) < 1e-12;
+        poles.push_back(onNyquistLine ? std::complex<double>(z.real()) : z);
+    }
+    return poles;
+}
+
+ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<double>> &poles)
+{
+    ModelDraft draft;
+    for (const std::complex<double> &z : poles)
+        draft.rates_rad_s.push_back(rateOf(z, sampleInterval_s(input)));
+    sortByFrequency(draft.rates_rad_s);
+    const auto sorted = discretePoles(draft.rates_rad_s, sampleInterval_s(input));
+    for (const ModelSeries &series : input.series) {
+        const AmplitudeFit fit = fitAmplitudes(series.y, sorted, isStepTreatment(input.treatment));
+        ExponentialSum sum;
+        sum.constant = fit.constant;
+        sum.rates_rad_s = Eigen::Map<const Eigen::VectorXcd>(
+            draft.rates_rad_s.data(), static_cast<Index>(draft.rates_rad_s.size()));
+        sum.amplitudes = fit.amplitudes;
+        for (Index i = 0; i < sum.amplitudes.size(); ++i) {
+            const std::complex<double> s = sum.rates_rad_s[i];
+            sum.amplitudes[i] *= std::exp(-s * series.first_s) / series.filter.gain(s);
+        }
+        draft.series.push_back(std::move(sum));
+    }
+    return draft;
+}
+
+void refineDraft(const ModelInput &input, ModelDraft &draft, const JobControl &control)
+{
+    if (!canRefine(input, discretePoles(draft.rates_rad_s, sampleInterval_s(input))))
+        return;
+    std::vector<RefinementRecord> records;
+    for (const ModelSeries &series : input.series) {
+        constexpr double kNoiseFree = 1e-9; // of the record's range: keeps weights finite
+        const double range = series.fullRate.maxCoeff() - series.fullRate.minCoeff();
+        const double noise = std::max(series.fullRateNoiseSd, kNoiseFree * range);
+        records.push_back({series.fullRate, series.fullRate_Hz, 1.0 / noise});
+    }
+    draft.refinement
+        = refinePoles(records, draft.rates_rad_s, isStepTreatment(input.treatment), control);
+    if (!draft.refinement)
+        return;
+    draft.rates_rad_s = draft.refinement->rates_rad_s;
+    draft.series = draft.refinement->records;
+}
+
+std::vector<bool> standingOut(const ModelInput &input, const ModelDraft &draft)
+{
+    constexpr double kMargin = 20.0;
+    constexpr double kRounding = 1e-20;
+    std::vector<bool> result(draft.rates_rad_s.size(), false);
+    for (std::size_t r = 0; r < input.series.size(); ++r) {
+        const ModelSeries &series = input.series[r];
+        const double noise
+            = std::max(series.noiseSd * series.noiseSd, kRounding * series.y.squaredNorm());
+        for (std::size_t i = 0; i < result.size(); ++i) {
+            const Index at = static_cast<Index>(i);
+            const std::complex<double> s = draft.rates_rad_s[i];
+            const double first = std::norm(draft.series[r].amplitudes[at] * series.filter.gain(s)
+                * std::exp(s * series.first_s));
+            const double decay = std::norm(std::exp(s * sampleInterval_s(input)));
+            const double samples = static_cast<double>(series.y.size());
+            const double sum = std::abs(1.0 - decay) > 1e-12
+                ? (1.0 - std::pow(decay, samples)) / (1.0 - decay)
+                : samples;
+            if (2.0 * first * sum > kMargin * noise)
+                result[i] = true;
+        }
+    }
+    return result;
+}
+
+} // namespace dyncal

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/realization/series_fit.h"
+
+#include "core/realization/onset.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dyncal {
+namespace {
+
+/// Only what the sensor does takes part in the search for the onset.
+ExponentialSum sensorPart(const ExponentialSum &sum, const std::vector<bool> &isSensor)
+{
+    ExponentialSum part;
+    part.constant = sum.constant;
+    const Index kept = std::count(isSensor.begin(), isSensor.end(), true);
+    part.rates_rad_s.resize(kept);
+    part.amplitudes.resize(kept);
+    Index at = 0;
+    for (std::size_t i = 0; i < isSensor.size(); ++i) {
+        if (isSensor[i]) {
+            part.rates_rad_s[at] = sum.rates_rad_s[static_cast<Index>(i)];
+            part.amplitudes[at++] = sum.amplitudes[static_cast<Index>(i)];
+        }
+    }
+    return part;
+}
+
+/// Search range for the onset: six tenths of the period (or time constant) of the fastest part.
+double onsetSearch_s(const ExponentialSum &part)
+{
+    const double fastest = part.rates_rad_s.cwiseAbs().maxCoeff();
+    return 0.6 * 2.0 * std::numbers::pi / fastest;
+}
+
+struct Onset
+{
+    double time_s = 0.0;
+    double u_s = kUnknown;
+};
+
+Onset locateOnset(const ModelDraft &draft, std::size_t series, const std::vector<bool> &isSensor)
+{
+    const ExponentialSum part = sensorPart(draft.series[series], isSensor);
+    if (part.rates_rad_s.size() == 0)
+        return {};
+    const double search_s = onsetSearch_s(part);
+    const auto found = findOnset_s(part, search_s);
+    if (!found)
+        return {};
+    Onset onset{*found, kUnknown};
+    if (!draft.refinement)
+        return onset;
+
+    const Index record = static_cast<Index>(series);
+    const Eigen::MatrixXd covariance = recordCovariance(*draft.refinement, record);
+    Eigen::VectorXd gradient = Eigen::VectorXd::Zero(covariance.rows());
+    for (Index i = 0; i < gradient.size(); ++i) {
+        const double step = 0.1 * std::sqrt(std::max(0.0, covariance(i, i)));
+        if (!(step > 0.0))
+            continue;
+        const auto above = findOnset_s(
+            sensorPart(perturbed(*draft.refinement, record, i, step), isSensor), search_s);
+        const auto below = findOnset_s(
+            sensorPart(perturbed(*draft.refinement, record, i, -step), isSensor), search_s);
+        if (!above || !below)
+            return onset;
+        gradient[i] = (*above - *below) / (2.0 * step);
+    }
+    onset.u_s = std::sqrt(std::max(0.0, gradient.dot(covariance * gradient)));
+    return onset;
+}
+
+Eigen::VectorXd simulate(const ModelSeries &series, const ExponentialSum &sum, double dt_s)
+{
+    Eigen::VectorXd y = Eigen::VectorXd::Constant(series.y.size(), sum.constant);
+    for (Index i = 0; i < sum.rates_rad_s.size(); ++i) {
+        const std::complex<double> s = sum.rates_rad_s[i];
+        const std::complex<double> first
+            = sum.amplitudes[i] * series.filter.gain(s) * std::exp(s * series.first_s);
+        for (Index k = 0; k < y.size(); ++k)
+            y[k] += (first * std::exp(s * (static_cast<double>(k) * dt_s))).real();
+    }
+    return y;
+}
+
+} // namespace
+
+double fitPercent(double errorSquares, double spreadSquares)
+{
+    return spreadSquares > 0.0 ? 100.0 * (1.0 - std::sqrt(errorSquares / spreadSquares)) : 0.0;
+}
+
+double spreadSquares(const Eigen::VectorXd &y)
+{
+    return (y.array() - y.mean()).square().sum();
+}
+
+SeriesFit describeSeries(const ModelInput &input, const ModelDraft &draft, std::size_t r,
+    const std::vector<bool> &isSensor, const StateSpaceModel &stateSpace)
+{
+    const ModelSeries &series = input.series[r];
+    const ExponentialSum &sum = draft.series[r];
+    SeriesFit fit;
+    fit.shot = series.shot;
+    fit.plateauGain = sum.constant;
+    if (draft.refinement && draft.refinement->withConstant) {
+        const Eigen::MatrixXd covariance
+            = recordCovariance(*draft.refinement, static_cast<Index>(r));
+        fit.u_plateauGain = std::sqrt(covariance(covariance.rows() - 1, covariance.rows() - 1));
+    }
+    if (isStepTreatment(input.treatment)) {
+        const Onset onset = locateOnset(draft, r, isSensor);
+        fit.onset_s = onset.time_s;
+        fit.u_onset_s = onset.u_s;
+    }
+    fit.amplitudes = sum.amplitudes.array() * (sum.rates_rad_s.array() * fit.onset_s).exp();
+    fit.simulated = isThesisMode(input)
+        ? Eigen::VectorXd(impulseResponse(stateSpace, series.y.size() + 1).tail(series.y.size()))
+        : simulate(series, sum, sampleInterval_s(input));
+    fit.error = series.y - fit.simulated;
+    fit.fit_percent = fitPercent(fit.error.squaredNorm(), spreadSquares(series.y));
+    // Without a quiet stretch nobody knows the noise; a record without any noise has one of 0.
+    fit.fitAttainable_percent = series.noise.size() > 0
+        ? fitPercent(series.noiseSd * series.noiseSd * static_cast<double>(series.y.size()),
+            spreadSquares(series.y))
+        : kUnknown;
+    return fit;
+}
+
+} // namespace dyncal

@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Prints the table of docs/accuracy.md: accuracy_table [SEEDS [FIRST_SEED]]
+// Every preset of the simulator, three shots at 1 % noise, the default recipe, seeds 1..SEEDS:
+// error of f0 and zeta (optic1: of the -3 dB frequency) over what the noise allows.
+
+#include "core/pipeline/pipeline.h"
+#include "core/synthesis/shot_generator.h"
+#include "tests/accuracy/noise_bound.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <map>
+#include <string>
+
+using namespace dyncal;
+
+namespace {
+
+constexpr double kNoise = 0.01;
+constexpr double kDuration_s = 0.004; ///< the step and its plateau; 0.02 s only adds rest
+
+/// Errors of one quantity over the seeds, in units of the bound.
+struct Column
+{
+    double squares = 0.0;
+    double largest = 0.0;
+    int beyond3 = 0;
+    double relativeSquares = 0.0;
+    double bound = 0.0;
+    int count = 0;
+
+    void add(double value, double truth, double standardDeviation)
+    {
+        const double z = (value - truth) / standardDeviation;
+        squares += z * z;
+        largest = std::max(largest, std::abs(z));
+        beyond3 += std::abs(z) > 3.0;
+        relativeSquares += (value / truth - 1.0) * (value / truth - 1.0);
+        bound += standardDeviation / truth;
+        ++count;
+    }
+};
+
+struct Row
+{
+    std::map<std::string, Column> columns;
+    std::map<Index, int> orders;
+    double rate_Hz = 0.0;
+    int failed = 0;
+};
+
+const Pole *mainPole(const SensorModel &model)
+{
+    const Pole *main = nullptr;
+    for (const Pole &pole : model.poles) {
+        if (pole.poleClass == PoleClass::Sensor && pole.s_rad_s.imag() > 0.0
+            && (!main || pole.amplitude > main->amplitude))
+            main = &pole;
+    }
+    return main;
+}
+
+void addSeed(const SensorSpec &sensor, std::uint64_t seed, Row &row)
+{
+    SimulationSettings settings;
+    settings.sensor = sensor;
+    settings.noise = kNoise;
+    settings.duration_s = kDuration_s;
+    settings.seed = seed;
+    const auto shots = simulateShots(settings);
+    ResultCache cache;
+    const PipelineOutcome outcome
+        = runPipeline(std::make_shared<const CaptureSet>(shots->set), {}, cache);
+    const Pole *pole = outcome.results.model ? mainPole(*outcome.results.model) : nullptr;
+    if (outcome.error || !pole) {
+        std::fprintf(stderr, "%s seed %llu: %s\n", sensor.name.c_str(),
+            static_cast<unsigned long long>(seed),
+            outcome.error ? english(outcome.error->message).c_str() : "no resonance in the model");
+        ++row.failed;
+        return;
+    }
+    const CalibrationResults &r = outcome.results;
+    row.rate_Hz = r.input->sampleRate_Hz;
+    ++row.orders[r.decomposition->suggestion.order];
+
+    const ModelSeries &series = r.input->series.front();
+    const double first_s = series.first_s - r.model->series.front().onset_s;
+    const auto bound = testing::noiseBound(sensor, 3, r.input->sampleRate_Hz, first_s,
+        r.input->samples, kNoise * series.filter.taps.norm());
+    const auto whole = testing::noiseBound(
+        sensor, 3, series.fullRate_Hz, 1.0 / series.fullRate_Hz, series.fullRate.size(), kNoise);
+    const SensorMode &truth = sensor.modes.front();
+    if (sensor.name == "optic1") {
+        const double trueLimit_Hz = testing::minus3dB_Hz(
+            testing::exactRecords(sensor, 3, series.fullRate_Hz, series.fullRate.size()));
+        const double found_Hz = r.response->characteristics.minus3dB_Hz.value_or(0.0);
+        row.columns["-3 dB, model input"].add(found_Hz, trueLimit_Hz, bound.minus3dB_Hz);
+        row.columns["-3 dB, whole record"].add(found_Hz, trueLimit_Hz, whole.minus3dB_Hz);
+        return;
+    }
+    row.columns["f0, model input"].add(pole->frequency_Hz, truth.f0_Hz, bound.f0_Hz);
+    row.columns["f0, whole record"].add(pole->frequency_Hz, truth.f0_Hz, whole.f0_Hz);
+    row.columns["zeta, model input"].add(pole->dampingRatio, truth.zeta, bound.zeta);
+    row.columns["zeta, whole record"].add(pole->dampingRatio, truth.zeta, whole.zeta);
+}
+
+void print(const SensorSpec &sensor, const Row &row)
+{
+    std::string orders;
+    for (const auto &[order, count] : row.orders)
+        orders
+            += (orders.empty() ? "" : ", ") + std::to_string(order) + ": " + std::to_string(count);
+    for (const auto &[name, c] : row.columns) {
+        std::printf("| %s | %.3g MHz | %s | %s | %.4f %% | %.4f %% | %.2f | %.2f | %d of %d |\n",
+            sensor.name.c_str(), row.rate_Hz / 1e6, orders.c_str(), name.c_str(),
+            100.0 * c.bound / c.count, 100.0 * std::sqrt(c.relativeSquares / c.count),
+            std::sqrt(c.squares / c.count), c.largest, c.beyond3, c.count);
+    }
+    if (row.failed > 0)
+        std::printf("| %s | failed | %d | | | | | | |\n", sensor.name.c_str(), row.failed);
+    std::fflush(stdout);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    const int seeds = argc > 1 ? std::atoi(argv[1]) : 100;
+    const int first = argc > 2 ? std::atoi(argv[2]) : 1;
+    std::printf("| preset | model rate | orders suggested | quantity, bound | bound | rms error | "
+                "rms z | largest z | beyond 3 |\n|---|---|---|---|---|---|---|---|---|\n");
+    int failed = 0;
+    for (const SensorSpec &sensor : sensorPresets()) {
+        Row row;
+        for (int seed = first; seed < first + seeds; ++seed)
+            addSeed(sensor, static_cast<std::uint64_t>(seed), row);
+        print(sensor, row);
+        failed += row.failed;
+    }
+    return failed > 0 ? 1 : 0;
+}

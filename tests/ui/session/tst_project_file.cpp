@@ -1,0 +1,193 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/session/example.h"
+#include "ui/session/project_file.h"
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace dyncal;
+
+namespace {
+
+QJsonObject readJson(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? QJsonDocument::fromJson(file.readAll()).object()
+                                          : QJsonObject();
+}
+
+void writeBytes(const QString &path, const QByteArray &bytes)
+{
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(bytes);
+}
+
+QString said(const Error &error)
+{
+    return QString::fromStdString(english(error.message));
+}
+
+} // namespace
+
+class TestProjectFile : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase();
+    void example_savedAndOpened_isTheSame();
+    void recipe_everyNumber_survives();
+    void recordings_areNamedRelativeToTheProject();
+    void changedRecording_isReportedAndBlocks();
+    void missingRecordings_areAllNamed();
+    void otherFiles_areRefusedByName_data();
+    void otherFiles_areRefusedByName();
+    void newerVersion_isRefused();
+    void unwritablePlace_isSaidAndLeavesNothing();
+
+private:
+    QTemporaryDir m_folder;
+    ProjectState m_state;
+};
+
+void TestProjectFile::initTestCase()
+{
+    const Result<CaptureSet> set = exampleCaptures();
+    QVERIFY(set);
+    m_state.captures = std::make_shared<const CaptureSet>(*set);
+    m_state.recipe.realization.order = 3;
+    m_state.recipe.window.end_s = 1.0 / 3.0;
+    m_state.recipe.import.exclude = {{2, "diaphragm held; \"Ö\""}};
+    m_state.recipe.certificate.fields["customer"] = "Åsa & Co";
+}
+
+void TestProjectFile::example_savedAndOpened_isTheSame()
+{
+    const QString path = m_folder.filePath("a.dyncal");
+    QVERIFY(saveProject(path, m_state));
+    const Result<ProjectState> opened = openProject(path);
+    QVERIFY(opened);
+    QVERIFY(opened->recipe == m_state.recipe);
+    QCOMPARE(opened->captures->shots.size(), m_state.captures->shots.size());
+    QCOMPARE(opened->captures->inputs[0].sha256, m_state.captures->inputs[0].sha256);
+    QCOMPARE(opened->captures->findings.size(), m_state.captures->findings.size());
+    for (std::size_t i = 0; i < 3; ++i)
+        QCOMPARE(opened->captures->shots[i].channels[0].samples.at(12345),
+            m_state.captures->shots[i].channels[0].samples.at(12345));
+}
+
+void TestProjectFile::recipe_everyNumber_survives()
+{
+    const QString path = m_folder.filePath("numbers.dyncal");
+    ProjectState state = m_state;
+    // Numbers that need all 17 digits, and the smallest steps.
+    state.recipe.shock.p1_Pa = 101325.00000000001;
+    state.recipe.input.sampleRate_Hz = 1e7 / 3.0;
+    state.recipe.window.start_s = {0.1, 1e-300, -2.0 / 7.0};
+    QVERIFY(saveProject(path, state));
+    const Result<ProjectState> opened = openProject(path);
+    QVERIFY(opened);
+    QVERIFY(opened->recipe == state.recipe);
+}
+
+void TestProjectFile::recordings_areNamedRelativeToTheProject()
+{
+    ProjectState state = m_state;
+    CaptureSet set = *state.captures;
+    set.inputs = {{m_folder.filePath("data/low.h5").toStdString(), "low.h5", "00", "test"}};
+    state.captures = std::make_shared<const CaptureSet>(set);
+    const QString path = m_folder.filePath("relative.dyncal");
+    QVERIFY(saveProject(path, state));
+    const QJsonObject json = readJson(path);
+    QCOMPARE(json["format"].toString(), QString("dyncal-project"));
+    const QJsonObject entry = json["captures"].toArray().at(0).toObject();
+    QCOMPARE(entry["path"].toString(), QString("data/low.h5"));
+    QCOMPARE(entry["sha256"].toString(), QString("00"));
+}
+
+void TestProjectFile::changedRecording_isReportedAndBlocks()
+{
+    const QString path = m_folder.filePath("changed.dyncal");
+    QVERIFY(saveProject(path, m_state));
+    QJsonObject json = readJson(path);
+    QJsonArray captures = json["captures"].toArray();
+    QJsonObject entry = captures[0].toObject();
+    entry["sha256"] = QString(64, '0');
+    captures[0] = entry;
+    json["captures"] = captures;
+    writeBytes(path, QJsonDocument(json).toJson());
+    const Result<ProjectState> opened = openProject(path);
+    QVERIFY(opened);
+    const Findings &findings = opened->captures->findings;
+    QVERIFY(!findings.empty());
+    QCOMPARE(findings.back().id, std::string("CAP-015"));
+    QCOMPARE(findings.back().severity, Severity::Block);
+}
+
+void TestProjectFile::missingRecordings_areAllNamed()
+{
+    ProjectState state = m_state;
+    CaptureSet set = *state.captures;
+    set.inputs = {
+        {"/nowhere/low.h5", "low.h5", "00", "test"}, {"/nowhere/high.h5", "high.h5", "11", "test"}};
+    state.captures = std::make_shared<const CaptureSet>(set);
+    const QString path = m_folder.filePath("missing.dyncal");
+    QVERIFY(saveProject(path, state));
+    const Result<ProjectState> opened = openProject(path);
+    QVERIFY(!opened);
+    QCOMPARE(opened.error().kind, ErrorKind::FileUnreadable);
+    QVERIFY(said(opened.error()).contains("low.h5"));
+    QVERIFY(said(opened.error()).contains("high.h5"));
+}
+
+void TestProjectFile::otherFiles_areRefusedByName_data()
+{
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::newRow("empty") << QByteArray();
+    QTest::newRow("pdf") << QByteArray("%PDF-1.7");
+    QTest::newRow("json of another kind") << QByteArray("{\"a\": 1}");
+    QTest::newRow("list") << QByteArray("[1, 2]");
+    QTest::newRow("cut short") << QByteArray("{\"format\": \"dyncal-project\", \"ver");
+    QTest::newRow("zeros") << QByteArray(1000, '\0');
+    QTest::newRow("deep") << QByteArray(5000, '[');
+}
+
+void TestProjectFile::otherFiles_areRefusedByName()
+{
+    QFETCH(QByteArray, bytes);
+    const QString path = m_folder.filePath("other.dyncal");
+    writeBytes(path, bytes);
+    const Result<ProjectState> opened = openProject(path);
+    QVERIFY(!opened);
+    QCOMPARE(opened.error().kind, ErrorKind::FileUnreadable);
+    QVERIFY(said(opened.error()).contains("other.dyncal"));
+}
+
+void TestProjectFile::newerVersion_isRefused()
+{
+    const QString path = m_folder.filePath("newer.dyncal");
+    writeBytes(path, "{\"format\": \"dyncal-project\", \"version\": 2}");
+    const Result<ProjectState> opened = openProject(path);
+    QVERIFY(!opened);
+    QVERIFY(said(opened.error()).contains("version 2"));
+}
+
+void TestProjectFile::unwritablePlace_isSaidAndLeavesNothing()
+{
+    const QString path = m_folder.filePath("no/such/folder/a.dyncal");
+    const Result<void> saved = saveProject(path, m_state);
+    QVERIFY(!saved);
+    QVERIFY(said(saved.error()).contains("a.dyncal"));
+    QVERIFY(!QFile::exists(path));
+}
+
+QTEST_GUILESS_MAIN(TestProjectFile)
+#include "tst_project_file.moc"

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/session/capture_edit.h"
+
+#include <algorithm>
+
+namespace dyncal {
+
+CaptureSet joinedCaptures(const CaptureSet &first, const CaptureSet &second)
+{
+    CaptureSet all = first;
+    const auto inputs = static_cast<Index>(first.inputs.size());
+    const auto shots = static_cast<Index>(first.shots.size());
+    all.inputs.insert(all.inputs.end(), second.inputs.begin(), second.inputs.end());
+    for (Shot shot : second.shots) {
+        shot.input += inputs;
+        all.shots.push_back(std::move(shot));
+    }
+    for (Finding finding : second.findings) {
+        if (finding.shot > 0)
+            finding.shot += shots;
+        all.findings.push_back(std::move(finding));
+    }
+    all.tube.insert(second.tube.begin(), second.tube.end());
+    all.sensors.insert(second.sensors.begin(), second.sensors.end());
+    all.instruments.insert(second.instruments.begin(), second.instruments.end());
+    return all;
+}
+
+namespace {
+
+/// Drops what belongs to shot `number` and moves later numbers up.
+template <typename T>
+void removeNumbered(std::vector<T> &list, Index number)
+{
+    std::erase_if(list, [&](const T &entry) { return entry.shot == number; });
+    for (T &entry : list)
+        if (entry.shot > number)
+            --entry.shot;
+}
+
+template <typename T>
+void removePosition(std::vector<T> &list, std::size_t position)
+{
+    if (position < list.size())
+        list.erase(list.begin() + static_cast<Index>(position));
+}
+
+/// Drops recordings' files that no shot comes from any more.
+void removeUnusedInputs(CaptureSet &set)
+{
+    for (Index i = static_cast<Index>(set.inputs.size()) - 1; i >= 0; --i) {
+        if (std::ranges::any_of(set.shots, [&](const Shot &shot) { return shot.input == i; }))
+            continue;
+        set.inputs.erase(set.inputs.begin() + i);
+        for (Shot &shot : set.shots)
+            if (shot.input > i)
+                --shot.input;
+    }
+}
+
+} // namespace
+
+ProjectState withoutShot(const ProjectState &state, Index number)
+{
+    const auto position = static_cast<std::size_t>(number - 1);
+    if (number < 1 || position >= state.captures->shots.size())
+        return state;
+    CaptureSet set = *state.captures;
+    removePosition(set.shots, position);
+    removeNumbered(set.findings, number);
+    removeUnusedInputs(set);
+
+    ProjectState next{std::make_shared<const CaptureSet>(std::move(set)), state.recipe};
+    removePosition(next.recipe.import.levels, position);
+    removeNumbered(next.recipe.import.exclude, number);
+    removeNumbered(next.recipe.acknowledge, number);
+    if (next.recipe.window.start_s.size() > 1)
+        removePosition(next.recipe.window.start_s, position);
+    return next;
+}
+
+} // namespace dyncal

@@ -1,0 +1,175 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/session/project_file.h"
+
+#include "core/capture/format_registry.h"
+#include "ui/session/capture_edit.h"
+#include "ui/session/example.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSaveFile>
+
+namespace dyncal {
+
+namespace {
+
+constexpr const char *kFormat = "dyncal-project";
+constexpr int kVersion = 1;
+/// A project holds settings only; anything larger is another kind of file.
+constexpr qint64 kLargestProject_bytes = 64 << 20;
+
+struct CaptureReference
+{
+    QString path; ///< as it is found now, or as written when it is missing
+    QString sha256;
+    bool found = false;
+};
+
+QJsonArray captureReferences(const ProjectState &state, const QDir &folder)
+{
+    QJsonArray list;
+    for (const InputFile &input : state.captures->inputs) {
+        const QString path = QString::fromStdString(input.path);
+        QJsonObject entry{{"sha256", QString::fromStdString(input.sha256)}};
+        if (input.path == kExamplePath) {
+            entry["path"] = path;
+        } else {
+            const QString absolute = QFileInfo(path).absoluteFilePath();
+            entry["path"] = folder.relativeFilePath(absolute);
+            entry["absolute_path"] = absolute;
+        }
+        list.append(entry);
+    }
+    return list;
+}
+
+CaptureReference locate(const QJsonObject &entry, const QDir &folder)
+{
+    CaptureReference reference{entry["path"].toString(), entry["sha256"].toString(), false};
+    if (reference.path == kExamplePath)
+        return {reference.path, reference.sha256, true};
+    for (const QString &candidate :
+        {folder.absoluteFilePath(reference.path), entry["absolute_path"].toString()}) {
+        if (!candidate.isEmpty() && QFileInfo(candidate).isFile())
+            return {QDir::cleanPath(candidate), reference.sha256, true};
+    }
+    return reference;
+}
+
+Result<QJsonObject> readProjectObject(const QString &path)
+{
+    const std::string name = QFileInfo(path).fileName().toStdString();
+    QFile file(path);
+    if (!file.open(QIODevice::ReadOnly))
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core", "Project %1 cannot be opened (%2)."),
+                {name, file.errorString().toStdString()}});
+    const QByteArray bytes = file.read(kLargestProject_bytes);
+    QJsonParseError problem;
+    const QJsonDocument document = QJsonDocument::fromJson(bytes, &problem);
+    if (!document.isObject() || document["format"].toString() != kFormat)
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core",
+                 "%1 is not a Dyncal project; recordings are opened with Open "
+                 "captures."),
+                {name}});
+    const int version = document["version"].toInt(-1);
+    if (version != kVersion)
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core",
+                 "Project %1 has version %2, this program reads version %3; open "
+                 "it with the program that wrote it."),
+                {name, std::to_string(version), std::to_string(kVersion)}});
+    return document.object();
+}
+
+Result<CaptureSet> readReferenced(const std::vector<CaptureReference> &references,
+    const ImportSettings &settings, const JobControl &control)
+{
+    CaptureSet all;
+    for (const CaptureReference &reference : references) {
+        Result<CaptureSet> set = reference.path == kExamplePath
+            ? exampleCaptures(control)
+            : readCapture(reference.path.toStdString(), settings, control);
+        if (!set)
+            return set;
+        all = joinedCaptures(all, *set);
+    }
+    return all;
+}
+
+void reportChangedFiles(CaptureSet &set, const std::vector<CaptureReference> &references)
+{
+    for (std::size_t i = 0; i < references.size() && i < set.inputs.size(); ++i) {
+        if (references[i].sha256.toStdString() == set.inputs[i].sha256)
+            continue;
+        Finding changed;
+        changed.id = "CAP-015";
+        changed.severity = Severity::Block;
+        changed.message = {DYNCAL_TEXT("core",
+                               "%1 changed since it was imported. The results are "
+                               "of the new data and cannot be certified in this "
+                               "project."),
+            {set.inputs[i].file}};
+        set.findings.push_back(std::move(changed));
+    }
+}
+
+} // namespace
+
+Result<void> saveProject(const QString &path, const ProjectState &state)
+{
+    const QJsonDocument recipe
+        = QJsonDocument::fromJson(QByteArray::fromStdString(recipeJson(state.recipe)));
+    const QJsonObject project{{"format", kFormat}, {"version", kVersion},
+        {"recipe", recipe.object()},
+        {"captures", captureReferences(state, QFileInfo(path).absoluteDir())}};
+    QSaveFile file(path);
+    const QByteArray bytes = QJsonDocument(project).toJson();
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core",
+                 "The project could not be saved as %1 (%2); choose another "
+                 "place."),
+                {path.toStdString(), file.errorString().toStdString()}});
+    return {};
+}
+
+Result<ProjectState> openProject(const QString &path, const JobControl &control)
+{
+    const Result<QJsonObject> project = readProjectObject(path);
+    if (!project)
+        return tl::unexpected(project.error());
+    Result<Recipe> recipe = parseRecipe(QJsonDocument((*project)["recipe"].toObject())
+                                            .toJson(QJsonDocument::Compact)
+                                            .toStdString());
+    if (!recipe)
+        return tl::unexpected(recipe.error());
+
+    std::vector<CaptureReference> references;
+    QStringList missing;
+    for (const auto &entry : (*project)["captures"].toArray()) {
+        references.push_back(locate(entry.toObject(), QFileInfo(path).absoluteDir()));
+        if (!references.back().found)
+            missing << references.back().path;
+    }
+    if (!missing.isEmpty())
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core",
+                 "%1 recordings of this project were not found: %2. Put them back "
+                 "where they were, or beside the project, and open it again."),
+                {std::to_string(missing.size()), missing.join(", ").toStdString()}});
+    Result<CaptureSet> set = readReferenced(references, recipe->import, control);
+    if (!set)
+        return tl::unexpected(set.error());
+    reportChangedFiles(*set, references);
+    return ProjectState{std::make_shared<const CaptureSet>(std::move(*set)), std::move(*recipe)};
+}
+
+} // namespace dyncal

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "ui/session/project_state.h"
+
+#include <QString>
+
+namespace dyncal {
+
+/// Writes the job as a project file (JSON: format, version, recipe, and the recordings by path
+/// relative to the project and SHA-256; never the recordings themselves). Through a temporary file
+/// that replaces the old one when complete. Fails (FileUnreadable) naming the file and why.
+Result<void> saveProject(const QString &path, const ProjectState &state);
+
+/// Reads a project and its recordings. Fails when the file is no project, is of a newer version,
+/// or when recordings are missing (all are named). A recording whose bytes have changed since is
+/// read, with finding CAP-015 that blocks.
+Result<ProjectState> openProject(const QString &path, const JobControl &control = {});
+
+} // namespace dyncal

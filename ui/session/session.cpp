@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/session/session.h"
+
+#include "core/pipeline/results_json.h"
+
+#include <QUndoCommand>
+
+namespace dyncal {
+
+namespace {
+
+/// Changes within this time are computed once; also the shortest time between two runs of a drag.
+constexpr int kDebounce_ms = 15;
+/// A run younger than this is let finish although a newer request waits: otherwise a drag whose
+/// steps come faster than results would never show one.
+constexpr qint64 kGrace_ms = 700;
+constexpr int kUndoSteps = 500;
+
+} // namespace
+
+/// The only undo command: the whole state before and after (cheap, recordings are shared).
+class ReplaceState : public QUndoCommand
+{
+public:
+    ReplaceState(Session &session, ProjectState after, const QString &label, QString mergeKey)
+        : QUndoCommand(label)
+        , m_session(session)
+        , m_before(session.state())
+        , m_after(std::move(after))
+        , m_mergeKey(std::move(mergeKey))
+        , m_epoch(session.m_mergeEpoch)
+    {
+    }
+
+    void undo() override { m_session.setState(m_before); }
+    void redo() override { m_session.setState(m_after); }
+    int id() const override { return 1; }
+    bool mergeWith(const QUndoCommand *other) override
+    {
+        const auto *next = static_cast<const ReplaceState *>(other);
+        if (m_mergeKey.isEmpty() || next->m_mergeKey != m_mergeKey || next->m_epoch != m_epoch)
+            return false;
+        m_after = next->m_after;
+        setText(next->text());
+        setObsolete(m_after == m_before);
+        return true;
+    }
+
+private:
+    Session &m_session;
+    ProjectState m_before;
+    ProjectState m_after;
+    QString m_mergeKey;
+    int m_epoch;
+};
+
+Session::Session(Pipeline pipeline, QObject *parent)
+    : QObject(parent)
+    , m_pipeline(std::move(pipeline))
+    , m_jobs(this)
+{
+    m_undo.setUndoLimit(kUndoSteps);
+    m_start.setSingleShot(true);
+    m_start.setInterval(kDebounce_ms);
+    connect(&m_start, &QTimer::timeout, this, &Session::startComputation);
+}
+
+Session::~Session() = default;
+
+Findings Session::findings() const
+{
+    Findings all = allFindings({m_run.results, m_run.error, m_run.failedStage});
+    // The list of results.json leaves out errors that are not of the catalogue; people see them.
+    if (m_run.error && m_run.error->findingId.empty()
+        && m_run.error->kind != ErrorKind::Cancelled) {
+        Finding block;
+        block.severity = Severity::Block;
+        block.shot = m_run.error->shot;
+        block.message = m_run.error->message;
+        all.insert(all.begin(), block);
+    }
+    return all;
+}
+
+void Session::apply(const Recipe &next, const QString &label, const QString &mergeKey)
+{
+    if (next == m_state.recipe)
+        return;
+    m_undo.push(new ReplaceState(*this, {m_state.captures, next}, label, mergeKey));
+}
+
+void Session::applyState(const ProjectState &next, const QString &label)
+{
+    if (next == m_state)
+        return;
+    m_undo.push(new ReplaceState(*this, next, label, {}));
+}
+
+void Session::reset(const ProjectState &state)
+{
+    m_jobs.cancel();
+    m_run = {};
+    m_state = {};
+    setState(state);
+    m_undo.clear();
+    if (state.hasShots())
+        return;
+    m_run.firstStale = kStageCount;
+    emit capturesChanged();
+    emit recipeChanged();
+    emit resultsChanged();
+    emit stageStatusChanged();
+}
+
+void Session::setState(const ProjectState &state)
+{
+    const bool otherCaptures = state.captures != m_state.captures;
+    const auto affected = otherCaptures ? std::optional(StageId::Captures)
+                                        : firstAffectedStage(m_state.recipe, state.recipe);
+    m_state = state;
+    if (otherCaptures)
+        emit capturesChanged();
+    emit recipeChanged();
+    if (affected)
+        markStaleFrom(*affected);
+}
+
+void Session::markStaleFrom(StageId stage)
+{
+    m_run.firstStale = std::min(m_run.firstStale, static_cast<int>(stage));
+    m_run.computing = m_state.hasShots();
+    if (!m_state.hasShots()) {
+        m_jobs.cancel();
+        m_start.stop();
+        m_run = {};
+        emit resultsChanged();
+    } else if (!m_start.isActive()) {
+        m_start.start();
+    }
+    emit stageStatusChanged();
+}
+
+void Session::recompute()
+{
+    markStaleFrom(StageId::Captures);
+}
+
+void Session::cancelComputation()
+{
+    m_start.stop();
+    m_jobs.cancel();
+    m_run.computing = false;
+    emit stageStatusChanged();
+}
+
+void Session::startComputation()
+{
+    if (m_jobs.isRunning() && m_jobs.age_ms() < kGrace_ms) {
+        m_start.start();
+        return;
+    }
+    const auto captures = m_state.captures;
+    const Recipe recipe = m_state.recipe;
+    const StageId focus = m_focus;
+    const auto job = [this, pipeline = m_pipeline, cache = m_cache, captures, recipe, focus](
+                         const JobControl &control) -> Result<PipelineOutcome> {
+        if (focus < StageId::Response) {
+            const PipelineOutcome first = pipeline(captures, recipe, *cache, focus, control);
+            if (!first.error)
+                JobRunner::post(this, control.stop, [=, this] { takePart(first.results, focus); });
+        }
+        return pipeline(captures, recipe, *cache, StageId::Response, control);
+    };
+    const auto deliver = [this](Result<PipelineOutcome> outcome) {
+        if (!outcome)
+            outcome = PipelineOutcome{{}, outcome.error(), StageId::Captures};
+        take(*outcome);
+    };
+    m_jobs.start<PipelineOutcome>(job, deliver, [this](double done) { emit progress(done); });
+}
+
+void Session::take(const PipelineOutcome &outcome)
+{
+    m_run.results = outcome.results;
+    m_run.error = outcome.error;
+    m_run.failedStage = outcome.failedStage;
+    const bool newerWaits = m_start.isActive();
+    m_run.computing = newerWaits;
+    if (!newerWaits)
+        m_run.firstStale = kStageCount;
+    emit resultsChanged();
+    emit stageStatusChanged();
+    if (outcome.error && outcome.error->kind != ErrorKind::Cancelled)
+        emit failed(*outcome.error);
+}
+
+/// The stage on show came first: later stages keep their old results, marked stale.
+void Session::takePart(const CalibrationResults &part, StageId upTo)
+{
+    CalibrationResults merged = part;
+    const CalibrationResults &old = m_run.results;
+    const auto keep = [](auto &now, const auto &before) {
+        if (!now)
+            now = before;
+    };
+    keep(merged.window, old.window);
+    keep(merged.spectrum, old.spectrum);
+    keep(merged.components, old.components);
+    keep(merged.input, old.input);
+    keep(merged.decomposition, old.decomposition);
+    keep(merged.model, old.model);
+    keep(merged.shock, old.shock);
+    keep(merged.response, old.response);
+    m_run.results = std::move(merged);
+    if (!m_start.isActive())
+        m_run.firstStale = std::max(m_run.firstStale, static_cast<int>(upTo) + 1);
+    emit resultsChanged();
+    emit stageStatusChanged();
+}
+
+} // namespace dyncal

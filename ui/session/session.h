@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "ui/session/job_runner.h"
+#include "ui/session/project_state.h"
+#include "ui/session/stage_status.h"
+
+#include <QObject>
+#include <QTimer>
+#include <QUndoStack>
+
+namespace dyncal {
+
+/// One open calibration job: what was decided (recipe), the recordings, undo, and the results that
+/// follow from them, computed in the background. Views read results and apply changed recipes; the
+/// session knows no views.
+class Session : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// What computes: runPipeline, or a stand-in of tests.
+    using Pipeline = std::function<PipelineOutcome(const std::shared_ptr<const CaptureSet> &,
+        const Recipe &, ResultCache &, StageId last, const JobControl &)>;
+
+    explicit Session(Pipeline pipeline, QObject *parent = nullptr);
+    ~Session() override;
+
+    const ProjectState &state() const { return m_state; }
+    const Recipe &recipe() const { return m_state.recipe; }
+    const CalibrationResults &results() const { return m_run.results; }
+    /// Why the last run ended early, if it did.
+    const std::optional<Error> &error() const { return m_run.error; }
+    StageId failedStage() const { return m_run.failedStage; }
+    bool isComputing() const { return m_run.computing; }
+    /// Whether the results belong to the recipe on the screen: false while computing, and after a
+    /// cancelled computation. Only results that do may leave the program.
+    bool isUpToDate() const { return !m_run.computing && m_run.firstStale == kStageCount; }
+    StageStatus status(StageId stage) const { return stageStatus(m_run, stage); }
+    /// Findings of all stages, and the error of a failed stage as a finding that blocks.
+    Findings findings() const;
+
+    QUndoStack &undoStack() { return m_undo; }
+    /// Replaces the recipe as one undo step. Changes with the same non-empty `mergeKey` become one
+    /// step until endMerge(): a drag, or a run of key presses.
+    void apply(const Recipe &next, const QString &label, const QString &mergeKey = {});
+    void endMerge() { ++m_mergeEpoch; }
+    /// Adds or removes recordings (and adjusts the recipe with them), as one undo step.
+    void applyState(const ProjectState &next, const QString &label);
+
+    /// Starts over with another job: no undo across, clean.
+    void reset(const ProjectState &state);
+
+    /// The stage on show is computed and delivered first.
+    void setFocus(StageId stage) { m_focus = stage; }
+    void cancelComputation();
+    /// Computes again after a cancel, or when a caller wants to be sure.
+    void recompute();
+
+signals:
+    void recipeChanged();
+    void capturesChanged();
+    void resultsChanged();
+    void stageStatusChanged();
+    void failed(const dyncal::Error &error);
+    void progress(double fraction);
+
+private:
+    friend class ReplaceState;
+    void setState(const ProjectState &state);
+    void markStaleFrom(StageId stage);
+    void startComputation();
+    void take(const PipelineOutcome &outcome);
+    void takePart(const CalibrationResults &part, StageId upTo);
+
+    Pipeline m_pipeline;
+    ProjectState m_state;
+    RunState m_run;
+    StageId m_focus = StageId::Captures;
+    QUndoStack m_undo;
+    int m_mergeEpoch = 0;
+    QTimer m_start;
+    std::shared_ptr<ResultCache> m_cache = std::make_shared<ResultCache>();
+    JobRunner m_jobs; ///< last: stops before anything that a delivery touches is gone
+};
+
+} // namespace dyncal

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/session/stage_status.h"
+
+#include <array>
+
+namespace dyncal {
+
+bool hasResult(const CalibrationResults &results, StageId stage)
+{
+    switch (stage) {
+    case StageId::Captures:
+        return results.captures != nullptr;
+    case StageId::Window:
+        return results.window != nullptr;
+    case StageId::Spectrum:
+        return results.spectrum != nullptr;
+    case StageId::Components:
+        return results.components != nullptr;
+    case StageId::ModelInput:
+        return results.input != nullptr;
+    case StageId::Decomposition:
+        return results.decomposition != nullptr;
+    case StageId::Model:
+        return results.model != nullptr;
+    case StageId::Shock:
+        return results.shock != nullptr;
+    case StageId::Response:
+        return results.response != nullptr;
+    }
+    return false;
+}
+
+Findings findingsOf(const CalibrationResults &results, StageId stage)
+{
+    if (!hasResult(results, stage))
+        return {};
+    switch (stage) {
+    case StageId::Captures:
+        return results.captures->findings;
+    case StageId::Window:
+        return results.window->findings;
+    case StageId::Spectrum:
+        return results.spectrum->findings;
+    case StageId::Components:
+        return results.components->findings;
+    case StageId::ModelInput:
+        return results.input->findings;
+    case StageId::Decomposition:
+        return {};
+    case StageId::Model:
+        return results.model->findings;
+    case StageId::Shock:
+        return results.shock->findings;
+    case StageId::Response:
+        return results.response->findings;
+    }
+    return {};
+}
+
+StageStatus stageStatus(const RunState &run, StageId stage)
+{
+    const int position = static_cast<int>(stage);
+    const bool stale = position >= run.firstStale;
+    if (run.computing && stale)
+        return hasResult(run.results, stage) ? StageStatus::Stale : StageStatus::Computing;
+    if (run.error && position >= static_cast<int>(run.failedStage))
+        return StageStatus::Blocked;
+    if (!hasResult(run.results, stage))
+        return StageStatus::NotStarted;
+    if (stale)
+        return StageStatus::Stale;
+    switch (worstSeverity(findingsOf(run.results, stage))) {
+    case Severity::Block:
+        return StageStatus::Blocked;
+    case Severity::Caution:
+        return StageStatus::DoneWithCautions;
+    case Severity::Info:
+        break;
+    }
+    return StageStatus::Done;
+}
+
+std::optional<StageId> stageOfFinding(const std::string &id)
+{
+    static const std::array<std::pair<const char *, StageId>, 9> kPrefixes{{
+        {"CAP-", StageId::Captures},
+        {"SHK-", StageId::Shock},
+        {"WIN-", StageId::Window},
+        {"SPC-", StageId::Spectrum},
+        {"PCA-", StageId::Components},
+        {"MIN-", StageId::ModelInput},
+        {"ORD-", StageId::Decomposition},
+        {"MOD-", StageId::Model},
+        {"RSP-", StageId::Response},
+    }};
+    for (const auto &[prefix, stage] : kPrefixes)
+        if (id.starts_with(prefix))
+            return stage;
+    return std::nullopt;
+}
+
+std::optional<StageId> firstAffectedStage(const Recipe &before, const Recipe &after)
+{
+    const auto differs = [&](auto... member) { return ((before.*member != after.*member) || ...); };
+    if (differs(&Recipe::import))
+        return StageId::Captures;
+    const bool plateauEnd = before.window.endAtPlateau || after.window.endAtPlateau;
+    if (differs(&Recipe::window, &Recipe::remap) || (plateauEnd && differs(&Recipe::shock))
+        || before.input.treatment != after.input.treatment)
+        return StageId::Window;
+    if (differs(&Recipe::spectrum))
+        return StageId::Spectrum;
+    if (differs(&Recipe::pca))
+        return StageId::Components;
+    if (differs(&Recipe::input))
+        return StageId::ModelInput;
+    if (before.realization.rows != after.realization.rows
+        || before.realization.maxOrder != after.realization.maxOrder)
+        return StageId::Decomposition;
+    if (differs(&Recipe::realization))
+        return StageId::Model;
+    if (differs(&Recipe::shock))
+        return StageId::Shock;
+    if (differs(&Recipe::response))
+        return StageId::Response;
+    return std::nullopt;
+}
+
+} // namespace dyncal

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/pipeline/pipeline.h"
+
+#include <optional>
+
+namespace dyncal {
+
+/// How a stage stands; the window shows each as a glyph and a word.
+enum class StageStatus { NotStarted, Blocked, Computing, Stale, Done, DoneWithCautions };
+
+/// What a run has delivered so far, and what is under way.
+struct RunState
+{
+    CalibrationResults results;
+    std::optional<Error> error; ///< of the last run that finished
+    StageId failedStage = StageId::Captures; ///< meaningful with an error
+    bool computing = false;
+    /// The first stage whose result may be out of date; kStageCount = none.
+    int firstStale = kStageCount;
+};
+
+bool hasResult(const CalibrationResults &results, StageId stage);
+Findings findingsOf(const CalibrationResults &results, StageId stage);
+
+StageStatus stageStatus(const RunState &run, StageId stage);
+
+/// The stage whose page shows a finding of this id ("WIN-001" -> Window), by the catalogue's
+/// prefixes; empty for ids of later capabilities.
+std::optional<StageId> stageOfFinding(const std::string &id);
+
+/// The first stage whose result can differ between two recipes; empty when none can (texts of the
+/// certificate, acknowledgements). Only used to mark results as stale while the pipeline decides
+/// by its own keys.
+std::optional<StageId> firstAffectedStage(const Recipe &before, const Recipe &after);
+
+} // namespace dyncal

@@ -1,0 +1,344 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/shell/file_actions.h"
+
+#include "core/capture/format_registry.h"
+#include "ui/session/capture_edit.h"
+#include "ui/session/example.h"
+#include "ui/session/project_file.h"
+#include "ui/text/core_text.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QFileInfo>
+#include <QTemporaryDir>
+
+#include <filesystem>
+
+namespace dyncal {
+
+namespace {
+
+constexpr const char *kProjectSuffix = "dyncal";
+
+bool isProject(const QString &path)
+{
+    return QFileInfo(path).suffix() == kProjectSuffix;
+}
+
+QString captureFilter()
+{
+    QStringList patterns;
+    for (const CaptureFormat &format : captureFormats())
+        for (const std::string &extension : format.extensions)
+            patterns << "*." + QString::fromStdString(extension);
+    patterns.removeDuplicates();
+    return FileActions::tr("Recordings (%1)").arg(patterns.join(' ')) + ";;"
+        + FileActions::tr("All files (*)");
+}
+
+QString projectFilter()
+{
+    return FileActions::tr("Dyncal projects (*.%1)").arg(kProjectSuffix);
+}
+
+Error notWritten(const QString &path)
+{
+    return {ErrorKind::FileUnreadable,
+        {DYNCAL_TEXT("core", "%1 cannot be written; choose another place."), {path.toStdString()}},
+        {}, 0};
+}
+
+/// The pointer says that the program works: drawing happens on this thread.
+class WaitCursor
+{
+public:
+    WaitCursor() { QApplication::setOverrideCursor(Qt::WaitCursor); }
+    ~WaitCursor() { QApplication::restoreOverrideCursor(); }
+};
+
+} // namespace
+
+FileActions::FileActions(
+    Session &session, Outputs outputs, Prompts &prompts, Preferences &preferences, QWidget *window)
+    : QObject(window)
+    , m_session(session)
+    , m_outputs(std::move(outputs))
+    , m_prompts(prompts)
+    , m_preferences(preferences)
+    , m_window(window)
+    , m_jobs(this)
+{
+    connect(&session.undoStack(), &QUndoStack::cleanChanged, this, &FileActions::projectChanged);
+}
+
+QString FileActions::projectName() const
+{
+    if (!m_path.isEmpty())
+        return QFileInfo(m_path).completeBaseName();
+    return m_session.state().hasShots() ? tr("Untitled") : QString();
+}
+
+bool FileActions::isModified() const
+{
+    return !m_session.undoStack().isClean();
+}
+
+bool FileActions::mayDiscard()
+{
+    if (!isModified())
+        return true;
+    switch (m_prompts.saveChanges(m_window, projectName())) {
+    case Answer::Save:
+        return save();
+    case Answer::Discard:
+        return true;
+    case Answer::Cancel:
+        break;
+    }
+    return false;
+}
+
+QStringList FileActions::askForCaptures()
+{
+    const QStringList paths = m_prompts.openFiles(
+        m_window, tr("Open captures"), captureFilter(), m_preferences.lastFolder());
+    if (!paths.isEmpty())
+        m_preferences.setLastFolder(QFileInfo(paths.first()).absolutePath());
+    return paths;
+}
+
+void FileActions::openCaptures()
+{
+    const QStringList paths = askForCaptures();
+    if (!paths.isEmpty() && mayDiscard())
+        readRecordings(paths, false);
+}
+
+void FileActions::addCaptures()
+{
+    const QStringList paths = askForCaptures();
+    if (!paths.isEmpty())
+        readRecordings(paths, m_session.state().hasShots());
+}
+
+void FileActions::openPaths(const QStringList &paths)
+{
+    if (paths.isEmpty())
+        return;
+    if (isProject(paths.first())) {
+        if (mayDiscard())
+            openProjectFile(paths.first());
+        return;
+    }
+    readRecordings(paths, m_session.state().hasShots());
+}
+
+void FileActions::readRecordings(const QStringList &paths, bool add)
+{
+    std::vector<std::string> files;
+    for (const QString &path : paths)
+        files.push_back(path.toStdString());
+    const ImportSettings settings = add ? m_session.recipe().import : ImportSettings{};
+    emit busy(tr("Reading recordings"));
+    m_jobs.start<CaptureSet>(
+        [files, settings](
+            const JobControl &control) { return readCaptures(files, settings, control); },
+        [this, add](Result<CaptureSet> set) {
+            if (set)
+                takeRecordings(*set, add);
+            else
+                showProblem(set.error());
+        },
+        [this](double done) { emit progress(done); });
+}
+
+void FileActions::takeRecordings(const CaptureSet &set, bool add)
+{
+    emit idle(tr("%n shot(s) read", nullptr, static_cast<int>(set.shots.size())));
+    if (!add) {
+        startJob({std::make_shared<const CaptureSet>(set), {}}, {});
+        return;
+    }
+    ProjectState next = m_session.state();
+    next.captures = std::make_shared<const CaptureSet>(joinedCaptures(*next.captures, set));
+    m_session.applyState(next, tr("Add recordings"));
+}
+
+void FileActions::startJob(const ProjectState &state, const QString &path)
+{
+    m_path = path;
+    m_session.reset(state);
+    emit projectChanged();
+}
+
+void FileActions::openExample()
+{
+    if (!mayDiscard())
+        return;
+    emit busy(tr("Making the example"));
+    m_jobs.start<CaptureSet>(
+        [duration = m_exampleDuration_s](
+            const JobControl &control) { return exampleCaptures(control, duration); },
+        [this](Result<CaptureSet> set) {
+            if (set)
+                takeRecordings(*set, false);
+            else
+                showProblem(set.error());
+        },
+        [this](double done) { emit progress(done); });
+}
+
+void FileActions::openProject()
+{
+    if (!mayDiscard())
+        return;
+    const QString path = m_prompts.openFile(
+        m_window, tr("Open project"), projectFilter(), m_preferences.lastFolder());
+    if (!path.isEmpty())
+        openProjectFile(path);
+}
+
+void FileActions::openProjectFile(const QString &path)
+{
+    emit busy(tr("Opening project"));
+    m_jobs.start<ProjectState>(
+        [path](const JobControl &control) { return dyncal::openProject(path, control); },
+        [this, path](Result<ProjectState> state) {
+            if (!state) {
+                showProblem(state.error());
+                return;
+            }
+            m_preferences.setLastFolder(QFileInfo(path).absolutePath());
+            m_preferences.addRecentFile(path);
+            emit idle(tr("Project opened"));
+            startJob(*state, path);
+        },
+        [this](double done) { emit progress(done); });
+}
+
+bool FileActions::save()
+{
+    return m_path.isEmpty() ? saveAs() : saveTo(m_path);
+}
+
+bool FileActions::saveAs()
+{
+    const QString path = m_prompts.saveFile(m_window, tr("Save project"), projectFilter(),
+        proposedPath(projectName() + "." + kProjectSuffix), kProjectSuffix);
+    return !path.isEmpty() && saveTo(path);
+}
+
+bool FileActions::saveTo(const QString &path)
+{
+    const Result<void> saved = saveProject(path, m_session.state());
+    if (!saved) {
+        showProblem(saved.error());
+        return false;
+    }
+    m_path = path;
+    m_preferences.setLastFolder(QFileInfo(path).absolutePath());
+    m_preferences.addRecentFile(path);
+    m_session.undoStack().setClean();
+    emit projectChanged();
+    emit idle(tr("Project saved"));
+    return true;
+}
+
+/// Only results that belong to the settings on the screen are written.
+bool FileActions::hasResults()
+{
+    QString problem;
+    if (m_session.isComputing())
+        problem = tr("The results are still being computed; try again in a moment.");
+    else if (!m_session.isUpToDate())
+        problem = tr("The results are out of date because the computation was cancelled; press "
+                     "F9 to compute them again.");
+    else if (!m_session.results().model)
+        problem = tr("There is no model yet: open recordings and clear what blocks the stages.");
+    if (!problem.isEmpty())
+        m_prompts.showProblem(m_window, problem);
+    return problem.isEmpty();
+}
+
+void FileActions::exportResults()
+{
+    if (!hasResults())
+        return;
+    const QString folder = m_prompts.folder(
+        m_window, tr("Export results into a folder"), m_preferences.lastFolder());
+    if (folder.isEmpty())
+        return;
+    const WaitCursor waiting;
+    const Result<void> written = writeResults(folder);
+    if (written)
+        emit idle(tr("Results written to %1").arg(folder));
+    else
+        showProblem(written.error());
+}
+
+Result<void> FileActions::writeResults(const QString &folder)
+{
+    const Result<std::string> created = m_outputs.currentUtc();
+    if (!created)
+        return tl::unexpected(created.error());
+    const PipelineOutcome outcome{m_session.results(), m_session.error(), m_session.failedStage()};
+    const auto written
+        = m_outputs.writeRun(outcome, m_session.recipe(), *created, folder.toStdString());
+    if (!written)
+        return tl::unexpected(written.error());
+    return {};
+}
+
+void FileActions::exportCertificate()
+{
+    if (!hasResults())
+        return;
+    const QString path = m_prompts.saveFile(m_window, tr("Export certificate"),
+        tr("PDF documents (*.pdf)"), proposedPath("certificate.pdf"), "pdf");
+    if (path.isEmpty())
+        return;
+    const WaitCursor waiting;
+    const Result<void> written = writeCertificate(path);
+    if (written)
+        emit idle(tr("Certificate written to %1").arg(path));
+    else
+        showProblem(written.error());
+}
+
+/// The report is drawn whole, in a folder beside the target, so that the rename is atomic.
+Result<void> FileActions::writeCertificate(const QString &path)
+{
+    const QTemporaryDir folder(QFileInfo(path).absolutePath() + "/.dyncal-XXXXXX");
+    if (!folder.isValid())
+        return tl::unexpected(notWritten(path));
+    if (const Result<void> written = writeResults(folder.path()); !written)
+        return written;
+    const std::filesystem::path from = folder.filePath("certificate.pdf").toStdString();
+    std::error_code problem;
+    std::filesystem::rename(from, path.toStdString(), problem);
+    if (problem)
+        return tl::unexpected(notWritten(path));
+    return {};
+}
+
+void FileActions::cancel()
+{
+    m_jobs.cancel();
+    emit idle(tr("Cancelled"));
+}
+
+void FileActions::showProblem(const Error &error)
+{
+    emit idle({});
+    if (error.kind != ErrorKind::Cancelled)
+        m_prompts.showProblem(m_window, translated(error.message));
+}
+
+QString FileActions::proposedPath(const QString &fileName) const
+{
+    return QDir(m_preferences.lastFolder()).filePath(fileName);
+}
+
+} // namespace dyncal

@@ -1,0 +1,514 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/shell/main_window.h"
+
+#include "ui/shell/findings_panel.h"
+#include "ui/shell/help_dialogs.h"
+#include "ui/shell/shot_chips.h"
+#include "ui/shell/stage_list.h"
+#include "ui/shell/start_page.h"
+#include "ui/stages/captures_page.h"
+#include "ui/stages/certificate_page.h"
+#include "ui/stages/components_page.h"
+#include "ui/stages/model_input_page.h"
+#include "ui/stages/model_page.h"
+#include "ui/stages/order_page.h"
+#include "ui/stages/shock_page.h"
+#include "ui/stages/spectrum_page.h"
+#include "ui/stages/window_page.h"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QStatusBar>
+
+#include <algorithm>
+
+/// A static library's resources are linked in only when asked for; the macro does not work inside a
+/// namespace.
+static void initialiseResources()
+{
+    Q_INIT_RESOURCE(dyncal);
+}
+
+namespace dyncal {
+
+namespace {
+
+/// Work shorter than this shows no progress bar: it would only flicker.
+constexpr int kSlow_ms = 300;
+constexpr QSize kFirstSize(1400, 900);
+constexpr QSize kSmallestSize(1000, 640);
+constexpr int kStagesWidth = 170;
+constexpr int kInspectorWidth = 330;
+constexpr int kFindingsHeight = 230;
+
+} // namespace
+
+MainWindow::MainWindow(Session::Pipeline pipeline, Outputs outputs, Preferences &preferences,
+    Prompts &prompts, Language &language)
+    : m_preferences(preferences)
+    , m_prompts(prompts)
+    , m_language(language)
+    , m_session(std::move(pipeline))
+    , m_files(new FileActions(m_session, std::move(outputs), prompts, preferences, this))
+    , m_centre(new QStackedWidget(this))
+    , m_inspectors(new QStackedWidget(this))
+    , m_message(new QLabel(this))
+    , m_progress(new QProgressBar(this))
+    , m_cancel(new QPushButton(this))
+{
+    initialiseResources();
+    setObjectName("mainWindow");
+    setAcceptDrops(true);
+    setMinimumSize(kSmallestSize);
+    setCentralWidget(m_centre);
+    buildDocks();
+    buildStatusBar();
+    connectSession();
+    buildContents();
+    resize(kFirstSize);
+    restoreGeometry(m_preferences.geometry());
+    if (!restoreState(m_preferences.layout())) {
+        resetLayout();
+        m_sizeDocks = true;
+    }
+    showStart();
+}
+
+MainWindow::~MainWindow()
+{
+    // Pages listen to the session, which goes before them.
+    m_session.disconnect();
+    m_session.undoStack().disconnect();
+    for (StagePage *page : m_pages)
+        delete page;
+}
+
+void MainWindow::buildDocks()
+{
+    const auto dock = [this](const QString &name, Qt::DockWidgetArea area) {
+        auto *widget = new QDockWidget(this);
+        widget->setObjectName(name);
+        widget->setFeatures(QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable);
+        addDockWidget(area, widget);
+        return widget;
+    };
+    m_stagesDock = dock("stagesDock", Qt::LeftDockWidgetArea);
+    m_inspectorDock = dock("inspectorDock", Qt::RightDockWidgetArea);
+    m_findingsDock = dock("findingsDock", Qt::RightDockWidgetArea);
+    m_inspectorDock->setWidget(m_inspectors);
+}
+
+void MainWindow::resetLayout()
+{
+    for (QDockWidget *dock : {m_stagesDock, m_inspectorDock, m_findingsDock}) {
+        dock->setFloating(false);
+        dock->show();
+    }
+    addDockWidget(Qt::LeftDockWidgetArea, m_stagesDock);
+    addDockWidget(Qt::RightDockWidgetArea, m_inspectorDock);
+    addDockWidget(Qt::RightDockWidgetArea, m_findingsDock);
+    sizeDocks();
+}
+
+void MainWindow::sizeDocks()
+{
+    resizeDocks({m_stagesDock, m_inspectorDock}, {kStagesWidth, kInspectorWidth}, Qt::Horizontal);
+    resizeDocks({m_inspectorDock, m_findingsDock}, {height() - kFindingsHeight, kFindingsHeight},
+        Qt::Vertical);
+}
+
+void MainWindow::buildStatusBar()
+{
+    m_progress->setObjectName("progressBar");
+    m_progress->setRange(0, 100);
+    m_progress->setFixedWidth(180);
+    m_cancel->setObjectName("cancelButton");
+    m_message->setObjectName("statusMessage");
+    statusBar()->addPermanentWidget(m_message);
+    statusBar()->addPermanentWidget(m_progress);
+    statusBar()->addPermanentWidget(m_cancel);
+    m_slow.setSingleShot(true);
+    m_slow.setInterval(kSlow_ms);
+    connect(m_cancel, &QPushButton::clicked, this, [this] {
+        if (m_files->isBusy())
+            m_files->cancel();
+        else
+            m_session.cancelComputation();
+    });
+}
+
+void MainWindow::connectSession()
+{
+    const auto showFraction
+        = [this](double done) { m_progress->setValue(static_cast<int>(100.0 * done)); };
+    connect(m_files, &FileActions::busy, this, &MainWindow::showBusy);
+    connect(m_files, &FileActions::progress, this, showFraction);
+    connect(m_files, &FileActions::idle, this, &MainWindow::showIdle);
+    connect(m_files, &FileActions::projectChanged, this, &MainWindow::showTitle);
+    connect(&m_session, &Session::progress, this, showFraction);
+    connect(&m_session, &Session::capturesChanged, this, &MainWindow::showCaptures);
+    connect(&m_session, &Session::resultsChanged, this, &MainWindow::showFindings);
+    connect(&m_session, &Session::recipeChanged, this, &MainWindow::showFindings);
+    connect(&m_session, &Session::stageStatusChanged, this, &MainWindow::showStatuses);
+    connect(&m_session, &Session::stageStatusChanged, this, &MainWindow::showComputing);
+    connect(&m_slow, &QTimer::timeout, this, [this] {
+        if (m_session.isComputing())
+            showBusy(tr("Computing"));
+    });
+}
+
+void MainWindow::buildContents()
+{
+    const int row = m_stageList ? m_stageList->currentRow() : 0;
+    const bool started = m_session.state().hasShots();
+    m_stagesDock->setWindowTitle(tr("Stages"));
+    m_inspectorDock->setWindowTitle(tr("Inspector"));
+    m_findingsDock->setWindowTitle(tr("Findings"));
+    m_cancel->setText(tr("Cancel"));
+    m_cancel->setAccessibleName(tr("Cancel the work under way"));
+    m_progress->setAccessibleName(tr("Progress"));
+
+    delete m_findings;
+    m_findings = new FindingsPanel(m_findingsDock);
+    m_findingsDock->setWidget(m_findings);
+    connect(m_findings, &FindingsPanel::stageRequested, this, &MainWindow::showStage);
+    connect(m_findings, &FindingsPanel::reasonRequested, this, &MainWindow::acknowledge);
+    delete m_chips;
+    m_chips = new ShotChips(this);
+    statusBar()->addWidget(m_chips);
+    m_chips->show();
+
+    buildPages();
+    buildMenus();
+    showTitle();
+    showFindings();
+    showStatuses();
+    showIdle({});
+    if (started)
+        showPage(std::max(row, 0));
+}
+
+void MainWindow::buildPages()
+{
+    for (StagePage *page : m_pages)
+        delete page;
+    m_pages.clear();
+    delete m_start;
+    delete m_stageList;
+    qDeleteAll(m_inspectors->findChildren<QScrollArea *>(QString(), Qt::FindDirectChildrenOnly));
+
+    m_start = new StartPage(this);
+    m_centre->addWidget(m_start);
+    connect(m_start, &StartPage::openCapturesRequested, m_files, &FileActions::openCaptures);
+    connect(m_start, &StartPage::openExampleRequested, m_files, &FileActions::openExample);
+    connect(m_start, &StartPage::openProjectRequested, m_files, &FileActions::openProject);
+
+    auto *captures = new CapturesPage(m_session, m_prompts);
+    connect(captures, &CapturesPage::addRequested, m_files, &FileActions::addCaptures);
+    auto *certificate = new CertificatePage(m_session);
+    connect(
+        certificate, &CertificatePage::exportRequested, m_files, &FileActions::exportCertificate);
+    m_pages = {captures, new ShockPage(m_session), new WindowPage(m_session),
+        new SpectrumPage(m_session), new ComponentsPage(m_session), new ModelInputPage(m_session),
+        new OrderPage(m_session), new ModelPage(m_session), certificate};
+
+    m_stageList = new StageList(m_stagesDock);
+    m_stagesDock->setWidget(m_stageList);
+    for (StagePage *page : m_pages) {
+        m_stageList->addStage(page->text().title);
+        m_centre->addWidget(page);
+        auto *scroll = new QScrollArea(m_inspectors);
+        scroll->setWidget(page->inspector());
+        scroll->setWidgetResizable(true);
+        scroll->setFrameShape(QFrame::NoFrame);
+        scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+        m_inspectors->addWidget(scroll);
+    }
+    connect(m_stageList, &QListWidget::currentRowChanged, this, &MainWindow::showPage);
+    connect(m_stageList, &QListWidget::itemClicked, this,
+        [this] { showPage(m_stageList->currentRow()); });
+}
+
+QAction *MainWindow::addAction(QMenu *menu, const QString &name, const QString &text,
+    const QKeySequence &keys, const std::function<void()> &what)
+{
+    QAction *action = menu->addAction(text);
+    action->setObjectName(name);
+    action->setShortcut(keys);
+    connect(action, &QAction::triggered, this, [what] { what(); });
+    return action;
+}
+
+void MainWindow::buildMenus()
+{
+    menuBar()->clear();
+    buildFileMenu();
+    QMenu *edit = menuBar()->addMenu(tr("&Edit"));
+    QAction *undo = m_session.undoStack().createUndoAction(edit, tr("&Undo"));
+    undo->setShortcut(QKeySequence::Undo);
+    undo->setObjectName("undoAction");
+    QAction *redo = m_session.undoStack().createRedoAction(edit, tr("&Redo"));
+    redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+    redo->setObjectName("redoAction");
+    edit->addAction(undo);
+    edit->addAction(redo);
+    buildViewMenu();
+    buildStageMenu();
+    buildLanguageMenu();
+    buildHelpMenu();
+}
+
+void MainWindow::buildFileMenu()
+{
+    QMenu *menu = menuBar()->addMenu(tr("&File"));
+    FileActions *files = m_files;
+    addAction(menu, "openCapturesAction", tr("Open &captures..."), QKeySequence("Ctrl+Shift+O"),
+        [=] { files->openCaptures(); });
+    addAction(menu, "openExampleAction", tr("Open &example"), {}, [=] { files->openExample(); });
+    addAction(menu, "openProjectAction", tr("&Open project..."), QKeySequence::Open,
+        [=] { files->openProject(); });
+    m_recentMenu = menu->addMenu(tr("&Recent"));
+    connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
+    menu->addSeparator();
+    addAction(menu, "saveAction", tr("&Save"), QKeySequence::Save, [=] { files->save(); });
+    addAction(menu, "saveAsAction", tr("Save &as..."), QKeySequence("Ctrl+Shift+S"),
+        [=] { files->saveAs(); });
+    menu->addSeparator();
+    addAction(menu, "exportResultsAction", tr("Export &results..."), QKeySequence("Ctrl+E"),
+        [=] { files->exportResults(); });
+    addAction(menu, "exportCertificateAction", tr("Export cer&tificate..."), QKeySequence("Ctrl+P"),
+        [=] { files->exportCertificate(); });
+    menu->addSeparator();
+    addAction(menu, "quitAction", tr("&Quit"), QKeySequence::Quit, [this] { close(); });
+}
+
+void MainWindow::fillRecentMenu()
+{
+    m_recentMenu->clear();
+    const QStringList recent = m_preferences.recentFiles();
+    for (const QString &path : recent)
+        addAction(m_recentMenu, {}, path, {}, [this, path] {
+            if (m_files->mayDiscard())
+                m_files->openProjectFile(path);
+        });
+    if (recent.isEmpty())
+        m_recentMenu->addAction(tr("Nothing yet"))->setEnabled(false);
+}
+
+void MainWindow::buildViewMenu()
+{
+    QMenu *menu = menuBar()->addMenu(tr("&View"));
+    const std::pair<QDockWidget *, QString> docks[]
+        = {{m_stagesDock, "F5"}, {m_inspectorDock, "F4"}, {m_findingsDock, "F6"}};
+    for (const auto &[dock, key] : docks) {
+        QAction *action = dock->toggleViewAction();
+        action->setShortcut(QKeySequence(key));
+        menu->addAction(action);
+    }
+    menu->addSeparator();
+    addAction(menu, "resetLayoutAction", tr("&Reset layout"), {}, [this] { resetLayout(); });
+}
+
+void MainWindow::buildStageMenu()
+{
+    QMenu *menu = menuBar()->addMenu(tr("&Stage"));
+    for (int row = 0; row < static_cast<int>(m_pages.size()); ++row)
+        addAction(menu, QString("stageAction%1").arg(row + 1),
+            m_pages[static_cast<std::size_t>(row)]->text().title,
+            QKeySequence(QString("Alt+%1").arg(row + 1)), [this, row] { showPage(row); });
+    menu->addSeparator();
+    addAction(menu, "recomputeAction", tr("Compute &again"), QKeySequence("F9"),
+        [this] { m_session.recompute(); });
+}
+
+void MainWindow::buildLanguageMenu()
+{
+    QMenu *menu = menuBar()->addMenu(tr("&Language"));
+    // Languages are named in themselves, so that anyone finds the own one.
+    const std::pair<QString, QString> languages[]
+        = {{"en", QStringLiteral("English")}, {"sv", QStringLiteral("Svenska")}};
+    for (const auto &[code, name] : languages) {
+        QAction *action = addAction(menu, "languageAction_" + code, name, {}, [this, c = code] {
+            m_preferences.setLanguage(c);
+            m_language.install(c);
+        });
+        action->setCheckable(true);
+        action->setChecked(m_language.code() == code);
+    }
+}
+
+void MainWindow::buildHelpMenu()
+{
+    QMenu *menu = menuBar()->addMenu(tr("&Help"));
+    addAction(menu, "shortcutsAction", tr("&Keyboard and mouse"), QKeySequence::HelpContents,
+        [this] { showShortcuts(this); });
+    addAction(menu, "aboutAction", tr("&About Dyncal"), {}, [this] { showAbout(this); });
+}
+
+void MainWindow::showStart()
+{
+    m_centre->setCurrentWidget(m_start);
+    m_inspectorDock->setVisible(false);
+    m_findingsDock->setVisible(false);
+}
+
+void MainWindow::showPage(int row)
+{
+    if (row < 0 || row >= static_cast<int>(m_pages.size()))
+        return;
+    StagePage *page = m_pages[static_cast<std::size_t>(row)];
+    m_session.setFocus(*std::ranges::max_element(page->stages()));
+    if (m_centre->currentWidget() == m_start)
+        showInspector();
+    m_centre->setCurrentWidget(page);
+    m_inspectors->setCurrentIndex(row);
+    m_stageList->setCurrentRow(row);
+}
+
+void MainWindow::showInspector()
+{
+    m_inspectorDock->setVisible(true);
+    m_findingsDock->setVisible(true);
+    if (m_sizeDocks)
+        QMetaObject::invokeMethod(this, &MainWindow::sizeDocks, Qt::QueuedConnection);
+    m_sizeDocks = false;
+}
+
+void MainWindow::showStage(StageId stage)
+{
+    for (std::size_t row = 0; row < m_pages.size(); ++row) {
+        if (std::ranges::find(m_pages[row]->stages(), stage) == m_pages[row]->stages().end())
+            continue;
+        showPage(static_cast<int>(row));
+        return;
+    }
+}
+
+void MainWindow::showTitle()
+{
+    const QString name = m_files->projectName();
+    setWindowTitle(name.isEmpty() ? QString("Dyncal") : name + "[*] – Dyncal");
+    setWindowModified(!name.isEmpty() && m_files->isModified());
+}
+
+void MainWindow::showStatuses()
+{
+    for (std::size_t row = 0; row < m_pages.size(); ++row)
+        m_stageList->setStatus(static_cast<int>(row), m_pages[row]->status());
+}
+
+void MainWindow::showFindings()
+{
+    const Findings findings = m_session.findings();
+    m_findings->setFindings(findings, m_session.recipe().acknowledge);
+    const auto count = std::ranges::count_if(
+        findings, [](const Finding &finding) { return finding.severity != Severity::Info; });
+    m_findingsDock->setWindowTitle(count > 0 ? tr("Findings (%1)").arg(count) : tr("Findings"));
+    const auto &prepared = m_session.results().captures;
+    m_chips->setShots(prepared ? prepared->set : *m_session.state().captures);
+}
+
+void MainWindow::acknowledge(const Finding &finding)
+{
+    const QString id = QString::fromStdString(finding.id);
+    const std::optional<QString> reason = m_prompts.sentence(this, tr("Reason for %1").arg(id),
+        tr("Why is the result used all the same? The certificate prints the reason."));
+    if (!reason)
+        return;
+    Recipe next = m_session.recipe();
+    std::erase_if(next.acknowledge, [&](const Acknowledgement &entry) {
+        return entry.finding == finding.id && entry.shot == finding.shot;
+    });
+    next.acknowledge.push_back({finding.id, finding.shot, reason->toStdString()});
+    m_session.apply(next, tr("Give a reason for %1").arg(id));
+}
+
+void MainWindow::showCaptures()
+{
+    if (!m_session.state().hasShots())
+        showStart();
+    else if (m_centre->currentWidget() == m_start)
+        showPage(0);
+    showTitle();
+}
+
+void MainWindow::showBusy(const QString &what)
+{
+    m_message->setText(what);
+    m_progress->setValue(0);
+    m_progress->show();
+    m_cancel->show();
+}
+
+void MainWindow::showIdle(const QString &outcome)
+{
+    m_message->setText(outcome);
+    m_progress->hide();
+    m_cancel->hide();
+}
+
+void MainWindow::showComputing()
+{
+    if (m_session.isComputing()) {
+        if (!m_slow.isActive() && !m_progress->isVisible())
+            m_slow.start();
+        return;
+    }
+    m_slow.stop();
+    if (!m_files->isBusy() && m_progress->isVisible())
+        showIdle({});
+}
+
+void MainWindow::showEvent(QShowEvent *event)
+{
+    QMainWindow::showEvent(event);
+    if (m_sizeDocks)
+        QMetaObject::invokeMethod(this, &MainWindow::sizeDocks, Qt::QueuedConnection);
+}
+
+void MainWindow::closeEvent(QCloseEvent *event)
+{
+    if (!m_files->mayDiscard()) {
+        event->ignore();
+        return;
+    }
+    if (m_centre->currentWidget() == m_start)
+        showInspector(); // the layout of work is kept, not that of the start page
+    m_preferences.setWindow(saveGeometry(), saveState());
+    event->accept();
+}
+
+void MainWindow::changeEvent(QEvent *event)
+{
+    QMainWindow::changeEvent(event);
+    // Pages hold no state, so they are made anew in the new language; queued, because the menu
+    // whose action caused this is among what is replaced.
+    if (event->type() == QEvent::LanguageChange)
+        QMetaObject::invokeMethod(this, &MainWindow::buildContents, Qt::QueuedConnection);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (event->mimeData()->hasUrls())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent *event)
+{
+    QStringList paths;
+    for (const QUrl &url : event->mimeData()->urls())
+        if (url.isLocalFile())
+            paths << url.toLocalFile();
+    event->acceptProposedAction();
+    m_files->openPaths(paths);
+}
+
+} // namespace dyncal

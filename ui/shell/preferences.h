@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <QSettings>
+#include <QStringList>
+
+namespace dyncal {
+
+/// What the program remembers between runs. Nothing here changes a result.
+class Preferences
+{
+public:
+    /// `path`: an ini file; empty = the user's own settings. Tests give a temporary one.
+    explicit Preferences(const QString &path = {});
+
+    QString language() const; ///< "en" or "sv"
+    void setLanguage(const QString &language);
+
+    QByteArray geometry() const;
+    QByteArray layout() const;
+    void setWindow(const QByteArray &geometry, const QByteArray &layout);
+
+    QString lastFolder() const;
+    void setLastFolder(const QString &folder);
+
+    /// Projects opened last, newest first, at most ten, only those that still exist.
+    QStringList recentFiles() const;
+    void addRecentFile(const QString &path);
+    void clearRecentFiles();
+
+private:
+    mutable QSettings m_settings;
+};
+
+} // namespace dyncal

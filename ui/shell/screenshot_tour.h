@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+class QString;
+
+namespace dyncal {
+
+class MainWindow;
+
+/// Opens the example in `window`, shows every page in turn and writes each as a PNG into `folder`
+/// (made if needed): for the documentation and for looking at. False when something failed; what,
+/// is on stderr.
+bool runScreenshotTour(MainWindow &window, const QString &folder);
+
+} // namespace dyncal

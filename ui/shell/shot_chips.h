@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/capture/capture_set.h"
+
+#include <QWidget>
+
+namespace dyncal {
+
+/// The shots of the job in the status bar: number, level and the line style of their curves.
+class ShotChips : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit ShotChips(QWidget *parent = nullptr);
+
+    /// `set` after the recipe's import section, so that levels and exclusions are those in use.
+    void setShots(const CaptureSet &set);
+};
+
+} // namespace dyncal

@@ -1,0 +1,289 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/stages/captures_page.h"
+
+#include "ui/plot/signal_curves.h"
+#include "ui/session/capture_edit.h"
+#include "ui/shell/prompts.h"
+#include "ui/stages/quantity_edit.h"
+#include "ui/text/level_text.h"
+#include "ui/text/quantity_format.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QTableWidget>
+
+#include <algorithm>
+#include <array>
+
+namespace dyncal {
+
+namespace {
+
+enum Column { Use, Level, File, Rate, Samples, Unit, Hash, ColumnCount };
+
+constexpr std::array kRoles{ChannelRole::Dut, ChannelRole::DrivenSide, ChannelRole::Driver,
+    ChannelRole::Trigger, ChannelRole::Other};
+constexpr std::array kPlottedRoles{ChannelRole::Dut, ChannelRole::DrivenSide, ChannelRole::Driver};
+constexpr std::array kLevels{ShotLevel::None, ShotLevel::Low, ShotLevel::Medium, ShotLevel::High};
+const std::array<std::string, 3> kReferences{"", "gauge", "absolute"};
+
+template <typename List, typename T>
+int positionIn(const List &list, const T &value)
+{
+    return static_cast<int>(std::ranges::find(list, value) - std::begin(list));
+}
+
+} // namespace
+
+CapturesPage::CapturesPage(Session &session, Prompts &prompts)
+    : StagePage(session,
+        {"capturesPage", tr("Captures"),
+            tr("Add the recordings of one sensor and say what each channel is.")},
+        {StageId::Captures})
+    , m_prompts(prompts)
+    , m_table(new QTableWidget(this))
+{
+    auto *split = new QSplitter(Qt::Vertical, this);
+    split->setChildrenCollapsible(false);
+    for (const ChannelRole role : kPlottedRoles) {
+        auto *plot = makePlot(QString("rawPlot_%1").arg(channelRoleName(role)),
+            tr("Recordings: %1").arg(roleText(role)));
+        m_plots.emplace_back(role, plot);
+        split->addWidget(plot);
+        split->setStretchFactor(split->count() - 1, role == ChannelRole::Dut ? 3 : 2);
+    }
+    m_table->setObjectName("shotTable");
+    m_table->setAccessibleName(tr("Shots"));
+    m_table->setColumnCount(ColumnCount);
+    m_table->setHorizontalHeaderLabels({tr("Shot"), tr("Level"), tr("File"), tr("Rate"),
+        tr("Samples"), tr("DUT unit"), tr("SHA-256")});
+    m_table->verticalHeader()->hide();
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->horizontalHeader()->setSectionResizeMode(File, QHeaderView::Stretch);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setMinimumHeight(110);
+    split->addWidget(m_table);
+    content()->addWidget(split);
+    connect(m_table, &QTableWidget::itemChanged, this, [this](const QTableWidgetItem *item) {
+        if (item->column() == Use)
+            setIncluded(item->row() + 1, item->checkState() == Qt::Checked);
+    });
+    buildInspector();
+}
+
+void CapturesPage::buildInspector()
+{
+    InspectorForm *form = inspector();
+    auto *add = new QPushButton(tr("Add captures..."));
+    add->setObjectName("addCaptures");
+    connect(add, &QPushButton::clicked, this, &CapturesPage::addRequested);
+    form->addWide(add);
+    m_remove = new QPushButton(tr("Remove selected shot"));
+    m_remove->setObjectName("removeShot");
+    connect(m_remove, &QPushButton::clicked, this, &CapturesPage::removeSelected);
+    form->addWide(m_remove);
+
+    form->addSection(tr("Channel roles (all shots)"));
+    m_channels = new QWidget;
+    new QFormLayout(m_channels);
+    m_channels->layout()->setContentsMargins(0, 0, 0, 0);
+    form->addWide(m_channels);
+
+    form->addSection(tr("Sensor under test"));
+    m_unit = form->add(tr("Unit"), "dutUnit", new QLineEdit);
+    connect(m_unit, &QLineEdit::editingFinished, this, [this] {
+        const std::string unit = m_unit->text().trimmed().toStdString();
+        change(tr("Change the DUT's unit"),
+            [&](Recipe &r) { r.import.unit = unit.empty() ? std::nullopt : std::optional(unit); });
+    });
+    m_scale = form->add(tr("Factor"), "dutScale", new QuantityEdit({}, -1e12, 1e12, 9));
+    connect(m_scale, &QuantityEdit::edited, this, [this](double factor) {
+        change(tr("Change the DUT's factor"), [&](Recipe &r) { r.import.scale = factor; });
+    });
+    m_inverted = new QCheckBox(tr("Inverted polarity"));
+    m_inverted->setObjectName("dutInverted");
+    form->addWide(m_inverted);
+    connect(m_inverted, &QCheckBox::clicked, this, [this](bool on) {
+        change(
+            tr("Change the DUT's polarity"), [&](Recipe &r) { r.import.polarity = on ? -1 : 1; });
+    });
+    m_reference = form->addChoice(
+        tr("Pressure"), "dutReference", {tr("as recorded"), tr("gauge"), tr("absolute")});
+    connect(m_reference, &QComboBox::activated, this, [this](int choice) {
+        change(tr("Change gauge or absolute"),
+            [&](Recipe &r) { r.import.reference = kReferences[static_cast<std::size_t>(choice)]; });
+    });
+    m_rate = form->add(tr("Sample rate"), "sampleRate", new OptionalEdit({"MHz", 1e6}, 1e-3, 1e12));
+    connect(m_rate, &OptionalEdit::edited, this, [this](const std::optional<double> &rate_Hz) {
+        change(tr("Change the sample rate"), [&](Recipe &r) { r.import.sampleRate_Hz = rate_Hz; });
+    });
+}
+
+const CaptureSet &CapturesPage::shownSet() const
+{
+    const auto &prepared = results().captures;
+    // Results of another set of recordings may still be on the screen for a moment.
+    const CaptureSet &raw = *session().state().captures;
+    return prepared && prepared->set.shots.size() == raw.shots.size() ? prepared->set : raw;
+}
+
+void CapturesPage::showResults()
+{
+    showPlots();
+    showTable();
+    showChannels();
+}
+
+void CapturesPage::showPlots()
+{
+    for (const auto &[role, plot] : m_plots) {
+        const bool present = std::ranges::any_of(shownSet().shots,
+            [r = role](const Shot &shot) { return shot.channelWithRole(r) != nullptr; });
+        plot->setVisible(present || role == ChannelRole::Dut);
+        if (present)
+            plot->setContent(rawCurves(shownSet(), role));
+    }
+}
+
+void CapturesPage::showTable()
+{
+    const QSignalBlocker quiet(m_table);
+    m_table->setRowCount(static_cast<int>(shownSet().shots.size()));
+    for (int row = 0; row < m_table->rowCount(); ++row)
+        fillRow(row, shownSet().shots[static_cast<std::size_t>(row)]);
+}
+
+void CapturesPage::fillRow(int row, const Shot &shot)
+{
+    const Channel *dut = shot.channelWithRole(ChannelRole::Dut);
+    const auto &inputs = shownSet().inputs;
+    const auto input = static_cast<std::size_t>(shot.input);
+    const QString hash = input < inputs.size() ? QString::fromStdString(inputs[input].sha256) : "";
+    const QStringList texts{QString::number(row + 1), {},
+        input < inputs.size() ? QString::fromStdString(inputs[input].file) : QString(),
+        dut ? shownQuantity(dut->sampleRate_Hz, "Hz") : tr("no DUT"),
+        dut ? QString::number(dut->samples.size()) : QString(),
+        dut ? QString::fromStdString(dut->unit) : QString(), hash.left(10)};
+    for (int column = 0; column < ColumnCount; ++column) {
+        auto *item = new QTableWidgetItem(texts[column]);
+        if (column == Use)
+            item->setCheckState(shot.included ? Qt::Checked : Qt::Unchecked);
+        if (column == Use && !shot.included)
+            item->setToolTip(tr("Excluded: %1").arg(QString::fromStdString(shot.excludeReason)));
+        if (column == Hash)
+            item->setToolTip(hash);
+        if (column == Rate || column == Samples)
+            item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        m_table->setItem(row, column, item);
+    }
+    auto *level = new QComboBox(m_table);
+    level->setObjectName(QString("levelOfShot%1").arg(row + 1));
+    level->setAccessibleName(tr("Level of shot %1").arg(row + 1));
+    for (const ShotLevel choice : kLevels)
+        level->addItem(levelText(choice));
+    level->setCurrentIndex(positionIn(kLevels, shot.level));
+    connect(level, &QComboBox::activated, this,
+        [this, row](int choice) { setLevel(row + 1, kLevels[static_cast<std::size_t>(choice)]); });
+    m_table->setCellWidget(row, Level, level);
+}
+
+void CapturesPage::showChannels()
+{
+    QStringList names;
+    for (const Shot &shot : shownSet().shots)
+        for (const Channel &channel : shot.channels)
+            names << QString::fromStdString(channel.name);
+    names.removeDuplicates();
+    auto *layout = static_cast<QFormLayout *>(m_channels->layout());
+    if (names != m_channelNames) {
+        while (layout->rowCount() > 0)
+            layout->removeRow(0);
+        m_roles.clear();
+        m_channelNames = names;
+        for (const QString &name : names) {
+            auto *box = new QComboBox(m_channels);
+            box->setObjectName("roleOf_" + name);
+            box->setAccessibleName(tr("Role of channel %1").arg(name));
+            for (const ChannelRole role : kRoles)
+                box->addItem(roleText(role));
+            connect(box, &QComboBox::activated, this, [this, name](int choice) {
+                change(tr("Change the role of %1").arg(name), [&](Recipe &r) {
+                    r.import.channels[name.toStdString()]
+                        = channelRoleName(kRoles[static_cast<std::size_t>(choice)]);
+                });
+            });
+            layout->addRow(name, box);
+            m_roles.push_back(box);
+        }
+    }
+    for (const Shot &shot : shownSet().shots)
+        for (const Channel &channel : shot.channels) {
+            const auto at = m_channelNames.indexOf(QString::fromStdString(channel.name));
+            m_roles[static_cast<std::size_t>(at)]->setCurrentIndex(
+                positionIn(kRoles, channel.role));
+        }
+}
+
+void CapturesPage::showRecipe()
+{
+    const ImportSettings &import = recipe().import;
+    const Channel *dut = shownSet().shots.empty()
+        ? nullptr
+        : shownSet().shots.front().channelWithRole(ChannelRole::Dut);
+    m_unit->setText(QString::fromStdString(import.unit.value_or("")));
+    m_unit->setPlaceholderText(dut ? QString::fromStdString(dut->unit) : QString());
+    m_scale->setSi(import.scale);
+    m_inverted->setChecked(import.polarity < 0);
+    m_reference->setCurrentIndex(positionIn(kReferences, import.reference));
+    m_rate->set(import.sampleRate_Hz, dut ? std::optional(dut->sampleRate_Hz) : std::nullopt);
+}
+
+void CapturesPage::setIncluded(Index shot, bool included)
+{
+    std::optional<QString> reason;
+    if (!included) {
+        reason = m_prompts.sentence(this, tr("Exclude shot %1").arg(shot),
+            tr("Why is this shot not used? The certificate prints the reason."));
+        if (!reason) {
+            showTable();
+            return;
+        }
+    }
+    change(
+        included ? tr("Use shot %1").arg(shot) : tr("Exclude shot %1").arg(shot), [&](Recipe &r) {
+            std::erase_if(
+                r.import.exclude, [&](const ExcludedShot &entry) { return entry.shot == shot; });
+            if (reason)
+                r.import.exclude.push_back({shot, reason->toStdString()});
+            std::ranges::sort(r.import.exclude, {}, &ExcludedShot::shot);
+        });
+}
+
+void CapturesPage::setLevel(Index shot, ShotLevel level)
+{
+    change(tr("Change the level of shot %1").arg(shot), [&](Recipe &r) {
+        r.import.levels.clear();
+        for (const Shot &each : shownSet().shots)
+            r.import.levels.push_back(shotLevelName(each.level));
+        r.import.levels[static_cast<std::size_t>(shot - 1)] = shotLevelName(level);
+    });
+}
+
+void CapturesPage::removeSelected()
+{
+    if (m_table->currentRow() < 0)
+        return;
+    const Index shot = m_table->currentRow() + 1;
+    session().applyState(withoutShot(session().state(), shot), tr("Remove shot %1").arg(shot));
+}
+
+} // namespace dyncal

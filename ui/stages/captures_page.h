@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "ui/stages/stage_page.h"
+
+class QCheckBox;
+class QComboBox;
+class QLineEdit;
+class QPushButton;
+class QTableWidget;
+
+namespace dyncal {
+
+class OptionalEdit;
+class Prompts;
+class QuantityEdit;
+
+/// Stage 1: the recordings, what each channel is, and which shots take part.
+class CapturesPage : public StagePage
+{
+    Q_OBJECT
+
+public:
+    CapturesPage(Session &session, Prompts &prompts);
+
+    /// Takes a shot (number from 1) in or out; out needs a reason, which the certificate prints.
+    void setIncluded(Index shot, bool included);
+
+signals:
+    void addRequested();
+
+protected:
+    void showRecipe() override;
+    void showResults() override;
+
+private:
+    void buildInspector();
+    void showPlots();
+    void showTable();
+    void fillRow(int row, const Shot &shot);
+    void showChannels();
+    void setLevel(Index shot, ShotLevel level);
+    void removeSelected();
+    const CaptureSet &shownSet() const;
+
+    Prompts &m_prompts;
+    std::vector<std::pair<ChannelRole, PlotWidget *>> m_plots;
+    QTableWidget *m_table;
+    QWidget *m_channels;
+    QStringList m_channelNames;
+    std::vector<QComboBox *> m_roles;
+    QLineEdit *m_unit;
+    QuantityEdit *m_scale;
+    QCheckBox *m_inverted;
+    QComboBox *m_reference;
+    OptionalEdit *m_rate;
+    QPushButton *m_remove;
+};
+
+} // namespace dyncal

@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "ui/stages/stage_page.h"
+
+class QComboBox;
+class QLineEdit;
+class QPlainTextEdit;
+
+namespace dyncal {
+
+/// Stage 9: what the certificate says beside the results, and its export.
+class CertificatePage : public StagePage
+{
+    Q_OBJECT
+
+public:
+    explicit CertificatePage(Session &session);
+
+signals:
+    void exportRequested();
+
+protected:
+    void showRecipe() override;
+    void showResults() override;
+
+private:
+    void buildForm();
+    void buildInspector();
+    void setField(const std::string &key, const QString &text, const QString &mergeKey);
+    QString field(const std::string &key) const;
+    void showMissing();
+
+    std::vector<std::pair<std::string, QLineEdit *>> m_edits;
+    QPlainTextEdit *m_remarks;
+    QComboBox *m_language;
+    QLabel *m_missing;
+    QLabel *m_cautions;
+};
+
+} // namespace dyncal

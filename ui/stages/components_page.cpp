@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/stages/components_page.h"
+
+#include "ui/plot/component_curves.h"
+#include "ui/stages/quantity_edit.h"
+#include "ui/stages/value_table.h"
+#include "ui/text/quantity_format.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QSplitter>
+
+#include <array>
+#include <cmath>
+
+namespace dyncal {
+
+namespace {
+
+constexpr std::array kConfidences{0.90, 0.95, 0.99, 0.999};
+
+/// Below this the number says nothing more.
+constexpr double kSmallestShown = 0.001;
+
+QString probabilityText(double p)
+{
+    return p < kSmallestShown ? "< " + shownNumber(kSmallestShown, 1) : shownNumber(p, 2);
+}
+
+} // namespace
+
+ComponentsPage::ComponentsPage(Session &session)
+    : StagePage(session,
+        {"componentsPage", tr("PCA"), tr("Separate what the shots share from what they do not.")},
+        {StageId::Components})
+{
+    buildPlots();
+    buildInspector();
+}
+
+void ComponentsPage::buildPlots()
+{
+    m_explained = makePlot("explainedPlot", tr("Explained, cumulative"));
+    m_reconstruction = makePlot("reconstructionPlot", tr("Reconstruction of the shots"));
+    m_residual = makePlot("residualPlot", tr("Residuals"));
+    m_autocovariance = makePlot("autocovariancePlot", tr("Autocovariance of the residuals"));
+    m_spectrum = makePlot("residualSpectrumPlot", tr("Spectrum of the residuals"));
+    m_table = new ValueTable("residualTable", tr("Residuals of every shot"), this);
+
+    auto *left = new QSplitter(Qt::Vertical);
+    left->addWidget(m_explained);
+    left->addWidget(m_autocovariance);
+    left->addWidget(m_table);
+    left->setSizes({1000, 1000, 600});
+    auto *right = new QSplitter(Qt::Vertical);
+    right->addWidget(m_reconstruction);
+    right->addWidget(m_residual);
+    right->addWidget(m_spectrum);
+    auto *split = new QSplitter(Qt::Horizontal, this);
+    split->addWidget(left);
+    split->addWidget(right);
+    split->setSizes({800, 1200});
+    content()->addWidget(split);
+}
+
+void ComponentsPage::buildInspector()
+{
+    InspectorForm *form = inspector();
+    form->addSection(tr("Components"));
+    m_kept = form->add(tr("Kept"), "componentsKept", new QuantityEdit({}, 1, 99, 0));
+    connect(m_kept, &QuantityEdit::edited, this, [this](double kept) {
+        change(tr("Keep %1 components").arg(kept),
+            [&](Recipe &r) { r.pca.components = std::lround(kept); });
+    });
+    m_centre = new QCheckBox(tr("Take away the mean over the shots first"));
+    m_centre->setObjectName("centre");
+    form->addWide(m_centre);
+    connect(m_centre, &QCheckBox::clicked, this,
+        [this](bool on) { change(tr("Centre the shots"), [&](Recipe &r) { r.pca.centre = on; }); });
+    m_first = form->addReadout(tr("First explains"), "firstExplains");
+
+    form->addSection(tr("Residuals"));
+    m_lags = form->add(tr("Lags"), "residualLags", new QuantityEdit({}, 1, 100000, 0));
+    connect(m_lags, &QuantityEdit::edited, this, [this](double lags) {
+        change(tr("Change the lags"), [&](Recipe &r) { r.pca.residualLags = std::lround(lags); });
+    });
+    QStringList choices;
+    for (const double confidence : kConfidences)
+        choices << shownNumber(100.0 * confidence, 4) + " %";
+    m_confidence = form->addChoice(tr("Confidence"), "residualConfidence", choices);
+    connect(m_confidence, &QComboBox::activated, this, [this](int choice) {
+        change(tr("Change the confidence"), [&](Recipe &r) {
+            r.pca.residualConfidence = kConfidences[static_cast<std::size_t>(choice)];
+        });
+    });
+}
+
+void ComponentsPage::showRecipe()
+{
+    const ComponentSettings &settings = recipe().pca;
+    m_kept->setSi(static_cast<double>(settings.components));
+    m_centre->setChecked(settings.centre);
+    m_lags->setSi(static_cast<double>(settings.residualLags));
+    int choice = -1; // a recipe may hold another value
+    for (std::size_t i = 0; i < kConfidences.size(); ++i)
+        if (std::abs(kConfidences[i] - settings.residualConfidence) < 1e-9)
+            choice = static_cast<int>(i);
+    m_confidence->setCurrentIndex(choice);
+}
+
+void ComponentsPage::showResults()
+{
+    const auto &components = results().components;
+    const auto &window = results().window;
+    const auto show = [&](PlotWidget *plot, auto draw) {
+        plot->setContent(components && window ? draw(*components, *window) : nothingYet());
+    };
+    m_explained->setContent(components ? explainedCurves(*components) : nothingYet());
+    show(m_reconstruction, reconstructionCurves);
+    show(m_residual, residualCurves);
+    show(m_autocovariance, [](const ComponentResult &result, const WindowResult &responses) {
+        return autocovarianceCurves(result, responses);
+    });
+    show(m_spectrum, residualSpectrumCurves);
+
+    QVector<QStringList> rows;
+    for (std::size_t i = 0; components && i < components->residuals.size(); ++i) {
+        const ResidualAnalysis &residual = components->residuals[i];
+        rows.push_back({i < components->shots.size() ? QString::number(components->shots[i]) : "–",
+            shownNumber(residual.rms, 3), shownNumber(100.0 * residual.outsideFraction, 3) + " %",
+            probabilityText(residual.whiteness_p),
+            residual.peaks_Hz.empty() ? "–" : shownQuantity(residual.peaks_Hz.front(), "Hz", 4)});
+    }
+    m_table->setValues(
+        {tr("Shot"), tr("RMS"), tr("Lags outside"), tr("White, p"), tr("Top peak")}, rows);
+    const bool several = components && components->principal
+        && components->principal->explainedCumulative_percent.size() > 0;
+    m_first->setText(several
+            ? shownNumber(components->principal->explainedCumulative_percent[0], 5) + " %"
+            : tr("– (one shot)"));
+}
+
+} // namespace dyncal

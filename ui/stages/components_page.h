@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "ui/stages/stage_page.h"
+
+class QCheckBox;
+class QComboBox;
+
+namespace dyncal {
+
+class QuantityEdit;
+class ValueTable;
+
+/// Stage 5: what the shots share (principal components), and what is left of each.
+class ComponentsPage : public StagePage
+{
+    Q_OBJECT
+
+public:
+    explicit ComponentsPage(Session &session);
+
+protected:
+    void showRecipe() override;
+    void showResults() override;
+
+private:
+    void buildPlots();
+    void buildInspector();
+
+    PlotWidget *m_explained;
+    PlotWidget *m_reconstruction;
+    PlotWidget *m_residual;
+    PlotWidget *m_autocovariance;
+    PlotWidget *m_spectrum;
+    ValueTable *m_table;
+    QuantityEdit *m_kept;
+    QCheckBox *m_centre;
+    QuantityEdit *m_lags;
+    QComboBox *m_confidence;
+    QLabel *m_first;
+};
+
+} // namespace dyncal

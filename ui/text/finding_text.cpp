@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/text/finding_text.h"
+
+#include "ui/text/core_text.h"
+
+#include <QCoreApplication>
+
+namespace dyncal {
+
+namespace {
+
+/// Gives the sentences below their translation context.
+struct FindingText
+{
+    Q_DECLARE_TR_FUNCTIONS(FindingText)
+};
+
+} // namespace
+
+QString severityGlyph(Severity severity)
+{
+    switch (severity) {
+    case Severity::Info:
+        return QStringLiteral("○");
+    case Severity::Caution:
+        return QStringLiteral("▲");
+    case Severity::Block:
+        return QStringLiteral("■");
+    }
+    return {};
+}
+
+QString severityWord(Severity severity)
+{
+    switch (severity) {
+    case Severity::Info:
+        return FindingText::tr("Info");
+    case Severity::Caution:
+        return FindingText::tr("Caution");
+    case Severity::Block:
+        return FindingText::tr("Blocked");
+    }
+    return {};
+}
+
+QString statusGlyph(StageStatus status)
+{
+    switch (status) {
+    case StageStatus::NotStarted:
+        return QStringLiteral("–");
+    case StageStatus::Blocked:
+        return QStringLiteral("■");
+    case StageStatus::Computing:
+        return QStringLiteral("⟳");
+    case StageStatus::Stale:
+        return QStringLiteral("◌");
+    case StageStatus::Done:
+        return QStringLiteral("●");
+    case StageStatus::DoneWithCautions:
+        return QStringLiteral("▲");
+    }
+    return {};
+}
+
+QString statusWord(StageStatus status)
+{
+    switch (status) {
+    case StageStatus::NotStarted:
+        return FindingText::tr("not started");
+    case StageStatus::Blocked:
+        return FindingText::tr("blocked");
+    case StageStatus::Computing:
+        return FindingText::tr("computing");
+    case StageStatus::Stale:
+        return FindingText::tr("out of date");
+    case StageStatus::Done:
+        return FindingText::tr("done");
+    case StageStatus::DoneWithCautions:
+        return FindingText::tr("cautions");
+    }
+    return {};
+}
+
+QString findingLine(const Finding &finding)
+{
+    QString head = severityGlyph(finding.severity) + " " + severityWord(finding.severity);
+    if (!finding.id.empty())
+        head += " " + QString::fromStdString(finding.id);
+    if (finding.shot > 0)
+        head += FindingText::tr(", shot %1").arg(finding.shot);
+    return head + ": " + translated(finding.message);
+}
+
+} // namespace dyncal

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/finding.h"
+#include "ui/session/stage_status.h"
+
+#include <QString>
+
+namespace dyncal {
+
+/// Shape and word of a severity or status: never colour alone.
+QString severityGlyph(Severity severity); ///< "○", "▲", "■"
+QString severityWord(Severity severity);
+QString statusGlyph(StageStatus status); ///< "●", "▲", "■", "◌", "–", "⟳"
+QString statusWord(StageStatus status);
+
+/// "▲ Caution WIN-001, shot 2: sentence"
+QString findingLine(const Finding &finding);
+
+} // namespace dyncal

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/text/quantity_format.h"
+
+#include "core/base/number_text.h"
+
+#include <QLocale>
+
+#include <cmath>
+
+namespace dyncal {
+
+namespace {
+
+QString inLanguage(const std::string &number)
+{
+    return QString::fromStdString(number).replace('.', QLocale().decimalPoint());
+}
+
+const QString &nothing()
+{
+    static const QString text = QStringLiteral("–");
+    return text;
+}
+
+} // namespace
+
+QString shownQuantity(double value, const QString &unit, int digits)
+{
+    if (!std::isfinite(value))
+        return nothing();
+    if (unit.isEmpty() || unit == "1")
+        return shownNumber(value, digits);
+    const QString text = QString::fromStdString(numberWithUnit(value, unit.toStdString(), digits));
+    const auto blank = text.indexOf(' '); // units may hold a '.', numbers come first
+    return inLanguage(text.left(blank).toStdString()) + text.mid(blank);
+}
+
+QString shownNumber(double value, int digits)
+{
+    return std::isfinite(value) ? inLanguage(numberText(value, digits)) : nothing();
+}
+
+QString shownQuantity(const std::optional<double> &value, const QString &unit, int digits)
+{
+    return value ? shownQuantity(*value, unit, digits) : nothing();
+}
+
+std::optional<double> typedNumber(QString text)
+{
+    text = text.trimmed();
+    text.replace(',', '.');
+    text.replace(QChar(0x2212), '-'); // minus sign
+    const std::optional<double> number = parseNumber(text.toStdString());
+    return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+} // namespace dyncal
