@@ -7,6 +7,7 @@
 #include "core/capture/file_kind.h"
 #include "core/capture/formats/delimited_text.h"
 #include "core/capture/formats/hdf5_capture.h"
+#include "core/capture/formats/lvm.h"
 #include "core/capture/natural_order.h"
 
 #include <algorithm>
@@ -120,7 +121,7 @@ Result<std::vector<Candidate>> filesIn(const std::string &folder)
 Finding skippedFile(const Error &error)
 {
     const bool foreign = error.findingId == "CAP-001";
-    return {"CAP-022", foreign ? Severity::Info : Severity::Caution, 0, {}, {},
+    return {"CAP-024", foreign ? Severity::Info : Severity::Caution, 0, {}, {},
         {DYNCAL_TEXT("core", "A file of the folder was left out. %1"), {english(error.message)}},
         {}, {}};
 }
@@ -231,6 +232,7 @@ const std::vector<CaptureFormat> &captureFormats()
 {
     static const std::vector<CaptureFormat> formats{
         {"dyncal-capture", "HDF5 capture", {"h5", "hdf5"}, &recogniseHdf5Capture, &readHdf5Capture},
+        {"lvm", "LabVIEW measurement", {"lvm"}, &recogniseLvm, &readLvm},
         {"text", "text table", {"csv", "tsv", "txt", "dat"}, &recogniseDelimitedText,
             &readDelimitedText},
     };

@@ -113,17 +113,8 @@ private:
         const RowEnd end = lastRowEnd(text, line, m_dialect);
         if (end == RowEnd::Whole || isBlank(line) || m_columns.front().empty())
             return false;
-        const bool cut = end == RowEnd::Cut;
-        m_findings.push_back({"CAP-018", cut ? Severity::Caution : Severity::Info, 0, {}, {},
-            {cut ? DYNCAL_TEXT("core",
-                 "%1 ends within line %2, so it is likely an incomplete copy; that line was left "
-                 "out.")
-                 : DYNCAL_TEXT("core",
-                     "%1 ends without a line end; if the copy is incomplete, the last number in "
-                     "line %2 may lack digits."),
-                {m_path, std::to_string(number)}},
-            {}, {}});
-        return cut;
+        m_findings.push_back(unfinishedLine(m_path, number, end));
+        return end == RowEnd::Cut;
     }
 
     const std::string &m_path;

@@ -3,8 +3,10 @@
 
 #pragma once
 
+#include "core/base/finding.h"
 #include "core/capture/formats/text_dialect.h"
 
+#include <string>
 #include <string_view>
 
 namespace dyncal {
@@ -17,6 +19,10 @@ enum class RowEnd {
 };
 
 /// Compares `line`, the unterminated end of `text`, with the rows directly above it.
+/// `text` begins with the dialect's header, `columns` counts what a whole row has.
 RowEnd lastRowEnd(std::string_view text, std::string_view line, const TextDialect &dialect);
+
+/// CAP-018 for a last line that is cut (and left out) or may be.
+Finding unfinishedLine(const std::string &path, Index line, RowEnd end);
 
 } // namespace dyncal

@@ -6,6 +6,7 @@
 #include "core/base/number_text.h"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -16,26 +17,29 @@ namespace {
 constexpr double kStepTolerance = 0.01; ///< of CAP-016
 constexpr std::size_t kEndRows = 32; ///< enough that some time ends in a digit other than zero
 
-/// Power of ten of the last digit in the shortest text of a value.
-int lastDigitExponent(double value)
+/// Power of ten of the last digit of a number.
+int lastDigitExponent(std::string_view text, char decimal)
 {
-    const std::string text = numberText(value);
-    const std::size_t mantissaEnd = std::min(text.find('e'), text.size());
-    const int exponent = mantissaEnd < text.size()
-        ? static_cast<int>(*parseNumber(text.substr(mantissaEnd + 1)))
-        : 0;
-    const std::size_t point = text.find('.');
+    const std::size_t mantissaEnd = std::min(text.find_first_of("eE"), text.size());
+    const std::size_t point = text.find(decimal);
+    int exponent = 0;
+    if (mantissaEnd < text.size()) {
+        text.remove_prefix(mantissaEnd + 1);
+        if (text.starts_with('+'))
+            text.remove_prefix(1);
+        std::from_chars(text.data(), text.data() + text.size(), exponent);
+    }
     const std::size_t decimals = point < mantissaEnd ? mantissaEnd - point - 1 : 0;
     return exponent - static_cast<int>(decimals);
 }
 
-/// The finest digit printed among these rows. Full double precision needs no allowance.
-double printedResolution(std::span<const double> times)
+/// The finest digit among these rows, as far as the values tell.
+double finestDigit(std::span<const double> times)
 {
     int finest = 0;
     for (const double time : times) {
         if (std::isfinite(time) && time != 0.0)
-            finest = std::min(finest, lastDigitExponent(time));
+            finest = std::min(finest, lastDigitExponent(numberText(time), '.'));
     }
     return std::pow(10.0, finest);
 }
@@ -77,12 +81,16 @@ void locateIrregularity(TimeAxis &axis, std::span<const double> times, double al
 
 TimeAxis timeAxisOf(std::span<const double> times)
 {
+    const std::size_t end = std::min(kEndRows, times.size());
+    return timeAxisOf(times, std::max(finestDigit(times.first(end)), finestDigit(times.last(end))));
+}
+
+TimeAxis timeAxisOf(std::span<const double> times, double resolution)
+{
     TimeAxis axis;
+    axis.resolution = resolution;
     axis.first = times.front();
     axis.step = (times.back() - times.front()) / static_cast<double>(times.size() - 1);
-    const std::size_t end = std::min(kEndRows, times.size());
-    axis.resolution
-        = std::max(printedResolution(times.first(end)), printedResolution(times.last(end)));
     const bool increases = axis.step > 0.0 && std::isfinite(axis.step);
     const double strict = kStepTolerance * axis.step;
     const double allowance = axis.resolution <= 0.5 * axis.step ? axis.resolution : 0.0;
@@ -92,6 +100,11 @@ TimeAxis timeAxisOf(std::span<const double> times)
     if (axis.irregular)
         locateIrregularity(axis, times, allowance);
     return axis;
+}
+
+double printedResolution(std::string_view cell, char decimal)
+{
+    return std::pow(10.0, lastDigitExponent(cell, decimal));
 }
 
 } // namespace dyncal

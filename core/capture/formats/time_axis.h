@@ -7,6 +7,7 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 
 namespace dyncal {
 
@@ -23,5 +24,11 @@ struct TimeAxis
 /// differs from the mean step by more than 1 %; what the rounding of the printed digits explains is
 /// forgiven as long as it is at most half a step, so that a missing sample would still show.
 TimeAxis timeAxisOf(std::span<const double> times);
+
+/// The same where the text is known to be printed to `resolution`.
+TimeAxis timeAxisOf(std::span<const double> times, double resolution);
+
+/// One unit of the last digit of a printed number: "0.0120" 1e-4, "1.5E-5" 1e-6.
+double printedResolution(std::string_view cell, char decimal);
 
 } // namespace dyncal

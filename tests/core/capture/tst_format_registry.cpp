@@ -124,7 +124,7 @@ private slots:
         QCOMPARE(set->tube.at("name"), std::string("early"));
         QCOMPARE(set->sensors.at("s").count("serial"), std::size_t(1));
         QCOMPARE(std::count_if(set->findings.begin(), set->findings.end(),
-                     [](const Finding &finding) { return finding.id == "CAP-022"; }),
+                     [](const Finding &finding) { return finding.id == "CAP-024"; }),
             std::ptrdiff_t(2));
         QCOMPARE(worstSeverity(set->findings), Severity::Caution); // the torn capture
     }
