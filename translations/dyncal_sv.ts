@@ -1581,10 +1581,6 @@
         <translation>Skott %1 innehåller %2 % av alla residualers energi; granska det innan medelvärdet används.</translation>
     </message>
     <message>
-        <source>Shot %1: the residual still contains the resonance (%2); its amplitude or its time varies between the shots.</source>
-        <translation>Skott %1: residualen innehåller fortfarande resonansen (%2); dess amplitud eller tidpunkt varierar mellan skotten.</translation>
-    </message>
-    <message>
         <source>At %1 the response taken from the data directly differs by %2 % from the model, more than noise allows: the model misses something there.</source>
         <translation>Vid %1 skiljer sig det svar som tagits direkt ur data %2 % från modellen, mer än bruset tillåter: modellen missar något där.</translation>
     </message>
@@ -2015,6 +2011,78 @@
     <message>
         <source>%1 cannot be written; choose another place.</source>
         <translation>%1 kan inte skrivas; välj en annan plats.</translation>
+    </message>
+    <message>
+        <source>%1, line %2 has %3 cells, the lines before have %4; correct the line, or set separator and decimal in the recipe&apos;s import section.</source>
+        <translation>%1, rad %2 har %3 celler, raderna före har %4; rätta raden, eller ange separator och decimal i receptets avsnitt import.</translation>
+    </message>
+    <message>
+        <source>%1 ends within line %2, so it is likely an incomplete copy; that line was left out.</source>
+        <translation>%1 slutar mitt i rad %2 och är därför troligen en ofullständig kopia; den raden utelämnades.</translation>
+    </message>
+    <message>
+        <source>%1 ends without a line end; if the copy is incomplete, the last number in line %2 may lack digits.</source>
+        <translation>%1 slutar utan radslut; om kopian är ofullständig kan det sista talet på rad %2 sakna siffror.</translation>
+    </message>
+    <message>
+        <source>%1 has no column %2 for %3; it has the columns 0 to %4. Change columns in the recipe&apos;s import section.</source>
+        <translation>%1 har ingen kolumn %2 för %3; filen har kolumnerna 0 till %4. Ändra columns i receptets avsnitt import.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; can be read in two ways; the comma was taken as %3. Set decimal and separator in the recipe&apos;s import section to be certain.</source>
+        <translation>%1: &quot;%2&quot; kan läsas på två sätt; kommatecknet tolkades som %3. Ange decimal och separator i receptets avsnitt import för att vara säker.</translation>
+    </message>
+    <message>
+        <source>%1 holds no rows of numbers that fit together; check separator, decimal and skip_rows in the recipe&apos;s import section.</source>
+        <translation>%1 innehåller inga rader med tal som hör ihop; kontrollera separator, decimal och skip_rows i receptets avsnitt import.</translation>
+    </message>
+    <message>
+        <source>%1 has a column of times but no column of samples.</source>
+        <translation>%1 har en kolumn med tider men ingen kolumn med sampel.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read; check that it exists and may be opened.</source>
+        <translation>%1 kan inte läsas; kontrollera att filen finns och får öppnas.</translation>
+    </message>
+    <message>
+        <source>%1, line %2, column %3: &quot;%4&quot; is no number; correct the cell, or set decimal, separator or skip_rows in the recipe&apos;s import section.</source>
+        <translation>%1, rad %2, kolumn %3: &quot;%4&quot; är inget tal; rätta cellen, eller ange decimal, separator eller skip_rows i receptets avsnitt import.</translation>
+    </message>
+    <message>
+        <source>%1: the times are not uniform: line %2 follows its predecessor by %3, others by %4 (allowed is 1 %). Record anew, or name only the columns of samples and give the sample rate in the recipe&apos;s import section.</source>
+        <translation>%1: tiderna är inte jämnt fördelade: rad %2 följer sin föregångare med %3, andra med %4 (1 % är tillåtet). Gör om registreringen, eller ange bara kolumnerna med sampel och ge samplingsfrekvensen i receptets avsnitt import.</translation>
+    </message>
+    <message>
+        <source>%1: the recipe states a sample rate of %2, but the column of times steps at %3. Which one is right? Take sample_rate_hz out of the recipe, or name only the columns of samples there.</source>
+        <translation>%1: receptet anger samplingsfrekvensen %2, men tidskolumnen har steget %3. Vilket är rätt? Ta bort sample_rate_hz ur receptet, eller ange bara kolumnerna med sampel där.</translation>
+    </message>
+    <message>
+        <source>%1: the unit &quot;%2&quot; of the column of times is unknown; write s, ms, us or ns.</source>
+        <translation>%1: tidskolumnens enhet &quot;%2&quot; är okänd; skriv s, ms, us eller ns.</translation>
+    </message>
+    <message>
+        <source>Shot %1 has %2 samples in its window, too few to be reduced %3 times to the rate of the other shots; set window.end_s or exclude a shot.</source>
+        <translation>Skott %1 har %2 sampel i sitt fönster, för få för att reduceras %3 gånger till de andra skottens samplingsfrekvens; sätt window.end_s eller uteslut ett skott.</translation>
+    </message>
+    <message>
+        <source>Shot %1: %2 % of the resonance at %3 is left in the residual; its amplitude or its time varies between the shots.</source>
+        <translation>Skott %1: %2 % av resonansen vid %3 finns kvar i residualen; dess amplitud eller tidpunkt varierar mellan skotten.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the step reads %2; %3 is expected. Is the unit %4? Set import.unit.</source>
+        <translation>Skott %1: steget avläses till %2; %3 förväntas. Är enheten %4? Sätt import.unit.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the step reads %2; %3 is expected. Check the unit and the scale.</source>
+        <translation>Skott %1: steget avläses till %2; %3 förväntas. Kontrollera enheten och skalan.</translation>
+    </message>
+    <message>
+        <source>The shots are recorded in different units, so their sensitivities are not averaged; give one unit for all (import.unit).</source>
+        <translation>Skotten är registrerade i olika enheter, så deras känsligheter medelvärdesbildas inte; ange en enhet för alla (import.unit).</translation>
+    </message>
+    <message>
+        <source>The power spectrum exceeds the range of numbers: the largest value is %1; check the scale of the channel.</source>
+        <translation>Effektspektrumet överskrider talområdet: det största värdet är %1; kontrollera kanalens skala.</translation>
     </message>
 </context>
 <context>
