@@ -2716,7 +2716,7 @@
     </message>
     <message>
         <source>&amp;Stage</source>
-        <translation>Arbets&amp;steg</translation>
+        <translation>Ar&amp;betssteg</translation>
     </message>
     <message>
         <source>Compute &amp;again</source>
