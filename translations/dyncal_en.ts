@@ -1,4 +1,24 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="en">
+<context>
+    <name>dyncal::CertificatePage</name>
+    <message numerus="yes">
+        <source>■ %n required field(s) empty: %1.</source>
+        <translation>
+            <numerusform>■ %n required field is empty: %1.</numerusform>
+            <numerusform>■ %n required fields are empty: %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::FileActions</name>
+    <message numerus="yes">
+        <source>%n shot(s) read</source>
+        <translation>
+            <numerusform>%n shot read</numerusform>
+            <numerusform>%n shots read</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

@@ -1,4 +1,3710 @@
 <?xml version="1.0" encoding="utf-8"?>
 <!DOCTYPE TS>
 <TS version="2.1" language="sv">
+<context>
+    <name>CaptureText</name>
+    <message>
+        <source>Low</source>
+        <translation>Låg</translation>
+    </message>
+    <message>
+        <source>Medium</source>
+        <translation>Medel</translation>
+    </message>
+    <message>
+        <source>High</source>
+        <translation>Hög</translation>
+    </message>
+    <message>
+        <source>DUT</source>
+        <translation>DUT</translation>
+    </message>
+    <message>
+        <source>Driven side</source>
+        <translation>Lågtrycksdelens sida</translation>
+    </message>
+    <message>
+        <source>Driver</source>
+        <translation>Högtrycksdel</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Trigg</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Annan</translation>
+    </message>
+</context>
+<context>
+    <name>FindingText</name>
+    <message>
+        <source>Info</source>
+        <translation>Information</translation>
+    </message>
+    <message>
+        <source>Caution</source>
+        <translation>Varning</translation>
+    </message>
+    <message>
+        <source>Blocked</source>
+        <translation>Blockerat</translation>
+    </message>
+    <message>
+        <source>not started</source>
+        <translation>ej påbörjat</translation>
+    </message>
+    <message>
+        <source>blocked</source>
+        <translation>blockerat</translation>
+    </message>
+    <message>
+        <source>computing</source>
+        <translation>beräknar</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>inaktuellt</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>klart</translation>
+    </message>
+    <message>
+        <source>cautions</source>
+        <translation>varningar</translation>
+    </message>
+    <message>
+        <source>, shot %1</source>
+        <translation>, skott %1</translation>
+    </message>
+</context>
+<context>
+    <name>Help</name>
+    <message>
+        <source>Alt+1 … Alt+9</source>
+        <translation>Alt+1 … Alt+9</translation>
+    </message>
+    <message>
+        <source>go to a stage</source>
+        <translation>gå till ett arbetssteg</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z, Ctrl+Shift+Z</source>
+        <translation>Ctrl+Z, Ctrl+Skift+Z</translation>
+    </message>
+    <message>
+        <source>undo, redo</source>
+        <translation>ångra, gör om</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Mushjul</translation>
+    </message>
+    <message>
+        <source>zoom the x axis at the pointer</source>
+        <translation>zooma x-axeln vid pekaren</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel</source>
+        <translation>Ctrl+mushjul</translation>
+    </message>
+    <message>
+        <source>zoom the y axis</source>
+        <translation>zooma y-axeln</translation>
+    </message>
+    <message>
+        <source>Shift+wheel, left drag</source>
+        <translation>Skift+mushjul, dra med vänster knapp</translation>
+    </message>
+    <message>
+        <source>move the plot</source>
+        <translation>flytta diagrammet</translation>
+    </message>
+    <message>
+        <source>Right drag</source>
+        <translation>Dra med höger knapp</translation>
+    </message>
+    <message>
+        <source>zoom a box</source>
+        <translation>zooma till en ruta</translation>
+    </message>
+    <message>
+        <source>Double click, F</source>
+        <translation>Dubbelklick, F</translation>
+    </message>
+    <message>
+        <source>show everything</source>
+        <translation>visa allt</translation>
+    </message>
+    <message>
+        <source>G</source>
+        <translation>G</translation>
+    </message>
+    <message>
+        <source>grid on or off</source>
+        <translation>rutnät på eller av</translation>
+    </message>
+    <message>
+        <source>1, 2</source>
+        <translation>1, 2</translation>
+    </message>
+    <message>
+        <source>put cursor A or B at the pointer</source>
+        <translation>placera markör A eller B vid pekaren</translation>
+    </message>
+    <message>
+        <source>Left, Right (Order)</source>
+        <translation>Vänster, höger (Modellordning)</translation>
+    </message>
+    <message>
+        <source>order minus or plus one</source>
+        <translation>ordningen minus eller plus ett</translation>
+    </message>
+    <message>
+        <source>Page Up, Page Down (Order)</source>
+        <translation>Page Up, Page Down (Modellordning)</translation>
+    </message>
+    <message>
+        <source>order plus or minus ten</source>
+        <translation>ordningen plus eller minus tio</translation>
+    </message>
+    <message>
+        <source>Home (Order)</source>
+        <translation>Home (Modellordning)</translation>
+    </message>
+    <message>
+        <source>take the suggested order</source>
+        <translation>använd den föreslagna ordningen</translation>
+    </message>
+    <message>
+        <source>F9</source>
+        <translation>F9</translation>
+    </message>
+    <message>
+        <source>compute again</source>
+        <translation>beräkna igen</translation>
+    </message>
+    <message>
+        <source>F4, F5, F6</source>
+        <translation>F4, F5, F6</translation>
+    </message>
+    <message>
+        <source>inspector, stages, findings on or off</source>
+        <translation>inspektor, arbetssteg, iakttagelser på eller av</translation>
+    </message>
+    <message>
+        <source>Keyboard and mouse</source>
+        <translation>Tangentbord och mus</translation>
+    </message>
+    <message>
+        <source>About Dyncal</source>
+        <translation>Om Dyncal</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Dyncal %1&lt;/h3&gt;&lt;p&gt;Dynamic calibration of pressure sensors.&lt;/p&gt;&lt;p&gt;Build %2&lt;/p&gt;&lt;p&gt;Copyright 2026 The Dyncal authors. Free software under the GNU General Public License, version 3 or later. It comes with no warranty.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Dyncal %1&lt;/h3&gt;&lt;p&gt;Dynamisk kalibrering av tryckgivare.&lt;/p&gt;&lt;p&gt;Bygge %2&lt;/p&gt;&lt;p&gt;Copyright 2026 Dyncals upphovspersoner. Fri programvara enligt GNU General Public License, version 3 eller senare. Programmet levereras utan någon garanti.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>ModelText</name>
+    <message>
+        <source>sensor</source>
+        <translation>givare</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>steg</translation>
+    </message>
+    <message>
+        <source>Nyquist</source>
+        <translation>Nyquist</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>instabil</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>övrig</translation>
+    </message>
+    <message>
+        <source>diverges</source>
+        <translation>divergerar</translation>
+    </message>
+    <message>
+        <source>&lt; 0 % of attainable %1 %</source>
+        <translation>&lt; 0 % av uppnåeliga %1 %</translation>
+    </message>
+    <message>
+        <source>%1 % of attainable %2 %</source>
+        <translation>%1 % av uppnåeliga %2 %</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frekvens</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpning</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Klass</translation>
+    </message>
+    <message>
+        <source>u(f)</source>
+        <translation>u(f)</translation>
+    </message>
+    <message>
+        <source>Damping ratio</source>
+        <translation>Relativ dämpning</translation>
+    </message>
+    <message>
+        <source>u(ζ)</source>
+        <translation>u(ζ)</translation>
+    </message>
+    <message>
+        <source>Flags</source>
+        <translation>Flaggor</translation>
+    </message>
+    <message>
+        <source> (pair)</source>
+        <translation> (par)</translation>
+    </message>
+</context>
+<context>
+    <name>Plots</name>
+    <message>
+        <source>Explained by the first components</source>
+        <translation>Förklarad andel, de första komponenterna</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Komponenter</translation>
+    </message>
+    <message>
+        <source>Explained, cumulative</source>
+        <translation>Förklarad andel, kumulativ</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>One shot only: there are no components to compare.</source>
+        <translation>Endast ett skott: det finns inga komponenter att jämföra.</translation>
+    </message>
+    <message>
+        <source>The first component explains %1 %.</source>
+        <translation>Den första komponenten förklarar %1 %.</translation>
+    </message>
+    <message>
+        <source>Reconstructed; components kept: %1</source>
+        <translation>Rekonstruerade svar; behållna komponenter: %1</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Residualer</translation>
+    </message>
+    <message>
+        <source>Residual</source>
+        <translation>Residual</translation>
+    </message>
+    <message>
+        <source>What the components leave of each shot.</source>
+        <translation>Det som komponenterna lämnar kvar av varje skott.</translation>
+    </message>
+    <message>
+        <source>Autocovariance of the residuals</source>
+        <translation>Residualernas autokovarians</translation>
+    </message>
+    <message>
+        <source>Lag</source>
+        <translation>Tidsförskjutning</translation>
+    </message>
+    <message>
+        <source>Autocovariance, normalised</source>
+        <translation>Autokovarians, normerad</translation>
+    </message>
+    <message>
+        <source>White noise</source>
+        <translation>Vitt brus</translation>
+    </message>
+    <message>
+        <source>Autocovariance of the residuals with the bounds of white noise.</source>
+        <translation>Residualernas autokovarians med gränserna för vitt brus.</translation>
+    </message>
+    <message>
+        <source>Power spectrum of the residuals</source>
+        <translation>Residualernas effektspektrum</translation>
+    </message>
+    <message>
+        <source>Power spectral density</source>
+        <translation>Effektspektraltäthet</translation>
+    </message>
+    <message>
+        <source>Power spectra of the residuals; the strongest maximum of each shot is marked.</source>
+        <translation>Residualernas effektspektra; det starkaste maximumet i varje skott är markerat.</translation>
+    </message>
+    <message>
+        <source>Average of the reconstructions</source>
+        <translation>Medelvärde av rekonstruktionerna</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>låg</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>medel</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>hög</translation>
+    </message>
+    <message>
+        <source>Average</source>
+        <translation>Medelvärde</translation>
+    </message>
+    <message>
+        <source>Shot %1</source>
+        <translation>Skott %1</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Tid</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frekvens</translation>
+    </message>
+    <message>
+        <source>Response, remapped</source>
+        <translation>Svar, omskalat</translation>
+    </message>
+    <message>
+        <source>Response</source>
+        <translation>Svar</translation>
+    </message>
+    <message>
+        <source>Model of order %1</source>
+        <translation>Modell av ordning %1</translation>
+    </message>
+    <message>
+        <source>Poles of the sensor</source>
+        <translation>Givarens poler</translation>
+    </message>
+    <message>
+        <source>Pole of the step</source>
+        <translation>Stegets pol</translation>
+    </message>
+    <message>
+        <source>Unstable poles</source>
+        <translation>Instabila poler</translation>
+    </message>
+    <message>
+        <source>Poles at the Nyquist frequency</source>
+        <translation>Poler vid Nyquistfrekvensen</translation>
+    </message>
+    <message>
+        <source>Other poles</source>
+        <translation>Övriga poler</translation>
+    </message>
+    <message>
+        <source>lower limit</source>
+        <translation>undre gräns</translation>
+    </message>
+    <message>
+        <source>upper limit</source>
+        <translation>övre gräns</translation>
+    </message>
+    <message>
+        <source>± 2u</source>
+        <translation>± 2u</translation>
+    </message>
+    <message>
+        <source>Non-parametric</source>
+        <translation>Icke-parametrisk</translation>
+    </message>
+    <message>
+        <source>Data and model of order %1: diverges</source>
+        <translation>Data och modell av ordning %1: divergerar</translation>
+    </message>
+    <message>
+        <source>Data and model of order %1</source>
+        <translation>Data och modell av ordning %1</translation>
+    </message>
+    <message>
+        <source>Data and model of order %1; the fit is %2 %.</source>
+        <translation>Data och modell av ordning %1; anpassningen är %2 %.</translation>
+    </message>
+    <message>
+        <source>Data minus model</source>
+        <translation>Data minus modell</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fel</translation>
+    </message>
+    <message>
+        <source>Poles and zeros, order %1</source>
+        <translation>Poler och nollställen, ordning %1</translation>
+    </message>
+    <message>
+        <source>Real part</source>
+        <translation>Realdel</translation>
+    </message>
+    <message>
+        <source>Imaginary part</source>
+        <translation>Imaginärdel</translation>
+    </message>
+    <message>
+        <source>Zeros</source>
+        <translation>Nollställen</translation>
+    </message>
+    <message>
+        <source>poles: %1, zeros: %2</source>
+        <translation>poler: %1, nollställen: %2</translation>
+    </message>
+    <message>
+        <source>further out than shown: %1</source>
+        <translation>utanför det visade området: %1</translation>
+    </message>
+    <message>
+        <source>Frequency response, magnitude</source>
+        <translation>Frekvenssvar, belopp</translation>
+    </message>
+    <message>
+        <source>Magnitude</source>
+        <translation>Belopp</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Magnitude of the frequency response; usable from %1 to %2.</source>
+        <translation>Frekvenssvarets belopp; användbart från %1 till %2.</translation>
+    </message>
+    <message>
+        <source>Frequency response, phase</source>
+        <translation>Frekvenssvar, fas</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Fas</translation>
+    </message>
+    <message>
+        <source>Phase of the frequency response, output over input, lag negative.</source>
+        <translation>Frekvenssvarets fas, utsignal relativt insignal, eftersläpning negativ.</translation>
+    </message>
+    <message>
+        <source>Step response of the model</source>
+        <translation>Modellens stegsvar</translation>
+    </message>
+    <message>
+        <source>Step response of the model: diverges</source>
+        <translation>Modellens stegsvar: divergerar</translation>
+    </message>
+    <message>
+        <source>Suggested: %1</source>
+        <translation>Föreslagen: %1</translation>
+    </message>
+    <message>
+        <source>Model input</source>
+        <translation>Modellindata</translation>
+    </message>
+    <message>
+        <source>Full rate</source>
+        <translation>Full samplingsfrekvens</translation>
+    </message>
+    <message>
+        <source>Model input; samples in each series: %1.</source>
+        <translation>Modellindata; antal sampel i varje serie: %1.</translation>
+    </message>
+    <message>
+        <source>Singular values</source>
+        <translation>Singulärvärden</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordning</translation>
+    </message>
+    <message>
+        <source>Singular value</source>
+        <translation>Singulärvärde</translation>
+    </message>
+    <message>
+        <source>Belongs to the step</source>
+        <translation>Hör till steget</translation>
+    </message>
+    <message>
+        <source>Noise floor (95 %)</source>
+        <translation>Brusgolv (95 %)</translation>
+    </message>
+    <message>
+        <source>Singular values: %1; suggested order: %2.</source>
+        <translation>Singulärvärden: %1; föreslagen ordning: %2.</translation>
+    </message>
+    <message>
+        <source>Bayesian information criterion</source>
+        <translation>Bayesianskt informationskriterium</translation>
+    </message>
+    <message>
+        <source>BIC</source>
+        <translation>BIC</translation>
+    </message>
+    <message>
+        <source>BIC of orders 1 to %1; the smallest is best.</source>
+        <translation>BIC för ordning 1 till %1; det minsta är bäst.</translation>
+    </message>
+    <message>
+        <source>The BIC could not be formed for these data.</source>
+        <translation>BIC kunde inte beräknas för dessa data.</translation>
+    </message>
+    <message>
+        <source>Sensor under test</source>
+        <translation>Givare under provning</translation>
+    </message>
+    <message>
+        <source>Side wall, driven section</source>
+        <translation>Sidovägg, lågtrycksdelen</translation>
+    </message>
+    <message>
+        <source>Driver section</source>
+        <translation>Högtrycksdelen</translation>
+    </message>
+    <message>
+        <source>Trigger</source>
+        <translation>Trigg</translation>
+    </message>
+    <message>
+        <source>Other channel</source>
+        <translation>Annan kanal</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>%1; recordings: %2.</source>
+        <translation>%1; registreringar: %2.</translation>
+    </message>
+    <message>
+        <source>Responses, aligned at the start</source>
+        <translation>Svar, inpassade efter starten</translation>
+    </message>
+    <message>
+        <source>Responses aligned at the start; shots: %1.</source>
+        <translation>Svar inpassade efter starten; skott: %1.</translation>
+    </message>
+    <message>
+        <source>Start of the responses</source>
+        <translation>Svarens start</translation>
+    </message>
+    <message>
+        <source>The first moments of the responses; shots: %1.</source>
+        <translation>Svarens första ögonblick; skott: %1.</translation>
+    </message>
+    <message>
+        <source>Power spectrum</source>
+        <translation>Effektspektrum</translation>
+    </message>
+    <message>
+        <source>Power spectrum; no resonance found.</source>
+        <translation>Effektspektrum; ingen resonans hittad.</translation>
+    </message>
+    <message>
+        <source>Power spectrum; main resonance at %1.</source>
+        <translation>Effektspektrum; huvudresonans vid %1.</translation>
+    </message>
+</context>
+<context>
+    <name>Prompts</name>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Osparade ändringar</translation>
+    </message>
+    <message>
+        <source>%1 has changes that are not saved. Save them?</source>
+        <translation>%1 har ändringar som inte är sparade. Ska de sparas?</translation>
+    </message>
+    <message>
+        <source>Dyncal</source>
+        <translation>Dyncal</translation>
+    </message>
+</context>
+<context>
+    <name>Report</name>
+    <message>
+        <source>To be filled in before issue: %1.</source>
+        <translation>Ska fyllas i före utfärdandet: %1.</translation>
+    </message>
+    <message>
+        <source>Figure %1. %2.</source>
+        <translation>Figur %1. %2.</translation>
+    </message>
+    <message>
+        <source>End of the certificate</source>
+        <translation>Slut på kalibreringsbeviset</translation>
+    </message>
+    <message>
+        <source>no number yet</source>
+        <translation>ännu inget nummer</translation>
+    </message>
+    <message>
+        <source>No. %1</source>
+        <translation>Nr %1</translation>
+    </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>sida %1 av %2</translation>
+    </message>
+    <message>
+        <source>Draft, not valid as a certificate</source>
+        <translation>Utkast, gäller inte som kalibreringsbevis</translation>
+    </message>
+    <message>
+        <source>Computed %1</source>
+        <translation>Beräknat %1</translation>
+    </message>
+    <message>
+        <source>DRAFT</source>
+        <translation>UTKAST</translation>
+    </message>
+</context>
+<context>
+    <name>core</name>
+    <message>
+        <source>Wrong usage: %1; see dyncal --help.</source>
+        <translation>Felaktig användning: %1; se dyncal --help.</translation>
+    </message>
+    <message>
+        <source>Internal error (%1); please report it with the files that show it.</source>
+        <translation>Internt fel (%1); rapportera det tillsammans med de filer som visar det.</translation>
+    </message>
+    <message>
+        <source>The answer could not be written to the standard output.</source>
+        <translation>Svaret kunde inte skrivas till standard ut.</translation>
+    </message>
+    <message>
+        <source>--order is &quot;%1&quot;; it needs &quot;auto&quot; or a whole number from 1.</source>
+        <translation>--order är &quot;%1&quot;; det ska vara &quot;auto&quot; eller ett heltal från 1.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made: %2.</source>
+        <translation>Mappen %1 kan inte skapas: %2.</translation>
+    </message>
+    <message>
+        <source>--shots holds &quot;%1&quot;; it needs low, medium or high, separated by commas.</source>
+        <translation>--shots innehåller &quot;%1&quot;; det ska vara low, medium eller high, åtskilda av kommatecken.</translation>
+    </message>
+    <message>
+        <source>The clock cannot be read.</source>
+        <translation>Klockan kan inte avläsas.</translation>
+    </message>
+    <message>
+        <source>SOURCE_DATE_EPOCH is &quot;%1&quot;; it needs a whole number of seconds since 1970.</source>
+        <translation>SOURCE_DATE_EPOCH är &quot;%1&quot;; det ska vara ett helt antal sekunder sedan 1970.</translation>
+    </message>
+    <message>
+        <source>%1 is neither a subcommand nor a file; the nearest subcommand is %2.</source>
+        <translation>%1 är varken ett underkommando eller en fil; närmaste underkommando är %2.</translation>
+    </message>
+    <message>
+        <source>The file %1 does not exist.</source>
+        <translation>Filen %1 finns inte.</translation>
+    </message>
+    <message>
+        <source>The workbench needs a display and there is none; the subcommands work without, see dyncal --help.</source>
+        <translation>Arbetsbänken behöver en bildskärm och det finns ingen; underkommandona fungerar utan, se dyncal --help.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2.</source>
+        <translation>%1 kan inte skrivas: %2.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: something that is no regular file has this name; choose another.</source>
+        <translation>%1 kan inte skrivas: något som inte är en vanlig fil har detta namn; välj ett annat.</translation>
+    </message>
+    <message>
+        <source>Channel &apos;%1&apos; of shot %2 is flat: all %3 samples are %4. Check cable and role.</source>
+        <translation>Kanal &apos;%1&apos; i skott %2 är konstant: alla %3 sampel är %4. Kontrollera kabel och roll.</translation>
+    </message>
+    <message>
+        <source>Shot %1, %2: %3 invalid samples, the first at %4 (sample %5). Inside the response window they block the shot; exclude it or set import.interpolate_invalid.</source>
+        <translation>Skott %1, %2: %3 ogiltiga sampel, det första vid %4 (sampel %5). Inom svarsfönstret blockerar de skottet; uteslut det eller ange import.interpolate_invalid.</translation>
+    </message>
+    <message>
+        <source>Shot %1, %2 is saturated for %3 at %4, from %5 on. Inside the response window that blocks the shot; use a wider range.</source>
+        <translation>Skott %1, %2 är mättat under %3 vid %4, från och med %5. Inom svarsfönstret blockerar det skottet; använd ett större mätområde.</translation>
+    </message>
+    <message>
+        <source>Shot %1 holds the same data as a shot before it; exclude one.</source>
+        <translation>Skott %1 innehåller samma data som ett tidigare skott; uteslut ett av dem.</translation>
+    </message>
+    <message>
+        <source>One shot: PCA is skipped and repeatability cannot be evaluated.</source>
+        <translation>Ett skott: PCA hoppas över och repeterbarheten kan inte utvärderas.</translation>
+    </message>
+    <message>
+        <source>Shots have different sample rates (%1). For PCA they are brought to %2; the model input resamples each from its own rate.</source>
+        <translation>Skotten har olika samplingsfrekvens (%1). För PCA omvandlas de till %2; modellindata samplas om från vart och ett skotts egen frekvens.</translation>
+    </message>
+    <message>
+        <source>Shots have different lengths (%1); what all of them have is used.</source>
+        <translation>Skotten har olika längd (%1); den del som alla har används.</translation>
+    </message>
+    <message>
+        <source>Shot %1 has no DUT channel. Choose which channel is the sensor under test (import.channels in the recipe).</source>
+        <translation>Skott %1 har ingen DUT-kanal. Välj vilken kanal som är givaren under provning (import.channels i receptet).</translation>
+    </message>
+    <message>
+        <source>%1 is not a recording: it is a PDF document. Readable are: %2.</source>
+        <translation>%1 är ingen registrering: det är ett PDF-dokument. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is not a recording: it is a ZIP archive or an office document; unpack it, or save the sheet as CSV. Readable are: %2.</source>
+        <translation>%1 är ingen registrering: det är ett ZIP-arkiv eller ett kontorsdokument; packa upp det eller spara kalkylbladet som CSV. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is not a recording: it is an old office document; save the sheet as CSV. Readable are: %2.</source>
+        <translation>%1 är ingen registrering: det är ett kontorsdokument i äldre format; spara kalkylbladet som CSV. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is not a recording: it is a PNG picture. Readable are: %2.</source>
+        <translation>%1 är ingen registrering: det är en PNG-bild. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is not a recording: it is a JPEG picture. Readable are: %2.</source>
+        <translation>%1 är ingen registrering: det är en JPEG-bild. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is not a recording: it is a GIF picture. Readable are: %2.</source>
+        <translation>%1 är ingen registrering: det är en GIF-bild. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is a compressed file (gzip); unpack it first. Readable are: %2.</source>
+        <translation>%1 är en komprimerad fil (gzip); packa upp den först. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is a 7-Zip archive; unpack it first. Readable are: %2.</source>
+        <translation>%1 är ett 7-Zip-arkiv; packa upp det först. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is a LabVIEW TDMS file, which this version does not read; export it as LVM or CSV. Readable are: %2.</source>
+        <translation>%1 är en LabVIEW TDMS-fil, som denna version inte läser; exportera den som LVM eller CSV. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is only the index of a LabVIEW TDMS file and holds no samples. Readable are: %2.</source>
+        <translation>%1 är bara indexet till en LabVIEW TDMS-fil och innehåller inga sampel. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is a MATLAB file, which this version does not read; write the samples as CSV or HDF5 capture. Readable are: %2.</source>
+        <translation>%1 är en MATLAB-fil, som denna version inte läser; skriv samplen som CSV eller HDF5-registrering. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is a WAV or other RIFF file, which this version does not read. Readable are: %2.</source>
+        <translation>%1 är en WAV-fil eller annan RIFF-fil, som denna version inte läser. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is not a recording: it is a program. Readable are: %2.</source>
+        <translation>%1 är ingen registrering: det är ett program. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is empty; copy it again or record anew. Readable are: %2.</source>
+        <translation>%1 är tom; kopiera den igen eller gör om registreringen. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is not a recording: it is a text without rows of numbers. Readable are: %2.</source>
+        <translation>%1 är ingen registrering: det är en text utan rader med tal. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is not a recording that can be read: it is a binary file of unknown kind. Readable are: %2.</source>
+        <translation>%1 är ingen läsbar registrering: det är en binärfil av okänt slag. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 does not exist; check the name and the folder.</source>
+        <translation>%1 finns inte; kontrollera namnet och mappen.</translation>
+    </message>
+    <message>
+        <source>%1 is a folder or a device, not a file; name a file. Readable are: %2.</source>
+        <translation>%1 är en mapp eller en enhet, inte en fil; ange en fil. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened; check that you may read it and that no other program holds it.</source>
+        <translation>%1 kan inte öppnas; kontrollera att du har läsbehörighet och att inget annat program håller filen.</translation>
+    </message>
+    <message>
+        <source>There is no import format &quot;%1&quot;; choose one of %2.</source>
+        <translation>Det finns inget importformat &quot;%1&quot;; välj ett av %2.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be listed; check that you may read it.</source>
+        <translation>Mappen %1 kan inte listas; kontrollera att du har läsbehörighet.</translation>
+    </message>
+    <message>
+        <source>A file of the folder was left out. %1</source>
+        <translation>En fil i mappen utelämnades. %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2 hold identical data; a shot counted twice makes the scatter look smaller than it is. Take one of them out.</source>
+        <translation>%1 och %2 innehåller identiska data; ett skott som räknas två gånger får spridningen att se mindre ut än den är. Ta bort ett av dem.</translation>
+    </message>
+    <message>
+        <source>%1 of the inputs cannot be read:%2</source>
+        <translation>%1 av indatafilerna kan inte läsas:%2</translation>
+    </message>
+    <message>
+        <source>No recording was found in the inputs; readable are: %1.%2</source>
+        <translation>Ingen registrering hittades bland indata; läsbara format: %1.%2</translation>
+    </message>
+    <message>
+        <source>%1 is an HDF5 file but no capture: its root lacks the attribute format = &quot;dyncal-capture&quot;. Export the recording as LVM or CSV, or write it in the capture layout.</source>
+        <translation>%1 är en HDF5-fil men ingen registrering: dess rot saknar attributet format = &quot;dyncal-capture&quot;. Exportera registreringen som LVM eller CSV, eller skriv den i registreringsformatet.</translation>
+    </message>
+    <message>
+        <source>%1 has capture layout version %2; this program reads version 1. Use a newer version of the program.</source>
+        <translation>%1 har version %2 av registreringsformatet; detta program läser version 1. Använd en nyare version av programmet.</translation>
+    </message>
+    <message>
+        <source>%1 was written by a newer version (capture layout 1.%2); what this version does not know was left out.</source>
+        <translation>%1 skrevs av en nyare version (registreringsformat 1.%2); det som denna version inte känner till utelämnades.</translation>
+    </message>
+    <message>
+        <source>%1 holds no shots; a capture has at least one group in /shots.</source>
+        <translation>%1 innehåller inga skott; en registrering har minst en grupp i /shots.</translation>
+    </message>
+    <message>
+        <source>%1: shot %2 cannot be opened; the file is damaged, or its shots lie in other files.</source>
+        <translation>%1: skott %2 kan inte öppnas; filen är skadad eller så ligger dess skott i andra filer.</translation>
+    </message>
+    <message>
+        <source>%1: shot %2 has no channels of its own; a shot holds its samples in its group channels.</source>
+        <translation>%1: skott %2 har inga egna kanaler; ett skott har sina sampel i sin grupp channels.</translation>
+    </message>
+    <message>
+        <source>%1: channel %2 is no dataset of samples.</source>
+        <translation>%1: kanal %2 är ingen datamängd med sampel.</translation>
+    </message>
+    <message>
+        <source>%1: scale, offset or poly of channel %2 is not a number; without it the counts have no unit.</source>
+        <translation>%1: scale, offset eller poly för kanal %2 är inte ett tal; utan det saknar avläsningarna enhet.</translation>
+    </message>
+    <message>
+        <source>%1: the samples of channel %2 are not those that were recorded (their SHA-256 differs from the one in the file); take an unchanged copy.</source>
+        <translation>%1: samplen i kanal %2 är inte de som registrerades (deras SHA-256 skiljer sig från den i filen); ta en oförändrad kopia.</translation>
+    </message>
+    <message>
+        <source>%1: the samples of channel %2 are stored in a type for which the SHA-256 in the file was not checked.</source>
+        <translation>%1: samplen i kanal %2 är lagrade i en typ för vilken SHA-256 i filen inte kontrollerades.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened as HDF5: it is incomplete, damaged or in use by another program; copy it again or close the other program.</source>
+        <translation>%1 kan inte öppnas som HDF5: filen är ofullständig, skadad eller används av ett annat program; kopiera den igen eller stäng det andra programmet.</translation>
+    </message>
+    <message>
+        <source>Reading %1 was cancelled.</source>
+        <translation>Läsningen av %1 avbröts.</translation>
+    </message>
+    <message>
+        <source>%1 was not read because the system could not start a helper process; close other programs.</source>
+        <translation>%1 lästes inte eftersom systemet inte kunde starta en hjälpprocess; stäng andra program.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged so badly that the HDF5 library fails on it; take another copy.</source>
+        <translation>%1 är så svårt skadad att HDF5-biblioteket inte klarar den; ta en annan kopia.</translation>
+    </message>
+    <message>
+        <source>%1 is not a regular file; give the name of a capture file.</source>
+        <translation>%1 är ingen vanlig fil; ange namnet på en registreringsfil.</translation>
+    </message>
+    <message>
+        <source>Cannot create %1; check that the folder exists and may be written to.</source>
+        <translation>%1 kan inte skapas; kontrollera att mappen finns och är skrivbar.</translation>
+    </message>
+    <message>
+        <source>Writing %1 was cancelled; nothing was left behind.</source>
+        <translation>Skrivningen av %1 avbröts; inget lämnades kvar.</translation>
+    </message>
+    <message>
+        <source>%1 could not be written completely and was not created; check the space on the disk.</source>
+        <translation>%1 kunde inte skrivas i sin helhet och skapades inte; kontrollera diskutrymmet.</translation>
+    </message>
+    <message>
+        <source>%1: channel %2 is no list of numbers; a channel is a one-dimensional dataset of integers or floating point numbers.</source>
+        <translation>%1: kanal %2 är ingen lista med tal; en kanal är en endimensionell datamängd av heltal eller flyttal.</translation>
+    </message>
+    <message>
+        <source>%1: channel %2 claims more samples than the file holds; the copy is incomplete or damaged, copy it again.</source>
+        <translation>%1: kanal %2 uppger fler sampel än filen innehåller; kopian är ofullständig eller skadad, kopiera den igen.</translation>
+    </message>
+    <message>
+        <source>%1: channel %2 is compressed with HDF5 filter %3, which is not installed here; save the file with deflate or without compression.</source>
+        <translation>%1: kanal %2 är komprimerad med HDF5-filter %3, som inte är installerat här; spara filen med deflate eller utan komprimering.</translation>
+    </message>
+    <message>
+        <source>%1: channel %2 is compressed in chunks of more than 64 MiB; save the file with smaller chunks or without compression.</source>
+        <translation>%1: kanal %2 är komprimerad i block på mer än 64 MiB; spara filen med mindre block eller utan komprimering.</translation>
+    </message>
+    <message>
+        <source>Recipe import.channels names a channel &apos;%1&apos; that no shot has; the channels are %2.</source>
+        <translation>Receptets import.channels anger en kanal &apos;%1&apos; som inget skott har; kanalerna är %2.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel &apos;%2&apos;: the file states no sample rate and has no time column; give import.sample_rate_hz in the recipe.</source>
+        <translation>Skott %1, kanal &apos;%2&apos;: filen anger ingen samplingsfrekvens och har ingen tidskolumn; ange import.sample_rate_hz i receptet.</translation>
+    </message>
+    <message>
+        <source>The recipe&apos;s sample rate of %1 replaces what the files state.</source>
+        <translation>Receptets samplingsfrekvens %1 ersätter den som filerna anger.</translation>
+    </message>
+    <message>
+        <source>Shot %1, %2: %3 invalid samples were interpolated.</source>
+        <translation>Skott %1, %2: %3 ogiltiga sampel interpolerades.</translation>
+    </message>
+    <message>
+        <source>Recipe import.levels has %1 entries for %2 shots; give one for each shot.</source>
+        <translation>Receptets import.levels har %1 poster för %2 skott; ange en för varje skott.</translation>
+    </message>
+    <message>
+        <source>Recipe import.exclude names shot %1; the shots are 1 to %2.</source>
+        <translation>Receptets import.exclude anger skott %1; skotten är 1 till %2.</translation>
+    </message>
+    <message>
+        <source>All %1 shots are excluded; include at least one to calibrate.</source>
+        <translation>Alla %1 skott är uteslutna; ta med minst ett för att kalibrera.</translation>
+    </message>
+    <message>
+        <source>Certificate of dynamic calibration</source>
+        <translation>Bevis över dynamisk kalibrering</translation>
+    </message>
+    <message>
+        <source>low</source>
+        <translation>låg</translation>
+    </message>
+    <message>
+        <source>medium</source>
+        <translation>medel</translation>
+    </message>
+    <message>
+        <source>high</source>
+        <translation>hög</translation>
+    </message>
+    <message>
+        <source>to be filled in</source>
+        <translation>ska fyllas i</translation>
+    </message>
+    <message>
+        <source>Laboratory and customer</source>
+        <translation>Laboratorium och kund</translation>
+    </message>
+    <message>
+        <source>Certificate number</source>
+        <translation>Kalibreringsbevisets nummer</translation>
+    </message>
+    <message>
+        <source>Laboratory</source>
+        <translation>Laboratorium</translation>
+    </message>
+    <message>
+        <source>Address of the laboratory</source>
+        <translation>Laboratoriets adress</translation>
+    </message>
+    <message>
+        <source>Place of calibration</source>
+        <translation>Kalibreringsplats</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Kund</translation>
+    </message>
+    <message>
+        <source>Address of the customer</source>
+        <translation>Kundens adress</translation>
+    </message>
+    <message>
+        <source>Date of receipt</source>
+        <translation>Mottagningsdatum</translation>
+    </message>
+    <message>
+        <source>Date of calibration</source>
+        <translation>Kalibreringsdatum</translation>
+    </message>
+    <message>
+        <source>Date of issue</source>
+        <translation>Utfärdandedatum</translation>
+    </message>
+    <message>
+        <source>Calibrated by</source>
+        <translation>Kalibrerat av</translation>
+    </message>
+    <message>
+        <source>Approved by</source>
+        <translation>Godkänt av</translation>
+    </message>
+    <message>
+        <source>not yet approved</source>
+        <translation>ännu inte godkänt</translation>
+    </message>
+    <message>
+        <source>Item calibrated</source>
+        <translation>Kalibrerat objekt</translation>
+    </message>
+    <message>
+        <source>Manufacturer</source>
+        <translation>Tillverkare</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Serienummer</translation>
+    </message>
+    <message>
+        <source>Description and condition</source>
+        <translation>Beskrivning och skick</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Anmärkningar</translation>
+    </message>
+    <message>
+        <source>Shot %1 was excluded. Reason: %2.</source>
+        <translation>Skott %1 uteslöts. Skäl: %2.</translation>
+    </message>
+    <message>
+        <source>Findings on the quality of the data</source>
+        <translation>Iakttagelser om datakvaliteten</translation>
+    </message>
+    <message>
+        <source>Finding</source>
+        <translation>Iakttagelse</translation>
+    </message>
+    <message>
+        <source>Shot</source>
+        <translation>Skott</translation>
+    </message>
+    <message>
+        <source>Severity</source>
+        <translation>Allvarlighetsgrad</translation>
+    </message>
+    <message>
+        <source>What was found</source>
+        <translation>Vad som iakttogs</translation>
+    </message>
+    <message>
+        <source>Accepted because</source>
+        <translation>Godtas eftersom</translation>
+    </message>
+    <message>
+        <source>blocking</source>
+        <translation>blockerande</translation>
+    </message>
+    <message>
+        <source>caution</source>
+        <translation>varning</translation>
+    </message>
+    <message>
+        <source>The automatic checks of the data raised no caution.</source>
+        <translation>De automatiska kontrollerna av data gav ingen varning.</translation>
+    </message>
+    <message>
+        <source>Records and software</source>
+        <translation>Registreringar och programvara</translation>
+    </message>
+    <message>
+        <source>Software</source>
+        <translation>Programvara</translation>
+    </message>
+    <message>
+        <source>Dyncal %1, build %2</source>
+        <translation>Dyncal %1, bygge %2</translation>
+    </message>
+    <message>
+        <source>Computed</source>
+        <translation>Beräknat</translation>
+    </message>
+    <message>
+        <source>Recordings evaluated</source>
+        <translation>Utvärderade registreringar</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>SHA-256 of the file</source>
+        <translation>Filens SHA-256</translation>
+    </message>
+    <message>
+        <source>Statements</source>
+        <translation>Utlåtanden</translation>
+    </message>
+    <message>
+        <source>The results relate only to the item calibrated.</source>
+        <translation>Resultaten avser endast det kalibrerade objektet.</translation>
+    </message>
+    <message>
+        <source>This document shall not be reproduced except in full without the written approval of the laboratory.</source>
+        <translation>Detta dokument får inte återges annat än i sin helhet utan laboratoriets skriftliga godkännande.</translation>
+    </message>
+    <message>
+        <source>No statement of conformity is made.</source>
+        <translation>Inget utlåtande om överensstämmelse görs.</translation>
+    </message>
+    <message>
+        <source>The software does not know how the measuring equipment is traceable; this draft makes no statement of metrological traceability.</source>
+        <translation>Programvaran vet inte hur mätutrustningen är spårbar; detta utkast gör inget utlåtande om metrologisk spårbarhet.</translation>
+    </message>
+    <message>
+        <source>Response to a pressure step; the pole of the step is removed before the realisation, so that the model describes the sensor alone.</source>
+        <translation>Svar på ett trycksteg; stegets pol avlägsnas före realiseringen, så att modellen beskriver enbart givaren.</translation>
+    </message>
+    <message>
+        <source>Response to a pressure step, realised as if it were an impulse response; the model contains the pole of the step.</source>
+        <translation>Svar på ett trycksteg, realiserat som om det vore ett impulssvar; modellen innehåller stegets pol.</translation>
+    </message>
+    <message>
+        <source>First difference of the response to a pressure step, realised as an impulse response.</source>
+        <translation>Första differensen av svaret på ett trycksteg, realiserad som ett impulssvar.</translation>
+    </message>
+    <message>
+        <source>Free decay, realised as an impulse response.</source>
+        <translation>Fri utsvängning, realiserad som ett impulssvar.</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Metod</translation>
+    </message>
+    <message>
+        <source>not determined (not recorded)</source>
+        <translation>inte bestämt (inte registrerat)</translation>
+    </message>
+    <message>
+        <source>not determined</source>
+        <translation>inte bestämt</translation>
+    </message>
+    <message>
+        <source>stated</source>
+        <translation>angivet</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>beräknat</translation>
+    </message>
+    <message>
+        <source>The sensitivity S(f) is the complex ratio of the item&apos;s output to the change of pressure at the sensor&apos;s face in the end-wall plane of a shock tube; phase of output over input, lag negative, relative to the sensor&apos;s own onset.</source>
+        <translation>Känsligheten S(f) är det komplexa förhållandet mellan objektets utsignal och tryckändringen vid givarens yta i stötrörets ändväggsplan; fas för utsignal relativt insignal, eftersläpning negativ, räknat från givarens egen start.</translation>
+    </message>
+    <message>
+        <source>Shots combined</source>
+        <translation>Sammanvägning av skotten</translation>
+    </message>
+    <message>
+        <source>stacked, each with its own amplitude (%1 series)</source>
+        <translation>staplade, vart och ett med egen amplitud (%1 serier)</translation>
+    </message>
+    <message>
+        <source>average of the reconstructions from principal components</source>
+        <translation>medelvärde av rekonstruktionerna ur principalkomponenter</translation>
+    </message>
+    <message>
+        <source>Sample rate of the model</source>
+        <translation>Modellens samplingsfrekvens</translation>
+    </message>
+    <message>
+        <source>Samples per series</source>
+        <translation>Sampel per serie</translation>
+    </message>
+    <message>
+        <source>Start of the model input after the onset</source>
+        <translation>Modellindatas start efter svarets start</translation>
+    </message>
+    <message>
+        <source>Conditions</source>
+        <translation>Förhållanden</translation>
+    </message>
+    <message>
+        <source>Ambient temperature</source>
+        <translation>Omgivningstemperatur</translation>
+    </message>
+    <message>
+        <source>Ambient pressure</source>
+        <translation>Omgivningstryck</translation>
+    </message>
+    <message>
+        <source>Relative humidity (ratio)</source>
+        <translation>Relativ fuktighet (kvot)</translation>
+    </message>
+    <message>
+        <source>Pressure steps</source>
+        <translation>Trycksteg</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Nivå</translation>
+    </message>
+    <message>
+        <source>Initial pressure</source>
+        <translation>Begynnelsetryck</translation>
+    </message>
+    <message>
+        <source>Initial temperature</source>
+        <translation>Begynnelsetemperatur</translation>
+    </message>
+    <message>
+        <source>Shock velocity</source>
+        <translation>Chockvågens hastighet</translation>
+    </message>
+    <message>
+        <source>Mach number</source>
+        <translation>Machtal</translation>
+    </message>
+    <message>
+        <source>Pressure step</source>
+        <translation>Trycksteg</translation>
+    </message>
+    <message>
+        <source>Step is</source>
+        <translation>Steget är</translation>
+    </message>
+    <message>
+        <source>Plateau</source>
+        <translation>Platå</translation>
+    </message>
+    <message>
+        <source>The pressure step is not determined for every shot: neither a step nor a shock velocity with initial pressure and temperature was given. A sensitivity in the unit of pressure cannot be stated for those shots.</source>
+        <translation>Trycksteget är inte bestämt för varje skott: varken ett steg eller en chockvågshastighet med begynnelsetryck och begynnelsetemperatur har angivits. För dessa skott kan ingen känslighet i tryckenhet anges.</translation>
+    </message>
+    <message>
+        <source>not determined (no model)</source>
+        <translation>inte bestämt (ingen modell)</translation>
+    </message>
+    <message>
+        <source>not determined (outside the range of the model)</source>
+        <translation>inte bestämt (utanför modellens område)</translation>
+    </message>
+    <message>
+        <source>Sensitivity at the plateau, mean of the shots</source>
+        <translation>Känslighet på platån, medelvärde över skotten</translation>
+    </message>
+    <message>
+        <source>not determined (no pressure step)</source>
+        <translation>inte bestämt (inget trycksteg)</translation>
+    </message>
+    <message>
+        <source>not determined (the model does not oscillate)</source>
+        <translation>inte bestämt (modellen svänger inte)</translation>
+    </message>
+    <message>
+        <source>Undamped natural frequency</source>
+        <translation>Odämpad egenfrekvens</translation>
+    </message>
+    <message>
+        <source>Damping ratio</source>
+        <translation>Relativ dämpning</translation>
+    </message>
+    <message>
+        <source>Rise time, 10 % to 90 %</source>
+        <translation>Stigtid, 10 % till 90 %</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Översväng</translation>
+    </message>
+    <message>
+        <source>Settling time, within 5 %</source>
+        <translation>Insvängningstid, inom 5 %</translation>
+    </message>
+    <message>
+        <source>Magnitude within 5 % up to</source>
+        <translation>Belopp inom 5 % upp till</translation>
+    </message>
+    <message>
+        <source>Magnitude within 10 % up to</source>
+        <translation>Belopp inom 10 % upp till</translation>
+    </message>
+    <message>
+        <source>Magnitude above -3 dB up to</source>
+        <translation>Belopp över -3 dB upp till</translation>
+    </message>
+    <message>
+        <source>sensor</source>
+        <translation>givare</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>steg</translation>
+    </message>
+    <message>
+        <source>Nyquist</source>
+        <translation>Nyquist</translation>
+    </message>
+    <message>
+        <source>unstable</source>
+        <translation>instabil</translation>
+    </message>
+    <message>
+        <source>other</source>
+        <translation>övrig</translation>
+    </message>
+    <message>
+        <source>Poles of the model (a conjugate pair is one line)</source>
+        <translation>Modellens poler (ett konjugerat par är en rad)</translation>
+    </message>
+    <message>
+        <source>Class</source>
+        <translation>Klass</translation>
+    </message>
+    <message>
+        <source>z-plane</source>
+        <translation>z-planet</translation>
+    </message>
+    <message>
+        <source>Undamped frequency</source>
+        <translation>Odämpad frekvens</translation>
+    </message>
+    <message>
+        <source>U (k = 2)</source>
+        <translation>U (k = 2)</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitud</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Resultat</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes. A complete uncertainty budget was not evaluated; where no uncertainty stands beside a value, none was determined. Rise time, overshoot, settling time and band edges are those of the model.</source>
+        <translation>Osäkerheter märkta U är utvidgade mätosäkerheter med täckningsfaktorn k = 2 och innehåller endast bidraget från registreringarnas brus. Någon fullständig osäkerhetsbudget har inte utvärderats; där ingen osäkerhet står bredvid ett värde har ingen bestämts. Stigtid, översväng, insvängningstid och bandgränser är modellens.</translation>
+    </message>
+    <message>
+        <source>Shots</source>
+        <translation>Skott</translation>
+    </message>
+    <message>
+        <source>No shot could be evaluated; see the remarks.</source>
+        <translation>Inget skott kunde utvärderas; se anmärkningarna.</translation>
+    </message>
+    <message>
+        <source>Measured responses, shot by shot</source>
+        <translation>Uppmätta svar, skott för skott</translation>
+    </message>
+    <message>
+        <source>Sample rate</source>
+        <translation>Samplingsfrekvens</translation>
+    </message>
+    <message>
+        <source>Output step</source>
+        <translation>Utsignalens steg</translation>
+    </message>
+    <message>
+        <source>Signal to noise</source>
+        <translation>Signalbrusförhållande</translation>
+    </message>
+    <message>
+        <source>Rise time</source>
+        <translation>Stigtid</translation>
+    </message>
+    <message>
+        <source>Settling time</source>
+        <translation>Insvängningstid</translation>
+    </message>
+    <message>
+        <source>Sensitivity</source>
+        <translation>Känslighet</translation>
+    </message>
+    <message>
+        <source>Signal to noise is the output step over the standard deviation of the noise before it. Rise time 10 % to 90 %; settling to within 5 % of the step.</source>
+        <translation>Signalbrusförhållandet är utsignalens steg dividerat med standardavvikelsen för bruset före steget. Stigtid 10 % till 90 %; insvängning till inom 5 % av steget.</translation>
+    </message>
+    <message>
+        <source>Model of the sensor</source>
+        <translation>Modell av givaren</translation>
+    </message>
+    <message>
+        <source>No model could be determined; see the remarks.</source>
+        <translation>Ingen modell kunde bestämmas; se anmärkningarna.</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordning</translation>
+    </message>
+    <message>
+        <source>%1 (as suggested from the data)</source>
+        <translation>%1 (enligt förslaget ur data)</translation>
+    </message>
+    <message>
+        <source>%1 (chosen by the operator)</source>
+        <translation>%1 (vald av operatören)</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassning</translation>
+    </message>
+    <message>
+        <source>%1 % of %2 % attainable with this noise</source>
+        <translation>%1 % av %2 % uppnåeliga med detta brus</translation>
+    </message>
+    <message>
+        <source>Fit as in the listing (lagged)</source>
+        <translation>Anpassning som i programlistningen (fördröjd)</translation>
+    </message>
+    <message>
+        <source>The model has a pole outside the unit circle: its simulation diverges.</source>
+        <translation>Modellen har en pol utanför enhetscirkeln: dess simulering divergerar.</translation>
+    </message>
+    <message>
+        <source>Frequency response</source>
+        <translation>Frekvenssvar</translation>
+    </message>
+    <message>
+        <source>The frequency response could not be determined.</source>
+        <translation>Frekvenssvaret kunde inte bestämmas.</translation>
+    </message>
+    <message>
+        <source>Lower frequency limit</source>
+        <translation>Undre frekvensgräns</translation>
+    </message>
+    <message>
+        <source>Upper frequency limit</source>
+        <translation>Övre frekvensgräns</translation>
+    </message>
+    <message>
+        <source>Sensitivity over frequency: from the responses without a model, and from the model</source>
+        <translation>Känslighet över frekvens: ur svaren utan modell och ur modellen</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frekvens</translation>
+    </message>
+    <message>
+        <source>Magnitude</source>
+        <translation>Belopp</translation>
+    </message>
+    <message>
+        <source>Phase</source>
+        <translation>Fas</translation>
+    </message>
+    <message>
+        <source>Model, magnitude</source>
+        <translation>Modell, belopp</translation>
+    </message>
+    <message>
+        <source>Model, phase</source>
+        <translation>Modell, fas</translation>
+    </message>
+    <message>
+        <source>The lower limit follows from the length of the window, the upper one from the noise. A dash means that the value was not determined.</source>
+        <translation>Den undre gränsen följer av fönstrets längd, den övre av bruset. Ett streck betyder att värdet inte bestämdes.</translation>
+    </message>
+    <message>
+        <source>Without a pressure step the magnitude is relative to the output step.</source>
+        <translation>Utan trycksteg är beloppet relativt utsignalens steg.</translation>
+    </message>
+    <message>
+        <source>Figures</source>
+        <translation>Figurer</translation>
+    </message>
+    <message>
+        <source>Singular values of the Hankel matrix</source>
+        <translation>Hankelmatrisens singulärvärden</translation>
+    </message>
+    <message>
+        <source>Responses and model</source>
+        <translation>Svar och modell</translation>
+    </message>
+    <message>
+        <source>Responses minus model</source>
+        <translation>Svar minus modell</translation>
+    </message>
+    <message>
+        <source>Frequency response, magnitude</source>
+        <translation>Frekvenssvar, belopp</translation>
+    </message>
+    <message>
+        <source>Frequency response, phase</source>
+        <translation>Frekvenssvar, fas</translation>
+    </message>
+    <message>
+        <source>Power spectra of the responses</source>
+        <translation>Svarens effektspektra</translation>
+    </message>
+    <message>
+        <source>Poles and zeros of the model in the z-plane</source>
+        <translation>Modellens poler och nollställen i z-planet</translation>
+    </message>
+    <message>
+        <source>Shot %1 was sampled at %2 and another one at %3, which is not a whole ratio; exclude one of them.</source>
+        <translation>Skott %1 samplades med %2 och ett annat med %3, vilket inte är ett heltalsförhållande; uteslut ett av dem.</translation>
+    </message>
+    <message>
+        <source>Shots of a higher sample rate were reduced to %1 for the principal components, through an anti-alias filter.</source>
+        <translation>Skott med högre samplingsfrekvens reducerades till %1 för principalkomponenterna, genom ett antivikningsfilter.</translation>
+    </message>
+    <message>
+        <source>One shot: PCA is skipped, repeatability cannot be evaluated.</source>
+        <translation>Ett skott: PCA hoppas över, repeterbarheten kan inte utvärderas.</translation>
+    </message>
+    <message>
+        <source>The first principal component explains %1 % (limit %2 %). Shot %3 carries %4 % of the remainder.</source>
+        <translation>Den första principalkomponenten förklarar %1 % (gräns %2 %). Skott %3 står för %4 % av återstoden.</translation>
+    </message>
+    <message>
+        <source>Stopped on request.</source>
+        <translation>Stoppat på begäran.</translation>
+    </message>
+    <message>
+        <source>No shot is included.</source>
+        <translation>Inget skott är medtaget.</translation>
+    </message>
+    <message>
+        <source>The settings of the principal components make no sense: components %1 and residual lags %2 must be at least 1, the confidence %3 between 0 and 1.</source>
+        <translation>Inställningarna för principalkomponenterna är orimliga: antalet komponenter %1 och antalet tidsförskjutningar %2 måste vara minst 1, konfidensgraden %3 mellan 0 och 1.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the residual is not white, %2 % of the lags lie outside the confidence band.</source>
+        <translation>Skott %1: residualen är inte vit, %2 % av tidsförskjutningarna ligger utanför konfidensbandet.</translation>
+    </message>
+    <message>
+        <source>Shot %1 holds %2 % of the energy of all residuals; look at it before using the average.</source>
+        <translation>Skott %1 innehåller %2 % av alla residualers energi; granska det innan medelvärdet används.</translation>
+    </message>
+    <message>
+        <source>At %1 the response taken from the data directly differs by %2 % from the model, more than noise allows: the model misses something there.</source>
+        <translation>Vid %1 skiljer sig det svar som tagits direkt ur data %2 % från modellen, mer än bruset tillåter: modellen missar något där.</translation>
+    </message>
+    <message>
+        <source>Not enough memory for this calibration; shorten the window or the model input.</source>
+        <translation>Minnet räcker inte för denna kalibrering; förkorta fönstret eller modellindata.</translation>
+    </message>
+    <message>
+        <source>Internal error: %1. Please report it with the recipe.</source>
+        <translation>Internt fel: %1. Rapportera det tillsammans med receptet.</translation>
+    </message>
+    <message>
+        <source>Recipe key %1 is %2; it needs %3.</source>
+        <translation>Receptnyckeln %1 är %2; den ska vara %3.</translation>
+    </message>
+    <message>
+        <source>Recipe key %1 is unknown; the nearest known key is %2.</source>
+        <translation>Receptnyckeln %1 är okänd; närmaste kända nyckel är %2.</translation>
+    </message>
+    <message>
+        <source>Recipe key realization.order is %1; it needs at most realization.max_order, which is %2.</source>
+        <translation>Receptnyckeln realization.order är %1; den får vara högst realization.max_order, som är %2.</translation>
+    </message>
+    <message>
+        <source>The recipe %1 cannot be read: %2.</source>
+        <translation>Receptet %1 kan inte läsas: %2.</translation>
+    </message>
+    <message>
+        <source>%1 holds the key &quot;%2&quot; twice; remove one of them.</source>
+        <translation>%1 innehåller nyckeln &quot;%2&quot; två gånger; ta bort en av dem.</translation>
+    </message>
+    <message>
+        <source>%1 is not valid JSON: line %2, column %3, near %4; correct it there.</source>
+        <translation>%1 är inte giltig JSON: rad %2, kolumn %3, nära %4; rätta det där.</translation>
+    </message>
+    <message>
+        <source>%1 is nested deeper than the %2 levels that any recipe needs; check that it is the right file.</source>
+        <translation>%1 är nästlad djupare än de %2 nivåer som något recept behöver; kontrollera att det är rätt fil.</translation>
+    </message>
+    <message>
+        <source>Hankel matrix: %1 rows do not fit a model input of %2 samples; choose 2 to %3.</source>
+        <translation>Hankelmatris: %1 rader passar inte modellindata med %2 sampel; välj 2 till %3.</translation>
+    </message>
+    <message>
+        <source>Hankel decomposition: %1 of %2 singular values converged; shorten the model input or ask for fewer.</source>
+        <translation>Hankelmatrisens uppdelning: %1 av %2 singulärvärden konvergerade; förkorta modellindata eller begär färre.</translation>
+    </message>
+    <message>
+        <source>Order %1 splits an oscillating pair (singular values %1 and %2 are %3 and %4). Order %2 keeps it.</source>
+        <translation>Ordning %1 delar ett svängande par (singulärvärde %1 och %2 är %3 och %4). Ordning %2 behåller det.</translation>
+    </message>
+    <message>
+        <source>States above %1 lie at the noise level.</source>
+        <translation>Tillstånd över %1 ligger på brusnivån.</translation>
+    </message>
+    <message>
+        <source>The model of order %1 is unstable: a pole of magnitude %2 at %3. It is not reportable; choose another order.</source>
+        <translation>Modellen av ordning %1 är instabil: en pol med beloppet %2 vid %3. Den kan inte redovisas; välj en annan ordning.</translation>
+    </message>
+    <message>
+        <source>A pole lies at z = %1: dynamics at the Nyquist frequency come from sampling, not from the sensor.</source>
+        <translation>En pol ligger vid z = %1: dynamik vid Nyquistfrekvensen kommer från samplingen, inte från givaren.</translation>
+    </message>
+    <message>
+        <source>The pole at z = %1 is the step itself.</source>
+        <translation>Polen vid z = %1 är själva steget.</translation>
+    </message>
+    <message>
+        <source>%1 poles are nearly cancelled by zeros: a lower order may do.</source>
+        <translation>%1 poler tas nästan ut av nollställen: en lägre ordning kan räcka.</translation>
+    </message>
+    <message>
+        <source>FIT is %1 % of an attainable %2 %: the model misses part of the response.</source>
+        <translation>FIT är %1 % av uppnåeliga %2 %: modellen missar en del av svaret.</translation>
+    </message>
+    <message>
+        <source>FIT %1 % is above the %2 % that the noise allows: order %3 also fits noise.</source>
+        <translation>FIT %1 % ligger över de %2 % som bruset tillåter: ordning %3 anpassar även brus.</translation>
+    </message>
+    <message>
+        <source>The spectrum&apos;s resonance at %1 is not in the model, whose nearest lies at %2.</source>
+        <translation>Spektrumets resonans vid %1 finns inte i modellen, vars närmaste ligger vid %2.</translation>
+    </message>
+    <message>
+        <source>The spectrum&apos;s resonance at %1 is not in the model, which has none.</source>
+        <translation>Spektrumets resonans vid %1 finns inte i modellen, som inte har någon.</translation>
+    </message>
+    <message>
+        <source>The model starts at %1 % of the step instead of 0: a fast part of the response is missing; raise the model rate or the order.</source>
+        <translation>Modellen börjar vid %1 % av steget i stället för vid 0: en snabb del av svaret saknas; höj modellens samplingsfrekvens eller ordning.</translation>
+    </message>
+    <message>
+        <source>Model input: shot %1 is recorded at %2, which is no whole multiple of the model rate %3; choose %2 divided by a whole number.</source>
+        <translation>Modellindata: skott %1 är registrerat med %2, som inte är en heltalsmultipel av modellens samplingsfrekvens %3; välj %2 dividerat med ett heltal.</translation>
+    </message>
+    <message>
+        <source>Model input: shot %1 offers %2 samples before its window ends, %3 are asked for; lengthen the window or ask for fewer samples.</source>
+        <translation>Modellindata: skott %1 har %2 sampel innan dess fönster slutar, %3 begärs; förläng fönstret eller begär färre sampel.</translation>
+    </message>
+    <message>
+        <source>Model input: shot %1 has %2 samples before the input starts, the anti-alias filter needs %3; start later or raise the model rate.</source>
+        <translation>Modellindata: skott %1 har %2 sampel före indatas början, antivikningsfiltret behöver %3; börja senare eller höj modellens samplingsfrekvens.</translation>
+    </message>
+    <message>
+        <source>The step is treated as an impulse response (thesis method): one extra order models the step itself.</source>
+        <translation>Steget behandlas som ett impulssvar (examensarbetets metod): en extra ordning modellerar själva steget.</translation>
+    </message>
+    <message>
+        <source>Order %1 has the smallest BIC on the pre-whitened response: order %2 is %3 higher, order %4 is %5 higher.</source>
+        <translation>Ordning %1 har det minsta BIC på det förvitade svaret: ordning %2 ligger %3 högre, ordning %4 ligger %5 högre.</translation>
+    </message>
+    <message>
+        <source>Order %1 has the smallest BIC on the pre-whitened response among orders 1 to %2.</source>
+        <translation>Ordning %1 har det minsta BIC på det förvitade svaret bland ordningarna 1 till %2.</translation>
+    </message>
+    <message>
+        <source>Model input: a rate of %1 cannot represent the resonance at %2, which would appear at %3; choose more than %4.</source>
+        <translation>Modellindata: samplingsfrekvensen %1 kan inte återge resonansen vid %2, som skulle uppträda vid %3; välj mer än %4.</translation>
+    </message>
+    <message>
+        <source>%1 samples per period of the resonance; damping will be uncertain, 4 or more are better.</source>
+        <translation>%1 sampel per period av resonansen; dämpningen blir osäker, 4 eller fler är bättre.</translation>
+    </message>
+    <message>
+        <source>%1 samples per period of the resonance.</source>
+        <translation>%1 sampel per period av resonansen.</translation>
+    </message>
+    <message>
+        <source>The model input starts %1 behind the onset, inside the anti-alias filter; %2 is needed, or damping and order come out wrong.</source>
+        <translation>Modellindata börjar %1 efter svarets start, inom antivikningsfiltret; %2 behövs, annars blir dämpning och ordning fel.</translation>
+    </message>
+    <message>
+        <source>Model order %1 is not possible: the Hankel matrix of %2 rows serves orders 1 to %3; choose one of them, or a longer model input.</source>
+        <translation>Modellordning %1 är inte möjlig: Hankelmatrisen med %2 rader räcker till ordning 1 till %3; välj en av dem eller längre modellindata.</translation>
+    </message>
+    <message>
+        <source>The pressure step is not determined: the pressure p1 in the driven section is not recorded; enter p1 or the step itself.</source>
+        <translation>Trycksteget är inte bestämt: trycket p1 i lågtrycksdelen är inte registrerat; ange p1 eller själva steget.</translation>
+    </message>
+    <message>
+        <source>The pressure step is not determined: the temperature T1 in the driven section is not recorded; enter T1 or the step itself.</source>
+        <translation>Trycksteget är inte bestämt: temperaturen T1 i lågtrycksdelen är inte registrerad; ange T1 eller själva steget.</translation>
+    </message>
+    <message>
+        <source>The distance alone makes the velocity uncertain by %1 %, which gives %2 % on the pressure step (factor %3).</source>
+        <translation>Enbart avståndet gör hastigheten osäker med %1 %, vilket ger %2 % på trycksteget (faktor %3).</translation>
+    </message>
+    <message>
+        <source>The reflected shock&apos;s return from the contact surface reaches the end wall %1 after the step (computed).</source>
+        <translation>Den reflekterade chockvågen, åter från kontaktytan, når ändväggen %1 efter steget (beräknat).</translation>
+    </message>
+    <message>
+        <source>Driver pressure %1 is %2 % below the %3 that the shock implies (both absolute): usual for a finite opening time.</source>
+        <translation>Drivtrycket %1 ligger %2 % under de %3 som chockvågen motsvarar (båda absoluta): vanligt vid ändlig öppningstid.</translation>
+    </message>
+    <message>
+        <source>Driver pressure %1 is %2 % above the %3 that the shock implies (both absolute): check whether the recorded value is right.</source>
+        <translation>Drivtrycket %1 ligger %2 % över de %3 som chockvågen motsvarar (båda absoluta): kontrollera om det registrerade värdet är rätt.</translation>
+    </message>
+    <message>
+        <source>The DUT&apos;s position is &apos;%1&apos;; it must be &apos;end-wall&apos; or &apos;side-wall&apos;.</source>
+        <translation>DUT:s placering är &apos;%1&apos;; den ska vara &apos;end-wall&apos; eller &apos;side-wall&apos;.</translation>
+    </message>
+    <message>
+        <source>The typed pressure step is %1 Pa; it must be a number other than 0.</source>
+        <translation>Det inmatade trycksteget är %1 Pa; det ska vara ett annat tal än 0.</translation>
+    </message>
+    <message>
+        <source>The arrival sensor &apos;%1&apos; has a distance to the end wall of %2 m; it must be above 0.</source>
+        <translation>Ankomstgivaren &apos;%1&apos; har ett avstånd till ändväggen på %2 m; det ska vara större än 0.</translation>
+    </message>
+    <message>
+        <source>The gas has a ratio of specific heats of %1; it must be above 1 and at most %2 (air: 1.402).</source>
+        <translation>Gasens kvot mellan specifika värmen är %1; den ska vara större än 1 och högst %2 (luft: 1.402).</translation>
+    </message>
+    <message>
+        <source>The gas has a molar mass of %1 kg/mol; it must lie between %2 and %3 kg/mol (air: 0.028966), so check whether it was typed in g/mol.</source>
+        <translation>Gasens molmassa är %1 kg/mol; den ska ligga mellan %2 och %3 kg/mol (luft: 0.028966), så kontrollera om den matades in i g/mol.</translation>
+    </message>
+    <message>
+        <source>%1 = %2 K? Temperatures are in kelvin here: %2 degrees Celsius are %3 K.</source>
+        <translation>%1 = %2 K? Temperaturer anges här i kelvin: %2 grader Celsius är %3 K.</translation>
+    </message>
+    <message>
+        <source>%1 = %2 K is outside the range of %3 K to %4 K; enter the temperature of the gas in kelvin.</source>
+        <translation>%1 = %2 K ligger utanför området %3 K till %4 K; ange gasens temperatur i kelvin.</translation>
+    </message>
+    <message>
+        <source>p1 = %1 Pa: the pressure in the driven section is absolute here and must be above 0; add the ambient pressure to a gauge reading.</source>
+        <translation>p1 = %1 Pa: trycket i lågtrycksdelen är absolut här och ska vara större än 0; lägg omgivningstrycket till ett övertryck.</translation>
+    </message>
+    <message>
+        <source>Computed Mach number %1 (velocity %2 m/s); a shock needs more than 1: check sample rate, distance, arrival times and T1.</source>
+        <translation>Beräknat machtal %1 (hastighet %2 m/s); en chockvåg kräver mer än 1: kontrollera samplingsfrekvens, avstånd, ankomsttider och T1.</translation>
+    </message>
+    <message>
+        <source>No driver pressure can produce a shock of Mach %1 with this driver gas at %2 K; check the velocity, T4 and the driver gas.</source>
+        <translation>Inget drivtryck kan ge en chockvåg med machtal %1 med denna drivgas vid %2 K; kontrollera hastigheten, T4 och drivgasen.</translation>
+    </message>
+    <message>
+        <source>The pressure step is not determined: the shock velocity is unknown, because the distance from the side sensor to the end wall is not recorded; enter the distance, the velocity or the step itself.</source>
+        <translation>Trycksteget är inte bestämt: chockvågens hastighet är okänd, eftersom avståndet från sidogivaren till ändväggen inte är registrerat; ange avståndet, hastigheten eller själva steget.</translation>
+    </message>
+    <message>
+        <source>The pressure step is not determined: the shock velocity is unknown, because no channel marks the passing of the shock; enter the velocity or the step itself.</source>
+        <translation>Trycksteget är inte bestämt: chockvågens hastighet är okänd, eftersom ingen kanal markerar chockvågens passage; ange hastigheten eller själva steget.</translation>
+    </message>
+    <message>
+        <source>The pressure step is not determined: the shock velocity is unknown, because no arrival is found in the channel &apos;%1&apos;; enter the velocity or the step itself.</source>
+        <translation>Trycksteget är inte bestämt: chockvågens hastighet är okänd, eftersom ingen ankomst hittas i kanalen &apos;%1&apos;; ange hastigheten eller själva steget.</translation>
+    </message>
+    <message>
+        <source>The pressure step is not determined: the shock velocity is unknown, because the arrival at the DUT is not known; enter the velocity or the step itself.</source>
+        <translation>Trycksteget är inte bestämt: chockvågens hastighet är okänd, eftersom ankomsten till DUT inte är känd; ange hastigheten eller själva steget.</translation>
+    </message>
+    <message>
+        <source>The pressure step is not determined: the shock velocity is unknown, because a DUT in the side wall needs two arrival sensors; enter the velocity or the step itself.</source>
+        <translation>Trycksteget är inte bestämt: chockvågens hastighet är okänd, eftersom en DUT i sidoväggen kräver två ankomstgivare; ange hastigheten eller själva steget.</translation>
+    </message>
+    <message>
+        <source>The shock reaches &apos;%1&apos; %2 after &apos;%3&apos;, which is farther down the tube: check whether the two channels are swapped, and their distances.</source>
+        <translation>Chockvågen når &apos;%1&apos; %2 efter &apos;%3&apos;, som sitter längre ned i röret: kontrollera om de två kanalerna är förväxlade, och deras avstånd.</translation>
+    </message>
+    <message>
+        <source>No resonance found below %1.</source>
+        <translation>Ingen resonans hittades under %1.</translation>
+    </message>
+    <message>
+        <source>The resonance differs between shots: %1 to %2, a spread of %3 %.</source>
+        <translation>Resonansen skiljer sig mellan skotten: %1 till %2, en spridning på %3 %.</translation>
+    </message>
+    <message>
+        <source>A power spectrum needs at least %1 valid samples at a known rate; there are %2 samples at %3.</source>
+        <translation>Ett effektspektrum kräver minst %1 giltiga sampel med känd samplingsfrekvens; det finns %2 sampel vid %3.</translation>
+    </message>
+    <message>
+        <source>window.start lists %1 times for %2 shots; give one time or one per shot.</source>
+        <translation>window.start anger %1 tider för %2 skott; ange en tid, eller en för varje skott.</translation>
+    </message>
+    <message>
+        <source>The band %1 to %2 in the window settings must begin before it ends.</source>
+        <translation>Bandet %1 till %2 i fönsterinställningarna måste börja innan det slutar.</translation>
+    </message>
+    <message>
+        <source>A time in the window settings is not a finite number.</source>
+        <translation>En tid i fönsterinställningarna är inte ett ändligt tal.</translation>
+    </message>
+    <message>
+        <source>Shot %1 has no DUT channel; choose which channel is the sensor under test (import.channels).</source>
+        <translation>Skott %1 har ingen DUT-kanal; välj vilken kanal som är givaren under provning (import.channels).</translation>
+    </message>
+    <message>
+        <source>Shot %1: the sample rate of channel %2 is unknown; give import.sample_rate_hz.</source>
+        <translation>Skott %1: samplingsfrekvensen för kanal %2 är okänd; ange import.sample_rate_hz.</translation>
+    </message>
+    <message>
+        <source>Shot %1: window.start %2 lies outside the record, which reaches from %3 to %4.</source>
+        <translation>Skott %1: window.start %2 ligger utanför registreringen, som sträcker sig från %3 till %4.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the record moves before the response, its baseline is not at rest; the shot is not used. Exclude it, or set window.start and window.baseline_s by hand.</source>
+        <translation>Skott %1: registreringen rör sig före svaret, dess baslinje är inte i vila; skottet används inte. Uteslut det, eller sätt window.start och window.baseline_s för hand.</translation>
+    </message>
+    <message>
+        <source>Shot %1: no step between baseline and settle band; it is %2, and %3 would be needed to tell it from noise. Check window.start or exclude the shot.</source>
+        <translation>Skott %1: inget steg mellan baslinje och slutnivåband; det är %2, och %3 skulle behövas för att skilja det från brus. Kontrollera window.start eller uteslut skottet.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel %2: no step found. The largest change is %3 with noise of %4, and more than %5 times the noise is needed: set window.start by hand or exclude the shot.</source>
+        <translation>Skott %1, kanal %2: inget steg hittades. Den största ändringen är %3 med brus på %4, och mer än %5 gånger bruset behövs: sätt window.start för hand eller uteslut skottet.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel %2: the start cannot be detected, because the record moves from sample %3 (%4) on and at least %5 quiet samples are needed before. Set window.start by hand.</source>
+        <translation>Skott %1, kanal %2: starten kan inte detekteras, eftersom registreringen rör sig från och med sampel %3 (%4) och minst %5 lugna sampel behövs dessförinnan. Sätt window.start för hand.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel %2: the start cannot be detected in %3 samples, at least %4 are needed. Set window.start by hand.</source>
+        <translation>Skott %1, kanal %2: starten kan inte detekteras i %3 sampel, minst %4 behövs. Sätt window.start för hand.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the window is to end with the computed plateau, but there are no shock data to compute it from; give them or a time for window.end_s.</source>
+        <translation>Skott %1: fönstret ska sluta med den beräknade platån, men det finns inga chockvågsdata att beräkna den ur; ange sådana, eller en tid för window.end_s.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the settle band %2 to %3 must lie within the window, 0 to %4 behind the start; move window.settle_s or window.end_s.</source>
+        <translation>Skott %1: slutnivåbandet %2 till %3 måste ligga inom fönstret, 0 till %4 efter starten; flytta window.settle_s eller window.end_s.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the baseline %2 to %3 leaves the record, which reaches from %4 to %5 relative to the start; move window.baseline_s.</source>
+        <translation>Skott %1: baslinjen %2 till %3 går utanför registreringen, som sträcker sig från %4 till %5 räknat från starten; flytta window.baseline_s.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the baseline has %2 samples and needs at least %3; choose another window.baseline_s, or null to subtract nothing.</source>
+        <translation>Skott %1: baslinjen har %2 sampel och behöver minst %3; välj en annan window.baseline_s, eller null för att inte dra ifrån något.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the baseline %2 to %3 overlaps the response, which begins at 0; move window.baseline_s or window.end_s.</source>
+        <translation>Skott %1: baslinjen %2 till %3 överlappar svaret, som börjar vid 0; flytta window.baseline_s eller window.end_s.</translation>
+    </message>
+    <message>
+        <source>Shot %1 ends %2 behind its start, before the window&apos;s end at %3; set window.end_s to %2 at most or exclude the shot.</source>
+        <translation>Skott %1 slutar %2 efter sin start, före fönstrets slut vid %3; sätt window.end_s till högst %2 eller uteslut skottet.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the window has %2 samples and needs at least %3; set window.end_s.</source>
+        <translation>Skott %1: fönstret har %2 sampel och behöver minst %3; sätt window.end_s.</translation>
+    </message>
+    <message>
+        <source>Shot %1: %2 samples in a row at %3 are equal and the extreme of the window; the record may be saturated there.</source>
+        <translation>Skott %1: %2 sampel i rad vid %3 är lika och fönstrets extremvärde; registreringen kan vara mättad där.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the step is negative (%2); set import.polarity to -1 if the sensor is inverted.</source>
+        <translation>Skott %1: steget är negativt (%2); sätt import.polarity till -1 om givaren är inverterad.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the settling level still drifts %2 % of the step per ms; the level depends by +-%3 % on where the settle band lies.</source>
+        <translation>Skott %1: slutnivån driver ännu %2 % av steget per ms; nivån beror med +-%3 % på var slutnivåbandet ligger.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel %2: invalid sample %3 at %4, inside the response window or its baseline; exclude the shot or set import.interpolate_invalid.</source>
+        <translation>Skott %1, kanal %2: ogiltigt sampel %3 vid %4, inom svarsfönstret eller dess baslinje; uteslut skottet eller sätt import.interpolate_invalid.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel %2 is saturated for %3 samples from %4 on, inside the response window or its baseline; the shot cannot be used: exclude it.</source>
+        <translation>Skott %1, kanal %2 är mättad under %3 sampel från och med %4, inom svarsfönstret eller dess baslinje; skottet kan inte användas: uteslut det.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the step uses %2 codes of the converter; quantisation limits the result.</source>
+        <translation>Skott %1: steget utnyttjar %2 kodsteg i omvandlaren; kvantiseringen begränsar resultatet.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the window ends %2 after the computed end of the plateau, %3 behind the start; move window.end_s.</source>
+        <translation>Skott %1: fönstret slutar %2 efter platåns beräknade slut, %3 efter starten; flytta window.end_s.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the baseline drifts %2 % of the step per ms, +-%3 % over the band.</source>
+        <translation>Skott %1: baslinjen driver %2 % av steget per ms, +-%3 % över bandet.</translation>
+    </message>
+    <message>
+        <source>Shot %1: SNR %2 dB; even a perfect model would score a FIT of about %3 %.</source>
+        <translation>Skott %1: SNR %2 dB; även en fullkomlig modell skulle få ett FIT på ungefär %3 %.</translation>
+    </message>
+    <message>
+        <source>There is no defect &apos;%1&apos;; choose one of %2.</source>
+        <translation>Det finns ingen defekt &apos;%1&apos;; välj en av %2.</translation>
+    </message>
+    <message>
+        <source>Defect &apos;%1&apos;: what follows &apos;@&apos; must be the number of a shot, from 1.</source>
+        <translation>Defekt &apos;%1&apos;: det som följer efter &apos;@&apos; ska vara numret på ett skott, från 1.</translation>
+    </message>
+    <message>
+        <source>A defect is asked for in shot %1, but the shots to simulate are 1 to %2.</source>
+        <translation>En defekt begärs i skott %1, men skotten att simulera är 1 till %2.</translation>
+    </message>
+    <message>
+        <source>The simulated sensor &apos;%1&apos; has %2 = %3; it must lie in %4 .. %5.</source>
+        <translation>Den simulerade givaren &apos;%1&apos; har %2 = %3; det ska ligga i %4 .. %5.</translation>
+    </message>
+    <message>
+        <source>The simulated sensor &apos;%1&apos; has %2 modes; it needs 1 to %3.</source>
+        <translation>Den simulerade givaren &apos;%1&apos; har %2 moder; den ska ha 1 till %3.</translation>
+    </message>
+    <message>
+        <source>The weights of the simulated sensor &apos;%1&apos; add up to %2; they must add up to 1.</source>
+        <translation>Vikterna för den simulerade givaren &apos;%1&apos; har summan %2; summan ska vara 1.</translation>
+    </message>
+    <message>
+        <source>Two real poles of the simulated sensor &apos;%1&apos; coincide at %2 Hz; move one of them.</source>
+        <translation>Två reella poler hos den simulerade givaren &apos;%1&apos; sammanfaller vid %2 Hz; flytta en av dem.</translation>
+    </message>
+    <message>
+        <source>There is no sensor preset &apos;%1&apos;; choose one of %2.</source>
+        <translation>Det finns ingen förinställd givare &apos;%1&apos;; välj en av %2.</translation>
+    </message>
+    <message>
+        <source>The simulation is asked for %1 = %2; it must lie in %3 .. %4.</source>
+        <translation>Simuleringen begärs med %1 = %2; det ska ligga i %3 .. %4.</translation>
+    </message>
+    <message>
+        <source>A shot to simulate has no level; choose low, medium or high.</source>
+        <translation>Ett skott att simulera saknar nivå; välj low, medium eller high.</translation>
+    </message>
+    <message>
+        <source>The file %1 cannot be written; choose a folder that exists and can be written.</source>
+        <translation>Filen %1 kan inte skrivas; välj en mapp som finns och är skrivbar.</translation>
+    </message>
+    <message>
+        <source>The report was asked for before the program was set up to draw.</source>
+        <translation>Rapporten begärdes innan programmet var redo att rita.</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Avbrutet.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this work; close other programs or choose a shorter window.</source>
+        <translation>Minnet räcker inte för detta arbete; stäng andra program eller välj ett kortare fönster.</translation>
+    </message>
+    <message>
+        <source>The program met an unexpected condition (%1); please report it with your project file.</source>
+        <translation>Programmet stötte på ett oväntat tillstånd (%1); rapportera det tillsammans med projektfilen.</translation>
+    </message>
+    <message>
+        <source>Project %1 cannot be opened (%2).</source>
+        <translation>Projektet %1 kan inte öppnas (%2).</translation>
+    </message>
+    <message>
+        <source>%1 is not a Dyncal project; recordings are opened with Open captures.</source>
+        <translation>%1 är inget Dyncal-projekt; registreringar öppnas med Öppna registreringar.</translation>
+    </message>
+    <message>
+        <source>Project %1 has version %2, this program reads version %3; open it with the program that wrote it.</source>
+        <translation>Projektet %1 har version %2, detta program läser version %3; öppna det med det program som skrev det.</translation>
+    </message>
+    <message>
+        <source>%1 changed since it was imported. The results are of the new data and cannot be certified in this project.</source>
+        <translation>%1 har ändrats sedan importen. Resultaten avser nya data och kan inte intygas i detta projekt.</translation>
+    </message>
+    <message>
+        <source>The project could not be saved as %1 (%2); choose another place.</source>
+        <translation>Projektet kunde inte sparas som %1 (%2); välj en annan plats.</translation>
+    </message>
+    <message>
+        <source>%1 recordings of this project were not found: %2. Put them back where they were, or beside the project, and open it again.</source>
+        <translation>%1 registreringar i detta projekt hittades inte: %2. Lägg tillbaka dem där de låg, eller bredvid projektet, och öppna det igen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written; choose another place.</source>
+        <translation>%1 kan inte skrivas; välj en annan plats.</translation>
+    </message>
+    <message>
+        <source>%1, line %2 has %3 cells, the lines before have %4; correct the line, or set separator and decimal in the recipe&apos;s import section.</source>
+        <translation>%1, rad %2 har %3 celler, raderna före har %4; rätta raden, eller ange separator och decimal i receptets avsnitt import.</translation>
+    </message>
+    <message>
+        <source>%1 ends within line %2, so it is likely an incomplete copy; that line was left out.</source>
+        <translation>%1 slutar mitt i rad %2 och är därför troligen en ofullständig kopia; den raden utelämnades.</translation>
+    </message>
+    <message>
+        <source>%1 ends without a line end; if the copy is incomplete, the last number in line %2 may lack digits.</source>
+        <translation>%1 slutar utan radslut; om kopian är ofullständig kan det sista talet på rad %2 sakna siffror.</translation>
+    </message>
+    <message>
+        <source>%1 has no column %2 for %3; it has the columns 0 to %4. Change columns in the recipe&apos;s import section.</source>
+        <translation>%1 har ingen kolumn %2 för %3; filen har kolumnerna 0 till %4. Ändra columns i receptets avsnitt import.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; can be read in two ways; the comma was taken as %3. Set decimal and separator in the recipe&apos;s import section to be certain.</source>
+        <translation>%1: &quot;%2&quot; kan läsas på två sätt; kommatecknet tolkades som %3. Ange decimal och separator i receptets avsnitt import för att vara säker.</translation>
+    </message>
+    <message>
+        <source>%1 holds no rows of numbers that fit together; check separator, decimal and skip_rows in the recipe&apos;s import section.</source>
+        <translation>%1 innehåller inga rader med tal som hör ihop; kontrollera separator, decimal och skip_rows i receptets avsnitt import.</translation>
+    </message>
+    <message>
+        <source>%1 has a column of times but no column of samples.</source>
+        <translation>%1 har en kolumn med tider men ingen kolumn med sampel.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read; check that it exists and may be opened.</source>
+        <translation>%1 kan inte läsas; kontrollera att filen finns och får öppnas.</translation>
+    </message>
+    <message>
+        <source>%1, line %2, column %3: &quot;%4&quot; is no number; correct the cell, or set decimal, separator or skip_rows in the recipe&apos;s import section.</source>
+        <translation>%1, rad %2, kolumn %3: &quot;%4&quot; är inget tal; rätta cellen, eller ange decimal, separator eller skip_rows i receptets avsnitt import.</translation>
+    </message>
+    <message>
+        <source>%1: the times are not uniform: line %2 follows its predecessor by %3, others by %4 (allowed is 1 %). Record anew, or name only the columns of samples and give the sample rate in the recipe&apos;s import section.</source>
+        <translation>%1: tiderna är inte jämnt fördelade: rad %2 följer sin föregångare med %3, andra med %4 (1 % är tillåtet). Gör om registreringen, eller ange bara kolumnerna med sampel och ge samplingsfrekvensen i receptets avsnitt import.</translation>
+    </message>
+    <message>
+        <source>%1: the recipe states a sample rate of %2, but the column of times steps at %3. Which one is right? Take sample_rate_hz out of the recipe, or name only the columns of samples there.</source>
+        <translation>%1: receptet anger samplingsfrekvensen %2, men tidskolumnen har steget %3. Vilket är rätt? Ta bort sample_rate_hz ur receptet, eller ange bara kolumnerna med sampel där.</translation>
+    </message>
+    <message>
+        <source>%1: the unit &quot;%2&quot; of the column of times is unknown; write s, ms, us or ns.</source>
+        <translation>%1: tidskolumnens enhet &quot;%2&quot; är okänd; skriv s, ms, us eller ns.</translation>
+    </message>
+    <message>
+        <source>Shot %1 has %2 samples in its window, too few to be reduced %3 times to the rate of the other shots; set window.end_s or exclude a shot.</source>
+        <translation>Skott %1 har %2 sampel i sitt fönster, för få för att reduceras %3 gånger till de andra skottens samplingsfrekvens; sätt window.end_s eller uteslut ett skott.</translation>
+    </message>
+    <message>
+        <source>Shot %1: %2 % of the resonance at %3 is left in the residual; its amplitude or its time varies between the shots.</source>
+        <translation>Skott %1: %2 % av resonansen vid %3 finns kvar i residualen; dess amplitud eller tidpunkt varierar mellan skotten.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the step reads %2; %3 is expected. Is the unit %4? Set import.unit.</source>
+        <translation>Skott %1: steget avläses till %2; %3 förväntas. Är enheten %4? Sätt import.unit.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the step reads %2; %3 is expected. Check the unit and the scale.</source>
+        <translation>Skott %1: steget avläses till %2; %3 förväntas. Kontrollera enheten och skalan.</translation>
+    </message>
+    <message>
+        <source>The shots are recorded in different units, so their sensitivities are not averaged; give one unit for all (import.unit).</source>
+        <translation>Skotten är registrerade i olika enheter, så deras känsligheter medelvärdesbildas inte; ange en enhet för alla (import.unit).</translation>
+    </message>
+    <message>
+        <source>The power spectrum exceeds the range of numbers: the largest value is %1; check the scale of the channel.</source>
+        <translation>Effektspektrumet överskrider talområdet: det största värdet är %1; kontrollera kanalens skala.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::AutoEdit</name>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>%1: automatic</source>
+        <translation>%1: automatiskt</translation>
+    </message>
+    <message>
+        <source>Ticked: the program&apos;s rule decides</source>
+        <translation>Markerad: programmets regel bestämmer</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::CapturesPage</name>
+    <message>
+        <source>Captures</source>
+        <translation>Registreringar</translation>
+    </message>
+    <message>
+        <source>Add the recordings of one sensor and say what each channel is.</source>
+        <translation>Lägg till registreringarna av en givare och ange vad varje kanal är.</translation>
+    </message>
+    <message>
+        <source>Recordings: %1</source>
+        <translation>Registreringar: %1</translation>
+    </message>
+    <message>
+        <source>Shots</source>
+        <translation>Skott</translation>
+    </message>
+    <message>
+        <source>Shot</source>
+        <translation>Skott</translation>
+    </message>
+    <message>
+        <source>Level</source>
+        <translation>Nivå</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Frekvens</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Sampel</translation>
+    </message>
+    <message>
+        <source>DUT unit</source>
+        <translation>DUT-enhet</translation>
+    </message>
+    <message>
+        <source>SHA-256</source>
+        <translation>SHA-256</translation>
+    </message>
+    <message>
+        <source>Add captures...</source>
+        <translation>Lägg till registreringar...</translation>
+    </message>
+    <message>
+        <source>Remove selected shot</source>
+        <translation>Ta bort valt skott</translation>
+    </message>
+    <message>
+        <source>Channel roles (all shots)</source>
+        <translation>Kanalroller (alla skott)</translation>
+    </message>
+    <message>
+        <source>Sensor under test</source>
+        <translation>Givare under provning</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Enhet</translation>
+    </message>
+    <message>
+        <source>Change the DUT&apos;s unit</source>
+        <translation>Ändra DUT:s enhet</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Change the DUT&apos;s factor</source>
+        <translation>Ändra DUT:s faktor</translation>
+    </message>
+    <message>
+        <source>Inverted polarity</source>
+        <translation>Inverterad polaritet</translation>
+    </message>
+    <message>
+        <source>Change the DUT&apos;s polarity</source>
+        <translation>Ändra DUT:s polaritet</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Tryck</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation>som registrerat</translation>
+    </message>
+    <message>
+        <source>gauge</source>
+        <translation>övertryck</translation>
+    </message>
+    <message>
+        <source>absolute</source>
+        <translation>absolut</translation>
+    </message>
+    <message>
+        <source>Change gauge or absolute</source>
+        <translation>Ändra övertryck eller absolut</translation>
+    </message>
+    <message>
+        <source>Sample rate</source>
+        <translation>Samplingsfrekvens</translation>
+    </message>
+    <message>
+        <source>Change the sample rate</source>
+        <translation>Ändra samplingsfrekvensen</translation>
+    </message>
+    <message>
+        <source>no DUT</source>
+        <translation>ingen DUT</translation>
+    </message>
+    <message>
+        <source>Excluded: %1</source>
+        <translation>Uteslutet: %1</translation>
+    </message>
+    <message>
+        <source>Level of shot %1</source>
+        <translation>Nivå för skott %1</translation>
+    </message>
+    <message>
+        <source>Role of channel %1</source>
+        <translation>Roll för kanal %1</translation>
+    </message>
+    <message>
+        <source>Change the role of %1</source>
+        <translation>Ändra rollen för %1</translation>
+    </message>
+    <message>
+        <source>Exclude shot %1</source>
+        <translation>Uteslut skott %1</translation>
+    </message>
+    <message>
+        <source>Why is this shot not used? The certificate prints the reason.</source>
+        <translation>Varför används inte detta skott? Skälet skrivs ut i kalibreringsbeviset.</translation>
+    </message>
+    <message>
+        <source>Use shot %1</source>
+        <translation>Använd skott %1</translation>
+    </message>
+    <message>
+        <source>Change the level of shot %1</source>
+        <translation>Ändra nivån för skott %1</translation>
+    </message>
+    <message>
+        <source>Remove shot %1</source>
+        <translation>Ta bort skott %1</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::CertificatePage</name>
+    <message>
+        <source>Laboratory and customer</source>
+        <translation>Laboratorium och kund</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Givare</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Kalibreringsbevis</translation>
+    </message>
+    <message>
+        <source>Laboratory</source>
+        <translation>Laboratorium</translation>
+    </message>
+    <message>
+        <source>Laboratory&apos;s address</source>
+        <translation>Laboratoriets adress</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Kund</translation>
+    </message>
+    <message>
+        <source>Customer&apos;s address</source>
+        <translation>Kundens adress</translation>
+    </message>
+    <message>
+        <source>Manufacturer</source>
+        <translation>Tillverkare</translation>
+    </message>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Serial number</source>
+        <translation>Serienummer</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beskrivning</translation>
+    </message>
+    <message>
+        <source>Certificate number</source>
+        <translation>Bevisets nummer</translation>
+    </message>
+    <message>
+        <source>Date received</source>
+        <translation>Mottagningsdatum</translation>
+    </message>
+    <message>
+        <source>Date performed</source>
+        <translation>Kalibreringsdatum</translation>
+    </message>
+    <message>
+        <source>Date issued</source>
+        <translation>Utfärdandedatum</translation>
+    </message>
+    <message>
+        <source>Operator</source>
+        <translation>Operatör</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Metod</translation>
+    </message>
+    <message>
+        <source>Remarks</source>
+        <translation>Anmärkningar</translation>
+    </message>
+    <message>
+        <source>Fill in what is not measured, then export the certificate.</source>
+        <translation>Fyll i det som inte mäts och exportera sedan kalibreringsbeviset.</translation>
+    </message>
+    <message>
+        <source>2026-01-31</source>
+        <translation>2026-01-31</translation>
+    </message>
+    <message>
+        <source>Document</source>
+        <translation>Dokument</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Språk</translation>
+    </message>
+    <message>
+        <source>Change the certificate&apos;s language</source>
+        <translation>Ändra kalibreringsbevisets språk</translation>
+    </message>
+    <message>
+        <source>Export certificate PDF...</source>
+        <translation>Exportera kalibreringsbevis som PDF...</translation>
+    </message>
+    <message>
+        <source>Checklist</source>
+        <translation>Checklista</translation>
+    </message>
+    <message>
+        <source>Fill in the certificate</source>
+        <translation>Fyll i kalibreringsbeviset</translation>
+    </message>
+    <message>
+        <source>● All required fields are filled in.</source>
+        <translation>● Alla obligatoriska fält är ifyllda.</translation>
+    </message>
+    <message numerus="yes">
+        <source>■ %n required field(s) empty: %1.</source>
+        <translation>
+            <numerusform>■ %n obligatoriskt fält är tomt: %1.</numerusform>
+            <numerusform>■ %n obligatoriska fält är tomma: %1.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 findings that block, %2 cautions.</source>
+        <translation>%1 blockerande iakttagelser, %2 varningar.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::ComponentsPage</name>
+    <message>
+        <source>PCA</source>
+        <translation>PCA</translation>
+    </message>
+    <message>
+        <source>Separate what the shots share from what they do not.</source>
+        <translation>Skilj det som skotten har gemensamt från det de inte har.</translation>
+    </message>
+    <message>
+        <source>Explained, cumulative</source>
+        <translation>Förklarad andel, kumulativ</translation>
+    </message>
+    <message>
+        <source>Reconstruction of the shots</source>
+        <translation>Rekonstruktion av skotten</translation>
+    </message>
+    <message>
+        <source>Residuals</source>
+        <translation>Residualer</translation>
+    </message>
+    <message>
+        <source>Autocovariance of the residuals</source>
+        <translation>Residualernas autokovarians</translation>
+    </message>
+    <message>
+        <source>Spectrum of the residuals</source>
+        <translation>Residualernas spektrum</translation>
+    </message>
+    <message>
+        <source>Residuals of every shot</source>
+        <translation>Residualer för varje skott</translation>
+    </message>
+    <message>
+        <source>Components</source>
+        <translation>Komponenter</translation>
+    </message>
+    <message>
+        <source>Kept</source>
+        <translation>Behållna</translation>
+    </message>
+    <message>
+        <source>Keep %1 components</source>
+        <translation>Behåll %1 komponenter</translation>
+    </message>
+    <message>
+        <source>Take away the mean over the shots first</source>
+        <translation>Dra först bort medelvärdet över skotten</translation>
+    </message>
+    <message>
+        <source>Centre the shots</source>
+        <translation>Centrera skotten</translation>
+    </message>
+    <message>
+        <source>First explains</source>
+        <translation>Första förklarar</translation>
+    </message>
+    <message>
+        <source>Lags</source>
+        <translation>Tidsförskjutningar</translation>
+    </message>
+    <message>
+        <source>Change the lags</source>
+        <translation>Ändra tidsförskjutningarna</translation>
+    </message>
+    <message>
+        <source>Confidence</source>
+        <translation>Konfidensgrad</translation>
+    </message>
+    <message>
+        <source>Change the confidence</source>
+        <translation>Ändra konfidensgraden</translation>
+    </message>
+    <message>
+        <source>Shot</source>
+        <translation>Skott</translation>
+    </message>
+    <message>
+        <source>RMS</source>
+        <translation>RMS</translation>
+    </message>
+    <message>
+        <source>Lags outside</source>
+        <translation>Utanför gräns</translation>
+    </message>
+    <message>
+        <source>White, p</source>
+        <translation>Vit, p</translation>
+    </message>
+    <message>
+        <source>Top peak</source>
+        <translation>Högsta topp</translation>
+    </message>
+    <message>
+        <source>– (one shot)</source>
+        <translation>– (ett skott)</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::FileActions</name>
+    <message>
+        <source>Recordings (%1)</source>
+        <translation>Registreringar (%1)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>Dyncal projects (*.%1)</source>
+        <translation>Dyncal-projekt (*.%1)</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Namnlöst</translation>
+    </message>
+    <message>
+        <source>Open captures</source>
+        <translation>Öppna registreringar</translation>
+    </message>
+    <message>
+        <source>Reading recordings</source>
+        <translation>Läser registreringar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shot(s) read</source>
+        <translation>
+            <numerusform>%n skott inläst</numerusform>
+            <numerusform>%n skott inlästa</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add recordings</source>
+        <translation>Lägg till registreringar</translation>
+    </message>
+    <message>
+        <source>Making the example</source>
+        <translation>Skapar exemplet</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>Öppna projekt</translation>
+    </message>
+    <message>
+        <source>Opening project</source>
+        <translation>Öppnar projekt</translation>
+    </message>
+    <message>
+        <source>Project opened</source>
+        <translation>Projektet har öppnats</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Spara projekt</translation>
+    </message>
+    <message>
+        <source>Project saved</source>
+        <translation>Projektet har sparats</translation>
+    </message>
+    <message>
+        <source>The results are still being computed; try again in a moment.</source>
+        <translation>Resultaten beräknas fortfarande; försök igen om en stund.</translation>
+    </message>
+    <message>
+        <source>The results are out of date because the computation was cancelled; press F9 to compute them again.</source>
+        <translation>Resultaten är inaktuella eftersom beräkningen avbröts; tryck F9 för att beräkna dem igen.</translation>
+    </message>
+    <message>
+        <source>There is no model yet: open recordings and clear what blocks the stages.</source>
+        <translation>Det finns ingen modell än: öppna registreringar och åtgärda det som blockerar arbetsstegen.</translation>
+    </message>
+    <message>
+        <source>Export results into a folder</source>
+        <translation>Exportera resultat till en mapp</translation>
+    </message>
+    <message>
+        <source>Results written to %1</source>
+        <translation>Resultaten har skrivits till %1</translation>
+    </message>
+    <message>
+        <source>Export certificate</source>
+        <translation>Exportera kalibreringsbevis</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>PDF-dokument (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Certificate written to %1</source>
+        <translation>Kalibreringsbeviset har skrivits till %1</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>Avbrutet</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::FindingsPanel</name>
+    <message>
+        <source>Findings</source>
+        <translation>Iakttagelser</translation>
+    </message>
+    <message>
+        <source>Accepted: %1</source>
+        <translation>Godtagen: %1</translation>
+    </message>
+    <message>
+        <source>Click to go to the stage; right click to give a reason</source>
+        <translation>Klicka för att gå till arbetssteget; högerklicka för att ange ett skäl</translation>
+    </message>
+    <message>
+        <source>Click to go to the stage</source>
+        <translation>Klicka för att gå till arbetssteget</translation>
+    </message>
+    <message>
+        <source>No findings.</source>
+        <translation>Inga iakttagelser.</translation>
+    </message>
+    <message>
+        <source>Give a reason...</source>
+        <translation>Ange ett skäl...</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::IntervalEdit</name>
+    <message>
+        <source>auto</source>
+        <translation>auto</translation>
+    </message>
+    <message>
+        <source>%1: begin</source>
+        <translation>%1: början</translation>
+    </message>
+    <message>
+        <source>%1: end</source>
+        <translation>%1: slut</translation>
+    </message>
+    <message>
+        <source>%1: automatic</source>
+        <translation>%1: automatiskt</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::MainWindow</name>
+    <message>
+        <source>Computing</source>
+        <translation>Beräknar</translation>
+    </message>
+    <message>
+        <source>Stages</source>
+        <translation>Arbetssteg</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspektor</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Iakttagelser</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Cancel the work under way</source>
+        <translation>Avbryt pågående arbete</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Förlopp</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Redigera</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Ångra</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Gör om</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Arkiv</translation>
+    </message>
+    <message>
+        <source>Open &amp;captures...</source>
+        <translation>Öppna &amp;registreringar...</translation>
+    </message>
+    <message>
+        <source>Open &amp;example</source>
+        <translation>Öppna &amp;exempel</translation>
+    </message>
+    <message>
+        <source>&amp;Open project...</source>
+        <translation>&amp;Öppna projekt...</translation>
+    </message>
+    <message>
+        <source>&amp;Recent</source>
+        <translation>Se&amp;naste</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Spara</translation>
+    </message>
+    <message>
+        <source>Save &amp;as...</source>
+        <translation>Spara s&amp;om...</translation>
+    </message>
+    <message>
+        <source>Export &amp;results...</source>
+        <translation>Exportera res&amp;ultat...</translation>
+    </message>
+    <message>
+        <source>Export cer&amp;tificate...</source>
+        <translation>Exportera kali&amp;breringsbevis...</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Avsluta</translation>
+    </message>
+    <message>
+        <source>Nothing yet</source>
+        <translation>Inget ännu</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Visa</translation>
+    </message>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>&amp;Återställ layout</translation>
+    </message>
+    <message>
+        <source>&amp;Stage</source>
+        <translation>Ar&amp;betssteg</translation>
+    </message>
+    <message>
+        <source>Compute &amp;again</source>
+        <translation>&amp;Beräkna igen</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Språk</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hjälp</translation>
+    </message>
+    <message>
+        <source>&amp;Keyboard and mouse</source>
+        <translation>&amp;Tangentbord och mus</translation>
+    </message>
+    <message>
+        <source>&amp;About Dyncal</source>
+        <translation>&amp;Om Dyncal</translation>
+    </message>
+    <message>
+        <source>Findings (%1)</source>
+        <translation>Iakttagelser (%1)</translation>
+    </message>
+    <message>
+        <source>Reason for %1</source>
+        <translation>Skäl för %1</translation>
+    </message>
+    <message>
+        <source>Why is the result used all the same? The certificate prints the reason.</source>
+        <translation>Varför används resultatet ändå? Skälet skrivs ut i kalibreringsbeviset.</translation>
+    </message>
+    <message>
+        <source>Give a reason for %1</source>
+        <translation>Ange ett skäl för %1</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::ModelInputPage</name>
+    <message>
+        <source>Model input</source>
+        <translation>Modellindata</translation>
+    </message>
+    <message>
+        <source>Choose the rate, the stretch and how the step is treated.</source>
+        <translation>Välj samplingsfrekvens, avsnitt och hur steget behandlas.</translation>
+    </message>
+    <message>
+        <source>What the identification gets</source>
+        <translation>Det som identifieringen får</translation>
+    </message>
+    <message>
+        <source>Treatment</source>
+        <translation>Behandling</translation>
+    </message>
+    <message>
+        <source>Response is</source>
+        <translation>Svaret är</translation>
+    </message>
+    <message>
+        <source>a step, its pole deflated</source>
+        <translation>ett steg, vars pol avlägsnas</translation>
+    </message>
+    <message>
+        <source>a step, fed as impulse (thesis)</source>
+        <translation>ett steg, matat som impuls (examensarbetet)</translation>
+    </message>
+    <message>
+        <source>a step, differenced</source>
+        <translation>ett steg, differensbildat</translation>
+    </message>
+    <message>
+        <source>an impulse response</source>
+        <translation>ett impulssvar</translation>
+    </message>
+    <message>
+        <source>Change the treatment</source>
+        <translation>Ändra behandlingen</translation>
+    </message>
+    <message>
+        <source>Shots are</source>
+        <translation>Skotten är</translation>
+    </message>
+    <message>
+        <source>combined by default rule</source>
+        <translation>sammanvägda enligt standardregeln</translation>
+    </message>
+    <message>
+        <source>stacked</source>
+        <translation>staplade</translation>
+    </message>
+    <message>
+        <source>averaged after PCA</source>
+        <translation>medelvärdesbildade efter PCA</translation>
+    </message>
+    <message>
+        <source>Change how shots are combined</source>
+        <translation>Ändra hur skotten sammanvägs</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Sampling</translation>
+    </message>
+    <message>
+        <source>Rate</source>
+        <translation>Frekvens</translation>
+    </message>
+    <message>
+        <source>Change the model rate</source>
+        <translation>Ändra modellens samplingsfrekvens</translation>
+    </message>
+    <message>
+        <source>Per period</source>
+        <translation>Per period</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Sampel</translation>
+    </message>
+    <message>
+        <source>Change the number of samples</source>
+        <translation>Ändra antalet sampel</translation>
+    </message>
+    <message>
+        <source>Offset</source>
+        <translation>Startförskjutning</translation>
+    </message>
+    <message>
+        <source>Change the offset</source>
+        <translation>Ändra startförskjutningen</translation>
+    </message>
+    <message>
+        <source>Stretch</source>
+        <translation>Avsnitt</translation>
+    </message>
+    <message>
+        <source>Lost before</source>
+        <translation>Förlorat före</translation>
+    </message>
+    <message>
+        <source>%1 % of the ringing</source>
+        <translation>%1 % av utsvängningen</translation>
+    </message>
+    <message>
+        <source>– (no resonance)</source>
+        <translation>– (ingen resonans)</translation>
+    </message>
+    <message>
+        <source>● comfortable</source>
+        <translation>● gott och väl</translation>
+    </message>
+    <message>
+        <source>■ too few: the resonance is aliased</source>
+        <translation>■ för få: resonansen viks</translation>
+    </message>
+    <message>
+        <source>▲ sparse: damping is uncertain</source>
+        <translation>▲ glest: dämpningen är osäker</translation>
+    </message>
+    <message>
+        <source>▲ enough, more is better</source>
+        <translation>▲ tillräckligt, fler är bättre</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::ModelPage</name>
+    <message>
+        <source>Model</source>
+        <translation>Modell</translation>
+    </message>
+    <message>
+        <source>Judge the model of the chosen order against the data.</source>
+        <translation>Bedöm modellen av vald ordning mot data.</translation>
+    </message>
+    <message>
+        <source>Data and model</source>
+        <translation>Data och modell</translation>
+    </message>
+    <message>
+        <source>Error of the model</source>
+        <translation>Modellens fel</translation>
+    </message>
+    <message>
+        <source>Magnitude of the frequency response</source>
+        <translation>Frekvenssvarets belopp</translation>
+    </message>
+    <message>
+        <source>Phase of the frequency response</source>
+        <translation>Frekvenssvarets fas</translation>
+    </message>
+    <message>
+        <source>Poles and zeros</source>
+        <translation>Poler och nollställen</translation>
+    </message>
+    <message>
+        <source>Poles</source>
+        <translation>Poler</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordning</translation>
+    </message>
+    <message>
+        <source>FIT</source>
+        <translation>FIT</translation>
+    </message>
+    <message>
+        <source>Per series</source>
+        <translation>Per serie</translation>
+    </message>
+    <message>
+        <source>FIT, thesis</source>
+        <translation>FIT, examensarbetet</translation>
+    </message>
+    <message>
+        <source>Characteristics</source>
+        <translation>Egenskaper</translation>
+    </message>
+    <message>
+        <source>Rise 10–90 %</source>
+        <translation>Stigtid 10–90 %</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Översväng</translation>
+    </message>
+    <message>
+        <source>Settling ±5 %</source>
+        <translation>Insvängning ±5 %</translation>
+    </message>
+    <message>
+        <source>Flat ±5 % to</source>
+        <translation>Plan ±5 % till</translation>
+    </message>
+    <message>
+        <source>Flat ±10 % to</source>
+        <translation>Plan ±10 % till</translation>
+    </message>
+    <message>
+        <source>−3 dB at</source>
+        <translation>−3 dB vid</translation>
+    </message>
+    <message>
+        <source>Usable band</source>
+        <translation>Användbart område</translation>
+    </message>
+    <message>
+        <source>Shot %1</source>
+        <translation>Skott %1</translation>
+    </message>
+    <message>
+        <source>Average</source>
+        <translation>Medelvärde</translation>
+    </message>
+    <message>
+        <source>%1 % (one sample late)</source>
+        <translation>%1 % (ett sampel sent)</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 till %2</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::OptionalEdit</name>
+    <message>
+        <source>not known</source>
+        <translation>inte känt</translation>
+    </message>
+    <message>
+        <source>%1 (recorded)</source>
+        <translation>%1 (registrerat)</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::OrderPage</name>
+    <message>
+        <source>Order</source>
+        <translation>Modellordning</translation>
+    </message>
+    <message>
+        <source>Drag the cut, click a value or use the arrow keys. Everything follows.</source>
+        <translation>Dra i snittet, klicka på ett värde eller använd piltangenterna. Allt följer med.</translation>
+    </message>
+    <message>
+        <source>Singular values</source>
+        <translation>Singulärvärden</translation>
+    </message>
+    <message>
+        <source>Information criterion over the order</source>
+        <translation>Informationskriterium över ordningen</translation>
+    </message>
+    <message>
+        <source>Data and model</source>
+        <translation>Data och modell</translation>
+    </message>
+    <message>
+        <source>Frequency response of the model</source>
+        <translation>Modellens frekvenssvar</translation>
+    </message>
+    <message>
+        <source>Poles and zeros</source>
+        <translation>Poler och nollställen</translation>
+    </message>
+    <message>
+        <source>Poles</source>
+        <translation>Poler</translation>
+    </message>
+    <message>
+        <source>Order: automatic</source>
+        <translation>Ordning: automatisk</translation>
+    </message>
+    <message>
+        <source>Use suggestion</source>
+        <translation>Använd förslaget</translation>
+    </message>
+    <message>
+        <source>This order</source>
+        <translation>Denna ordning</translation>
+    </message>
+    <message>
+        <source>FIT</source>
+        <translation>FIT</translation>
+    </message>
+    <message>
+        <source>Gap</source>
+        <translation>Språng</translation>
+    </message>
+    <message>
+        <source>Resonance</source>
+        <translation>Resonans</translation>
+    </message>
+    <message>
+        <source>Decomposition</source>
+        <translation>Uppdelning</translation>
+    </message>
+    <message>
+        <source>Orders offered</source>
+        <translation>Ordningar att välja bland</translation>
+    </message>
+    <message>
+        <source>Change the orders offered</source>
+        <translation>Ändra ordningarna att välja bland</translation>
+    </message>
+    <message>
+        <source>Hankel rows</source>
+        <translation>Hankelrader</translation>
+    </message>
+    <message>
+        <source>Change the Hankel rows</source>
+        <translation>Ändra Hankelraderna</translation>
+    </message>
+    <message>
+        <source>Refine the poles (least squares)</source>
+        <translation>Förfina polerna (minsta kvadrat)</translation>
+    </message>
+    <message>
+        <source>Refine the poles</source>
+        <translation>Förfina polerna</translation>
+    </message>
+    <message>
+        <source>Order %1</source>
+        <translation>Ordning %1</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>ordning</translation>
+    </message>
+    <message>
+        <source>Suggested: order %1. %2</source>
+        <translation>Föreslagen: ordning %1. %2</translation>
+    </message>
+    <message>
+        <source>No suggestion yet.</source>
+        <translation>Inget förslag ännu.</translation>
+    </message>
+    <message>
+        <source>%1, damping %2</source>
+        <translation>%1, dämpning %2</translation>
+    </message>
+    <message>
+        <source>%1 unstable, %2 at Nyquist</source>
+        <translation>%1 instabila, %2 vid Nyquist</translation>
+    </message>
+    <message>
+        <source>factor %1 to the next</source>
+        <translation>faktor %1 till nästa</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::PlotWidget</name>
+    <message>
+        <source>Copy image</source>
+        <translation>Kopiera bild</translation>
+    </message>
+    <message>
+        <source>Copy data</source>
+        <translation>Kopiera data</translation>
+    </message>
+    <message>
+        <source>Export...</source>
+        <translation>Exportera...</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassa</translation>
+    </message>
+    <message>
+        <source>Export plot</source>
+        <translation>Exportera diagram</translation>
+    </message>
+    <message>
+        <source>Vector image (*.svg);;Image (*.png);;PDF (*.pdf);;Data (*.csv)</source>
+        <translation>Vektorbild (*.svg);;Bild (*.png);;PDF (*.pdf);;Data (*.csv)</translation>
+    </message>
+    <message>
+        <source>The plot could not be written to %1; choose a folder that can be written and a name that ends in .svg, .png, .pdf or .csv.</source>
+        <translation>Diagrammet kunde inte skrivas till %1; välj en skrivbar mapp och ett namn som slutar på .svg, .png, .pdf eller .csv.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::ShockPage</name>
+    <message>
+        <source>Reference step</source>
+        <translation>Referenssteg</translation>
+    </message>
+    <message>
+        <source>Gas state and shock velocity, or a typed step, give the pressure that the sensor saw.</source>
+        <translation>Gastillstånd och chockvågens hastighet, eller ett inmatat steg, ger det tryck som givaren utsattes för.</translation>
+    </message>
+    <message>
+        <source>Arrival of the shock at the side sensor</source>
+        <translation>Chockvågens ankomst till sidogivaren</translation>
+    </message>
+    <message>
+        <source>States of the gas per shot</source>
+        <translation>Gasens tillstånd per skott</translation>
+    </message>
+    <message>
+        <source>Sensitivity per shot</source>
+        <translation>Känslighet per skott</translation>
+    </message>
+    <message>
+        <source>Change %1</source>
+        <translation>Ändra %1</translation>
+    </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referens</translation>
+    </message>
+    <message>
+        <source>Compute the step from the shock</source>
+        <translation>Beräkna steget ur chockvågen</translation>
+    </message>
+    <message>
+        <source>Pressure step, typed</source>
+        <translation>Trycksteg, inmatat</translation>
+    </message>
+    <message>
+        <source>Velocity, typed</source>
+        <translation>Hastighet, inmatad</translation>
+    </message>
+    <message>
+        <source>computed</source>
+        <translation>beräknat</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>uppmätt</translation>
+    </message>
+    <message>
+        <source>Arrival at</source>
+        <translation>Ankomst vid</translation>
+    </message>
+    <message>
+        <source>Distance to end wall</source>
+        <translation>Avstånd till ändvägg</translation>
+    </message>
+    <message>
+        <source>Gas before the shot</source>
+        <translation>Gas före skottet</translation>
+    </message>
+    <message>
+        <source>p1, absolute</source>
+        <translation>p1, absolut</translation>
+    </message>
+    <message>
+        <source>T1</source>
+        <translation>T1</translation>
+    </message>
+    <message>
+        <source>T4 (driver)</source>
+        <translation>T4 (drivgas)</translation>
+    </message>
+    <message>
+        <source>Relative humidity</source>
+        <translation>Relativ fuktighet</translation>
+    </message>
+    <message>
+        <source>Driven gas: γ</source>
+        <translation>Lågtrycksgas: γ</translation>
+    </message>
+    <message>
+        <source>Change the gas</source>
+        <translation>Ändra gasen</translation>
+    </message>
+    <message>
+        <source>Molar mass</source>
+        <translation>Molmassa</translation>
+    </message>
+    <message>
+        <source>Tube</source>
+        <translation>Rör</translation>
+    </message>
+    <message>
+        <source>Driven section</source>
+        <translation>Lågtrycksdel</translation>
+    </message>
+    <message>
+        <source>Driver section</source>
+        <translation>Högtrycksdel</translation>
+    </message>
+    <message>
+        <source>Change the arrival sensor</source>
+        <translation>Ändra ankomstgivaren</translation>
+    </message>
+    <message>
+        <source>Pressure step</source>
+        <translation>Trycksteg</translation>
+    </message>
+    <message>
+        <source> (typed)</source>
+        <translation> (inmatat)</translation>
+    </message>
+    <message>
+        <source>not determined</source>
+        <translation>inte bestämt</translation>
+    </message>
+    <message>
+        <source>Velocity W</source>
+        <translation>Hastighet W</translation>
+    </message>
+    <message>
+        <source>Mach number</source>
+        <translation>Machtal</translation>
+    </message>
+    <message>
+        <source>p1</source>
+        <translation>p1</translation>
+    </message>
+    <message>
+        <source>p2</source>
+        <translation>p2</translation>
+    </message>
+    <message>
+        <source>p5</source>
+        <translation>p5</translation>
+    </message>
+    <message>
+        <source>T2</source>
+        <translation>T2</translation>
+    </message>
+    <message>
+        <source>T5</source>
+        <translation>T5</translation>
+    </message>
+    <message>
+        <source>Gas velocity u2</source>
+        <translation>Gashastighet u2</translation>
+    </message>
+    <message>
+        <source>Reflected shock</source>
+        <translation>Reflekterad chockvåg</translation>
+    </message>
+    <message>
+        <source>Plateau lasts</source>
+        <translation>Platåns längd</translation>
+    </message>
+    <message>
+        <source>Arrival at the side</source>
+        <translation>Ankomst vid sidan</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Storhet</translation>
+    </message>
+    <message>
+        <source>Shot %1</source>
+        <translation>Skott %1</translation>
+    </message>
+    <message>
+        <source>arrival %1</source>
+        <translation>ankomst %1</translation>
+    </message>
+    <message>
+        <source>Shot</source>
+        <translation>Skott</translation>
+    </message>
+    <message>
+        <source>Sensitivity</source>
+        <translation>Känslighet</translation>
+    </message>
+    <message>
+        <source>Sensitivity: &lt;b&gt;%1&lt;/b&gt;, mean over the shots.</source>
+        <translation>Känslighet: &lt;b&gt;%1&lt;/b&gt;, medelvärde över skotten.</translation>
+    </message>
+    <message>
+        <source>Sensitivity: &lt;b&gt;not determined&lt;/b&gt;. %1</source>
+        <translation>Känslighet: &lt;b&gt;inte bestämd&lt;/b&gt;. %1</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::ShotChips</name>
+    <message>
+        <source>Shot %1: %2</source>
+        <translation>Skott %1: %2</translation>
+    </message>
+    <message>
+        <source>Shot %1 is excluded: %2</source>
+        <translation>Skott %1 är uteslutet: %2</translation>
+    </message>
+    <message>
+        <source>%1 shots</source>
+        <translation>%1 skott</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::SpectrumPage</name>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Confirm the resonance. With &quot;given by me&quot; a click on a peak takes it.</source>
+        <translation>Bekräfta resonansen. Med &quot;angiven av mig&quot; väljer ett klick på en topp den.</translation>
+    </message>
+    <message>
+        <source>Power spectral density</source>
+        <translation>Effektspektraltäthet</translation>
+    </message>
+    <message>
+        <source>Resonances</source>
+        <translation>Resonanser</translation>
+    </message>
+    <message>
+        <source>Resonance</source>
+        <translation>Resonans</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Källa</translation>
+    </message>
+    <message>
+        <source>search in the spectrum</source>
+        <translation>sök i spektrumet</translation>
+    </message>
+    <message>
+        <source>given by me</source>
+        <translation>angiven av mig</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frekvens</translation>
+    </message>
+    <message>
+        <source>Search from</source>
+        <translation>Sök från</translation>
+    </message>
+    <message>
+        <source>Search to</source>
+        <translation>Sök till</translation>
+    </message>
+    <message>
+        <source>no limit</source>
+        <translation>ingen gräns</translation>
+    </message>
+    <message>
+        <source>Estimate</source>
+        <translation>Skattning</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Metod</translation>
+    </message>
+    <message>
+        <source>periodogram</source>
+        <translation>periodogram</translation>
+    </message>
+    <message>
+        <source>Welch average</source>
+        <translation>Welch-medelvärde</translation>
+    </message>
+    <message>
+        <source>Change the spectrum&apos;s method</source>
+        <translation>Ändra spektrumets metod</translation>
+    </message>
+    <message>
+        <source>Taper</source>
+        <translation>Fönsterfunktion</translation>
+    </message>
+    <message>
+        <source>rectangular</source>
+        <translation>rektangulär</translation>
+    </message>
+    <message>
+        <source>Hann</source>
+        <translation>Hann</translation>
+    </message>
+    <message>
+        <source>Change the taper</source>
+        <translation>Ändra fönsterfunktionen</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>Dra bort</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>inget</translation>
+    </message>
+    <message>
+        <source>the mean</source>
+        <translation>medelvärdet</translation>
+    </message>
+    <message>
+        <source>a straight line</source>
+        <translation>en rät linje</translation>
+    </message>
+    <message>
+        <source>Change what is taken away</source>
+        <translation>Ändra vad som dras bort</translation>
+    </message>
+    <message>
+        <source>Change where the resonance comes from</source>
+        <translation>Ändra varifrån resonansen kommer</translation>
+    </message>
+    <message>
+        <source>Change the search band</source>
+        <translation>Ändra sökbandet</translation>
+    </message>
+    <message>
+        <source>Give the resonance</source>
+        <translation>Ange resonansen</translation>
+    </message>
+    <message>
+        <source>Above background</source>
+        <translation>Över bakgrunden</translation>
+    </message>
+    <message>
+        <source>Q</source>
+        <translation>Q</translation>
+    </message>
+    <message>
+        <source>Shot %1</source>
+        <translation>Skott %1</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::StageList</name>
+    <message>
+        <source>Stages</source>
+        <translation>Arbetssteg</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::StagePage</name>
+    <message>
+        <source>Nothing to show yet</source>
+        <translation>Inget att visa än</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::StartPage</name>
+    <message>
+        <source>Dynamic calibration of pressure sensors</source>
+        <translation>Dynamisk kalibrering av tryckgivare</translation>
+    </message>
+    <message>
+        <source>Open captures...</source>
+        <translation>Öppna registreringar...</translation>
+    </message>
+    <message>
+        <source>The recordings of one sensor: one or more shots from a shock tube</source>
+        <translation>Registreringarna av en givare: ett eller flera skott från ett stötrör</translation>
+    </message>
+    <message>
+        <source>Open example (3 shots)</source>
+        <translation>Öppna exempel (3 skott)</translation>
+    </message>
+    <message>
+        <source>A simulated sensor with a resonance at 2.33 MHz, to try every stage on</source>
+        <translation>En simulerad givare med en resonans vid 2,33 MHz, att prova varje arbetssteg på</translation>
+    </message>
+    <message>
+        <source>Open project...</source>
+        <translation>Öppna projekt...</translation>
+    </message>
+    <message>
+        <source>Go on with a calibration saved earlier</source>
+        <translation>Fortsätt med en tidigare sparad kalibrering</translation>
+    </message>
+    <message>
+        <source>Or drop recordings, a folder or a project here.</source>
+        <translation>Eller släpp registreringar, en mapp eller ett projekt här.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::WindowPage</name>
+    <message>
+        <source>Window</source>
+        <translation>Fönster</translation>
+    </message>
+    <message>
+        <source>Drag the bands and lines. All shots are aligned on their own start.</source>
+        <translation>Dra i banden och linjerna. Alla skott är inpassade efter sin egen start.</translation>
+    </message>
+    <message>
+        <source>Response, remapped, with the bands</source>
+        <translation>Svar, omskalat, med banden</translation>
+    </message>
+    <message>
+        <source>First stretch of the response</source>
+        <translation>Svarets första avsnitt</translation>
+    </message>
+    <message>
+        <source>Levels and step of every shot</source>
+        <translation>Nivåer och steg för varje skott</translation>
+    </message>
+    <message>
+        <source>Baseline, after the start</source>
+        <translation>Baslinje, efter starten</translation>
+    </message>
+    <message>
+        <source>Subtract the baseline</source>
+        <translation>Dra ifrån baslinjen</translation>
+    </message>
+    <message>
+        <source>Baseline</source>
+        <translation>Baslinje</translation>
+    </message>
+    <message>
+        <source>Change the baseline</source>
+        <translation>Ändra baslinjen</translation>
+    </message>
+    <message>
+        <source>Window, after the start</source>
+        <translation>Fönster, efter starten</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Slut</translation>
+    </message>
+    <message>
+        <source>Change the window&apos;s end</source>
+        <translation>Ändra fönstrets slut</translation>
+    </message>
+    <message>
+        <source>End with the computed plateau</source>
+        <translation>Sluta med den beräknade platån</translation>
+    </message>
+    <message>
+        <source>End with the plateau</source>
+        <translation>Sluta med platån</translation>
+    </message>
+    <message>
+        <source>Settle</source>
+        <translation>Slutnivå</translation>
+    </message>
+    <message>
+        <source>Change the settle band</source>
+        <translation>Ändra slutnivåbandet</translation>
+    </message>
+    <message>
+        <source>Remap to 0..1</source>
+        <translation>Skala om till 0..1</translation>
+    </message>
+    <message>
+        <source>Remap</source>
+        <translation>Skala om</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Längd</translation>
+    </message>
+    <message>
+        <source>Resolution</source>
+        <translation>Upplösning</translation>
+    </message>
+    <message>
+        <source>Values of</source>
+        <translation>Värden för</translation>
+    </message>
+    <message>
+        <source>What is automatic may differ from shot to shot</source>
+        <translation>Det som är automatiskt kan skilja sig mellan skotten</translation>
+    </message>
+    <message>
+        <source>Start, on the record&apos;s own axis</source>
+        <translation>Start, på registreringens egen axel</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Move the baseline</source>
+        <translation>Flytta baslinjen</translation>
+    </message>
+    <message>
+        <source>Move the settle band</source>
+        <translation>Flytta slutnivåbandet</translation>
+    </message>
+    <message>
+        <source>Move the window&apos;s end</source>
+        <translation>Flytta fönstrets slut</translation>
+    </message>
+    <message>
+        <source>Move the start</source>
+        <translation>Flytta starten</translation>
+    </message>
+    <message>
+        <source>Detect the start</source>
+        <translation>Detektera starten</translation>
+    </message>
+    <message>
+        <source>Change the start</source>
+        <translation>Ändra starten</translation>
+    </message>
+    <message>
+        <source>baseline</source>
+        <translation>baslinje</translation>
+    </message>
+    <message>
+        <source>settle</source>
+        <translation>slutnivå</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>start</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>slut</translation>
+    </message>
+    <message>
+        <source>Shot %1 %2</source>
+        <translation>Skott %1 %2</translation>
+    </message>
+    <message>
+        <source>%1, %2 samples</source>
+        <translation>%1, %2 sampel</translation>
+    </message>
+    <message>
+        <source>%1 (1 / length)</source>
+        <translation>%1 (1 / längd)</translation>
+    </message>
+    <message>
+        <source>Shot</source>
+        <translation>Skott</translation>
+    </message>
+    <message>
+        <source>Settled</source>
+        <translation>Slutnivå</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Steg</translation>
+    </message>
+    <message>
+        <source>SNR</source>
+        <translation>SNR</translation>
+    </message>
+    <message>
+        <source>Rise 10–90 %</source>
+        <translation>Stigtid 10–90 %</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Översväng</translation>
+    </message>
+    <message>
+        <source>Settling ±5 %</source>
+        <translation>Insvängning ±5 %</translation>
+    </message>
+</context>
 </TS>
