@@ -3,6 +3,8 @@
 
 #include "core/capture/file_kind.h"
 
+#include "core/capture/formats/text_table.h"
+
 #include <algorithm>
 #include <array>
 
@@ -16,6 +18,10 @@ struct KnownKind
     std::string_view signature; ///< first bytes of such a file
     const char *sentence;
 };
+
+constexpr const char *kMatlab = DYNCAL_TEXT("core",
+    "%1 is a MATLAB file, which this version does not read; write the samples as CSV or HDF5 "
+    "capture. Readable are: %2.");
 
 constexpr std::array kKinds{
     KnownKind{"%PDF"sv,
@@ -45,10 +51,8 @@ constexpr std::array kKinds{
     KnownKind{"TDSh"sv,
         DYNCAL_TEXT("core",
             "%1 is only the index of a LabVIEW TDMS file and holds no samples. Readable are: %2.")},
-    KnownKind{"MATLAB "sv,
-        DYNCAL_TEXT("core",
-            "%1 is a MATLAB file, which this version does not read; write the samples as CSV or "
-            "HDF5 capture. Readable are: %2.")},
+    KnownKind{"MATLAB 5.0 MAT-file"sv, kMatlab},
+    KnownKind{"MATLAB 7.3 MAT-file"sv, kMatlab},
     KnownKind{"RIFF"sv,
         DYNCAL_TEXT("core",
             "%1 is a WAV or other RIFF file, which this version does not read. Readable are: "
@@ -66,26 +70,28 @@ constexpr const char *kBinary = DYNCAL_TEXT("core",
     "%1 is not a recording that can be read: it is a binary file of unknown kind. Readable are: "
     "%2.");
 
-bool looksLikeText(std::string_view head)
+const KnownKind *knownKind(std::string_view head)
 {
-    return std::none_of(head.begin(), head.end(), [](char c) {
-        const auto byte = static_cast<unsigned char>(c);
-        return byte < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f';
-    });
+    const auto known = std::find_if(kKinds.begin(), kKinds.end(),
+        [&](const KnownKind &kind) { return head.starts_with(kind.signature); });
+    return known != kKinds.end() ? &*known : nullptr;
 }
 
 const char *sentenceFor(std::string_view head)
 {
     if (head.empty())
         return kEmpty;
-    const auto known = std::find_if(kKinds.begin(), kKinds.end(),
-        [&](const KnownKind &kind) { return head.starts_with(kind.signature); });
-    if (known != kKinds.end())
+    if (const KnownKind *known = knownKind(head))
         return known->sentence;
-    return looksLikeText(head) ? kText : kBinary;
+    return isPlainText(head) ? kText : kBinary;
 }
 
 } // namespace
+
+bool isForeignFile(std::string_view head)
+{
+    return knownKind(head) != nullptr;
+}
 
 tl::unexpected<Error> unknownFile(
     const std::string &path, std::string_view head, const std::string &readable)

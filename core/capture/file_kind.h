@@ -10,6 +10,9 @@
 
 namespace dyncal {
 
+/// Whether the file begins like a document, picture, archive or recording of another kind.
+bool isForeignFile(std::string_view head);
+
 /// Why a file that no reader took cannot be read: says what it looks like by its first bytes
 /// (PDF, office document, picture, empty, text without numbers, ...) and what can be read
 /// (`readable`, a list for people). CAP-001.

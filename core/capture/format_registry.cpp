@@ -5,6 +5,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/capture/file_kind.h"
+#include "core/capture/formats/delimited_text.h"
 #include "core/capture/formats/hdf5_capture.h"
 #include "core/capture/natural_order.h"
 
@@ -83,7 +84,8 @@ Result<const CaptureFormat *> formatOf(const std::string &path, const ImportSett
             best = &format;
         }
     }
-    if (best == nullptr)
+    constexpr int kCertain = 100;
+    if (best == nullptr || (bestScore < kCertain && isForeignFile(*head)))
         return unknownFile(path, *head, readableFormatsText());
     return best;
 }
@@ -229,6 +231,8 @@ const std::vector<CaptureFormat> &captureFormats()
 {
     static const std::vector<CaptureFormat> formats{
         {"dyncal-capture", "HDF5 capture", {"h5", "hdf5"}, &recogniseHdf5Capture, &readHdf5Capture},
+        {"text", "text table", {"csv", "tsv", "txt", "dat"}, &recogniseDelimitedText,
+            &readDelimitedText},
     };
     return formats;
 }

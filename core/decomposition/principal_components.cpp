@@ -19,6 +19,7 @@ namespace dyncal {
 namespace {
 
 constexpr double kLeastExplained_percent = 95.0;
+constexpr Index kLeastSamples = 8; ///< of a reduced response: what a spectrum needs
 constexpr double kNegligible = 1e-12; ///< of the responses: residuals that are only rounding
 
 /// X = U S V^T. A QR decomposition first makes the cost linear in the samples without squaring the
@@ -69,8 +70,9 @@ Eigen::VectorXd reduced(const WindowedResponse &response, Index factor)
     padded.tail(size) = response.values;
     const Index first = missing + response.lead;
     const Index inWindow = (response.length - 1) / factor + 1;
-    const Index reachable = (padded.size() - 1 - half - first) / factor + 1;
-    return decimate(padded, filter, first, std::clamp<Index>(reachable, 0, inWindow));
+    const Index room = padded.size() - 1 - half - first;
+    const Index reachable = room < 0 ? 0 : room / factor + 1;
+    return decimate(padded, filter, first, std::min(reachable, inWindow));
 }
 
 Error differentRates(const WindowedResponse &response, double lowest_Hz)
@@ -81,6 +83,17 @@ Error differentRates(const WindowedResponse &response, double lowest_Hz)
              "one of them."),
             {std::to_string(response.shot), numberWithUnit(response.sampleRate_Hz, "Hz", 6),
                 numberWithUnit(lowest_Hz, "Hz", 6)}},
+        "CAP-004", response.shot};
+}
+
+Error tooShort(const WindowedResponse &response, Index factor)
+{
+    return {ErrorKind::DataBlocked,
+        {DYNCAL_TEXT("core",
+             "Shot %1 has %2 samples in its window, too few to be reduced %3 times to the rate of "
+             "the other shots; set window.end_s or exclude a shot."),
+            {std::to_string(response.shot), std::to_string(response.length),
+                std::to_string(factor)}},
         "CAP-004", response.shot};
 }
 
@@ -107,6 +120,8 @@ std::optional<Error> unify(const std::vector<WindowedResponse> &responses, Compo
             return differentRates(response, result.sampleRate_Hz);
         unified = unified || *factor > 1;
         columns.push_back(reduced(response, *factor));
+        if (columns.back().size() < kLeastSamples)
+            return tooShort(response, *factor);
         rows = std::min(rows, columns.back().size());
         result.shots.push_back(response.shot);
     }

@@ -18,6 +18,7 @@ constexpr Index kWhitenessLags = 20;
 constexpr std::size_t kMostPeaks = 5;
 constexpr double kLargestOutside = 0.05; ///< share of lags
 constexpr double kSameFrequency = 0.03;
+constexpr double kTolerableShare = 0.1; ///< amplitude left of a resonance before it is a caution
 constexpr double kLargestShare = 0.9; ///< of the energy that one shot of several can hold
 
 /// A series as the spectrum stage takes it.
@@ -47,6 +48,38 @@ std::optional<double> resonanceLeft(
         }
     }
     return std::nullopt;
+}
+
+/// Largest density within +-3 % of a frequency.
+double densityNear(const PowerSpectrum &spectrum, double frequency_Hz)
+{
+    double top = 0.0;
+    for (Index k = 0; k < spectrum.psd.size(); ++k) {
+        if (std::abs(spectrum.frequency_Hz[k] / frequency_Hz - 1.0) <= kSameFrequency)
+            top = std::max(top, spectrum.psd[k]);
+    }
+    return top;
+}
+
+void addResonanceLeft(
+    Index shot, const ResidualAnalysis &residual, const SpectrumResult &average, Findings &findings)
+{
+    const auto left_Hz = resonanceLeft(residual, average.resonances);
+    if (!left_Hz)
+        return;
+    const double share = std::sqrt(
+        densityNear(residual.spectrum, *left_Hz) / densityNear(average.perShot.front(), *left_Hz));
+    Finding finding = caution("PCA-003", shot,
+        {DYNCAL_TEXT("core",
+             "Shot %1: %2 % of the resonance at %3 is left in the residual; its amplitude or its "
+             "time varies between the shots."),
+            {std::to_string(shot), numberText(100.0 * share, 2),
+                numberWithUnit(*left_Hz, "Hz", 4)}},
+        share, kTolerableShare);
+    // Shots start at their own fraction of a sample: a few percent are left of any ringing.
+    if (share <= kTolerableShare)
+        finding.severity = Severity::Info;
+    findings.push_back(std::move(finding));
 }
 
 void addWhiteness(Index shot, const ResidualAnalysis &residual, Findings &findings)
@@ -152,15 +185,8 @@ Findings residualFindings(const ComponentResult &result, const SpectrumSettings 
         = analyseSpectra({asResponse(result.average, result.sampleRate_Hz)}, spectrum);
     for (std::size_t i = 0; i < result.residuals.size(); ++i) {
         addWhiteness(result.shots[i], result.residuals[i], findings);
-        if (!average)
-            continue;
-        if (const auto left_Hz = resonanceLeft(result.residuals[i], average->resonances))
-            findings.push_back(caution("PCA-003", result.shots[i],
-                {DYNCAL_TEXT("core",
-                     "Shot %1: the residual still contains the resonance (%2); its amplitude or "
-                     "its time varies between the shots."),
-                    {std::to_string(result.shots[i]), numberWithUnit(*left_Hz, "Hz", 4)}},
-                *left_Hz));
+        if (average)
+            addResonanceLeft(result.shots[i], result.residuals[i], *average, findings);
     }
     addDominance(result, findings);
     return findings;

@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/model_analysis/step_transform.h"
+#include "core/shock/pressure_units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,6 +43,12 @@ const SeriesFit *fitOfShot(const SensorModel &model, Index shot)
     return nullptr;
 }
 
+bool shareOneUnit(const std::vector<WindowedResponse> &responses)
+{
+    return std::all_of(responses.begin(), responses.end(),
+        [&](const WindowedResponse &response) { return response.unit == responses.front().unit; });
+}
+
 std::vector<ShotView> views(const std::vector<WindowedResponse> &responses,
     const SensorModel &model, const ShockConditionsSet &shock, const ResponseSettings &settings,
     bool &isAbsolute)
@@ -52,6 +59,7 @@ std::vector<ShotView> views(const std::vector<WindowedResponse> &responses,
         const ShockConditions *conditions = shock.ofShot(response.shot);
         isAbsolute = isAbsolute && conditions && conditions->step_Pa;
     }
+    isAbsolute = isAbsolute && shareOneUnit(responses);
     for (const WindowedResponse &response : responses) {
         ShotView view{&response, fitOfShot(model, response.shot)};
         if (isAbsolute)
@@ -222,11 +230,32 @@ void compareAnswers(ResponseResult &result)
     }
 }
 
+/// CAP-013: a recording in units of pressure must read about the step that the shock made.
+void checkReading(const WindowedResponse &response, double step_Pa, Findings &findings)
+{
+    constexpr double kOff = 3.0;
+    const auto pascals = pascalsPer(response.unit);
+    if (!pascals)
+        return;
+    const double ratio = std::abs(response.step * *pascals / step_Pa);
+    if (ratio < kOff && ratio > 1.0 / kOff)
+        return;
+    const auto fitting = unitThatFits(response.step, step_Pa);
+    findings.push_back({"CAP-013", Severity::Caution, response.shot, response.channel, {},
+        {fitting ? DYNCAL_TEXT(
+             "core", "Shot %1: the step reads %2; %3 is expected. Is the unit %4? Set import.unit.")
+                 : DYNCAL_TEXT("core",
+                     "Shot %1: the step reads %2; %3 is expected. Check the unit and the scale."),
+            {std::to_string(response.shot), numberWithUnit(response.step, response.unit, 4),
+                numberWithUnit(step_Pa, "Pa", 4), fitting.value_or("")}},
+        response.step * *pascals, step_Pa});
+}
+
 void describeShots(const std::vector<WindowedResponse> &responses, const SensorModel &model,
     const ShockConditionsSet &shock, ResponseResult &result)
 {
     double sum = 0.0;
-    int count = 0;
+    std::size_t count = 0;
     for (const WindowedResponse &response : responses) {
         ShotSensitivity shot{response.shot, {}, response.unit + "/Pa"};
         const ShockConditions *conditions = shock.ofShot(response.shot);
@@ -235,12 +264,21 @@ void describeShots(const std::vector<WindowedResponse> &responses, const SensorM
             shot.sensitivity = fit->plateauGain * response.valueScale / *conditions->step_Pa;
             sum += *shot.sensitivity;
             ++count;
+            checkReading(response, *conditions->step_Pa, result.findings);
         }
         result.sensitivityUnit = shot.unit;
         result.shots.push_back(std::move(shot));
     }
-    if (count > 0 && count == static_cast<int>(responses.size()))
-        result.sensitivity = sum / count;
+    if (!shareOneUnit(responses)) {
+        result.findings.push_back({"CAP-023", Severity::Caution, 0, {}, {},
+            {DYNCAL_TEXT("core",
+                 "The shots are recorded in different units, so their sensitivities are not "
+                 "averaged; give one unit for all (import.unit)."),
+                {}},
+            {}, {}});
+    } else if (count > 0 && count == responses.size()) {
+        result.sensitivity = sum / static_cast<double>(count);
+    }
 }
 
 } // namespace

@@ -22,6 +22,7 @@ void poolFits(const ModelInput &input, SensorModel &model)
     double noise = 0.0;
     double spread = 0.0;
     double weights = 0.0;
+    bool noiseKnown = true;
     Eigen::VectorXcd shape = Eigen::VectorXcd::Zero(model.series.front().amplitudes.size());
     const bool isStep = isStepTreatment(input.treatment);
     for (std::size_t r = 0; r < model.series.size(); ++r) {
@@ -30,6 +31,7 @@ void poolFits(const ModelInput &input, SensorModel &model)
         error += fit.error.squaredNorm();
         noise += series.noiseSd * series.noiseSd * static_cast<double>(series.y.size());
         spread += spreadSquares(series.y);
+        noiseKnown = noiseKnown && std::isfinite(fit.fitAttainable_percent);
         // Each shot's own plateau is its unit: shots of different height share their shape.
         const double unit = isStep ? fit.plateauGain : 1.0;
         const double relativeNoise = series.noiseSd / unit;
@@ -49,7 +51,7 @@ void poolFits(const ModelInput &input, SensorModel &model)
     model.plateauGain /= weights;
     model.amplitudes = shape / weights * (isStep ? model.plateauGain : 1.0);
     model.fit_percent = fitPercent(error, spread);
-    model.fitAttainable_percent = fitPercent(noise, spread);
+    model.fitAttainable_percent = noiseKnown ? fitPercent(noise, spread) : kUnknown;
 }
 
 double listingFit(const StateSpaceModel &stateSpace, const Eigen::VectorXd &y)

@@ -124,9 +124,11 @@ SeriesFit describeSeries(const ModelInput &input, const ModelDraft &draft, std::
         : simulate(series, sum, sampleInterval_s(input));
     fit.error = series.y - fit.simulated;
     fit.fit_percent = fitPercent(fit.error.squaredNorm(), spreadSquares(series.y));
-    fit.fitAttainable_percent
-        = fitPercent(series.noiseSd * series.noiseSd * static_cast<double>(series.y.size()),
-            spreadSquares(series.y));
+    // Without a quiet stretch nobody knows the noise; a record without any noise has one of 0.
+    fit.fitAttainable_percent = series.noise.size() > 0
+        ? fitPercent(series.noiseSd * series.noiseSd * static_cast<double>(series.y.size()),
+            spreadSquares(series.y))
+        : kUnknown;
     return fit;
 }
 

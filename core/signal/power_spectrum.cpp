@@ -261,6 +261,12 @@ Result<PowerSpectrum> computePowerSpectrum(const Eigen::Ref<const Eigen::VectorX
     power[0] *= 0.5; // these two have no partner at the negative frequency
     if (segments.length % 2 == 0)
         power[power.size() - 1] *= 0.5;
+    if (!power.allFinite())
+        return fail(ErrorKind::DataBlocked,
+            {DYNCAL_TEXT("core",
+                 "The power spectrum exceeds the range of numbers: the largest value is %1; check "
+                 "the scale of the channel."),
+                {numberText(values.cwiseAbs().maxCoeff(), 3)}});
     const double df_Hz = rate_Hz / static_cast<double>(segments.length);
     const auto last = static_cast<double>(power.size() - 1);
     return PowerSpectrum{

@@ -249,7 +249,8 @@ private:
         m_start = walkBack(m_channel, event, {m_quiet.level, m_threshold, average}, gap);
         // A mean that crosses reaches back before the start by the share that the step fills.
         const double share = std::max(1.0 - m_threshold / m_height, 0.0);
-        m_start += static_cast<Index>(static_cast<double>(average - 1) * share);
+        const auto shift = static_cast<Index>(static_cast<double>(average - 1) * share);
+        m_start = std::min(m_start + shift, event);
     }
 
     Result<DetectedStart> found(Index quietEnd) const

@@ -100,7 +100,8 @@ private:
         if (m_settings.endAtPlateau)
             length = std::min(sampleAt(*plateau_s) - m_start, limit);
         else if (m_settings.end_s.isAuto())
-            length = automaticLength();
+            length = plateau_s ? std::min(automaticLength(), sampleAt(*plateau_s) - m_start)
+                               : automaticLength();
         else
             length = sampleAt(*m_settings.end_s.value) - m_start;
         if (length > limit)

@@ -5,6 +5,7 @@
 
 #include "core/base/result.h"
 #include "core/capture/capture_set.h"
+#include "tests/support/measured_data.h"
 
 #include <QByteArray>
 #include <QDir>
@@ -21,14 +22,10 @@
 
 namespace dyncal::testing {
 
-/// The folder of recordings: DYNCAL_DATA, or shared/data beside the source tree; empty if missing.
-inline QString dataFolder()
+/// The folder of recordings; empty if it is missing.
+inline QString recordingsFolder()
 {
-    const QString fromEnvironment = qEnvironmentVariable("DYNCAL_DATA");
-    const QString folder = !fromEnvironment.isEmpty()
-        ? fromEnvironment
-        : qEnvironmentVariable("DYNCAL_SOURCE_DIR", ".") + "/../shared/data";
-    return QDir(folder).exists() ? QDir(folder).canonicalPath() : QString();
+    return QDir(QString::fromStdString(dataFolder().string())).canonicalPath();
 }
 
 inline QByteArray bytesOf(const QString &path)

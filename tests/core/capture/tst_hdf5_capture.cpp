@@ -425,7 +425,7 @@ private slots:
 
     void read_realCaptureOfAnotherWriter_expectedCounts()
     {
-        const QString folder = dataFolder();
+        const QString folder = recordingsFolder();
         if (folder.isEmpty())
             QSKIP("data folder missing: 0 captures of other writers covered");
         const QString file = folder + "/derived/ds1_capture_v1_shots123.h5";
@@ -448,7 +448,7 @@ private slots:
 
     void read_filesThatCrashTheLibrary_errorAndStillHere()
     {
-        const QString folder = dataFolder() + "/hdf5_crashers";
+        const QString folder = recordingsFolder() + "/hdf5_crashers";
         const QStringList files = QDir(folder).entryList({"*.h5"}, QDir::Files);
         if (files.isEmpty())
             QSKIP("data folder missing: 0 files that crash libhdf5 covered");

@@ -79,6 +79,7 @@ private slots:
     void analyse_differentRates_areReduced();
     void analyse_recordWithoutLead_isReduced();
     void analyse_ratesWithoutRatio_areBlocked();
+    void analyse_windowShorterThanFilter_isBlocked();
     void analyse_lengths_areCutToTheShortest();
     void analyse_oneShot_skipsTheComponents();
     void analyse_keptComponents_areLimited();
@@ -286,6 +287,19 @@ void TestPrincipalComponents::analyse_ratesWithoutRatio_areBlocked()
     QCOMPARE(result.error().shot, Index(1));
     const std::string text = english(result.error().message);
     QVERIFY(text.find("50 MHz") != std::string::npos && text.find("20 MHz") != std::string::npos);
+}
+
+void TestPrincipalComponents::analyse_windowShorterThanFilter_isBlocked()
+{
+    for (const Index length : {1, 100, 400, 600}) {
+        WindowedResponse tiny = response(1, 0.0, 10e6);
+        tiny.length = length;
+        tiny.values = Eigen::VectorXd(tiny.values.head(tiny.lead + length)); // no margin behind
+        const auto result = analyseComponents({tiny, response(2, 0.0, 1e5)}, {}, {});
+        QVERIFY(!result);
+        QCOMPARE(result.error().kind, ErrorKind::DataBlocked);
+        QCOMPARE(result.error().shot, Index(1));
+    }
 }
 
 void TestPrincipalComponents::analyse_lengths_areCutToTheShortest()

@@ -209,6 +209,7 @@ void TestPowerSpectrum::badInput_isRefused()
     QVERIFY(!computePowerSpectrum(x, 0.0, {}));
     QVERIFY(!computePowerSpectrum(x, std::nan(""), {}));
     QVERIFY(!computePowerSpectrum(Eigen::VectorXd(), 1.0, {}));
+    QVERIFY(!computePowerSpectrum(1e200 * x, 1.0, {})); // its square is no number
     x[50] = std::numeric_limits<double>::infinity();
     const auto refused = computePowerSpectrum(x, 1.0, {});
     QVERIFY(!refused);

@@ -85,6 +85,7 @@ private slots:
     void detect_driftingBaseline_findsStep();
     void detect_strongDrift_isNotAtRest();
     void detect_invalidSamples_areSkipped();
+    void detect_stepAtTheVeryEnd_staysInside();
     void detect_twoSteps_findsTheFirst();
     void detect_plateauThatEnds_findsTheStep();
     void detect_decay_findsItsBegin();
@@ -238,6 +239,19 @@ void TestStartDetection::detect_invalidSamples_areSkipped()
     compareNoStart(detectStart(doubleChannel(values, 1e6)), "quiet samples");
     values.setConstant(kNan);
     compareNoStart(detectStart(doubleChannel(values, 1e6)), "window.start");
+}
+
+void TestStartDetection::detect_stepAtTheVeryEnd_staysInside()
+{
+    // the mean that must cross in noise would reach beyond the record
+    for (Index behind = 1; behind <= 60; ++behind) {
+        for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+            Eigen::VectorXd values = Gaussian(seed).vector(300, 0.2);
+            values.tail(behind).array() += 1.0;
+            const auto start = detectStart(doubleChannel(values, 1e6));
+            QVERIFY(!start || start->sample < 300);
+        }
+    }
 }
 
 void TestStartDetection::detect_twoSteps_findsTheFirst()

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/index.h"
+
+#include <optional>
+#include <span>
+
+namespace dyncal {
+
+/// A column of times taken as an axis t0 + k dt.
+struct TimeAxis
+{
+    double first = 0.0; ///< in the unit of the column, like all here
+    double step = 0.0; ///< (last - first) / (n - 1); the median step of an irregular axis
+    double resolution = 0.0; ///< of the text: one unit of the last digit printed
+    std::optional<Index> irregular; ///< row of the first step that is not `step`
+};
+
+/// Looks at times (at least two, in the unit in which they were printed). A step is irregular if it
+/// differs from the mean step by more than 1 %; what the rounding of the printed digits explains is
+/// forgiven as long as it is at most half a step, so that a missing sample would still show.
+TimeAxis timeAxisOf(std::span<const double> times);
+
+} // namespace dyncal
