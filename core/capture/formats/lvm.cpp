@@ -6,19 +6,19 @@
 #include "core/base/content_hash.h"
 #include "core/base/number_text.h"
 #include "core/capture/formats/lvm_header.h"
+#include "core/capture/formats/lvm_rate.h"
 #include "core/capture/formats/table_end.h"
 #include "core/capture/formats/time_axis.h"
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <limits>
+#include <span>
 
 namespace dyncal {
 namespace {
 
 constexpr std::string_view kFirstWords = "LabVIEW Measurement";
-constexpr double kRateTolerance = 0.001; ///< between Delta_X and the X cells, as in CAP-003
 constexpr std::size_t kComments = 10; ///< different ones kept of a comment column
 
 /// Rows of one segment as they are collected.
@@ -270,34 +270,21 @@ private:
         m_set.shots.push_back(std::move(shot));
     }
 
-    /// From Delta_X, unless the X cells of the channel contradict it. With one X column for all,
-    /// it belongs to the first channel and those of the same Delta_X.
     double sampleRateOf(const SegmentData &data, std::size_t index, Index shot)
     {
         const LvmChannel &channel = data.header.channels[index];
-        const double stated = channel.deltaX > 0.0 ? 1.0 / channel.deltaX : 0.0;
         const bool multi = m_file.xColumns == LvmXColumns::Multi;
+        // One X column for all belongs to the first channel and those of the same Delta_X.
         const bool ownX
             = channel.xColumn && (multi || channel.deltaX == data.header.channels.front().deltaX);
         const auto count = static_cast<std::size_t>(data.values[index].size());
-        if (!ownX || count < 2)
-            return stated;
-        const std::span<const double> x = std::span(data.x[multi ? index : 0]).first(count);
-        if (std::none_of(x.begin(), x.end(), [](double value) { return std::isfinite(value); }))
-            return stated;
-        const TimeAxis axis = timeAxisOf(x, data.xResolution);
-        const double step = channel.deltaX > 0.0 ? channel.deltaX : axis.step;
-        const bool coarse = axis.resolution > 0.5 * step;
-        const double mean = (x.back() - x.front()) / static_cast<double>(count - 1);
-        const double tolerance
-            = kRateTolerance * step + 2.0 * axis.resolution / static_cast<double>(count - 1);
-        const bool agrees = std::abs(mean - step) <= tolerance && (coarse || !axis.irregular);
-        if (agrees && channel.deltaX > 0.0)
-            return stated;
-        if (agrees && !coarse)
-            return 1.0 / axis.step;
-        m_set.findings.push_back(contradiction(channel, mean, shot));
-        return 0.0;
+        std::span<const double> x;
+        if (ownX)
+            x = std::span(data.x[multi ? index : 0]).first(count);
+        const LvmRate rate = lvmRate(channel, x, data.xResolution);
+        if (rate.contradicted)
+            m_set.findings.push_back(contradiction(channel, rate.meanStep, shot));
+        return rate.sampleRate_Hz;
     }
 
     Finding contradiction(const LvmChannel &channel, double mean, Index shot) const

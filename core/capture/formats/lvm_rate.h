@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/capture/formats/lvm_header.h"
+
+#include <span>
+
+namespace dyncal {
+
+struct LvmRate
+{
+    double sampleRate_Hz = 0.0; ///< 0 = unknown
+    bool contradicted = false; ///< by the X cells, which are no uniform axis or one of another step
+    double meanStep = 0.0; ///< of the X cells
+};
+
+/// Sample rate of a channel: 1/Delta_X unless the X cells of its samples (empty or all NaN: there
+/// are none) contradict it by more than 0.1 % and more than their printed digits (`resolution`)
+/// explain. Without Delta_X the X cells decide if they are fine enough.
+LvmRate lvmRate(const LvmChannel &channel, std::span<const double> x, double resolution);
+
+} // namespace dyncal
