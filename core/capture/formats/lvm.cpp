@@ -7,6 +7,7 @@
 #include "core/base/number_text.h"
 #include "core/capture/formats/lvm_header.h"
 #include "core/capture/formats/lvm_rate.h"
+#include "core/capture/formats/time_axis.h"
 #include "core/capture/formats/table_end.h"
 
 #include <algorithm>
