@@ -3,8 +3,6 @@
 
 #include "core/capture/file_kind.h"
 
-#include "core/capture/formats/text_table.h"
-
 #include <algorithm>
 #include <array>
 
@@ -91,6 +89,14 @@ const char *sentenceFor(std::string_view head)
 bool isForeignFile(std::string_view head)
 {
     return knownKind(head) != nullptr;
+}
+
+bool isPlainText(std::string_view text)
+{
+    return std::none_of(text.begin(), text.end(), [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return byte < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f';
+    });
 }
 
 tl::unexpected<Error> unknownFile(

@@ -13,6 +13,9 @@ namespace dyncal {
 /// Whether the file begins like a document, picture, archive or recording of another kind.
 bool isForeignFile(std::string_view head);
 
+/// Whether these are characters of a text: no control characters but blanks and line ends.
+bool isPlainText(std::string_view text);
+
 /// Why a file that no reader took cannot be read: says what it looks like by its first bytes
 /// (PDF, office document, picture, empty, text without numbers, ...) and what can be read
 /// (`readable`, a list for people). CAP-001.

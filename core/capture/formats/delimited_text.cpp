@@ -5,6 +5,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/base/number_text.h"
+#include "core/capture/file_kind.h"
 #include "core/capture/formats/table_end.h"
 #include "core/capture/formats/text_dialect.h"
 #include "core/capture/formats/text_table.h"

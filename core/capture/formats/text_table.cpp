@@ -138,14 +138,6 @@ std::string textOfBytes(std::string bytes)
     return bytes;
 }
 
-bool isPlainText(std::string_view text)
-{
-    return std::none_of(text.begin(), text.end(), [](char c) {
-        const auto byte = static_cast<unsigned char>(c);
-        return byte < 0x20 && c != '\t' && c != '\n' && c != '\r' && c != '\f';
-    });
-}
-
 std::string utf8Text(std::string_view text)
 {
     if (isUtf8(text))

@@ -22,9 +22,6 @@ Result<std::string> readTextFile(const std::string &path);
 /// The same for bytes that are there already.
 std::string textOfBytes(std::string bytes);
 
-/// Whether these are characters of a text: no control characters but blanks and line ends.
-bool isPlainText(std::string_view text);
-
 /// UTF-8 of a name or unit: left alone if it is valid UTF-8, otherwise taken as Windows-1252.
 std::string utf8Text(std::string_view text);
 
