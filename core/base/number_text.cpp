@@ -34,6 +34,8 @@ std::string numberWithUnit(double value, std::string_view unit, int digits)
     };
     static constexpr std::array<Prefix, 9> kPrefixes{{{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1.0, ""},
         {1e-3, "m"}, {1e-6, "\xC2\xB5"}, {1e-9, "n"}, {1e-12, "p"}, {1e-15, "f"}}};
+    if (unit == "1")
+        unit = {};
     Prefix chosen{1.0, ""};
     if (std::isfinite(value) && value != 0.0 && !unit.empty()) {
         // Half a unit of the last digit up, so that 999.96 with 4 digits becomes 1.000 k.

@@ -16,7 +16,8 @@ std::string numberText(double value);
 /// `digits` significant digits (1..17), '.' as decimal mark, exponent only outside 1e-4..1e15.
 std::string numberText(double value, int digits);
 
-/// Value with SI prefix and unit: numberWithUnit(2.33e6, "Hz", 3) == "2.33 MHz". 0 has no prefix.
+/// Value with SI prefix and unit: numberWithUnit(2.33e6, "Hz", 3) == "2.33 MHz". 0 has no prefix;
+/// the unit "1" (a pure number) has neither prefix nor text.
 std::string numberWithUnit(double value, std::string_view unit, int digits = 4);
 
 /// Reads the whole of `text` as one number with decimal mark '.', independent of the locale.

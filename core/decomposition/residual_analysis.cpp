@@ -73,7 +73,7 @@ void addResonanceLeft(
         {DYNCAL_TEXT("core",
              "Shot %1: %2 % of the resonance at %3 is left in the residual; its amplitude or its "
              "time varies between the shots."),
-            {std::to_string(shot), numberText(100.0 * share, 2),
+            {std::to_string(shot), numberText(std::round(100.0 * share), 4),
                 numberWithUnit(*left_Hz, "Hz", 4)}},
         share, kTolerableShare);
     // Shots start at their own fraction of a sample: a few percent are left of any ringing.

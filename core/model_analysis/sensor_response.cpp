@@ -208,7 +208,7 @@ void describeModel(
     }
 }
 
-/// Decision 3: two independent answers; where they differ beyond their uncertainty, say so.
+/// Two independent answers; where they differ beyond their uncertainty, say so.
 void compareAnswers(ResponseResult &result)
 {
     constexpr double kCoverage = 4.0;

@@ -20,7 +20,7 @@
 namespace dyncal {
 
 /// Continuous response of the model at one frequency: G(jw) = c0 + sum c_i jw/(jw - s_i)
-/// (identification.md 2.2; impulse: sum c_i/(jw - s_i)).
+/// (docs/method/response.md; impulse: sum c_i/(jw - s_i)).
 std::complex<double> modelResponse(
     const SensorModel &model, ResponseTreatment treatment, double frequency_Hz);
 
@@ -60,7 +60,7 @@ struct ShotSensitivity
 struct ResponseResult
 {
     Eigen::VectorXd frequency_Hz; ///< as asked by the recipe, inside the usable band
-    Eigen::VectorXd magnitude; ///< non-parametric, metrology.md 1.4; empty for impulse
+    Eigen::VectorXd magnitude; ///< non-parametric, docs/method/response.md; empty for impulse
     Eigen::VectorXd u_magnitude;
     Eigen::VectorXd phase_rad;
     Eigen::VectorXd u_phase_rad;

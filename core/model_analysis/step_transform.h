@@ -11,7 +11,7 @@
 
 namespace dyncal {
 
-/// Response at one frequency from a sampled step response, without any model (metrology.md 1.4):
+/// Response at one frequency from a sampled step response, without any model (docs/method/response.md):
 /// S(f) = D(f) [jwTs / (1 - e^(-jwTs))] e^(jw onset), D(f) = sum (y_n - y_(n-1)) e^(-jwnTs).
 /// `y` starts at time 0 (y before it is 0) and is continued by `endLevel` after its last sample;
 /// the bracket turns the sampled unit step into the true one. Exact up to aliasing and truncation.

@@ -12,7 +12,7 @@
 
 namespace dyncal {
 
-/// y(t) = c0 + sum c_i e^(s_i t): the form in which all results are kept (identification.md 2.2).
+/// y(t) = c0 + sum c_i e^(s_i t): the form in which all results are kept (docs/method/model.md).
 /// `rates` come in exact conjugate pairs (upper half first) or real; amplitudes likewise.
 struct ExponentialSum
 {
@@ -38,7 +38,7 @@ bool isUpperOfPair(const std::vector<std::complex<double>> &poles, std::size_t i
 Eigen::MatrixXd exponentialBasis(const std::vector<std::complex<double>> &poles, Index count,
     bool withConstant, Eigen::VectorXd *scales = nullptr);
 
-/// Least-squares amplitudes of `y_k = c0 + sum c_i p_i^k`, k = 0.. (eq in identification.md 2.2).
+/// Least-squares amplitudes of `y_k = c0 + sum c_i p_i^k`, k = 0.. (docs/method/model.md).
 struct AmplitudeFit
 {
     double constant = 0.0;

@@ -109,7 +109,7 @@ Result<Eigen::MatrixXd> decomposeLanczos(const std::vector<HankelOperator> &bloc
 
 /// Largest singular value of matrices of the same shape built from the pre-trigger noise: the 95 %
 /// point of the draws the noise record allows; with too short a record 0.75 sqrt(2 m ln m) of unit
-/// noise (identification.md 4; the Marchenko-Pastur edge does not hold for Hankel matrices).
+/// noise (docs/method/hankel.md; the Marchenko-Pastur edge does not hold for Hankel matrices).
 double noiseFloor(const ModelInput &input, const Shape &shape, const HankelDecomposition &result)
 {
     constexpr Index kDraws = 12;

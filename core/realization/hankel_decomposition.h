@@ -50,7 +50,7 @@ struct OrderSuggestion
     Eigen::VectorXd bic; ///< of orders 1..bic.size(); empty where it could not be formed
 };
 
-/// BIC on the pre-whitened response (identification.md 4): an AR model of the pre-trigger noise
+/// BIC on the pre-whitened response (docs/method/order.md): an AR model of the pre-trigger noise
 /// filters the response (poles survive a FIR filter), then BIC over orders 1..20.
 OrderSuggestion suggestOrder(const ModelInput &input, const HankelDecomposition &decomposition);
 

@@ -13,7 +13,7 @@ namespace dyncal {
 /// The Hankel matrix H(i, j) = y(i + j), r x s with r + s - 1 <= y.size(), as products only:
 /// H x is a correlation, so it costs two FFTs and the matrix is never formed. With
 /// `projectOnes` the matrix is H (I - 11^T / s): each row without its mean, which removes a
-/// constant from y exactly (identification.md 2.3 c).
+/// constant from y exactly (docs/method/hankel.md).
 class HankelOperator
 {
 public:

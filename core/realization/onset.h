@@ -11,7 +11,7 @@ namespace dyncal {
 
 /// Time at which a step response described by `response` begins (sub-sample): for a sensor of
 /// relative degree two its first derivative vanishes there; with one real pole more (relative
-/// degree three) the second; for a first-order lag the value itself (identification.md 2.2:
+/// degree three) the second; for a first-order lag the value itself (docs/method/model.md:
 /// y = 0 is a double root and ill-posed for higher degrees). Searched within `search_s` on either
 /// side of time 0, where the start was detected. Empty if there is no such point.
 std::optional<double> findOnset_s(const ExponentialSum &response, double search_s);

@@ -14,7 +14,7 @@ namespace dyncal {
 namespace {
 
 constexpr Index kHighestTried = 20;
-constexpr Index kNoiseModelOrder = 4; ///< identification.md 4
+constexpr Index kNoiseModelOrder = 4; ///< docs/method/order.md
 constexpr double kRoundingFloor = 1e-11; ///< of the largest value: nothing below is information
 
 /// Response of one series made ready for BIC: whitened, with the variance left to its noise.

@@ -42,7 +42,7 @@ ExponentialSum perturbed(const Refinement &refinement, Index record, Index index
 Eigen::MatrixXd recordCovariance(const Refinement &refinement, Index record);
 
 /// Nonlinear least squares (Levenberg-Marquardt) on all records at their own rate, started from
-/// the realised poles (identification.md 2.3 e). Minimises sum w^2 |y - model|^2; the covariance is
+/// the realised poles (docs/method/model.md). Minimises sum w^2 |y - model|^2; the covariance is
 /// (J^T J)^-1 times the larger of 1 and the reduced chi square. Empty when it does not converge to
 /// decaying poles within a factor of 1.5 in frequency of the start: the realisation then stands.
 /// Assumes white noise within each record.

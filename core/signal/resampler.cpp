@@ -11,7 +11,7 @@ namespace dyncal {
 namespace {
 
 /// Half length in output samples. Longer would sharpen the edge and lose more of the response,
-/// because the model input starts a whole filter length behind the onset (README decision 11).
+/// because the whole filter must lie behind the onset (docs/adr/0008).
 constexpr Index kHalfLength = 6;
 
 /// Kaiser's beta for 70 dB: 0.1102 (A - 8.7).

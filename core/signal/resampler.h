@@ -24,7 +24,7 @@ struct AntiAliasFilter
     /// before an output sample sees nothing of the time before the onset.
     double span_s() const { return static_cast<double>(taps.size() - 1) / rate_Hz; }
     /// Gain for e^(s t), s complex: sum taps[k] e^(s (k - half) / rate); real on the jw axis.
-    /// A decaying exponential passes with exactly this constant gain (README decision 11).
+    /// A decaying exponential passes with exactly this constant gain (docs/adr/0008).
     std::complex<double> gain(std::complex<double> s_rad_s) const;
 };
 

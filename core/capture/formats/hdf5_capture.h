@@ -15,7 +15,7 @@
 
 namespace dyncal {
 
-/// How sure it is that the file is a capture in our HDF5 layout (formats.md 3), 0..100.
+/// How sure it is that the file is a capture in our HDF5 layout (docs/method/captures.md), 0..100.
 int recogniseHdf5Capture(const std::string &path, std::string_view head);
 
 /// Reads a capture of layout version 1.x. Unknown major version, missing groups, truncated data,
