@@ -24,19 +24,7 @@ void addLine(std::string &text, std::string label, const std::string &value)
 
 std::string percent(double value)
 {
-    return numberText(value, 4) + " %";
-}
-
-/// The sensor's pole pair that rings most.
-const Pole *mainPole(const SensorModel &model)
-{
-    const Pole *strongest = nullptr;
-    for (const Pole &pole : model.poles) {
-        const bool rings = pole.poleClass == PoleClass::Sensor && pole.z.imag() > 0.0;
-        if (rings && (!strongest || pole.amplitude > strongest->amplitude))
-            strongest = &pole;
-    }
-    return strongest;
+    return std::isfinite(value) ? numberText(value, 4) + " %" : "unknown";
 }
 
 std::string withUncertainty(const std::string &value, double u, const char *unit)
@@ -51,8 +39,10 @@ void addShots(std::string &text, const CalibrationResults &results)
     if (!results.captures)
         return;
     const std::vector<Shot> &shots = results.captures->set.shots;
-    const auto used
-        = std::count_if(shots.begin(), shots.end(), [](const Shot &shot) { return shot.included; });
+    // A shot can be left out by its own data too (CAP-020), so the window stage has the last word.
+    const auto used = results.window
+        ? static_cast<std::ptrdiff_t>(results.window->responses.size())
+        : std::count_if(shots.begin(), shots.end(), [](const Shot &shot) { return shot.included; });
     addLine(text, "Shots", std::to_string(used) + " of " + std::to_string(shots.size()) + " used");
 }
 

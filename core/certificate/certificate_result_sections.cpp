@@ -23,17 +23,6 @@ Message notReached()
     return {DYNCAL_TEXT("core", "not determined (outside the range of the model)"), {}};
 }
 
-/// The sensor's main resonance: the oscillating sensor pole with the largest amplitude.
-const Pole *mainPole(const SensorModel &model)
-{
-    const Pole *main = nullptr;
-    for (const Pole &pole : model.poles)
-        if (pole.poleClass == PoleClass::Sensor && pole.s_rad_s.imag() > 0.0
-            && (!main || pole.amplitude > main->amplitude))
-            main = &pole;
-    return main;
-}
-
 void addSensitivity(const CertificateSources &sources, CertificateSection &section)
 {
     const ResponseResult *response = sources.response;

@@ -174,6 +174,17 @@ std::optional<std::complex<double>> takeStepPole(
 
 } // namespace
 
+const Pole *mainPole(const SensorModel &model)
+{
+    const Pole *main = nullptr;
+    for (const Pole &pole : model.poles) {
+        if (pole.poleClass == PoleClass::Sensor && pole.s_rad_s.imag() > 0.0
+            && (!main || pole.amplitude > main->amplitude))
+            main = &pole;
+    }
+    return main;
+}
+
 Result<SensorModel> realizeModel(const ModelInput &input, const HankelDecomposition &decomposition,
     Index order, const RealizationSettings &settings, const SpectrumResult &spectrum,
     const JobControl &control)

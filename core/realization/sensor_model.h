@@ -74,6 +74,10 @@ struct SensorModel
     Findings findings; ///< ORD-001, ORD-003, MOD-001..008
 };
 
+/// The sensor's main resonance, which results and certificate speak of as f0 and zeta: the
+/// oscillating sensor pole (upper half) of the largest amplitude; null if nothing oscillates.
+const Pole *mainPole(const SensorModel &model);
+
 /// Realises the model of one order from the decomposition (eq 3.22 or shift invariance, least
 /// squares amplitudes, optional refinement). Fails (Usage) if order < 1 or larger than the data
 /// allow, naming the largest.

@@ -52,17 +52,6 @@ struct Row
     int failed = 0;
 };
 
-const Pole *mainPole(const SensorModel &model)
-{
-    const Pole *main = nullptr;
-    for (const Pole &pole : model.poles) {
-        if (pole.poleClass == PoleClass::Sensor && pole.s_rad_s.imag() > 0.0
-            && (!main || pole.amplitude > main->amplitude))
-            main = &pole;
-    }
-    return main;
-}
-
 void addSeed(const SensorSpec &sensor, std::uint64_t seed, Row &row)
 {
     SimulationSettings settings;

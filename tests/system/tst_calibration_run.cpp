@@ -5,6 +5,7 @@
 
 #include <QDir>
 #include <QJsonArray>
+#include <QProcess>
 #include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
@@ -69,6 +70,35 @@ private slots:
         m_truth = answer.out;
     }
 
+    void certificate_saysWhatResultsSay()
+    {
+        QVERIFY(runExample("certified").exitCode <= 1);
+        QProcess reader;
+        reader.start("pdftotext", {"-layout", path("certified/certificate.pdf"), "-"});
+        if (!reader.waitForStarted())
+            QSKIP("pdftotext (package poppler-utils) is missing: the PDF was not read.");
+        QVERIFY(reader.waitForFinished());
+        const QString text = QString::fromUtf8(reader.readAllStandardOutput());
+        const QJsonObject results = fileJson(path("certified/results.json"));
+        const QJsonObject pole = mainPole(results);
+        const auto printed = [&text](const char *pattern) {
+            const QRegularExpression expression(QString::fromUtf8(pattern));
+            return expression.match(text);
+        };
+        const auto frequency = printed("natural frequency +([0-9.]+) MHz . ([0-9.]+) MHz");
+        QVERIFY(frequency.hasMatch());
+        const double expanded_Hz = frequency.captured(2).toDouble() * 1e6;
+        // printed to the second digit of U: half a unit of that digit
+        QVERIFY(std::abs(frequency.captured(1).toDouble() * 1e6 - pole["frequency_hz"].toDouble())
+            <= 0.05 * expanded_Hz);
+        QVERIFY(std::abs(expanded_Hz / (2.0 * pole["u_frequency_hz"].toDouble()) - 1.0) < 0.06);
+        const auto damping = printed("Damping ratio +([0-9.]+) . ([0-9.]+) ");
+        QVERIFY(damping.hasMatch());
+        QVERIFY(std::abs(damping.captured(1).toDouble() - pole["damping_ratio"].toDouble())
+            <= 0.05 * damping.captured(2).toDouble());
+        QVERIFY(text.contains(results["inputs"].toArray().first()["sha256"].toString()));
+        QVERIFY(text.contains("DRAFT") || text.contains("Draft"));
+    }
     void example_givesTheTruth()
     {
         const Answer answer = runExample("first");

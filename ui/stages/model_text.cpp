@@ -79,14 +79,4 @@ QVector<QStringList> poleRows(const SensorModel *model, PoleColumns columns)
     return rows;
 }
 
-const Pole *mainPole(const SensorModel &model)
-{
-    const Pole *strongest = nullptr;
-    for (const Pole &pole : model.poles)
-        if (pole.poleClass == PoleClass::Sensor && pole.z.imag() >= 0.0
-            && (!strongest || pole.amplitude > strongest->amplitude))
-            strongest = &pole;
-    return strongest;
-}
-
 } // namespace dyncal

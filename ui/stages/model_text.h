@@ -21,7 +21,4 @@ enum class PoleColumns {
 QStringList poleHeaders(PoleColumns columns);
 QVector<QStringList> poleRows(const SensorModel *model, PoleColumns columns);
 
-/// The sensor pole of the largest amplitude, or null.
-const Pole *mainPole(const SensorModel &model);
-
 } // namespace dyncal

@@ -18,17 +18,6 @@ constexpr double kNoise = 0.01;
 /// the suite either passes always or something changed.
 constexpr double kLargest_z = 4.0;
 
-const Pole *mainPole(const SensorModel &model)
-{
-    const Pole *main = nullptr;
-    for (const Pole &pole : model.poles) {
-        if (pole.poleClass == PoleClass::Sensor && pole.s_rad_s.imag() > 0.0
-            && (!main || pole.amplitude > main->amplitude))
-            main = &pole;
-    }
-    return main;
-}
-
 CalibrationResults calibrate(const SensorSpec &sensor, std::uint64_t seed, const Recipe &recipe)
 {
     SimulationSettings settings;
