@@ -86,7 +86,7 @@ Result<void> setRates(CaptureSet &set, const std::optional<double> &rate_Hz)
         }
     }
     if (overrides) {
-        set.findings.push_back({"CAP-021", Severity::Info, 0, {}, {},
+        set.findings.push_back({"CAP-025", Severity::Info, 0, {}, {},
             {DYNCAL_TEXT("core", "The recipe's sample rate of %1 replaces what the files state."),
                 {numberWithUnit(*rate_Hz, "Hz", 6)}},
             *rate_Hz, {}});

@@ -210,7 +210,8 @@ Findings windowFindings(const Channel &channel, const WindowedResponse &response
                  "result."),
                 {shotText(response), numberText(std::abs(response.step) / code, 3)}},
             std::abs(response.step) / code, kLeastCodes));
-    if (plateau_s && response.end_s > *plateau_s)
+    // Ends lie on samples: the nearest one to the plateau's end is no overrun.
+    if (plateau_s && response.end_s > *plateau_s + 1.0 / response.sampleRate_Hz)
         findings.push_back(finding("WIN-001", response,
             {DYNCAL_TEXT("core",
                  "Shot %1: the window ends %2 after the computed end of the plateau, %3 behind the "
