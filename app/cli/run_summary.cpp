@@ -77,6 +77,10 @@ void addSensitivity(std::string &text, const ResponseResult &response)
 
 void addFit(std::string &text, const SensorModel &model)
 {
+    if (model.diverges) {
+        addLine(text, "Fit (FIT)", "none: the simulation of the model diverges");
+        return;
+    }
     addLine(text, "Fit (FIT)",
         percent(model.fit_percent) + " of attainable " + percent(model.fitAttainable_percent));
     if (model.fitListing_percent)

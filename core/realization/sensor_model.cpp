@@ -176,10 +176,13 @@ std::optional<std::complex<double>> takeStepPole(
 
 const Pole *mainPole(const SensorModel &model)
 {
+    const auto energy = [](const Pole &pole) {
+        return pole.amplitude * pole.amplitude / std::abs(pole.s_rad_s.real());
+    };
     const Pole *main = nullptr;
     for (const Pole &pole : model.poles) {
         if (pole.poleClass == PoleClass::Sensor && pole.s_rad_s.imag() > 0.0
-            && (!main || pole.amplitude > main->amplitude))
+            && (!main || energy(pole) > energy(*main)))
             main = &pole;
     }
     return main;

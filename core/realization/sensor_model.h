@@ -75,7 +75,9 @@ struct SensorModel
 };
 
 /// The sensor's main resonance, which results and certificate speak of as f0 and zeta: the
-/// oscillating sensor pole (upper half) of the largest amplitude; null if nothing oscillates.
+/// oscillating sensor pole (upper half) whose ringing holds most energy, |c|^2 / |Re s| (the
+/// largest amplitude would be a well-damped spurious pole at high orders); null if nothing
+/// oscillates.
 const Pole *mainPole(const SensorModel &model);
 
 /// Realises the model of one order from the decomposition (eq 3.22 or shift invariance, least
