@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace dyncal {
@@ -77,6 +78,26 @@ std::vector<double> decibels(const Eigen::VectorXd &power)
             ? 10.0 * std::log10(power[i])
             : std::numeric_limits<double>::quiet_NaN();
     return values;
+}
+
+std::vector<PlotCurve> spectraOfShots(
+    const std::vector<ShotStyle> &shots, const std::vector<const PowerSpectrum *> &spectra)
+{
+    constexpr Index kBands = 1000; // about one a pixel
+    std::vector<PlotCurve> all;
+    std::vector<PlotCurve> shapes;
+    for (std::size_t i = 0; i < shots.size() && i < spectra.size(); ++i) {
+        const bool many = spectra[i]->frequency_Hz.size() > 4 * kBands;
+        const PowerSpectrum shape = many ? thinned(*spectra[i], kBands) : *spectra[i];
+        shapes.push_back({shots[i].name, shots[i].role, CurveStyle::Line,
+            toVector(shape.frequency_Hz), decibels(shape.psd), true});
+        if (many)
+            all.push_back({Plots::tr("All values"), CurveRole::Noise, CurveStyle::Line,
+                toVector(spectra[i]->frequency_Hz), decibels(spectra[i]->psd), all.empty()});
+    }
+    all.insert(
+        all.end(), std::make_move_iterator(shapes.begin()), std::make_move_iterator(shapes.end()));
+    return all;
 }
 
 std::optional<double> lowestShown_dB(const std::vector<PlotCurve> &curves)
