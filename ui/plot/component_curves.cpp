@@ -105,7 +105,7 @@ PlotContent autocovarianceCurves(
     const ComponentResult &components, const WindowResult &window, std::optional<Index> shot)
 {
     PlotContent content;
-    content.title = Plots::tr("Autocovariance of the residuals");
+    content.title = Plots::tr("Autocovariance of the residuals; dotted: white noise");
     content.xAxis = {Plots::tr("Lag"), QString(), false, true};
     content.yAxis = {Plots::tr("Autocovariance, normalised"), QString()};
     double bound = 0.0;
@@ -125,7 +125,7 @@ PlotContent autocovarianceCurves(
             content.title += QStringLiteral(", ") + style.name;
     }
     if (bound > 0.0) {
-        content.levels.push_back({bound, Plots::tr("White noise"), CurveRole::Noise});
+        content.levels.push_back({bound, QString(), CurveRole::Noise});
         content.levels.push_back({-bound, QString(), CurveRole::Noise});
     }
     // Lag 0 is 1 always; the band of white noise is a hundredth of it.
