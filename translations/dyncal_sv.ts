@@ -316,20 +316,12 @@
         <translation>Det som komponenterna lämnar kvar av varje skott.</translation>
     </message>
     <message>
-        <source>Autocovariance of the residuals</source>
-        <translation>Residualernas autokovarians</translation>
-    </message>
-    <message>
         <source>Lag</source>
         <translation>Tidsförskjutning</translation>
     </message>
     <message>
         <source>Autocovariance, normalised</source>
         <translation>Autokovarians, normerad</translation>
-    </message>
-    <message>
-        <source>White noise</source>
-        <translation>Vitt brus</translation>
     </message>
     <message>
         <source>Autocovariance of the residuals with the bounds of white noise.</source>
@@ -618,6 +610,14 @@
     <message>
         <source>Power spectrum; main resonance at %1.</source>
         <translation>Effektspektrum; huvudresonans vid %1.</translation>
+    </message>
+    <message>
+        <source>Autocovariance of the residuals; dotted: white noise</source>
+        <translation>Residualernas autokovarians; prickat: vitt brus</translation>
+    </message>
+    <message>
+        <source>All values</source>
+        <translation>Alla värden</translation>
     </message>
 </context>
 <context>
@@ -1545,10 +1545,6 @@
         <translation>Modellens poler och nollställen i z-planet</translation>
     </message>
     <message>
-        <source>Shot %1 was sampled at %2 and another one at %3, which is not a whole ratio; exclude one of them.</source>
-        <translation>Skott %1 samplades med %2 och ett annat med %3, vilket inte är ett heltalsförhållande; uteslut ett av dem.</translation>
-    </message>
-    <message>
         <source>Shots of a higher sample rate were reduced to %1 for the principal components, through an anti-alias filter.</source>
         <translation>Skott med högre samplingsfrekvens reducerades till %1 för principalkomponenterna, genom ett antivikningsfilter.</translation>
     </message>
@@ -1671,10 +1667,6 @@
     <message>
         <source>The model starts at %1 % of the step instead of 0: a fast part of the response is missing; raise the model rate or the order.</source>
         <translation>Modellen börjar vid %1 % av steget i stället för vid 0: en snabb del av svaret saknas; höj modellens samplingsfrekvens eller ordning.</translation>
-    </message>
-    <message>
-        <source>Model input: shot %1 is recorded at %2, which is no whole multiple of the model rate %3; choose %2 divided by a whole number.</source>
-        <translation>Modellindata: skott %1 är registrerat med %2, som inte är en heltalsmultipel av modellens samplingsfrekvens %3; välj %2 dividerat med ett heltal.</translation>
     </message>
     <message>
         <source>Model input: shot %1 offers %2 samples before its window ends, %3 are asked for; lengthen the window or ask for fewer samples.</source>
@@ -2084,6 +2076,34 @@
         <source>The power spectrum exceeds the range of numbers: the largest value is %1; check the scale of the channel.</source>
         <translation>Effektspektrumet överskrider talområdet: det största värdet är %1; kontrollera kanalens skala.</translation>
     </message>
+    <message>
+        <source>%1 ends before its first row of samples, so it is likely an incomplete copy; copy it again.</source>
+        <translation>%1 slutar före sin första rad med sampel och är därför troligen en ofullständig kopia; kopiera den på nytt.</translation>
+    </message>
+    <message>
+        <source>%1, line %2: the line of column names does not have the channels that the header declares; the file is damaged.</source>
+        <translation>%1, rad %2: raden med kolumnnamn har inte de kanaler som filhuvudet anger; filen är skadad.</translation>
+    </message>
+    <message>
+        <source>%1: behind segment %2 a header without rows of samples follows, so the file is likely an incomplete copy.</source>
+        <translation>%1: efter segment %2 följer ett huvud utan rader med sampel, så filen är troligen en ofullständig kopia.</translation>
+    </message>
+    <message>
+        <source>%1: Delta_X of channel %2 is %3, but its X values are not uniform or step by %4 on average; state the sample rate in the recipe&apos;s import section if it is known.</source>
+        <translation>%1: Delta_X för kanal %2 är %3, men dess X-värden är inte jämnt fördelade eller har medelsteget %4; ange samplingsfrekvensen i receptets avsnitt import om den är känd.</translation>
+    </message>
+    <message>
+        <source>%1: channel %2 has %3 samples where its header declares %4; if it has fewer, the file may be an incomplete copy.</source>
+        <translation>%1: kanal %2 har %3 sampel där filhuvudet anger %4; om de är färre kan filen vara en ofullständig kopia.</translation>
+    </message>
+    <message>
+        <source>%1 is no LabVIEW measurement file: it does not begin with &quot;LabVIEW Measurement&quot;.</source>
+        <translation>%1 är ingen LabVIEW-mätfil: den börjar inte med &quot;LabVIEW Measurement&quot;.</translation>
+    </message>
+    <message>
+        <source>Model input: shot %1 is recorded at %2, below the model rate of %3; choose at most %2.</source>
+        <translation>Modellindata: skott %1 är registrerat med %2, under modellens samplingsfrekvens %3; välj högst %2.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::AutoEdit</name>
@@ -2270,62 +2290,6 @@
         <translation>Kalibreringsbevis</translation>
     </message>
     <message>
-        <source>Laboratory</source>
-        <translation>Laboratorium</translation>
-    </message>
-    <message>
-        <source>Laboratory&apos;s address</source>
-        <translation>Laboratoriets adress</translation>
-    </message>
-    <message>
-        <source>Customer</source>
-        <translation>Kund</translation>
-    </message>
-    <message>
-        <source>Customer&apos;s address</source>
-        <translation>Kundens adress</translation>
-    </message>
-    <message>
-        <source>Manufacturer</source>
-        <translation>Tillverkare</translation>
-    </message>
-    <message>
-        <source>Model</source>
-        <translation>Modell</translation>
-    </message>
-    <message>
-        <source>Serial number</source>
-        <translation>Serienummer</translation>
-    </message>
-    <message>
-        <source>Description</source>
-        <translation>Beskrivning</translation>
-    </message>
-    <message>
-        <source>Certificate number</source>
-        <translation>Bevisets nummer</translation>
-    </message>
-    <message>
-        <source>Date received</source>
-        <translation>Mottagningsdatum</translation>
-    </message>
-    <message>
-        <source>Date performed</source>
-        <translation>Kalibreringsdatum</translation>
-    </message>
-    <message>
-        <source>Date issued</source>
-        <translation>Utfärdandedatum</translation>
-    </message>
-    <message>
-        <source>Operator</source>
-        <translation>Operatör</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Metod</translation>
-    </message>
-    <message>
         <source>Remarks</source>
         <translation>Anmärkningar</translation>
     </message>
@@ -2372,9 +2336,19 @@
             <numerusform>■ %n obligatoriska fält är tomma: %1.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>%1 findings that block, %2 cautions.</source>
-        <translation>%1 blockerande iakttagelser, %2 varningar.</translation>
+    <message numerus="yes">
+        <source>%n finding(s) that block</source>
+        <translation>
+            <numerusform>%n iakttagelse som blockerar</numerusform>
+            <numerusform>%n iakttagelser som blockerar</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n caution(s).</source>
+        <translation>
+            <numerusform>%n varning.</numerusform>
+            <numerusform>%n varningar.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2572,6 +2546,14 @@
     <message>
         <source>Cancelled</source>
         <translation>Avbrutet</translation>
+    </message>
+    <message>
+        <source>Writing results</source>
+        <translation>Skriver resultat</translation>
+    </message>
+    <message>
+        <source>Writing the certificate</source>
+        <translation>Skriver kalibreringsbeviset</translation>
     </message>
 </context>
 <context>
