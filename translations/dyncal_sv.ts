@@ -612,8 +612,8 @@
         <translation>Effektspektrum; huvudresonans vid %1.</translation>
     </message>
     <message>
-        <source>Autocovariance of the residuals; dotted: white noise</source>
-        <translation>Residualernas autokovarians; prickat: vitt brus</translation>
+        <source>Autocovariance; dotted: white noise</source>
+        <translation>Autokovarians; prickat: vitt brus</translation>
     </message>
     <message>
         <source>All values</source>
@@ -1402,7 +1402,7 @@
     </message>
     <message>
         <source>Sample rate</source>
-        <translation>Samplingsfrekvens</translation>
+        <translation>Samplings- frekvens</translation>
     </message>
     <message>
         <source>Output step</source>
@@ -1410,7 +1410,7 @@
     </message>
     <message>
         <source>Signal to noise</source>
-        <translation>Signalbrusförhållande</translation>
+        <translation>Signal till brus</translation>
     </message>
     <message>
         <source>Rise time</source>
@@ -1418,7 +1418,7 @@
     </message>
     <message>
         <source>Settling time</source>
-        <translation>Insvängningstid</translation>
+        <translation>Insväng- ningstid</translation>
     </message>
     <message>
         <source>Sensitivity</source>

@@ -105,7 +105,7 @@ PlotContent autocovarianceCurves(
     const ComponentResult &components, const WindowResult &window, std::optional<Index> shot)
 {
     PlotContent content;
-    content.title = Plots::tr("Autocovariance of the residuals; dotted: white noise");
+    content.title = Plots::tr("Autocovariance; dotted: white noise");
     content.xAxis = {Plots::tr("Lag"), QString(), false, true};
     content.yAxis = {Plots::tr("Autocovariance, normalised"), QString()};
     double bound = 0.0;
