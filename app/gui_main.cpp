@@ -38,8 +38,9 @@ void prepareApplication()
 
 int runGui(int argc, char **argv, const std::vector<std::string> &files)
 {
-    const bool tour = argc == 3 && std::string_view(argv[1]) == kTourOption;
+    const bool tour = argc >= 3 && std::string_view(argv[1]) == kTourOption;
     const QString tourFolder = tour ? QString::fromLocal8Bit(argv[2]) : QString();
+    const QString tourLanguage(argc == 4 ? argv[3] : "en");
     if (tour && !qEnvironmentVariableIsSet("DISPLAY"))
         qputenv("QT_QPA_PLATFORM", "offscreen");
     // What is exported must be the same bytes as from the command line.
@@ -50,7 +51,7 @@ int runGui(int argc, char **argv, const std::vector<std::string> &files)
     Preferences preferences;
     Prompts prompts;
     Language language;
-    language.install(tour ? QString("en") : preferences.language());
+    language.install(tour ? tourLanguage : preferences.language());
     MainWindow window(runPipeline, {currentUtc, writeRun}, preferences, prompts, language);
     window.show();
     if (tour)

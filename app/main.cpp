@@ -54,7 +54,7 @@ int openWorkbench(int argc, char **argv)
 
 int main(int argc, char **argv)
 {
-    if (argc == 3 && std::string_view(argv[1]) == "--screenshot-tour")
+    if ((argc == 3 || argc == 4) && std::string_view(argv[1]) == "--screenshot-tour")
         return dyncal::runGui(argc, argv, {});
     return dyncal::isCommandLine(argc, argv) ? dyncal::runCommandLine(argc, argv)
                                              : dyncal::openWorkbench(argc, argv);

@@ -10,6 +10,20 @@
             <numerusform>■ %n required fields are empty: %1.</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n finding(s) that block</source>
+        <translation>
+            <numerusform>%n finding that blocks</numerusform>
+            <numerusform>%n findings that block</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n caution(s).</source>
+        <translation>
+            <numerusform>%n caution.</numerusform>
+            <numerusform>%n cautions.</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>dyncal::FileActions</name>

@@ -316,20 +316,12 @@
         <translation>Det som komponenterna lämnar kvar av varje skott.</translation>
     </message>
     <message>
-        <source>Autocovariance of the residuals</source>
-        <translation>Residualernas autokovarians</translation>
-    </message>
-    <message>
         <source>Lag</source>
         <translation>Tidsförskjutning</translation>
     </message>
     <message>
         <source>Autocovariance, normalised</source>
         <translation>Autokovarians, normerad</translation>
-    </message>
-    <message>
-        <source>White noise</source>
-        <translation>Vitt brus</translation>
     </message>
     <message>
         <source>Autocovariance of the residuals with the bounds of white noise.</source>
@@ -618,6 +610,14 @@
     <message>
         <source>Power spectrum; main resonance at %1.</source>
         <translation>Effektspektrum; huvudresonans vid %1.</translation>
+    </message>
+    <message>
+        <source>Autocovariance; dotted: white noise</source>
+        <translation>Autokovarians; prickat: vitt brus</translation>
+    </message>
+    <message>
+        <source>All values</source>
+        <translation>Alla värden</translation>
     </message>
 </context>
 <context>
@@ -1402,7 +1402,7 @@
     </message>
     <message>
         <source>Sample rate</source>
-        <translation>Samplingsfrekvens</translation>
+        <translation>Samplings- frekvens</translation>
     </message>
     <message>
         <source>Output step</source>
@@ -1410,7 +1410,7 @@
     </message>
     <message>
         <source>Signal to noise</source>
-        <translation>Signalbrusförhållande</translation>
+        <translation>Signal till brus</translation>
     </message>
     <message>
         <source>Rise time</source>
@@ -1418,7 +1418,7 @@
     </message>
     <message>
         <source>Settling time</source>
-        <translation>Insvängningstid</translation>
+        <translation>Insväng- ningstid</translation>
     </message>
     <message>
         <source>Sensitivity</source>
@@ -2078,7 +2078,7 @@
     </message>
     <message>
         <source>%1 ends before its first row of samples, so it is likely an incomplete copy; copy it again.</source>
-        <translation>%1 slutar före sin första rad med sampel och är därför troligen en ofullständig kopia; kopiera filen igen.</translation>
+        <translation>%1 slutar före sin första rad med sampel och är därför troligen en ofullständig kopia; kopiera den på nytt.</translation>
     </message>
     <message>
         <source>%1, line %2: the line of column names does not have the channels that the header declares; the file is damaged.</source>
@@ -2090,11 +2090,11 @@
     </message>
     <message>
         <source>%1: Delta_X of channel %2 is %3, but its X values are not uniform or step by %4 on average; state the sample rate in the recipe&apos;s import section if it is known.</source>
-        <translation>%1: Delta_X för kanal %2 är %3, men kanalens X-värden är inte jämnt fördelade eller har i medeltal steget %4; ange samplingsfrekvensen i receptets avsnitt import om den är känd.</translation>
+        <translation>%1: Delta_X för kanal %2 är %3, men dess X-värden är inte jämnt fördelade eller har medelsteget %4; ange samplingsfrekvensen i receptets avsnitt import om den är känd.</translation>
     </message>
     <message>
         <source>%1: channel %2 has %3 samples where its header declares %4; if it has fewer, the file may be an incomplete copy.</source>
-        <translation>%1: kanal %2 har %3 sampel där dess huvud anger %4; om den har färre kan filen vara en ofullständig kopia.</translation>
+        <translation>%1: kanal %2 har %3 sampel där filhuvudet anger %4; om de är färre kan filen vara en ofullständig kopia.</translation>
     </message>
     <message>
         <source>%1 is no LabVIEW measurement file: it does not begin with &quot;LabVIEW Measurement&quot;.</source>
@@ -2290,62 +2290,6 @@
         <translation>Kalibreringsbevis</translation>
     </message>
     <message>
-        <source>Laboratory</source>
-        <translation>Laboratorium</translation>
-    </message>
-    <message>
-        <source>Laboratory&apos;s address</source>
-        <translation>Laboratoriets adress</translation>
-    </message>
-    <message>
-        <source>Customer</source>
-        <translation>Kund</translation>
-    </message>
-    <message>
-        <source>Customer&apos;s address</source>
-        <translation>Kundens adress</translation>
-    </message>
-    <message>
-        <source>Manufacturer</source>
-        <translation>Tillverkare</translation>
-    </message>
-    <message>
-        <source>Model</source>
-        <translation>Modell</translation>
-    </message>
-    <message>
-        <source>Serial number</source>
-        <translation>Serienummer</translation>
-    </message>
-    <message>
-        <source>Description</source>
-        <translation>Beskrivning</translation>
-    </message>
-    <message>
-        <source>Certificate number</source>
-        <translation>Bevisets nummer</translation>
-    </message>
-    <message>
-        <source>Date received</source>
-        <translation>Mottagningsdatum</translation>
-    </message>
-    <message>
-        <source>Date performed</source>
-        <translation>Kalibreringsdatum</translation>
-    </message>
-    <message>
-        <source>Date issued</source>
-        <translation>Utfärdandedatum</translation>
-    </message>
-    <message>
-        <source>Operator</source>
-        <translation>Operatör</translation>
-    </message>
-    <message>
-        <source>Method</source>
-        <translation>Metod</translation>
-    </message>
-    <message>
         <source>Remarks</source>
         <translation>Anmärkningar</translation>
     </message>
@@ -2392,9 +2336,19 @@
             <numerusform>■ %n obligatoriska fält är tomma: %1.</numerusform>
         </translation>
     </message>
-    <message>
-        <source>%1 findings that block, %2 cautions.</source>
-        <translation>%1 blockerande iakttagelser, %2 varningar.</translation>
+    <message numerus="yes">
+        <source>%n finding(s) that block</source>
+        <translation>
+            <numerusform>%n iakttagelse som blockerar</numerusform>
+            <numerusform>%n iakttagelser som blockerar</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n caution(s).</source>
+        <translation>
+            <numerusform>%n varning.</numerusform>
+            <numerusform>%n varningar.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2592,6 +2546,14 @@
     <message>
         <source>Cancelled</source>
         <translation>Avbrutet</translation>
+    </message>
+    <message>
+        <source>Writing results</source>
+        <translation>Skriver resultat</translation>
+    </message>
+    <message>
+        <source>Writing the certificate</source>
+        <translation>Skriver kalibreringsbeviset</translation>
     </message>
 </context>
 <context>

@@ -109,13 +109,15 @@ void addBand(std::string &text, const char *label, const std::optional<double> &
 void addFindings(std::string &text, const PipelineOutcome &outcome)
 {
     const Findings findings = allFindings(outcome);
-    const auto count = [&findings](Severity severity) {
-        return std::to_string(std::count_if(findings.begin(), findings.end(),
-            [severity](const Finding &finding) { return finding.severity == severity; }));
+    const auto count = [&findings](Severity severity, const char *one, const char *several) {
+        const auto number = std::count_if(findings.begin(), findings.end(),
+            [severity](const Finding &finding) { return finding.severity == severity; });
+        return std::to_string(number) + (number == 1 ? one : several);
     };
     addLine(text, "Findings",
-        count(Severity::Block) + " blocking, " + count(Severity::Caution) + " cautions, "
-            + count(Severity::Info) + " notes");
+        count(Severity::Block, " blocking", " blocking") + ", "
+            + count(Severity::Caution, " caution", " cautions") + ", "
+            + count(Severity::Info, " note", " notes"));
 }
 
 } // namespace

@@ -14,6 +14,8 @@ namespace dyncal {
 namespace {
 
 constexpr double kEnough_percent = 95.0;
+constexpr double kShareOfLabel = 0.17; ///< of the width, right of the bars: "95 %" stands there
+constexpr double kReachMargin = 1.15;
 
 /// One curve per shot from the columns of `values` (samples x shots).
 PlotContent columnsContent(const ComponentResult &components, const WindowResult &window,
@@ -68,7 +70,8 @@ PlotContent explainedCurves(const ComponentResult &components)
     }
     const Eigen::VectorXd &percent = components.principal->explainedCumulative_percent;
     content.xMin = 0.4;
-    content.xMax = static_cast<double>(percent.size()) + 0.6;
+    const double lastEdge = static_cast<double>(percent.size()) + 0.3; // of the bars
+    content.xMax = *content.xMin + (lastEdge - *content.xMin) / (1.0 - kShareOfLabel);
     content.curves.push_back({Plots::tr("Explained, cumulative"), CurveRole::Measured,
         CurveStyle::Bars, timeAxis(1.0, 1.0, percent.size()), toVector(percent), true});
     if (percent.size() > 0)
@@ -102,10 +105,11 @@ PlotContent autocovarianceCurves(
     const ComponentResult &components, const WindowResult &window, std::optional<Index> shot)
 {
     PlotContent content;
-    content.title = Plots::tr("Autocovariance of the residuals");
+    content.title = Plots::tr("Autocovariance; dotted: white noise");
     content.xAxis = {Plots::tr("Lag"), QString(), false, true};
     content.yAxis = {Plots::tr("Autocovariance, normalised"), QString()};
     double bound = 0.0;
+    double reach = 0.0;
     for (std::size_t i = 0; i < components.residuals.size() && i < components.shots.size(); ++i) {
         if (shot && components.shots[i] != *shot)
             continue;
@@ -114,12 +118,21 @@ PlotContent autocovarianceCurves(
         content.curves.push_back({style.name, style.role, CurveStyle::Line,
             lagAxis(residual.autocovariance.size()), toVector(residual.autocovariance), true});
         bound = std::max(bound, residual.confidenceBound);
+        const Index lags = residual.autocovariance.size() - 1; // beside lag 0
+        if (lags > 0)
+            reach = std::max(reach, residual.autocovariance.tail(lags).cwiseAbs().maxCoeff());
         if (shot)
             content.title += QStringLiteral(", ") + style.name;
     }
     if (bound > 0.0) {
-        content.levels.push_back({bound, Plots::tr("White noise"), CurveRole::Noise});
+        content.levels.push_back({bound, QString(), CurveRole::Noise});
         content.levels.push_back({-bound, QString(), CurveRole::Noise});
+    }
+    // Lag 0 is 1 always; the band of white noise is a hundredth of it.
+    reach = std::max(reach, bound);
+    if (std::isfinite(reach) && reach > 0.0) {
+        content.yMin = -kReachMargin * reach;
+        content.yMax = kReachMargin * reach;
     }
     content.summary = Plots::tr("Autocovariance of the residuals with the bounds of white noise.");
     return content;
@@ -133,14 +146,16 @@ PlotContent residualSpectrumCurves(const ComponentResult &components, const Wind
     const QString unit = responseAxisMeaning(window).unit;
     content.yAxis = {Plots::tr("Power spectral density"),
         unit.isEmpty() ? QStringLiteral("dB re 1/Hz") : QStringLiteral("dB re %1²/Hz").arg(unit)};
+    std::vector<ShotStyle> shots;
+    std::vector<const PowerSpectrum *> spectra;
     for (std::size_t i = 0; i < components.residuals.size() && i < components.shots.size(); ++i) {
         const ResidualAnalysis &residual = components.residuals[i];
-        const ShotStyle style = shotStyle(components.shots[i], window);
-        content.curves.push_back({style.name, style.role, CurveStyle::Line,
-            toVector(residual.spectrum.frequency_Hz), decibels(residual.spectrum.psd), true});
+        shots.push_back(shotStyle(components.shots[i], window));
+        spectra.push_back(&residual.spectrum);
         if (!residual.peaks_Hz.empty())
             markOnce(content, residual.peaks_Hz.front());
     }
+    content.curves = spectraOfShots(shots, spectra);
     content.yMin = lowestShown_dB(content.curves);
     content.summary = Plots::tr("Power spectra of the residuals; the strongest maximum of each "
                                 "shot is marked.");

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace dyncal {
@@ -77,6 +78,50 @@ std::vector<double> decibels(const Eigen::VectorXd &power)
             ? 10.0 * std::log10(power[i])
             : std::numeric_limits<double>::quiet_NaN();
     return values;
+}
+
+namespace {
+
+/// The highest value of each of `bands` log-spaced bands, at its own frequency: a point picked on
+/// the curve is one of the spectrum.
+PowerSpectrum highestPerBand(const PowerSpectrum &spectrum, Index bands)
+{
+    const Eigen::VectorXd &f_Hz = spectrum.frequency_Hz;
+    const auto from = std::find_if(f_Hz.begin(), f_Hz.end(), [](double f) { return f > 0.0; });
+    const double ratio = std::log(f_Hz[f_Hz.size() - 1] / *from) / static_cast<double>(bands);
+    std::vector<Index> highest;
+    Index lastBand = -1;
+    for (Index i = from - f_Hz.begin(); i < f_Hz.size(); ++i) {
+        const auto band = static_cast<Index>(std::log(f_Hz[i] / *from) / ratio);
+        if (band > lastBand)
+            highest.push_back(i);
+        else if (!(spectrum.psd[highest.back()] >= spectrum.psd[i])) // a NaN gives way
+            highest.back() = i;
+        lastBand = band;
+    }
+    return {f_Hz(highest), spectrum.psd(highest)};
+}
+
+} // namespace
+
+std::vector<PlotCurve> spectraOfShots(
+    const std::vector<ShotStyle> &shots, const std::vector<const PowerSpectrum *> &spectra)
+{
+    constexpr Index kBands = 1000; // about one a pixel
+    std::vector<PlotCurve> all;
+    std::vector<PlotCurve> shapes;
+    for (std::size_t i = 0; i < shots.size() && i < spectra.size(); ++i) {
+        const bool many = spectra[i]->frequency_Hz.size() > 4 * kBands;
+        const PowerSpectrum shape = many ? highestPerBand(*spectra[i], kBands) : *spectra[i];
+        shapes.push_back({shots[i].name, shots[i].role, CurveStyle::Line,
+            toVector(shape.frequency_Hz), decibels(shape.psd), true});
+        if (many)
+            all.push_back({Plots::tr("All values"), CurveRole::Noise, CurveStyle::Line,
+                toVector(spectra[i]->frequency_Hz), decibels(spectra[i]->psd), all.empty()});
+    }
+    all.insert(
+        all.end(), std::make_move_iterator(shapes.begin()), std::make_move_iterator(shapes.end()));
+    return all;
 }
 
 std::optional<double> lowestShown_dB(const std::vector<PlotCurve> &curves)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/capture/capture_set.h"
+#include "core/signal/power_spectrum.h"
 #include "core/signal/response_window.h"
 #include "ui/plot/plot_content.h"
 
@@ -39,6 +40,11 @@ std::vector<double> timeAxis(double first, double step, Index count);
 
 /// 10 log10; NaN (a gap) where there is no power.
 std::vector<double> decibels(const Eigen::VectorXd &power);
+
+/// The power spectra of shots in decibels. Periodograms of many points would hide each other, so
+/// each shot is drawn as its highest value per narrow band, over all its values in grey.
+std::vector<PlotCurve> spectraOfShots(
+    const std::vector<ShotStyle> &shots, const std::vector<const PowerSpectrum *> &spectra);
 
 /// Lowest decibel value worth showing first: deep nulls of a periodogram would squeeze the rest.
 std::optional<double> lowestShown_dB(const std::vector<PlotCurve> &curves);

@@ -150,8 +150,9 @@ void PlotWidget::Private::click(const QPointF &position, Qt::KeyboardModifiers m
 void PlotWidget::Private::toggleCurve(std::size_t position, bool alone)
 {
     if (alone) {
+        const QString name = scene.curves()[position].curve->name;
         for (std::size_t i = 0; i < scene.curves().size(); ++i)
-            scene.setCurveVisible(i, i == position);
+            scene.setCurveVisible(i, scene.curves()[i].curve->name == name);
     } else {
         scene.setCurveVisible(position, !scene.curves()[position].visible);
     }

@@ -210,7 +210,10 @@ void PlotWidget::changeEvent(QEvent *event)
 void PlotWidget::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    d->plot->setGeometry(rect().adjusted(kRing_px, kRing_px, -kRing_px, -kRing_px));
+    const QRect inner = rect().adjusted(kRing_px, kRing_px, -kRing_px, -kRing_px);
+    if (inner.isEmpty()) // a splitter folded it away: there is nothing to paint on
+        return;
+    d->plot->setGeometry(inner);
     d->replot();
 }
 

@@ -56,7 +56,7 @@ std::optional<CurvePoint> nearestPoint(const QCustomPlot &plot, const PlotScene 
             const double dx = plot.xAxis->coordToPixel(x) - position.x();
             const double dy = plot.yAxis->coordToPixel(y) - position.y();
             const double distance = std::hypot(dx, dy);
-            if (distance < bestDistance) { // false for NaN
+            if (distance <= bestDistance) { // false for NaN; what is drawn on top wins
                 bestDistance = distance;
                 best = CurvePoint{c, x, y};
             }

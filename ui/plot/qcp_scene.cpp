@@ -38,6 +38,15 @@ QCPRange widened(QCPRange range, const PlotAxis &axis, double margin)
     return {range.lower - extra, range.upper + extra};
 }
 
+/// Labels of marks stand at the top: the highest curve must not run through them.
+double aboveData(const QCPRange &range, const PlotAxis &axis)
+{
+    constexpr double kLabelShare = 0.12;
+    if (axis.logarithmic)
+        return range.upper * std::pow(range.upper / range.lower, kLabelShare);
+    return range.upper + kLabelShare * range.size();
+}
+
 bool hasMargin(const PlotCurve &curve)
 {
     return curve.style == CurveStyle::Markers || curve.style == CurveStyle::Dots
@@ -112,7 +121,17 @@ void PlotScene::updateAxisLabel(QCPAxis *axis)
     // Decades carry their own prefix ("10 k"), so the label of a logarithmic axis has none.
     const AxisPrefix prefix
         = meaning.logarithmic ? AxisPrefix{} : axisPrefix(range.lower, range.upper, meaning.unit);
-    axis->setLabel(axisLabel(meaning.quantity, meaning.unit, prefix));
+    const QFontMetrics metrics(m_theme.font);
+    const int room
+        = axis == m_plot.xAxis ? m_plot.axisRect()->width() : m_plot.axisRect()->height();
+    QString label = axisLabel(meaning.quantity, meaning.unit, prefix);
+    const int excess = metrics.horizontalAdvance(label) - room;
+    if (excess > 0) { // the unit stays
+        const int left = metrics.horizontalAdvance(meaning.quantity) - excess;
+        label = axisLabel(
+            metrics.elidedText(meaning.quantity, Qt::ElideRight, left), meaning.unit, prefix);
+    }
+    axis->setLabel(label);
 }
 
 void PlotScene::arrange()
@@ -183,7 +202,29 @@ void PlotScene::wrapLegend()
 void PlotScene::prepare()
 {
     wrapLegend();
+    updateLayout(); // the size of the axes is known only after it
+    fitLabels();
     equaliseAspect();
+}
+
+void PlotScene::updateLayout()
+{
+    for (const auto phase :
+        {QCPLayoutElement::upPreparation, QCPLayoutElement::upMargins, QCPLayoutElement::upLayout})
+        m_plot.plotLayout()->update(phase);
+}
+
+/// As many ticks as have room for their labels, and no title longer than its axis.
+void PlotScene::fitLabels()
+{
+    const QRect rect = m_plot.axisRect()->rect();
+    const QFontMetrics metrics(m_theme.font);
+    const int widest = metrics.horizontalAdvance(QStringLiteral("-0.000"));
+    const auto ticks = [](int length, int each) { return std::clamp(length / each, 2, 5); };
+    m_plot.xAxis->ticker()->setTickCount(ticks(rect.width(), 3 * widest / 2));
+    m_plot.yAxis->ticker()->setTickCount(ticks(rect.height(), 2 * metrics.height()));
+    for (QCPAxis *axis : {m_plot.xAxis, m_plot.yAxis})
+        updateAxisLabel(axis);
 }
 
 void PlotScene::setLegendVisible(bool visible)
@@ -207,15 +248,19 @@ std::optional<std::size_t> PlotScene::legendEntryAt(const QPointF &position) con
 
 void PlotScene::setCurveVisible(std::size_t position, bool visible)
 {
-    DrawnCurve &drawn = m_curves[position];
-    drawn.visible = visible;
-    drawn.plottable()->setVisible(visible);
-    if (drawn.markers)
-        drawn.markers->setVisible(visible);
+    const QString name = m_curves[position].curve->name;
+    for (DrawnCurve &drawn : m_curves) { // one entry may stand for several curves
+        if (drawn.curve->name != name)
+            continue;
+        drawn.visible = visible;
+        drawn.plottable()->setVisible(visible);
+        if (drawn.markers)
+            drawn.markers->setVisible(visible);
+    }
     if (visible)
-        m_hidden.erase(drawn.curve->name);
+        m_hidden.erase(name);
     else
-        m_hidden.insert(drawn.curve->name);
+        m_hidden.insert(name);
     styleLegend();
 }
 
@@ -297,7 +342,9 @@ void PlotScene::fitX()
 
 void PlotScene::fitY()
 {
-    const QCPRange range = dataRange(false);
+    QCPRange range = dataRange(false);
+    if (!m_content->marks.empty())
+        range.upper = aboveData(range, m_content->yAxis);
     m_plot.yAxis->setRange(
         m_content->yMin.value_or(range.lower), m_content->yMax.value_or(range.upper));
 }
@@ -306,10 +353,6 @@ void PlotScene::equaliseAspect()
 {
     if (!m_content->equalAspect)
         return;
-    // The size of the axes is known only after a layout pass.
-    for (const auto phase :
-        {QCPLayoutElement::upPreparation, QCPLayoutElement::upMargins, QCPLayoutElement::upLayout})
-        m_plot.plotLayout()->update(phase);
     const QRect rect = m_plot.axisRect()->rect();
     if (rect.width() < 10 || rect.height() < 10)
         return;

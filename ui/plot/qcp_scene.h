@@ -89,6 +89,8 @@ private:
     // qcp_scene.cpp: axes, title, legend, theme, ranges
     void makeAxis(QCPAxis *axis, const PlotAxis &meaning);
     void updateAxisLabel(QCPAxis *axis);
+    void updateLayout();
+    void fitLabels();
     void arrange();
     void makeLegend();
     void styleLegend();

@@ -187,11 +187,13 @@ PlotContent spectrumCurves(const SpectrumResult &spectrum, const WindowResult &w
     const QString unit = responseAxisMeaning(window).unit;
     content.yAxis = {Plots::tr("Power spectral density"),
         unit.isEmpty() ? QStringLiteral("dB re 1/Hz") : QStringLiteral("dB re %1²/Hz").arg(unit)};
+    std::vector<ShotStyle> shots;
+    std::vector<const PowerSpectrum *> spectra;
     for (std::size_t i = 0; i < spectrum.perShot.size() && i < window.responses.size(); ++i) {
-        const ShotStyle style = shotStyle(window.responses[i].shot, window.responses[i].level);
-        content.curves.push_back({style.name, style.role, CurveStyle::Line,
-            toVector(spectrum.perShot[i].frequency_Hz), decibels(spectrum.perShot[i].psd), true});
+        shots.push_back(shotStyle(window.responses[i].shot, window.responses[i].level));
+        spectra.push_back(&spectrum.perShot[i]);
     }
+    content.curves = spectraOfShots(shots, spectra);
     content.yMin = lowestShown_dB(content.curves);
     for (const Resonance &resonance : spectrum.resonances)
         content.marks.push_back({resonance.frequency_Hz,

@@ -7,6 +7,7 @@
 #include "ui/report/certificate_pdf.h"
 #include "ui/report/certificate_sources.h"
 #include "ui/report/report_figures.h"
+#include "ui/report/report_language.h"
 #include "ui/report/reproducible_output.h"
 
 #include <QApplication>
@@ -47,9 +48,10 @@ Result<std::vector<std::string>> writeReport(const CalibrationResults &results,
         return cannotWrite(folder.filePath(QStringLiteral("plots")));
 
     const ReproducibleOutput reproducible;
+    const CertificateData data = makeCertificate(certificateSources(results, recipe, createdUtc));
+    const ReportLanguage language(data.language);
     const std::vector<ReportFigure> figures = reportFigures(results);
-    const QByteArray pdf
-        = certificatePdf(makeCertificate(certificateSources(results, recipe, createdUtc)), figures);
+    const QByteArray pdf = certificatePdf(data, figures);
     const QString certificate = QStringLiteral("certificate.pdf");
     if (pdf.isEmpty() || !writeFile(folder.filePath(certificate), pdf))
         return cannotWrite(folder.filePath(certificate));

@@ -3,6 +3,8 @@
 
 #include "ui/session/stage_status.h"
 
+#include "core/pipeline/stage_keys.h"
+
 #include <array>
 
 namespace dyncal {
@@ -103,28 +105,12 @@ std::optional<StageId> stageOfFinding(const std::string &id)
 
 std::optional<StageId> firstAffectedStage(const Recipe &before, const Recipe &after)
 {
-    const auto differs = [&](auto... member) { return ((before.*member != after.*member) || ...); };
-    if (differs(&Recipe::import))
-        return StageId::Captures;
-    const bool plateauEnd = before.window.endAtPlateau || after.window.endAtPlateau;
-    if (differs(&Recipe::window, &Recipe::remap) || (plateauEnd && differs(&Recipe::shock))
-        || before.input.treatment != after.input.treatment)
-        return StageId::Window;
-    if (differs(&Recipe::spectrum))
-        return StageId::Spectrum;
-    if (differs(&Recipe::pca))
-        return StageId::Components;
-    if (differs(&Recipe::input))
-        return StageId::ModelInput;
-    if (before.realization.rows != after.realization.rows
-        || before.realization.maxOrder != after.realization.maxOrder)
-        return StageId::Decomposition;
-    if (differs(&Recipe::realization))
-        return StageId::Model;
-    if (differs(&Recipe::shock))
-        return StageId::Shock;
-    if (differs(&Recipe::response))
-        return StageId::Response;
+    const CaptureSet same; // the recordings do not change with the recipe
+    const auto keysBefore = stageKeys(same, before);
+    const auto keysAfter = stageKeys(same, after);
+    for (std::size_t stage = 0; stage < keysBefore.size(); ++stage)
+        if (keysBefore[stage] != keysAfter[stage])
+            return static_cast<StageId>(stage);
     return std::nullopt;
 }
 

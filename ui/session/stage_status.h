@@ -33,8 +33,8 @@ StageStatus stageStatus(const RunState &run, StageId stage);
 std::optional<StageId> stageOfFinding(const std::string &id);
 
 /// The first stage whose result can differ between two recipes; empty when none can (texts of the
-/// certificate, acknowledgements). Only used to mark results as stale while the pipeline decides
-/// by its own keys.
+/// certificate, acknowledgements). By the keys the pipeline caches by, so that a stale mark and
+/// what is computed again cannot disagree.
 std::optional<StageId> firstAffectedStage(const Recipe &before, const Recipe &after);
 
 } // namespace dyncal

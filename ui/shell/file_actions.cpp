@@ -262,6 +262,13 @@ bool FileActions::hasResults()
     return problem.isEmpty();
 }
 
+/// Drawing happens on this thread: what is said must be on the screen before it begins.
+void FileActions::sayBusy(const QString &work)
+{
+    emit busy(work);
+    QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
+}
+
 void FileActions::exportResults()
 {
     if (!hasResults())
@@ -271,6 +278,7 @@ void FileActions::exportResults()
     if (folder.isEmpty())
         return;
     const WaitCursor waiting;
+    sayBusy(tr("Writing results"));
     const Result<void> written = writeResults(folder);
     if (written)
         emit idle(tr("Results written to %1").arg(folder));
@@ -300,6 +308,7 @@ void FileActions::exportCertificate()
     if (path.isEmpty())
         return;
     const WaitCursor waiting;
+    sayBusy(tr("Writing the certificate"));
     const Result<void> written = writeCertificate(path);
     if (written)
         emit idle(tr("Certificate written to %1").arg(path));

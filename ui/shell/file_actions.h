@@ -71,6 +71,7 @@ private:
     Result<void> writeResults(const QString &folder);
     Result<void> writeCertificate(const QString &path);
     bool hasResults();
+    void sayBusy(const QString &work);
     void showProblem(const Error &error);
     QString proposedPath(const QString &fileName) const;
 

@@ -167,6 +167,7 @@ void MainWindow::connectSession()
 
 void MainWindow::buildContents()
 {
+    m_shownLanguage = m_language.code();
     const int row = m_stageList ? m_stageList->currentRow() : 0;
     const bool started = m_session.state().hasShots();
     m_stagesDock->setWindowTitle(tr("Stages"));
@@ -491,7 +492,8 @@ void MainWindow::changeEvent(QEvent *event)
     QMainWindow::changeEvent(event);
     // Pages hold no state, so they are made anew in the new language; queued, because the menu
     // whose action caused this is among what is replaced.
-    if (event->type() == QEvent::LanguageChange)
+    // Drawing a report in another language sends this event too.
+    if (event->type() == QEvent::LanguageChange && m_shownLanguage != m_language.code())
         QMetaObject::invokeMethod(this, &MainWindow::buildContents, Qt::QueuedConnection);
 }
 

@@ -81,6 +81,7 @@ private:
     Preferences &m_preferences;
     Prompts &m_prompts;
     Language &m_language;
+    QString m_shownLanguage; ///< of the contents built last
     Session m_session;
     FileActions *m_files;
     std::vector<StagePage *> m_pages;

@@ -3,6 +3,9 @@
 
 #include "ui/stages/certificate_page.h"
 
+#include "core/certificate/certificate_data.h"
+#include "ui/report/certificate_sources.h"
+#include "ui/text/core_text.h"
 #include "ui/text/finding_text.h"
 
 #include <QComboBox>
@@ -20,42 +23,49 @@ namespace dyncal {
 
 namespace {
 
-struct Field
-{
-    const char *key; ///< of recipe certificate.fields
-    const char *label;
-    int group;
-    bool required; ///< ISO/IEC 17025 7.8.2
-};
-
 constexpr std::array<const char *, 3> kGroups{
     QT_TRANSLATE_NOOP("dyncal::CertificatePage", "Laboratory and customer"),
     QT_TRANSLATE_NOOP("dyncal::CertificatePage", "Sensor"),
     QT_TRANSLATE_NOOP("dyncal::CertificatePage", "Certificate"),
 };
 
-constexpr std::array<Field, 15> kFields{{
-    {"laboratory", QT_TRANSLATE_NOOP("dyncal::CertificatePage", "Laboratory"), 0, true},
-    {"laboratory_address", QT_TRANSLATE_NOOP("dyncal::CertificatePage", "Laboratory's address"), 0,
-        true},
-    {"customer", QT_TRANSLATE_NOOP("dyncal::CertificatePage", "Customer"), 0, true},
-    {"customer_address", QT_TRANSLATE_NOOP("dyncal::CertificatePage", "Customer's address"), 0,
-        true},
-    {"sensor_manufacturer", QT_TRANSLATE_NOOP("dyncal::CertificatePage", "Manufacturer"), 1, false},
-    {"sensor_model", QT_TRANSLATE_NOOP("dyncal::CertificatePage", "Model"), 1, true},
-    {"sensor_serial", QT_TRANSLATE_NOOP("dyncal::CertificatePage", "Serial number"), 1, true},
-    {"sensor_description", QT_TRANSLATE_NOOP("dyncal::CertificatePage", "Description"), 1, false},
-    {"certificate_number", QT_TRANSLATE_NOOP("dyncal::CertificatePage", "Certificate number"), 2,
-        true},
-    {"date_received", QT_TRANSLATE_NOOP("dyncal::CertificatePage", "Date received"), 2, true},
-    {"date_performed", QT_TRANSLATE_NOOP("dyncal::CertificatePage", "Date performed"), 2, true},
-    {"date_issued", QT_TRANSLATE_NOOP("dyncal::CertificatePage", "Date issued"), 2, true},
-    {"operator", QT_TRANSLATE_NOOP("dyncal::CertificatePage", "Operator"), 2, true},
-    {"method_id", QT_TRANSLATE_NOOP("dyncal::CertificatePage", "Method"), 2, true},
-    {"remarks", QT_TRANSLATE_NOOP("dyncal::CertificatePage", "Remarks"), 2, false},
+struct Field
+{
+    const char *key; ///< of recipe certificate.fields
+    std::size_t group;
+};
+
+constexpr std::array<Field, 17> kFields{{
+    {"laboratory", 0},
+    {"laboratory_address", 0},
+    {"place", 0},
+    {"customer", 0},
+    {"customer_address", 0},
+    {"sensor_manufacturer", 1},
+    {"sensor_model", 1},
+    {"sensor_serial", 1},
+    {"sensor_description", 1},
+    {"certificate_number", 2},
+    {"date_received", 2},
+    {"date_performed", 2},
+    {"date_issued", 2},
+    {"operator", 2},
+    {"approved_by", 2},
+    {"method_id", 2},
+    {"remarks", 2},
 }};
 
 constexpr const char *kRemarks = "remarks";
+
+/// A field as the certificate itself has it: its label, and whether it must be there.
+const CertificateField *fieldOf(const CertificateData &data, std::string_view key)
+{
+    for (const CertificateSection &section : data.sections)
+        for (const CertificateField &field : section.fields)
+            if (field.id == key)
+                return &field;
+    return nullptr;
+}
 
 } // namespace
 
@@ -79,8 +89,10 @@ void CertificatePage::buildForm()
         forms.push_back(new QFormLayout(group));
         column->addWidget(group);
     }
+    const CertificateData empty = makeCertificate({}); // every field that must be there is missing
     for (const Field &field : kFields) {
-        const QString label = tr(field.label);
+        const CertificateField *printed = fieldOf(empty, field.key);
+        const QString label = printed ? translated(printed->label) : tr("Remarks");
         QWidget *edit = nullptr;
         if (field.key == std::string_view(kRemarks)) {
             m_remarks = new QPlainTextEdit(page);
@@ -100,8 +112,7 @@ void CertificatePage::buildForm()
         }
         edit->setObjectName(QString("field_%1").arg(field.key));
         edit->setAccessibleName(label);
-        forms[static_cast<std::size_t>(field.group)]->addRow(
-            field.required ? label + " *" : label, edit);
+        forms[field.group]->addRow(printed && printed->missing ? label + " *" : label, edit);
     }
     column->addStretch(1);
     auto *scroll = new QScrollArea(this);
@@ -165,12 +176,18 @@ void CertificatePage::showRecipe()
     showMissing();
 }
 
+/// The list that the document itself prints in red.
 void CertificatePage::showMissing()
 {
+    const CertificateData printedData
+        = makeCertificate(certificateSources(session().results(), recipe(), {}));
+    for (const auto &[key, edit] : m_edits) // what the captures know needs no typing
+        if (const CertificateField *printed = fieldOf(printedData, key);
+            printed && !printed->missing && key.starts_with("sensor_"))
+            edit->setPlaceholderText(translated(printed->value));
     QStringList missing;
-    for (const Field &each : kFields)
-        if (each.required && field(each.key).isEmpty())
-            missing << tr(each.label);
+    for (const Message &label : printedData.missingFields())
+        missing << translated(label);
     m_missing->setText(missing.isEmpty()
             ? tr("● All required fields are filled in.")
             : tr("■ %n required field(s) empty: %1.", nullptr, static_cast<int>(missing.size()))
@@ -179,6 +196,7 @@ void CertificatePage::showMissing()
 
 void CertificatePage::showResults()
 {
+    showMissing();
     int cautions = 0;
     int blocks = 0;
     for (const Finding &finding : session().findings()) {
@@ -186,7 +204,8 @@ void CertificatePage::showResults()
         blocks += finding.severity == Severity::Block;
     }
     m_cautions->setText(severityGlyph(blocks > 0 ? Severity::Block : Severity::Caution) + " "
-        + tr("%1 findings that block, %2 cautions.").arg(blocks).arg(cautions));
+        + tr("%n finding(s) that block", nullptr, blocks) + ", "
+        + tr("%n caution(s).", nullptr, cautions));
 }
 
 } // namespace dyncal

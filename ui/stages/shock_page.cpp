@@ -211,7 +211,7 @@ QVector<QStringList> ShockPage::stateRows() const
     add(tr("Plateau lasts"),
         [](const ShockConditions &shot) { return shownQuantity(shot.plateau_s, "s", 4); });
     add(tr("Arrival at the side"),
-        [](const ShockConditions &shot) { return shownQuantity(shot.arrival_s, "s", 8); });
+        [](const ShockConditions &shot) { return shownQuantity(shot.arrival_s, "s", 5); });
     return rows;
 }
 

@@ -7,6 +7,8 @@
 
 #include <QCoreApplication>
 
+#include <string_view>
+
 namespace dyncal {
 
 namespace {
@@ -88,7 +90,10 @@ QString findingLine(const Finding &finding)
     QString head = severityGlyph(finding.severity) + " " + severityWord(finding.severity);
     if (!finding.id.empty())
         head += " " + QString::fromStdString(finding.id);
-    if (finding.shot > 0)
+    // Most sentences begin with the shot themselves.
+    const bool named
+        = finding.message.text && std::string_view(finding.message.text).starts_with("Shot %1");
+    if (finding.shot > 0 && !named)
         head += FindingText::tr(", shot %1").arg(finding.shot);
     return head + ": " + translated(finding.message);
 }

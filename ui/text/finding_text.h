@@ -16,7 +16,8 @@ QString severityWord(Severity severity);
 QString statusGlyph(StageStatus status); ///< "●", "▲", "■", "◌", "–", "⟳"
 QString statusWord(StageStatus status);
 
-/// "▲ Caution WIN-001, shot 2: sentence"
+/// "▲ Caution WIN-001: Shot 2: sentence"; a sentence that does not begin with its shot gets it
+/// after the id: "▲ Caution WIN-001, shot 2: sentence".
 QString findingLine(const Finding &finding);
 
 } // namespace dyncal

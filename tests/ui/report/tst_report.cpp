@@ -61,6 +61,8 @@ private slots:
     void write_twice_givesSameBytes();
     void write_otherDate_changesOnlyDates();
     void write_underOtherLocale_givesSameBytes();
+    void write_windowInSwedish_givesSameEnglishBytes();
+    void write_swedishRecipe_givesSwedishText();
     void pdf_numbers_areReadable();
     void pdf_structure_isValid();
     void pdf_fonts_areEmbedded();
@@ -137,6 +139,41 @@ void TestReport::write_underOtherLocale_givesSameBytes()
         QVERIFY2(bytesOf(m_folder.filePath(QString::fromStdString(file)))
                 == bytesOf(other.filePath(QString::fromStdString(file))),
             file.c_str());
+}
+
+void TestReport::write_windowInSwedish_givesSameEnglishBytes()
+{
+    QTranslator window;
+    QVERIFY(window.load("dyncal_sv", ":/i18n"));
+    QCoreApplication::installTranslator(&window);
+    QTemporaryDir other;
+    const auto files = writeReport(
+        dyncal::example::calibration(), exampleRecipe(), kCreated, other.path().toStdString());
+    QCOMPARE(QCoreApplication::translate("core", "Shots"), QString("Skott")); // put back
+    QCoreApplication::removeTranslator(&window);
+    QVERIFY(files.has_value());
+    for (const std::string &file : m_files)
+        QVERIFY2(bytesOf(m_folder.filePath(QString::fromStdString(file)))
+                == bytesOf(other.filePath(QString::fromStdString(file))),
+            file.c_str());
+}
+
+void TestReport::write_swedishRecipe_givesSwedishText()
+{
+    if (!has("pdftotext"))
+        QSKIP("pdftotext is not installed");
+    QTemporaryDir other;
+    dyncal::Recipe recipe = exampleRecipe();
+    recipe.certificate.languages = {"sv"};
+    QVERIFY(
+        writeReport(dyncal::example::calibration(), recipe, kCreated, other.path().toStdString()));
+    const QString text = QString::fromUtf8(
+        outputOf("pdftotext", {"-raw", other.filePath("certificate.pdf"), "-"}));
+    for (const char *words : {"Bevis över dynamisk kalibrering", "sida 1 av", "2.33000 MHz"})
+        QVERIFY2(text.contains(QString::fromUtf8(words)), words);
+    for (const char *words : {"Certificate", "to be filled in", "page 1", "Damping"})
+        QVERIFY2(!text.contains(QString::fromUtf8(words)), words);
+    QCOMPARE(QCoreApplication::translate("core", "Shots"), QString("Shots")); // put back
 }
 
 void TestReport::pdf_numbers_areReadable()

@@ -257,9 +257,15 @@ void TestStagePages::certificate_missing_isListed()
 {
     PageBench<CertificatePage> bench;
     auto *missing = bench.control<QLabel>("missingFields");
-    QVERIFY(missing->text().contains("Customer's address"));
+    QVERIFY(missing->text().contains("Address of the customer"));
     bench.type("field_customer_address", "Storgatan 1");
-    QVERIFY(!missing->text().contains("Customer's address"));
+    QVERIFY(!missing->text().contains("Address of the customer"));
+    QVERIFY(missing->text().contains("Place of calibration"));
+    bench.type("field_place", "Lund");
+    QVERIFY(!missing->text().contains("Place of calibration"));
+    QVERIFY(!missing->text().contains("Approved by")); // may be empty
+    bench.type("field_approved_by", "A. Andersson");
+    QCOMPARE(bench.recipe().certificate.fields.at("approved_by"), std::string("A. Andersson"));
 }
 
 void TestStagePages::page_blocked_saysWhy()
