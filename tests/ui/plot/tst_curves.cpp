@@ -3,6 +3,7 @@
 
 #include "tests/support/example_results.h"
 #include "ui/plot/component_curves.h"
+#include "ui/plot/curve_building.h"
 #include "ui/plot/model_curves.h"
 #include "ui/plot/realization_curves.h"
 #include "ui/plot/signal_curves.h"
@@ -68,6 +69,7 @@ private slots:
     void window_times_areRelativeToStart();
     void start_zoom_coversTwentyRiseTimes();
     void spectrum_decibels_andResonanceMark();
+    void spectra_manyPoints_shapeHoldsTruePoints();
     void components_barsAndBounds();
     void components_oneShot_explainsItself();
     void autocovariance_oneShot_showsThatAlone();
@@ -178,6 +180,31 @@ void TestCurves::spectrum_decibels_andResonanceMark()
     QCOMPARE(content.marks[0].x, dyncal::example::kF0_Hz);
     QVERIFY(content.marks[0].label.contains("2.330"));
     QVERIFY(content.summary.contains("2.330"));
+}
+
+/// A point picked on the shape must be one of the spectrum, and the highest must be among them.
+void TestCurves::spectra_manyPoints_shapeHoldsTruePoints()
+{
+    constexpr Eigen::Index kCount = 50000;
+    constexpr Eigen::Index kPeak = 31234;
+    dyncal::PowerSpectrum spectrum;
+    spectrum.frequency_Hz = Eigen::VectorXd::LinSpaced(kCount, 0.0, 50e6);
+    spectrum.psd = Eigen::VectorXd::Ones(kCount);
+    spectrum.psd[kPeak] = 100.0;
+    const auto curves = dyncal::spectraOfShots(
+        {{"Shot 1", dyncal::CurveRole::ShotLow}, {"Shot 2", dyncal::CurveRole::ShotHigh}},
+        {&spectrum, &spectrum});
+    QCOMPARE(curves.size(), std::size_t(4)); // all values of both, then both shapes on top
+    QVERIFY(curves[0].inLegend && !curves[1].inLegend);
+    const PlotCurve &shape = curves[2];
+    QCOMPARE(shape.name, QString("Shot 1"));
+    QVERIFY(shape.x.size() <= 1001);
+    const auto top = std::max_element(shape.y.begin(), shape.y.end());
+    QCOMPARE(*top, 20.0);
+    QCOMPARE(
+        shape.x[static_cast<std::size_t>(top - shape.y.begin())], spectrum.frequency_Hz[kPeak]);
+    QVERIFY(std::is_sorted(shape.x.begin(), shape.x.end()));
+    QVERIFY(shape.x.front() > 0.0); // no place for 0 Hz on a logarithmic axis
 }
 
 void TestCurves::components_barsAndBounds()

@@ -95,6 +95,7 @@ private slots:
     void burstOfChanges_endsWithTheNewest();
     void drag_slowPipeline_stillShowsResults();
     void cancel_leavesStale();
+    void affected_shock_startsAtWindow();
     void removeShot_movesNumbersAndIsUndoable();
     void join_movesNumbersOfFindings();
     void findingIds_leadToStages();
@@ -299,6 +300,20 @@ void TestSession::drag_slowPipeline_stillShowsResults()
     QTRY_VERIFY(!session.isComputing());
     QCOMPARE(shownOrder(session), Index(42));
     QVERIFY2(seen.size() >= 3, qPrintable(QString::number(seen.size())));
+}
+
+/// The automatic end of the window depends on the computed plateau.
+void TestSession::affected_shock_startsAtWindow()
+{
+    const Recipe before;
+    Recipe after = before;
+    QVERIFY(!dyncal::firstAffectedStage(before, after));
+    after.certificate.fields["customer"] = "A";
+    QVERIFY(!dyncal::firstAffectedStage(before, after));
+    after.response.reference = "unit-step";
+    QCOMPARE(dyncal::firstAffectedStage(before, after).value(), StageId::Response);
+    after.shock.enabled = !before.shock.enabled;
+    QCOMPARE(dyncal::firstAffectedStage(before, after).value(), StageId::Window);
 }
 
 void TestSession::cancel_leavesStale()
