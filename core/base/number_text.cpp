@@ -59,7 +59,7 @@ std::string numberWithUnit(double value, std::string_view unit, int digits)
 
 std::optional<double> parseNumber(std::string_view text)
 {
-    if (!text.empty() && text.front() == '+')
+    if (text.starts_with('+') && !text.starts_with("+-"))
         text.remove_prefix(1);
     double value = 0.0;
     const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
