@@ -22,7 +22,14 @@ std::string numberText(double value, int digits)
     std::array<char, 64> buffer;
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
         std::chars_format::general, std::clamp(digits, 1, 17));
-    return {buffer.data(), end.ptr};
+    const std::string text(buffer.data(), end.ptr);
+    // "general" turns to an exponent at 10^digits already: 4.2e+02 for 420.
+    if (text.find("e+") == std::string::npos || !(std::abs(value) < 1e15))
+        return text;
+    const double rounded = parseNumber(text).value_or(value);
+    const auto plain = std::to_chars(
+        buffer.data(), buffer.data() + buffer.size(), rounded, std::chars_format::fixed, 0);
+    return {buffer.data(), plain.ptr};
 }
 
 std::string numberWithUnit(double value, std::string_view unit, int digits)
@@ -52,7 +59,7 @@ std::string numberWithUnit(double value, std::string_view unit, int digits)
 
 std::optional<double> parseNumber(std::string_view text)
 {
-    if (!text.empty() && text.front() == '+')
+    if (text.starts_with('+') && !text.starts_with("+-"))
         text.remove_prefix(1);
     double value = 0.0;
     const auto end = std::from_chars(text.data(), text.data() + text.size(), value);
