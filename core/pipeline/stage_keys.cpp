@@ -9,6 +9,26 @@
 namespace dyncal {
 namespace {
 
+std::string surroundingsOf(const Environment &e)
+{
+    std::string text;
+    for (const double value : {e.p1_Pa, e.u_p1_Pa, e.T1_K, e.u_T1_K, e.p4_Pa, e.T4_K,
+             e.ambientPressure_Pa, e.ambientT_K, e.relativeHumidity})
+        text += numberText(value) + ' ';
+    return text + '\n';
+}
+
+std::string scalingOf(const Channel &channel)
+{
+    std::string text = channel.unit + ' ' + pressureReferenceName(channel.reference);
+    for (const double value : {channel.polarity, channel.userScale,
+             channel.adcMin.value_or(kUnknown), channel.adcMax.value_or(kUnknown)})
+        text += ' ' + numberText(value);
+    for (const double coefficient : channel.polynomial)
+        text += ' ' + numberText(coefficient);
+    return text + '\n';
+}
+
 /// What identifies the recordings: their samples' hashes and what the file says of them.
 std::string identityOf(const CaptureSet &captures)
 {
@@ -17,14 +37,11 @@ std::string identityOf(const CaptureSet &captures)
         text += input.sha256 + ' ' + input.file + '\n';
     for (const Shot &shot : captures.shots) {
         text += shot.label + '|' + shotLevelName(shot.level) + '|' + (shot.included ? "+" : "-")
-            + numberText(shot.environment.p1_Pa) + ' ' + numberText(shot.environment.T1_K) + '\n';
+            + surroundingsOf(shot.environment);
         for (const Channel &channel : shot.channels) {
             text += channel.name + ' ' + channelRoleName(channel.role) + ' ' + channel.sha256 + ' '
                 + numberText(channel.sampleRate_Hz) + ' ' + numberText(channel.t0_s) + ' '
-                + channel.unit;
-            for (const double coefficient : channel.polynomial)
-                text += ' ' + numberText(coefficient);
-            text += '\n';
+                + scalingOf(channel);
         }
     }
     for (const auto &[key, value] : captures.tube)
