@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/base/number_text.h"
+
+#include <QTest>
+
+#include <clocale>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+#include <random>
+
+using namespace dyncal;
+
+class TestNumberText : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void shortestText_readsBackAsTheSameDouble()
+    {
+        std::mt19937_64 bits(1);
+        for (int i = 0; i < 20000; ++i) {
+            const std::uint64_t word = bits();
+            double value = 0.0;
+            std::memcpy(&value, &word, sizeof value);
+            if (!std::isfinite(value))
+                continue;
+            const auto read = parseNumber(numberText(value));
+            QVERIFY(read.has_value());
+            QCOMPARE(std::memcmp(&*read, &value, sizeof value), 0);
+        }
+    }
+
+    void shortestText_isShort()
+    {
+        QCOMPARE(numberText(0.1), std::string("0.1"));
+        QCOMPARE(numberText(-3.0), std::string("-3"));
+        QCOMPARE(numberText(std::numeric_limits<double>::infinity()), std::string("inf"));
+        QCOMPARE(numberText(-std::numeric_limits<double>::infinity()), std::string("-inf"));
+        QCOMPARE(numberText(std::nan("")), std::string("nan"));
+    }
+
+    void digits_areSignificantAndClamped()
+    {
+        QCOMPARE(numberText(3.14159265, 4), std::string("3.142"));
+        QCOMPARE(numberText(123456.0, 3), std::string("123000"));
+        QCOMPARE(numberText(-420.0, 1), std::string("-400"));
+        QCOMPARE(numberText(1.26e14, 2), std::string("130000000000000"));
+        QCOMPARE(numberText(1.26e15, 2), std::string("1.3e+15"));
+        QCOMPARE(numberText(1.26e-4, 2), std::string("0.00013"));
+        QCOMPARE(numberText(1.26e-5, 2), std::string("1.3e-05"));
+        QCOMPARE(numberText(3.14159265, 0), std::string("3"));
+        QCOMPARE(numberText(0.1, 99), std::string("0.10000000000000001"));
+    }
+
+    void text_doesNotFollowTheLocale()
+    {
+        // Where no locale with a decimal comma is installed, the C locale still checks the form.
+        const std::string before = std::setlocale(LC_ALL, nullptr);
+        for (const char *name : {"de_DE.UTF-8", "fr_FR.UTF-8", "sv_SE.UTF-8"}) {
+            if (std::setlocale(LC_ALL, name))
+                break;
+        }
+        const std::string shown = numberText(1.5) + numberText(1.25, 3);
+        const auto read = parseNumber("2.5");
+        std::setlocale(LC_ALL, before.c_str());
+        QCOMPARE(shown, std::string("1.51.25"));
+        QCOMPARE(read, std::optional<double>(2.5));
+    }
+
+    void withUnit_choosesThePrefix_data()
+    {
+        QTest::addColumn<double>("value");
+        QTest::addColumn<QString>("unit");
+        QTest::addColumn<int>("digits");
+        QTest::addColumn<QString>("text");
+        const auto row = [](double value, const char *unit, int digits, const char *text) {
+            QTest::addRow("%g %s %d", value, unit, digits)
+                << value << unit << digits << QString::fromUtf8(text);
+        };
+        row(2.33e6, "Hz", 3, "2.33 MHz");
+        row(-2.33e6, "Hz", 3, "-2.33 MHz");
+        row(1.0, "V", 4, "1 V");
+        row(1000.0, "Pa", 4, "1 kPa");
+        row(5e-6, "s", 4, "5 \xC2\xB5s");
+        row(4.2e-13, "s", 2, "420 fs"); // no exponent beside a prefix
+        row(1e-18, "s", 2, "0.001 fs"); // below the last prefix
+        row(7e12, "Hz", 4, "7000 GHz"); // above the first
+        row(0.0, "V", 4, "0 V");
+        row(1234.5, "1", 6, "1234.5"); // a pure number
+        row(0.0012, "", 4, "0.0012");
+    }
+    void withUnit_choosesThePrefix()
+    {
+        QFETCH(double, value);
+        QFETCH(QString, unit);
+        QFETCH(int, digits);
+        QFETCH(QString, text);
+        QCOMPARE(QString::fromStdString(numberWithUnit(value, unit.toStdString(), digits)), text);
+    }
+
+    void withUnit_roundsIntoTheNextPrefix()
+    {
+        // Rounded to the digits asked, a mantissa of 1000 belongs to the next prefix.
+        for (int digits = 3; digits <= 8; ++digits) {
+            const double half = 0.5 * std::pow(10.0, 3 - digits); // of the last digit below 1000
+            const std::string justAbove = numberWithUnit(1000.0 - 0.9 * half, "Hz", digits);
+            QCOMPARE(justAbove, std::string("1 kHz"));
+            const std::string justBelow = numberWithUnit(1000.0 - 1.1 * half, "Hz", digits);
+            QVERIFY2(justBelow.find("kHz") == std::string::npos, justBelow.c_str());
+            QVERIFY2(justBelow.starts_with("999"), justBelow.c_str());
+        }
+        QCOMPARE(numberWithUnit(0.99999, "V", 3), std::string("1 V"));
+        QCOMPARE(numberWithUnit(999.99e-9, "s", 4), std::string("1 \xC2\xB5s"));
+    }
+
+    void withUnit_notFinite_hasNoPrefix()
+    {
+        QCOMPARE(
+            numberWithUnit(std::numeric_limits<double>::infinity(), "V"), std::string("inf V"));
+        QCOMPARE(numberWithUnit(std::nan(""), "V"), std::string("nan V"));
+    }
+
+    void parse_takesWholeNumbersOnly()
+    {
+        QCOMPARE(parseNumber("1.5e3"), std::optional<double>(1500.0));
+        QCOMPARE(parseNumber("+2"), std::optional<double>(2.0));
+        for (const char *bad :
+            {"", "+", "-", " 1", "1 ", "1,5", "1.5x", "0x10", "1e", "e5", "1e999"})
+            QVERIFY2(!parseNumber(bad), bad);
+    }
+
+    void parse_twoSigns_isRefused()
+    {
+        QVERIFY(!parseNumber("+-2"));
+        QVERIFY(!parseNumber("++2"));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestNumberText)
+#include "tst_number_text.moc"

@@ -1,0 +1,423 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/model_analysis/sensor_response.h"
+#include "core/model_analysis/step_transform.h"
+#include "tests/support/model_inputs.h"
+#include "tests/support/second_order_model.h"
+#include "tests/support/signals.h"
+
+#include <QTest>
+
+#include <utility>
+
+using namespace dyncal;
+using testing::hasFinding;
+
+namespace {
+
+constexpr double kRate_Hz = 10e6;
+constexpr double kF0_Hz = 300e3;
+constexpr double kZeta = 0.05;
+constexpr double kOnset_s = -0.5 / kRate_Hz;
+constexpr Index kLead = 100;
+constexpr Index kLength = 20000; ///< 2 ms: the band begins at 500 Hz
+constexpr double kStep_V = 0.4;
+constexpr double kStep_Pa = 5e5;
+constexpr double kRounding = 1e-12;
+/// Aliasing of a second-order response sampled 33 times per period, up to twice its resonance.
+constexpr double kAliasing = 2e-3;
+
+using Mode = std::pair<double, double>; ///< f0 in Hz, zeta
+
+/// prod w_i^2/(s^2 + 2 zeta w_i s + w_i^2): amplitudes of its step response by residues of G/s.
+SensorModel cascade(const std::vector<Mode> &modes)
+{
+    SensorModel model;
+    model.plateauGain = 1.0;
+    double gain = 1.0;
+    for (const auto &[f0_Hz, zeta] : modes) {
+        const SensorModel one = testing::secondOrderModel(f0_Hz, zeta);
+        model.poles.insert(model.poles.end(), one.poles.begin(), one.poles.end());
+        gain *= std::norm(one.poles[0].s_rad_s);
+    }
+    model.order = static_cast<Index>(model.poles.size());
+    model.amplitudes.resize(model.order);
+    for (Index i = 0; i < model.order; ++i) {
+        const std::complex<double> s = model.poles[static_cast<std::size_t>(i)].s_rad_s;
+        std::complex<double> c = gain / s;
+        for (Index j = 0; j < model.order; ++j) {
+            if (j != i)
+                c /= s - model.poles[static_cast<std::size_t>(j)].s_rad_s;
+        }
+        model.amplitudes[i] = c;
+    }
+    return model;
+}
+
+/// Noise-free response of that model, remapped to a plateau of 1.
+WindowedResponse responseOf(const SensorModel &model, Index shot, Index length = kLength)
+{
+    WindowedResponse response;
+    response.shot = shot;
+    response.channel = "DUT";
+    response.unit = "V";
+    response.sampleRate_Hz = kRate_Hz;
+    response.step = response.valueScale = kStep_V;
+    response.lead = kLead;
+    response.length = length;
+    response.values = Eigen::VectorXd::Zero(kLead + length);
+    for (Index k = 0; k < length; ++k) {
+        const double t_s = static_cast<double>(k) / kRate_Hz - kOnset_s;
+        std::complex<double> y = model.plateauGain;
+        for (Index i = 0; i < model.order; ++i)
+            y += model.amplitudes[i]
+                * std::exp(model.poles[static_cast<std::size_t>(i)].s_rad_s * t_s);
+        response.values[kLead + k] = y.real();
+    }
+    return response;
+}
+
+/// One calibration written down by hand: every shot shows the same sensor.
+struct Calibration
+{
+    std::vector<WindowedResponse> responses;
+    ModelInput input;
+    SensorModel model;
+    ShockConditionsSet shock;
+    ResponseSettings settings;
+
+    explicit Calibration(const SensorModel &truth, Index shots = 1)
+        : model(truth)
+    {
+        input.sampleRate_Hz = kRate_Hz;
+        input.samples = 4000;
+        settings.grid = "list";
+        settings.frequencies_Hz = {1e3, 3e4, 1e5, 2.9e5, 3.1e5, 6e5};
+        for (Index shot = 1; shot <= shots; ++shot) {
+            responses.push_back(responseOf(truth, shot));
+            SeriesFit fit;
+            fit.shot = shot;
+            fit.plateauGain = 1.0;
+            fit.onset_s = kOnset_s;
+            fit.amplitudes = truth.amplitudes;
+            model.series.push_back(fit);
+            ShockConditions conditions;
+            conditions.shot = shot;
+            conditions.step_Pa = kStep_Pa;
+            shock.shots.push_back(conditions);
+        }
+    }
+
+    ResponseResult run() const
+    {
+        return computeResponse(responses, input, model, shock, settings).value();
+    }
+};
+
+Calibration secondOrder(Index shots = 1)
+{
+    return Calibration(testing::secondOrderModel(kF0_Hz, kZeta), shots);
+}
+
+std::complex<double> transferFunction(double f_Hz)
+{
+    const double r = f_Hz / kF0_Hz;
+    return 1.0 / std::complex<double>(1.0 - r * r, 2.0 * kZeta * r);
+}
+
+} // namespace
+
+class TestSensorResponse : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void sensitivity_isTheStepReadOverThePressureStep()
+    {
+        Calibration calibration = secondOrder(2);
+        calibration.responses[1].step = calibration.responses[1].valueScale = 0.6;
+        calibration.shock.shots[1].step_Pa = 6e5;
+        calibration.model.series[1].plateauGain = 1.01; // the settle band read 1 % too little
+        calibration.responses[1].values *= 1.01;
+        const ResponseResult result = calibration.run();
+        const double first = kStep_V / kStep_Pa;
+        const double second = 1.01 * 0.6 / 6e5;
+        QCOMPARE(result.shots.size(), std::size_t(2));
+        QVERIFY(std::abs(*result.shots[0].sensitivity / first - 1.0) < kRounding);
+        QVERIFY(std::abs(*result.shots[1].sensitivity / second - 1.0) < kRounding);
+        QVERIFY(std::abs(*result.sensitivity / (0.5 * (first + second)) - 1.0) < kRounding);
+        QCOMPARE(result.unit, std::string("V/Pa"));
+        QCOMPARE(result.sensitivityUnit, std::string("V/Pa"));
+        QVERIFY(result.findings.empty());
+    }
+
+    void negativeStep_givesANegativeSensitivity_andAPositiveMagnitude()
+    {
+        Calibration calibration = secondOrder();
+        calibration.responses[0].step = calibration.responses[0].valueScale = -kStep_V;
+        const ResponseResult result = calibration.run();
+        QVERIFY(std::abs(*result.sensitivity / (-kStep_V / kStep_Pa) - 1.0) < kRounding);
+        QVERIFY(result.magnitude.minCoeff() > 0.0);
+    }
+
+    void sensitivity_withoutAPressureStep_isNotDetermined()
+    {
+        Calibration calibration = secondOrder(2);
+        calibration.shock.shots[1].step_Pa.reset();
+        const ResponseResult result = calibration.run();
+        QVERIFY(result.shots[0].sensitivity.has_value());
+        QVERIFY(!result.shots[1].sensitivity);
+        QVERIFY(!result.sensitivity); // no mean over a part of the shots
+        QCOMPARE(result.unit, std::string("1"));
+        QVERIFY(std::abs(result.magnitude[0] - std::abs(transferFunction(1e3))) < kAliasing);
+        calibration.shock.shots.clear();
+        QVERIFY(!calibration.run().shots[0].sensitivity);
+    }
+
+    void unitsThatDiffer_areSaid_andNotAveraged()
+    {
+        Calibration calibration = secondOrder(2);
+        calibration.responses[1].unit = "mV";
+        const ResponseResult result = calibration.run();
+        QVERIFY(hasFinding(result.findings, "CAP-023"));
+        QVERIFY(!result.sensitivity);
+        QCOMPARE(result.shots[0].unit, std::string("V/Pa"));
+        QCOMPARE(result.shots[1].unit, std::string("mV/Pa"));
+        QCOMPARE(result.unit, std::string("1"));
+        QVERIFY(!hasFinding(secondOrder(2).run().findings, "CAP-023"));
+    }
+
+    void readingInAUnitOfPressure_isHeldAgainstTheStep_data()
+    {
+        QTest::addColumn<QString>("unit");
+        QTest::addColumn<double>("step");
+        QTest::addColumn<bool>("isSaid");
+        QTest::addColumn<QString>("names");
+        QTest::newRow("psi right") << "psi" << 72.5 << false << "";
+        QTest::newRow("psi called bar") << "bar" << 72.5 << true << "Is the unit psi?";
+        QTest::newRow("bar called psi") << "psi" << 5.0 << true << "Is the unit bar?";
+        QTest::newRow("negative") << "bar" << -72.5 << true << "Is the unit psi?";
+        QTest::newRow("within a factor of 3") << "bar" << 14.9 << false << "";
+        QTest::newRow("no unit fits") << "bar" << 19.0 << true << "Check the unit";
+        QTest::newRow("no pressure") << "V" << 72.5 << false << "";
+    }
+    void readingInAUnitOfPressure_isHeldAgainstTheStep()
+    {
+        QFETCH(QString, unit);
+        QFETCH(double, step);
+        QFETCH(bool, isSaid);
+        QFETCH(QString, names);
+        Calibration calibration = secondOrder();
+        calibration.responses[0].unit = unit.toStdString();
+        calibration.responses[0].step = calibration.responses[0].valueScale = step;
+        const Findings findings = calibration.run().findings;
+        QCOMPARE(hasFinding(findings, "CAP-013"), isSaid);
+        if (isSaid) {
+            const QString text = QString::fromStdString(english(findings.front().message));
+            QVERIFY2(text.contains(names), qPrintable(text));
+            QCOMPARE(findings.front().shot, Index(1));
+        }
+    }
+
+    void nonParametric_equalsTheModel_onNoiseFreeData()
+    {
+        Calibration calibration = secondOrder(3);
+        const ResponseResult result = calibration.run();
+        QCOMPARE(result.frequency_Hz.size(), Index(6));
+        for (Index k = 0; k < 6; ++k) {
+            const std::complex<double> G
+                = transferFunction(result.frequency_Hz[k]) * (kStep_V / kStep_Pa);
+            QVERIFY(std::abs(result.modelMagnitude[k] / std::abs(G) - 1.0) < 1e-9);
+            QVERIFY(std::abs(result.modelPhase_rad[k] - std::arg(G)) < 1e-9);
+            QVERIFY2(std::abs(result.magnitude[k] / std::abs(G) - 1.0) < kAliasing,
+                qPrintable(QString::number(result.magnitude[k] / std::abs(G) - 1.0)));
+            QVERIFY(std::abs(result.phase_rad[k] - std::arg(G)) < kAliasing);
+            QCOMPARE(result.u_magnitude[k], 0.0);
+        }
+        QVERIFY(!hasFinding(result.findings, "RSP-001"));
+    }
+
+    void averagedInput_usesTheOneFitForEveryShot()
+    {
+        Calibration calibration = secondOrder(2);
+        calibration.model.series.resize(1);
+        calibration.model.series[0].shot = 0;
+        const ResponseResult result = calibration.run();
+        QVERIFY(result.shots[1].sensitivity.has_value());
+        QVERIFY(std::abs(*result.sensitivity / (kStep_V / kStep_Pa) - 1.0) < kRounding);
+    }
+
+    void uncertainty_fallsWithTheRootOfTheShots()
+    {
+        Calibration one = secondOrder(1);
+        Calibration four = secondOrder(4);
+        for (Calibration *calibration : {&one, &four}) {
+            for (WindowedResponse &response : calibration->responses)
+                response.noiseSd = 1e-4 * kStep_V;
+        }
+        const Eigen::VectorXd u1 = one.run().u_magnitude;
+        const ResponseResult result = four.run();
+        QVERIFY(((u1.array() / result.u_magnitude.array()) - 2.0).abs().maxCoeff() < 1e-9);
+        // u of the phase is that of the magnitude, relative.
+        const Eigen::ArrayXd relative = result.u_magnitude.array() / result.magnitude.array();
+        QVERIFY((result.u_phase_rad.array() / relative - 1.0).abs().maxCoeff() < 1e-9);
+    }
+
+    void phase_isUnwrapped_throughTwoResonances()
+    {
+        Calibration calibration(cascade({{1e5, 0.03}, {3e5, 0.03}}));
+        calibration.settings.frequencies_Hz = {5e3, 9e4, 2e5, 4e5, 7e5};
+        const ResponseResult result = calibration.run();
+        double before = 0.0;
+        for (Index k = 0; k < result.frequency_Hz.size(); ++k) {
+            const double f_Hz = result.frequency_Hz[k];
+            double truth = 0.0; // each factor's own phase never leaves 0..-pi
+            for (const double f0_Hz : {1e5, 3e5})
+                truth -= std::atan2(0.06 * f_Hz / f0_Hz, 1.0 - std::pow(f_Hz / f0_Hz, 2));
+            QVERIFY2(std::abs(result.modelPhase_rad[k] - truth) < 1e-6,
+                qPrintable(QString::number(result.modelPhase_rad[k] - truth)));
+            QVERIFY2(std::abs(result.phase_rad[k] - truth) < 0.02,
+                qPrintable(QString::number(result.phase_rad[k] - truth)));
+            QVERIFY(result.modelPhase_rad[k] < before);
+            before = result.modelPhase_rad[k];
+        }
+        QVERIFY(before < -1.5 * std::numbers::pi);
+    }
+
+    void modeMissingInTheModel_isSaid()
+    {
+        const SensorModel truth = cascade({{1e5, 0.03}, {3e5, 0.03}});
+        Calibration calibration(truth);
+        calibration.settings.frequencies_Hz = {1e3, 5e4, 2.9e5, 3e5};
+        QVERIFY(!hasFinding(calibration.run().findings, "RSP-001"));
+        const std::vector<SeriesFit> series = calibration.model.series;
+        calibration.model = testing::secondOrderModel(1e5, 0.03);
+        calibration.model.series = series;
+        const ResponseResult result = calibration.run();
+        QVERIFY(hasFinding(result.findings, "RSP-001"));
+        const Finding &finding = result.findings.front();
+        QVERIFY(*finding.value > *finding.limit);
+    }
+
+    void noise_isNotTakenForAMissingMode()
+    {
+        Calibration calibration = secondOrder();
+        calibration.settings.grid = "third-octave";
+        testing::Noise noise(11);
+        WindowedResponse &response = calibration.responses[0];
+        response.noiseSd = 2e-3 * kStep_V;
+        response.values += noise.series(response.values.size(), 2e-3);
+        const ResponseResult result = calibration.run();
+        QVERIFY(result.frequency_Hz.size() > 10);
+        QVERIFY(!hasFinding(result.findings, "RSP-001"));
+    }
+
+    void list_isKeptAsGiven()
+    {
+        Calibration calibration = secondOrder();
+        const ResponseResult result = calibration.run();
+        for (std::size_t k = 0; k < calibration.settings.frequencies_Hz.size(); ++k)
+            QCOMPARE(
+                result.frequency_Hz[static_cast<Index>(k)], calibration.settings.frequencies_Hz[k]);
+    }
+
+    void thirdOctaves_areThePreferredFrequenciesInsideTheBand()
+    {
+        Calibration calibration = secondOrder();
+        calibration.settings.grid = "third-octave";
+        const ResponseResult result = calibration.run();
+        const Eigen::VectorXd &f = result.frequency_Hz;
+        QVERIFY(f[0] >= result.fLow_Hz && f[f.size() - 1] <= result.fHigh_Hz);
+        QVERIFY(std::abs(f[0] / std::pow(10.0, 2.7) - 1.0) < kRounding); // 501 Hz, band from 500
+        for (Index k = 1; k < f.size(); ++k)
+            QVERIFY(std::abs(f[k] / f[k - 1] / std::pow(10.0, 0.1) - 1.0) < kRounding);
+        QVERIFY(f[f.size() - 1] * std::pow(10.0, 0.1) > result.fHigh_Hz);
+    }
+
+    void linearGrid_dividesTheBandEvenly()
+    {
+        Calibration calibration = secondOrder();
+        calibration.settings.grid = "linear";
+        calibration.settings.linearCount = 40;
+        const ResponseResult result = calibration.run();
+        const Eigen::VectorXd &f = result.frequency_Hz;
+        QCOMPARE(f.size(), Index(40));
+        const double step_Hz = (result.fHigh_Hz - result.fLow_Hz) / 40.0;
+        QVERIFY(std::abs(f[39] - result.fHigh_Hz) < 1e-9 * result.fHigh_Hz);
+        for (Index k = 1; k < 40; ++k)
+            QVERIFY(std::abs(f[k] - f[k - 1] - step_Hz) < 1e-9 * result.fHigh_Hz);
+        QVERIFY(std::abs(f[0] - result.fLow_Hz - step_Hz) < 1e-9 * result.fHigh_Hz);
+    }
+
+    void lowerLimit_isOneOverTheShortestWindow()
+    {
+        Calibration calibration = secondOrder(2);
+        QVERIFY(std::abs(calibration.run().fLow_Hz / 500.0 - 1.0) < kRounding);
+        calibration.responses[1].length = 8000;
+        QVERIFY(std::abs(calibration.run().fLow_Hz / 1250.0 - 1.0) < kRounding);
+    }
+
+    void upperLimit_withoutNoise_isFourTenthsOfTheLowestRate()
+    {
+        Calibration calibration = secondOrder();
+        QVERIFY(std::abs(calibration.run().fHigh_Hz / (0.4 * kRate_Hz) - 1.0) < kRounding);
+    }
+
+    void upperLimit_isWhereTheNoiseTakesOver()
+    {
+        Calibration calibration = secondOrder();
+        constexpr double kNoise = 1e-3;
+        calibration.responses[0].noiseSd = kNoise * kStep_V;
+        const double limit_Hz = calibration.run().fHigh_Hz;
+        const auto share = [&](double f_Hz) {
+            const double span_s = std::max(4000 / kRate_Hz, 20.0 / f_Hz);
+            const Index used = static_cast<Index>(std::ceil(span_s * kRate_Hz));
+            return stepTransformNoise(used, kRate_Hz, kNoise, f_Hz)
+                / std::abs(transferFunction(f_Hz));
+        };
+        QVERIFY(limit_Hz > kF0_Hz && limit_Hz < 0.3 * kRate_Hz);
+        QVERIFY2(share(limit_Hz) <= 0.1, qPrintable(QString::number(share(limit_Hz))));
+        QVERIFY(share(limit_Hz * std::pow(10.0, 0.1)) > 0.1);
+    }
+
+    void freeDecay_hasAModelCurve_andNothingFromAStep()
+    {
+        Calibration calibration = secondOrder();
+        calibration.input.treatment = ResponseTreatment::Impulse;
+        const ResponseResult result = calibration.run();
+        QCOMPARE(result.magnitude.size(), Index(0));
+        QCOMPARE(result.u_magnitude.size(), Index(0));
+        QVERIFY(result.shots.empty() && !result.sensitivity);
+        QVERIFY(!result.characteristics.riseTime_s);
+        QCOMPARE(result.unit, std::string("1"));
+        QCOMPARE(result.modelMagnitude.size(), Index(6));
+    }
+
+    void divergingModel_givesNoResponse()
+    {
+        Calibration calibration = secondOrder();
+        calibration.model.diverges = true;
+        const ResponseResult result = calibration.run();
+        QCOMPARE(result.magnitude.size(), Index(0));
+        QCOMPARE(result.modelMagnitude.size(), Index(0));
+        QCOMPARE(result.modelCurve.magnitude.size(), Index(0));
+        QVERIFY(!result.sensitivity && !result.shots[0].sensitivity);
+        QVERIFY(!result.characteristics.minus3dB_Hz);
+    }
+
+    void otherReferences_areRelative()
+    {
+        Calibration calibration = secondOrder();
+        for (const char *reference : {"unit-step", "static-sensitivity"}) {
+            calibration.settings.reference = reference;
+            const ResponseResult result = calibration.run();
+            QCOMPARE(result.unit, std::string("1"));
+            QVERIFY(std::abs(result.magnitude[0] - std::abs(transferFunction(1e3))) < kAliasing);
+            QVERIFY(result.sensitivity.has_value()); // stated beside the curve all the same
+        }
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSensorResponse)
+#include "tst_sensor_response.moc"

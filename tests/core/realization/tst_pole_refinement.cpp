@@ -1,0 +1,263 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/realization/pole_refinement.h"
+#include "tests/support/model_inputs.h"
+
+#include <Eigen/LU>
+
+#include <QTest>
+
+using namespace dyncal;
+
+namespace {
+
+constexpr double kRate_Hz = 1e6;
+const std::complex<double> kPair(-6e3, 2e5);
+const std::complex<double> kAmplitude(-0.5, 0.1);
+
+/// c0 + sum of the given rates and amplitudes, pairs by their upper half.
+ExponentialSum pairSum(std::complex<double> s, std::complex<double> c, double constant)
+{
+    ExponentialSum sum;
+    sum.constant = constant;
+    sum.rates_rad_s.resize(2);
+    sum.rates_rad_s << s, std::conj(s);
+    sum.amplitudes.resize(2);
+    sum.amplitudes << c, std::conj(c);
+    return sum;
+}
+
+ExponentialSum realSum(double s, double c)
+{
+    ExponentialSum sum;
+    sum.rates_rad_s = Eigen::VectorXcd::Constant(1, s);
+    sum.amplitudes = Eigen::VectorXcd::Constant(1, c);
+    return sum;
+}
+
+RefinementRecord recordOf(const ExponentialSum &truth, Index count, double noise = 0.0,
+    std::uint64_t seed = 1, double rate_Hz = kRate_Hz)
+{
+    RefinementRecord record;
+    record.rate_Hz = rate_Hz;
+    record.weight = noise > 0.0 ? 1.0 / noise : 1.0;
+    record.y = testing::Noise(seed).series(count, noise);
+    for (Index k = 0; k < count; ++k)
+        record.y[k] += truth.value(static_cast<double>(k) / rate_Hz);
+    return record;
+}
+
+std::vector<std::complex<double>> pairOf(std::complex<double> s)
+{
+    return {s, std::conj(s)};
+}
+
+/// Value at t, for the consistency of perturbed() with the model's parameters.
+Eigen::VectorXd sampled(const ExponentialSum &sum, Index count)
+{
+    Eigen::VectorXd y(count);
+    for (Index k = 0; k < count; ++k)
+        y[k] = sum.value(static_cast<double>(k) / kRate_Hz);
+    return y;
+}
+
+} // namespace
+
+class TestPoleRefinement : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void wrongStart_convergesToTheTruth()
+    {
+        const auto record = recordOf(pairSum(kPair, kAmplitude, 1.0), 800);
+        // Several periods drift apart over the record beyond a few percent: the realisation, from
+        // which a fit starts, is far closer.
+        for (const std::complex<double> start :
+            {std::complex<double>(-9e3, 2.02e5), {-4e3, 1.97e5}, {-1.2e4, 2.05e5}, {-6e3, 2e5}}) {
+            const auto fit = refinePoles({record}, pairOf(start), true);
+            QVERIFY(fit.has_value());
+            QVERIFY(std::abs(fit->rates_rad_s[0] - kPair) < 1e-7 * std::abs(kPair));
+            QCOMPARE(fit->rates_rad_s[1], std::conj(fit->rates_rad_s[0]));
+            QVERIFY(std::abs(fit->records[0].amplitudes[0] - kAmplitude) < 1e-6);
+            QVERIFY(std::abs(fit->records[0].constant - 1.0) < 1e-7);
+        }
+    }
+
+    void records_ofDifferentRate_shareTheirPoles()
+    {
+        const auto first = recordOf(pairSum(kPair, kAmplitude, 1.0), 800, 0.0, 1, 1e6);
+        const auto second = recordOf(pairSum(kPair, {0.3, 0.7}, -2.0), 900, 0.0, 1, 1.25e6);
+        const auto fit = refinePoles({first, second}, pairOf({-7e3, 2.01e5}), true);
+        QVERIFY(fit.has_value());
+        QVERIFY(std::abs(fit->rates_rad_s[0] - kPair) < 1e-7 * std::abs(kPair));
+        QVERIFY(std::abs(fit->records[1].amplitudes[0] - std::complex<double>(0.3, 0.7)) < 1e-6);
+        QVERIFY(std::abs(fit->records[1].constant + 2.0) < 1e-6);
+    }
+
+    void covarianceOfOneExponential_equalsTheClosedForm()
+    {
+        // y = c e^(s t): J columns c t e^(st), e^(st). Sums by q = e^(2 s dt) over all k:
+        // S0 = 1/(1-q), S1 = q/(1-q)^2, S2 = q(1+q)/(1-q)^3; the record is long enough for them.
+        constexpr double kNoise = 1e-3;
+        const double s = -2e4;
+        const double c = 0.8;
+        const double dt = 1.0 / kRate_Hz;
+        const double q = std::exp(2.0 * s * dt);
+        const double S0 = 1.0 / (1.0 - q);
+        const double S1 = q / std::pow(1.0 - q, 2) * dt;
+        const double S2 = q * (1.0 + q) / std::pow(1.0 - q, 3) * dt * dt;
+        Eigen::Matrix2d fisher;
+        fisher << c * c * S2, c * S1, c * S1, S0;
+        const Eigen::Matrix2d truth = fisher.inverse() * kNoise * kNoise;
+
+        auto record = recordOf(realSum(s, c), 2000);
+        record.weight = 1.0 / kNoise; // noise-free: chi square 0, so the noise stated counts
+        const auto fit = refinePoles({record}, {std::complex<double>(-2.5e4)}, false);
+        QVERIFY(fit.has_value());
+        QCOMPARE(fit->poleParameters, Index(1));
+        QCOMPARE(fit->covariance.rows(), Index(2));
+        const Eigen::Matrix2d relative = fit->covariance.array() / truth.array() - 1.0;
+        QVERIFY2(relative.cwiseAbs().maxCoeff() < 1e-5,
+            qPrintable(QString::number(relative.cwiseAbs().maxCoeff())));
+    }
+
+    void covariance_matchesTheScatterOfTwoHundredFits()
+    {
+        constexpr int kTrials = 200;
+        constexpr double kNoise = 0.01;
+        // sd of a variance from 200 draws is 10 %: four of them.
+        constexpr double kScatter = 0.4;
+        const ExponentialSum truth = pairSum(kPair, kAmplitude, 1.0);
+        Eigen::VectorXd squares = Eigen::VectorXd::Zero(5);
+        Eigen::VectorXd stated = Eigen::VectorXd::Zero(5);
+        for (int trial = 0; trial < kTrials; ++trial) {
+            const auto fit = refinePoles(
+                {recordOf(truth, 400, kNoise, static_cast<std::uint64_t>(trial + 10))},
+                pairOf(kPair), true);
+            QVERIFY(fit.has_value());
+            const std::complex<double> ds = fit->rates_rad_s[0] - kPair;
+            // Amplitudes are parametrised as 2 Re, 2 Im.
+            const std::complex<double> dc = 2.0 * (fit->records[0].amplitudes[0] - kAmplitude);
+            Eigen::VectorXd error(5);
+            error << ds.real(), ds.imag(), dc.real(), dc.imag(), fit->records[0].constant - 1.0;
+            squares += error.cwiseAbs2() / kTrials;
+            stated += fit->covariance.diagonal() / kTrials;
+        }
+        const Eigen::ArrayXd ratio = squares.array() / stated.array();
+        QVERIFY2((ratio - 1.0).abs().maxCoeff() < kScatter,
+            qPrintable(QString::number((ratio - 1.0).abs().maxCoeff())));
+    }
+
+    void residual_largerThanTheNoise_widensTheCovariance()
+    {
+        const ExponentialSum truth = pairSum(kPair, kAmplitude, 1.0);
+        auto record = recordOf(truth, 800, 0.01, 3);
+        const auto honest = refinePoles({record}, pairOf(kPair), true);
+        record.weight *= 5.0; // noise stated five times too small
+        const auto tooSure = refinePoles({record}, pairOf(kPair), true);
+        QVERIFY(honest && tooSure);
+        QVERIFY(std::abs(honest->residualToNoise - 1.0) < 0.15);
+        QVERIFY(std::abs(tooSure->residualToNoise / honest->residualToNoise - 5.0) < 1e-6);
+        const double widened = std::sqrt(tooSure->covariance(0, 0) / honest->covariance(0, 0));
+        QVERIFY(widened > 0.85 && widened < 1.15);
+    }
+
+    void growingPole_isGivenUp()
+    {
+        const auto growing = recordOf(pairSum({2e3, 2e5}, kAmplitude, 1.0), 800);
+        QVERIFY(!refinePoles({growing}, pairOf({2e3, 2e5}), true));
+        QVERIFY(!refinePoles({growing}, pairOf({-1e2, 2e5}), true));
+    }
+
+    void poleFarFromTheStart_isGivenUp()
+    {
+        // A real pole slides smoothly to the truth, which lies beyond the factor of 1.5.
+        const auto record = recordOf(realSum(-2e4, 1.0), 1000);
+        QVERIFY(refinePoles({record}, {std::complex<double>(-2.8e4)}, false).has_value());
+        QVERIFY(!refinePoles({record}, {std::complex<double>(-3.2e4)}, false));
+        QVERIFY(!refinePoles({record}, {std::complex<double>(-1.2e4)}, false));
+    }
+
+    void nothingToRefine_isGivenUp()
+    {
+        const auto record = recordOf(realSum(-2e4, 1.0), 100);
+        QVERIFY(!refinePoles({record}, {}, true));
+        QVERIFY(!refinePoles({record}, {std::complex<double>(0.0)}, true));
+    }
+
+    void stopRequest_endsTheFit()
+    {
+        std::stop_source source;
+        source.request_stop();
+        JobControl control;
+        control.stop = source.get_token();
+        const auto record = recordOf(pairSum(kPair, kAmplitude, 1.0), 800);
+        QVERIFY(!refinePoles({record}, pairOf({-7e3, 2.01e5}), true, control));
+    }
+
+    void perturbed_movesTheParametersOfTheCovariance()
+    {
+        // J from perturbed() by differences must give back the covariance: (J^T J)^-1 / w^2.
+        const auto record = recordOf(pairSum(kPair, kAmplitude, 1.0), 500);
+        const auto fit = refinePoles({record}, pairOf(kPair), true);
+        QVERIFY(fit.has_value());
+        const Eigen::VectorXd size
+            = (Eigen::VectorXd(5) << 1e5, 1e5, 1.0, 1.0, 1.0).finished() * 1e-5;
+        Eigen::MatrixXd J(500, 5);
+        for (Index i = 0; i < 5; ++i) {
+            J.col(i) = (sampled(perturbed(*fit, 0, i, size[i]), 500)
+                           - sampled(perturbed(*fit, 0, i, -size[i]), 500))
+                / (2.0 * size[i]);
+        }
+        const Eigen::VectorXd scale = fit->covariance.diagonal().cwiseSqrt();
+        const Eigen::MatrixXd scaled = J * scale.asDiagonal();
+        const Eigen::MatrixXd product = (scaled.transpose() * scaled)
+            * scale.cwiseInverse().asDiagonal() * fit->covariance
+            * scale.cwiseInverse().asDiagonal();
+        QVERIFY2((product - Eigen::MatrixXd::Identity(5, 5)).cwiseAbs().maxCoeff() < 1e-5,
+            qPrintable(QString::number(
+                (product - Eigen::MatrixXd::Identity(5, 5)).cwiseAbs().maxCoeff())));
+    }
+
+    void perturbed_realPoleBesideAPair_movesTheRightOne()
+    {
+        ExponentialSum truth = pairSum(kPair, kAmplitude, 1.0);
+        truth.rates_rad_s.conservativeResize(3);
+        truth.amplitudes.conservativeResize(3);
+        truth.rates_rad_s[2] = -3e4;
+        truth.amplitudes[2] = 0.4;
+        const auto fit
+            = refinePoles({recordOf(truth, 800)}, {kPair, std::conj(kPair), {-3e4, 0.0}}, true);
+        QVERIFY(fit.has_value());
+        const ExponentialSum &before = fit->records[0];
+        QCOMPARE(perturbed(*fit, 0, 2, 7.0).rates_rad_s[2], before.rates_rad_s[2] + 7.0);
+        QCOMPARE(perturbed(*fit, 0, 2, 7.0).rates_rad_s[0], before.rates_rad_s[0]);
+        QCOMPARE(perturbed(*fit, 0, 6, 0.5).constant, before.constant + 0.5);
+        // A real pole's amplitude is fitted as it is, only pairs are fitted as 2 Re, 2 Im.
+        QCOMPARE(perturbed(*fit, 0, 5, 0.5).amplitudes[2], before.amplitudes[2] + 0.5);
+        const ExponentialSum imaginary = perturbed(*fit, 0, 1, 3.0);
+        QCOMPARE(imaginary.rates_rad_s[1], std::conj(imaginary.rates_rad_s[0]));
+    }
+
+    void recordCovariance_isTheBlockOfThatRecord()
+    {
+        const auto first = recordOf(pairSum(kPair, kAmplitude, 1.0), 400, 0.01, 4);
+        const auto second = recordOf(pairSum(kPair, {0.3, 0.7}, -2.0), 600, 0.02, 5);
+        const auto fit = refinePoles({first, second}, pairOf(kPair), true);
+        QVERIFY(fit.has_value());
+        QCOMPARE(fit->covariance.rows(), Index(2 + 3 + 3));
+        const std::vector<Index> at{0, 1, 5, 6, 7};
+        const Eigen::MatrixXd block = recordCovariance(*fit, 1);
+        QCOMPARE(block.rows(), Index(5));
+        for (std::size_t i = 0; i < 5; ++i) {
+            for (std::size_t k = 0; k < 5; ++k)
+                QCOMPARE(block(Index(i), Index(k)), fit->covariance(at[i], at[k]));
+        }
+        QVERIFY((block - block.transpose()).cwiseAbs().maxCoeff() <= 1e-9 * block.maxCoeff());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestPoleRefinement)
+#include "tst_pole_refinement.moc"
