@@ -85,7 +85,7 @@ QString faultOfJson(const PipelineOutcome &outcome, const Recipe &recipe = {})
 
 bool isSentence(const Message &message)
 {
-    static const QRegularExpression unfilled("%\\d|\\bnan\\b|\\binf\\b");
+    static const QRegularExpression unfilled("%\\d|\\bnan\\b|\\binf\\b|\\de[+]\\d");
     const QString text = QString::fromStdString(english(message));
     return text.size() > 20 && text.endsWith('.') && !text.contains(unfilled);
 }
