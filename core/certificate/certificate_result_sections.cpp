@@ -120,6 +120,12 @@ std::string complexText(std::complex<double> z)
     return fixedText(z.real(), 6) + (pair ? " \xC2\xB1 j" + fixedText(z.imag(), 6) : "");
 }
 
+/// A dash where the number means nothing: not known, or of a simulation that runs away.
+std::string fitText(double percent, bool diverges = false)
+{
+    return diverges || !std::isfinite(percent) ? english(dash()) : fixedText(percent, 2);
+}
+
 CertificateTable poleTable(const SensorModel &model)
 {
     CertificateTable table;
@@ -237,21 +243,21 @@ CertificateSection modelSection(const CertificateSources &sources)
     }
     const SensorModel &model = *sources.model;
     const bool suggested = sources.order.isAuto();
-    section.fields
-        = {{"order", {DYNCAL_TEXT("core", "Order"), {}},
-               suggested ? Message{DYNCAL_TEXT("core", "%1 (as suggested from the data)"),
-                   {std::to_string(model.order)}}
-                         : Message{DYNCAL_TEXT("core", "%1 (chosen by the operator)"),
-                             {std::to_string(model.order)}},
-               false},
-            {"fit", {DYNCAL_TEXT("core", "Fit"), {}},
-                {DYNCAL_TEXT("core", "%1 % of %2 % attainable with this noise"),
-                    {fixedText(model.fit_percent, 2), fixedText(model.fitAttainable_percent, 2)}},
-                false}};
+    section.fields = {
+        {"order", {DYNCAL_TEXT("core", "Order"), {}},
+            suggested ? Message{DYNCAL_TEXT("core", "%1 (as suggested from the data)"),
+                {std::to_string(model.order)}}
+                      : Message{DYNCAL_TEXT("core", "%1 (chosen by the operator)"),
+                          {std::to_string(model.order)}},
+            false},
+        {"fit", {DYNCAL_TEXT("core", "Fit"), {}},
+            {DYNCAL_TEXT("core", "%1 % of %2 % attainable with this noise"),
+                {fitText(model.fit_percent, model.diverges), fitText(model.fitAttainable_percent)}},
+            false}};
     if (model.fitListing_percent)
         section.fields.push_back(
             {"fit_listing", {DYNCAL_TEXT("core", "Fit as in the listing (lagged)"), {}},
-                verbatim(fixedText(*model.fitListing_percent, 2) + " %"), false});
+                verbatim(fitText(*model.fitListing_percent, model.diverges) + " %"), false});
     if (sources.suggestion && suggested)
         section.paragraphs.push_back(sources.suggestion->reason);
     if (model.diverges)

@@ -145,7 +145,8 @@ std::optional<Finding> poorFirstComponent(const ComponentResult &result)
              "The first principal component explains %1 % (limit %2 %). Shot %3 carries %4 % of "
              "the remainder."),
             {numberText(explained_percent, 3), numberText(kLeastExplained_percent, 3),
-                std::to_string(shot), numberText(100.0 * energy[worst] / energy.sum(), 2)}},
+                std::to_string(shot),
+                numberText(std::round(100.0 * energy[worst] / energy.sum()), 4)}},
         explained_percent, kLeastExplained_percent};
 }
 

@@ -90,7 +90,7 @@ void addWhiteness(Index shot, const ResidualAnalysis &residual, Findings &findin
         {DYNCAL_TEXT("core",
              "Shot %1: the residual is not white, %2 % of the lags lie outside the confidence "
              "band."),
-            {std::to_string(shot), numberText(100.0 * residual.outsideFraction, 2)}},
+            {std::to_string(shot), numberText(std::round(100.0 * residual.outsideFraction), 4)}},
         100.0 * residual.outsideFraction, 100.0 * kLargestOutside);
     finding.severity = Severity::Info; // says what one component cannot: no reason to stop
     findings.push_back(std::move(finding));

@@ -1,0 +1,242 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The words and numbers of single sections, also where something is missing or went wrong.
+
+#include "core/certificate/certificate_sections.h"
+#include "tests/support/example_results.h"
+
+#include <QTest>
+
+#include <limits>
+
+using namespace dyncal;
+
+namespace {
+
+constexpr double kInf = std::numeric_limits<double>::infinity();
+const char *const kDash = "\xE2\x80\x93";
+
+std::string valueOf(const CertificateSection &section, const std::string &id)
+{
+    for (const CertificateField &field : section.fields) {
+        if (field.id == id)
+            return english(field.value);
+    }
+    return "no field";
+}
+
+std::string cellOf(const CertificateSection &section, std::size_t row, std::size_t column)
+{
+    return english(section.tables.at(0).rows.at(row).at(column));
+}
+
+} // namespace
+
+class TestCertificateSections : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void printed_withoutValue_saysOtherwise();
+    void printedWithUncertainty_isExpandedByTwo();
+    void levelWord_everyLevel();
+    void method_everyTreatment_hasItsSentence();
+    void method_average_isSaid();
+    void environment_shotsDiffer_isARangeOfTheIncluded();
+    void conditions_statedStep_isSaid();
+    void model_thatDiverges_printsNoFit();
+    void model_attainableUnknown_isADash();
+    void model_listingFit_onlyWhereThereIsOne();
+    void results_modelWithoutOscillation_saysSo();
+    void records_inputs_areNamedWithTheirHash();
+    void statements_claimNoTraceability();
+    void approval_typed_replacesNotYet();
+    void section_unknown_isNone();
+};
+
+void TestCertificateSections::printed_withoutValue_saysOtherwise()
+{
+    const Message otherwise{"nothing", {}};
+    QCOMPARE(english(printed({}, "V", otherwise)), std::string("nothing"));
+    QCOMPARE(english(printed(kUnknown, "V", otherwise)), std::string("nothing"));
+    QCOMPARE(english(printed(kInf, "V", otherwise)), std::string("nothing"));
+    QCOMPARE(english(printed(2.5, "V", otherwise)), std::string("2.5000 V"));
+}
+
+void TestCertificateSections::printedWithUncertainty_isExpandedByTwo()
+{
+    QCOMPARE(english(printedWithUncertainty(2.33e6, 412.0, "Hz")),
+        std::string("2.33000 MHz \xC2\xB1 0.00082 MHz (k = 2)"));
+    QCOMPARE(english(printedWithUncertainty(kUnknown, 1.0, "Hz")), std::string(kDash));
+    const std::string bare = english(printedWithUncertainty(2.5, kUnknown, "V"));
+    QCOMPARE(bare, std::string("2.5000 V"));
+}
+
+void TestCertificateSections::levelWord_everyLevel()
+{
+    QCOMPARE(english(levelWord(ShotLevel::Low)), std::string("low"));
+    QCOMPARE(english(levelWord(ShotLevel::Medium)), std::string("medium"));
+    QCOMPARE(english(levelWord(ShotLevel::High)), std::string("high"));
+    QCOMPARE(english(levelWord(ShotLevel::None)), std::string(kDash));
+}
+
+void TestCertificateSections::method_everyTreatment_hasItsSentence()
+{
+    const std::pair<ResponseTreatment, const char *> words[]
+        = {{ResponseTreatment::StepDeflated, "removed before the realisation"},
+            {ResponseTreatment::StepAsImpulse, "contains the pole of the step"},
+            {ResponseTreatment::Differenced, "First difference"},
+            {ResponseTreatment::Impulse, "Free decay"}};
+    for (const auto &[treatment, word] : words) {
+        ModelInput input;
+        input.treatment = treatment;
+        CertificateSources sources;
+        sources.input = &input;
+        const std::string text = english(methodSection(sources).paragraphs.at(1));
+        QVERIFY2(text.find(word) != std::string::npos, text.c_str());
+    }
+}
+
+void TestCertificateSections::method_average_isSaid()
+{
+    ModelInput input;
+    input.combine = CombineMethod::PcaAverage;
+    input.sampleRate_Hz = 10e6;
+    input.samples = 1000;
+    CertificateSources sources;
+    sources.input = &input;
+    const CertificateSection section = methodSection(sources);
+    QVERIFY(valueOf(section, "series").starts_with("average"));
+    QCOMPARE(valueOf(section, "model_rate"), std::string("10.000 MHz"));
+    QCOMPARE(valueOf(section, "model_samples"), std::string("1000"));
+}
+
+void TestCertificateSections::environment_shotsDiffer_isARangeOfTheIncluded()
+{
+    CaptureSet captures;
+    captures.shots.resize(4);
+    const double temperatures_K[] = {294.0, 293.0, 250.0, kUnknown};
+    for (std::size_t i = 0; i < 4; ++i)
+        captures.shots[i].environment.ambientT_K = temperatures_K[i];
+    captures.shots[2].included = false;
+    CertificateSources sources;
+    sources.captures = &captures;
+    const CertificateSection section = conditionsSection(sources);
+    QCOMPARE(
+        valueOf(section, "ambient_temperature"), std::string("293.00 K \xE2\x80\xA6 294.00 K"));
+    QCOMPARE(valueOf(section, "ambient_pressure"), std::string("not determined (not recorded)"));
+}
+
+void TestCertificateSections::conditions_statedStep_isSaid()
+{
+    ShockConditionsSet shock;
+    ShockConditions conditions;
+    conditions.shot = 1;
+    conditions.step_Pa = 4e5;
+    conditions.stepTyped = true;
+    shock.shots = {conditions};
+    CertificateSources sources;
+    sources.shock = &shock;
+    const CertificateSection section = conditionsSection(sources);
+    QCOMPARE(cellOf(section, 0, 1), std::string(kDash)); // no such shot in the captures
+    QCOMPARE(cellOf(section, 0, 6), std::string("400.00 kPa"));
+    QCOMPARE(cellOf(section, 0, 7), std::string("stated"));
+    QVERIFY(section.notes.empty());
+}
+
+void TestCertificateSections::model_thatDiverges_printsNoFit()
+{
+    SensorModel model;
+    model.order = 3;
+    model.fit_percent = -1e30; // whatever was computed means nothing
+    model.fitListing_percent = -1e30;
+    model.fitAttainable_percent = 90.0;
+    model.diverges = true;
+    CertificateSources sources;
+    sources.model = &model;
+    const CertificateSection section = modelSection(sources);
+    QCOMPARE(
+        valueOf(section, "fit"), std::string(kDash) + " % of 90.00 % attainable with this noise");
+    QCOMPARE(valueOf(section, "fit_listing"), std::string(kDash) + " %");
+}
+
+void TestCertificateSections::model_attainableUnknown_isADash()
+{
+    SensorModel model;
+    model.fit_percent = 87.0;
+    model.fitAttainable_percent = kUnknown;
+    CertificateSources sources;
+    sources.model = &model;
+    QCOMPARE(valueOf(modelSection(sources), "fit"),
+        std::string("87.00 % of ") + kDash + " % attainable with this noise");
+}
+
+void TestCertificateSections::model_listingFit_onlyWhereThereIsOne()
+{
+    SensorModel model;
+    CertificateSources sources;
+    sources.model = &model;
+    QCOMPARE(valueOf(modelSection(sources), "fit_listing"), std::string("no field"));
+    model.fitListing_percent = 81.234;
+    QCOMPARE(valueOf(modelSection(sources), "fit_listing"), std::string("81.23 %"));
+}
+
+void TestCertificateSections::results_modelWithoutOscillation_saysSo()
+{
+    SensorModel model; // no poles at all
+    CertificateSources sources;
+    sources.model = &model;
+    const CertificateSection section = resultsSection(sources);
+    for (const char *id : {"natural_frequency", "damping_ratio"})
+        QCOMPARE(
+            valueOf(section, id), std::string("not determined (the model does not oscillate)"));
+    ResponseResult response;
+    sources.response = &response;
+    QCOMPARE(valueOf(resultsSection(sources), "rise_time"),
+        std::string("not determined (outside the range of the model)"));
+}
+
+void TestCertificateSections::records_inputs_areNamedWithTheirHash()
+{
+    CaptureSet captures;
+    captures.inputs = {{"/secret/folder/a.h5", "a.h5", "0123", "dyncal-capture"}};
+    CertificateSources sources;
+    sources.captures = &captures;
+    sources.softwareVersion = "1.2.3";
+    sources.softwareBuild = "abc";
+    const CertificateSection section = recordsSection(sources);
+    QCOMPARE(valueOf(section, "software"), std::string("Dyncal 1.2.3, build abc"));
+    QCOMPARE(cellOf(section, 0, 0), std::string("a.h5")); // never the folder
+    QCOMPARE(cellOf(section, 0, 2), std::string("0123"));
+    QVERIFY(recordsSection({}).tables.empty());
+}
+
+void TestCertificateSections::statements_claimNoTraceability()
+{
+    std::string text;
+    for (const Message &paragraph : statementsSection({}).paragraphs)
+        text += english(paragraph);
+    QVERIFY(text.find("relate only to the item") != std::string::npos);
+    QVERIFY(text.find("no statement of metrological traceability") != std::string::npos);
+}
+
+void TestCertificateSections::approval_typed_replacesNotYet()
+{
+    CertificateSources sources;
+    QCOMPARE(
+        valueOf(administrativeSection(sources), "approved_by"), std::string("not yet approved"));
+    sources.fields["approved_by"] = "A. Person";
+    QCOMPARE(valueOf(administrativeSection(sources), "approved_by"), std::string("A. Person"));
+}
+
+void TestCertificateSections::section_unknown_isNone()
+{
+    const CertificateData data = makeCertificate({});
+    QVERIFY(!data.section("nonsense"));
+    QCOMPARE(data.sections.size(), std::size_t(12));
+    QVERIFY(data.missingFields().size() > 5);
+}
+
+QTEST_APPLESS_MAIN(TestCertificateSections)
+#include "tst_certificate_sections.moc"
