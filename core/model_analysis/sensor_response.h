@@ -59,7 +59,7 @@ struct ShotSensitivity
 
 struct ResponseResult
 {
-    Eigen::VectorXd frequency_Hz; ///< as asked by the recipe, inside the usable band
+    Eigen::VectorXd frequency_Hz; ///< as asked by the recipe; a grid lies inside the usable band
     Eigen::VectorXd magnitude; ///< non-parametric, docs/method/response.md; empty for impulse
     Eigen::VectorXd u_magnitude;
     Eigen::VectorXd phase_rad;
