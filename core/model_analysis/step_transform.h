@@ -11,10 +11,11 @@
 
 namespace dyncal {
 
-/// Response at one frequency from a sampled step response, without any model (docs/method/response.md):
-/// S(f) = D(f) [jwTs / (1 - e^(-jwTs))] e^(jw onset), D(f) = sum (y_n - y_(n-1)) e^(-jwnTs).
-/// `y` starts at time 0 (y before it is 0) and is continued by `endLevel` after its last sample;
-/// the bracket turns the sampled unit step into the true one. Exact up to aliasing and truncation.
+/// Response at one frequency from a sampled step response, without any model
+/// (docs/method/response.md): S(f) = D(f) [jwTs / (1 - e^(-jwTs))] e^(jw onset), D(f) = sum (y_n -
+/// y_(n-1)) e^(-jwnTs). `y` starts at time 0 (y before it is 0) and is continued by `endLevel`
+/// after its last sample; the bracket turns the sampled unit step into the true one. Exact up to
+/// aliasing and truncation.
 std::complex<double> stepTransform(const Eigen::Ref<const Eigen::VectorXd> &y, double rate_Hz,
     double endLevel, double onset_s, double frequency_Hz);
 

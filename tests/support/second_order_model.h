@@ -15,8 +15,7 @@ namespace dyncal::testing {
 inline SensorModel secondOrderModel(double f0_Hz, double zeta, double gain = 1.0)
 {
     const double w0 = 2.0 * std::numbers::pi * f0_Hz;
-    const std::complex<double> s
-        = w0 * std::complex<double>(-zeta, std::sqrt(1.0 - zeta * zeta));
+    const std::complex<double> s = w0 * std::complex<double>(-zeta, std::sqrt(1.0 - zeta * zeta));
     SensorModel model;
     model.order = 2;
     model.plateauGain = gain;

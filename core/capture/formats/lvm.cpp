@@ -7,8 +7,8 @@
 #include "core/base/number_text.h"
 #include "core/capture/formats/lvm_header.h"
 #include "core/capture/formats/lvm_rate.h"
-#include "core/capture/formats/time_axis.h"
 #include "core/capture/formats/table_end.h"
+#include "core/capture/formats/time_axis.h"
 
 #include <algorithm>
 #include <filesystem>
