@@ -181,7 +181,7 @@ Channel channelOf(const ColumnTitle &title, ChannelRole role, std::vector<double
     channel.role = role;
     channel.unit = title.unit.empty() ? "1" : title.unit;
     channel.samples = RawSamples(std::move(values));
-    channel.sha256 = sha256Hex(channel.samples.bytes());
+    channel.sha256 = sha256OfSamples(channel.samples);
     return channel;
 }
 

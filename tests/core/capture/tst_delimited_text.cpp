@@ -119,7 +119,7 @@ private slots:
         QCOMPARE(channel.sampleRate_Hz, 0.0);
         QCOMPARE(channel.role, ChannelRole::Other);
         QCOMPARE(channel.name, std::string("column 1"));
-        QCOMPARE(channel.sha256, sha256Hex(channel.samples.bytes()));
+        QCOMPARE(channel.sha256, sha256OfSamples(channel.samples));
         QCOMPARE(good->shots[0].label, std::string("t"));
     }
 
