@@ -9,6 +9,7 @@
 #include "core/capture/formats/hdf5_capture.h"
 #include "core/capture/formats/lecroy_trc.h"
 #include "core/capture/formats/lvm.h"
+#include "core/capture/formats/mat.h"
 #include "core/capture/formats/scope_bin.h"
 #include "core/capture/formats/wav.h"
 #include "core/capture/natural_order.h"
@@ -240,6 +241,7 @@ const std::vector<CaptureFormat> &captureFormats()
             &readKeysightBin},
         {"rigol-bin", "Rigol waveform", {"bin"}, &recogniseRigolBin, &readRigolBin},
         {"lecroy-trc", "LeCroy waveform", {"trc"}, &recogniseLecroyTrc, &readLecroyTrc},
+        {"mat", "MATLAB 4 to 7.2", {"mat"}, &recogniseMat, &readMat},
         {"wav", "WAV", {"wav", "rf64", "bw64"}, &recogniseWav, &readWav},
         {"text", "text table", {"csv", "tsv", "txt", "dat"}, &recogniseDelimitedText,
             &readDelimitedText},
