@@ -481,10 +481,10 @@ void TestMat::unreadable_isRefusedBySentence_data()
     QTest::newRow("element") << patched<std::uint32_t>(whole, 128, 99) << "CAP-018"
                              << "contradicts itself";
     QTest::newRow("header only") << Mat5().bytes() << "CAP-001"
-                                 << "no sampled signal";
+                                 << "nothing that is a sampled signal";
     QTest::newRow("only a struct")
         << Mat5().add("m", kMiDouble, signal(1), {1, 1}, kStruct).bytes() << "CAP-001"
-        << "no sampled signal";
+        << "nothing that is a sampled signal";
 }
 
 void TestMat::unreadable_isRefusedBySentence()
