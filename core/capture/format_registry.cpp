@@ -8,6 +8,7 @@
 #include "core/capture/formats/delimited_text.h"
 #include "core/capture/formats/hdf5_capture.h"
 #include "core/capture/formats/lvm.h"
+#include "core/capture/formats/tdms.h"
 #include "core/capture/natural_order.h"
 
 #include <algorithm>
@@ -103,8 +104,9 @@ Result<std::vector<Candidate>> filesIn(const std::string &folder)
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
          entry.increment(error)) {
         const bool hidden = entry->path().filename().string().starts_with('.');
+        const bool companion = entry->path().extension() == ".tdms_index"; // one per TDMS file
         std::error_code unknown;
-        if (!hidden && entry->is_regular_file(unknown))
+        if (!hidden && !companion && entry->is_regular_file(unknown))
             files.push_back({entry->path().string(), false});
     }
     if (error)
@@ -233,6 +235,7 @@ const std::vector<CaptureFormat> &captureFormats()
     static const std::vector<CaptureFormat> formats{
         {"dyncal-capture", "HDF5 capture", {"h5", "hdf5"}, &recogniseHdf5Capture, &readHdf5Capture},
         {"lvm", "LabVIEW measurement", {"lvm"}, &recogniseLvm, &readLvm},
+        {"tdms", "NI TDMS", {"tdms"}, &recogniseTdms, &readTdms},
         {"text", "text table", {"csv", "tsv", "txt", "dat"}, &recogniseDelimitedText,
             &readDelimitedText},
     };
