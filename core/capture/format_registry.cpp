@@ -8,6 +8,7 @@
 #include "core/capture/formats/hdf5_capture.h"
 #include "core/capture/formats/lvm.h"
 #include "core/capture/formats/scope_bin.h"
+#include "core/capture/formats/tdms.h"
 #include "core/capture/formats/wav.h"
 
 #include <filesystem>
@@ -67,6 +68,7 @@ const std::vector<CaptureFormat> &captureFormats()
     static const std::vector<CaptureFormat> formats{
         {"dyncal-capture", "HDF5 capture", {"h5", "hdf5"}, &recogniseHdf5Capture, &readHdf5Capture},
         {"lvm", "LabVIEW measurement", {"lvm"}, &recogniseLvm, &readLvm},
+        {"tdms", "NI TDMS", {"tdms"}, &recogniseTdms, &readTdms},
         {"keysight-bin", "Keysight/Agilent waveform", {"bin"}, &recogniseKeysightBin,
             &readKeysightBin},
         {"rigol-bin", "Rigol waveform", {"bin"}, &recogniseRigolBin, &readRigolBin},
