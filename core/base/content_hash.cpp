@@ -11,43 +11,44 @@
 #include <vector>
 
 namespace dyncal {
-namespace {
 
-class Sha256
+struct Sha256::State
 {
-public:
-    Sha256()
-        : m_context(EVP_MD_CTX_new(), &EVP_MD_CTX_free)
-    {
-        EVP_DigestInit_ex(m_context.get(), EVP_sha256(), nullptr);
-    }
-
-    void add(const void *data, std::size_t size) { EVP_DigestUpdate(m_context.get(), data, size); }
-
-    std::string hex()
-    {
-        std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
-        unsigned int length = 0;
-        EVP_DigestFinal_ex(m_context.get(), digest.data(), &length);
-        static constexpr char kDigits[] = "0123456789abcdef";
-        std::string text;
-        for (unsigned int i = 0; i < length; ++i) {
-            text += kDigits[digest[i] >> 4];
-            text += kDigits[digest[i] & 0xf];
-        }
-        return text;
-    }
-
-private:
-    std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> m_context;
+    std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> context{
+        EVP_MD_CTX_new(), &EVP_MD_CTX_free};
 };
 
-} // namespace
+Sha256::Sha256()
+    : m_state(std::make_unique<State>())
+{
+    EVP_DigestInit_ex(m_state->context.get(), EVP_sha256(), nullptr);
+}
+
+Sha256::~Sha256() = default;
+
+void Sha256::add(std::span<const std::byte> bytes)
+{
+    EVP_DigestUpdate(m_state->context.get(), bytes.data(), bytes.size());
+}
+
+std::string Sha256::hex()
+{
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    unsigned int length = 0;
+    EVP_DigestFinal_ex(m_state->context.get(), digest.data(), &length);
+    static constexpr char kDigits[] = "0123456789abcdef";
+    std::string text;
+    for (unsigned int i = 0; i < length; ++i) {
+        text += kDigits[digest[i] >> 4];
+        text += kDigits[digest[i] & 0xf];
+    }
+    return text;
+}
 
 std::string sha256Hex(std::span<const std::byte> bytes)
 {
     Sha256 hash;
-    hash.add(bytes.data(), bytes.size());
+    hash.add(bytes);
     return hash.hex();
 }
 
@@ -64,8 +65,8 @@ std::string sha256OfFile(const std::string &path)
     Sha256 hash;
     std::vector<char> block(1 << 20);
     while (file) {
-        file.read(block.data(), static_cast<std::streamsize>(block.size()));
-        hash.add(block.data(), static_cast<std::size_t>(file.gcount()));
+        file.read(block.data(), std::ssize(block));
+        hash.add(std::as_bytes(std::span(block)).first(static_cast<std::size_t>(file.gcount())));
     }
     return file.bad() ? std::string() : hash.hex();
 }

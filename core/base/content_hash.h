@@ -5,12 +5,32 @@
 
 #include "core/base/index.h"
 
-#include <cstdint>
+#include <cstddef>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace dyncal {
+
+/// SHA-256 of bytes that come in pieces.
+class Sha256
+{
+public:
+    Sha256();
+    ~Sha256();
+    Sha256(const Sha256 &) = delete;
+    Sha256 &operator=(const Sha256 &) = delete;
+
+    void add(std::span<const std::byte> bytes);
+
+    /// 64 lower-case hexadecimal digits. Ends the hash: call it once.
+    std::string hex();
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
 
 /// SHA-256 as 64 lower-case hexadecimal digits.
 std::string sha256Hex(std::span<const std::byte> bytes);

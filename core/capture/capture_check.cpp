@@ -7,8 +7,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
-#include <tuple>
 #include <type_traits>
 
 namespace dyncal {
@@ -37,46 +37,72 @@ bool isValid(T value)
     return true;
 }
 
-/// Longest run of `level` in `values` and where it begins.
-template <typename T>
-std::pair<Index, Index> longestRun(const std::vector<T> &values, T level)
+/// Longest run of one value, seen in order.
+class RunLength
 {
-    Index longest = 0;
-    Index begin = -1;
-    Index run = 0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        run = values[i] == level ? run + 1 : 0;
-        if (run > longest) {
-            longest = run;
-            begin = static_cast<Index>(i) - run + 1;
+public:
+    explicit RunLength(double level)
+        : m_level(level)
+    {
+    }
+
+    void see(double value, Index i)
+    {
+        m_run = value == m_level ? m_run + 1 : 0;
+        if (m_run > m_longest) {
+            m_longest = m_run;
+            m_begin = i - m_run + 1;
         }
     }
-    return {longest, begin};
+
+    Index longest() const { return m_longest; }
+    Index begin() const { return m_begin; }
+
+private:
+    double m_level;
+    Index m_run = 0;
+    Index m_longest = 0;
+    Index m_begin = -1;
+};
+
+void findExtremes(const RawSamples &samples, Survey &survey)
+{
+    double low = std::numeric_limits<double>::infinity();
+    double high = -low;
+    samples.visitBlocks(0, samples.size(), [&](auto values, Index first) {
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            if (!isValid(values[i])) {
+                if (survey.invalid++ == 0)
+                    survey.firstInvalid = first + static_cast<Index>(i);
+                continue;
+            }
+            low = std::min(low, static_cast<double>(values[i]));
+            high = std::max(high, static_cast<double>(values[i]));
+        }
+    });
+    const bool any = low <= high;
+    survey.lowest = any ? low : 0.0;
+    survey.highest = any ? high : 0.0;
 }
 
-template <typename T>
-Survey surveyOf(const std::vector<T> &values)
+Survey surveyOf(const RawSamples &samples)
 {
     Survey survey;
-    bool any = false;
-    T low{};
-    T high{};
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        if (!isValid(values[i])) {
-            if (survey.invalid++ == 0)
-                survey.firstInvalid = static_cast<Index>(i);
-            continue;
+    findExtremes(samples, survey);
+    if (survey.lowest == survey.highest)
+        return survey;
+    RunLength top(survey.highest);
+    RunLength bottom(survey.lowest);
+    samples.visitBlocks(0, samples.size(), [&](auto values, Index first) {
+        for (const auto value : values) {
+            top.see(static_cast<double>(value), first);
+            bottom.see(static_cast<double>(value), first++);
         }
-        low = any ? std::min(low, values[i]) : values[i];
-        high = any ? std::max(high, values[i]) : values[i];
-        any = true;
-    }
-    survey.lowest = static_cast<double>(low);
-    survey.highest = static_cast<double>(high);
-    if (any && low < high) {
-        std::tie(survey.longestTop, survey.topBegin) = longestRun(values, high);
-        std::tie(survey.longestBottom, survey.bottomBegin) = longestRun(values, low);
-    }
+    });
+    survey.longestTop = top.longest();
+    survey.topBegin = top.begin();
+    survey.longestBottom = bottom.longest();
+    survey.bottomBegin = bottom.begin();
     return survey;
 }
 
@@ -87,7 +113,7 @@ public:
         : m_findings(findings)
         , m_shot(shot)
         , m_channel(channel)
-        , m_survey(std::visit([](const auto &v) { return surveyOf(v); }, channel.samples.counts()))
+        , m_survey(surveyOf(channel.samples))
     {
     }
 

@@ -4,6 +4,7 @@
 #include "core/capture/channel.h"
 
 #include <array>
+#include <limits>
 #include <utility>
 
 namespace dyncal {
@@ -58,13 +59,14 @@ double physicalValue(const Channel &channel, double raw)
 Eigen::VectorXd physicalValues(const Channel &channel, Index begin, Index count)
 {
     Eigen::VectorXd values(count);
-    std::visit(
-        [&](const auto &counts) {
-            const auto *source = counts.data() + begin;
-            for (Index i = 0; i < count; ++i)
-                values[i] = physicalValue(channel, static_cast<double>(source[i]));
-        },
-        channel.samples.counts());
+    const bool complete
+        = channel.samples.visitBlocks(begin, begin + count, [&](auto counts, Index first) {
+              double *target = values.data() + (first - begin);
+              for (const auto raw : counts)
+                  *target++ = physicalValue(channel, static_cast<double>(raw));
+          });
+    if (!complete)
+        values.setConstant(std::numeric_limits<double>::quiet_NaN());
     return values;
 }
 

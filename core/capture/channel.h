@@ -48,7 +48,8 @@ struct Channel
     std::optional<double> adcMax;
     int adcBits = 0; ///< 0 = unknown
     std::string sensorId;
-    std::string sha256; ///< of samples.bytes()
+    std::string sha256; ///< of the samples (sha256OfSamples); empty until sealed
+    std::string statedSha256; ///< what the file says it is; empty if it says nothing
 
     double duration_s() const { return static_cast<double>(samples.size()) / sampleRate_Hz; }
     double timeOf_s(Index sample) const
@@ -61,7 +62,7 @@ struct Channel
 double physicalValue(const Channel &channel, double raw);
 
 /// Physical values of samples [begin, begin + count), which must lie within the record.
-/// Non-finite samples stay non-finite.
+/// Non-finite samples stay non-finite; all are NaN if the samples' file cannot be read any more.
 Eigen::VectorXd physicalValues(const Channel &channel, Index begin, Index count);
 
 } // namespace dyncal

@@ -234,7 +234,7 @@ Result<Shot> recordShot(const SimulationSettings &settings, const ShotPlan &plan
     if (hasDefect(settings, DefectKind::Swap, plan.number))
         swapRoles(shot);
     for (Channel &channel : shot.channels)
-        channel.sha256 = sha256Hex(channel.samples.bytes());
+        channel.sha256 = sha256OfSamples(channel.samples);
     return shot;
 }
 

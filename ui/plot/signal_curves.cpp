@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace dyncal {
 
@@ -26,11 +27,11 @@ struct RawExtremes
 };
 
 template <typename T>
-RawExtremes extremesOf(const std::vector<T> &counts, Index begin, Index end)
+RawExtremes extremesOf(std::span<const T> counts)
 {
     RawExtremes found;
-    for (Index i = begin; i < end; ++i) {
-        const auto value = static_cast<double>(counts[static_cast<std::size_t>(i)]);
+    for (const T count : counts) {
+        const auto value = static_cast<double>(count);
         if (!std::isfinite(value))
             continue;
         found.min = found.any ? std::min(found.min, value) : value;
@@ -46,11 +47,17 @@ RawExtremes physicalExtremes(const Channel &channel, Index begin, Index end)
     if (channel.polynomial.size() > 2) {
         const Eigen::VectorXd values = physicalValues(channel, begin, end - begin);
         return extremesOf(
-            std::vector<double>(values.data(), values.data() + values.size()), 0, values.size());
+            std::span<const double>(values.data(), static_cast<std::size_t>(values.size())));
     }
-    RawExtremes found
-        = std::visit([&](const auto &counts) { return extremesOf(counts, begin, end); },
-            channel.samples.counts());
+    RawExtremes found;
+    channel.samples.visitBlocks(begin, end, [&](auto counts, Index) {
+        const RawExtremes here = extremesOf(counts);
+        if (!here.any)
+            return;
+        found.min = found.any ? std::min(found.min, here.min) : here.min;
+        found.max = found.any ? std::max(found.max, here.max) : here.max;
+        found.any = true;
+    });
     const double a = physicalValue(channel, found.min);
     const double b = physicalValue(channel, found.max);
     return {std::min(a, b), std::max(a, b), found.any};

@@ -16,7 +16,7 @@ std::string combinedHash(const CaptureSet &set)
     std::string all;
     for (const Shot &shot : set.shots)
         for (const Channel &channel : shot.channels)
-            all += sha256Hex(channel.samples.bytes());
+            all += sha256OfSamples(channel.samples);
     return sha256Hex(std::string_view(all));
 }
 

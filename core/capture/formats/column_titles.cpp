@@ -13,7 +13,7 @@ namespace {
 constexpr auto kUnits = std::to_array<std::string_view>({"s", "ms", "us", "\u00B5s", "\u03BCs",
     "ns", "sec", "second", "seconds", "v", "mv", "uv", "\u00B5v", "volt", "volts", "pa", "kpa",
     "mpa", "hpa", "bar", "mbar", "psi", "g", "kg_n", "m/s^2", "m/s\u00B2", "n", "kn", "c", "pc",
-    "k", "a", "ma", "hz", "counts", "count", "codes", "1"});
+    "k", "a", "ma", "hz", "khz", "mhz", "ghz", "counts", "count", "codes", "1"});
 
 std::string_view withoutQuotes(std::string_view text)
 {
@@ -28,8 +28,11 @@ std::vector<std::string_view> cellsWithoutTail(
     std::vector<std::string_view> cells = cellsOf(line, separator);
     while (cells.size() > columns && cells.back().empty())
         cells.pop_back();
-    for (std::string_view &cell : cells)
+    for (std::string_view &cell : cells) {
+        if (separator == kBlankSeparator && (cell.ends_with(',') || cell.ends_with(';')))
+            cell.remove_suffix(1); // "# time(s), acceleration(g)" above columns split by blanks
         cell = withoutQuotes(cell);
+    }
     return cells;
 }
 

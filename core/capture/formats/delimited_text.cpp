@@ -70,7 +70,7 @@ private:
     /// missing, or else all behind it would move in time.
     Result<void> addRow(std::string_view line, Index number)
     {
-        if (isBlank(line)) {
+        if (isBlankRow(line, m_dialect.separator)) {
             ++m_blankRows;
             return {};
         }
@@ -93,13 +93,6 @@ private:
         return count < m_columns.size() ? wrongLength(number, count) : Result<void>();
     }
 
-    bool isBlank(std::string_view line) const
-    {
-        return std::all_of(line.begin(), line.end(), [this](char c) {
-            return c == ' ' || c == '\t' || c == '\f' || c == m_dialect.separator;
-        });
-    }
-
     Result<void> wrongLength(Index number, std::size_t found) const
     {
         return damaged(m_path,
@@ -112,7 +105,8 @@ private:
     bool isCut(std::string_view text, std::string_view line, Index number)
     {
         const RowEnd end = lastRowEnd(text, line, m_dialect);
-        if (end == RowEnd::Whole || isBlank(line) || m_columns.front().empty())
+        if (end == RowEnd::Whole || isBlankRow(line, m_dialect.separator)
+            || m_columns.front().empty())
             return false;
         m_findings.push_back(unfinishedLine(m_path, number, end));
         return end == RowEnd::Cut;
@@ -181,7 +175,7 @@ Channel channelOf(const ColumnTitle &title, ChannelRole role, std::vector<double
     channel.role = role;
     channel.unit = title.unit.empty() ? "1" : title.unit;
     channel.samples = RawSamples(std::move(values));
-    channel.sha256 = sha256Hex(channel.samples.bytes());
+    channel.sha256 = sha256OfSamples(channel.samples);
     return channel;
 }
 
@@ -193,16 +187,6 @@ Finding ambiguousDecimal(const std::string &path, const TextDialect &dialect)
              "separator in the recipe's import section to be certain."),
             {path, dialect.ambiguous, dialect.decimal == ',' ? "decimal mark" : "separator"}},
         {}, {}};
-}
-
-tl::unexpected<Error> noNumbers(const std::string &path)
-{
-    return fail(ErrorKind::FileUnreadable,
-        {DYNCAL_TEXT("core",
-             "%1 holds no rows of numbers that fit together; check separator, decimal and "
-             "skip_rows in the recipe's import section."),
-            {path}},
-        "CAP-001");
 }
 
 } // namespace
@@ -228,7 +212,7 @@ Result<CaptureSet> readDelimitedText(
         return tl::unexpected(text.error());
     const std::optional<TextDialect> dialect = dialectOf(*text, settings);
     if (!dialect)
-        return noNumbers(path);
+        return noRowsOfNumbers(path);
     if (const auto checked = checkColumns(path, settings, dialect->columns); !checked)
         return tl::unexpected(checked.error());
     if (const auto checked = checkHeader(path, *dialect); !checked && !settings.skipRows)
@@ -238,13 +222,13 @@ Result<CaptureSet> readDelimitedText(
         return tl::unexpected(parsed.error());
 
     const std::vector<ColumnTitle> titles = columnTitles(*dialect);
-    const Result<TextTime> time
-        = timeOfTable(path, settings, titles, parser.columns(), dialect->headerLines());
+    const Result<TextTime> time = timeOfTable(path, settings, *dialect, titles, parser.columns());
     if (!time)
         return tl::unexpected(time.error());
     const auto roles = rolesOf(settings, dialect->columns, time->column);
     CaptureSet set;
     set.findings = parser.findings();
+    set.findings.insert(set.findings.end(), time->findings.begin(), time->findings.end());
     if (!dialect->ambiguous.empty())
         set.findings.push_back(ambiguousDecimal(path, *dialect));
     Shot shot;

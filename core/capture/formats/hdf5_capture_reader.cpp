@@ -249,7 +249,7 @@ private:
         Channel channel;
         channel.name = readTextAttribute(dataset.id(), "name").value_or(link);
         channel.samples = stored->samples;
-        channel.sha256 = sha256Hex(channel.samples.bytes());
+        channel.sha256 = sha256OfSamples(channel.samples);
         readChannelAttributes(dataset.id(), channel);
         if (const Result<void> scaled = readCalibration(dataset.id(), place, channel); !scaled)
             return tl::unexpected(scaled.error());

@@ -63,7 +63,7 @@ public:
         for (const Shot &shot : set.shots) {
             for (const Channel &channel : shot.channels) {
                 m_totalSamples += channel.samples.size();
-                m_channels.push_back({{}, sha256Hex(channel.samples.bytes())});
+                m_channels.push_back({{}, sha256OfSamples(channel.samples)});
             }
         }
     }
@@ -205,16 +205,24 @@ private:
 
     bool writeSamples(hid_t dataset, const RawSamples &samples)
     {
-        const hsize_t size = static_cast<hsize_t>(samples.size());
-        for (hsize_t begin = 0; begin < size; begin += kHdf5BlockSamples) {
-            const hsize_t count = std::min(size - begin, kHdf5BlockSamples);
-            if (m_control.stopRequested() || !writeSampleBlock(dataset, samples, begin, count))
-                return false;
-            m_doneSamples += static_cast<Index>(count);
+        const hid_t type = sampleTypes(samples).memory;
+        bool written = true;
+        const auto writeBlock = [&](std::span<const std::byte> block, Index begin, Index count) {
+            written = !m_control.stopRequested()
+                && writeSampleBlock(
+                    dataset, type, static_cast<hsize_t>(begin), block, static_cast<hsize_t>(count));
+            m_doneSamples += count;
             m_control.report(
                 static_cast<double>(m_doneSamples) / static_cast<double>(m_totalSamples));
+        };
+        for (Index begin = 0; written && begin < samples.size(); begin += RawSamples::kBlock) {
+            const Index end = std::min(samples.size(), begin + RawSamples::kBlock);
+            const bool read = samples.visitBlocks(begin, end, [&](auto values, Index first) {
+                writeBlock(std::as_bytes(values), first, std::ssize(values));
+            });
+            written = written && read;
         }
-        return true;
+        return written;
     }
 
     bool writeChannelAttributes(hid_t dataset, const Channel &channel)
@@ -286,7 +294,7 @@ bool readsBack(const std::string &path, const std::vector<WrittenChannel> &chann
                    H5Dopen2(file.id(), channel.path.c_str(), H5P_DEFAULT), &H5Dclose);
                const Result<StoredSamples> stored = readSampleDataset(
                    dataset.id(), path, channel.path, budgetBytes, SampleUse::Keep, {});
-               return stored && sha256Hex(stored->samples.bytes()) == channel.sha256;
+               return stored && sha256OfSamples(stored->samples) == channel.sha256;
            });
 }
 
@@ -305,12 +313,16 @@ Result<void> writeHdf5Capture(const CaptureSet &set, const std::string &path,
                 {path}});
     // A fixed name: what a killed run left behind is overwritten, not collected.
     const std::string temporary = path + ".part";
+    const bool isNew = !std::filesystem::exists(temporary, error); // else maybe another writer's
     Hdf5Handle file = createFile(temporary);
-    if (!file.valid())
+    if (!file.valid()) {
+        if (isNew)
+            std::filesystem::remove(temporary, error);
         return fail(ErrorKind::Usage,
             {DYNCAL_TEXT(
                  "core", "Cannot create %1; check that the folder exists and may be written to."),
                 {path}});
+    }
     CaptureWriter writer(set, control);
     const bool written = writer.write(file.id(), createdUtc, title, truth)
         && H5Fflush(file.id(), H5F_SCOPE_GLOBAL) >= 0;

@@ -194,16 +194,23 @@ Result<StoredSamples> SampleReader::readAs(
 
 SampleTypes sampleTypes(const RawSamples &samples)
 {
-    switch (samples.counts().index()) {
-    case 0:
-        return {H5T_STD_I16LE, H5T_NATIVE_INT16, 2};
-    case 1:
-        return {H5T_STD_I32LE, H5T_NATIVE_INT32, 4};
-    case 2:
-        return {H5T_IEEE_F32LE, H5T_NATIVE_FLOAT, 4};
-    default:
-        return {H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, 8};
+    switch (samples.type()) {
+    case SampleType::Int16:
+        return {H5T_STD_I16LE, H5T_NATIVE_INT16};
+    case SampleType::Int32:
+        return {H5T_STD_I32LE, H5T_NATIVE_INT32};
+    case SampleType::Float32:
+        return {H5T_IEEE_F32LE, H5T_NATIVE_FLOAT};
+    case SampleType::Int8:
+        return {H5T_STD_I8LE, H5T_NATIVE_INT8};
+    case SampleType::UInt8:
+        return {H5T_STD_U8LE, H5T_NATIVE_UINT8};
+    case SampleType::UInt16:
+        return {H5T_STD_U16LE, H5T_NATIVE_UINT16};
+    case SampleType::Float64:
+        break;
     }
+    return {H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE};
 }
 
 Result<StoredSamples> readSampleDataset(hid_t dataset, const std::string &path,
@@ -216,15 +223,14 @@ Result<StoredSamples> readSampleDataset(hid_t dataset, const std::string &path,
     return reader.read(*size, control);
 }
 
-bool writeSampleBlock(hid_t dataset, const RawSamples &samples, hsize_t begin, hsize_t count)
+bool writeSampleBlock(hid_t dataset, hid_t memoryType, hsize_t begin,
+    std::span<const std::byte> samples, hsize_t count)
 {
-    const SampleTypes types = sampleTypes(samples);
     const Hdf5Handle memory(H5Screate_simple(1, &count, nullptr), &H5Sclose);
     const Hdf5Handle target(H5Dget_space(dataset), &H5Sclose);
     return memory.valid() && target.valid()
         && H5Sselect_hyperslab(target.id(), H5S_SELECT_SET, &begin, nullptr, &count, nullptr) >= 0
-        && H5Dwrite(dataset, types.memory, memory.id(), target.id(), H5P_DEFAULT,
-               samples.bytes().data() + begin * types.size)
+        && H5Dwrite(dataset, memoryType, memory.id(), target.id(), H5P_DEFAULT, samples.data())
         >= 0;
 }
 

@@ -8,6 +8,7 @@
 #include "core/capture/formats/hdf5_handle.h"
 #include "core/capture/raw_samples.h"
 
+#include <span>
 #include <string>
 
 namespace dyncal {
@@ -17,7 +18,6 @@ struct SampleTypes
 {
     hid_t stored;
     hid_t memory;
-    hsize_t size;
 };
 SampleTypes sampleTypes(const RawSamples &samples);
 
@@ -45,7 +45,8 @@ struct StoredSamples
 Result<StoredSamples> readSampleDataset(hid_t dataset, const std::string &path,
     const std::string &channel, hsize_t &budgetBytes, SampleUse use, const JobControl &control);
 
-/// Writes samples [begin, begin + count) of the dataset.
-bool writeSampleBlock(hid_t dataset, const RawSamples &samples, hsize_t begin, hsize_t count);
+/// Writes `count` samples of this memory type to [begin, begin + count) of the dataset.
+bool writeSampleBlock(hid_t dataset, hid_t memoryType, hsize_t begin,
+    std::span<const std::byte> samples, hsize_t count);
 
 } // namespace dyncal

@@ -264,7 +264,7 @@ private:
             channel.sampleRate_Hz = sampleRateOf(data, i, number);
             channel.t0_s = header.x0;
             channel.samples = RawSamples(data.values[i].take());
-            channel.sha256 = sha256Hex(channel.samples.bytes());
+            channel.sha256 = sha256OfSamples(channel.samples);
             shot.channels.push_back(std::move(channel));
         }
         m_set.shots.push_back(std::move(shot));

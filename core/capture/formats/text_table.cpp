@@ -107,6 +107,13 @@ CellKind readPlainNumber(const char *begin, const char *end, double &value)
     return CellKind::Number;
 }
 
+tl::unexpected<Error> cannotRead(const std::string &path)
+{
+    return fail(ErrorKind::FileUnreadable,
+        {DYNCAL_TEXT("core", "%1 cannot be read; check that it exists and may be opened."), {path}},
+        "CAP-018");
+}
+
 } // namespace
 
 Result<std::string> readTextFile(const std::string &path)
@@ -120,11 +127,27 @@ Result<std::string> readTextFile(const std::string &path)
         file.read(text.data(), static_cast<std::streamsize>(size));
     }
     if (error || !file || static_cast<std::uintmax_t>(file.gcount()) != size)
-        return fail(ErrorKind::FileUnreadable,
-            {DYNCAL_TEXT("core", "%1 cannot be read; check that it exists and may be opened."),
-                {path}},
-            "CAP-018");
+        return cannotRead(path);
     return textOfBytes(std::move(text));
+}
+
+Result<TextHead> readTextHead(const std::string &path, std::size_t bytes)
+{
+    std::ifstream file(path, std::ios::binary);
+    std::string head(bytes, '\0');
+    file.read(head.data(), static_cast<std::streamsize>(bytes));
+    if (!file.is_open() || file.bad() || (!file.eof() && file.fail()))
+        return cannotRead(path);
+    head.resize(static_cast<std::size_t>(file.gcount()));
+    TextHead result;
+    result.whole = file.eof() || file.peek() == std::ifstream::traits_type::eof();
+    const bool utf16 = head.starts_with("\xFF\xFE") || head.starts_with("\xFE\xFF");
+    result.text = textOfBytes(std::move(head));
+    const std::size_t lastEnd = result.text.find_last_of("\r\n");
+    if (!result.whole && lastEnd != std::string::npos)
+        result.text.resize(lastEnd + 1);
+    result.encoding = utf16 ? "UTF-16" : isUtf8(result.text) ? "UTF-8" : "Windows-1252";
+    return result;
 }
 
 std::string textOfBytes(std::string bytes)
@@ -214,6 +237,12 @@ std::vector<std::string_view> cellsOf(std::string_view line, char separator)
     return cells;
 }
 
+bool isBlankRow(std::string_view line, char separator)
+{
+    return std::all_of(line.begin(), line.end(),
+        [separator](char c) { return c == ' ' || c == '\t' || c == '\f' || c == separator; });
+}
+
 CellKind readCell(std::string_view cell, char decimal, double &value)
 {
     if (cell.empty())
@@ -252,6 +281,16 @@ tl::unexpected<Error> unreadableCell(
              "separator or skip_rows in the recipe's import section."),
             {path, std::to_string(line), std::to_string(column), utf8Text(cell.substr(0, kShown))}},
         "CAP-018");
+}
+
+tl::unexpected<Error> noRowsOfNumbers(const std::string &path)
+{
+    return fail(ErrorKind::FileUnreadable,
+        {DYNCAL_TEXT("core",
+             "%1 holds no rows of numbers that fit together; check separator, decimal and "
+             "skip_rows in the recipe's import section."),
+            {path}},
+        "CAP-001");
 }
 
 } // namespace dyncal

@@ -22,6 +22,17 @@ Result<std::string> readTextFile(const std::string &path);
 /// The same for bytes that are there already.
 std::string textOfBytes(std::string bytes);
 
+/// The beginning of a text file.
+struct TextHead
+{
+    std::string text; ///< whole lines, unless the file is shorter or the first line longer
+    std::string encoding; ///< "UTF-8", "UTF-16" or "Windows-1252"
+    bool whole = false; ///< this is all of the file
+};
+
+/// At most `bytes` of the file. Fails as readTextFile.
+Result<TextHead> readTextHead(const std::string &path, std::size_t bytes);
+
 /// UTF-8 of a name or unit: left alone if it is valid UTF-8, otherwise taken as Windows-1252.
 std::string utf8Text(std::string_view text);
 
@@ -71,6 +82,9 @@ private:
 
 std::vector<std::string_view> cellsOf(std::string_view line, char separator);
 
+/// Whether a line holds nothing but blanks and separators.
+bool isBlankRow(std::string_view line, char separator);
+
 enum class CellKind { Number, Empty, Unreadable };
 
 /// Reads a cell as a number with this decimal mark. "nan" is a number that is NaN.
@@ -97,5 +111,8 @@ private:
 /// "12,3x" in column 2 of line 17 is no number: CAP-018, naming all of it.
 tl::unexpected<Error> unreadableCell(
     const std::string &path, Index line, Index column, std::string_view cell);
+
+/// There is no table in the file: CAP-001.
+tl::unexpected<Error> noRowsOfNumbers(const std::string &path);
 
 } // namespace dyncal

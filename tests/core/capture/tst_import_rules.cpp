@@ -21,7 +21,7 @@ Channel channel(const char *name, std::vector<double> values, double rate_Hz = 1
     c.name = name;
     c.samples = RawSamples(RawSamples::Counts(std::move(values)));
     c.sampleRate_Hz = rate_Hz;
-    c.sha256 = sha256Hex(c.samples.bytes());
+    c.sha256 = sha256OfSamples(c.samples);
     return c;
 }
 
@@ -29,7 +29,7 @@ Channel counts(const char *name, std::vector<std::int16_t> values)
 {
     Channel c = channel(name, {});
     c.samples = RawSamples(RawSamples::Counts(std::move(values)));
-    c.sha256 = sha256Hex(c.samples.bytes());
+    c.sha256 = sha256OfSamples(c.samples);
     return c;
 }
 

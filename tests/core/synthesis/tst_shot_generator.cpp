@@ -92,7 +92,7 @@ std::string hashOf(const SimulatedCapture &capture)
     std::string text;
     for (const Shot &shot : capture.set.shots) {
         for (const Channel &channel : shot.channels)
-            text += sha256Hex(channel.samples.bytes());
+            text += sha256OfSamples(channel.samples);
     }
     return sha256Hex(text);
 }
@@ -156,12 +156,12 @@ void TestShotGenerator::defaults_threeShotsOfThreeChannels()
             QCOMPARE(channel.sampleRate_Hz, 100e6);
             QCOMPARE(channel.samples.size(), Index(400000));
             QCOMPARE(channel.t0_s, -0.4e-3); // 10 % before the trigger
-            QVERIFY(std::holds_alternative<std::vector<std::int16_t>>(channel.samples.counts()));
+            QVERIFY(channel.samples.type() == SampleType::Int16);
             QCOMPARE(channel.adcBits, 14);
             QCOMPARE(*channel.adcMin, -8192.0);
             QCOMPARE(*channel.adcMax, 8191.0);
             QCOMPARE(channel.unit, std::string(c == 0 ? "V" : "Pa"));
-            QCOMPARE(channel.sha256, sha256Hex(channel.samples.bytes()));
+            QCOMPARE(channel.sha256, sha256OfSamples(channel.samples));
             QVERIFY(capture.set.sensors.count(channel.sensorId) == 1);
             hashes.insert(channel.sha256);
         }
@@ -452,8 +452,7 @@ void TestShotGenerator::quantisation_bits_chooseIntegers()
         settings.shots = {ShotLevel::Low};
         const SimulatedCapture capture = simulated(settings);
         const Channel &dut = capture.set.shots[0].channels[0];
-        QCOMPARE(
-            std::holds_alternative<std::vector<std::int16_t>>(dut.samples.counts()), bits <= 16);
+        QCOMPARE(dut.samples.type() == SampleType::Int16, bits <= 16);
         QCOMPARE(*dut.adcMin, -std::exp2(bits - 1));
         QCOMPARE(*dut.adcMax, std::exp2(bits - 1) - 1.0);
         QVERIFY(std::abs(dut.polynomial[1] * std::exp2(bits)

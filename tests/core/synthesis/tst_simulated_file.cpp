@@ -36,7 +36,7 @@ void compareChannels(const Channel &read, const Channel &made)
     QCOMPARE(read.t0_s, made.t0_s);
     QCOMPARE(read.sensorId, made.sensorId);
     QCOMPARE(read.adcBits, made.adcBits);
-    QCOMPARE(sha256Hex(read.samples.bytes()), made.sha256);
+    QCOMPARE(sha256OfSamples(read.samples), made.sha256);
     QCOMPARE(physicalValue(read, 1000.0), physicalValue(made, 1000.0));
 }
 
