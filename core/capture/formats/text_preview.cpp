@@ -3,27 +3,28 @@
 
 #include "core/capture/text_preview.h"
 
+#include "core/capture/formats/table_import.h"
 #include "core/capture/formats/text_dialect.h"
 #include "core/capture/formats/text_table.h"
-#include "core/capture/formats/text_time.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace dyncal {
 namespace {
 
 constexpr std::size_t kBytes = 1024 * 1024; ///< of the file that are looked at
 constexpr std::size_t kRowsShown = 50;
+constexpr Index kCellsShown = 1000; ///< of a row
+constexpr std::size_t kCellBytes = 200;
 
-/// Reads what can be read and counts the rest, where the import would stop.
+/// The cells of the first rows as written, and how many of all rows hold what no import could use.
 class PreviewRows
 {
 public:
-    PreviewRows(const TextDialect &dialect, TextPreview &preview)
+    PreviewRows(const TextDialect &dialect, Index headerLines, TextPreview &preview)
         : m_dialect(dialect)
+        , m_headerLines(headerLines)
         , m_preview(preview)
-        , m_columns(static_cast<std::size_t>(dialect.columns))
     {
     }
 
@@ -31,44 +32,36 @@ public:
     {
         LineCursor lines(text);
         for (std::string_view line; lines.next(line);) {
-            if (lines.number() > m_dialect.headerLines())
+            if (lines.number() > m_headerLines && !isBlankRow(line, m_dialect.separator)
+                && !isCommentLine(line))
                 addRow(line);
         }
     }
 
-    const std::vector<std::vector<double>> &columns() const { return m_columns; }
-
 private:
     void addRow(std::string_view line)
     {
-        if (isBlankRow(line, m_dialect.separator))
-            return;
-        const std::vector<std::string_view> cells = cellsOf(line, m_dialect.separator);
-        for (std::size_t i = 0; i < std::max(cells.size(), m_columns.size()); ++i)
-            addCell(i, i < cells.size() ? &cells[i] : nullptr);
-        if (m_preview.rows.size() < kRowsShown) {
-            std::vector<std::string> &row = m_preview.rows.emplace_back();
-            for (const std::string_view cell : cells)
-                row.push_back(utf8Text(cell));
-        }
         ++m_preview.dataRows;
-    }
-
-    void addCell(std::size_t index, const std::string_view *cell)
-    {
-        double value = std::numeric_limits<double>::quiet_NaN();
-        const CellKind kind
-            = cell != nullptr ? readCell(*cell, m_dialect.decimal, value) : CellKind::Unreadable;
-        const bool extra = index >= m_columns.size();
-        if (kind == CellKind::Unreadable || (extra && kind == CellKind::Number))
-            ++m_preview.unreadableCells;
-        if (!extra)
-            m_columns[index].push_back(value);
+        const bool shown = m_preview.rows.size() < kRowsShown;
+        if (shown)
+            m_preview.rows.emplace_back();
+        Index cells = 0;
+        CellCursor cursor(line, m_dialect.separator);
+        for (std::string_view cell; cursor.next(cell); ++cells) {
+            double value = 0.0;
+            const CellKind kind = readCell(cell, m_dialect.decimal, value);
+            const bool extra = cells >= m_dialect.columns && kind != CellKind::Empty;
+            if (extra || kind == CellKind::Unreadable)
+                ++m_preview.unreadableCells;
+            if (shown && cells < kCellsShown)
+                m_preview.rows.back().push_back(utf8Text(cell.substr(0, kCellBytes)));
+        }
+        m_preview.unreadableCells += std::max<Index>(0, m_dialect.columns - cells);
     }
 
     const TextDialect &m_dialect;
+    Index m_headerLines;
     TextPreview &m_preview;
-    std::vector<std::vector<double>> m_columns;
 };
 
 void addTitles(TextPreview &preview, const std::vector<ColumnTitle> &titles)
@@ -79,30 +72,21 @@ void addTitles(TextPreview &preview, const std::vector<ColumnTitle> &titles)
     }
 }
 
-constexpr const char *kUnreadable = DYNCAL_TEXT("core",
-    "%1 of the first cells are no numbers; check separator, decimal mark and the number of header "
-    "lines.");
-constexpr const char *kAmbiguous = DYNCAL_TEXT(
-    "core", "\"%1\" can be read in two ways; choose the decimal mark and the separator.");
-constexpr const char *kNoTime = DYNCAL_TEXT("core",
-    "The file states no sample rate and has no column of times; give the "
-    "sample rate.");
+constexpr const char *kNoTime = DYNCAL_TEXT(
+    "core", "%1 states no sample rate and has no column of times; give the sample rate.");
 
-/// What stops the import comes first, then what makes numbers wrong.
-std::string questionOf(const TextPreview &preview, const TextDialect &dialect,
-    const Result<TextTime> &time, const ImportSettings &settings)
+/// What would stop the import comes first, then what may make numbers wrong, then the rate.
+std::string questionOf(
+    const std::string &path, const Result<ImportedTable> &table, const ImportSettings &settings)
 {
-    if (preview.unreadableCells > 0)
-        return english({kUnreadable, {std::to_string(preview.unreadableCells)}});
-    if (!time)
-        return english(time.error().message);
-    if (preview.decimalAmbiguous)
-        return english({kAmbiguous, {dialect.ambiguous}});
-    for (const Finding &finding : time->findings) {
+    if (!table)
+        return english(table.error().message);
+    for (const Finding &finding : table->findings) {
         if (finding.severity != Severity::Info)
             return english(finding.message);
     }
-    return time->sampleRate_Hz > 0.0 || settings.sampleRate_Hz ? std::string() : english({kNoTime, {}});
+    const bool rateKnown = table->time.sampleRate_Hz > 0.0 || settings.sampleRate_Hz;
+    return rateKnown ? std::string() : english({kNoTime, {path}});
 }
 
 } // namespace
@@ -121,16 +105,16 @@ Result<TextPreview> previewText(const std::string &path, const ImportSettings &s
     preview.decimal = dialect->decimal;
     preview.encoding = head->encoding;
     preview.decimalAmbiguous = !dialect->ambiguous.empty();
-    const std::vector<ColumnTitle> titles = columnTitles(*dialect);
-    addTitles(preview, titles);
-    PreviewRows rows(*dialect, preview);
-    rows.read(head->text);
-    const Result<TextTime> time = timeOfTable(path, settings, *dialect, titles, rows.columns());
-    if (time) {
-        preview.timeColumn = time->column;
-        preview.sampleRate_Hz = time->sampleRate_Hz;
+    addTitles(preview, columnTitles(*dialect));
+    const Result<ImportedTable> table
+        = importTable({path, head->text, head->whole}, *dialect, settings, {});
+    if (table) {
+        preview.headerLines += table->countedHeaderLines;
+        preview.timeColumn = table->time.column;
+        preview.sampleRate_Hz = table->time.sampleRate_Hz;
     }
-    preview.question = questionOf(preview, *dialect, time, settings);
+    preview.question = questionOf(path, table, settings);
+    PreviewRows(*dialect, preview.headerLines, preview).read(head->text);
     return preview;
 }
 
