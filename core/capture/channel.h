@@ -49,6 +49,7 @@ struct Channel
     int adcBits = 0; ///< 0 = unknown
     std::string sensorId;
     std::string sha256; ///< of the samples (sha256OfSamples); empty until sealed
+    std::string statedSha256; ///< what the file says it is; empty if it says nothing
 
     double duration_s() const { return static_cast<double>(samples.size()) / sampleRate_Hz; }
     double timeOf_s(Index sample) const

@@ -8,6 +8,8 @@
 #include "core/capture/formats/delimited_text.h"
 #include "core/capture/formats/hdf5_capture.h"
 #include "core/capture/formats/lvm.h"
+#include "core/capture/formats/scope_bin.h"
+#include "core/capture/formats/wav.h"
 #include "core/capture/natural_order.h"
 
 #include <algorithm>
@@ -233,6 +235,10 @@ const std::vector<CaptureFormat> &captureFormats()
     static const std::vector<CaptureFormat> formats{
         {"dyncal-capture", "HDF5 capture", {"h5", "hdf5"}, &recogniseHdf5Capture, &readHdf5Capture},
         {"lvm", "LabVIEW measurement", {"lvm"}, &recogniseLvm, &readLvm},
+        {"keysight-bin", "Keysight/Agilent waveform", {"bin"}, &recogniseKeysightBin,
+            &readKeysightBin},
+        {"rigol-bin", "Rigol waveform", {"bin"}, &recogniseRigolBin, &readRigolBin},
+        {"wav", "WAV", {"wav", "rf64", "bw64"}, &recogniseWav, &readWav},
         {"text", "text table", {"csv", "tsv", "txt", "dat"}, &recogniseDelimitedText,
             &readDelimitedText},
     };

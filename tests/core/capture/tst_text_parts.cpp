@@ -127,7 +127,7 @@ void TestTextParts::unknownFile_saysWhatItIs_data()
     row("tdms index", "TDSh", "only the index", true);
     row("matlab 5", "MATLAB 5.0 MAT-file, Platform", "a MATLAB file", true);
     row("matlab 7.3", "MATLAB 7.3 MAT-file, Platform", "a MATLAB file", true);
-    row("wav", "RIFF....WAVE", "a WAV or other RIFF file", true);
+    row("riff", "RIFF....AVI ", "a RIFF file", true);
     row("elf", QByteArray("\x7F\x45LF\x02"), "a program", true);
     row("empty", "", "is empty", false);
     row("prose", "Dear reader,", "a text without rows of numbers", false);
