@@ -6,6 +6,7 @@
 #include "core/capture/file_kind.h"
 #include "core/capture/formats/delimited_text.h"
 #include "core/capture/formats/hdf5_capture.h"
+#include "core/capture/formats/lecroy_trc.h"
 #include "core/capture/formats/lvm.h"
 #include "core/capture/formats/scope_bin.h"
 #include "core/capture/formats/tdms.h"
@@ -72,6 +73,7 @@ const std::vector<CaptureFormat> &captureFormats()
         {"keysight-bin", "Keysight/Agilent waveform", {"bin"}, &recogniseKeysightBin,
             &readKeysightBin},
         {"rigol-bin", "Rigol waveform", {"bin"}, &recogniseRigolBin, &readRigolBin},
+        {"lecroy-trc", "LeCroy waveform", {"trc"}, &recogniseLecroyTrc, &readLecroyTrc},
         {"wav", "WAV", {"wav", "rf64", "bw64"}, &recogniseWav, &readWav},
         {"text", "text table", {"csv", "tsv", "txt", "dat"}, &recogniseDelimitedText,
             &readDelimitedText},
