@@ -46,8 +46,9 @@ constexpr std::array kKinds{
     KnownKind{"MATLAB 7.3 MAT-file"sv, kMatlab},
     KnownKind{"RIFF"sv,
         DYNCAL_TEXT("core",
-            "%1 is a WAV or other RIFF file, which this version does not read. Readable are: "
-            "%2.")},
+            "%1 is a RIFF file (video, sound font, picture) or a cut WAV, not a recording that can "
+            "be "
+            "read. Readable are: %2.")},
     KnownKind{"\x7F"
               "ELF"sv,
         DYNCAL_TEXT("core", "%1 is not a recording: it is a program. Readable are: %2.")},
