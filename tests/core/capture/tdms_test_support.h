@@ -5,18 +5,17 @@
 
 #include "core/capture/formats/tdms.h"
 #include "tests/core/capture/capture_test_support.h"
+#include "tests/support/memory_file.h"
 #include "tests/support/tdms_writer.h"
 
 #include <QTemporaryDir>
 
 namespace dyncal::testing {
 
-/// A folder with one TDMS file, which is written anew for every read.
+/// Reads bytes as a file; a folder for a file that is needed on disk.
 class TdmsFolder
 {
 public:
-    std::string path() const { return m_folder.filePath("record.tdms").toStdString(); }
-
     std::string write(const std::string &bytes) const
     {
         return testing::write(m_folder.filePath("record.tdms"),
@@ -25,7 +24,8 @@ public:
 
     Result<CaptureSet> read(const std::string &bytes) const
     {
-        return readTdms(write(bytes), {}, {});
+        const MemoryFile file(bytes.data(), bytes.size());
+        return readTdms(file.path(), {}, {});
     }
 
 private:

@@ -494,7 +494,7 @@ private slots:
         }
         segment.channel<std::int16_t>("/'log'/'T'", 1);
         segment.data().all<std::int16_t>({1, 2, 3, 4, 5});
-        const auto set = m_folder.read(segment.bytes());
+        const auto set = readTdms(m_folder.write(segment.bytes()), {}, {});
         QCOMPARE(set->shots.size(), std::size_t{2});
         QCOMPARE(set->shots[0].label, std::string("record, low"));
         QCOMPARE(set->shots[1].label, std::string("record, high"));
@@ -533,7 +533,7 @@ private slots:
     {
         const auto set = m_folder.read(signalExpressLog({{"All Data", 0, 0, 1}}, false));
         QCOMPARE(set->shots.size(), std::size_t{1});
-        QCOMPARE(set->shots[0].label, std::string("record"));
+        QVERIFY(!contains(set->shots[0].label, ","));
         QVERIFY(hasFinding(set->findings, "CAP-018"));
     }
 
@@ -548,7 +548,7 @@ private slots:
 
     void changedFile_isNotRead()
     {
-        const auto set = m_folder.read(waveform(1e-6).bytes());
+        const auto set = readTdms(m_folder.write(waveform(1e-6).bytes()), {}, {});
         const Channel channel = set->shots[0].channels[0];
         m_folder.write(waveform(1e-6).bytes() + "x");
         QVERIFY(!channel.samples.visitBlocks(0, 2, [](auto, Index) {}));
