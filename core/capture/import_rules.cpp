@@ -47,7 +47,8 @@ Result<void> assignRoles(CaptureSet &set, const std::map<std::string, std::strin
         if (!hasDut && shot.channels.size() == 1)
             shot.channels.front().role = ChannelRole::Dut;
     }
-    for (const auto &[name, role] : roles) {
+    for (const auto &entry : roles) {
+        const std::string &name = entry.first; // clang 14 captures no parts of a pair
         const bool exists = std::any_of(set.shots.begin(), set.shots.end(), [&](const Shot &shot) {
             return std::any_of(shot.channels.begin(), shot.channels.end(),
                 [&](const Channel &channel) { return channel.name == name; });
