@@ -385,7 +385,7 @@ private slots:
         QTest::newRow("external file")
             << "c.create_dataset('a', shape=(100,), dtype='i2', external=[('/etc/passwd', 0, 200)])"
             << "CAP-018"
-            << "claims more";
+            << "lie in other files";
         QTest::newRow("external link") << "c['a'] = h5py.ExternalLink('/tmp/x.h5', '/a')"
                                        << "CAP-018"
                                        << "channels of its own";
