@@ -35,7 +35,6 @@ struct Place
 {
     std::size_t shot;
     std::size_t channel;
-    std::string name; ///< for people: "accel_1 of shot 001"
 };
 
 /// Turns the description of a file into a capture. Links to other places are not followed; a
@@ -228,7 +227,7 @@ private:
         if (dataset.obstacle != Hdf5Obstacle::None)
             return hdf5ObstacleError(m_file.path, place, dataset);
         m_wishes.push_back({&object->dataset, object->address, place, 0});
-        m_places.push_back({m_set.shots.size() - 1, m_set.shots.back().channels.size(), place});
+        m_places.push_back({m_set.shots.size() - 1, m_set.shots.back().channels.size()});
         Channel channel;
         channel.name = textAttribute(*object, "name").value_or(link.name);
         readChannelAttributes(*object, channel);
@@ -240,7 +239,7 @@ private:
         return channel;
     }
 
-    void readChannelAttributes(const Hdf5Object &dataset, Channel &channel) const
+    void readChannelAttributes(const Hdf5Object &dataset, Channel &channel)
     {
         channel.sampleRate_Hz
             = std::max(finiteNumber(dataset, "sample_rate_Hz").value_or(0.0), 0.0);
@@ -258,9 +257,22 @@ private:
             channel.sensorId.erase(0, kSensorFolder.size());
         channel.role = channelRoleFromName(
             textAttribute(dataset, "role").value_or(sensorRole(channel.sensorId)));
-        // Of samples in another type than the recorded ones the hash says nothing.
+        readStatedHash(dataset, channel);
+    }
+
+    /// It belongs to the samples in the type in which they were recorded.
+    void readStatedHash(const Hdf5Object &dataset, Channel &channel)
+    {
+        const std::string stated = textAttribute(dataset, "raw_sha256").value_or("");
         if (dataset.dataset.fidelity == Hdf5Fidelity::Exact)
-            channel.statedSha256 = textAttribute(dataset, "raw_sha256").value_or("");
+            channel.statedSha256 = stated;
+        else if (!stated.empty())
+            m_set.findings.push_back({"CAP-015", Severity::Caution, 0, channel.name, {},
+                {DYNCAL_TEXT("core",
+                     "%1: the samples of channel %2 are stored in a type for which the SHA-256 in "
+                     "the file was not checked."),
+                    {m_file.path, channel.name}},
+                {}, {}});
     }
 
     std::string sensorRole(const std::string &sensorId) const
@@ -302,25 +314,9 @@ private:
             return tl::unexpected(columns.error());
         for (std::size_t i = 0; i < m_places.size(); ++i) {
             const Place &place = m_places[i];
-            Channel &channel = m_set.shots[place.shot].channels[place.channel];
-            channel.samples = (*columns)[i].front();
-            if (const Result<void> same = checkHash(channel, place.name); !same)
-                return same;
+            m_set.shots[place.shot].channels[place.channel].samples = (*columns)[i].front();
         }
         return {};
-    }
-
-    Result<void> checkHash(Channel &channel, const std::string &place) const
-    {
-        channel.sha256 = sha256OfSamples(channel.samples);
-        if (channel.statedSha256.empty() || channel.statedSha256 == channel.sha256)
-            return {};
-        return fail(ErrorKind::FileUnreadable,
-            {DYNCAL_TEXT("core",
-                 "%1: the samples of channel %2 are not those that were recorded (their SHA-256 "
-                 "differs from the one in the file); take an unchanged copy."),
-                {m_file.path, place}},
-            "CAP-015");
     }
 
     const Hdf5File &m_file;
