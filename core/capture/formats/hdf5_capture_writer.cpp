@@ -313,12 +313,16 @@ Result<void> writeHdf5Capture(const CaptureSet &set, const std::string &path,
                 {path}});
     // A fixed name: what a killed run left behind is overwritten, not collected.
     const std::string temporary = path + ".part";
+    const bool isNew = !std::filesystem::exists(temporary, error); // else maybe another writer's
     Hdf5Handle file = createFile(temporary);
-    if (!file.valid())
+    if (!file.valid()) {
+        if (isNew)
+            std::filesystem::remove(temporary, error);
         return fail(ErrorKind::Usage,
             {DYNCAL_TEXT(
                  "core", "Cannot create %1; check that the folder exists and may be written to."),
                 {path}});
+    }
     CaptureWriter writer(set, control);
     const bool written = writer.write(file.id(), createdUtc, title, truth)
         && H5Fflush(file.id(), H5F_SCOPE_GLOBAL) >= 0;
