@@ -102,7 +102,8 @@ std::string questionOf(const TextPreview &preview, const TextDialect &dialect,
         if (finding.severity != Severity::Info)
             return english(finding.message);
     }
-    return time->sampleRate_Hz > 0.0 || settings.sampleRate_Hz ? std::string() : english({kNoTime, {}});
+    return time->sampleRate_Hz > 0.0 || settings.sampleRate_Hz ? std::string()
+                                                               : english({kNoTime, {}});
 }
 
 } // namespace
