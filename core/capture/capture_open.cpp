@@ -29,8 +29,9 @@ Result<std::vector<Candidate>> filesIn(const std::string &folder)
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
          entry.increment(error)) {
         const bool hidden = entry->path().filename().string().starts_with('.');
+        const bool companion = entry->path().extension() == ".tdms_index"; // one per TDMS file
         std::error_code unknown;
-        if (!hidden && entry->is_regular_file(unknown))
+        if (!hidden && !companion && entry->is_regular_file(unknown))
             files.push_back({entry->path().string(), false});
     }
     if (error)

@@ -6,8 +6,10 @@
 #include "core/capture/file_kind.h"
 #include "core/capture/formats/delimited_text.h"
 #include "core/capture/formats/hdf5_capture.h"
+#include "core/capture/formats/lecroy_trc.h"
 #include "core/capture/formats/lvm.h"
 #include "core/capture/formats/scope_bin.h"
+#include "core/capture/formats/tdms.h"
 #include "core/capture/formats/wav.h"
 
 #include <filesystem>
@@ -67,9 +69,11 @@ const std::vector<CaptureFormat> &captureFormats()
     static const std::vector<CaptureFormat> formats{
         {"dyncal-capture", "HDF5 capture", {"h5", "hdf5"}, &recogniseHdf5Capture, &readHdf5Capture},
         {"lvm", "LabVIEW measurement", {"lvm"}, &recogniseLvm, &readLvm},
+        {"tdms", "NI TDMS", {"tdms"}, &recogniseTdms, &readTdms},
         {"keysight-bin", "Keysight/Agilent waveform", {"bin"}, &recogniseKeysightBin,
             &readKeysightBin},
         {"rigol-bin", "Rigol waveform", {"bin"}, &recogniseRigolBin, &readRigolBin},
+        {"lecroy-trc", "LeCroy waveform", {"trc"}, &recogniseLecroyTrc, &readLecroyTrc},
         {"wav", "WAV", {"wav", "rf64", "bw64"}, &recogniseWav, &readWav},
         {"text", "text table", {"csv", "tsv", "txt", "dat"}, &recogniseDelimitedText,
             &readDelimitedText},

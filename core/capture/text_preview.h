@@ -21,7 +21,7 @@ struct TextPreview
     std::vector<std::vector<std::string>> rows; ///< up to 50 rows of data, cells as written
     Index headerLines = 0; ///< before the data; rows[0] is line headerLines + 1
     Index dataRows = 0; ///< of what was looked at
-    Index unreadableCells = 0; ///< of these rows: no number, missing or too many
+    Index unreadableCells = 0; ///< of these rows: no number (words, wrong mark), missing, too many
     char separator = ','; ///< ' ' stands for any run of blanks and tabs
     char decimal = '.';
     std::string encoding; ///< "UTF-8", "UTF-16" or "Windows-1252"
@@ -31,9 +31,10 @@ struct TextPreview
     std::string question; ///< English sentence: what must be asked; empty if all is certain
 };
 
-/// Reads at most the first MiB of a table of numbers. The question comes from whatever would stop
-/// the import or leave the rate unknown. Fails as readDelimitedText does where nothing can be
-/// shown: CAP-001 no rows of numbers, CAP-018 the file cannot be read.
+/// Reads at most the first MiB of a table of numbers. The question is the sentence with which the
+/// import would stop, or of its first finding above info, or that the rate must be given. Fails as
+/// readDelimitedText does where nothing can be shown: CAP-001 no rows of numbers, CAP-018 the file
+/// cannot be read.
 Result<TextPreview> previewText(const std::string &path, const ImportSettings &settings);
 
 } // namespace dyncal

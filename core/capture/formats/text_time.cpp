@@ -63,7 +63,8 @@ public:
             return std::move(m_time);
         }
         const auto column = static_cast<std::size_t>(*m_time.column);
-        const std::string unit = withUnitSplit(m_say.titles[column]).unit;
+        const ColumnTitle title = withUnitSplit(m_say.titles[column]);
+        const std::string unit = isRowNumberTitle(title) ? std::string() : title.unit;
         const std::optional<double> scale_s = secondsPerUnit(unit);
         if (!unit.empty() && !scale_s)
             return m_say.unknownUnit(unit);

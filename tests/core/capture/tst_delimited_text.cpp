@@ -105,9 +105,8 @@ private slots:
             }
             QVERIFY(near(shot.channels[0].sampleRate_Hz, 1.0 / step, kRateTolerance));
             // Without a title that the numbers are seconds is sure, but said.
-            QCOMPARE(set->findings.size(), std::size_t(1));
-            QCOMPARE(set->findings[0].id, std::string("CAP-003"));
-            QCOMPARE(set->findings[0].severity, Severity::Info);
+            QVERIFY(hasFinding(set->findings, "CAP-003"));
+            QCOMPARE(worstSeverity(set->findings), Severity::Info);
         }
     }
 
