@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/model_analysis/sensor_response.h"
+#include "core/realization/exponential_sum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,6 +31,16 @@ double normalisedStep(const SensorModel &model, double t_s)
     for (Index i = 0; i < sensorPoles(model); ++i)
         y += model.amplitudes[i] * std::exp(rate(model, i) * t_s);
     return y.real() / model.plateauGain;
+}
+
+/// The same as a sum of exponentials.
+ExponentialSum normalisedSum(const SensorModel &model)
+{
+    ExponentialSum sum{1.0, Eigen::VectorXcd(sensorPoles(model)), model.amplitudes};
+    for (Index i = 0; i < sensorPoles(model); ++i)
+        sum.rates_rad_s[i] = rate(model, i);
+    sum.amplitudes /= model.plateauGain;
+    return sum;
 }
 
 bool hasStepResponse(const SensorModel &model, ResponseTreatment treatment)
@@ -84,10 +95,14 @@ void describeStep(const SensorModel &model, StepCharacteristics &result)
     double top = -1e300;
     double topTime_s = 0.0;
     double previous = y(0.0);
+    const ExponentialSampler sampler(normalisedSum(model), grid.step_s);
+    Eigen::VectorXd values;
     for (Index k = 1; k <= grid.count; ++k) {
         const double t = static_cast<double>(k) * grid.step_s;
         const double before = t - grid.step_s;
-        const double now = y(t);
+        if (k == 1 || k % ExponentialSampler::kBlock == 0)
+            values = sampler.block(k / ExponentialSampler::kBlock);
+        const double now = values[k % ExponentialSampler::kBlock];
         if (!t10 && now >= 0.1)
             t10 = bisect([&](double x) { return y(x) - 0.1; }, before, t);
         if (!t90 && now >= 0.9)

@@ -3,6 +3,7 @@
 
 #include "core/model_analysis/step_transform.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -17,6 +18,34 @@ std::complex<double> sampledStepCorrection(double x)
     return std::complex<double>(0.0, x) / (1.0 - std::polar(1.0, -x));
 }
 
+constexpr Index kBlock = 256; ///< a table of this length stays in the nearest cache
+
+/// e^(-jxn) for the samples of one block: a whole record is turned block by block.
+class Rotation
+{
+public:
+    explicit Rotation(double x)
+    {
+        for (Index n = 0; n < kBlock; ++n) {
+            m_cos[n] = std::cos(x * static_cast<double>(n));
+            m_sin[n] = -std::sin(x * static_cast<double>(n));
+        }
+    }
+
+    /// Sum of d_n e^(-jxn), n = 0 .. at most kBlock - 1.
+    template <typename Differences>
+    std::complex<double> sum(const Differences &d) const
+    {
+        const Table values = d;
+        return {values.dot(m_cos.head(values.size())), values.dot(m_sin.head(values.size()))};
+    }
+
+private:
+    using Table = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, kBlock, 1>;
+    Table m_cos = Table(kBlock);
+    Table m_sin = Table(kBlock);
+};
+
 } // namespace
 
 std::complex<double> stepTransform(const Eigen::Ref<const Eigen::VectorXd> &y, double rate_Hz,
@@ -24,18 +53,14 @@ std::complex<double> stepTransform(const Eigen::Ref<const Eigen::VectorXd> &y, d
 {
     const double w = 2.0 * std::numbers::pi * frequency_Hz;
     const double x = w / rate_Hz;
-    const std::complex<double> turn = std::polar(1.0, -x);
-    std::complex<double> D = 0.0;
-    std::complex<double> phasor = 1.0;
-    double previous = 0.0;
-    constexpr Index kBlock = 1024; // the rotating phasor is set anew before rounding adds up
-    for (Index n = 0; n < y.size(); ++n) {
-        if (n % kBlock == 0)
-            phasor = std::polar(1.0, -x * static_cast<double>(n));
-        D += (y[n] - previous) * phasor;
-        previous = y[n];
-        phasor *= turn;
+    const Rotation rotation(x);
+    std::complex<double> D = y.size() > 0 ? y[0] : 0.0;
+    for (Index n = 1; n < y.size(); n += kBlock) {
+        const Index count = std::min(kBlock, y.size() - n);
+        D += rotation.sum(y.segment(n, count) - y.segment(n - 1, count))
+            * std::polar(1.0, -x * static_cast<double>(n));
     }
+    const double previous = y.size() > 0 ? y[y.size() - 1] : 0.0;
     D += (endLevel - previous) * std::polar(1.0, -x * static_cast<double>(y.size()));
     return D * sampledStepCorrection(x) * std::polar(1.0, w * onset_s);
 }

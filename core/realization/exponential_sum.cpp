@@ -106,4 +106,32 @@ AmplitudeFit fitAmplitudes(
     return fit;
 }
 
+ExponentialSampler::ExponentialSampler(const ExponentialSum &sum, double dt_s)
+    : m_sum(sum)
+    , m_dt_s(dt_s)
+    , m_powers(kBlock, 2 * sum.rates_rad_s.size())
+{
+    for (Index i = 0; i < sum.rates_rad_s.size(); ++i) {
+        const std::complex<double> factor = std::exp(sum.rates_rad_s[i] * dt_s);
+        std::complex<double> power = 1.0;
+        for (Index j = 0; j < kBlock; ++j, power *= factor) {
+            m_powers(j, 2 * i) = power.real();
+            m_powers(j, 2 * i + 1) = power.imag();
+        }
+    }
+}
+
+Eigen::VectorXd ExponentialSampler::block(Index block) const
+{
+    const double t_s = static_cast<double>(block * kBlock) * m_dt_s;
+    Eigen::VectorXd gains(m_powers.cols());
+    for (Index i = 0; i < m_sum.rates_rad_s.size(); ++i) {
+        const std::complex<double> gain
+            = m_sum.amplitudes[i] * std::exp(m_sum.rates_rad_s[i] * t_s);
+        gains[2 * i] = gain.real();
+        gains[2 * i + 1] = -gain.imag();
+    }
+    return (m_powers * gains).array() + m_sum.constant;
+}
+
 } // namespace dyncal

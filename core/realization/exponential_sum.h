@@ -25,6 +25,24 @@ struct ExponentialSum
     double value(double t_s) const { return derivative(t_s, 0); }
 };
 
+/// Values of a sum at t = k dt, block by block: one exponential per block and mode instead of one
+/// per sample.
+class ExponentialSampler
+{
+public:
+    static constexpr Index kBlock = 256;
+
+    ExponentialSampler(const ExponentialSum &sum, double dt_s);
+
+    /// Values at k = kBlock * block + (0 .. kBlock - 1).
+    Eigen::VectorXd block(Index block) const;
+
+private:
+    ExponentialSum m_sum;
+    double m_dt_s;
+    Eigen::MatrixXd m_powers; ///< per mode Re e^(s j dt), Im e^(s j dt)
+};
+
 /// Sorted so that pairs are adjacent with the upper half first, then made exact: conjugates equal,
 /// lone values real. Input: eigenvalues of a real matrix in any order. Order: by |arg|, then |z|.
 std::vector<std::complex<double>> pairedPoles(const Eigen::VectorXcd &eigenvalues);

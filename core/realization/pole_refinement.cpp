@@ -3,6 +3,8 @@
 
 #include "core/realization/pole_refinement.h"
 
+#include "core/realization/exponential_regression.h"
+
 #include <Eigen/Cholesky>
 
 #include <algorithm>
@@ -14,12 +16,14 @@ namespace {
 constexpr int kIterations = 60;
 constexpr double kConverged = 1e-12; ///< relative decrease of the cost
 constexpr double kFrequencyFactor = 1.5;
+constexpr double kLargestDamping = 1e8;
 
 /// Layout of the parameter vector: poles first, then per record n amplitudes and maybe c0.
 /// Times are scaled by `unit_s`, so that all parameters are of order one.
 struct Problem
 {
     const std::vector<RefinementRecord> &records;
+    std::vector<ExponentialRegression> regressions; ///< one per record
     std::vector<bool> isPair; ///< per mode: conjugate pair, or one real pole
     bool withConstant = false;
     double unit_s = 1.0;
@@ -33,120 +37,52 @@ struct Problem
     }
     Index perRecord() const { return poles() + (withConstant ? 1 : 0); }
     Index parameters() const { return poles() + perRecord() * static_cast<Index>(records.size()); }
-};
-
-/// Model and its derivatives at one time, for one record.
-class Row
-{
-public:
-    explicit Row(const Problem &problem)
-        : m_problem(problem)
-        , pole(problem.poles())
-        , linear(problem.perRecord())
+    Index offset(std::size_t record) const
     {
+        return poles() + perRecord() * static_cast<Index>(record);
     }
-
-    /// Value at scaled time t; fills the derivatives.
-    double evaluate(double t, const Eigen::VectorXd &theta, Index offset)
-    {
-        double value = 0.0;
-        Index at = 0;
-        for (const bool pair : m_problem.isPair) {
-            const double envelope = std::exp(theta[at] * t);
-            if (pair) {
-                const double c = envelope * std::cos(theta[at + 1] * t);
-                const double s = -envelope * std::sin(theta[at + 1] * t);
-                const double a = theta[offset + at];
-                const double b = theta[offset + at + 1];
-                linear[at] = c;
-                linear[at + 1] = s;
-                pole[at] = t * (a * c + b * s);
-                pole[at + 1] = t * (a * s - b * c);
-                value += a * c + b * s;
-                at += 2;
-            } else {
-                linear[at] = envelope;
-                pole[at] = t * envelope * theta[offset + at];
-                value += envelope * theta[offset + at];
-                ++at;
-            }
-        }
-        if (m_problem.withConstant) {
-            linear[at] = 1.0;
-            value += theta[offset + at];
-        }
-        return value;
-    }
-
-private:
-    const Problem &m_problem;
-
-public:
-    Eigen::VectorXd pole;
-    Eigen::VectorXd linear;
+    double step(std::size_t record) const { return 1.0 / records[record].rate_Hz / unit_s; }
 };
 
-struct NormalEquations
+/// The modes of one record at `theta`.
+std::vector<RegressionMode> modesOf(
+    const Problem &problem, const Eigen::VectorXd &theta, std::size_t record)
 {
-    Eigen::MatrixXd matrix;
-    Eigen::VectorXd gradient;
-    double cost = 0.0;
-    Index samples = 0;
-};
-
-/// J^T J and J^T r, summed sample by sample; the Jacobian is never stored.
-NormalEquations normalEquations(const Problem &problem, const Eigen::VectorXd &theta)
-{
-    const Index n = problem.poles();
-    const Index m = problem.perRecord();
-    NormalEquations sum{Eigen::MatrixXd::Zero(problem.parameters(), problem.parameters()),
-        Eigen::VectorXd::Zero(problem.parameters())};
-    Row row(problem);
-    Eigen::VectorXd both(n + m);
-    for (std::size_t r = 0; r < problem.records.size(); ++r) {
-        const RefinementRecord &record = problem.records[r];
-        const Index offset = n + m * static_cast<Index>(r);
-        const double dt = 1.0 / record.rate_Hz / problem.unit_s;
-        Eigen::MatrixXd local = Eigen::MatrixXd::Zero(n + m, n + m);
-        Eigen::VectorXd localGradient = Eigen::VectorXd::Zero(n + m);
-        for (Index k = 0; k < record.y.size(); ++k) {
-            const double model = row.evaluate(static_cast<double>(k) * dt, theta, offset);
-            const double residual = record.weight * (record.y[k] - model);
-            both << row.pole, row.linear;
-            both *= record.weight;
-            local.selfadjointView<Eigen::Lower>().rankUpdate(both);
-            localGradient += residual * both;
-            sum.cost += residual * residual;
-        }
-        const Eigen::MatrixXd full = local.selfadjointView<Eigen::Lower>();
-        sum.matrix.topLeftCorner(n, n) += full.topLeftCorner(n, n);
-        sum.matrix.block(offset, offset, m, m) = full.bottomRightCorner(m, m);
-        sum.matrix.block(offset, 0, m, n) = full.bottomLeftCorner(m, n);
-        sum.matrix.block(0, offset, n, m) = full.topRightCorner(n, m);
-        sum.gradient.head(n) += localGradient.head(n);
-        sum.gradient.segment(offset, m) = localGradient.tail(m);
-        sum.samples += record.y.size();
+    const Index offset = problem.offset(record);
+    const double dt = problem.step(record);
+    std::vector<RegressionMode> modes;
+    Index at = 0;
+    for (const bool pair : problem.isPair) {
+        modes.push_back({{theta[at] * dt, pair ? theta[at + 1] * dt : 0.0},
+            {theta[offset + at], pair ? theta[offset + at + 1] : 0.0}, pair, false});
+        at += pair ? 2 : 1;
     }
-    return sum;
+    if (problem.withConstant)
+        modes.push_back({0.0, theta[offset + at], false, true});
+    return modes;
 }
 
-double costOf(const Problem &problem, const Eigen::VectorXd &theta)
+/// J^T J, J^T r and r^T r of all records, weighted.
+RegressionEquations normalEquations(const Problem &problem, const Eigen::VectorXd &theta)
 {
     const Index n = problem.poles();
     const Index m = problem.perRecord();
-    Row row(problem);
-    double cost = 0.0;
+    RegressionEquations sum{Eigen::MatrixXd::Zero(problem.parameters(), problem.parameters()),
+        Eigen::VectorXd::Zero(problem.parameters()), 0.0};
     for (std::size_t r = 0; r < problem.records.size(); ++r) {
-        const RefinementRecord &record = problem.records[r];
-        const double dt = 1.0 / record.rate_Hz / problem.unit_s;
-        for (Index k = 0; k < record.y.size(); ++k) {
-            const double model
-                = row.evaluate(static_cast<double>(k) * dt, theta, n + m * static_cast<Index>(r));
-            const double residual = record.weight * (record.y[k] - model);
-            cost += residual * residual;
-        }
+        const RegressionEquations local
+            = problem.regressions[r].equations(modesOf(problem, theta, r), problem.step(r));
+        const double weight = problem.records[r].weight * problem.records[r].weight;
+        const Index offset = problem.offset(r);
+        sum.matrix.topLeftCorner(n, n) += weight * local.matrix.topLeftCorner(n, n);
+        sum.matrix.block(offset, offset, m, m) = weight * local.matrix.bottomRightCorner(m, m);
+        sum.matrix.block(offset, 0, m, n) = weight * local.matrix.bottomLeftCorner(m, n);
+        sum.matrix.block(0, offset, n, m) = weight * local.matrix.topRightCorner(n, m);
+        sum.gradient.head(n) += weight * local.gradient.head(n);
+        sum.gradient.segment(offset, m) = weight * local.gradient.tail(m);
+        sum.cost += weight * local.cost;
     }
-    return cost;
+    return sum;
 }
 
 /// Best amplitudes for fixed poles: one Gauss-Newton step in them alone is exact.
@@ -154,10 +90,26 @@ void solveAmplitudes(const Problem &problem, Eigen::VectorXd &theta)
 {
     const Index n = problem.poles();
     theta.tail(theta.size() - n).setZero();
-    const NormalEquations equations = normalEquations(problem, theta);
+    const RegressionEquations equations = normalEquations(problem, theta);
     const Index m = theta.size() - n;
     theta.tail(m)
         = equations.matrix.bottomRightCorner(m, m).ldlt().solve(equations.gradient.tail(m));
+}
+
+/// Parameters at the realised poles, amplitudes still zero.
+Eigen::VectorXd startOf(
+    const Problem &problem, const std::vector<std::complex<double>> &start_rad_s)
+{
+    Eigen::VectorXd theta = Eigen::VectorXd::Zero(problem.parameters());
+    Index at = 0;
+    for (std::size_t i = 0; i < start_rad_s.size(); ++i) {
+        theta[at++] = start_rad_s[i].real() * problem.unit_s;
+        if (isUpperOfPair(start_rad_s, i)) {
+            theta[at++] = start_rad_s[i].imag() * problem.unit_s;
+            ++i;
+        }
+    }
+    return theta;
 }
 
 bool staysNearStart(
@@ -200,7 +152,8 @@ ExponentialSum recordSum(const Problem &problem, const Eigen::VectorXd &theta,
     return sum;
 }
 
-Refinement unpack(const Problem &problem, const Eigen::VectorXd &theta, const NormalEquations &last)
+Refinement unpack(
+    const Problem &problem, const Eigen::VectorXd &theta, const RegressionEquations &last)
 {
     Refinement result;
     result.poleParameters = problem.poles();
@@ -217,7 +170,10 @@ Refinement unpack(const Problem &problem, const Eigen::VectorXd &theta, const No
     for (std::size_t r = 0; r < problem.records.size(); ++r)
         result.records.push_back(
             recordSum(problem, theta, result.rates_rad_s, static_cast<Index>(r)));
-    const double freedom = static_cast<double>(std::max<Index>(1, last.samples - theta.size()));
+    Index samples = 0;
+    for (const RefinementRecord &record : problem.records)
+        samples += record.y.size();
+    const double freedom = static_cast<double>(std::max<Index>(1, samples - theta.size()));
     const double chiSquare = last.cost / freedom;
     result.residualToNoise = std::sqrt(chiSquare);
     result.covariance
@@ -272,7 +228,7 @@ std::optional<Refinement> refinePoles(const std::vector<RefinementRecord> &recor
     const std::vector<std::complex<double>> &start_rad_s, bool withConstant,
     const JobControl &control)
 {
-    Problem problem{records, {}, withConstant, 1.0};
+    Problem problem{records, {}, {}, withConstant, 1.0};
     double fastest = 0.0;
     for (std::size_t i = 0; i < start_rad_s.size(); ++i) {
         problem.isPair.push_back(isUpperOfPair(start_rad_s, i));
@@ -283,20 +239,13 @@ std::optional<Refinement> refinePoles(const std::vector<RefinementRecord> &recor
     if (problem.isPair.empty() || !(fastest > 0.0))
         return std::nullopt;
     problem.unit_s = 1.0 / fastest;
+    for (const RefinementRecord &record : records)
+        problem.regressions.emplace_back(record.y);
 
-    Eigen::VectorXd theta = Eigen::VectorXd::Zero(problem.parameters());
-    Index at = 0;
-    for (std::size_t i = 0; i < start_rad_s.size(); ++i) {
-        theta[at++] = start_rad_s[i].real() * problem.unit_s;
-        if (isUpperOfPair(start_rad_s, i)) {
-            theta[at++] = start_rad_s[i].imag() * problem.unit_s;
-            ++i;
-        }
-    }
-    const Eigen::VectorXd start = theta;
+    const Eigen::VectorXd start = startOf(problem, start_rad_s);
+    Eigen::VectorXd theta = start;
     solveAmplitudes(problem, theta);
-
-    NormalEquations equations = normalEquations(problem, theta);
+    RegressionEquations equations = normalEquations(problem, theta);
     double damping = 1e-4;
     for (int iteration = 0; iteration < kIterations; ++iteration) {
         if (control.stopRequested())
@@ -304,16 +253,16 @@ std::optional<Refinement> refinePoles(const std::vector<RefinementRecord> &recor
         Eigen::MatrixXd damped = equations.matrix;
         damped.diagonal() *= 1.0 + damping;
         const Eigen::VectorXd next = theta + damped.ldlt().solve(equations.gradient);
-        const double cost = next.allFinite() ? costOf(problem, next) : equations.cost;
-        if (!(cost < equations.cost)) {
+        RegressionEquations tried = next.allFinite() ? normalEquations(problem, next) : equations;
+        if (!(tried.cost < equations.cost)) {
             damping *= 10.0;
-            if (damping > 1e8)
+            if (damping > kLargestDamping)
                 break;
             continue;
         }
-        const double decrease = (equations.cost - cost) / equations.cost;
+        const double decrease = (equations.cost - tried.cost) / equations.cost;
         theta = next;
-        equations = normalEquations(problem, theta);
+        equations = std::move(tried);
         damping = std::max(1e-12, damping / 10.0);
         if (decrease < kConverged)
             break;

@@ -3,6 +3,7 @@
 
 #include "core/capture/formats/text_dialect.h"
 #include "core/capture/formats/text_table.h"
+#include "core/capture/formats/time_words.h"
 
 #include <algorithm>
 #include <array>
@@ -13,14 +14,7 @@ namespace {
 constexpr auto kUnits = std::to_array<std::string_view>({"s", "ms", "us", "\u00B5s", "\u03BCs",
     "ns", "sec", "second", "seconds", "v", "mv", "uv", "\u00B5v", "volt", "volts", "pa", "kpa",
     "mpa", "hpa", "bar", "mbar", "psi", "g", "kg_n", "m/s^2", "m/s\u00B2", "n", "kn", "c", "pc",
-    "k", "a", "ma", "hz", "counts", "count", "codes", "1"});
-
-std::string_view withoutQuotes(std::string_view text)
-{
-    if (text.size() >= 2 && text.front() == '"' && text.back() == '"')
-        text = trimmed(text.substr(1, text.size() - 2));
-    return text;
-}
+    "k", "a", "ma", "hz", "khz", "mhz", "ghz", "counts", "count", "codes", "sequence", "1"});
 
 std::vector<std::string_view> cellsWithoutTail(
     std::string_view line, char separator, std::size_t columns)
@@ -28,8 +22,10 @@ std::vector<std::string_view> cellsWithoutTail(
     std::vector<std::string_view> cells = cellsOf(line, separator);
     while (cells.size() > columns && cells.back().empty())
         cells.pop_back();
-    for (std::string_view &cell : cells)
-        cell = withoutQuotes(cell);
+    for (std::string_view &cell : cells) {
+        if (separator == kBlankSeparator && (cell.ends_with(',') || cell.ends_with(';')))
+            cell.remove_suffix(1); // "# time(s), acceleration(g)" above columns split by blanks
+    }
     return cells;
 }
 
@@ -72,7 +68,9 @@ ColumnTitle titleOf(std::string_view text)
 {
     for (const std::string_view brackets : {"()", "[]"}) {
         const std::size_t open = text.rfind(brackets[0]);
-        if (open != std::string_view::npos && open > 0 && text.back() == brackets[1])
+        const bool unit = open != std::string_view::npos
+            && text.find('=', open) == std::string_view::npos; // "(k=1)" is none
+        if (unit && open > 0 && text.back() == brackets[1])
             return {utf8Text(trimmed(text.substr(0, open))), utf8Text(bareUnit(text.substr(open)))};
     }
     const std::size_t slash = text.rfind('/');
@@ -83,31 +81,73 @@ ColumnTitle titleOf(std::string_view text)
     return {utf8Text(text), {}};
 }
 
+/// Rigol's "X,CH1,Start,Increment" names two columns that no row has.
+bool namesIncrement(std::string_view line, const TextDialect &dialect)
+{
+    const std::vector<std::string_view> cells = cellsOf(line, dialect.separator);
+    return std::any_of(cells.begin() + std::min(dialect.columns, static_cast<Index>(cells.size())),
+        cells.end(),
+        [](std::string_view cell) { return lowerCase(std::string(cell)) == "increment"; });
+}
+
+/// Header lines that name columns and give units; both may be empty.
+struct TitleRows
+{
+    std::vector<std::string_view> names;
+    std::vector<std::string_view> units;
+};
+
+TitleRows titleRowsOf(const TextDialect &dialect)
+{
+    TitleRows rows;
+    const auto line = [&](std::size_t fromEnd) {
+        return dialect.header.size() > fromEnd ? dialect.header[dialect.header.size() - 1 - fromEnd]
+                                               : std::string_view();
+    };
+    const auto columns = static_cast<std::size_t>(dialect.columns);
+    if (namesIncrement(line(1), dialect)) {
+        rows.names = cellsOf(line(1), dialect.separator);
+        rows.units = cellsOf(line(0), dialect.separator);
+        rows.names.resize(columns);
+        rows.units.resize(columns);
+        return rows;
+    }
+    rows.names = titleCells(line(0), dialect);
+    const bool unitRow = !rows.names.empty()
+        && std::all_of(rows.names.begin(), rows.names.end(),
+            [](std::string_view cell) { return cell.empty() || isUnit(cell); });
+    if (std::vector<std::string_view> above = titleCells(line(1), dialect);
+        unitRow && !above.empty()) {
+        rows.units = std::move(rows.names);
+        rows.names = std::move(above);
+    }
+    return rows;
+}
+
+/// Where the names do not fit the columns, the first one may still say that it is the time.
+ColumnTitle timeTitleOf(const TextDialect &dialect)
+{
+    for (auto line = dialect.header.rbegin(); line != dialect.header.rend(); ++line) {
+        const std::vector<std::string_view> cells = cellsOf(*line, dialect.separator);
+        if (cells.size() > 1 && isTimeTitle(titleOf(cells[0])))
+            return titleOf(cells[0]);
+    }
+    return {};
+}
+
 } // namespace
 
 std::vector<ColumnTitle> columnTitles(const TextDialect &dialect)
 {
     std::vector<ColumnTitle> titles(static_cast<std::size_t>(dialect.columns));
-    std::vector<std::string_view> names;
-    std::vector<std::string_view> units;
-    if (!dialect.header.empty())
-        names = titleCells(dialect.header.back(), dialect);
-    const bool unitRow = !names.empty() && dialect.header.size() > 1
-        && std::all_of(names.begin(), names.end(),
-            [](std::string_view cell) { return cell.empty() || isUnit(cell); });
-    if (unitRow) {
-        const std::vector<std::string_view> above
-            = titleCells(dialect.header[dialect.header.size() - 2], dialect);
-        if (!above.empty()) {
-            units = std::move(names);
-            names = above;
-        }
+    const TitleRows rows = titleRowsOf(dialect);
+    for (std::size_t i = 0; i < rows.names.size(); ++i) {
+        titles[i] = titleOf(rows.names[i]);
+        if (!rows.units.empty())
+            titles[i].unit = utf8Text(bareUnit(rows.units[i]));
     }
-    for (std::size_t i = 0; i < names.size(); ++i) {
-        titles[i] = titleOf(names[i]);
-        if (!units.empty())
-            titles[i].unit = utf8Text(bareUnit(units[i]));
-    }
+    if (rows.names.empty())
+        titles[0] = timeTitleOf(dialect);
     for (std::size_t i = 0; i < titles.size(); ++i) {
         const auto before = titles.begin() + static_cast<std::ptrdiff_t>(i);
         const bool taken = std::any_of(titles.begin(), before,
@@ -119,6 +159,15 @@ std::vector<ColumnTitle> columnTitles(const TextDialect &dialect)
             titles[i].name.append(", ").append(place);
     }
     return titles;
+}
+
+std::optional<Index> namesThatDoNotFit(const TextDialect &dialect)
+{
+    if (dialect.header.empty() || dialect.separator == kBlankSeparator
+        || !titleRowsOf(dialect).names.empty())
+        return std::nullopt;
+    const Index names = cellCount(dialect.header.back(), dialect.separator);
+    return names > 1 ? std::optional(names) : std::nullopt;
 }
 
 } // namespace dyncal

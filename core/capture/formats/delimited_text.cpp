@@ -4,159 +4,17 @@
 #include "core/capture/formats/delimited_text.h"
 
 #include "core/base/content_hash.h"
-#include "core/base/number_text.h"
 #include "core/capture/file_kind.h"
-#include "core/capture/formats/table_end.h"
+#include "core/capture/formats/table_import.h"
 #include "core/capture/formats/text_dialect.h"
 #include "core/capture/formats/text_table.h"
-#include "core/capture/formats/text_time.h"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <limits>
 
 namespace dyncal {
 namespace {
-
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-tl::unexpected<Error> damaged(
-    const std::string &path, const char *sentence, std::vector<std::string> more)
-{
-    more.insert(more.begin(), path);
-    return fail(ErrorKind::FileUnreadable, {sentence, std::move(more)}, "CAP-018");
-}
-
-/// Rows of a text to columns of numbers.
-class TableParser
-{
-public:
-    TableParser(const std::string &path, const TextDialect &dialect)
-        : m_path(path)
-        , m_dialect(dialect)
-        , m_columns(static_cast<std::size_t>(dialect.columns))
-    {
-    }
-
-    Result<void> parse(std::string_view text, const JobControl &control)
-    {
-        constexpr Index kRowsPerCheck = 1 << 16;
-        LineCursor lines(text);
-        for (std::string_view line; lines.next(line);) {
-            if (lines.number() <= m_dialect.headerLines())
-                continue;
-            if (lines.number() % kRowsPerCheck == 0) {
-                if (control.stopRequested())
-                    return fail(ErrorKind::Cancelled,
-                        {DYNCAL_TEXT("core", "Reading %1 was cancelled."), {m_path}});
-                control.report(static_cast<double>(line.data() - text.data())
-                    / static_cast<double>(text.size()));
-            }
-            if (!lines.terminated() && isCut(text, line, lines.number()))
-                break;
-            if (const Result<void> row = addRow(line, lines.number()); !row)
-                return row;
-        }
-        control.report(1.0);
-        return {};
-    }
-
-    std::vector<std::vector<double>> &columns() { return m_columns; }
-    const Findings &findings() const { return m_findings; }
-
-private:
-    /// Blank lines at the end of a file mean nothing; within the data each is a sample that is
-    /// missing, or else all behind it would move in time.
-    Result<void> addRow(std::string_view line, Index number)
-    {
-        if (isBlank(line)) {
-            ++m_blankRows;
-            return {};
-        }
-        for (; m_blankRows > 0; --m_blankRows) {
-            for (std::vector<double> &column : m_columns)
-                column.push_back(kNan);
-        }
-        std::size_t count = 0;
-        CellCursor cursor(line, m_dialect.separator);
-        for (std::string_view cell; cursor.next(cell); ++count) {
-            double value = kNan;
-            const CellKind kind = readCell(cell, m_dialect.decimal, value);
-            const bool extra = count >= m_columns.size();
-            if (kind == CellKind::Unreadable || (extra && kind == CellKind::Number))
-                return extra ? wrongLength(number, cellsOf(line, m_dialect.separator).size())
-                             : unreadableCell(m_path, number, static_cast<Index>(count) + 1, cell);
-            if (!extra)
-                m_columns[count].push_back(value);
-        }
-        return count < m_columns.size() ? wrongLength(number, count) : Result<void>();
-    }
-
-    bool isBlank(std::string_view line) const
-    {
-        return std::all_of(line.begin(), line.end(), [this](char c) {
-            return c == ' ' || c == '\t' || c == '\f' || c == m_dialect.separator;
-        });
-    }
-
-    Result<void> wrongLength(Index number, std::size_t found) const
-    {
-        return damaged(m_path,
-            DYNCAL_TEXT("core",
-                "%1, line %2 has %3 cells, the lines before have %4; correct the line, or set "
-                "separator and decimal in the recipe's import section."),
-            {std::to_string(number), std::to_string(found), std::to_string(m_columns.size())});
-    }
-
-    bool isCut(std::string_view text, std::string_view line, Index number)
-    {
-        const RowEnd end = lastRowEnd(text, line, m_dialect);
-        if (end == RowEnd::Whole || isBlank(line) || m_columns.front().empty())
-            return false;
-        m_findings.push_back(unfinishedLine(m_path, number, end));
-        return end == RowEnd::Cut;
-    }
-
-    const std::string &m_path;
-    const TextDialect &m_dialect;
-    std::vector<std::vector<double>> m_columns;
-    Findings m_findings;
-    Index m_blankRows = 0;
-};
-
-/// A first row with one bad cell must not pass for a header: its other cells are measured values.
-Result<void> checkHeader(const std::string &path, const TextDialect &dialect)
-{
-    if (dialect.header.empty())
-        return {};
-    const auto cells = cellsOf(dialect.header.back(), dialect.separator);
-    Index numbers = 0;
-    std::size_t bad = cells.size();
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        double value = 0.0;
-        const CellKind kind = readCell(cells[i], dialect.decimal, value);
-        const bool measured = cells[i].find_first_of(".,eE") != std::string_view::npos;
-        numbers += kind == CellKind::Number && measured ? 1 : 0;
-        bad = kind == CellKind::Unreadable ? std::min(bad, i) : bad;
-    }
-    if (numbers == 0 || bad == cells.size() || static_cast<Index>(cells.size()) < dialect.columns)
-        return {};
-    return unreadableCell(path, dialect.headerLines(), static_cast<Index>(bad) + 1, cells[bad]);
-}
-
-Result<void> checkColumns(const std::string &path, const ImportSettings &settings, Index columns)
-{
-    for (const auto &[role, column] : settings.columns) {
-        if (column < 0 || column >= columns)
-            return fail(ErrorKind::Usage,
-                {DYNCAL_TEXT("core",
-                     "%1 has no column %2 for %3; it has the columns 0 to %4. Change columns in "
-                     "the recipe's import section."),
-                    {path, std::to_string(column), role, std::to_string(columns - 1)}});
-    }
-    return {};
-}
 
 /// What each column becomes: a role, or nothing if it is not wanted.
 std::vector<std::optional<ChannelRole>> rolesOf(
@@ -185,24 +43,21 @@ Channel channelOf(const ColumnTitle &title, ChannelRole role, std::vector<double
     return channel;
 }
 
-Finding ambiguousDecimal(const std::string &path, const TextDialect &dialect)
+Shot shotOf(const std::string &path, const ImportSettings &settings, ImportedTable &table)
 {
-    return {"CAP-019", Severity::Caution, 0, {}, {},
-        {DYNCAL_TEXT("core",
-             "%1: \"%2\" can be read in two ways; the comma was taken as %3. Set decimal and "
-             "separator in the recipe's import section to be certain."),
-            {path, dialect.ambiguous, dialect.decimal == ',' ? "decimal mark" : "separator"}},
-        {}, {}};
-}
-
-tl::unexpected<Error> noNumbers(const std::string &path)
-{
-    return fail(ErrorKind::FileUnreadable,
-        {DYNCAL_TEXT("core",
-             "%1 holds no rows of numbers that fit together; check separator, decimal and "
-             "skip_rows in the recipe's import section."),
-            {path}},
-        "CAP-001");
+    Shot shot;
+    shot.label = std::filesystem::path(path).stem().string();
+    const auto columns = static_cast<Index>(table.columns.size());
+    const auto roles = rolesOf(settings, columns, table.time.column);
+    for (std::size_t i = 0; i < roles.size(); ++i) {
+        if (!roles[i])
+            continue;
+        Channel channel = channelOf(table.titles[i], *roles[i], std::move(table.columns[i]));
+        channel.sampleRate_Hz = table.time.sampleRate_Hz;
+        channel.t0_s = table.time.first_s;
+        shot.channels.push_back(std::move(channel));
+    }
+    return shot;
 }
 
 } // namespace
@@ -228,39 +83,17 @@ Result<CaptureSet> readDelimitedText(
         return tl::unexpected(text.error());
     const std::optional<TextDialect> dialect = dialectOf(*text, settings);
     if (!dialect)
-        return noNumbers(path);
-    if (const auto checked = checkColumns(path, settings, dialect->columns); !checked)
-        return tl::unexpected(checked.error());
-    if (const auto checked = checkHeader(path, *dialect); !checked && !settings.skipRows)
-        return tl::unexpected(checked.error());
-    TableParser parser(path, *dialect);
-    if (const Result<void> parsed = parser.parse(*text, control); !parsed)
-        return tl::unexpected(parsed.error());
-
-    const std::vector<ColumnTitle> titles = columnTitles(*dialect);
-    const Result<TextTime> time
-        = timeOfTable(path, settings, titles, parser.columns(), dialect->headerLines());
-    if (!time)
-        return tl::unexpected(time.error());
-    const auto roles = rolesOf(settings, dialect->columns, time->column);
+        return noRowsOfNumbers(path);
+    Result<ImportedTable> table = importTable({path, *text}, *dialect, settings, control);
+    if (!table)
+        return tl::unexpected(table.error());
     CaptureSet set;
-    set.findings = parser.findings();
-    if (!dialect->ambiguous.empty())
-        set.findings.push_back(ambiguousDecimal(path, *dialect));
-    Shot shot;
-    shot.label = std::filesystem::path(path).stem().string();
-    for (std::size_t i = 0; i < roles.size(); ++i) {
-        if (!roles[i])
-            continue;
-        Channel channel = channelOf(titles[i], *roles[i], std::move(parser.columns()[i]));
-        channel.sampleRate_Hz = time->sampleRate_Hz;
-        channel.t0_s = time->first_s;
-        shot.channels.push_back(std::move(channel));
-    }
-    if (shot.channels.empty())
-        return damaged(
-            path, DYNCAL_TEXT("core", "%1 has a column of times but no column of samples."), {});
-    set.shots.push_back(std::move(shot));
+    set.findings = std::move(table->findings);
+    set.shots.push_back(shotOf(path, settings, *table));
+    if (set.shots.back().channels.empty())
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core", "%1 has a column of times but no column of samples."), {path}},
+            "CAP-018");
     return set;
 }
 

@@ -63,8 +63,12 @@ inline std::mutex &hdf5Mutex()
 
 /// Keeps the library from printing its own error stack; we make sentences of our own. The setting
 /// belongs to the calling thread, so every entry point switches it off for itself.
+///
+/// It also keeps the library from tidying up at exit: after a file that could not be closed (a full
+/// disk) that follows pointers already freed. We close everything ourselves.
 inline void silenceHdf5()
 {
+    [[maybe_unused]] static const herr_t noExitHandler = H5dont_atexit(); // before any other call
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
 

@@ -40,6 +40,8 @@ std::vector<std::string_view> firstLines(std::string_view text)
     LineCursor cursor(text);
     std::size_t bytes = 0;
     for (std::string_view line; bytes < kSampleBytes && cursor.next(line);) {
+        if (line.size() > kSampleBytes)
+            break; // no row of a table
         lines.push_back(line);
         bytes += line.size() + 1;
     }

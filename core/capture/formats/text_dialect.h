@@ -39,6 +39,10 @@ struct ColumnTitle
 /// One title per column: from the last header line that has as many cells (behind "#" or "%"), with
 /// the unit in brackets, behind " / " or in a row of units below. Without such a line: "column 1".
 /// Names are unique: a second "p" becomes "p, column 3".
+/// Names that are more or fewer than the columns are not used, but for a first one that says time.
 std::vector<ColumnTitle> columnTitles(const TextDialect &dialect);
+
+/// How many cells the last header line has, if it looks like names but is not as long as the rows.
+std::optional<Index> namesThatDoNotFit(const TextDialect &dialect);
 
 } // namespace dyncal

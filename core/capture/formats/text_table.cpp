@@ -6,101 +6,32 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
-#include <cstdint>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <limits>
-#include <system_error>
 
 namespace dyncal {
 namespace {
 
 constexpr std::string_view kBlanks = " \t";
 
-void appendUtf8(std::string &text, std::uint32_t code)
+const char *firstOf(char c, const char *begin, const char *end)
 {
-    const auto byte = [&](std::uint32_t value) { text += static_cast<char>(value); };
-    if (code < 0x80) {
-        byte(code);
-    } else if (code < 0x800) {
-        byte(0xC0 | code >> 6);
-        byte(0x80 | (code & 0x3F));
-    } else {
-        byte(0xE0 | code >> 12);
-        byte(0x80 | (code >> 6 & 0x3F));
-        byte(0x80 | (code & 0x3F));
-    }
-}
-
-std::uint32_t byteAt(std::string_view text, std::size_t i)
-{
-    return static_cast<unsigned char>(text[i]);
-}
-
-/// Numbers and headers are in the basic plane; a lone half of a pair becomes three odd bytes.
-std::string fromUtf16(std::string_view bytes, bool bigEndian)
-{
-    std::string text;
-    text.reserve(bytes.size() / 2);
-    for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
-        const std::uint32_t first = byteAt(bytes, i);
-        const std::uint32_t second = byteAt(bytes, i + 1);
-        appendUtf8(text, bigEndian ? first << 8 | second : second << 8 | first);
-    }
-    return text;
-}
-
-/// Length of the UTF-8 sequence that starts here, 0 if there is none.
-std::size_t sequenceLength(std::string_view text)
-{
-    const std::uint32_t lead = byteAt(text, 0);
-    const std::size_t length = lead < 0x80 ? 1
-        : lead >= 0xC2 && lead < 0xE0      ? 2
-        : lead >= 0xE0 && lead < 0xF0      ? 3
-        : lead >= 0xF0 && lead < 0xF5      ? 4
-                                           : 0;
-    if (length > text.size())
-        return 0;
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byteAt(text, i) & 0xC0) != 0x80)
-            return 0;
-    }
-    return length;
-}
-
-bool isUtf8(std::string_view text)
-{
-    while (!text.empty()) {
-        const std::size_t length = sequenceLength(text);
-        if (length == 0)
-            return false;
-        text.remove_prefix(length);
-    }
-    return true;
-}
-
-/// Windows-1252 differs from Latin-1 in 0x80..0x9F only.
-std::uint32_t windows1252(std::uint32_t byte)
-{
-    static constexpr std::array<std::uint16_t, 32> kUpper{0x20AC, 0x81, 0x201A, 0x192, 0x201E,
-        0x2026, 0x2020, 0x2021, 0x2C6, 0x2030, 0x160, 0x2039, 0x152, 0x8D, 0x17D, 0x8F, 0x90,
-        0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014, 0x2DC, 0x2122, 0x161, 0x203A, 0x153,
-        0x9D, 0x17E, 0x178};
-    return byte >= 0x80 && byte < 0xA0 ? kUpper[byte - 0x80] : byte;
+    const void *found = std::memchr(begin, c, static_cast<std::size_t>(end - begin));
+    return found != nullptr ? static_cast<const char *>(found) : end;
 }
 
 /// from_chars on the whole text, with the way values that are too small or written "+1" go.
 CellKind readPlainNumber(const char *begin, const char *end, double &value)
 {
-    if (begin != end && *begin == '+')
-        ++begin;
+    const bool plus = begin != end && *begin == '+';
+    if (plus && (++begin == end || *begin == '-'))
+        return CellKind::Unreadable;
     const auto read = std::from_chars(begin, end, value);
     if (read.ptr != end || read.ec == std::errc::invalid_argument)
         return CellKind::Unreadable;
     if (read.ec == std::errc::result_out_of_range) {
-        const void *exponent = std::memchr(begin, '-', static_cast<std::size_t>(end - begin));
-        if (exponent == nullptr || exponent == begin)
+        const std::string_view text(begin, static_cast<std::size_t>(end - begin));
+        if (text.find("e-") == std::string_view::npos && text.find("E-") == std::string_view::npos)
             return CellKind::Unreadable; // too large: that is no measured value
         value = 0.0;
     }
@@ -108,45 +39,6 @@ CellKind readPlainNumber(const char *begin, const char *end, double &value)
 }
 
 } // namespace
-
-Result<std::string> readTextFile(const std::string &path)
-{
-    std::error_code error;
-    const std::uintmax_t size = std::filesystem::file_size(path, error);
-    std::ifstream file(path, std::ios::binary);
-    std::string text;
-    if (!error && file) {
-        text.resize(size);
-        file.read(text.data(), static_cast<std::streamsize>(size));
-    }
-    if (error || !file || static_cast<std::uintmax_t>(file.gcount()) != size)
-        return fail(ErrorKind::FileUnreadable,
-            {DYNCAL_TEXT("core", "%1 cannot be read; check that it exists and may be opened."),
-                {path}},
-            "CAP-018");
-    return textOfBytes(std::move(text));
-}
-
-std::string textOfBytes(std::string bytes)
-{
-    if (bytes.starts_with("\xEF\xBB\xBF"))
-        bytes.erase(0, 3);
-    else if (bytes.starts_with("\xFF\xFE"))
-        return fromUtf16(std::string_view(bytes).substr(2), false);
-    else if (bytes.starts_with("\xFE\xFF"))
-        return fromUtf16(std::string_view(bytes).substr(2), true);
-    return bytes;
-}
-
-std::string utf8Text(std::string_view text)
-{
-    if (isUtf8(text))
-        return std::string(text);
-    std::string converted;
-    for (std::size_t i = 0; i < text.size(); ++i)
-        appendUtf8(converted, windows1252(byteAt(text, i)));
-    return converted;
-}
 
 std::string lowerCase(std::string text)
 {
@@ -169,17 +61,15 @@ bool LineCursor::next(std::string_view &line)
     if (m_rest.empty())
         return false;
     ++m_number;
-    std::size_t end = 0;
-    while (end < m_rest.size() && m_rest[end] != '\n' && m_rest[end] != '\r')
-        ++end;
-    m_terminated = end < m_rest.size();
-    line = m_rest.substr(0, end);
-    if (!m_terminated) {
-        m_rest = {};
-        return true;
-    }
-    const bool pair = m_rest.substr(end).starts_with("\r\n");
-    m_rest.remove_prefix(end + (pair ? 2 : 1));
+    const char *const begin = m_rest.data();
+    const char *const end = begin + m_rest.size();
+    if (m_lineFeed == nullptr || m_lineFeed < begin)
+        m_lineFeed = firstOf('\n', begin, end);
+    const char *const lineEnd = firstOf('\r', begin, m_lineFeed);
+    m_terminated = lineEnd != end;
+    line = {begin, static_cast<std::size_t>(lineEnd - begin)};
+    const bool pair = m_lineFeed - lineEnd == 1 && m_lineFeed != end;
+    m_rest.remove_prefix(line.size() + (m_terminated ? 1 : 0) + (pair ? 1 : 0));
     return true;
 }
 
@@ -194,6 +84,8 @@ bool CellCursor::next(std::string_view &cell)
 {
     if (!m_more)
         return false;
+    if (nextQuoted(cell))
+        return true;
     const bool blanks = m_separator == kBlankSeparator;
     const std::size_t end = blanks ? m_rest.find_first_of(kBlanks) : m_rest.find(m_separator);
     cell = trimmed(m_rest.substr(0, end));
@@ -205,6 +97,32 @@ bool CellCursor::next(std::string_view &cell)
     return true;
 }
 
+/// A quoted cell must end where its closing quote does; anything else is a cell with quotes in it.
+bool CellCursor::nextQuoted(std::string_view &cell)
+{
+    const std::string_view blanks = m_separator == '\t' ? " " : kBlanks;
+    const std::size_t open = m_rest.find_first_not_of(blanks);
+    if (open == std::string_view::npos || m_rest[open] != '"')
+        return false;
+    std::size_t close = m_rest.find('"', open + 1);
+    while (close != std::string_view::npos && m_rest.substr(close + 1).starts_with('"'))
+        close = m_rest.find('"', close + 2);
+    if (close == std::string_view::npos)
+        return false;
+    const std::string_view behind = m_rest.substr(close + 1);
+    const std::size_t next = behind.find_first_not_of(blanks);
+    const bool last = next == std::string_view::npos;
+    const bool ends
+        = last || (m_separator == kBlankSeparator ? next > 0 : behind[next] == m_separator);
+    if (!ends)
+        return false;
+    cell = trimmed(m_rest.substr(open + 1, close - open - 1));
+    m_more = !last;
+    if (m_more)
+        m_rest = behind.substr(m_separator == kBlankSeparator ? next : next + 1);
+    return true;
+}
+
 std::vector<std::string_view> cellsOf(std::string_view line, char separator)
 {
     std::vector<std::string_view> cells;
@@ -212,6 +130,27 @@ std::vector<std::string_view> cellsOf(std::string_view line, char separator)
     for (std::string_view cell; cursor.next(cell);)
         cells.push_back(cell);
     return cells;
+}
+
+Index cellCount(std::string_view line, char separator)
+{
+    Index count = 0;
+    CellCursor cursor(line, separator);
+    for (std::string_view cell; cursor.next(cell);)
+        ++count;
+    return count;
+}
+
+bool isCommentLine(std::string_view line)
+{
+    line = trimmed(line);
+    return line.starts_with('#') || line.starts_with('%');
+}
+
+bool isBlankRow(std::string_view line, char separator)
+{
+    return std::all_of(line.begin(), line.end(),
+        [separator](char c) { return c == ' ' || c == '\t' || c == '\f' || c == separator; });
 }
 
 CellKind readCell(std::string_view cell, char decimal, double &value)
@@ -252,6 +191,16 @@ tl::unexpected<Error> unreadableCell(
              "separator or skip_rows in the recipe's import section."),
             {path, std::to_string(line), std::to_string(column), utf8Text(cell.substr(0, kShown))}},
         "CAP-018");
+}
+
+tl::unexpected<Error> noRowsOfNumbers(const std::string &path)
+{
+    return fail(ErrorKind::FileUnreadable,
+        {DYNCAL_TEXT("core",
+             "%1 holds no rows of numbers that fit together; check separator, decimal and "
+             "skip_rows in the recipe's import section."),
+            {path}},
+        "CAP-001");
 }
 
 } // namespace dyncal

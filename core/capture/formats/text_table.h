@@ -5,6 +5,7 @@
 
 #include "core/base/index.h"
 #include "core/base/result.h"
+#include "core/capture/formats/text_bytes.h"
 
 #include <string>
 #include <string_view>
@@ -12,18 +13,8 @@
 
 namespace dyncal {
 
-// What readers of text files share: bytes to lines to cells to numbers, without any locale and
-// without a string per cell.
-
-/// The whole file as UTF-8 or single-byte text: a byte order mark is removed, UTF-16 is converted.
-/// Fails (CAP-018) if it cannot be read.
-Result<std::string> readTextFile(const std::string &path);
-
-/// The same for bytes that are there already.
-std::string textOfBytes(std::string bytes);
-
-/// UTF-8 of a name or unit: left alone if it is valid UTF-8, otherwise taken as Windows-1252.
-std::string utf8Text(std::string_view text);
+// What readers of text files share: lines to cells to numbers, without any locale and without a
+// string per cell.
 
 /// ASCII letters only; everything else stays.
 std::string lowerCase(std::string text);
@@ -47,6 +38,7 @@ public:
 
 private:
     std::string_view m_rest;
+    const char *m_lineFeed = nullptr; ///< the next one, or the end of the text
     Index m_number = 0;
     bool m_terminated = true;
 };
@@ -54,7 +46,7 @@ private:
 /// Stands for "any run of blanks and tabs" where a separator is asked for.
 constexpr char kBlankSeparator = ' ';
 
-/// Cells of one line.
+/// Cells of one line. A cell in double quotes is what stands between them, separators included.
 class CellCursor
 {
 public:
@@ -64,12 +56,23 @@ public:
     bool next(std::string_view &cell);
 
 private:
+    bool nextQuoted(std::string_view &cell);
+
     std::string_view m_rest;
     char m_separator;
     bool m_more;
 };
 
 std::vector<std::string_view> cellsOf(std::string_view line, char separator);
+
+/// Number of cells, without a list of them: a damaged file may be one line.
+Index cellCount(std::string_view line, char separator);
+
+/// Whether a line begins with "#" or "%".
+bool isCommentLine(std::string_view line);
+
+/// Whether a line holds nothing but blanks and separators.
+bool isBlankRow(std::string_view line, char separator);
 
 enum class CellKind { Number, Empty, Unreadable };
 
@@ -97,5 +100,8 @@ private:
 /// "12,3x" in column 2 of line 17 is no number: CAP-018, naming all of it.
 tl::unexpected<Error> unreadableCell(
     const std::string &path, Index line, Index column, std::string_view cell);
+
+/// There is no table in the file: CAP-001.
+tl::unexpected<Error> noRowsOfNumbers(const std::string &path);
 
 } // namespace dyncal

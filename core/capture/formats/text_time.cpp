@@ -4,145 +4,247 @@
 #include "core/capture/formats/text_time.h"
 
 #include "core/base/number_text.h"
-#include "core/capture/formats/text_table.h"
+#include "core/capture/formats/header_rate.h"
 #include "core/capture/formats/time_axis.h"
+#include "core/capture/formats/time_sentences.h"
+#include "core/capture/formats/time_words.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace dyncal {
 namespace {
 
 constexpr double kRateTolerance = 0.001; ///< of CAP-003
-constexpr std::size_t kRowsToTellTime = 8; ///< uniform steps that are no accident
+/// From here on a column without unit is in seconds for certain: in ms the rate would be 1 GHz.
+/// Slightly less than 1 MHz, because it comes from printed times.
+constexpr double kCertainRate_Hz = 0.999e6;
 
-constexpr auto kTimeNames = std::to_array<std::string_view>(
-    {"time", "t", "zeit", "tid", "temps", "tiempo", "tempo", "czas"});
-
-constexpr auto kTimeUnits = std::to_array<std::pair<std::string_view, double>>(
-    {{"s", 1.0}, {"sec", 1.0}, {"second", 1.0}, {"seconds", 1.0}, {"ms", 1e-3}, {"us", 1e-6},
-        {"\u00B5s", 1e-6}, {"\u03BCs", 1e-6}, {"ns", 1e-9}, {"ps", 1e-12}});
-
-std::optional<double> secondsPer(std::string_view unit)
+bool agree(double a, double b)
 {
-    const std::string word = lowerCase(std::string(unit));
-    for (const auto &[name, seconds] : kTimeUnits) {
-        if (name == word)
-            return seconds;
+    return std::abs(a / b - 1.0) <= kRateTolerance;
+}
+
+/// A header rate without unit may be in kHz or MHz, an interval in ms or us.
+bool agrees(const HeaderRate &stated, double rate_Hz)
+{
+    for (const double factor : {1.0, 1e3, 1e6, 1e9}) {
+        if (agree(stated.rate_Hz * factor, rate_Hz) || agree(stated.rate_Hz, rate_Hz * factor))
+            return true;
+        if (stated.unitStated)
+            break;
     }
-    return std::nullopt;
+    return false;
 }
 
-/// "time_ms" is the name "time" with the unit "ms".
-ColumnTitle splitSuffix(const ColumnTitle &title)
+/// Works on one table; see timeOfTable.
+class TimeReader
 {
-    const std::size_t mark = title.name.rfind('_');
-    if (!title.unit.empty() || mark == std::string::npos
-        || !secondsPer(title.name.substr(mark + 1)))
-        return title;
-    return {title.name.substr(0, mark), title.name.substr(mark + 1)};
-}
+public:
+    TimeReader(const std::string &path, const ImportSettings &settings, const TextDialect &dialect,
+        const std::vector<ColumnTitle> &titles, const std::vector<std::vector<double>> &columns)
+        : m_say{path, titles, dialect.headerLines()}
+        , m_settings(settings)
+        , m_columns(columns)
+        , m_header(headerRates(dialect))
+    {
+    }
 
-bool hasTimeName(const ColumnTitle &title)
-{
-    const std::string name = lowerCase(splitSuffix(title).name);
-    return std::find(kTimeNames.begin(), kTimeNames.end(), name) != kTimeNames.end();
-}
+    Result<TextTime> read()
+    {
+        if (const Result<void> checked = checkHeaderAlone(); !checked)
+            return tl::unexpected(checked.error());
+        const Result<void> found = findColumn();
+        if (!found)
+            return tl::unexpected(found.error());
+        if (!m_time.column) {
+            takeHeaderRate();
+            return std::move(m_time);
+        }
+        const auto column = static_cast<std::size_t>(*m_time.column);
+        const ColumnTitle title = withUnitSplit(m_say.titles[column]);
+        const std::string unit = isRowNumberTitle(title) ? std::string() : title.unit;
+        const std::optional<double> scale_s = secondsPerUnit(unit);
+        if (!unit.empty() && !scale_s)
+            return m_say.unknownUnit(unit);
+        if (m_columns[column].size() < 2) {
+            takeHeaderRate();
+            return std::move(m_time);
+        }
+        const TimeAxis axis = timeAxisOf(m_columns[column]);
+        if (axis.irregular)
+            return m_say.irregular(m_columns[column], axis);
+        const Result<void> rated = scale_s ? takeStated(axis, *scale_s) : takeUnstated(axis);
+        if (!rated)
+            return tl::unexpected(rated.error());
+        return std::move(m_time);
+    }
 
-bool isUniformTime(const std::vector<double> &values)
-{
-    if (values.size() < kRowsToTellTime)
-        return false;
-    const TimeAxis axis = timeAxisOf(values);
-    const bool counter = axis.step == 1.0 && axis.first == std::floor(axis.first);
-    return !axis.irregular && !counter;
-}
-
-std::optional<Index> findTimeColumn(const ImportSettings &settings,
-    const std::vector<ColumnTitle> &titles, const std::vector<std::vector<double>> &columns)
-{
-    const auto named = settings.columns.find("time");
-    if (named != settings.columns.end())
-        return named->second;
-    if (!settings.columns.empty() || columns.size() < 2)
-        return std::nullopt;
-    const auto title = std::find_if(titles.begin(), titles.end(), &hasTimeName);
-    if (title != titles.end())
-        return title - titles.begin();
-    const bool unitOfTime = secondsPer(titles[0].unit).has_value();
-    const bool otherUnit = !titles[0].unit.empty() && !unitOfTime;
-    if (unitOfTime || (!otherUnit && isUniformTime(columns[0])))
-        return 0;
-    return std::nullopt;
-}
-
-tl::unexpected<Error> irregularTimes(const std::string &path, const std::vector<double> &times,
-    const TimeAxis &axis, Index headerLines)
-{
-    const auto row = static_cast<std::size_t>(*axis.irregular);
-    return fail(ErrorKind::FileUnreadable,
-        {DYNCAL_TEXT("core",
-             "%1: the times are not uniform: line %2 follows its predecessor by %3, others by %4 "
-             "(allowed is 1 %). Record anew, or name only the columns of samples and give the "
-             "sample rate in the recipe's import section."),
-            {path, std::to_string(headerLines + *axis.irregular + 1),
-                numberText(times[row] - times[row - 1], 6), numberText(axis.step, 6)}},
-        "CAP-016");
-}
-
-Result<void> checkAgainst(
-    const std::string &path, const ImportSettings &settings, double sampleRate_Hz)
-{
-    if (!settings.sampleRate_Hz
-        || std::abs(*settings.sampleRate_Hz / sampleRate_Hz - 1.0) <= kRateTolerance)
+private:
+    Result<void> checkHeaderAlone() const
+    {
+        for (const HeaderRate &rate : m_header) {
+            if (!m_settings.sampleRate_Hz && !agrees(rate, m_header.front().rate_Hz)
+                && !agrees(m_header.front(), rate.rate_Hz))
+                return m_say.headerContradictsItself(m_header.front(), rate);
+        }
         return {};
-    return fail(ErrorKind::FileUnreadable,
-        {DYNCAL_TEXT("core",
-             "%1: the recipe states a sample rate of %2, but the column of times steps at %3. "
-             "Which one is right? Take sample_rate_hz out of the recipe, or name only the columns "
-             "of samples there."),
-            {path, numberWithUnit(*settings.sampleRate_Hz, "Hz", 7),
-                numberWithUnit(sampleRate_Hz, "Hz", 7)}},
-        "CAP-003");
-}
+    }
 
-tl::unexpected<Error> unknownTimeUnit(const std::string &path, const std::string &unit)
-{
-    return fail(ErrorKind::FileUnreadable,
-        {DYNCAL_TEXT("core",
-             "%1: the unit \"%2\" of the column of times is unknown; write s, ms, us or ns."),
-            {path, unit}},
-        "CAP-016");
-}
+    Result<void> findColumn()
+    {
+        const auto named = m_settings.columns.find("time");
+        if (named != m_settings.columns.end()) {
+            m_time.column = named->second;
+            m_titled = true;
+            return {};
+        }
+        if (m_columns.size() < 2)
+            return {};
+        if (!m_settings.columns.empty()) {
+            noteWhatIsPassedOver();
+            return {};
+        }
+        const ColumnTitle &first = m_say.titles[0];
+        const ColumnRise rise = riseOf(m_columns[0]);
+        if (isFrequencyTitle(first) && rise != ColumnRise::None)
+            return m_say.frequencies(first);
+        m_time.column = titledColumn();
+        m_titled = m_time.column.has_value();
+        return m_titled ? Result<void>() : findUntitled(first, rise);
+    }
+
+    std::optional<Index> titledColumn() const
+    {
+        const std::vector<ColumnTitle> &titles = m_say.titles;
+        const auto title = std::find_if(titles.begin(), titles.end(), &isTimeTitle);
+        if (title != titles.end())
+            return title - titles.begin();
+        return secondsPerUnit(titles[0].unit) ? std::optional<Index>(0) : std::nullopt;
+    }
+
+    /// The first column, if its numbers look like times or row numbers and no title or unit says
+    /// what else it is.
+    Result<void> findUntitled(const ColumnTitle &title, ColumnRise rise)
+    {
+        const bool neutral
+            = isNeutralTitle(title) && (title.unit.empty() || isRowNumberTitle(title));
+        if (rise == ColumnRise::None || (!neutral && !title.unit.empty()))
+            return {};
+        const bool rowNumbers = rise == ColumnRise::Counter && (neutral || isRowNumberTitle(title));
+        if (neutral && rise == ColumnRise::Gaps)
+            return m_say.irregular(m_columns[0], timeAxisOf(m_columns[0]));
+        if (rowNumbers || (neutral && rise == ColumnRise::Uniform))
+            m_time.column = 0;
+        else if (rise != ColumnRise::Counter)
+            m_time.findings.push_back(m_say.looksLikeTimes(title));
+        return {};
+    }
+
+    /// A recipe may leave the times out, but not without hearing what they say.
+    void noteWhatIsPassedOver()
+    {
+        const std::optional<Index> titled = titledColumn();
+        const bool neutral = isNeutralTitle(m_say.titles[0]) && m_say.titles[0].unit.empty();
+        if (!titled && (!neutral || riseOf(m_columns[0]) == ColumnRise::None))
+            return;
+        const auto column = static_cast<std::size_t>(titled.value_or(0));
+        const bool used = std::any_of(m_settings.columns.begin(), m_settings.columns.end(),
+            [&](const auto &entry) { return entry.second == static_cast<Index>(column); });
+        if (used || m_columns[column].size() < 2)
+            return;
+        const TimeAxis axis = timeAxisOf(m_columns[column]);
+        const auto scale_s = secondsPerUnit(withUnitSplit(m_say.titles[column]).unit);
+        if (axis.irregular)
+            m_time.findings.push_back(m_say.irregularPassedOver(axis));
+        else if (scale_s && m_settings.sampleRate_Hz
+            && !agree(*m_settings.sampleRate_Hz, 1.0 / (axis.step * *scale_s)))
+            m_time.findings.push_back(
+                m_say.ratePassedOver(*m_settings.sampleRate_Hz, 1.0 / (axis.step * *scale_s)));
+    }
+
+    void takeHeaderRate()
+    {
+        if (m_header.empty())
+            return;
+        m_time.sampleRate_Hz = m_header.front().rate_Hz;
+        if (!m_header.front().unitStated && !m_settings.sampleRate_Hz)
+            m_time.findings.push_back(m_say.headerUnitAssumed(m_header.front()));
+    }
+
+    void take(const TimeAxis &axis, double scale_s)
+    {
+        m_time.sampleRate_Hz = 1.0 / (axis.step * scale_s);
+        m_time.first_s = axis.first * scale_s;
+    }
+
+    Result<void> takeStated(const TimeAxis &axis, double scale_s)
+    {
+        take(axis, scale_s);
+        if (m_settings.sampleRate_Hz && !agree(*m_settings.sampleRate_Hz, m_time.sampleRate_Hz))
+            return m_say.recipeAgainstTimes(*m_settings.sampleRate_Hz, m_time.sampleRate_Hz);
+        for (const HeaderRate &rate : m_header) {
+            if (agrees(rate, m_time.sampleRate_Hz))
+                continue;
+            if (!m_settings.sampleRate_Hz) // else the recipe has decided
+                return m_say.headerAgainstTimes(rate, m_time.sampleRate_Hz);
+            m_time.findings.push_back(m_say.headerOverruled(rate, m_time.sampleRate_Hz));
+        }
+        return {};
+    }
+
+    /// Numbers without unit: a rate known from elsewhere tells the unit.
+    Result<void> takeUnstated(const TimeAxis &axis)
+    {
+        const bool counter = isCounter(axis);
+        std::optional<double> known_Hz = m_settings.sampleRate_Hz;
+        if (!known_Hz && !m_header.empty() && m_header.front().unitStated)
+            known_Hz = m_header.front().rate_Hz;
+        if (!known_Hz && !m_header.empty()) {
+            takeHeaderRate();
+            known_Hz = m_time.sampleRate_Hz;
+        }
+        for (const double scale_s : {1.0, 1e-3, 1e-6, 1e-9}) {
+            if (known_Hz && !counter && agree(*known_Hz, 1.0 / (axis.step * scale_s))) {
+                take(axis, scale_s);
+                return {};
+            }
+        }
+        if (known_Hz && !counter)
+            return m_say.noUnitAgrees(axis.step, *known_Hz);
+        if (known_Hz) {
+            m_time.sampleRate_Hz = m_settings.sampleRate_Hz ? 0.0 : *known_Hz;
+            return {};
+        }
+        const double inSeconds_Hz = 1.0 / axis.step;
+        const double needed_Hz = m_titled ? kCredibleRate_Hz : kCertainRate_Hz;
+        const std::string &name = m_say.titles[static_cast<std::size_t>(*m_time.column)].name;
+        if (counter || inSeconds_Hz < needed_Hz) {
+            m_time.findings.push_back(m_say.unitUnknown(name, axis.step, counter));
+            return {};
+        }
+        take(axis, 1.0);
+        m_time.findings.push_back(m_say.secondsAssumed(name, inSeconds_Hz,
+            inSeconds_Hz >= kCertainRate_Hz ? Severity::Info : Severity::Caution));
+        return {};
+    }
+
+    TimeSentences m_say;
+    const ImportSettings &m_settings;
+    const std::vector<std::vector<double>> &m_columns;
+    std::vector<HeaderRate> m_header;
+    TextTime m_time;
+    bool m_titled = false; ///< title or recipe calls the column times
+};
 
 } // namespace
 
 Result<TextTime> timeOfTable(const std::string &path, const ImportSettings &settings,
-    const std::vector<ColumnTitle> &titles, const std::vector<std::vector<double>> &columns,
-    Index headerLines)
+    const TextDialect &dialect, const std::vector<ColumnTitle> &titles,
+    const std::vector<std::vector<double>> &columns)
 {
-    TextTime time;
-    time.column = findTimeColumn(settings, titles, columns);
-    if (!time.column)
-        return time;
-    const auto column = static_cast<std::size_t>(*time.column);
-    const std::string unit = splitSuffix(titles[column]).unit;
-    const std::optional<double> scale_s = unit.empty() ? 1.0 : secondsPer(unit);
-    if (!scale_s)
-        return unknownTimeUnit(path, unit);
-    const std::vector<double> &times = columns[column];
-    if (times.size() < 2)
-        return time;
-    const TimeAxis axis = timeAxisOf(times);
-    if (axis.irregular)
-        return irregularTimes(path, times, axis, headerLines);
-    time.sampleRate_Hz = 1.0 / (axis.step * *scale_s);
-    time.first_s = axis.first * *scale_s;
-    if (const Result<void> checked = checkAgainst(path, settings, time.sampleRate_Hz); !checked)
-        return tl::unexpected(checked.error());
-    return time;
+    return TimeReader(path, settings, dialect, titles, columns).read();
 }
 
 } // namespace dyncal

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace dyncal {
 namespace {
 
 constexpr double kStepTolerance = 0.01; ///< of CAP-016
+constexpr std::size_t kRowsToTellTime = 8; ///< that rise: no accident any more
 constexpr std::size_t kEndRows = 32; ///< enough that some time ends in a digit other than zero
 
 /// Power of ten of the last digit of a number.
@@ -100,6 +102,34 @@ TimeAxis timeAxisOf(std::span<const double> times, double resolution)
     if (axis.irregular)
         locateIrregularity(axis, times, allowance);
     return axis;
+}
+
+ColumnRise riseOf(std::span<const double> values)
+{
+    double last = -std::numeric_limits<double>::infinity();
+    std::size_t rises = 0;
+    for (const double value : values) {
+        if (value < last)
+            return ColumnRise::None;
+        rises += value > last ? 1 : 0;
+        last = std::isfinite(value) ? value : last;
+    }
+    if (rises < kRowsToTellTime)
+        return ColumnRise::None;
+    const TimeAxis axis = timeAxisOf(values);
+    if (!axis.irregular)
+        return isCounter(axis) ? ColumnRise::Counter : ColumnRise::Uniform;
+    std::size_t even = 0;
+    for (std::size_t k = 1; k < values.size(); ++k) {
+        const double difference = std::abs(values[k] - values[k - 1] - axis.step);
+        even += difference <= kStepTolerance * axis.step + axis.resolution ? 1 : 0;
+    }
+    return 2 * even > values.size() ? ColumnRise::Gaps : ColumnRise::Uneven;
+}
+
+bool isCounter(const TimeAxis &axis)
+{
+    return axis.step == 1.0 && axis.first == std::floor(axis.first);
 }
 
 double printedResolution(std::string_view cell, char decimal)

@@ -28,6 +28,21 @@ TimeAxis timeAxisOf(std::span<const double> times);
 /// The same where the text is known to be printed to `resolution`.
 TimeAxis timeAxisOf(std::span<const double> times, double resolution);
 
+/// How a column rises from row to row.
+enum class ColumnRise {
+    None, ///< it falls somewhere, or there are too few rows to tell
+    Counter, ///< by one from a whole number on
+    Uniform, ///< by equal steps
+    Gaps, ///< by equal steps but for a few
+    Uneven, ///< somehow
+};
+
+/// Rows that are not finite are passed over, but make a gap.
+ColumnRise riseOf(std::span<const double> values);
+
+/// Whether this uniform axis only counts rows: whole numbers that rise by one.
+bool isCounter(const TimeAxis &axis);
+
 /// One unit of the last digit of a printed number: "0.0120" 1e-4, "1.5E-5" 1e-6.
 double printedResolution(std::string_view cell, char decimal);
 

@@ -8,6 +8,10 @@
 
 #include <QTest>
 
+#include <random>
+
+#include <numbers>
+
 using namespace dyncal;
 
 namespace {
@@ -109,6 +113,30 @@ private slots:
             // Aliasing grows with frequency; 1 % of (f / rate) bounds it here.
             QVERIFY2(std::abs(S / G - 1.0) < 2e-6 + 1e-4 * f_Hz / 2.5e5,
                 qPrintable(QString::number(std::abs(S / G - 1.0))));
+        }
+    }
+
+    void stepTransform_equalsTheSumWrittenOut()
+    {
+        std::mt19937 random(3);
+        std::normal_distribution<double> normal;
+        for (const Index size :
+            {Index(1), Index(2), Index(256), Index(257), Index(258), Index(5000)}) {
+            const Eigen::VectorXd y
+                = Eigen::VectorXd::NullaryExpr(size, [&] { return normal(random); });
+            for (const double x : {1e-3, 0.7, 3.1}) {
+                const double rate_Hz = 1e6;
+                std::complex<double> D = 0.0;
+                for (Index n = 0; n <= size; ++n) {
+                    const double now = n < size ? y[n] : 0.4;
+                    D += (now - (n > 0 ? y[n - 1] : 0.0)) * std::polar(1.0, -x * double(n));
+                }
+                const std::complex<double> expected
+                    = D * std::complex<double>(0.0, x) / (1.0 - std::polar(1.0, -x));
+                const std::complex<double> found
+                    = stepTransform(y, rate_Hz, 0.4, 0.0, x * rate_Hz / (2.0 * std::numbers::pi));
+                QVERIFY(std::abs(found - expected) < 1e-12 * double(size + 10));
+            }
         }
     }
 

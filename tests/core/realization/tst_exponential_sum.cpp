@@ -128,6 +128,25 @@ private slots:
         }
     }
 
+    void sampler_givesTheValuesOfTheSum()
+    {
+        ExponentialSum sum{0.7, Eigen::VectorXcd(3), Eigen::VectorXcd(3)};
+        sum.rates_rad_s << Complex(-300.0, 9e4), Complex(-300.0, -9e4), Complex(-20.0, 0.0);
+        sum.amplitudes << Complex(0.3, -0.4), Complex(0.3, 0.4), Complex(-1.1, 0.0);
+        const double dt_s = 1e-6;
+        const ExponentialSampler sampler(sum, dt_s);
+        constexpr double kRounding = 1e-12; // of 256 products
+        for (const Index block : {Index(0), Index(1), Index(40)}) {
+            const Eigen::VectorXd values = sampler.block(block);
+            QCOMPARE(values.size(), ExponentialSampler::kBlock);
+            for (Index j = 0; j < values.size(); ++j) {
+                const double t_s
+                    = static_cast<double>(block * ExponentialSampler::kBlock + j) * dt_s;
+                QVERIFY(std::abs(values[j] - sum.value(t_s)) < kRounding);
+            }
+        }
+    }
+
     void whitening_makesAutoregressiveNoiseWhite()
     {
         testing::Noise noise(11);

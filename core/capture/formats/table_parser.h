@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/finding.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/capture/formats/text_dialect.h"
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dyncal {
+
+/// The numbers of a table and what was said of its end.
+struct TableColumns
+{
+    std::vector<std::vector<double>> columns; ///< equally long; NaN = invalid sample
+    Findings findings; ///< CAP-018: the last line is cut or may be
+};
+
+/// Reads the rows behind the header of `text`. Every row must be readable: an empty or "nan" cell
+/// and each blank line within the data is an invalid sample, anything else that is no number fails
+/// with line and column (CAP-018). Comment lines ("#", "%") may follow the data, not interrupt it.
+/// Memory: the values, at most eight times the text.
+Result<TableColumns> parseTable(const std::string &path, std::string_view text,
+    const TextDialect &dialect, const JobControl &control);
+
+} // namespace dyncal

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/result.h"
+
+#include <string>
+#include <string_view>
+
+namespace dyncal {
+
+/// The whole file as UTF-8 or single-byte text: a byte order mark is removed, UTF-16 is converted.
+/// Fails (CAP-018) if it cannot be read.
+Result<std::string> readTextFile(const std::string &path);
+
+/// The same for bytes that are there already.
+std::string textOfBytes(std::string bytes);
+
+/// The beginning of a text file.
+struct TextHead
+{
+    std::string text; ///< whole lines, unless the file is shorter or the first line longer
+    std::string encoding; ///< "UTF-8", "UTF-16" or "Windows-1252"
+    bool whole = false; ///< this is all of the file
+};
+
+/// At most `bytes` of the file. Fails as readTextFile.
+Result<TextHead> readTextHead(const std::string &path, std::size_t bytes);
+
+/// UTF-8 of a name or unit: left alone if it is valid UTF-8, otherwise taken as Windows-1252.
+std::string utf8Text(std::string_view text);
+
+} // namespace dyncal

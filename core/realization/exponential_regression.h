@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/index.h"
+
+#include <Eigen/Core>
+
+#include <array>
+#include <complex>
+#include <vector>
+
+namespace dyncal {
+
+/// Sums of k^a q^k for k = 0 .. count-1 and a = 0, 1, 2. Built by doubling, with additions only, so
+/// that they stay exact where the closed forms 1/(1-q)^a lose all digits (q near 1). O(log count).
+std::array<std::complex<double>, 3> powerSums(std::complex<double> q, Index count);
+
+/// One mode of the model at one moment of the fit: Re(gain p^k) with p = e^exponent, the upper half
+/// of a conjugate pair or real (then exponent and gain are real). A constant is a fixed exponent 0.
+struct RegressionMode
+{
+    std::complex<double> exponent; ///< s dt
+    std::complex<double> gain; ///< at k = 0
+    bool isPair = false;
+    bool isFixed = false; ///< its pole is no parameter
+};
+
+/// Normal equations of y_k = sum over modes of Re(gain p^k) for s and the gains, t = k dt.
+/// Parameters, in this order: per mode that is not fixed Re s (and Im s of a pair), then per mode
+/// Re gain (and Im gain of a pair).
+struct RegressionEquations
+{
+    Eigen::MatrixXd matrix; ///< J^T J
+    Eigen::VectorXd gradient; ///< J^T r
+    double cost = 0.0; ///< r^T r
+};
+
+/// A record cut into columns, so that model and gradient are matrix products. J^T J comes from
+/// powerSums and costs nothing in the record's length.
+class ExponentialRegression
+{
+public:
+    explicit ExponentialRegression(const Eigen::VectorXd &y);
+
+    RegressionEquations equations(const std::vector<RegressionMode> &modes, double dt) const;
+
+private:
+    Eigen::MatrixXd m_columns; ///< y, kBlock rows, the last column filled with zeros
+    Index m_size;
+};
+
+} // namespace dyncal
