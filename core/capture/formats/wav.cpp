@@ -151,7 +151,7 @@ public:
         for (Index c = 0; c < m_format->channels; ++c)
             shot.channels.push_back(channelOf(c, frames, rate_Hz));
         m_set.shots.push_back(std::move(shot));
-        finishShots(m_set, m_path);
+        labelShots(m_set, m_path);
         return std::move(m_set);
     }
 
