@@ -11,7 +11,9 @@
 #include "core/capture/formats/binary_record.h"
 #include "core/capture/formats/byte_reader.h"
 
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <optional>
 
 namespace dyncal {
