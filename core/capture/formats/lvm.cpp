@@ -347,17 +347,17 @@ int recogniseLvm(const std::string &, std::string_view head)
 Result<CaptureSet> readLvm(
     const std::string &path, const ImportSettings &settings, const JobControl &control)
 {
-    const Result<std::string> text = readTextFile(path);
+    const Result<FileText> text = readTextFile(path);
     if (!text)
         return tl::unexpected(text.error());
-    if (!text->starts_with(kFirstWords))
+    if (!text->view().starts_with(kFirstWords))
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
                  "%1 is no LabVIEW measurement file: it does not begin with \"LabVIEW "
                  "Measurement\"."),
                 {path}},
             "CAP-001");
-    return LvmReader(path, settings, control).read(*text);
+    return LvmReader(path, settings, control).read(text->view());
 }
 
 } // namespace dyncal

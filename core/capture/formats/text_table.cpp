@@ -73,6 +73,13 @@ bool LineCursor::next(std::string_view &line)
     return true;
 }
 
+void LineCursor::take(const char *behind)
+{
+    m_rest.remove_prefix(static_cast<std::size_t>(behind - m_rest.data()));
+    m_terminated = true;
+    ++m_number;
+}
+
 CellCursor::CellCursor(std::string_view line, char separator)
     : m_rest(separator == kBlankSeparator ? trimmed(line) : line)
     , m_separator(separator)

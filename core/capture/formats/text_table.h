@@ -33,6 +33,12 @@ public:
     /// The next line without its end; false at the end of the text.
     bool next(std::string_view &line);
 
+    /// What is behind the line just read.
+    std::string_view rest() const { return m_rest; }
+
+    /// Counts the next line as read by someone else, up to `behind` its end in rest().
+    void take(const char *behind);
+
     Index number() const { return m_number; } ///< of the line just read, from 1
     bool terminated() const { return m_terminated; } ///< whether that line had an end
 
