@@ -3,7 +3,6 @@
 
 #include "app/gui_main.h"
 
-#include "app/cli/run_output.h"
 #include "app/clock.h"
 #include "core/base/version.h"
 #include "core/pipeline/pipeline.h"
@@ -52,7 +51,7 @@ int runGui(int argc, char **argv, const std::vector<std::string> &files)
     Prompts prompts;
     Language language;
     language.install(tour ? tourLanguage : preferences.language());
-    MainWindow window(runPipeline, {currentUtc, writeRun}, preferences, prompts, language);
+    MainWindow window(runPipeline, currentUtc, preferences, prompts, language);
     window.show();
     if (tour)
         return runScreenshotTour(window, tourFolder) ? 0 : 5;

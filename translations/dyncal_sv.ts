@@ -1645,8 +1645,8 @@
         <translation>Polen vid z = %1 är själva steget.</translation>
     </message>
     <message>
-        <source>%1 poles are nearly cancelled by zeros: a lower order may do.</source>
-        <translation>%1 poler tas nästan ut av nollställen: en lägre ordning kan räcka.</translation>
+        <source>Poles nearly cancelled by zeros: %1. A lower order may do.</source>
+        <translation>Poler som nästan tas ut av nollställen: %1. En lägre ordning kan räcka.</translation>
     </message>
     <message>
         <source>FIT is %1 % of an attainable %2 %: the model misses part of the response.</source>
@@ -1957,14 +1957,6 @@
         <translation>Ett skott att simulera saknar nivå; välj low, medium eller high.</translation>
     </message>
     <message>
-        <source>The file %1 cannot be written; choose a folder that exists and can be written.</source>
-        <translation>Filen %1 kan inte skrivas; välj en mapp som finns och är skrivbar.</translation>
-    </message>
-    <message>
-        <source>The report was asked for before the program was set up to draw.</source>
-        <translation>Rapporten begärdes innan programmet var redo att rita.</translation>
-    </message>
-    <message>
         <source>Cancelled.</source>
         <translation>Avbrutet.</translation>
     </message>
@@ -1999,10 +1991,6 @@
     <message>
         <source>%1 recordings of this project were not found: %2. Put them back where they were, or beside the project, and open it again.</source>
         <translation>%1 registreringar i detta projekt hittades inte: %2. Lägg tillbaka dem där de låg, eller bredvid projektet, och öppna det igen.</translation>
-    </message>
-    <message>
-        <source>%1 cannot be written; choose another place.</source>
-        <translation>%1 kan inte skrivas; välj en annan plats.</translation>
     </message>
     <message>
         <source>%1, line %2 has %3 cells, the lines before have %4; correct the line, or set separator and decimal in the recipe&apos;s import section.</source>
@@ -2103,6 +2091,10 @@
     <message>
         <source>Model input: shot %1 is recorded at %2, below the model rate of %3; choose at most %2.</source>
         <translation>Modellindata: skott %1 är registrerat med %2, under modellens samplingsfrekvens %3; välj högst %2.</translation>
+    </message>
+    <message>
+        <source>The certificate and the plots cannot be drawn: the program found nothing to draw on; start it anew.</source>
+        <translation>Kalibreringsbeviset och diagrammen kan inte ritas: programmet hittade inget att rita på; starta om det.</translation>
     </message>
 </context>
 <context>
@@ -2528,10 +2520,6 @@
         <translation>Exportera resultat till en mapp</translation>
     </message>
     <message>
-        <source>Results written to %1</source>
-        <translation>Resultaten har skrivits till %1</translation>
-    </message>
-    <message>
         <source>Export certificate</source>
         <translation>Exportera kalibreringsbevis</translation>
     </message>
@@ -2540,20 +2528,20 @@
         <translation>PDF-dokument (*.pdf)</translation>
     </message>
     <message>
-        <source>Certificate written to %1</source>
-        <translation>Kalibreringsbeviset har skrivits till %1</translation>
-    </message>
-    <message>
         <source>Cancelled</source>
         <translation>Avbrutet</translation>
     </message>
     <message>
-        <source>Writing results</source>
-        <translation>Skriver resultat</translation>
+        <source>Written: %1</source>
+        <translation>Skrivet: %1</translation>
     </message>
     <message>
-        <source>Writing the certificate</source>
-        <translation>Skriver kalibreringsbeviset</translation>
+        <source>Results are still being written to %1; wait until they are, or press Cancel.</source>
+        <translation>Resultaten skrivs fortfarande till %1; vänta tills det är klart eller tryck Avbryt.</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Skriver %1</translation>
     </message>
 </context>
 <context>

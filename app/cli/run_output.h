@@ -3,20 +3,12 @@
 
 #pragma once
 
-#include "core/pipeline/pipeline.h"
-
-#include <string>
-#include <vector>
+#include "core/pipeline/run_files.h"
 
 namespace dyncal {
 
-/// Makes the folder (Usage if it cannot be made).
-Result<void> makeFolder(const std::string &folder);
-
-/// Writes what `dyncal run` promises into an existing folder: csv/*.csv, certificate.pdf and
-/// plots/*.svg (only of a run that came to its end), recipe.json, and results.json last, so that a
-/// folder with results.json is complete. What an earlier run left there goes first: no certificate
-/// of other data stays beside new results. Returns the paths to show, results.json first.
+/// Draws what `dyncal run` promises and writes it all (writeRunFiles). Certificate and plots only
+/// of a run that came to its end. Without a window: makes what drawing needs.
 Result<std::vector<std::string>> writeRun(const PipelineOutcome &outcome, const Recipe &recipe,
     const std::string &createdUtc, const std::string &folder);
 

@@ -135,20 +135,22 @@ QImage renderPicture(const PlotPicture &picture, QSize size, double scale)
     return image;
 }
 
+bool writePicture(const PlotPicture &picture, QSize size, const QString &format, QIODevice &device)
+{
+    if (size.isEmpty())
+        return false;
+    if (format == QLatin1String("png"))
+        return renderPicture(picture, size, kImageScale).save(&device, "PNG");
+    if (format == QLatin1String("svg"))
+        return saveSvg(picture, size, device);
+    return format == QLatin1String("pdf") && savePdf(picture, size, device);
+}
+
 bool savePicture(const PlotPicture &picture, QSize size, const QString &path)
 {
     QSaveFile file(path);
-    if (size.isEmpty() || !file.open(QIODevice::WriteOnly))
-        return false;
-    const QString suffix = QFileInfo(path).suffix().toLower();
-    bool done = false;
-    if (suffix == QLatin1String("png"))
-        done = renderPicture(picture, size, kImageScale).save(&file, "PNG");
-    else if (suffix == QLatin1String("svg"))
-        done = saveSvg(picture, size, file);
-    else if (suffix == QLatin1String("pdf"))
-        done = savePdf(picture, size, file);
-    return done && file.commit();
+    return file.open(QIODevice::WriteOnly)
+        && writePicture(picture, size, QFileInfo(path).suffix().toLower(), file) && file.commit();
 }
 
 QString contentCsv(const PlotContent &content)

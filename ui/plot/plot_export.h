@@ -12,6 +12,7 @@
 #include <optional>
 #include <vector>
 
+class QIODevice;
 class QPainter;
 
 namespace dyncal {
@@ -29,6 +30,9 @@ struct PlotPicture
 void paintPicture(QPainter &painter, const QRectF &target, const PlotPicture &picture);
 
 QImage renderPicture(const PlotPicture &picture, QSize size, double scale);
+
+/// Writes the picture as "png", "svg" or "pdf"; false if that failed.
+bool writePicture(const PlotPicture &picture, QSize size, const QString &format, QIODevice &device);
 
 /// Writes .png, .svg or .pdf by suffix; false if it cannot be written.
 bool savePicture(const PlotPicture &picture, QSize size, const QString &path);

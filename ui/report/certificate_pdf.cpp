@@ -5,7 +5,6 @@
 
 #include "ui/report/certificate_blocks.h"
 #include "ui/report/pdf_bytes.h"
-#include "ui/report/reproducible_output.h"
 #include "ui/text/core_text.h"
 
 #include <QBuffer>
@@ -21,12 +20,34 @@ constexpr double kMargin = 57.0; ///< 15 mm
 constexpr double kHeaderHeight = 30.0;
 constexpr double kFooterHeight = 26.0;
 
+/// What stands around the text of every page.
+struct FrameTexts
+{
+    QString title, number, page, state, computed, mark;
+
+    explicit FrameTexts(const CertificateData &data)
+        : title(translated(data.title))
+        , number(
+              QCoreApplication::translate("Report", "No. %1")
+                  .arg(data.number.empty() ? QCoreApplication::translate("Report", "no number yet")
+                                           : QString::fromStdString(data.number)))
+        , page(QCoreApplication::translate("Report", "page %1 of %2"))
+        , computed(QCoreApplication::translate("Report", "Computed %1")
+                       .arg(QString::fromStdString(data.createdUtc)))
+    {
+        if (!data.draft)
+            return;
+        state = QCoreApplication::translate("Report", "Draft, not valid as a certificate");
+        mark = QCoreApplication::translate("Report", "DRAFT");
+    }
+};
+
 class PagePainter
 {
 public:
     PagePainter(QPdfWriter &writer, const CertificateData &data)
         : m_writer(writer)
-        , m_data(data)
+        , m_texts(data)
         , m_page(0.0, 0.0, writer.width(), writer.height())
     {
     }
@@ -38,60 +59,33 @@ public:
             kMargin, kMargin + kHeaderHeight, -kMargin, -kMargin - kFooterHeight);
     }
 
-    bool paint(const std::vector<FlowBlock> &blocks)
+    void paintBlock(QPainter &painter, const FlowBlock &block, double top, bool withHeader) const
     {
         const QRectF area = textArea();
-        const std::vector<PlacedBlock> placed = placeBlocks(blocks, area.height());
-        const int pages = pageCount(placed);
-        QPainter painter;
-        if (!painter.begin(&m_writer))
-            return false;
-        painter.setRenderHint(QPainter::Antialiasing);
-        int page = -1;
-        for (const PlacedBlock &place : placed) {
-            while (page < place.page) {
-                if (page >= 0)
-                    m_writer.newPage();
-                paintFrame(painter, ++page, pages);
-            }
-            const FlowBlock &block = blocks[place.block];
-            const QRectF where(area.left(), area.top() + place.top, area.width(), block.height);
-            if (place.withHeader) {
-                const FlowBlock &header = *block.repeatedHeader;
-                header.paint(painter,
-                    QRectF(area.left(), where.top() - header.height, area.width(), header.height));
-            }
-            block.paint(painter, where);
+        const QRectF where(area.left(), area.top() + top, area.width(), block.height);
+        if (withHeader) {
+            const FlowBlock &header = *block.repeatedHeader;
+            header.paint(painter,
+                QRectF(area.left(), where.top() - header.height, area.width(), header.height));
         }
-        return painter.end();
+        block.paint(painter, where);
+    }
+
+    void paintFrame(QPainter &painter, int page, int pages) const
+    {
+        if (!m_texts.mark.isEmpty())
+            paintDraftMark(painter);
+        const QRectF area = textArea();
+        const double top = area.top() - kHeaderHeight;
+        paintLine(painter, top, m_texts.title + QStringLiteral("  ") + m_texts.number,
+            m_texts.page.arg(page + 1).arg(pages));
+        painter.setPen(QPen(m_style.rule, 0.7));
+        painter.drawLine(QPointF(area.left(), top + 16.0), QPointF(area.right(), top + 16.0));
+        paintLine(painter, area.bottom() + 12.0, m_texts.state, m_texts.computed);
     }
 
 private:
-    void paintFrame(QPainter &painter, int page, int pages)
-    {
-        if (m_data.draft)
-            paintDraftMark(painter);
-        const QRectF area = textArea();
-        const QString number = m_data.number.empty()
-            ? QCoreApplication::translate("Report", "no number yet")
-            : QString::fromStdString(m_data.number);
-        const QString left = translated(m_data.title) + QStringLiteral("  ")
-            + QCoreApplication::translate("Report", "No. %1").arg(number);
-        const QString right
-            = QCoreApplication::translate("Report", "page %1 of %2").arg(page + 1).arg(pages);
-        const double top = area.top() - kHeaderHeight;
-        paintLine(painter, top, left, right);
-        painter.setPen(QPen(m_style.rule, 0.7));
-        painter.drawLine(QPointF(area.left(), top + 16.0), QPointF(area.right(), top + 16.0));
-        const QString state = m_data.draft
-            ? QCoreApplication::translate("Report", "Draft, not valid as a certificate")
-            : QString();
-        paintLine(painter, area.bottom() + 12.0, state,
-            QCoreApplication::translate("Report", "Computed %1")
-                .arg(QString::fromStdString(m_data.createdUtc)));
-    }
-
-    void paintLine(QPainter &painter, double top, const QString &left, const QString &right)
+    void paintLine(QPainter &painter, double top, const QString &left, const QString &right) const
     {
         const QRectF area = textArea();
         const FlowText leftText(left, m_style.small, 0.75 * area.width(), &m_writer);
@@ -101,47 +95,102 @@ private:
         rightText.draw(painter, QPointF(area.left() + 0.6 * area.width(), top), m_style.quiet);
     }
 
-    void paintDraftMark(QPainter &painter)
+    void paintDraftMark(QPainter &painter) const
     {
         painter.save();
         painter.translate(m_page.center());
         painter.rotate(-55.0);
         painter.setFont(m_style.mark);
         painter.setPen(m_style.draftMark);
-        painter.drawText(QRectF(-600.0, -200.0, 1200.0, 400.0), Qt::AlignCenter,
-            QCoreApplication::translate("Report", "DRAFT"));
+        painter.drawText(QRectF(-600.0, -200.0, 1200.0, 400.0), Qt::AlignCenter, m_texts.mark);
         painter.restore();
     }
 
     QPdfWriter &m_writer;
-    const CertificateData &m_data;
+    FrameTexts m_texts;
     QRectF m_page;
     CertificateStyle m_style;
 };
 
+void setUp(QPdfWriter &writer, const CertificateData &data)
+{
+    writer.setResolution(kPageDpi);
+    writer.setPageSize(QPageSize(QPageSize::A4));
+    writer.setPageMargins(QMarginsF(0.0, 0.0, 0.0, 0.0));
+    writer.setTitle(
+        translated(data.title) + QLatin1Char(' ') + QString::fromStdString(data.number));
+    writer.setCreator(QStringLiteral("Dyncal"));
+}
+
 } // namespace
 
-QByteArray certificatePdf(const CertificateData &data, const std::vector<ReportFigure> &figures)
+struct CertificatePdf::Private
 {
-    const ReproducibleOutput reproducible;
     QByteArray bytes;
-    QBuffer buffer(&bytes);
-    buffer.open(QIODevice::WriteOnly);
+    QBuffer buffer{&bytes};
+    std::unique_ptr<QPdfWriter> writer; ///< writes the end of the document when it goes
+    std::unique_ptr<PagePainter> pages;
+    std::vector<FlowBlock> blocks;
+    std::vector<PlacedBlock> placed;
+    QPainter painter;
+    std::size_t next = 0;
+    int page = -1;
+    QString createdUtc;
+
+    ~Private()
     {
-        QPdfWriter writer(&buffer);
-        writer.setResolution(kPageDpi);
-        writer.setPageSize(QPageSize(QPageSize::A4));
-        writer.setPageMargins(QMarginsF(0.0, 0.0, 0.0, 0.0));
-        writer.setTitle(
-            translated(data.title) + QLatin1Char(' ') + QString::fromStdString(data.number));
-        writer.setCreator(QStringLiteral("Dyncal"));
-        PagePainter pages(writer, data);
-        const std::vector<FlowBlock> blocks
-            = certificateBlocks(data, figures, pages.style(), pages.textArea().width(), &writer);
-        if (!pages.paint(blocks))
-            return {};
+        if (painter.isActive())
+            painter.end(); // before the writer goes
     }
-    return withFixedDates(bytes, QString::fromStdString(data.createdUtc));
+};
+
+CertificatePdf::CertificatePdf(
+    const CertificateData &data, const std::vector<ReportFigure> &figures)
+    : d(std::make_unique<Private>())
+{
+    d->createdUtc = QString::fromStdString(data.createdUtc);
+    d->buffer.open(QIODevice::WriteOnly);
+    d->writer = std::make_unique<QPdfWriter>(&d->buffer);
+    setUp(*d->writer, data);
+    d->pages = std::make_unique<PagePainter>(*d->writer, data);
+    const QRectF area = d->pages->textArea();
+    d->blocks = certificateBlocks(data, figures, d->pages->style(), area.width(), d->writer.get());
+    d->placed = placeBlocks(d->blocks, area.height());
+    if (d->painter.begin(d->writer.get()))
+        d->painter.setRenderHint(QPainter::Antialiasing);
+    else
+        d->next = d->placed.size(); // nothing to draw on: take() gives nothing
+}
+
+CertificatePdf::~CertificatePdf() = default;
+
+std::size_t CertificatePdf::blockCount() const
+{
+    return d->placed.size();
+}
+
+bool CertificatePdf::isDrawn() const
+{
+    return d->next >= d->placed.size();
+}
+
+void CertificatePdf::drawNext()
+{
+    const PlacedBlock &place = d->placed[d->next++];
+    while (d->page < place.page) {
+        if (d->page >= 0)
+            d->writer->newPage();
+        d->pages->paintFrame(d->painter, ++d->page, pageCount(d->placed));
+    }
+    d->pages->paintBlock(d->painter, d->blocks[place.block], place.top, place.withHeader);
+}
+
+QByteArray CertificatePdf::take()
+{
+    if (!d->painter.isActive() || !d->painter.end())
+        return {};
+    d->writer.reset(); // writes the end of the document
+    return withFixedDates(d->bytes, d->createdUtc);
 }
 
 } // namespace dyncal

@@ -8,12 +8,34 @@
 
 #include <QByteArray>
 
+#include <memory>
+
 namespace dyncal {
 
 /// The certificate as a PDF: A4, vectors, fonts embedded, opaque colours, "DRAFT" behind every page
 /// while it is one. The same input gives the same bytes: dates come from `data.createdUtc`, the
-/// document id from the content. Texts in the language of the installed translator. Needs a
-/// QApplication; empty if the page could not be painted.
-QByteArray certificatePdf(const CertificateData &data, const std::vector<ReportFigure> &figures);
+/// document id from the content. All texts are fixed when this is made, in the language of the
+/// installed translator. Needs a QApplication.
+///
+/// Painted block by block, so that the window can answer in between; `drawNext` needs
+/// ReproducibleOutput.
+class CertificatePdf
+{
+public:
+    CertificatePdf(const CertificateData &data, const std::vector<ReportFigure> &figures);
+    ~CertificatePdf();
+    Q_DISABLE_COPY(CertificatePdf)
+
+    std::size_t blockCount() const;
+    bool isDrawn() const;
+    void drawNext(); ///< the next block
+
+    /// The document, once it is drawn; empty if it could not be painted.
+    QByteArray take();
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+};
 
 } // namespace dyncal

@@ -14,65 +14,109 @@ namespace dyncal {
 
 namespace {
 
-void addComponents(const CalibrationResults &results, std::vector<ReportFigure> &figures)
+/// The makers in the order of the method; each holds the results, whose parts are shared.
+class Makers
 {
-    const ComponentResult &components = *results.components;
-    const WindowResult &window = *results.window;
-    if (components.principal)
-        figures.push_back({"explained", explainedCurves(components)});
-    figures.push_back({"reconstruction", reconstructionCurves(components, window)});
-    figures.push_back({"residuals", residualCurves(components, window)});
-    figures.push_back({"residual-autocovariance", autocovarianceCurves(components, window)});
-    figures.push_back({"residual-spectrum", residualSpectrumCurves(components, window)});
-    figures.push_back({"average", averageCurves(components, window)});
+public:
+    explicit Makers(const CalibrationResults &results)
+        : m_results(results)
+    {
+    }
+
+    template <typename Make>
+    void add(const char *id, Make make)
+    {
+        m_makers.push_back([results = m_results, id, make] {
+            return ReportFigure{id, make(results)};
+        });
+    }
+    void addRaw(const char *id, ChannelRole role)
+    {
+        m_makers.push_back([set = m_results.captures, id, role]() -> std::optional<ReportFigure> {
+            PlotContent content = rawCurves(set->set, role);
+            if (content.curves.empty())
+                return std::nullopt;
+            return ReportFigure{id, std::move(content)};
+        });
+    }
+    std::vector<FigureMaker> take() { return std::move(m_makers); }
+
+private:
+    CalibrationResults m_results;
+    std::vector<FigureMaker> m_makers;
+};
+
+using R = const CalibrationResults &;
+
+void addComponents(R results, Makers &makers)
+{
+    if (results.components->principal)
+        makers.add("explained", [](R r) { return explainedCurves(*r.components); });
+    makers.add(
+        "reconstruction", [](R r) { return reconstructionCurves(*r.components, *r.window); });
+    makers.add("residuals", [](R r) { return residualCurves(*r.components, *r.window); });
+    makers.add("residual-autocovariance",
+        [](R r) { return autocovarianceCurves(*r.components, *r.window); });
+    makers.add(
+        "residual-spectrum", [](R r) { return residualSpectrumCurves(*r.components, *r.window); });
+    makers.add("average", [](R r) { return averageCurves(*r.components, *r.window); });
 }
 
-void addModel(const CalibrationResults &results, std::vector<ReportFigure> &figures)
+void addDecomposition(Makers &makers)
 {
-    const SensorModel &model = *results.model;
-    figures.push_back({"model-data", simulationCurves(*results.input, model, *results.window)});
-    figures.push_back({"model-error", errorCurves(*results.input, model, *results.window)});
-    figures.push_back({"pole-zero", poleZeroCurves(model)});
-    figures.push_back({"step", stepCurves(model, results.input->treatment)});
+    makers.add("singular-values", [](R r) {
+        return singularValueCurves(
+            r.decomposition->hankel, r.decomposition->suggestion, r.input->treatment);
+    });
+    makers.add("bic", [](R r) { return bicCurves(r.decomposition->suggestion); });
+}
+
+void addModel(Makers &makers)
+{
+    makers.add("model-data", [](R r) { return simulationCurves(*r.input, *r.model, *r.window); });
+    makers.add("model-error", [](R r) { return errorCurves(*r.input, *r.model, *r.window); });
+    makers.add("pole-zero", [](R r) { return poleZeroCurves(*r.model); });
+    makers.add("step", [](R r) { return stepCurves(*r.model, r.input->treatment); });
 }
 
 } // namespace
 
+std::vector<FigureMaker> figureMakers(const CalibrationResults &results)
+{
+    Makers makers(results);
+    if (results.captures) {
+        makers.addRaw("raw-dut", ChannelRole::Dut);
+        makers.addRaw("raw-driven-side", ChannelRole::DrivenSide);
+        makers.addRaw("raw-driver", ChannelRole::Driver);
+    }
+    if (!results.window)
+        return makers.take();
+    makers.add("responses", [](R r) { return windowCurves(*r.window); });
+    makers.add("responses-start", [](R r) { return startCurves(*r.window); });
+    if (results.spectrum)
+        makers.add("spectrum", [](R r) { return spectrumCurves(*r.spectrum, *r.window); });
+    if (results.components)
+        addComponents(results, makers);
+    if (!results.input)
+        return makers.take();
+    makers.add("model-input", [](R r) { return modelInputCurves(*r.input, *r.window); });
+    if (results.decomposition)
+        addDecomposition(makers);
+    if (results.model)
+        addModel(makers);
+    if (results.response) {
+        makers.add("magnitude", [](R r) { return bodeMagnitudeCurves(*r.response); });
+        makers.add("phase", [](R r) { return bodePhaseCurves(*r.response); });
+    }
+    return makers.take();
+}
+
 std::vector<ReportFigure> reportFigures(const CalibrationResults &results)
 {
     std::vector<ReportFigure> figures;
-    if (results.captures)
-        for (const auto &[role, id] : {std::pair{ChannelRole::Dut, "raw-dut"},
-                 std::pair{ChannelRole::DrivenSide, "raw-driven-side"},
-                 std::pair{ChannelRole::Driver, "raw-driver"}}) {
-            PlotContent content = rawCurves(results.captures->set, role);
-            if (!content.curves.empty())
-                figures.push_back({id, std::move(content)});
-        }
-    if (!results.window)
-        return figures;
-    figures.push_back({"responses", windowCurves(*results.window)});
-    figures.push_back({"responses-start", startCurves(*results.window)});
-    if (results.spectrum)
-        figures.push_back({"spectrum", spectrumCurves(*results.spectrum, *results.window)});
-    if (results.components)
-        addComponents(results, figures);
-    if (!results.input)
-        return figures;
-    figures.push_back({"model-input", modelInputCurves(*results.input, *results.window)});
-    if (results.decomposition) {
-        const DecompositionResult &decomposition = *results.decomposition;
-        figures.push_back({"singular-values",
-            singularValueCurves(
-                decomposition.hankel, decomposition.suggestion, results.input->treatment)});
-        figures.push_back({"bic", bicCurves(decomposition.suggestion)});
-    }
-    if (results.model)
-        addModel(results, figures);
-    if (results.response) {
-        figures.push_back({"magnitude", bodeMagnitudeCurves(*results.response)});
-        figures.push_back({"phase", bodePhaseCurves(*results.response)});
-    }
+    for (const FigureMaker &make : figureMakers(results))
+        if (std::optional<ReportFigure> figure = make())
+            figures.push_back(std::move(*figure));
     return figures;
 }
 

@@ -6,6 +6,8 @@
 #include "core/pipeline/pipeline.h"
 #include "ui/plot/plot_content.h"
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +20,14 @@ struct ReportFigure
     PlotContent content;
 };
 
-/// Every plot that these results allow, in the order of the method.
+/// Makes one plot; empty where the recordings lack the channel. Holds what it needs of the results.
+using FigureMaker = std::function<std::optional<ReportFigure>()>;
+
+/// One for every plot that these results allow, in the order of the method: making them one by one
+/// leaves the window time to answer.
+std::vector<FigureMaker> figureMakers(const CalibrationResults &results);
+
+/// Every plot at once.
 std::vector<ReportFigure> reportFigures(const CalibrationResults &results);
 
 /// The content of one figure, or null.

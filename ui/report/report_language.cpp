@@ -4,6 +4,7 @@
 #include "ui/report/report_language.h"
 
 #include <QCoreApplication>
+#include <QEvent>
 
 namespace dyncal {
 
@@ -12,12 +13,6 @@ ReportLanguage::ReportLanguage(const std::string &code)
     // A code without a translation leaves this empty: English.
     if (!load(QStringLiteral("dyncal_") + QString::fromStdString(code), QStringLiteral(":/i18n")))
         (void)load(QStringLiteral("dyncal_en"), QStringLiteral(":/i18n"));
-    QCoreApplication::installTranslator(this); // the newest is asked first
-}
-
-ReportLanguage::~ReportLanguage()
-{
-    QCoreApplication::removeTranslator(this);
 }
 
 QString ReportLanguage::translate(
@@ -25,6 +20,26 @@ QString ReportLanguage::translate(
 {
     const QString text = QTranslator::translate(context, source, disambiguation, number);
     return text.isNull() ? QString::fromUtf8(source) : text;
+}
+
+/// Installing and removing tells the application that its language changed; every window would lay
+/// itself out anew, each time.
+bool ReportLanguage::eventFilter(QObject *watched, QEvent *event)
+{
+    return watched == QCoreApplication::instance() && event->type() == QEvent::LanguageChange;
+}
+
+ReportLanguage::Scope::Scope(ReportLanguage &language)
+    : m_language(language)
+{
+    QCoreApplication::instance()->installEventFilter(&language);
+    QCoreApplication::installTranslator(&language); // the newest is asked first
+}
+
+ReportLanguage::Scope::~Scope()
+{
+    QCoreApplication::removeTranslator(&m_language);
+    QCoreApplication::instance()->removeEventFilter(&m_language);
 }
 
 } // namespace dyncal

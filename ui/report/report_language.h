@@ -7,19 +7,34 @@
 
 namespace dyncal {
 
-/// While one of these lives, texts come out in the language of the report, whatever the language of
-/// the window (or of the command line, which has none). A text without translation comes out in
-/// English, never in the window's language. Needs a QCoreApplication.
+/// The texts of a report: in its own language, whatever the language of the window (or of the
+/// command line, which has none). A text without translation comes out in English, never in the
+/// window's language.
 class ReportLanguage : public QTranslator
 {
 public:
     explicit ReportLanguage(const std::string &code); ///< "en", "sv", as in the recipe
-    ~ReportLanguage() override;
-    Q_DISABLE_COPY(ReportLanguage)
 
     bool isEmpty() const override { return false; }
     QString translate(const char *context, const char *source, const char *disambiguation = nullptr,
         int number = -1) const override;
+
+    /// While one of these lives, every text comes out in the language of the report. The window is
+    /// not told, as its own texts stay: no event may be handled meanwhile. Needs a
+    /// QCoreApplication.
+    class Scope
+    {
+    public:
+        explicit Scope(ReportLanguage &language);
+        ~Scope();
+        Q_DISABLE_COPY(Scope)
+
+    private:
+        ReportLanguage &m_language;
+    };
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
 };
 
 } // namespace dyncal

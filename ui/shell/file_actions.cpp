@@ -3,18 +3,15 @@
 
 #include "ui/shell/file_actions.h"
 
+#include "core/base/atomic_file.h"
 #include "core/capture/format_registry.h"
 #include "ui/session/capture_edit.h"
 #include "ui/session/example.h"
 #include "ui/session/project_file.h"
 #include "ui/text/core_text.h"
 
-#include <QApplication>
 #include <QDir>
 #include <QFileInfo>
-#include <QTemporaryDir>
-
-#include <filesystem>
 
 namespace dyncal {
 
@@ -43,33 +40,23 @@ QString projectFilter()
     return FileActions::tr("Dyncal projects (*.%1)").arg(kProjectSuffix);
 }
 
-Error notWritten(const QString &path)
-{
-    return {ErrorKind::FileUnreadable,
-        {DYNCAL_TEXT("core", "%1 cannot be written; choose another place."), {path.toStdString()}},
-        {}, 0};
-}
-
-/// The pointer says that the program works: drawing happens on this thread.
-class WaitCursor
-{
-public:
-    WaitCursor() { QApplication::setOverrideCursor(Qt::WaitCursor); }
-    ~WaitCursor() { QApplication::restoreOverrideCursor(); }
-};
-
 } // namespace
 
-FileActions::FileActions(
-    Session &session, Outputs outputs, Prompts &prompts, Preferences &preferences, QWidget *window)
+FileActions::FileActions(Session &session, CurrentUtc currentUtc, Prompts &prompts,
+    Preferences &preferences, QWidget *window)
     : QObject(window)
     , m_session(session)
-    , m_outputs(std::move(outputs))
+    , m_currentUtc(std::move(currentUtc))
     , m_prompts(prompts)
     , m_preferences(preferences)
     , m_window(window)
     , m_jobs(this)
+    , m_export(this)
 {
+    connect(&m_export, &ExportJob::progress, this, &FileActions::progress);
+    connect(&m_export, &ExportJob::failed, this, &FileActions::showProblem);
+    connect(&m_export, &ExportJob::finished, this,
+        [this] { emit idle(tr("Written: %1").arg(m_exportTarget)); });
     connect(&session.undoStack(), &QUndoStack::cleanChanged, this, &FileActions::projectChanged);
 }
 
@@ -137,6 +124,8 @@ void FileActions::openPaths(const QStringList &paths)
 
 void FileActions::readRecordings(const QStringList &paths, bool add)
 {
+    if (isExporting())
+        return;
     std::vector<std::string> files;
     for (const QString &path : paths)
         files.push_back(path.toStdString());
@@ -175,7 +164,7 @@ void FileActions::startJob(const ProjectState &state, const QString &path)
 
 void FileActions::openExample()
 {
-    if (!mayDiscard())
+    if (isExporting() || !mayDiscard())
         return;
     emit busy(tr("Making the example"));
     m_jobs.start<CaptureSet>(
@@ -202,6 +191,8 @@ void FileActions::openProject()
 
 void FileActions::openProjectFile(const QString &path)
 {
+    if (isExporting())
+        return;
     emit busy(tr("Opening project"));
     m_jobs.start<ProjectState>(
         [path](const JobControl &control) { return dyncal::openProject(path, control); },
@@ -262,79 +253,74 @@ bool FileActions::hasResults()
     return problem.isEmpty();
 }
 
-/// Drawing happens on this thread: what is said must be on the screen before it begins.
-void FileActions::sayBusy(const QString &work)
+bool FileActions::isExporting()
 {
-    emit busy(work);
-    QCoreApplication::processEvents(QEventLoop::ExcludeUserInputEvents);
+    if (m_export.isRunning())
+        m_prompts.showProblem(m_window,
+            tr("Results are still being written to %1; wait until they are, or press Cancel.")
+                .arg(m_exportTarget));
+    return m_export.isRunning();
+}
+
+bool FileActions::mayQuit()
+{
+    return !isExporting() && mayDiscard();
 }
 
 void FileActions::exportResults()
 {
-    if (!hasResults())
+    if (isExporting() || !hasResults())
         return;
     const QString folder = m_prompts.folder(
         m_window, tr("Export results into a folder"), m_preferences.lastFolder());
     if (folder.isEmpty())
         return;
-    const WaitCursor waiting;
-    sayBusy(tr("Writing results"));
-    const Result<void> written = writeResults(folder);
-    if (written)
-        emit idle(tr("Results written to %1").arg(folder));
-    else
-        showProblem(written.error());
-}
-
-Result<void> FileActions::writeResults(const QString &folder)
-{
-    const Result<std::string> created = m_outputs.currentUtc();
-    if (!created)
-        return tl::unexpected(created.error());
-    const PipelineOutcome outcome{m_session.results(), m_session.error(), m_session.failedStage()};
-    const auto written
-        = m_outputs.writeRun(outcome, m_session.recipe(), *created, folder.toStdString());
-    if (!written)
-        return tl::unexpected(written.error());
-    return {};
+    startExport(folder, ReportParts::CertificateAndPlots,
+        [folder = folder.toStdString()](
+            const RunFiles &run, const JobControl &control) -> Result<void> {
+            const auto written = writeRunFiles(run, folder, control);
+            if (!written)
+                return tl::unexpected<Error>(written.error());
+            return {};
+        });
 }
 
 void FileActions::exportCertificate()
 {
-    if (!hasResults())
+    if (isExporting() || !hasResults())
         return;
+    if (m_session.error()) { // a calibration that did not come to its end has no certificate
+        showProblem(*m_session.error());
+        return;
+    }
     const QString path = m_prompts.saveFile(m_window, tr("Export certificate"),
         tr("PDF documents (*.pdf)"), proposedPath("certificate.pdf"), "pdf");
     if (path.isEmpty())
         return;
-    const WaitCursor waiting;
-    sayBusy(tr("Writing the certificate"));
-    const Result<void> written = writeCertificate(path);
-    if (written)
-        emit idle(tr("Certificate written to %1").arg(path));
-    else
-        showProblem(written.error());
+    startExport(path, ReportParts::Certificate,
+        [path = path.toStdString()](const RunFiles &run, const JobControl &) {
+            return writeFileAtomically(path, run.drawn.front().bytes);
+        });
 }
 
-/// The report is drawn whole, in a folder beside the target, so that the rename is atomic.
-Result<void> FileActions::writeCertificate(const QString &path)
+void FileActions::startExport(
+    const QString &target, ReportParts parts, const ExportJob::Write &write)
 {
-    const QTemporaryDir folder(QFileInfo(path).absolutePath() + "/.dyncal-XXXXXX");
-    if (!folder.isValid())
-        return tl::unexpected(notWritten(path));
-    if (const Result<void> written = writeResults(folder.path()); !written)
-        return written;
-    const std::filesystem::path from = folder.filePath("certificate.pdf").toStdString();
-    std::error_code problem;
-    std::filesystem::rename(from, path.toStdString(), problem);
-    if (problem)
-        return tl::unexpected(notWritten(path));
-    return {};
+    const Result<std::string> created = m_currentUtc();
+    if (!created) {
+        showProblem(created.error());
+        return;
+    }
+    m_exportTarget = target;
+    emit busy(tr("Writing %1").arg(QFileInfo(target).fileName()));
+    const PipelineOutcome outcome{m_session.results(), m_session.error(), m_session.failedStage()};
+    m_export.start({outcome, m_session.recipe(), *created, {}}, parts, write);
 }
 
 void FileActions::cancel()
 {
     m_jobs.cancel();
+    m_export.cancel();
     emit idle(tr("Cancelled"));
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ui/session/session.h"
+#include "ui/shell/export_job.h"
 #include "ui/shell/preferences.h"
 #include "ui/shell/prompts.h"
 
@@ -12,15 +13,8 @@
 
 namespace dyncal {
 
-/// What the program gives the window for writing results: the same that the command line uses.
-struct Outputs
-{
-    std::function<Result<std::string>()> currentUtc; ///< ISO 8601 with Z
-    /// Writes results, recipe, certificate, plots and tables into an existing folder.
-    std::function<Result<std::vector<std::string>>(const PipelineOutcome &, const Recipe &,
-        const std::string &createdUtc, const std::string &folder)>
-        writeRun;
-};
+/// ISO 8601 with Z, from the program: the window reads no clock.
+using CurrentUtc = std::function<Result<std::string>()>;
 
 /// Opening, saving and exporting: what the File menu does. Reading and writing of data runs in the
 /// background; a failure leaves the job as it was and shows one message.
@@ -29,7 +23,7 @@ class FileActions : public QObject
     Q_OBJECT
 
 public:
-    FileActions(Session &session, Outputs outputs, Prompts &prompts, Preferences &preferences,
+    FileActions(Session &session, CurrentUtc currentUtc, Prompts &prompts, Preferences &preferences,
         QWidget *window);
 
     void openCaptures(); ///< asks for files, starts a new job
@@ -48,7 +42,9 @@ public:
     /// False when the operator wants to keep working on unsaved changes.
     bool mayDiscard();
     bool isModified() const;
-    bool isBusy() const { return m_jobs.isRunning(); }
+    bool isBusy() const { return m_jobs.isRunning() || m_export.isRunning(); }
+    /// False, and said why, while results are being written: quitting would leave half of them.
+    bool mayQuit();
     void cancel();
 
     QString projectName() const;
@@ -68,21 +64,22 @@ private:
     void takeRecordings(const CaptureSet &set, bool add);
     void startJob(const ProjectState &state, const QString &path);
     bool saveTo(const QString &path);
-    Result<void> writeResults(const QString &folder);
-    Result<void> writeCertificate(const QString &path);
     bool hasResults();
-    void sayBusy(const QString &work);
+    bool isExporting();
+    void startExport(const QString &target, ReportParts parts, const ExportJob::Write &write);
     void showProblem(const Error &error);
     QString proposedPath(const QString &fileName) const;
 
     Session &m_session;
-    Outputs m_outputs;
+    CurrentUtc m_currentUtc;
     Prompts &m_prompts;
     Preferences &m_preferences;
     QWidget *m_window;
     QString m_path; ///< of the project; empty = never saved
     double m_exampleDuration_s = 0.02;
+    QString m_exportTarget; ///< as it is told when it has been written
     JobRunner m_jobs;
+    ExportJob m_export;
 };
 
 } // namespace dyncal

@@ -51,13 +51,13 @@ constexpr int kFindingsHeight = 230;
 
 } // namespace
 
-MainWindow::MainWindow(Session::Pipeline pipeline, Outputs outputs, Preferences &preferences,
+MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Preferences &preferences,
     Prompts &prompts, Language &language)
     : m_preferences(preferences)
     , m_prompts(prompts)
     , m_language(language)
     , m_session(std::move(pipeline))
-    , m_files(new FileActions(m_session, std::move(outputs), prompts, preferences, this))
+    , m_files(new FileActions(m_session, std::move(currentUtc), prompts, preferences, this))
     , m_centre(new QStackedWidget(this))
     , m_inspectors(new QStackedWidget(this))
     , m_message(new QLabel(this))
@@ -477,7 +477,7 @@ void MainWindow::showEvent(QShowEvent *event)
 
 void MainWindow::closeEvent(QCloseEvent *event)
 {
-    if (!m_files->mayDiscard()) {
+    if (!m_files->mayQuit()) {
         event->ignore();
         return;
     }

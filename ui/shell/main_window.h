@@ -32,7 +32,7 @@ class MainWindow : public QMainWindow
     Q_OBJECT
 
 public:
-    MainWindow(Session::Pipeline pipeline, Outputs outputs, Preferences &preferences,
+    MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Preferences &preferences,
         Prompts &prompts, Language &language);
     ~MainWindow() override;
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/base/atomic_file.h"
 #include "tests/support/example_results.h"
-#include "ui/report/report_output.h"
+#include "ui/report/report_drawing.h"
 
 #include <QApplication>
 #include <QDir>
@@ -13,8 +14,11 @@
 #include <QtTest>
 
 using dyncal::CalibrationResults;
+using dyncal::DrawnFile;
 using dyncal::Recipe;
-using dyncal::writeReport;
+using dyncal::ReportDrawing;
+using dyncal::ReportParts;
+using dyncal::Result;
 
 namespace {
 
@@ -33,6 +37,24 @@ Recipe exampleRecipe()
     return recipe;
 }
 
+/// Draws and writes; the names of the files, the certificate first.
+Result<std::vector<std::string>> writeReport(const CalibrationResults &results,
+    const Recipe &recipe, const std::string &createdUtc, const std::string &folder)
+{
+    const auto drawn = dyncal::drawReport(results, recipe, createdUtc);
+    if (!drawn)
+        return tl::unexpected(drawn.error());
+    std::vector<std::string> names;
+    for (const DrawnFile &file : *drawn) {
+        const QString path = QString::fromStdString(folder + '/' + file.name);
+        if (!QFileInfo(path).dir().mkpath(".")
+            || !dyncal::writeFileAtomically(path.toStdString(), file.bytes))
+            return dyncal::fail(dyncal::ErrorKind::Internal, {"not written", {}});
+        names.push_back(file.name);
+    }
+    return names;
+}
+
 /// Output of a tool, or empty where the tool is not installed or fails.
 QByteArray outputOf(const QString &tool, const QStringList &arguments)
 {
@@ -43,6 +65,20 @@ QByteArray outputOf(const QString &tool, const QStringList &arguments)
         ? process.readAllStandardOutput()
         : QByteArray();
 }
+
+/// Counts what would make every window lay itself out anew.
+class LanguageCount : public QObject
+{
+public:
+    int changes = 0;
+
+protected:
+    bool eventFilter(QObject *, QEvent *event) override
+    {
+        changes += event->type() == QEvent::LanguageChange ? 1 : 0;
+        return false;
+    }
+};
 
 bool has(const char *tool)
 {
@@ -70,7 +106,9 @@ private slots:
     void pdf_pages_carryNumberAndDraftMark();
     void write_noResults_stillGivesCertificate();
     void write_manyPolesAndFindings_repeatsTableHeads();
-    void write_folderOfFile_failsWithSentence();
+    void draw_inSteps_givesTheSameBytesAndTellsHowFar();
+    void draw_certificateOnly_givesTheSameCertificateAndNoPlot();
+    void draw_betweenSteps_leavesLanguageAndNumbersOfTheWindow();
 
 private:
     QString certificate() const { return m_folder.filePath("certificate.pdf"); }
@@ -84,12 +122,8 @@ void TestReport::initTestCase()
     const auto files = writeReport(
         dyncal::example::calibration(), exampleRecipe(), kCreated, m_folder.path().toStdString());
     QVERIFY(files.has_value());
-    QCOMPARE(files->size(), std::size_t(2));
-    QCOMPARE(files->front(), certificate().toStdString());
-    QCOMPARE(files->back(), m_folder.filePath("plots/").toStdString());
-    m_files.push_back("certificate.pdf");
-    for (const QString &plot : QDir(m_folder.filePath("plots")).entryList(QDir::Files))
-        m_files.push_back("plots/" + plot.toStdString());
+    QCOMPARE(files->front(), std::string("certificate.pdf"));
+    m_files = *files;
 }
 
 void TestReport::write_completeResults_givesCertificateAndPlots()
@@ -278,12 +312,66 @@ void TestReport::write_manyPolesAndFindings_repeatsTableHeads()
     QVERIFY(headed >= 3);
 }
 
-void TestReport::write_folderOfFile_failsWithSentence()
+void TestReport::draw_inSteps_givesTheSameBytesAndTellsHowFar()
 {
-    const auto files = writeReport(
-        CalibrationResults{}, Recipe{}, kCreated, certificate().toStdString() + "/below");
-    QVERIFY(!files.has_value());
-    QVERIFY(english(files.error().message).find("cannot be written") != std::string::npos);
+    ReportDrawing drawing(dyncal::example::calibration(), exampleRecipe(), kCreated,
+        ReportParts::CertificateAndPlots);
+    double fraction = drawing.fraction();
+    int steps = 0;
+    for (; !drawing.isDone(); ++steps) {
+        drawing.draw(std::chrono::milliseconds(0)); // one step
+        QVERIFY(drawing.fraction() >= 0.0 && drawing.fraction() <= 1.0);
+        fraction = drawing.fraction();
+    }
+    QVERIFY(steps > 60); // figures, blocks of the certificate and plots, one by one
+    QVERIFY(fraction > 0.95);
+    const Result<std::vector<DrawnFile>> drawn = drawing.take();
+    QVERIFY(drawn.has_value());
+    QCOMPARE(drawn->size(), m_files.size());
+    for (std::size_t i = 0; i < m_files.size(); ++i) {
+        QCOMPARE((*drawn)[i].name, m_files[i]);
+        QVERIFY2(QByteArray::fromStdString((*drawn)[i].bytes)
+                == bytesOf(m_folder.filePath(QString::fromStdString(m_files[i]))),
+            m_files[i].c_str());
+    }
+}
+
+void TestReport::draw_certificateOnly_givesTheSameCertificateAndNoPlot()
+{
+    ReportDrawing drawing(
+        dyncal::example::calibration(), exampleRecipe(), kCreated, ReportParts::Certificate);
+    drawing.draw(std::chrono::hours(1));
+    QVERIFY(drawing.isDone());
+    const Result<std::vector<DrawnFile>> drawn = drawing.take();
+    QVERIFY(drawn.has_value());
+    QCOMPARE(drawn->size(), std::size_t(1));
+    QVERIFY(QByteArray::fromStdString(drawn->front().bytes) == bytesOf(certificate()));
+}
+
+void TestReport::draw_betweenSteps_leavesLanguageAndNumbersOfTheWindow()
+{
+    QTranslator window;
+    QVERIFY(window.load("dyncal_sv", ":/i18n"));
+    QCoreApplication::installTranslator(&window);
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::Swedish));
+    LanguageCount count;
+    QCoreApplication::instance()->installEventFilter(&count);
+    ReportDrawing drawing(
+        dyncal::example::calibration(), exampleRecipe(), kCreated, ReportParts::Certificate);
+    const QString swedish = QCoreApplication::translate("Report", "DRAFT");
+    while (!drawing.isDone()) {
+        drawing.draw(std::chrono::milliseconds(0));
+        QCOMPARE(QCoreApplication::translate("Report", "DRAFT"), swedish);
+        QCOMPARE(QLocale().language(), QLocale::Swedish);
+    }
+    QCOMPARE(count.changes, 0); // windows would lay themselves out anew at each step
+    QCoreApplication::instance()->removeEventFilter(&count);
+    QLocale::setDefault(before);
+    QCoreApplication::removeTranslator(&window);
+    const Result<std::vector<DrawnFile>> drawn = drawing.take();
+    QVERIFY(drawn.has_value());
+    QVERIFY(QByteArray::fromStdString(drawn->front().bytes) == bytesOf(certificate()));
 }
 
 QTEST_MAIN(TestReport)

@@ -72,9 +72,9 @@ void TestExampleInWindow::initTestCase()
 {
     m_language.install("en");
     m_prompts.setScripted();
-    const Outputs outputs{[] { return Result<std::string>("2026-01-31T12:00:00Z"); }, {}};
+    const auto noon = [] { return Result<std::string>("2026-01-31T12:00:00Z"); };
     m_window
-        = std::make_unique<MainWindow>(runPipeline, outputs, m_preferences, m_prompts, m_language);
+        = std::make_unique<MainWindow>(runPipeline, noon, m_preferences, m_prompts, m_language);
     m_window->show();
     m_window->files().setExampleDuration(kDuration_s);
     m_window->files().openExample();

@@ -36,18 +36,6 @@ constexpr int kCapturesRow = 0;
 constexpr int kWindowRow = 2;
 constexpr int kOrderRow = 6;
 
-/// Stands in for the program's writer: results and a certificate.
-Result<std::vector<std::string>> writeSample(const PipelineOutcome &outcome, const Recipe &recipe,
-    const std::string &createdUtc, const std::string &folder)
-{
-    const std::string results = folder + "/results.json";
-    const std::string certificate = folder + "/certificate.pdf";
-    if (!writeFileAtomically(results, resultsJson(outcome, recipe, createdUtc))
-        || !writeFileAtomically(certificate, "%PDF-1.4"))
-        return fail(ErrorKind::FileUnreadable, {"Cannot write %1.", {folder}});
-    return std::vector<std::string>{results, certificate};
-}
-
 /// A window over formula results, with scripted dialogs and its own settings file.
 struct Bench
 {
@@ -62,10 +50,9 @@ struct Bench
         language.install("en");
         prompts.setScripted();
         preferences.setLastFolder(folder.path());
-        const Outputs outputs{
-            [] { return Result<std::string>("2026-01-31T12:00:00Z"); }, writeSample};
+        const auto noon = [] { return Result<std::string>("2026-01-31T12:00:00Z"); };
         window = std::make_unique<MainWindow>(
-            std::move(pipeline), outputs, preferences, prompts, language);
+            std::move(pipeline), noon, preferences, prompts, language);
         window->resize(1400, 900);
         window->show();
     }
@@ -125,7 +112,6 @@ private slots:
     void wrongFile_dropped_changesNothingAndSaysSoOnce();
     void language_switched_retranslatesEverything();
     void export_withoutResults_saysWhy();
-    void export_results_writesWhatIsOnTheScreen();
     void caution_reasonGiven_isInTheRecipe();
 };
 
@@ -390,32 +376,6 @@ void TestMainWindow::export_withoutResults_saysWhy()
     Bench bench;
     bench.window->files().exportResults();
     QCOMPARE(bench.prompts.shownProblems().size(), 1);
-}
-
-void TestMainWindow::export_results_writesWhatIsOnTheScreen()
-{
-    Bench bench;
-    bench.openSample();
-    const QString folder = bench.folder.filePath("out");
-    QVERIFY(QDir().mkpath(folder));
-    bench.prompts.setNextFile(folder);
-    bench.window->files().exportResults();
-    QCOMPARE(bench.prompts.shownProblems(), QStringList());
-    QFile file(folder + "/results.json");
-    QVERIFY(file.open(QIODevice::ReadOnly));
-    const QJsonObject json = QJsonDocument::fromJson(file.readAll()).object();
-    QCOMPARE(json["schema"].toString(), QString("dyncal-results/1"));
-    QCOMPARE(json["created_utc"].toString(), QString("2026-01-31T12:00:00Z"));
-    QCOMPARE(json["model"]["fit_percent"].toDouble(),
-        bench.window->session().results().model->fit_percent);
-    const QString certificate = bench.folder.filePath("c1");
-    bench.prompts.setNextFile(certificate);
-    bench.window->files().exportCertificate();
-    QCOMPARE(bench.prompts.shownProblems(), QStringList());
-    QVERIFY(QFile::exists(certificate + ".pdf"));
-    // Nothing half-made stays beside it.
-    QCOMPARE(QDir(bench.folder.path()).entryList({".dyncal*"}, QDir::AllEntries | QDir::Hidden),
-        QStringList());
 }
 
 void TestMainWindow::caution_reasonGiven_isInTheRecipe()

@@ -1,0 +1,159 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/report/report_drawing.h"
+
+#include "ui/plot/plot_export.h"
+#include "ui/report/certificate_pdf.h"
+#include "ui/report/certificate_sources.h"
+#include "ui/report/report_figures.h"
+#include "ui/report/report_language.h"
+#include "ui/report/reproducible_output.h"
+
+#include <QApplication>
+#include <QBuffer>
+#include <QElapsedTimer>
+
+#include <algorithm>
+
+namespace dyncal {
+
+namespace {
+
+constexpr QSize kPlotSize(900, 480);
+/// Blocks of a certificate before its layout is known: only the progress needs it.
+constexpr std::size_t kUsualBlocks = 150;
+
+std::string plotName(std::size_t number, const std::string &id)
+{
+    return (number < 10 ? "plots/0" : "plots/") + std::to_string(number) + "-" + id + ".svg";
+}
+
+} // namespace
+
+struct ReportDrawing::Private
+{
+    CalibrationResults results; ///< `data` and the makers point into it
+    CertificateData data;
+    ReportLanguage language;
+    std::vector<FigureMaker> makers;
+    bool plots = true;
+    std::vector<ReportFigure> figures;
+    std::unique_ptr<CertificatePdf> certificate;
+    std::vector<DrawnFile> drawn;
+    std::size_t steps = 0;
+    bool failed = false;
+
+    Private(const CalibrationResults &shown, const Recipe &recipe, const std::string &createdUtc)
+        : results(shown)
+        , data(makeCertificate(certificateSources(results, recipe, createdUtc)))
+        , language(data.language)
+        , makers(figureMakers(results))
+    {
+    }
+
+    bool isDone() const
+    {
+        const std::size_t documents = plots ? figures.size() + 1 : 1;
+        return failed || (steps >= makers.size() && drawn.size() >= documents);
+    }
+
+    std::size_t stepCount() const
+    {
+        const std::size_t blocks = certificate ? certificate->blockCount() : kUsualBlocks;
+        return makers.size() + blocks + (plots ? makers.size() : 0) + 2;
+    }
+
+    void step()
+    {
+        const std::size_t number = steps++;
+        if (number < makers.size())
+            makeFigure(makers[number]);
+        else if (!certificate)
+            certificate = std::make_unique<CertificatePdf>(data, figures);
+        else if (!certificate->isDrawn())
+            certificate->drawNext();
+        else if (drawn.empty())
+            finishCertificate();
+        else
+            drawPlot(drawn.size() - 1);
+    }
+
+    void makeFigure(const FigureMaker &make)
+    {
+        if (std::optional<ReportFigure> figure = make())
+            figures.push_back(std::move(*figure));
+    }
+
+    void finishCertificate()
+    {
+        const QByteArray pdf = certificate->take();
+        failed = pdf.isEmpty();
+        drawn.push_back({"certificate.pdf", pdf.toStdString()});
+    }
+
+    void drawPlot(std::size_t index)
+    {
+        const PlotPicture picture{
+            std::make_shared<const PlotContent>(figures[index].content), {}, {}, {}};
+        QBuffer svg;
+        svg.open(QIODevice::WriteOnly);
+        failed = !writePicture(picture, kPlotSize, "svg", svg);
+        drawn.push_back({plotName(index + 1, figures[index].id), svg.data().toStdString()});
+    }
+};
+
+ReportDrawing::ReportDrawing(const CalibrationResults &results, const Recipe &recipe,
+    const std::string &createdUtc, ReportParts parts)
+    : d(std::make_unique<Private>(results, recipe, createdUtc))
+{
+    d->plots = parts == ReportParts::CertificateAndPlots;
+    d->failed = !qobject_cast<QApplication *>(QCoreApplication::instance());
+}
+
+ReportDrawing::~ReportDrawing() = default;
+
+bool ReportDrawing::isDone() const
+{
+    return d->isDone();
+}
+
+double ReportDrawing::fraction() const
+{
+    const double share = static_cast<double>(d->steps) / static_cast<double>(d->stepCount());
+    return std::min(share, 1.0);
+}
+
+void ReportDrawing::draw(std::chrono::milliseconds budget)
+{
+    if (isDone())
+        return;
+    QElapsedTimer used;
+    used.start();
+    const ReproducibleOutput reproducible;
+    const ReportLanguage::Scope language(d->language);
+    do
+        d->step();
+    while (!isDone() && used.elapsed() < budget.count());
+}
+
+Result<std::vector<DrawnFile>> ReportDrawing::take()
+{
+    if (d->failed)
+        return fail(ErrorKind::Internal,
+            {DYNCAL_TEXT("core",
+                 "The certificate and the plots cannot be drawn: the program found nothing to draw "
+                 "on; start it anew."),
+                {}});
+    return std::move(d->drawn);
+}
+
+Result<std::vector<DrawnFile>> drawReport(
+    const CalibrationResults &results, const Recipe &recipe, const std::string &createdUtc)
+{
+    ReportDrawing drawing(results, recipe, createdUtc, ReportParts::CertificateAndPlots);
+    drawing.draw(std::chrono::hours(24));
+    return drawing.take();
+}
+
+} // namespace dyncal

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/result.h"
+#include "core/pipeline/run_files.h"
+
+#include <chrono>
+#include <memory>
+#include <vector>
+
+namespace dyncal {
+
+enum class ReportParts { Certificate, CertificateAndPlots };
+
+/// Draws certificate.pdf and plots/NN-name.svg of one set of results in memory, in steps: drawing
+/// needs the thread of the window, which must stay free to answer. All texts are in the language of
+/// the recipe's certificate, whatever that of the window; `createdUtc` (ISO 8601 with Z) is printed
+/// and makes the bytes reproducible. Needs a QApplication.
+class ReportDrawing
+{
+public:
+    ReportDrawing(const CalibrationResults &results, const Recipe &recipe,
+        const std::string &createdUtc, ReportParts parts);
+    ~ReportDrawing();
+    ReportDrawing(const ReportDrawing &) = delete;
+    ReportDrawing &operator=(const ReportDrawing &) = delete;
+
+    bool isDone() const;
+    double fraction() const; ///< 0..1
+    /// Draws until all is done or, at the end of a step, `budget` is used up. One step takes some
+    /// ten milliseconds at most.
+    void draw(std::chrono::milliseconds budget);
+
+    /// What was drawn, the certificate first. Internal if drawing failed.
+    Result<std::vector<DrawnFile>> take();
+
+private:
+    struct Private;
+    std::unique_ptr<Private> d;
+};
+
+/// All at once, for callers without a window.
+Result<std::vector<DrawnFile>> drawReport(
+    const CalibrationResults &results, const Recipe &recipe, const std::string &createdUtc);
+
+} // namespace dyncal

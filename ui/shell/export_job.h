@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "ui/report/report_drawing.h"
+#include "ui/session/job_runner.h"
+
+#include <QTimer>
+
+namespace dyncal {
+
+/// Writes results while the window goes on answering: the documents are drawn on the thread of the
+/// window, some milliseconds at a time, then everything is written in the background. What is
+/// written are the results of the moment it was started. Stopped while drawing, nothing on disk has
+/// changed.
+class ExportJob : public QObject
+{
+    Q_OBJECT
+
+public:
+    /// Puts the drawn run on disk; called in the background.
+    using Write = std::function<Result<void>(const RunFiles &, const JobControl &)>;
+
+    explicit ExportJob(QObject *parent);
+
+    void start(RunFiles run, ReportParts parts, Write write);
+    void cancel();
+    bool isRunning() const { return m_drawing || m_jobs.isRunning(); }
+
+signals:
+    void progress(double fraction);
+    void finished();
+    void failed(const dyncal::Error &error);
+
+private:
+    void drawSome();
+    void write(std::vector<DrawnFile> drawn);
+
+    RunFiles m_run;
+    Write m_write;
+    std::unique_ptr<ReportDrawing> m_drawing;
+    QTimer m_tick;
+    JobRunner m_jobs;
+};
+
+} // namespace dyncal
