@@ -194,6 +194,10 @@ private slots:
         uneven.channel<std::int16_t>(kA, 1).channel<std::int32_t>(kB, 2);
         uneven.data().add<std::int16_t>(1).add(2).add(3);
         row("interleaved of different lengths", uneven.bytes());
+        Segment twice(kFresh); // found by fuzzing: the second description has another type
+        twice.channel<std::int32_t>(kB, 1).object(kB, twice.index(0, 1));
+        twice.data().add(1);
+        row("one object twice", twice.bytes());
     }
 
     void damageLater_keepsWhatStandsBefore()
