@@ -355,6 +355,17 @@ private slots:
         QVERIFY(clock.elapsed() < 5 * kLongestRefusal_ms);
     }
 
+    void daqmxChannelsOfTheSameBytes_areRefused()
+    {
+        Segment segment(kFresh);
+        for (int i = 0; i < 1000; ++i)
+            segment.object("/'g'/'" + std::to_string(i) + "'",
+                segment.daqmx(4, {TdmsWriterScaler{3, 0, 0, 0}}, {2}));
+        segment.data().all<std::int16_t>({1, 2, 3, 4});
+        const auto set = m_folder.read(segment.bytes());
+        QVERIFY(!set && findingId(set) == "CAP-018");
+    }
+
     void cancelled_readingStops()
     {
         std::stop_source source;
