@@ -38,9 +38,12 @@ std::vector<Group> groupsOf(const TdmsContents &contents)
     return groups;
 }
 
+/// SignalExpress writes these to the group and again to its channels.
 std::optional<std::uint64_t> countIn(const Group &group, const char *name)
 {
-    return group.object != nullptr ? countOf(group.object->properties, name) : std::nullopt;
+    const auto count
+        = group.object != nullptr ? countOf(group.object->properties, name) : std::nullopt;
+    return count ? count : countOf(group.channels.front()->properties, name);
 }
 
 Finding leftOut(Message message)

@@ -538,6 +538,19 @@ private slots:
         QVERIFY(hasFinding(set->findings, "CAP-018"));
     }
 
+    void signalExpress_levelOfTheChannelAlone_counts()
+    {
+        Segment segment(kFresh);
+        segment.channel<std::int16_t>("/'All Data'/'ai0'", 1);
+        segment.property("DecimationLevel", std::int32_t{0});
+        segment.channel<std::int16_t>("/'Decimated'/'ai0'", 1);
+        segment.property("DecimationLevel", std::int32_t{1});
+        segment.data().all<std::int16_t>({1, 2});
+        const auto set = m_folder.read(segment.bytes());
+        QCOMPARE(set->shots.size(), std::size_t{1});
+        QCOMPARE(valuesIn(set, "ai0"), numbers(1));
+    }
+
     void unknownVersion_isReadAndSaid()
     {
         Segment segment = waveform(1e-6);
