@@ -238,15 +238,14 @@ void TestTextParts::readCell_numbers()
 void TestTextParts::sampleColumn_emptyCells_areInvalidOnlyBeforeAValue()
 {
     SampleColumn column;
-    column.addValue(1.0);
-    column.addEmpty();
-    column.addEmpty();
+    column.addValueAt(0, 1.0);
     QCOMPARE(column.size(), Index(1));
-    column.addValue(2.0);
-    column.addEmpty();
+    QVERIFY(!column.hasGaps());
+    column.addValueAt(3, 2.0);
     QCOMPARE(column.size(), Index(4));
     QVERIFY(std::isnan(column.values()[1]) && std::isnan(column.values()[2]));
     QCOMPARE(column.values()[3], 2.0);
+    QVERIFY(column.hasGaps());
 }
 
 void TestTextParts::utf8Text_foreignBytes_areWindows1252()
