@@ -87,9 +87,9 @@ std::string nameOfType(hid_t type)
 class DatasetMaker
 {
 public:
-    DatasetMaker(hid_t dataset, hsize_t fileBytes)
+    DatasetMaker(hid_t dataset, const Hdf5FileFacts &file)
         : m_dataset(dataset)
-        , m_fileBytes(fileBytes)
+        , m_file(file)
         , m_type(H5Dget_type(dataset), &H5Tclose)
         , m_creation(H5Dget_create_plist(dataset), &H5Pclose)
         , m_space(H5Dget_space(dataset), &H5Sclose)
@@ -176,7 +176,7 @@ private:
         const hsize_t bytes = H5Tget_size(m_type.id());
         const hsize_t stored = H5Dget_storage_size(m_dataset);
         const hsize_t credible = isFiltered() ? stored * kMaxCompression + kSmallBytes : stored;
-        if (stored > m_fileBytes || bytes == 0 || m_made.elements() > credible / bytes)
+        if (stored > m_file.bytes || bytes == 0 || m_made.elements() > credible / bytes)
             return Hdf5Obstacle::Incomplete;
         const bool chunked = H5Pget_layout(m_creation.id()) == H5D_CHUNKED;
         if (chunked && !(readChunkShape() && allChunksThere()))
@@ -238,8 +238,8 @@ private:
             m_made.blockShape = m_made.shape;
             m_made.blockOffsets = {H5Dget_offset(m_dataset)};
             return m_made.blockOffsets.front() != HADDR_UNDEF;
-        case H5D_CHUNKED:
-            return m_chunks <= kMaxLocatedChunks && locateChunks();
+        case H5D_CHUNKED: // versions of the library differ in whether the user block is counted in
+            return m_file.userBlockBytes == 0 && m_chunks <= kMaxLocatedChunks && locateChunks();
         default:
             return false;
         }
@@ -269,7 +269,7 @@ private:
     }
 
     hid_t m_dataset;
-    hsize_t m_fileBytes;
+    const Hdf5FileFacts &m_file;
     Hdf5Handle m_type;
     Hdf5Handle m_creation;
     Hdf5Handle m_space;
@@ -279,9 +279,9 @@ private:
 
 } // namespace
 
-Hdf5Dataset describeDataset(hid_t dataset, hsize_t fileBytes)
+Hdf5Dataset describeDataset(hid_t dataset, const Hdf5FileFacts &file)
 {
-    return DatasetMaker(dataset, fileBytes).make();
+    return DatasetMaker(dataset, file).make();
 }
 
 } // namespace dyncal

@@ -54,7 +54,9 @@ public:
     explicit TreeMaker(hid_t file)
         : m_file(file)
     {
-        H5Fget_filesize(file, &m_fileBytes);
+        H5Fget_filesize(file, &m_facts.bytes);
+        const Hdf5Handle creation(H5Fget_create_plist(file), &H5Pclose);
+        H5Pget_userblock(creation.id(), &m_facts.userBlockBytes);
     }
 
     std::optional<Hdf5Tree> make(Hdf5Depth depth)
@@ -113,7 +115,7 @@ private:
             result.attributes = readAttributes(opened);
         result.isDataset = kind == H5I_DATASET;
         if (result.isDataset)
-            result.dataset = describeDataset(opened, m_fileBytes);
+            result.dataset = describeDataset(opened, m_facts);
         return result;
     }
 
@@ -132,7 +134,7 @@ private:
     }
 
     hid_t m_file;
-    hsize_t m_fileBytes = 0;
+    Hdf5FileFacts m_facts;
     Hdf5Tree m_tree;
     std::map<haddr_t, Index> m_positions;
     std::deque<Group> m_groups;

@@ -24,7 +24,14 @@ Hdf5Handle openHdf5File(const std::string &path);
 /// Empty if the file cannot be opened.
 std::optional<Hdf5Tree> describeHdf5(const std::string &path, Hdf5Depth depth);
 
-/// A dataset by itself. `fileBytes` is held against what it claims.
-Hdf5Dataset describeDataset(hid_t dataset, hsize_t fileBytes);
+/// What must be known of the file to judge what its datasets claim.
+struct Hdf5FileFacts
+{
+    hsize_t bytes = 0;
+    hsize_t userBlockBytes = 0; ///< before the HDF5 part
+};
+
+/// A dataset by itself.
+Hdf5Dataset describeDataset(hid_t dataset, const Hdf5FileFacts &file);
 
 } // namespace dyncal
