@@ -253,9 +253,11 @@ std::vector<ChannelCandidate> chosenOf(const std::vector<ChannelCandidate> &cand
     if (eligible.empty())
         return {};
     const Index length = lengthToRead(eligible);
+    std::erase_if(eligible,
+        [&](const ChannelCandidate *candidate) { return candidate->channels.samples != length; });
     std::vector<ChannelCandidate> chosen;
     for (const ChannelCandidate *candidate : eligible) {
-        if (candidate->channels.samples == length && !timing.isTimes(candidate->dataset))
+        if (eligible.size() == 1 || !timing.isTimes(candidate->dataset))
             chosen.push_back(*candidate);
     }
     return chosen;

@@ -255,7 +255,8 @@ const TimingFinder::Axis *TimingFinder::axisFor(const ForeignDataset &dataset, I
 {
     for (const Hdf5Object *group : dataset.groups) {
         for (const Axis &axis : m_axes) {
-            if (axis.dataset->groups.front() == group && axis.samples == samples)
+            if (axis.dataset->groups.front() == group && axis.samples == samples
+                && axis.dataset->object != dataset.object)
                 return &axis;
         }
     }

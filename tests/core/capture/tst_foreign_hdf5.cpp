@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/base/number_text.h"
 #include "core/capture/foreign_datasets.h"
 #include "core/capture/format_registry.h"
 #include "core/capture/formats/foreign_hdf5.h"
@@ -98,8 +99,12 @@ private slots:
         QTest::addColumn<int>("typeIndex");
         QTest::addColumn<int>("layout");
         for (int type = 0; type < 18; ++type) {
-            for (int layout = 0; layout < 7; ++layout)
+            for (int layout = 0; layout < 7; ++layout) {
+                const bool longRecord = layout == 2 || layout == 3;
+                if (longRecord && type % 5 != 2) // some types will do where it takes long
+                    continue;
                 QTest::addRow("type %d, layout %d", type, layout) << type << layout;
+            }
         }
     }
 
@@ -126,7 +131,9 @@ private slots:
             {type.id, {1 << 20}}, {type.id, {700}, true, 4}, {type.id, {999}, true, 1, true},
             {type.id, {}, false, 0, false, true}};
         const StoredAs as = layouts.at(static_cast<std::size_t>(layout));
-        const std::vector<double> values = valuesOf(type.isSigned, type.bits, 3500);
+        const hsize_t chunk = as.chunk.empty() ? 0 : as.chunk.front(); // the last one is clipped
+        const std::vector<double> values
+            = valuesOf(type.isSigned, type.bits, static_cast<Index>(chunk) + 3500);
         const auto set = readMade([&](const Hdf5TestFile &file) {
             file.dataset("/a", {values.size()}, as, H5T_NATIVE_DOUBLE, values.data());
         });
@@ -598,7 +605,7 @@ private slots:
         QVERIFY(data.shape == std::vector<std::uint64_t>{100});
         QVERIFY(data.channels == Names{"/entry/data"});
         QCOMPARE(data.attributes.at("units"), std::string("bar"));
-        QCOMPARE(data.attributes.at("fs"), std::string("1000000"));
+        QCOMPARE(data.attributes.at("fs"), numberText(1e6));
         QVERIFY(std::string_view(data.whyNot.text).empty());
         const DatasetEntry &never = list->at(1);
         QVERIFY(never.channels.empty() && contains(english(never.whyNot), "claims more"));
