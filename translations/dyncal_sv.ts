@@ -2096,6 +2096,10 @@
         <source>The certificate and the plots cannot be drawn: the program found nothing to draw on; start it anew.</source>
         <translation>Kalibreringsbeviset och diagrammen kan inte ritas: programmet hittade inget att rita på; starta om det.</translation>
     </message>
+    <message>
+        <source>A recording cannot be read any more: its file was changed or is gone; add it again.</source>
+        <translation>En registrering kan inte längre läsas: filen har ändrats eller saknas; lägg till den igen.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::AutoEdit</name>
@@ -2265,6 +2269,10 @@
     <message>
         <source>Remove shot %1</source>
         <translation>Ta bort skott %1</translation>
+    </message>
+    <message>
+        <source> (reading the recordings: %1 %)</source>
+        <translation> (läser registreringarna: %1 %)</translation>
     </message>
 </context>
 <context>
@@ -2542,6 +2550,10 @@
     <message>
         <source>Writing %1</source>
         <translation>Skriver %1</translation>
+    </message>
+    <message>
+        <source>The recordings are still being read for their hashes, which the project keeps; try again in a moment.</source>
+        <translation>Registreringarna läses fortfarande för att beräkna kontrollsummorna som projektet sparar; försök igen om en stund.</translation>
     </message>
 </context>
 <context>
@@ -3075,6 +3087,13 @@
     <message>
         <source>factor %1 to the next</source>
         <translation>faktor %1 till nästa</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::OverviewStrip</name>
+    <message>
+        <source>The whole recording. Drag the box to move the view, its edges to zoom; double click shows everything.</source>
+        <translation>Hela registreringen. Dra i rutan för att flytta vyn, i dess kanter för att zooma; dubbelklicka för att visa allt.</translation>
     </message>
 </context>
 <context>

@@ -133,7 +133,7 @@ void FileActions::readRecordings(const QStringList &paths, bool add)
     emit busy(tr("Reading recordings"));
     m_jobs.start<CaptureSet>(
         [files, settings](
-            const JobControl &control) { return readCaptures(files, settings, control); },
+            const JobControl &control) { return dyncal::openCaptures(files, settings, control); },
         [this, add](Result<CaptureSet> set) {
             if (set)
                 takeRecordings(*set, add);
@@ -223,6 +223,12 @@ bool FileActions::saveAs()
 
 bool FileActions::saveTo(const QString &path)
 {
+    if (!m_session.isSealed()) {
+        m_prompts.showProblem(m_window,
+            tr("The recordings are still being read for their hashes, which the project keeps; "
+               "try again in a moment."));
+        return false;
+    }
     const Result<void> saved = saveProject(path, m_session.state());
     if (!saved) {
         showProblem(saved.error());
