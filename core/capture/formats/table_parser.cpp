@@ -171,10 +171,10 @@ private:
 
     bool isCut(std::string_view line, Index number)
     {
-        if (isBlankRow(line, m_dialect.separator) || isCommentLine(line)
-            || m_table.columns.front().empty())
+        if (isBlankRow(line, m_dialect.separator) || isCommentLine(line))
             return false;
-        const RowEnd end = lastRowEnd(m_text, line, m_dialect);
+        const RowEnd end = m_table.columns.front().empty() ? RowEnd::Unclear
+                                                           : lastRowEnd(m_text, line, m_dialect);
         if (end != RowEnd::Whole)
             m_table.findings.push_back(unfinishedLine(m_path, number, end));
         return end == RowEnd::Cut;

@@ -62,7 +62,7 @@ class TestDelimitedText : public QObject
     Q_OBJECT
 
 private:
-    QTemporaryDir m_folder;
+    QTemporaryDir m_folder{quickTemplate()};
 
     Result<CaptureSet> read(const QByteArray &bytes, const ImportSettings &settings = {})
     {
