@@ -176,11 +176,12 @@ Result<CaptureSet> joinCaptures(const std::vector<std::string> &paths,
 Result<CaptureSet> openCapture(
     const std::string &path, const ImportSettings &settings, const JobControl &control)
 {
-    const Result<const CaptureFormat *> format = formatOf(path, settings);
+    const ImportSettings own = settingsOfFile(settings, path);
+    const Result<const CaptureFormat *> format = formatOf(path, own);
     if (!format)
         return tl::unexpected(format.error());
     const InputFile input = stampedInput(path, (*format)->id);
-    Result<CaptureSet> set = (*format)->read(path, settings, control);
+    Result<CaptureSet> set = (*format)->read(path, own, control);
     if (!set)
         return set;
     set->inputs = {input};

@@ -62,6 +62,7 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
     switch (stage) {
     case StageId::Captures:
         part.import = recipe.import;
+        part.checks = recipe.checks;
         break;
     case StageId::Window:
         part.window = recipe.window;
