@@ -3,7 +3,6 @@
 
 #include "core/capture/formats/delimited_text.h"
 
-#include "core/base/content_hash.h"
 #include "tests/core/capture/capture_test_support.h"
 
 #include <QDirIterator>
@@ -121,7 +120,7 @@ private slots:
         QCOMPARE(channel.sampleRate_Hz, 0.0);
         QCOMPARE(channel.role, ChannelRole::Other);
         QCOMPARE(channel.name, std::string("column 1"));
-        QCOMPARE(channel.sha256, sha256OfSamples(channel.samples));
+        QVERIFY(channel.sha256.empty()); // sealing comes later
         QCOMPARE(good->shots[0].label, std::string("t"));
     }
 
