@@ -138,6 +138,20 @@ private slots:
         QVERIFY(counter.has_value() && counter->findings.empty());
     }
 
+    void read_statedRateWithAReason_isLeftToTheImportRules()
+    {
+        ImportSettings settings = stated(51200.0);
+        settings.sampleRateReason = "the clock was external";
+        const Result<CaptureSet> times = read(table("time (s),p", 0.0, 1e-6), settings);
+        QVERIFY2(times.has_value(), sentence(times).c_str());
+        QVERIFY(near(times->shots[0].channels.at(0).sampleRate_Hz, 1e6)); // what the file says
+        const Result<CaptureSet> bare = read(table("time,p", 0.0, 0.5), settings);
+        QVERIFY2(bare.has_value(), sentence(bare).c_str());
+        QCOMPARE(bare->shots[0].channels.at(0).sampleRate_Hz, 0.0);
+        QCOMPARE(findingId(read(table("time (s),p", 0.0, 1e-6, 20), settings)),
+            std::string("CAP-016")); // a gap has no reason
+    }
+
     void read_frequencies_areNoRecording()
     {
         for (const char *header : {"Frequency,Re", "f (Hz),Re", "Frequenzen /MHz,Re",
