@@ -3,7 +3,7 @@
 
 #include "core/capture/formats/text_bytes.h"
 
-#include <sys/mman.h>
+#include "core/capture/formats/large_pages.h"
 
 #include <array>
 #include <cstdint>
@@ -116,15 +116,13 @@ tl::unexpected<Error> cannotRead(const std::string &path)
 
 } // namespace
 
-/// Large pages: half of the time to read a file from memory is the kernel handing out small ones.
 FileText::FileText(std::size_t size)
 {
-    constexpr std::size_t kLargePage = std::size_t(2) << 20;
     const std::size_t bytes = (size / kLargePage + 1) * kLargePage;
     m_bytes.reset(static_cast<char *>(std::aligned_alloc(kLargePage, bytes)));
     if (!m_bytes)
         throw std::bad_alloc();
-    madvise(m_bytes.get(), bytes, MADV_HUGEPAGE); // only a wish
+    preferLargePages(m_bytes.get(), bytes);
     m_text = {m_bytes.get(), size};
 }
 
