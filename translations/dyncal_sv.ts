@@ -207,6 +207,57 @@
     </message>
 </context>
 <context>
+    <name>Mends</name>
+    <message>
+        <source>Exclude shot %1</source>
+        <translation>Uteslut skott %1</translation>
+    </message>
+    <message>
+        <source>Why is this shot not used? The certificate prints the reason.</source>
+        <translation>Varför används inte detta skott? Skälet skrivs ut i kalibreringsbeviset.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the DUT</source>
+        <translation>”%1” är DUT</translation>
+    </message>
+    <message>
+        <source>Choose %1 as the DUT</source>
+        <translation>Välj %1 som DUT</translation>
+    </message>
+    <message>
+        <source>Swap in all shots</source>
+        <translation>Byt plats i alla skott</translation>
+    </message>
+    <message>
+        <source>Swap DUT and driven side</source>
+        <translation>Byt plats på DUT och drivna sidan</translation>
+    </message>
+    <message>
+        <source>The unit is %1</source>
+        <translation>Enheten är %1</translation>
+    </message>
+    <message>
+        <source>Change the DUT&apos;s unit</source>
+        <translation>Ändra DUT:s enhet</translation>
+    </message>
+    <message>
+        <source>Invert polarity</source>
+        <translation>Vänd polariteten</translation>
+    </message>
+    <message>
+        <source>Change the DUT&apos;s polarity</source>
+        <translation>Ändra DUT:s polaritet</translation>
+    </message>
+    <message>
+        <source>Interpolate gaps of up to %1 samples</source>
+        <translation>Interpolera luckor på högst %1 sampel</translation>
+    </message>
+    <message>
+        <source>Interpolate invalid samples</source>
+        <translation>Interpolera ogiltiga sampel</translation>
+    </message>
+</context>
+<context>
     <name>ModelText</name>
     <message>
         <source>sensor</source>
@@ -803,10 +854,6 @@
     <message>
         <source>%1 is a MATLAB file, which this version does not read; write the samples as CSV or HDF5 capture. Readable are: %2.</source>
         <translation>%1 är en MATLAB-fil, som denna version inte läser; skriv samplen som CSV eller HDF5-registrering. Läsbara format: %2.</translation>
-    </message>
-    <message>
-        <source>%1 is a WAV or other RIFF file, which this version does not read. Readable are: %2.</source>
-        <translation>%1 är en WAV-fil eller annan RIFF-fil, som denna version inte läser. Läsbara format: %2.</translation>
     </message>
     <message>
         <source>%1 is not a recording: it is a program. Readable are: %2.</source>
@@ -2096,6 +2143,134 @@
         <source>The certificate and the plots cannot be drawn: the program found nothing to draw on; start it anew.</source>
         <translation>Kalibreringsbeviset och diagrammen kan inte ritas: programmet hittade inget att rita på; starta om det.</translation>
     </message>
+    <message>
+        <source>%1 is a RIFF file (video, sound font, picture) or a cut WAV, not a recording that can be read. Readable are: %2.</source>
+        <translation>%1 är en RIFF-fil (video, ljudtyper, bild) eller en avklippt WAV, ingen registrering som kan läsas. Läsbara är: %2.</translation>
+    </message>
+    <message>
+        <source>%1 states a sampling interval of %2 s for channel %3, which cannot be; state the sample rate in the recipe&apos;s import section if it is known.</source>
+        <translation>%1 anger ett samplingsintervall på %2 s för kanal %3, vilket inte kan stämma; ange samplingsfrekvensen i receptets importdel om den är känd.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; was left out, because it is no sampled signal (%3).</source>
+        <translation>%1: ”%2” utelämnades, eftersom det inte är en samplad signal (%3).</translation>
+    </message>
+    <message>
+        <source>%1 ends before its first sample, so it is likely an incomplete copy; copy it again.</source>
+        <translation>%1 slutar före sitt första sampel och är därför troligen en ofullständig kopia; kopiera den igen.</translation>
+    </message>
+    <message>
+        <source>%1 ends after %3 of the %4 samples of channel %2 that its header declares, so it is likely an incomplete copy; copy it again.</source>
+        <translation>%1 slutar efter %3 av de %4 sampel i kanal %2 som huvudet anger och är därför troligen en ofullständig kopia; kopiera den igen.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged: its header states %2 as %3, which cannot be; copy the file again.</source>
+        <translation>%1 är skadad: huvudet anger %2 som %3, vilket inte kan stämma; kopiera filen igen.</translation>
+    </message>
+    <message>
+        <source>%1 is a recording of kind %2, which this version does not read; save it as CSV.</source>
+        <translation>%1 är en registrering av slaget %2, som denna version inte läser; spara den som CSV.</translation>
+    </message>
+    <message>
+        <source>%1 holds no sampled signal; record an analog channel and save it again.</source>
+        <translation>%1 innehåller ingen samplad signal; spela in en analog kanal och spara den igen.</translation>
+    </message>
+    <message>
+        <source>%1: the header names %2 columns but the rows have %3 cells, so the comma seems to be both separator and decimal mark; export with another separator, or state separator and decimal in the recipe&apos;s import section.</source>
+        <translation>%1: huvudet namnger %2 kolumner men raderna har %3 celler, så kommat tycks vara både skiljetecken och decimaltecken; exportera med ett annat skiljetecken, eller ange separator och decimal i receptets importdel.</translation>
+    </message>
+    <message>
+        <source>%1: line %2 is a row of %3 numbers like the data, but other text follows it; it was taken as header. Set skip_rows in the recipe&apos;s import section to be certain.</source>
+        <translation>%1: rad %2 är en rad med %3 tal som mätdata, men annan text följer efter den; den togs som huvud. Ange skip_rows i receptets importdel för att vara säker.</translation>
+    </message>
+    <message>
+        <source>%1: line %2 has %3 cells above %4 columns, so the columns are numbered, not named.</source>
+        <translation>%1: rad %2 har %3 celler över %4 kolumner, så kolumnerna är numrerade, inte namngivna.</translation>
+    </message>
+    <message>
+        <source>%1 begins like a header of %2 samples at %3, but has %4 lines, so it is likely an incomplete copy. Copy it again, or set skip_rows in the recipe&apos;s import section.</source>
+        <translation>%1 börjar som ett huvud för %2 sampel med %3 men har %4 rader, så den är troligen en ofullständig kopia. Kopiera den igen, eller ange skip_rows i receptets importdel.</translation>
+    </message>
+    <message>
+        <source>%1: the first %2 lines were taken as header, as they count the %3 lines behind: the sample rate is %4.</source>
+        <translation>%1: de första %2 raderna togs som huvud, eftersom de räknar de %3 raderna efter: samplingsfrekvensen är %4.</translation>
+    </message>
+    <message>
+        <source>%1, line %2 follows %3 blank lines; the file is damaged, or it holds two tables.</source>
+        <translation>%1, rad %2 kommer efter %3 tomma rader; filen är skadad eller innehåller två tabeller.</translation>
+    </message>
+    <message>
+        <source>%1, line %2 is a comment within the data; take it out if the rows around it follow each other, else save them as two files.</source>
+        <translation>%1, rad %2 är en kommentar bland mätdata; ta bort den om raderna omkring följer på varandra, spara dem annars som två filer.</translation>
+    </message>
+    <message>
+        <source>%1 states no sample rate and has no column of times; give the sample rate.</source>
+        <translation>%1 anger ingen samplingsfrekvens och har ingen tidskolumn; ange samplingsfrekvensen.</translation>
+    </message>
+    <message>
+        <source>%1 is no recording over time: its first column, &quot;%2&quot;, holds frequencies. If it holds samples, say so under columns in the recipe&apos;s import section.</source>
+        <translation>%1 är ingen registrering över tid: dess första kolumn, ”%2”, innehåller frekvenser. Om den innehåller sampel, ange det under columns i receptets importdel.</translation>
+    </message>
+    <message>
+        <source>%1: line %2 of the header (&quot;%3&quot;) means %4, but line %5 (&quot;%6&quot;) means %7. Which one is right? State sample_rate_hz in the recipe&apos;s import section.</source>
+        <translation>%1: rad %2 i huvudet (”%3”) betyder %4, men rad %5 (”%6”) betyder %7. Vilken stämmer? Ange sample_rate_hz i receptets importdel.</translation>
+    </message>
+    <message>
+        <source>%1: line %2 of the header (&quot;%3&quot;) means %4, but the column of times steps at %5. Which one is right? State sample_rate_hz in the recipe&apos;s import section; to go against the times, name only the columns of samples there, too.</source>
+        <translation>%1: rad %2 i huvudet (”%3”) betyder %4, men tidskolumnen stegar med %5. Vilken stämmer? Ange sample_rate_hz i receptets importdel; för att gå emot tiderna, namnge dessutom bara kolumnerna med sampel där.</translation>
+    </message>
+    <message>
+        <source>%1: the stated sample rate is %2, but the times, which have no unit, step by %3: that fits neither in s nor in ms, us or ns. Correct the rate, or name only the columns of samples in the recipe&apos;s import section.</source>
+        <translation>%1: den angivna samplingsfrekvensen är %2, men tiderna, som saknar enhet, stegar med %3: det stämmer varken i s, ms, us eller ns. Rätta frekvensen, eller namnge bara kolumnerna med sampel i receptets importdel.</translation>
+    </message>
+    <message>
+        <source>%1: line %2 of the header (&quot;%3&quot;) means %4, but recipe and column of times agree on %5, which was taken.</source>
+        <translation>%1: rad %2 i huvudet (”%3”) betyder %4, men recept och tidskolumn är överens om %5, som används.</translation>
+    </message>
+    <message>
+        <source>%1: line %2 of the header (&quot;%3&quot;) has no unit; in Hz or s it means %4, which was taken as the sample rate.</source>
+        <translation>%1: rad %2 i huvudet (”%3”) saknar enhet; i Hz eller s betyder den %4, som används som samplingsfrekvens.</translation>
+    </message>
+    <message>
+        <source>%1: the recipe&apos;s sample rate of %2 was taken although the file&apos;s column of times steps at %3.</source>
+        <translation>%1: receptets samplingsfrekvens %2 används trots att filens tidskolumn stegar med %3.</translation>
+    </message>
+    <message>
+        <source>%1: column &quot;%2&quot; only counts the rows, so the sample rate is unknown; state sample_rate_hz in the recipe&apos;s import section.</source>
+        <translation>%1: kolumn ”%2” räknar bara raderna, så samplingsfrekvensen är okänd; ange sample_rate_hz i receptets importdel.</translation>
+    </message>
+    <message>
+        <source>%1: column &quot;%2&quot; steps by %3 without a unit, so the sample rate is unknown; state sample_rate_hz in the recipe&apos;s import section.</source>
+        <translation>%1: kolumn ”%2” stegar med %3 utan enhet, så samplingsfrekvensen är okänd; ange sample_rate_hz i receptets importdel.</translation>
+    </message>
+    <message>
+        <source>%1: column &quot;%2&quot; has no unit; its numbers were taken as seconds, which makes the sample rate %3. If that is wrong, write the unit into the title.</source>
+        <translation>%1: kolumn ”%2” saknar enhet; dess tal togs som sekunder, vilket ger samplingsfrekvensen %3. Om det är fel, skriv enheten i rubriken.</translation>
+    </message>
+    <message>
+        <source>%1: the recipe leaves the column of times out, but at line %2 it is not uniform; if samples are missing there, all behind them is shifted.</source>
+        <translation>%1: receptet utelämnar tidskolumnen, men vid rad %2 är den ojämn; om sampel saknas där är allt efter dem förskjutet.</translation>
+    </message>
+    <message>
+        <source>%1: column &quot;%2&quot; rises from row to row like times, but neither title nor unit says so; it was read as samples. If it holds times, name it time under columns in the recipe&apos;s import section.</source>
+        <translation>%1: kolumn ”%2” stiger från rad till rad som tider, men varken rubrik eller enhet säger det; den lästes som sampel. Om den innehåller tider, namnge den time under columns i receptets importdel.</translation>
+    </message>
+    <message>
+        <source>%1 was written as a stream without its length; it was read up to its end (%2 samples per channel), which nothing confirms.</source>
+        <translation>%1 skrevs som en ström utan längd; den lästes till sitt slut (%2 sampel per kanal), vilket inget bekräftar.</translation>
+    </message>
+    <message>
+        <source>%1 ends after %2 of the %3 samples per channel that it declares, or within one; it is likely an incomplete copy.</source>
+        <translation>%1 slutar efter %2 av de %3 sampel per kanal som den anger, eller mitt i ett; den är troligen en ofullständig kopia.</translation>
+    </message>
+    <message>
+        <source>%1 states %2 samples per second, but its bytes per second mean %3; state the sample rate in the recipe&apos;s import section if it is known.</source>
+        <translation>%1 anger %2 sampel per sekund, men dess byte per sekund betyder %3; ange samplingsfrekvensen i receptets importdel om den är känd.</translation>
+    </message>
+    <message>
+        <source>The profile cannot be kept as &quot;%1&quot;; choose another name.</source>
+        <translation>Profilen kan inte sparas som ”%1”; välj ett annat namn.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::AutoEdit</name>
@@ -2110,6 +2285,28 @@
     <message>
         <source>Ticked: the program&apos;s rule decides</source>
         <translation>Markerad: programmets regel bestämmer</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::CaptureImport</name>
+    <message>
+        <source>Add recordings</source>
+        <translation>Lägg till registreringar</translation>
+    </message>
+    <message>
+        <source>Change the import settings</source>
+        <translation>Ändra importinställningarna</translation>
+    </message>
+    <message>
+        <source>Reading recordings</source>
+        <translation>Läser registreringar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shot(s) read</source>
+        <translation>
+            <numerusform>%n skott läst</numerusform>
+            <numerusform>%n skott lästa</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2265,6 +2462,10 @@
     <message>
         <source>Remove shot %1</source>
         <translation>Ta bort skott %1</translation>
+    </message>
+    <message>
+        <source>Import settings...</source>
+        <translation>Importinställningar...</translation>
     </message>
 </context>
 <context>
@@ -2465,21 +2666,6 @@
         <translation>Öppna registreringar</translation>
     </message>
     <message>
-        <source>Reading recordings</source>
-        <translation>Läser registreringar</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n shot(s) read</source>
-        <translation>
-            <numerusform>%n skott inläst</numerusform>
-            <numerusform>%n skott inlästa</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Add recordings</source>
-        <translation>Lägg till registreringar</translation>
-    </message>
-    <message>
         <source>Making the example</source>
         <translation>Skapar exemplet</translation>
     </message>
@@ -2543,6 +2729,10 @@
         <source>Writing %1</source>
         <translation>Skriver %1</translation>
     </message>
+    <message>
+        <source>The example is open</source>
+        <translation>Exemplet är öppnat</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::FindingsPanel</name>
@@ -2569,6 +2759,258 @@
     <message>
         <source>Give a reason...</source>
         <translation>Ange ett skäl...</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::ImportChannelTable</name>
+    <message>
+        <source>Channels of the file</source>
+        <translation>Filens kanaler</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Roll</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Enhet</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Sampel</translation>
+    </message>
+    <message>
+        <source>Role of channel %1</source>
+        <translation>Roll för kanal %1</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::ImportDialog</name>
+    <message>
+        <source>comma</source>
+        <translation>komma</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>punkt</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>tabb</translation>
+    </message>
+    <message>
+        <source>blanks</source>
+        <translation>blanksteg</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>Importera %1</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatiskt</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>Text table</source>
+        <translation>Texttabell</translation>
+    </message>
+    <message>
+        <source>Separator</source>
+        <translation>Skiljetecken</translation>
+    </message>
+    <message>
+        <source>comma ,</source>
+        <translation>komma ,</translation>
+    </message>
+    <message>
+        <source>semicolon ;</source>
+        <translation>semikolon ;</translation>
+    </message>
+    <message>
+        <source>bar |</source>
+        <translation>streck |</translation>
+    </message>
+    <message>
+        <source>Decimal mark</source>
+        <translation>Decimaltecken</translation>
+    </message>
+    <message>
+        <source>point .</source>
+        <translation>punkt .</translation>
+    </message>
+    <message>
+        <source>Header rows</source>
+        <translation>Huvudrader</translation>
+    </message>
+    <message>
+        <source>Time from</source>
+        <translation>Tid från</translation>
+    </message>
+    <message>
+        <source>Sample rate</source>
+        <translation>Samplingsfrekvens</translation>
+    </message>
+    <message>
+        <source>Sensor under test</source>
+        <translation>Givare under provning</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Enhet</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Inverted polarity</source>
+        <translation>Omvänd polaritet</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Tryck</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation>som registrerat</translation>
+    </message>
+    <message>
+        <source>gauge</source>
+        <translation>övertryck</translation>
+    </message>
+    <message>
+        <source>absolute</source>
+        <translation>absolut</translation>
+    </message>
+    <message>
+        <source>Remember as profile</source>
+        <translation>Spara som profil</translation>
+    </message>
+    <message>
+        <source>Name of the profile</source>
+        <translation>Profilens namn</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n file(s)</source>
+        <translation>
+            <numerusform>Importera %n fil</numerusform>
+            <numerusform>Importera %n filer</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>These settings hold for all files of the job.</source>
+        <translation>Inställningarna gäller för alla filer i jobbet.</translation>
+    </message>
+    <message>
+        <source>automatic: %1</source>
+        <translation>automatiskt: %1</translation>
+    </message>
+    <message>
+        <source>no column: the rate is given</source>
+        <translation>ingen kolumn: frekvensen anges</translation>
+    </message>
+    <message>
+        <source>column %1: %2</source>
+        <translation>kolumn %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 rows looked at, unreadable cells: %2. Text: %3.</source>
+        <translation>%1 rader lästa på prov, oläsbara celler: %2. Text: %3.</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>ej angiven</translation>
+    </message>
+    <message>
+        <source>Use the time column: %1</source>
+        <translation>Använd tidskolumnen: %1</translation>
+    </message>
+    <message>
+        <source>Use the header: %1</source>
+        <translation>Använd huvudet: %1</translation>
+    </message>
+    <message>
+        <source>as typed</source>
+        <translation>som inskrivet</translation>
+    </message>
+    <message>
+        <source>from the time column: %1</source>
+        <translation>från tidskolumnen: %1</translation>
+    </message>
+    <message>
+        <source>the file states %1</source>
+        <translation>filen anger %1</translation>
+    </message>
+    <message>
+        <source>Reading the file...</source>
+        <translation>Läser filen...</translation>
+    </message>
+    <message>
+        <source>Cells that are no numbers are marked; change separator, decimal mark or header rows.</source>
+        <translation>Celler som inte är tal är markerade; ändra skiljetecken, decimaltecken eller huvudrader.</translation>
+    </message>
+    <message>
+        <source>The numbers can be read in two ways: choose the decimal mark; the table shows the effect.</source>
+        <translation>Talen kan läsas på två sätt: välj decimaltecken; tabellen visar verkan.</translation>
+    </message>
+    <message>
+        <source>The file does not say its sample rate: type it.</source>
+        <translation>Filen anger inte sin samplingsfrekvens: skriv in den.</translation>
+    </message>
+    <message>
+        <source>Choose which channel is the sensor under test (DUT).</source>
+        <translation>Välj vilken kanal som är givaren under provning (DUT).</translation>
+    </message>
+    <message>
+        <source>Only one channel can be the sensor under test (DUT).</source>
+        <translation>Bara en kanal kan vara givaren under provning (DUT).</translation>
+    </message>
+    <message>
+        <source>Give the profile a name that a file can have.</source>
+        <translation>Ge profilen ett namn som en fil kan ha.</translation>
+    </message>
+    <message>
+        <source>The file can be imported.</source>
+        <translation>Filen kan importeras.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::ImportPreviewTable</name>
+    <message>
+        <source>First rows of the file</source>
+        <translation>Filens första rader</translation>
+    </message>
+    <message>
+        <source>%1 (time)</source>
+        <translation>%1 (tid)</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>saknas</translation>
+    </message>
+    <message>
+        <source>No number under these settings</source>
+        <translation>Inget tal med dessa inställningar</translation>
     </message>
 </context>
 <context>
@@ -2723,6 +3165,10 @@
     <message>
         <source>Give a reason for %1</source>
         <translation>Ange ett skäl för %1</translation>
+    </message>
+    <message>
+        <source>Files that could not be read</source>
+        <translation>Filer som inte kunde läsas</translation>
     </message>
 </context>
 <context>
@@ -3106,6 +3552,48 @@
     <message>
         <source>The plot could not be written to %1; choose a folder that can be written and a name that ends in .svg, .png, .pdf or .csv.</source>
         <translation>Diagrammet kunde inte skrivas till %1; välj en skrivbar mapp och ett namn som slutar på .svg, .png, .pdf eller .csv.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::ProblemPanel</name>
+    <message>
+        <source>Files that could not be read</source>
+        <translation>Filer som inte kunde läsas</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>What is wrong, and what to do</source>
+        <translation>Vad som är fel och vad som kan göras</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Försök igen</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>Kopiera allt</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Stäng</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) could not be read. All others are open.</source>
+        <translation>
+            <numerusform>%n fil kunde inte läsas. Alla andra är öppna.</numerusform>
+            <numerusform>%n filer kunde inte läsas. Alla andra är öppna.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Import settings...</source>
+        <translation>Importinställningar...</translation>
+    </message>
+    <message>
+        <source>Import settings of %1</source>
+        <translation>Importinställningar för %1</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "ui/session/import_profiles.h"
+#include "ui/session/import_view.h"
+#include "ui/session/job_runner.h"
+
+#include <QDialog>
+#include <QTimer>
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class QGroupBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSpinBox;
+
+namespace dyncal {
+
+class ImportChannelTable;
+class ImportPreviewTable;
+class OptionalEdit;
+class QuantityEdit;
+
+/// Says how a file is read, with what it gives beside it: every change shows its effect at once.
+/// Stays open until the file reads without an open question. Changes nothing by itself: the caller
+/// takes settings() when it is accepted.
+class ImportDialog : public QDialog
+{
+    Q_OBJECT
+
+public:
+    /// `files`: how many are read with the same settings; `profiles`: the folder of profiles.
+    ImportDialog(const QString &path, const ImportSettings &settings, int files,
+        const QString &profiles, QWidget *parent);
+
+    const ImportSettings &settings() const { return m_settings; }
+    const ImportView &view() const { return m_view; }
+    bool isLooking() const { return m_jobs.isRunning() || m_later.isActive(); }
+
+    void accept() override;
+
+private:
+    void buildFileRow(QFormLayout *form);
+    QGroupBox *buildText();
+    QWidget *buildRate();
+    QGroupBox *buildSensor();
+    QWidget *buildFoot(int files);
+
+    void look(); ///< soon: reads the file under the settings
+    void lookNow();
+    void show(const ImportView &view);
+    void showSettings();
+    void showText();
+    void showRate();
+    void showVerdict();
+    void chooseRole(int channel, ChannelRole role);
+    void chooseTime(int choice);
+    void nameSampleColumns();
+    void useRate(double rate_Hz, bool withoutTimes);
+    void useProfile(const QString &name);
+    void offerProfile();
+
+    QString m_path;
+    ImportSettings m_settings;
+    ImportProfiles m_profiles;
+    ImportView m_view;
+    bool m_looked = false; ///< m_view belongs to m_settings
+    bool m_offered = false;
+
+    QComboBox *m_profile = nullptr;
+    QComboBox *m_format = nullptr;
+    QGroupBox *m_text = nullptr;
+    QComboBox *m_separator = nullptr;
+    QComboBox *m_decimal = nullptr;
+    QSpinBox *m_header = nullptr;
+    QComboBox *m_time = nullptr;
+    ImportPreviewTable *m_preview = nullptr;
+    QLabel *m_counts = nullptr;
+    OptionalEdit *m_rate = nullptr;
+    QLabel *m_rateSource = nullptr;
+    QPushButton *m_useTimes = nullptr;
+    QPushButton *m_useHeader = nullptr;
+    ImportChannelTable *m_channels = nullptr;
+    QLineEdit *m_unit = nullptr;
+    QuantityEdit *m_scale = nullptr;
+    QCheckBox *m_inverted = nullptr;
+    QComboBox *m_reference = nullptr;
+    QLabel *m_verdict = nullptr;
+    QCheckBox *m_keep = nullptr;
+    QLineEdit *m_keepName = nullptr;
+    QPushButton *m_import = nullptr;
+
+    QTimer m_later;
+    JobRunner m_jobs;
+};
+
+} // namespace dyncal
