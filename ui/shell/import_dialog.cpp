@@ -285,12 +285,12 @@ void ImportDialog::lookNow()
         },
         [this](const Result<ImportView> &view) {
             if (view)
-                show(*view);
+                showView(*view);
         });
     showVerdict();
 }
 
-void ImportDialog::show(const ImportView &view)
+void ImportDialog::showView(const ImportView &view)
 {
     m_view = view;
     m_looked = true;

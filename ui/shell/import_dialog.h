@@ -53,7 +53,7 @@ private:
 
     void look(); ///< soon: reads the file under the settings
     void lookNow();
-    void show(const ImportView &view);
+    void showView(const ImportView &view);
     void showSettings();
     void showText();
     void showRate();

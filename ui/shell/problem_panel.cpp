@@ -67,7 +67,7 @@ ProblemPanel::ProblemPanel(QWidget *parent)
     addButton("copyProblems", tr("Copy all"), [this] { copy(); });
     addButton("dismissProblems", tr("Dismiss"), [this] {
         m_problems.clear();
-        show();
+        showProblems();
     });
     auto *column = new QVBoxLayout(this);
     column->setContentsMargins(6, 4, 6, 6);
@@ -82,10 +82,10 @@ void ProblemPanel::update(
         return std::ranges::find(tried, problem.path) != tried.end();
     });
     m_problems.insert(m_problems.end(), problems.begin(), problems.end());
-    show();
+    showProblems();
 }
 
-void ProblemPanel::show()
+void ProblemPanel::showProblems()
 {
     m_summary->setText(tr("%n file(s) could not be read. All others are open.", nullptr,
         static_cast<int>(m_problems.size())));

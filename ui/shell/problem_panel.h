@@ -31,7 +31,7 @@ signals:
     void retryRequested(const QStringList &paths);
 
 private:
-    void show();
+    void showProblems();
     void addRow(int row, const FileProblem &problem);
     QStringList paths() const;
     void copy() const;
