@@ -57,16 +57,21 @@ std::string sha256Hex(std::string_view text)
     return sha256Hex(std::as_bytes(std::span(text.data(), text.size())));
 }
 
-std::string sha256OfFile(const std::string &path)
+std::string sha256OfFile(const std::string &path, const std::function<bool(std::uintmax_t)> &goOn)
 {
     std::ifstream file(path, std::ios::binary);
     if (!file)
         return {};
     Sha256 hash;
     std::vector<char> block(1 << 20);
+    std::uintmax_t done = 0;
     while (file) {
         file.read(block.data(), std::ssize(block));
-        hash.add(std::as_bytes(std::span(block)).first(static_cast<std::size_t>(file.gcount())));
+        const auto length = static_cast<std::size_t>(file.gcount());
+        hash.add(std::as_bytes(std::span(block)).first(length));
+        done += length;
+        if (goOn && !goOn(done))
+            return {};
     }
     return file.bad() ? std::string() : hash.hex();
 }

@@ -6,6 +6,8 @@
 #include "core/base/index.h"
 
 #include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -36,7 +38,9 @@ private:
 std::string sha256Hex(std::span<const std::byte> bytes);
 std::string sha256Hex(std::string_view text);
 
-/// SHA-256 of a file's bytes, read in blocks; empty if it cannot be read.
-std::string sha256OfFile(const std::string &path);
+/// SHA-256 of a file's bytes, read in blocks; empty if it cannot be read. `goOn` is told the bytes
+/// done after each block and says whether to go on; empty too where it says no.
+std::string sha256OfFile(
+    const std::string &path, const std::function<bool(std::uintmax_t)> &goOn = {});
 
 } // namespace dyncal

@@ -4,145 +4,92 @@
 #include "core/capture/capture_check.h"
 
 #include "core/base/number_text.h"
+#include "core/capture/flat_top.h"
+#include "core/capture/record_survey.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <set>
-#include <type_traits>
+#include <map>
 
 namespace dyncal {
 namespace {
 
-constexpr Index kRunAtRail = 3; ///< consecutive samples that count as saturation
-
-/// One pass over a channel's raw values.
-struct Survey
-{
-    double lowest = 0.0;
-    double highest = 0.0;
-    Index invalid = 0;
-    Index firstInvalid = -1;
-    Index longestTop = 0; ///< samples of the longest run at the highest value
-    Index topBegin = -1;
-    Index longestBottom = 0;
-    Index bottomBegin = -1;
-};
-
-template <typename T>
-bool isValid(T value)
-{
-    if constexpr (std::is_floating_point_v<T>)
-        return std::isfinite(value);
-    return true;
-}
-
-/// Longest run of one value, seen in order.
-class RunLength
-{
-public:
-    explicit RunLength(double level)
-        : m_level(level)
-    {
-    }
-
-    void see(double value, Index i)
-    {
-        m_run = value == m_level ? m_run + 1 : 0;
-        if (m_run > m_longest) {
-            m_longest = m_run;
-            m_begin = i - m_run + 1;
-        }
-    }
-
-    Index longest() const { return m_longest; }
-    Index begin() const { return m_begin; }
-
-private:
-    double m_level;
-    Index m_run = 0;
-    Index m_longest = 0;
-    Index m_begin = -1;
-};
-
-void findExtremes(const RawSamples &samples, Survey &survey)
-{
-    double low = std::numeric_limits<double>::infinity();
-    double high = -low;
-    samples.visitBlocks(0, samples.size(), [&](auto values, Index first) {
-        for (std::size_t i = 0; i < values.size(); ++i) {
-            if (!isValid(values[i])) {
-                if (survey.invalid++ == 0)
-                    survey.firstInvalid = first + static_cast<Index>(i);
-                continue;
-            }
-            low = std::min(low, static_cast<double>(values[i]));
-            high = std::max(high, static_cast<double>(values[i]));
-        }
-    });
-    const bool any = low <= high;
-    survey.lowest = any ? low : 0.0;
-    survey.highest = any ? high : 0.0;
-}
-
-Survey surveyOf(const RawSamples &samples)
-{
-    Survey survey;
-    findExtremes(samples, survey);
-    if (survey.lowest == survey.highest)
-        return survey;
-    RunLength top(survey.highest);
-    RunLength bottom(survey.lowest);
-    samples.visitBlocks(0, samples.size(), [&](auto values, Index first) {
-        for (const auto value : values) {
-            top.see(static_cast<double>(value), first);
-            bottom.see(static_cast<double>(value), first++);
-        }
-    });
-    survey.longestTop = top.longest();
-    survey.topBegin = top.begin();
-    survey.longestBottom = bottom.longest();
-    survey.bottomBegin = bottom.begin();
-    return survey;
-}
+/// A flat record's values stay within so many of the standard deviations that a flat one may have.
+constexpr double kFlatRange = 8.0;
 
 class ChannelChecks
 {
 public:
-    ChannelChecks(Findings &findings, Index shot, const Channel &channel)
+    ChannelChecks(
+        Findings &findings, Index shot, const Channel &channel, const CheckSettings &settings)
         : m_findings(findings)
         , m_shot(shot)
         , m_channel(channel)
-        , m_survey(surveyOf(channel.samples))
+        , m_settings(settings)
+        , m_survey(surveyRecord(channel.samples))
     {
     }
 
     void run()
     {
-        const bool isDut = m_channel.role == ChannelRole::Dut;
-        if (m_channel.samples.size() == 0 || m_survey.lowest == m_survey.highest) {
-            add("CAP-008", isDut ? Severity::Block : Severity::Caution, {},
-                {DYNCAL_TEXT("core",
-                     "Channel '%1' of shot %2 is flat: all %3 samples are %4. Check cable and "
-                     "role."),
-                    {m_channel.name, std::to_string(m_shot),
-                        std::to_string(m_channel.samples.size()),
-                        numberWithUnit(
-                            physicalValue(m_channel, m_survey.lowest), m_channel.unit)}});
-            return;
+        if (!m_survey.readable) {
+            addUnreadable();
+        } else if (m_survey.size == 0 || m_survey.isConstant()) {
+            addConstant();
+        } else if (isFlat()) {
+            addFlat();
+        } else if (isDut()) {
+            checkInvalid();
+            checkSaturation(m_survey.top, m_channel.adcMax,
+                m_channel.adcMax && m_survey.highest >= *m_channel.adcMax);
+            checkSaturation(m_survey.bottom, m_channel.adcMin,
+                m_channel.adcMin && m_survey.lowest <= *m_channel.adcMin);
         }
-        if (!isDut)
-            return;
-        checkInvalid();
-        // Without known rails a flat top of a recording is the only sign; noise-free data have
-        // flat stretches of their own, but hardly at their extreme.
-        if (!m_channel.adcMax || m_survey.highest >= *m_channel.adcMax)
-            checkSaturation(m_survey.highest, m_survey.longestTop, m_survey.topBegin);
-        if (!m_channel.adcMin || m_survey.lowest <= *m_channel.adcMin)
-            checkSaturation(m_survey.lowest, m_survey.longestBottom, m_survey.bottomBegin);
     }
 
 private:
+    bool isDut() const { return m_channel.role == ChannelRole::Dut; }
+
+    /// A trigger may be a matter of one code; a sensor is not.
+    bool isFlat() const
+    {
+        const bool isSensor = isDut() || m_channel.role == ChannelRole::DrivenSide
+            || m_channel.role == ChannelRole::Driver;
+        return isSensor && m_channel.samples.isInteger() && m_survey.sd < m_settings.flatCodes
+            && m_survey.highest - m_survey.lowest <= kFlatRange * m_settings.flatCodes;
+    }
+
+    Severity ofFlat() const { return isDut() ? Severity::Block : Severity::Caution; }
+
+    void addUnreadable()
+    {
+        add("CAP-015", Severity::Block, {},
+            {DYNCAL_TEXT("core",
+                 "Shot %1, channel '%2': the samples cannot be read any more, because the file "
+                 "changed or is out of reach; open it again."),
+                {std::to_string(m_shot), m_channel.name}});
+    }
+
+    void addConstant()
+    {
+        add("CAP-008", ofFlat(), {},
+            {DYNCAL_TEXT("core",
+                 "Channel '%1' of shot %2 is flat: all %3 samples are %4. Check cable and role."),
+                {m_channel.name, std::to_string(m_shot), std::to_string(m_survey.size),
+                    numberWithUnit(physicalValue(m_channel, m_survey.lowest), m_channel.unit)}});
+    }
+
+    void addFlat()
+    {
+        add("CAP-008", ofFlat(), {},
+            {DYNCAL_TEXT("core",
+                 "Channel '%1' of shot %2 is flat: its standard deviation is %3 codes of the "
+                 "converter (%4 is the limit). Check cable and role."),
+                {m_channel.name, std::to_string(m_shot), numberText(m_survey.sd, 2),
+                    numberText(m_settings.flatCodes, 3)}},
+            m_survey.sd, m_settings.flatCodes);
+    }
+
     void checkInvalid()
     {
         if (m_survey.invalid == 0)
@@ -150,29 +97,34 @@ private:
         const double time_s = m_channel.timeOf_s(m_survey.firstInvalid);
         add("CAP-006", Severity::Caution, time_s,
             {DYNCAL_TEXT("core",
-                 "Shot %1, %2: %3 invalid samples, the first at %4 (sample %5). Inside the "
-                 "response "
-                 "window they block the shot; exclude it or set import.interpolate_invalid."),
+                 "Shot %1, %2: %3 invalid samples from %4 on (samples %5 to %6). Inside the "
+                 "response window they block the shot; exclude it or set "
+                 "import.interpolate_invalid."),
                 {std::to_string(m_shot), m_channel.name, std::to_string(m_survey.invalid),
-                    numberWithUnit(time_s, "s", 6), std::to_string(m_survey.firstInvalid)}},
+                    numberWithUnit(time_s, "s", 6), std::to_string(m_survey.firstInvalid),
+                    std::to_string(m_survey.lastInvalid)}},
             static_cast<double>(m_survey.invalid));
     }
 
-    void checkSaturation(double level, Index length, Index begin)
+    /// Where the rail is known only what reaches it is saturated.
+    void checkSaturation(const EqualRun &run, const std::optional<double> &rail, bool atRail)
     {
-        if (length < kRunAtRail)
+        if (run.count < m_settings.saturationRun)
             return;
-        const double time_s = m_channel.timeOf_s(begin);
+        if (rail ? !atRail : !isCutOff(m_channel.samples, m_survey, run))
+            return;
+        const double time_s = m_channel.timeOf_s(run.begin);
         add("CAP-007", Severity::Caution, time_s,
             {DYNCAL_TEXT("core",
                  "Shot %1, %2 is saturated for %3 at %4, from %5 on. Inside the response window "
-                 "that "
-                 "blocks the shot; use a wider range."),
+                 "that blocks the shot; use a wider range."),
                 {std::to_string(m_shot), m_channel.name,
-                    numberWithUnit(static_cast<double>(length) / m_channel.sampleRate_Hz, "s", 3),
-                    numberWithUnit(physicalValue(m_channel, level), m_channel.unit),
+                    numberWithUnit(
+                        static_cast<double>(run.count) / m_channel.sampleRate_Hz, "s", 3),
+                    numberWithUnit(
+                        physicalValue(m_channel, m_channel.samples.at(run.begin)), m_channel.unit),
                     numberWithUnit(time_s, "s", 6)}},
-            static_cast<double>(length), static_cast<double>(kRunAtRail));
+            static_cast<double>(run.count), static_cast<double>(m_settings.saturationRun));
     }
 
     void add(const char *id, Severity severity, std::optional<double> time_s, Message message,
@@ -185,8 +137,14 @@ private:
     Findings &m_findings;
     Index m_shot;
     const Channel &m_channel;
-    Survey m_survey;
+    const CheckSettings &m_settings;
+    RecordSurvey m_survey;
 };
+
+const Channel *includedDut(const Shot &shot)
+{
+    return shot.included ? shot.channelWithRole(ChannelRole::Dut) : nullptr;
+}
 
 /// "100, 100, 50 MHz" in shot order.
 std::string listOf(const std::vector<double> &values, const char *unit)
@@ -203,25 +161,41 @@ bool allEqual(const std::vector<double> &values)
         [&](double value) { return std::abs(value - values.front()) <= 1e-9 * values.front(); });
 }
 
+std::string inputNameOf(const CaptureSet &set, std::size_t shot)
+{
+    const auto input = static_cast<std::size_t>(set.shots[shot].input);
+    return input < set.inputs.size() ? " (" + set.inputs[input].file + ")" : std::string();
+}
+
+/// CAP-011 for an included shot whose DUT recorded just what an earlier one did.
+void checkTwins(const CaptureSet &set, Findings &findings)
+{
+    std::map<std::string, std::size_t> seen;
+    for (std::size_t i = 0; i < set.shots.size(); ++i) {
+        const Channel *dut = includedDut(set.shots[i]);
+        if (!dut || dut->sha256.empty())
+            continue;
+        const auto [first, isNew] = seen.emplace(dut->sha256, i);
+        if (isNew)
+            continue;
+        findings.push_back({"CAP-011", Severity::Caution, static_cast<Index>(i) + 1, dut->name, {},
+            {DYNCAL_TEXT("core",
+                 "Shot %1%2 and shot %3%4 hold identical data; a shot counted twice makes the "
+                 "scatter look smaller than it is. Exclude one of them."),
+                {std::to_string(first->second + 1), inputNameOf(set, first->second),
+                    std::to_string(i + 1), inputNameOf(set, i)}},
+            {}, {}});
+    }
+}
+
 void compareShots(const CaptureSet &set, Findings &findings)
 {
     std::vector<double> rates_Hz;
     std::vector<double> durations_s;
-    std::set<std::string> seen;
-    for (std::size_t i = 0; i < set.shots.size(); ++i) {
-        const Channel *dut
-            = set.shots[i].included ? set.shots[i].channelWithRole(ChannelRole::Dut) : nullptr;
-        if (!dut)
-            continue;
-        rates_Hz.push_back(dut->sampleRate_Hz);
-        durations_s.push_back(dut->duration_s());
-        if (!dut->sha256.empty() && !seen.insert(dut->sha256).second) {
-            findings.push_back(
-                {"CAP-011", Severity::Caution, static_cast<Index>(i) + 1, dut->name, {},
-                    {DYNCAL_TEXT(
-                         "core", "Shot %1 holds the same data as a shot before it; exclude one."),
-                        {std::to_string(i + 1)}},
-                    {}, {}});
+    for (const Shot &shot : set.shots) {
+        if (const Channel *dut = includedDut(shot)) {
+            rates_Hz.push_back(dut->sampleRate_Hz);
+            durations_s.push_back(dut->duration_s());
         }
     }
     if (rates_Hz.size() == 1) {
@@ -252,7 +226,7 @@ void compareShots(const CaptureSet &set, Findings &findings)
 
 } // namespace
 
-Findings checkCaptures(const CaptureSet &set)
+Findings checkCaptures(const CaptureSet &set, const CheckSettings &settings)
 {
     Findings findings;
     for (std::size_t i = 0; i < set.shots.size(); ++i) {
@@ -269,8 +243,9 @@ Findings checkCaptures(const CaptureSet &set)
                 {}, {}});
         }
         for (const Channel &channel : shot.channels)
-            ChannelChecks(findings, number, channel).run();
+            ChannelChecks(findings, number, channel, settings).run();
     }
+    checkTwins(set, findings);
     compareShots(set, findings);
     return findings;
 }

@@ -6,6 +6,7 @@
 #include "core/base/finding.h"
 #include "core/capture/channel.h"
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -34,8 +35,12 @@ struct InputFile
 {
     std::string path; ///< as given
     std::string file; ///< base name
-    std::string sha256; ///< of the file's bytes
+    std::string sha256; ///< of the file's bytes; empty until sealed
     std::string format; ///< name of the reader: "dyncal-capture", "lvm", "text"
+    std::uintmax_t bytes = 0; ///< size when it was opened
+    std::int64_t changed_ns = 0; ///< time of its last change then, on the file system's clock
+
+    bool operator==(const InputFile &) const = default;
 };
 
 /// One burst, recorded on several channels that may differ in rate and length.

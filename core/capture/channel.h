@@ -40,6 +40,7 @@ struct Channel
     double t0_s = 0.0; ///< time of the first sample relative to the trigger
     std::vector<double> polynomial{0.0, 1.0}; ///< physical = sum polynomial[k] counts^k, ascending
     std::string unit = "V";
+    std::string recordedUnit; ///< of the recording where `unit` is its SI unit now; else empty
     std::string quantity;
     PressureReference reference = PressureReference::Unknown;
     double polarity = 1.0; ///< +1 or -1, set by the operator

@@ -42,13 +42,6 @@ constexpr std::array kKinds{
         DYNCAL_TEXT("core", "%1 is a compressed file (gzip); unpack it first. Readable are: %2.")},
     KnownKind{"7z\xBC\xAF"sv,
         DYNCAL_TEXT("core", "%1 is a 7-Zip archive; unpack it first. Readable are: %2.")},
-    KnownKind{"TDSm"sv,
-        DYNCAL_TEXT("core",
-            "%1 is a LabVIEW TDMS file, which this version does not read; export it as LVM or CSV. "
-            "Readable are: %2.")},
-    KnownKind{"TDSh"sv,
-        DYNCAL_TEXT("core",
-            "%1 is only the index of a LabVIEW TDMS file and holds no samples. Readable are: %2.")},
     KnownKind{"MATLAB 5.0 MAT-file"sv, kMatlab},
     KnownKind{"MATLAB 7.3 MAT-file"sv, kMatlab},
     KnownKind{"RIFF"sv,

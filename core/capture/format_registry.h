@@ -23,8 +23,8 @@ struct CaptureFormat
     /// How sure this reader is that the file is its own, from the first bytes (up to 64 KiB)
     /// and the name: 0 not mine .. 100 certain.
     int (*recognise)(const std::string &path, std::string_view head);
-    /// Reads the file whole. Findings go into the set, failure is an Error with kind
-    /// FileUnreadable.
+    /// Reads the file; samples may stay in it and their hash (Channel::sha256) empty. Findings go
+    /// into the set, failure is an Error with kind FileUnreadable.
     Result<CaptureSet> (*read)(
         const std::string &path, const ImportSettings &settings, const JobControl &control);
 };
@@ -35,14 +35,28 @@ const std::vector<CaptureFormat> &captureFormats();
 /// "HDF5 capture (.h5), LabVIEW measurement (.lvm), ..." for messages.
 std::string readableFormatsText();
 
-/// Reads one file with the reader that recognises it (or the one that settings.format names).
-/// Fails with CAP-001 (names what the file looks like and the list of formats) or CAP-018.
-Result<CaptureSet> readCapture(
+/// Fails (Usage) if settings.format is neither "auto" nor the id of a format.
+Result<void> checkFormatName(const ImportSettings &settings);
+
+/// The format that recognises the file, or the one that settings.format names. Fails with CAP-001
+/// (names what the file looks like and the list of formats) or CAP-018.
+Result<const CaptureFormat *> formatOf(const std::string &path, const ImportSettings &settings);
+
+/// Reads one file as far as needed to show it: no hash is computed, samples may stay in the file.
+/// Fails as formatOf() and the format's reader do.
+Result<CaptureSet> openCapture(
     const std::string &path, const ImportSettings &settings, const JobControl &control = {});
 
-/// Reads several files, or folders (every readable file in natural order; unreadable ones there
+/// Opens several files, or folders (every readable file in natural order; unreadable ones there
 /// are skipped with a finding), and joins their shots in the order given. All problems of all
-/// files are in the one Error; a set without shots is an error too.
+/// files are in the one Error; a set without shots is an error too. Calibrate from the set only
+/// after sealCaptures() (capture_seal.h).
+Result<CaptureSet> openCaptures(const std::vector<std::string> &paths,
+    const ImportSettings &settings, const JobControl &control = {});
+
+/// Opened and sealed.
+Result<CaptureSet> readCapture(
+    const std::string &path, const ImportSettings &settings, const JobControl &control = {});
 Result<CaptureSet> readCaptures(const std::vector<std::string> &paths,
     const ImportSettings &settings, const JobControl &control = {});
 

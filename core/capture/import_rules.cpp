@@ -4,6 +4,7 @@
 #include "core/capture/import_rules.h"
 
 #include "core/base/number_text.h"
+#include "core/capture/channel_rules.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,152 +13,126 @@
 namespace dyncal {
 namespace {
 
-/// All channel names of the set, quoted, for messages.
-std::string channelNames(const CaptureSet &set)
+std::string quotedList(const std::set<std::string> &words)
 {
-    std::set<std::string> names;
-    for (const Shot &shot : set.shots) {
-        for (const Channel &channel : shot.channels)
-            names.insert(channel.name);
-    }
     std::string text;
-    for (const std::string &name : names)
-        text.append(text.empty() ? "'" : ", '").append(name).append("'");
+    for (const std::string &word : words)
+        text.append(text.empty() ? "'" : ", '").append(word).append("'");
     return text;
 }
 
-Result<void> assignRoles(CaptureSet &set, const std::map<std::string, std::string> &roles)
+/// The settings of every shot: those of its file.
+std::vector<ImportSettings> settingsOfShots(const CaptureSet &set, const ImportSettings &settings)
 {
-    const bool givesDut = std::any_of(
-        roles.begin(), roles.end(), [](const auto &entry) { return entry.second == "dut"; });
-    for (Shot &shot : set.shots) {
-        const bool namesDutHere = givesDut
-            && std::any_of(shot.channels.begin(), shot.channels.end(), [&](const Channel &c) {
-                   const auto role = roles.find(c.name);
-                   return role != roles.end() && role->second == "dut";
-               });
-        for (Channel &channel : shot.channels) {
-            const auto role = roles.find(channel.name);
-            if (role != roles.end())
-                channel.role = channelRoleFromName(role->second);
-            else if (namesDutHere && channel.role == ChannelRole::Dut)
-                channel.role = ChannelRole::Other; // the recipe's DUT replaces the file's
-        }
-        const bool hasDut = shot.channelWithRole(ChannelRole::Dut) != nullptr;
-        if (!hasDut && shot.channels.size() == 1)
-            shot.channels.front().role = ChannelRole::Dut;
+    std::vector<ImportSettings> own;
+    for (const Shot &shot : set.shots) {
+        const auto input = static_cast<std::size_t>(shot.input);
+        own.push_back(input < set.inputs.size() ? settingsOfFile(settings, set.inputs[input].file)
+                                                : settings);
     }
-    for (const auto &[name, role] : roles) {
-        const bool exists = std::any_of(set.shots.begin(), set.shots.end(), [&](const Shot &shot) {
-            return std::any_of(shot.channels.begin(), shot.channels.end(),
-                [&](const Channel &channel) { return channel.name == name; });
-        });
-        if (!exists) {
+    return own;
+}
+
+/// Every name that a setting may hold for a channel.
+std::set<std::string> namedChannels(const std::map<std::string, std::string> &roles,
+    const std::map<std::string, ChannelImport> &details)
+{
+    std::set<std::string> names;
+    for (const auto &[name, role] : roles)
+        names.insert(name);
+    for (const auto &[name, detail] : details)
+        names.insert(name);
+    return names;
+}
+
+/// Channels of all shots, or of those of one file.
+std::set<std::string> channelsOf(const CaptureSet &set, const std::string &file = {})
+{
+    std::set<std::string> names;
+    for (const Shot &shot : set.shots) {
+        const auto input = static_cast<std::size_t>(shot.input);
+        if (!file.empty() && (input >= set.inputs.size() || set.inputs[input].file != file))
+            continue;
+        for (const Channel &channel : shot.channels)
+            names.insert(channel.name);
+    }
+    return names;
+}
+
+Result<void> checkChannels(const std::string &key, const std::set<std::string> &named,
+    const std::set<std::string> &existing)
+{
+    for (const std::string &name : named) {
+        if (!existing.contains(name))
             return fail(ErrorKind::Usage,
                 Message{DYNCAL_TEXT("core",
-                            "Recipe import.channels names a channel '%1' that no shot has; the "
-                            "channels are %2."),
-                    {name, channelNames(set)}});
-        }
+                            "Recipe %1 names a channel '%2' that no shot has; the channels are "
+                            "%3."),
+                    {key, name, quotedList(existing)}});
     }
     return {};
 }
 
-Result<void> setRates(CaptureSet &set, const std::optional<double> &rate_Hz)
+/// Whether everything that the settings name exists.
+Result<void> checkNames(const CaptureSet &set, const ImportSettings &settings)
 {
-    bool overrides = false;
-    for (std::size_t i = 0; i < set.shots.size(); ++i) {
-        for (Channel &channel : set.shots[i].channels) {
-            if (rate_Hz) {
-                overrides = overrides
-                    || (channel.sampleRate_Hz > 0.0
-                        && std::abs(channel.sampleRate_Hz - *rate_Hz) > 1e-9 * *rate_Hz);
-                channel.sampleRate_Hz = *rate_Hz;
-            }
-            if (!(channel.sampleRate_Hz > 0.0) || !std::isfinite(channel.sampleRate_Hz)) {
-                return fail(ErrorKind::DataBlocked,
-                    Message{
-                        DYNCAL_TEXT("core",
-                            "Shot %1, channel '%2': the file states no sample rate and has no time "
-                            "column; give import.sample_rate_hz in the recipe."),
-                        {std::to_string(i + 1), channel.name}},
-                    "CAP-003", static_cast<Index>(i) + 1);
-            }
-        }
-    }
-    if (overrides) {
-        set.findings.push_back({"CAP-025", Severity::Info, 0, {}, {},
-            {DYNCAL_TEXT("core", "The recipe's sample rate of %1 replaces what the files state."),
-                {numberWithUnit(*rate_Hz, "Hz", 6)}},
-            *rate_Hz, {}});
+    if (const auto known = checkChannels("import.channels",
+            namedChannels(settings.channels, settings.channelDetails), channelsOf(set));
+        !known)
+        return known;
+    std::set<std::string> files;
+    for (const InputFile &input : set.inputs)
+        files.insert(input.file);
+    for (const auto &[file, own] : settings.files) {
+        if (!files.contains(file))
+            return fail(ErrorKind::Usage,
+                Message{DYNCAL_TEXT("core",
+                            "Recipe import.files names '%1', which is none of the inputs; these "
+                            "are %2."),
+                    {file, quotedList(files)}});
+        if (const auto known = checkChannels("import.files." + file + ".channels",
+                namedChannels(own.channels, own.channelDetails), channelsOf(set, file));
+            !known)
+            return known;
     }
     return {};
 }
 
-PressureReference referenceFromName(const std::string &name)
+void assignRoles(Shot &shot, const std::map<std::string, std::string> &roles)
 {
-    if (name == "gauge")
-        return PressureReference::Gauge;
-    return name == "absolute" ? PressureReference::Absolute : PressureReference::Unknown;
-}
-
-/// Fills gaps of at most `longest` invalid samples on a straight line between their neighbours.
-Index interpolateGaps(Channel &channel, Index longest)
-{
-    if (channel.samples.isInteger())
-        return 0; // counts are always valid
-    const Index size = channel.samples.size();
-    std::vector<double> values(static_cast<std::size_t>(size));
-    for (Index i = 0; i < size; ++i)
-        values[static_cast<std::size_t>(i)] = channel.samples.at(i);
-    Index filled = 0;
-    for (Index i = 0; i < size;) {
-        const auto at = [&](Index k) -> double & { return values[static_cast<std::size_t>(k)]; };
-        if (std::isfinite(at(i))) {
-            ++i;
-            continue;
-        }
-        Index end = i;
-        while (end < size && !std::isfinite(at(end)))
-            ++end;
-        if (i > 0 && end < size && end - i <= longest) {
-            const double slope = (at(end) - at(i - 1)) / static_cast<double>(end - i + 1);
-            const double from = at(i - 1);
-            for (Index k = i; k < end; ++k)
-                at(k) = from + slope * static_cast<double>(k - i + 1);
-            filled += end - i;
-        }
-        i = end;
+    const bool namesDutHere
+        = std::any_of(shot.channels.begin(), shot.channels.end(), [&](const Channel &channel) {
+              const auto role = roles.find(channel.name);
+              return role != roles.end() && role->second == "dut";
+          });
+    for (Channel &channel : shot.channels) {
+        const auto role = roles.find(channel.name);
+        if (role != roles.end())
+            channel.role = channelRoleFromName(role->second);
+        else if (namesDutHere && channel.role == ChannelRole::Dut)
+            channel.role = ChannelRole::Other; // the recipe's DUT replaces the file's
     }
-    if (filled > 0)
-        channel.samples = RawSamples(std::move(values)); // sha256 stays that of the recording
-    return filled;
+    if (shot.channelWithRole(ChannelRole::Dut) == nullptr && shot.channels.size() == 1)
+        shot.channels.front().role = ChannelRole::Dut;
 }
 
-void shapeDut(CaptureSet &set, const ImportSettings &settings)
+Result<void> applyToShots(
+    CaptureSet &set, const ImportSettings &settings, const CheckSettings &checks)
 {
+    const std::vector<ImportSettings> own = settingsOfShots(set, settings);
     for (std::size_t i = 0; i < set.shots.size(); ++i) {
+        const Index number = static_cast<Index>(i) + 1;
+        assignRoles(set.shots[i], own[i].channels);
         for (Channel &channel : set.shots[i].channels) {
-            if (channel.role != ChannelRole::Dut)
-                continue;
-            if (settings.unit)
-                channel.unit = *settings.unit;
-            channel.userScale *= settings.scale;
-            channel.polarity *= settings.polarity;
-            if (!settings.reference.empty())
-                channel.reference = referenceFromName(settings.reference);
-            const Index filled = settings.interpolateInvalid > 0
-                ? interpolateGaps(channel, settings.interpolateInvalid)
-                : 0;
-            if (filled > 0) {
-                set.findings.push_back({"CAP-022", Severity::Caution, static_cast<Index>(i) + 1,
-                    channel.name, {},
-                    {DYNCAL_TEXT("core", "Shot %1, %2: %3 invalid samples were interpolated."),
-                        {std::to_string(i + 1), channel.name, std::to_string(filled)}},
-                    static_cast<double>(filled), static_cast<double>(settings.interpolateInvalid)});
-            }
+            const auto done
+                = setSampleRate(channel, number, own[i], checks, set.findings).and_then([&] {
+                      return shapeChannel(channel, number, own[i], set.findings);
+                  });
+            if (!done)
+                return done;
         }
     }
+    return {};
 }
 
 Result<void> setLevels(CaptureSet &set, const std::vector<std::string> &levels)
@@ -204,15 +179,17 @@ Result<void> excludeShots(CaptureSet &set, const std::vector<ExcludedShot> &list
 
 } // namespace
 
-Result<CaptureSet> applyImportSettings(CaptureSet set, const ImportSettings &settings)
+Result<CaptureSet> applyImportSettings(
+    CaptureSet set, const ImportSettings &settings, const CheckSettings &checks)
 {
-    const auto done = assignRoles(set, settings.channels)
-                          .and_then([&] { return setRates(set, settings.sampleRate_Hz); })
+    // Shots that hold the same data are told again by checkCaptures(), of the included ones.
+    std::erase_if(set.findings, [](const Finding &finding) { return finding.id == "CAP-011"; });
+    const auto done = checkNames(set, settings)
+                          .and_then([&] { return applyToShots(set, settings, checks); })
                           .and_then([&] { return setLevels(set, settings.levels); })
                           .and_then([&] { return excludeShots(set, settings.exclude); });
     if (!done)
         return tl::unexpected(done.error());
-    shapeDut(set, settings);
     return set;
 }
 

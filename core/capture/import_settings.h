@@ -21,6 +21,39 @@ struct ExcludedShot
     bool operator==(const ExcludedShot &) const = default;
 };
 
+/// What the recipe says of one channel beside its role; whatever is left out stays as it is. Values
+/// become polarity * scale * value / gain in `unit`, and divided by the sensitivity pressure in Pa.
+struct ChannelImport
+{
+    std::optional<std::string> unit;
+    std::optional<double> scale; ///< factor on the values
+    std::optional<double> gain; ///< amplification between sensor and recorder
+    std::optional<double> sensitivity; ///< of the sensor: SI unit of the channel (V) per Pa
+    std::optional<int> polarity; ///< +1 or -1
+    std::string reference; ///< "", "gauge" or "absolute"
+    bool operator==(const ChannelImport &) const = default;
+};
+
+/// What one file has of its own; whatever is left out is as for all files.
+struct FileImport
+{
+    std::optional<std::string> format;
+    std::map<std::string, Index> columns; ///< these replace all of the others', if there are any
+    std::map<std::string, std::string> channels; ///< win name by name
+    std::map<std::string, ChannelImport> channelDetails; ///< win name by name
+    std::string decimal; ///< "" as for all files
+    std::string separator; ///< "" as for all files
+    std::optional<double> sampleRate_Hz;
+    std::string sampleRateReason;
+    std::optional<std::string> unit;
+    std::optional<double> scale;
+    std::optional<int> polarity;
+    std::string reference;
+    std::optional<Index> skipRows;
+    std::optional<Index> interpolateInvalid;
+    bool operator==(const FileImport &) const = default;
+};
+
 /// Recipe section "import": how files are read and what their channels are.
 struct ImportSettings
 {
@@ -28,9 +61,11 @@ struct ImportSettings
     std::map<std::string, Index>
         columns; ///< text files: role ("time", "dut", ...) -> column from 0
     std::map<std::string, std::string> channels; ///< channel name -> role
+    std::map<std::string, ChannelImport> channelDetails; ///< channel name -> what else is said
     std::string decimal = "auto"; ///< "auto", "." or ","
     std::string separator = "auto"; ///< "auto", ",", ";", "tab", "space", "|"
     std::optional<double> sampleRate_Hz; ///< overrides what the file says
+    std::string sampleRateReason; ///< needed where it differs from what the file states
     std::optional<std::string> unit; ///< of the DUT
     double scale = 1.0; ///< factor on the DUT's values
     int polarity = 1; ///< +1 or -1, on the DUT
@@ -39,8 +74,13 @@ struct ImportSettings
     Index interpolateInvalid = 0; ///< fill gaps of at most this many invalid samples
     std::vector<std::string> levels; ///< one per shot: "low", "medium", "high" or ""
     std::vector<ExcludedShot> exclude;
+    std::map<std::string, FileImport> files; ///< base name -> what that file has of its own
 
     bool operator==(const ImportSettings &) const = default;
 };
+
+/// The settings for one file: those for all files with its own put over them. `path` may have
+/// folders before the base name.
+ImportSettings settingsOfFile(const ImportSettings &settings, const std::string &path);
 
 } // namespace dyncal

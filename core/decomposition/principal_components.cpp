@@ -86,28 +86,16 @@ Error tooShort(const WindowedResponse &response, double factor)
         "CAP-004", response.shot};
 }
 
-Finding unifiedRates(double lowest_Hz)
-{
-    return {"CAP-004", Severity::Info, 0, {}, std::nullopt,
-        {DYNCAL_TEXT("core",
-             "Shots of a higher sample rate were reduced to %1 for the principal components, "
-             "through an anti-alias filter."),
-            {numberWithUnit(lowest_Hz, "Hz", 6)}},
-        std::nullopt, std::nullopt};
-}
-
 /// All responses as columns at the lowest rate, as long as the shortest.
 std::optional<Error> unify(const std::vector<WindowedResponse> &responses, ComponentResult &result)
 {
     result.sampleRate_Hz = lowestRate_Hz(responses);
     std::vector<Eigen::VectorXd> columns;
     Index rows = std::numeric_limits<Index>::max();
-    bool unified = false;
     for (const WindowedResponse &response : responses) {
         // The lowest rate is the target, so there always is a factor.
         const double factor
             = reductionFactor(response.sampleRate_Hz, result.sampleRate_Hz).value_or(1.0);
-        unified = unified || factor > 1.0;
         columns.push_back(reduced(response, factor));
         if (columns.back().size() < kLeastSamples)
             return tooShort(response, factor);
@@ -117,16 +105,7 @@ std::optional<Error> unify(const std::vector<WindowedResponse> &responses, Compo
     result.responses.resize(rows, static_cast<Index>(columns.size()));
     for (Index i = 0; i < result.responses.cols(); ++i)
         result.responses.col(i) = columns[static_cast<std::size_t>(i)].head(rows);
-    if (unified)
-        result.findings.push_back(unifiedRates(result.sampleRate_Hz));
     return std::nullopt;
-}
-
-Finding oneShot(Index shot)
-{
-    return {"CAP-017", Severity::Info, shot, {}, std::nullopt,
-        {DYNCAL_TEXT("core", "One shot: PCA is skipped, repeatability cannot be evaluated."), {}},
-        1.0, 2.0};
 }
 
 /// PCA-001, with the shot that the first component describes worst.
@@ -241,7 +220,6 @@ Result<ComponentResult> analyseComponents(const std::vector<WindowedResponse> &r
     if (responses.size() == 1) {
         result.reconstructions = result.responses;
         result.average = result.responses.col(0);
-        result.findings.push_back(oneShot(result.shots[0]));
     } else if (auto error = decompose(settings, spectrum, control, result)) {
         return tl::unexpected(*error);
     }

@@ -16,12 +16,12 @@ namespace {
 
 Result<PreparedCaptures> prepareCaptures(const CaptureSet &captures, const Recipe &recipe)
 {
-    auto set = applyImportSettings(captures, recipe.import);
+    auto set = applyImportSettings(captures, recipe.import, recipe.checks);
     if (!set)
         return tl::unexpected(set.error());
     PreparedCaptures prepared{std::move(*set), {}};
     prepared.findings = prepared.set.findings;
-    const Findings checked = checkCaptures(prepared.set);
+    const Findings checked = checkCaptures(prepared.set, recipe.checks);
     prepared.findings.insert(prepared.findings.end(), checked.begin(), checked.end());
     return prepared;
 }

@@ -29,12 +29,18 @@ std::string scalingOf(const Channel &channel)
     return text + '\n';
 }
 
+/// Stands for the hash of a file that is only opened so far.
+std::string stampOf(const InputFile &input)
+{
+    return input.path + ' ' + std::to_string(input.bytes) + ' ' + std::to_string(input.changed_ns);
+}
+
 /// What identifies the recordings: their samples' hashes and what the file says of them.
 std::string identityOf(const CaptureSet &captures)
 {
     std::string text;
     for (const InputFile &input : captures.inputs)
-        text += input.sha256 + ' ' + input.file + '\n';
+        text += (input.sha256.empty() ? stampOf(input) : input.sha256) + ' ' + input.file + '\n';
     for (const Shot &shot : captures.shots) {
         text += shot.label + '|' + shotLevelName(shot.level) + '|' + (shot.included ? "+" : "-")
             + surroundingsOf(shot.environment);
@@ -56,6 +62,7 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
     switch (stage) {
     case StageId::Captures:
         part.import = recipe.import;
+        part.checks = recipe.checks;
         break;
     case StageId::Window:
         part.window = recipe.window;

@@ -34,17 +34,17 @@ std::string keyName(const JsonAt &at)
                                               : at.path;
 }
 
-/// "import.exclude[12].shot" -> "import.exclude[].shot"
+/// "import.exclude[12].shot" -> "import.exclude[].shot"; so for free words in braces.
 std::string withoutPlaces(const std::string &path)
 {
     std::string plain;
     bool inPlace = false;
     for (const char c : path) {
-        if (c == ']')
+        if (c == ']' || c == '}')
             inPlace = false;
         if (!inPlace)
             plain += c;
-        if (c == '[')
+        if (c == '[' || c == '{')
             inPlace = true;
     }
     return plain;
@@ -111,6 +111,11 @@ JsonAt child(const JsonAt &object, const std::string &key)
 {
     return {object.value.at(key), object.path.empty() ? key : object.path + "." + key,
         object.knownPaths};
+}
+
+JsonAt entry(const JsonAt &object, const std::string &key)
+{
+    return {object.value.at(key), object.path + "{" + key + "}", object.knownPaths};
 }
 
 Codec<double> number(double least, double most, Bound bound)

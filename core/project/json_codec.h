@@ -21,8 +21,9 @@ namespace dyncal {
 struct JsonAt
 {
     const Json &value;
-    std::string path; ///< "window.end_s", "import.exclude[0].shot"
-    const std::vector<std::string> &knownPaths; ///< of the whole document, list places as "[]"
+    std::string path; ///< "window.end_s", "import.exclude[0].shot", "import.channels{DUT}.unit"
+    const std::vector<std::string> &knownPaths; ///< of the whole document, list places as "[]",
+                                                ///< free words as "{}"
 };
 
 /// How a value of type T is read from JSON and written as JSON. Reading is the only place where a
@@ -42,6 +43,8 @@ tl::unexpected<Error> mismatch(const JsonAt &at, const std::string &needs);
 tl::unexpected<Error> unknownKey(const JsonAt &at);
 /// The value at `key` of an object.
 JsonAt child(const JsonAt &object, const std::string &key);
+/// The value at `key` of an object whose keys are free words.
+JsonAt entry(const JsonAt &object, const std::string &key);
 
 enum class Bound { Inclusive, Exclusive };
 
@@ -170,7 +173,7 @@ Codec<std::map<std::string, T>> dictionary(
             return mismatch(at, needs);
         std::map<std::string, T> values;
         for (const auto &[key, json] : at.value.items()) {
-            const JsonAt here = child(at, key);
+            const JsonAt here = keys.empty() ? entry(at, key) : child(at, key);
             if (!keys.empty() && std::find(keys.begin(), keys.end(), key) == keys.end())
                 return unknownKey(here);
             Result<T> value = inner.read(here);
@@ -189,6 +192,10 @@ Codec<std::map<std::string, T>> dictionary(
     std::vector<std::string> paths;
     for (const std::string &key : keys)
         paths.push_back("." + key);
+    if (keys.empty()) {
+        for (const std::string &path : inner.paths)
+            paths.push_back("{}" + path);
+    }
     return {needs, read, write, paths};
 }
 

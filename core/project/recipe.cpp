@@ -30,6 +30,7 @@ const Codec<Recipe> &recipeCodec()
     static const Codec<Recipe> codec = object<Recipe>({
         schema(),
         field("import", &Recipe::import, importCodec()),
+        field("checks", &Recipe::checks, checksCodec()),
         field("shock", &Recipe::shock, shockCodec()),
         field("window", &Recipe::window, windowCodec()),
         field("remap", &Recipe::remap, boolean()),
@@ -58,20 +59,9 @@ Result<void> checkTogether(const Recipe &recipe)
     return {};
 }
 
-tl::unexpected<Error> unreadable(const std::string &path, const char *why)
+Result<Recipe> recipeOf(const Json &document)
 {
-    return fail(ErrorKind::FileUnreadable,
-        {DYNCAL_TEXT("core", "The recipe %1 cannot be read: %2."), {path, why}});
-}
-
-} // namespace
-
-Result<Recipe> parseRecipe(const std::string &json)
-{
-    const Result<Json> document = parseStrictJson(json, "The recipe");
-    if (!document)
-        return tl::unexpected<Error>(document.error());
-    Result<Recipe> recipe = recipeCodec().read({*document, "", recipeKeyPaths()});
+    Result<Recipe> recipe = recipeCodec().read({document, "", recipeKeyPaths()});
     if (!recipe)
         return recipe;
     if (const Result<void> checked = checkTogether(*recipe); !checked)
@@ -79,12 +69,13 @@ Result<Recipe> parseRecipe(const std::string &json)
     return recipe;
 }
 
-std::string recipeJson(const Recipe &recipe)
+tl::unexpected<Error> unreadable(const std::string &path, const char *why)
 {
-    return recipeCodec().write(recipe).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return fail(ErrorKind::FileUnreadable,
+        {DYNCAL_TEXT("core", "The recipe %1 cannot be read: %2."), {path, why}});
 }
 
-Result<Recipe> readRecipeFile(const std::string &path)
+Result<std::string> textOfFile(const std::string &path)
 {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored))
@@ -99,7 +90,82 @@ Result<Recipe> readRecipeFile(const std::string &path)
         return unreadable(path, "reading failed");
     if (text.size() > kLargestFile)
         return unreadable(path, "it is larger than the 4 MiB that any recipe needs");
-    return parseRecipe(text);
+    return text;
+}
+
+/// The profile as JSON, checked for itself so that messages name its own mistakes.
+Result<Json> profileDocument(const std::string &path)
+{
+    const Result<std::string> text = textOfFile(path);
+    if (!text)
+        return tl::unexpected<Error>(text.error());
+    Result<Json> document = parseStrictJson(*text, "The profile");
+    if (!document)
+        return document;
+    if (const Result<Recipe> valid = recipeOf(*document); !valid)
+        return tl::unexpected<Error>(valid.error());
+    for (const auto &[key, value] : document->items()) {
+        if (key != "schema" && key != "import" && key != "checks")
+            return fail(ErrorKind::Usage,
+                {DYNCAL_TEXT("core",
+                     "The profile %1 holds \"%2\"; a laboratory's profile holds the sections "
+                     "import and checks only, the rest belongs into the recipe."),
+                    {path, key}});
+    }
+    return document;
+}
+
+/// Objects are joined key by key; any other value of `upper` replaces the one below.
+void putOver(Json &lower, const Json &upper)
+{
+    if (!lower.is_object() || !upper.is_object()) {
+        lower = upper;
+        return;
+    }
+    for (const auto &[key, value] : upper.items())
+        putOver(lower[key], value);
+}
+
+} // namespace
+
+Result<Recipe> parseRecipe(const std::string &json)
+{
+    const Result<Json> document = parseStrictJson(json, "The recipe");
+    if (!document)
+        return tl::unexpected<Error>(document.error());
+    return recipeOf(*document);
+}
+
+std::string recipeJson(const Recipe &recipe)
+{
+    return recipeCodec().write(recipe).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<Recipe> readRecipeFile(const std::string &path)
+{
+    const Result<std::string> text = textOfFile(path);
+    if (!text)
+        return tl::unexpected<Error>(text.error());
+    return parseRecipe(*text);
+}
+
+Result<Recipe> readRecipeFiles(const std::string &recipePath, const std::string &profilePath)
+{
+    if (profilePath.empty())
+        return recipePath.empty() ? Recipe() : readRecipeFile(recipePath);
+    Result<Json> merged = profileDocument(profilePath);
+    if (!merged)
+        return tl::unexpected<Error>(merged.error());
+    if (!recipePath.empty()) {
+        const Result<std::string> text = textOfFile(recipePath);
+        if (!text)
+            return tl::unexpected<Error>(text.error());
+        const Result<Json> recipe = parseStrictJson(*text, "The recipe");
+        if (!recipe)
+            return tl::unexpected<Error>(recipe.error());
+        putOver(*merged, *recipe);
+    }
+    return recipeOf(*merged);
 }
 
 const std::vector<std::string> &recipeKeyPaths()

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/capture/check_settings.h"
 #include "core/capture/import_settings.h"
 #include "core/decomposition/component_settings.h"
 #include "core/model_analysis/response_settings.h"
@@ -61,6 +62,7 @@ struct CertificateSettings
 struct Recipe
 {
     ImportSettings import;
+    CheckSettings checks;
     ShockSettings shock;
     WindowSettings window;
     bool remap = true; ///< remap the response to 0..1 (step treatments only)
@@ -87,7 +89,13 @@ std::string recipeJson(const Recipe &recipe);
 /// Reads a recipe file (kind FileUnreadable if it cannot be opened).
 Result<Recipe> readRecipeFile(const std::string &path);
 
-/// Every key that a recipe may hold, as dotted path ("window.end_s", "import.exclude[].shot"):
+/// A recipe file put over a laboratory's profile: what the recipe leaves out is as in the profile.
+/// Either path may be empty. Fails (Usage) if the profile holds anything but the sections "import"
+/// and "checks".
+Result<Recipe> readRecipeFiles(const std::string &recipePath, const std::string &profilePath);
+
+/// Every key that a recipe may hold, as dotted path ("window.end_s", "import.exclude[].shot",
+/// "import.channels{}.unit"):
 /// what docs/recipe.md is checked against.
 const std::vector<std::string> &recipeKeyPaths();
 

@@ -11,6 +11,7 @@ namespace dyncal {
 /// The keys of recipe.json, section by section: the one table that reading, writing and the check
 /// of docs/recipe.md go by. Internal to core/project.
 Codec<ImportSettings> importCodec();
+Codec<CheckSettings> checksCodec();
 Codec<ShockSettings> shockCodec();
 Codec<WindowSettings> windowCodec();
 Codec<SpectrumSettings> spectrumCodec();

@@ -4,67 +4,17 @@
 #include "core/project/gas_names.h"
 #include "core/project/recipe_fields.h"
 
-#include "core/capture/channel.h"
-
 namespace dyncal {
 namespace {
 
-constexpr Index kMostColumns = 100000;
-constexpr Index kMostShots = 100000;
-constexpr Index kMostRows = 1000000000;
-constexpr Index kLongestGap = 1000;
-constexpr double kFastestRate_Hz = 1e12;
 constexpr Index kMostSamples = 1000000000;
 
-Codec<std::string> role()
+std::vector<std::string> substanceNames()
 {
-    std::vector<std::string> words;
-    for (const ChannelRole r : {ChannelRole::Dut, ChannelRole::DrivenSide, ChannelRole::Driver,
-             ChannelRole::Trigger, ChannelRole::Other})
-        words.emplace_back(channelRoleName(r));
-    words.insert(words.end(), {"velocity", "driver_static"}); // older words, as in captures
-    return oneOf(words);
-}
-
-std::vector<std::string> columnNames()
-{
-    return {"time", "dut", "driven_side", "driver", "trigger", "other"};
-}
-
-Codec<int> polarity()
-{
-    const Codec<Index> inner = whole(-1, 1);
-    const auto read = [inner](const JsonAt &at) -> Result<int> {
-        const Result<Index> value = inner.read(at);
-        if (!value || *value == 0)
-            return mismatch(at, "1 or -1");
-        return static_cast<int>(*value);
-    };
-    return {"1 or -1", read, [](const int &value) { return Json(value); }};
-}
-
-/// A list whose absence is written as null.
-template <typename T>
-Codec<std::vector<T>> listOrNull(Codec<T> inner)
-{
-    const Codec<std::vector<T>> plain = list(std::move(inner));
-    const auto read = [plain](const JsonAt &at) -> Result<std::vector<T>> {
-        if (at.value.is_null())
-            return std::vector<T>();
-        return plain.read(at);
-    };
-    const auto write = [plain](const std::vector<T> &values) {
-        return values.empty() ? Json(nullptr) : plain.write(values);
-    };
-    return {"null or " + plain.needs, read, write, plain.paths};
-}
-
-Codec<ExcludedShot> excludedShot()
-{
-    return object<ExcludedShot>({
-        field("shot", &ExcludedShot::shot, whole(1, kMostShots), true),
-        field("reason", &ExcludedShot::reason, nonEmptyText(), true),
-    });
+    std::vector<std::string> names{"custom"};
+    for (const auto &[name, settings] : namedGases())
+        names.push_back(name);
+    return names;
 }
 
 Codec<GasSettings> gas()
@@ -77,6 +27,9 @@ Codec<GasSettings> gas()
         field("gamma", &GasSettings::gamma, number(1.0, 2.0, Bound::Exclusive), true),
         field("molar_mass_kg_mol", &GasSettings::molarMass_kg_mol,
             number(0.0, 1.0, Bound::Exclusive), true),
+        field("substance", &GasSettings::substance, oneOf(substanceNames())),
+        field("heat_capacity", &GasSettings::heatCapacity,
+            oneOf({kConstantHeatCapacity, kVariableHeatCapacity})),
     });
     const auto read = [plain, needs](const JsonAt &at) -> Result<GasSettings> {
         for (const auto &[name, settings] : namedGases()) {
@@ -85,7 +38,10 @@ Codec<GasSettings> gas()
         }
         if (!at.value.is_object())
             return mismatch(at, needs);
-        return plain.read(at);
+        Result<GasSettings> typed = plain.read(at);
+        if (typed && !at.value.contains("substance"))
+            typed->substance = "custom";
+        return typed;
     };
     return {needs, read, plain.write, plain.paths};
 }
@@ -188,29 +144,6 @@ Field<SpectrumSettings> resonance()
 }
 
 } // namespace
-
-Codec<ImportSettings> importCodec()
-{
-    using S = ImportSettings;
-    return object<S>({
-        field("format", &S::format, nonEmptyText()),
-        field("columns", &S::columns,
-            dictionary(whole(0, kMostColumns), "\"time\" or a role", columnNames())),
-        field("channels", &S::channels, dictionary(role(), "a channel's name")),
-        field("decimal", &S::decimal, oneOf({"auto", ".", ","})),
-        field("separator", &S::separator, oneOf({"auto", ",", ";", "tab", "space", "|"})),
-        field("sample_rate_hz", &S::sampleRate_Hz,
-            orNull(number(0.0, kFastestRate_Hz, Bound::Exclusive))),
-        field("unit", &S::unit, orNull(nonEmptyText())),
-        field("scale", &S::scale, positiveNumber()),
-        field("polarity", &S::polarity, polarity()),
-        field("reference", &S::reference, oneOf({"", "gauge", "absolute"})),
-        field("skip_rows", &S::skipRows, orNull(whole(0, kMostRows))),
-        field("interpolate_invalid", &S::interpolateInvalid, whole(0, kLongestGap)),
-        field("levels", &S::levels, listOrNull(oneOf({"low", "medium", "high", ""}))),
-        field("exclude", &S::exclude, list(excludedShot())),
-    });
-}
 
 Codec<ShockSettings> shockCodec()
 {

@@ -255,9 +255,7 @@ void TestPrincipalComponents::analyse_differentRates_areReduced()
     const auto result = analyseComponents(shots, {}, {});
     QVERIFY(result.has_value());
     QCOMPARE(result->sampleRate_Hz, 10e6);
-    const Finding *finding = findingOf(*result, "CAP-004");
-    QVERIFY(finding);
-    QCOMPARE(finding->severity, Severity::Info);
+    QVERIFY(!findingOf(*result, "CAP-004")); // the captures' check has said so already
     // far below the new Nyquist frequency only the onset's kink is not passed as it is
     const Index settled = 12;
     for (const Index shot : {0, 2}) {
@@ -321,9 +319,7 @@ void TestPrincipalComponents::analyse_oneShot_skipsTheComponents()
     QVERIFY(result->residuals.empty());
     QVERIFY(result->average == Eigen::VectorXd(response(3, 0.01).window()));
     QVERIFY(result->reconstructions == result->responses);
-    QCOMPARE(result->findings.size(), std::size_t(1));
-    QCOMPARE(result->findings[0].id, std::string("CAP-017"));
-    QCOMPARE(result->findings[0].severity, Severity::Info);
+    QVERIFY(result->findings.empty()); // CAP-017 comes from the captures' check
 }
 
 void TestPrincipalComponents::analyse_keptComponents_areLimited()

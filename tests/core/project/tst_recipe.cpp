@@ -149,6 +149,69 @@ private slots:
         QCOMPARE(recipe.certificate.fields.at("customer"), std::string("Åsa Ström AB"));
     }
 
+    void channels_areRolesOrObjects()
+    {
+        const Recipe recipe = parsed(
+            R"({"import": {"channels": {"a": "dut", "b": {"role": "driven_side", "unit": "mV",
+                "sensitivity": 2e-8, "gain": 10}, "c": {"polarity": -1}}}})");
+        const ImportSettings &import = recipe.import;
+        const std::map<std::string, std::string> roles{{"a", "dut"}, {"b", "driven_side"}};
+        QVERIFY(import.channels == roles);
+        QCOMPARE(import.channelDetails.size(), std::size_t(2));
+        QCOMPARE(import.channelDetails.at("b").unit.value(), std::string("mV"));
+        QCOMPARE(import.channelDetails.at("b").sensitivity.value(), 2e-8);
+        QCOMPARE(import.channelDetails.at("b").gain.value(), 10.0);
+        QVERIFY(!import.channelDetails.at("b").scale);
+        QCOMPARE(import.channelDetails.at("c").polarity.value(), -1);
+        QVERIFY(parsed(recipeJson(recipe)) == recipe);
+        // A role alone is written as it always was.
+        QVERIFY(recipeJson(recipe).find("\"a\": \"dut\"") != std::string::npos);
+    }
+
+    void files_haveTheKeysOfImport()
+    {
+        const Recipe recipe = parsed(
+            R"({"import": {"files": {"a.csv": {"unit": "psi", "sample_rate_hz": 1e6,
+                "columns": {"dut": 3}, "channels": {"x": {"scale": 2}}}}}})");
+        const FileImport &file = recipe.import.files.at("a.csv");
+        QCOMPARE(file.unit.value(), std::string("psi"));
+        QCOMPARE(file.sampleRate_Hz.value(), 1e6);
+        QCOMPARE(file.columns.at("dut"), Index(3));
+        QCOMPARE(file.channelDetails.at("x").scale.value(), 2.0);
+        QVERIFY(!file.format && !file.polarity && file.decimal.empty());
+        QVERIFY(parsed(recipeJson(recipe)) == recipe);
+    }
+
+    void readRecipeFiles_putsTheRecipeOverTheProfile()
+    {
+        QTemporaryDir folder;
+        const auto write = [&](const char *name, const char *text) {
+            QFile file(folder.filePath(name));
+            if (!file.open(QIODevice::WriteOnly))
+                qFatal("cannot write");
+            file.write(text);
+            return folder.filePath(name).toStdString();
+        };
+        const std::string profile = write("profile.json",
+            R"({"import": {"unit": "psi", "channels": {"a": "dut", "b": "driven_side"}},
+                "checks": {"min_codes": 100}})");
+        const std::string recipe = write("recipe.json",
+            R"({"import": {"unit": null, "channels": {"b": "other"}}, "pca": {"components": 2}})");
+        const Recipe merged = readRecipeFiles(recipe, profile).value_or(Recipe());
+        QVERIFY(!merged.import.unit); // null is a value, not an absence
+        QCOMPARE(merged.import.channels.at("a"), std::string("dut"));
+        QCOMPARE(merged.import.channels.at("b"), std::string("other"));
+        QCOMPARE(merged.checks.leastCodes, 100.0);
+        QCOMPARE(merged.pca.components, Index(2));
+        QCOMPARE(readRecipeFiles({}, profile)->import.unit.value(), std::string("psi"));
+        QVERIFY(readRecipeFiles(recipe, {}).value() == readRecipeFile(recipe).value());
+        QVERIFY(readRecipeFiles({}, {}).value() == Recipe());
+        const auto refused = readRecipeFiles({}, recipe); // pca is no matter of a laboratory
+        QCOMPARE(refused.error().kind, ErrorKind::Usage);
+        QVERIFY(english(refused.error().message).find("\"pca\"") != std::string::npos);
+        QCOMPARE(readRecipeFiles(recipe, "/none.json").error().kind, ErrorKind::FileUnreadable);
+    }
+
     void gasNames_areTheNamedConstants()
     {
         const auto gas = [](const char *name) {
@@ -245,6 +308,14 @@ private slots:
         row("order above max", R"({"realization": {"order": 200}})",
             "Recipe key realization.order is 200; it needs at most realization.max_order, which "
             "is 120.");
+        row("channel's role", R"({"import": {"channels": {"A": "duty"}}})",
+            "Recipe key import.channels{A} is \"duty\"; it needs one of \"dut\", "
+            "\"driven_side\", \"driver\", \"trigger\", \"other\", \"velocity\", "
+            "\"driver_static\".");
+        row("channel's gain", R"({"import": {"channels": {"A": {"gain": 0}}}})",
+            "Recipe key import.channels{A}.gain is 0; it needs null or a number above 0.");
+        row("file's unit", R"({"import": {"files": {"a.csv": {"unit": 3}}}})",
+            "Recipe key import.files{a.csv}.unit is 3; it needs null or a text that is not empty.");
         row("bool", R"({"remap": 1})", "Recipe key remap is 1; it needs true or false.");
     }
 
@@ -259,7 +330,7 @@ private slots:
     {
         // An object of one foreign key fits no key: sections refuse the key, values the type.
         for (const std::string &path : recipeKeyPaths()) {
-            if (path.find("[]") != std::string::npos)
+            if (path.find("[]") != std::string::npos || path.find("{}") != std::string::npos)
                 continue;
             std::string json = R"({"?": []})";
             QString rest = QString::fromStdString(path);

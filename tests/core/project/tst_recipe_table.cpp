@@ -89,7 +89,8 @@ private slots:
         const QJsonObject defaults = QJsonDocument::fromJson(json).object();
         int compared = 0;
         for (const Row &row : m_rows) {
-            if (row.defaultText.isEmpty() || row.defaultText == "none" || row.key.contains("[]"))
+            if (row.defaultText.isEmpty() || row.defaultText == "none" || row.key.contains("[]")
+                || row.key.contains("{}"))
                 continue;
             const QByteArray wrapped = "[" + row.defaultText.toUtf8() + "]";
             const QJsonArray documented = QJsonDocument::fromJson(wrapped).array();

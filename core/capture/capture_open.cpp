@@ -1,0 +1,217 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/capture/capture_seal.h"
+#include "core/capture/format_registry.h"
+#include "core/capture/natural_order.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <system_error>
+
+namespace dyncal {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One file to read; whoever named it himself must get it or hear why not.
+struct Candidate
+{
+    std::string path;
+    bool named = true;
+};
+
+Result<std::vector<Candidate>> filesIn(const std::string &folder)
+{
+    std::vector<Candidate> files;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        const bool hidden = entry->path().filename().string().starts_with('.');
+        const bool companion = entry->path().extension() == ".tdms_index"; // one per TDMS file
+        std::error_code unknown;
+        if (!hidden && !companion && entry->is_regular_file(unknown))
+            files.push_back({entry->path().string(), false});
+    }
+    if (error)
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core", "The folder %1 cannot be listed; check that you may read it."),
+                {folder}},
+            "CAP-018");
+    std::sort(files.begin(), files.end(),
+        [](const Candidate &a, const Candidate &b) { return naturalLess(a.path, b.path); });
+    return files;
+}
+
+/// A file in a folder that is no recording is normal; one that should be one is not.
+Finding skippedFile(const Error &error)
+{
+    const bool foreign = error.findingId == "CAP-001";
+    return {"CAP-024", foreign ? Severity::Info : Severity::Caution, 0, {}, {},
+        {DYNCAL_TEXT("core", "A file of the folder was left out. %1"), {english(error.message)}},
+        {}, {}};
+}
+
+void append(CaptureSet &all, CaptureSet part)
+{
+    const Index offset = static_cast<Index>(all.inputs.size());
+    for (Shot &shot : part.shots)
+        shot.input += offset;
+    const Index shotOffset = static_cast<Index>(all.shots.size());
+    for (Finding &finding : part.findings)
+        finding.shot += finding.shot > 0 ? shotOffset : 0;
+    std::move(part.inputs.begin(), part.inputs.end(), std::back_inserter(all.inputs));
+    std::move(part.shots.begin(), part.shots.end(), std::back_inserter(all.shots));
+    std::move(part.findings.begin(), part.findings.end(), std::back_inserter(all.findings));
+    if (all.tube.empty())
+        all.tube = std::move(part.tube);
+    all.sensors.merge(part.sensors); // keeps what is there: the first file that has it counts
+    all.instruments.merge(part.instruments);
+}
+
+/// Joins files as they come and collects what went wrong with any of them.
+class CaptureJoiner
+{
+public:
+    void add(const Candidate &file, Result<CaptureSet> part)
+    {
+        if (part)
+            append(m_set, std::move(*part));
+        else if (file.named)
+            addProblem(part.error());
+        else
+            m_set.findings.push_back(skippedFile(part.error()));
+    }
+
+    void addProblem(const Error &error) { m_problems.push_back(error); }
+
+    Result<CaptureSet> finish()
+    {
+        if (!m_problems.empty())
+            return tl::unexpected(joinedProblem());
+        if (m_set.shots.empty())
+            return tl::unexpected(nothingRead());
+        return std::move(m_set);
+    }
+
+private:
+    Error joinedProblem() const
+    {
+        Error joined = m_problems.front();
+        if (m_problems.size() == 1)
+            return joined;
+        std::string sentences;
+        for (const Error &problem : m_problems)
+            sentences.append("\n").append(english(problem.message));
+        joined.message = {DYNCAL_TEXT("core", "%1 of the inputs cannot be read:%2"),
+            {std::to_string(m_problems.size()), sentences}};
+        return joined;
+    }
+
+    Error nothingRead() const
+    {
+        std::string sentences;
+        for (const Finding &finding : m_set.findings)
+            sentences.append("\n").append(english(finding.message));
+        return {ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core", "No recording was found in the inputs; readable are: %1.%2"),
+                {readableFormatsText(), sentences}},
+            "CAP-001", 0};
+    }
+
+    CaptureSet m_set;
+    std::vector<Error> m_problems;
+};
+
+/// The files that `paths` name; folders give theirs. What cannot be listed is a problem.
+std::vector<Candidate> candidates(const std::vector<std::string> &paths, CaptureJoiner &joiner)
+{
+    std::vector<Candidate> files;
+    for (const std::string &path : paths) {
+        std::error_code error;
+        if (!fs::is_directory(path, error)) {
+            files.push_back({path, true});
+        } else if (Result<std::vector<Candidate>> found = filesIn(path); found) {
+            std::move(found->begin(), found->end(), std::back_inserter(files));
+        } else {
+            joiner.addProblem(found.error());
+        }
+    }
+    return files;
+}
+
+/// The share of one of `count` equal parts of the work.
+JobControl partOf(const JobControl &control, std::size_t index, std::size_t count)
+{
+    const auto place = [=](double fraction) {
+        return (static_cast<double>(index) + fraction) / static_cast<double>(count);
+    };
+    return {control.stop, [&control, place](double fraction) { control.report(place(fraction)); }};
+}
+
+using ReadOne
+    = Result<CaptureSet> (*)(const std::string &, const ImportSettings &, const JobControl &);
+
+/// Reads every file with `readOne` and joins what they hold.
+Result<CaptureSet> joinCaptures(const std::vector<std::string> &paths,
+    const ImportSettings &settings, const JobControl &control, ReadOne readOne)
+{
+    if (const auto known = checkFormatName(settings); !known)
+        return tl::unexpected(known.error());
+    CaptureJoiner joiner;
+    const std::vector<Candidate> files = candidates(paths, joiner);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        Result<CaptureSet> part
+            = readOne(files[i].path, settings, partOf(control, i, files.size()));
+        if (!part && part.error().kind == ErrorKind::Cancelled)
+            return part;
+        joiner.add(files[i], std::move(part));
+    }
+    return joiner.finish();
+}
+
+} // namespace
+
+Result<CaptureSet> openCapture(
+    const std::string &path, const ImportSettings &settings, const JobControl &control)
+{
+    const ImportSettings own = settingsOfFile(settings, path);
+    const Result<const CaptureFormat *> format = formatOf(path, own);
+    if (!format)
+        return tl::unexpected(format.error());
+    const InputFile input = stampedInput(path, (*format)->id);
+    Result<CaptureSet> set = (*format)->read(path, own, control);
+    if (!set)
+        return set;
+    set->inputs = {input};
+    for (Shot &shot : set->shots)
+        shot.input = 0;
+    return set;
+}
+
+Result<CaptureSet> openCaptures(const std::vector<std::string> &paths,
+    const ImportSettings &settings, const JobControl &control)
+{
+    return joinCaptures(paths, settings, control, &openCapture);
+}
+
+Result<CaptureSet> readCapture(
+    const std::string &path, const ImportSettings &settings, const JobControl &control)
+{
+    Result<CaptureSet> set = openCapture(path, settings, partOf(control, 0, 2));
+    if (!set)
+        return set;
+    return sealCaptures(std::move(*set), partOf(control, 1, 2));
+}
+
+Result<CaptureSet> readCaptures(const std::vector<std::string> &paths,
+    const ImportSettings &settings, const JobControl &control)
+{
+    Result<CaptureSet> set = joinCaptures(paths, settings, control, &readCapture);
+    if (!set)
+        return set;
+    return sealCaptures(std::move(*set)); // all hashes are there: only compares the inputs
+}
+
+} // namespace dyncal

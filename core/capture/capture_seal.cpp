@@ -1,0 +1,224 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/capture/capture_seal.h"
+
+#include "core/base/content_hash.h"
+
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <system_error>
+
+namespace dyncal {
+namespace {
+
+namespace fs = std::filesystem;
+
+Error cancelled()
+{
+    return {ErrorKind::Cancelled, {}, {}, 0};
+}
+
+Error changedFile(const InputFile &input)
+{
+    return {ErrorKind::FileUnreadable,
+        {DYNCAL_TEXT(
+             "core", "%1 changed since it was opened; open it again, or take an unchanged copy."),
+            {input.path}},
+        "CAP-015", 0};
+}
+
+/// Computes the hashes one after the other and keeps account of the bytes done.
+class Sealer
+{
+public:
+    Sealer(CaptureSet &set, const JobControl &control)
+        : m_set(set)
+        , m_control(control)
+    {
+        for (const InputFile &input : set.inputs)
+            m_totalBytes += input.sha256.empty() ? static_cast<double>(input.bytes) : 0.0;
+        for (const Shot &shot : set.shots) {
+            for (const Channel &channel : shot.channels)
+                m_totalBytes += channel.sha256.empty() ? bytesOf(channel.samples) : 0.0;
+        }
+    }
+
+    Result<void> run()
+    {
+        for (std::size_t i = 0; i < m_set.shots.size(); ++i) {
+            for (Channel &channel : m_set.shots[i].channels) {
+                if (const auto done = sealChannel(static_cast<Index>(i) + 1, channel); !done)
+                    return done;
+            }
+        }
+        for (InputFile &input : m_set.inputs) {
+            if (const auto done = sealInput(input); !done)
+                return done;
+        }
+        return {};
+    }
+
+private:
+    static double bytesOf(const RawSamples &samples)
+    {
+        return static_cast<double>(samples.size() * bytesPerSample(samples.type()));
+    }
+
+    /// Counts the bytes and says whether to go on.
+    bool advance(double bytes)
+    {
+        m_doneBytes += bytes;
+        m_control.report(m_totalBytes > 0.0 ? std::min(m_doneBytes / m_totalBytes, 1.0) : 1.0);
+        return !m_control.stopRequested();
+    }
+
+    Result<void> sealChannel(Index shot, Channel &channel)
+    {
+        if (channel.sha256.empty()) {
+            Result<std::string> hash = hashOf(shot, channel);
+            if (!hash)
+                return tl::unexpected(hash.error());
+            channel.sha256 = std::move(*hash);
+        }
+        if (channel.statedSha256.empty() || channel.statedSha256 == channel.sha256)
+            return {};
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core",
+                 "%1 is damaged: the samples of shot %2, channel '%3' are not those that were "
+                 "recorded (their SHA-256 differs from the one in the file); take an unchanged "
+                 "copy."),
+                {pathOf(shot), std::to_string(shot), channel.name}},
+            "CAP-018", shot);
+    }
+
+    Result<std::string> hashOf(Index shot, const Channel &channel)
+    {
+        Sha256 hash;
+        const RawSamples &samples = channel.samples;
+        const auto width = static_cast<double>(bytesPerSample(samples.type()));
+        for (Index begin = 0; begin < samples.size(); begin += RawSamples::kBlock) {
+            const Index end = std::min(begin + RawSamples::kBlock, samples.size());
+            const bool readable = samples.visitBlocks(
+                begin, end, [&](auto values, Index) { hash.add(std::as_bytes(values)); });
+            if (!readable)
+                return tl::unexpected(unreadable(shot, channel));
+            if (!advance(width * static_cast<double>(end - begin)))
+                return tl::unexpected(cancelled());
+        }
+        return hash.hex();
+    }
+
+    Result<void> sealInput(InputFile &input)
+    {
+        if (!input.sha256.empty())
+            return {};
+        std::uintmax_t counted = 0;
+        const auto goOn = [&](std::uintmax_t done) {
+            const auto more = static_cast<double>(done - counted);
+            counted = done;
+            return advance(more);
+        };
+        input.sha256 = sha256OfFile(input.path, goOn);
+        if (m_control.stopRequested())
+            return tl::unexpected(cancelled());
+        if (input.sha256.empty() || !isUnchanged(input))
+            return tl::unexpected(changedFile(input));
+        return {};
+    }
+
+    const InputFile *inputOf(Index shot) const
+    {
+        const auto input
+            = static_cast<std::size_t>(m_set.shots[static_cast<std::size_t>(shot - 1)].input);
+        return input < m_set.inputs.size() ? &m_set.inputs[input] : nullptr;
+    }
+
+    std::string pathOf(Index shot) const
+    {
+        const InputFile *input = inputOf(shot);
+        return input ? input->path : std::string("The capture");
+    }
+
+    Error unreadable(Index shot, const Channel &channel) const
+    {
+        const InputFile *input = inputOf(shot);
+        if (input && !isUnchanged(*input))
+            return changedFile(*input);
+        return {ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core",
+                 "%1: the samples of shot %2, channel '%3' cannot be read any more; check the "
+                 "drive or the network, or copy the file again."),
+                {pathOf(shot), std::to_string(shot), channel.name}},
+            "CAP-018", shot};
+    }
+
+    CaptureSet &m_set;
+    const JobControl &m_control;
+    double m_totalBytes = 0.0;
+    double m_doneBytes = 0.0;
+};
+
+/// Inputs that repeat an earlier one byte by byte, each with its first shot.
+Findings equalInputs(const CaptureSet &set)
+{
+    Findings findings;
+    for (std::size_t i = 1; i < set.inputs.size(); ++i) {
+        const InputFile &input = set.inputs[i];
+        const auto end = set.inputs.begin() + static_cast<std::ptrdiff_t>(i);
+        const auto twin = std::find_if(set.inputs.begin(), end,
+            [&](const InputFile &earlier) { return earlier.sha256 == input.sha256; });
+        if (twin == end)
+            continue;
+        const auto shot = std::find_if(set.shots.begin(), set.shots.end(),
+            [&](const Shot &s) { return s.input == static_cast<Index>(i); });
+        const Index number = shot != set.shots.end() ? shot - set.shots.begin() + 1 : 0;
+        findings.push_back({"CAP-011", Severity::Caution, number, {}, {},
+            {DYNCAL_TEXT("core",
+                 "%1 and %2 hold identical data; a shot counted twice makes the scatter look "
+                 "smaller than it is. Take one of them out."),
+                {twin->path, input.path}},
+            {}, {}});
+    }
+    return findings;
+}
+
+} // namespace
+
+InputFile stampedInput(const std::string &path, const std::string &format)
+{
+    InputFile input;
+    input.path = path;
+    input.file = fs::path(path).filename().string();
+    input.format = format;
+    std::error_code error;
+    const std::uintmax_t bytes = fs::file_size(path, error);
+    input.bytes = error ? 0 : bytes;
+    const fs::file_time_type changed = fs::last_write_time(path, error);
+    input.changed_ns = error
+        ? 0
+        : std::chrono::duration_cast<std::chrono::nanoseconds>(changed.time_since_epoch()).count();
+    return input;
+}
+
+bool isUnchanged(const InputFile &input)
+{
+    if (input.bytes == 0 && input.changed_ns == 0)
+        return true;
+    const InputFile now = stampedInput(input.path, input.format);
+    return now.bytes == input.bytes && now.changed_ns == input.changed_ns;
+}
+
+Result<CaptureSet> sealCaptures(CaptureSet set, const JobControl &control)
+{
+    if (const Result<void> done = Sealer(set, control).run(); !done)
+        return tl::unexpected(done.error());
+    for (Finding &finding : equalInputs(set)) {
+        if (std::find(set.findings.begin(), set.findings.end(), finding) == set.findings.end())
+            set.findings.push_back(std::move(finding));
+    }
+    return set;
+}
+
+} // namespace dyncal

@@ -1,0 +1,164 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/capture/channel_rules.h"
+
+#include "core/base/number_text.h"
+#include "core/capture/channel_units.h"
+#include "core/capture/gap_filling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+namespace {
+
+constexpr double kPercent = 0.01;
+constexpr double kSameRate = 1e-9; ///< rounding of a rate that was written as an interval
+
+bool isRate(double rate_Hz)
+{
+    return rate_Hz > 0.0 && std::isfinite(rate_Hz);
+}
+
+tl::unexpected<Error> missingRate(const Channel &channel, Index shot)
+{
+    return fail(ErrorKind::DataBlocked,
+        Message{DYNCAL_TEXT("core",
+                    "Shot %1, channel '%2': the file states no sample rate and has no time column; "
+                    "give import.sample_rate_hz in the recipe."),
+            {std::to_string(shot), channel.name}},
+        "CAP-003", shot);
+}
+
+tl::unexpected<Error> contradictedRate(const Channel &channel, Index shot, double typed_Hz)
+{
+    return fail(ErrorKind::DataBlocked,
+        Message{
+            DYNCAL_TEXT("core",
+                "Shot %1, channel '%2': the file states %3 but import.sample_rate_hz is %4. "
+                "Leave the key out, or say in import.sample_rate_reason why the file is wrong."),
+            {std::to_string(shot), channel.name, numberWithUnit(channel.sampleRate_Hz, "Hz", 6),
+                numberWithUnit(typed_Hz, "Hz", 6)}},
+        "CAP-003", shot);
+}
+
+Finding replacedRate(double stated_Hz, double typed_Hz, const std::string &reason, bool contradicts)
+{
+    const std::string typed = numberWithUnit(typed_Hz, "Hz", 6);
+    const std::string stated = numberWithUnit(stated_Hz, "Hz", 6);
+    if (!contradicts)
+        return {"CAP-025", Severity::Info, 0, {}, {},
+            {DYNCAL_TEXT(
+                 "core", "The recipe's sample rate of %1 replaces the %2 that the files state."),
+                {typed, stated}},
+            typed_Hz, stated_Hz};
+    return {"CAP-025", Severity::Caution, 0, {}, {},
+        {DYNCAL_TEXT("core",
+             "The recipe's sample rate of %1 replaces the %2 that the files state; reason: %3."),
+            {typed, stated, reason}},
+        typed_Hz, stated_Hz};
+}
+
+/// What is said of this channel, completed for the DUT by what is said of the DUT.
+ChannelImport detailsOf(const Channel &channel, const ImportSettings &settings)
+{
+    const auto found = settings.channelDetails.find(channel.name);
+    ChannelImport details
+        = found != settings.channelDetails.end() ? found->second : ChannelImport();
+    if (channel.role != ChannelRole::Dut)
+        return details;
+    if (!details.unit)
+        details.unit = settings.unit;
+    details.scale = details.scale.value_or(settings.scale);
+    details.polarity = details.polarity.value_or(settings.polarity);
+    if (details.reference.empty())
+        details.reference = settings.reference;
+    return details;
+}
+
+PressureReference referenceFromName(const std::string &name)
+{
+    return name == "gauge" ? PressureReference::Gauge : PressureReference::Absolute;
+}
+
+void convertToSi(Channel &channel)
+{
+    const auto si = siUnitOf(channel.unit);
+    if (!si || si->unit == channel.unit)
+        return;
+    channel.recordedUnit = channel.unit;
+    channel.userScale *= si->factor;
+    channel.unit = si->unit;
+}
+
+Result<void> divideBySensitivity(Channel &channel, Index shot, double sensitivity)
+{
+    if (channel.unit == "Pa")
+        return fail(ErrorKind::Usage,
+            Message{DYNCAL_TEXT("core",
+                        "Shot %1, channel '%2' is a pressure already (%3), so it cannot have a "
+                        "sensitivity; leave out the sensitivity or give its unit, e.g. V."),
+                {std::to_string(shot), channel.name,
+                    channel.recordedUnit.empty() ? channel.unit : channel.recordedUnit}});
+    channel.userScale /= sensitivity;
+    channel.recordedUnit.clear();
+    channel.unit = "Pa";
+    channel.quantity = "pressure";
+    return {};
+}
+
+void fillGapsOfDut(Channel &channel, Index shot, Index longest, Findings &findings)
+{
+    if (channel.role != ChannelRole::Dut)
+        return;
+    const Index filled = fillGaps(channel.samples, longest); // sha256 stays that of the recording
+    if (filled > 0)
+        findings.push_back({"CAP-022", Severity::Caution, shot, channel.name, {},
+            {DYNCAL_TEXT("core", "Shot %1, %2: %3 invalid samples were interpolated."),
+                {std::to_string(shot), channel.name, std::to_string(filled)}},
+            static_cast<double>(filled), static_cast<double>(longest)});
+}
+
+} // namespace
+
+Result<void> setSampleRate(Channel &channel, Index shot, const ImportSettings &settings,
+    const CheckSettings &checks, Findings &findings)
+{
+    const double stated_Hz = channel.sampleRate_Hz;
+    const double rate_Hz = settings.sampleRate_Hz.value_or(stated_Hz);
+    if (!isRate(rate_Hz))
+        return missingRate(channel, shot);
+    const double difference = isRate(stated_Hz) ? std::abs(rate_Hz / stated_Hz - 1.0) : 0.0;
+    const bool contradicts = difference > kPercent * checks.rateMismatch_percent;
+    if (contradicts && settings.sampleRateReason.empty())
+        return contradictedRate(channel, shot, rate_Hz);
+    channel.sampleRate_Hz = rate_Hz;
+    if (difference <= kSameRate)
+        return {};
+    Finding replaced = replacedRate(stated_Hz, rate_Hz, settings.sampleRateReason, contradicts);
+    if (std::find(findings.begin(), findings.end(), replaced) == findings.end())
+        findings.push_back(std::move(replaced));
+    return {};
+}
+
+Result<void> shapeChannel(
+    Channel &channel, Index shot, const ImportSettings &settings, Findings &findings)
+{
+    const ChannelImport details = detailsOf(channel, settings);
+    if (details.unit)
+        channel.unit = *details.unit;
+    channel.userScale *= details.scale.value_or(1.0) / details.gain.value_or(1.0);
+    channel.polarity *= details.polarity.value_or(1);
+    if (!details.reference.empty())
+        channel.reference = referenceFromName(details.reference);
+    convertToSi(channel);
+    if (details.sensitivity) {
+        if (auto done = divideBySensitivity(channel, shot, *details.sensitivity); !done)
+            return done;
+    }
+    fillGapsOfDut(channel, shot, settings.interpolateInvalid, findings);
+    return {};
+}
+
+} // namespace dyncal

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/finding.h"
+#include "core/base/result.h"
+#include "core/capture/channel.h"
+#include "core/capture/check_settings.h"
+#include "core/capture/import_settings.h"
+
+namespace dyncal {
+
+/// Puts the recipe's sample rate in the place of the file's. A rate that differs from the file's by
+/// more than checks.rateMismatch_percent needs a reason, else CAP-003; with one it is a caution,
+/// below that an info (CAP-025, once for the same rates). CAP-003 too where there is no rate at
+/// all.
+Result<void> setSampleRate(Channel &channel, Index shot, const ImportSettings &settings,
+    const CheckSettings &checks, Findings &findings);
+
+/// Brings the channel's values into its SI unit with what the recipe says of the channel and, if it
+/// is the DUT, of the DUT; fills short gaps of the DUT (CAP-022). Fails (Usage) on a sensitivity of
+/// what is a pressure already.
+Result<void> shapeChannel(
+    Channel &channel, Index shot, const ImportSettings &settings, Findings &findings);
+
+} // namespace dyncal

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace dyncal {
+
+/// A unit in terms of the SI unit of its kind.
+struct SiUnit
+{
+    std::string unit; ///< "Pa" or "V"
+    double factor = 1.0; ///< SI units in one of it
+};
+
+/// Pressures (Pa, hPa, kPa, MPa, mbar, bar, psi) in Pa and voltages (V, mV, uV, kV) in V; empty for
+/// every other unit, which then is left as it is. psi: 6894.757 Pa (NIST SP 811).
+std::optional<SiUnit> siUnitOf(std::string_view unit);
+
+} // namespace dyncal

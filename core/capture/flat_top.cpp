@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/capture/flat_top.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace dyncal {
+namespace {
+
+constexpr Index kNoiseSpan = 4096; ///< samples at the start that tell the noise
+constexpr Index kLeastSpan = 64;
+constexpr Index kLongRun = 16;
+constexpr double kJumpShare = 0.01; ///< of the range
+constexpr double kJumpSigmas = 6.0;
+constexpr double kJumpCodes = 2.0;
+constexpr double kNormal = 1.4826; ///< standard deviation over median of a normal distribution
+
+/// Noise and smallest step of the values, from the quiet beginning of a record.
+struct Quiet
+{
+    double noise = 0.0;
+    double code = 0.0;
+    bool isNoisy() const { return noise > 0.5 * code && noise > 0.0; }
+};
+
+Quiet quietBeginning(const RawSamples &samples)
+{
+    Quiet quiet;
+    quiet.code = samples.isInteger() ? 1.0 : 0.0;
+    const Index span = std::min(kNoiseSpan, samples.size() / 8);
+    if (span < kLeastSpan)
+        return quiet;
+    std::vector<double> steps;
+    double before = samples.at(0);
+    samples.visitBlocks(1, span, [&](auto values, Index) {
+        for (const auto value : values) {
+            const double step = std::abs(static_cast<double>(value) - before);
+            before = static_cast<double>(value);
+            if (std::isfinite(step))
+                steps.push_back(step);
+        }
+    });
+    if (steps.empty())
+        return quiet;
+    std::sort(steps.begin(), steps.end());
+    quiet.noise = kNormal * steps[steps.size() / 2] / std::sqrt(2.0);
+    if (const auto moved = std::upper_bound(steps.begin(), steps.end(), 0.0);
+        !samples.isInteger() && moved != steps.end())
+        quiet.code = *moved;
+    return quiet;
+}
+
+} // namespace
+
+bool isCutOff(const RawSamples &samples, const RecordSurvey &survey, const EqualRun &run)
+{
+    const Quiet quiet = quietBeginning(samples);
+    const double level = samples.at(run.begin);
+    const double leastJump = std::max({kJumpShare * (survey.highest - survey.lowest),
+        kJumpSigmas * quiet.noise, kJumpCodes * quiet.code});
+    const auto exists = [&](Index i) { return i >= 0 && i < samples.size(); };
+    /// `step` leads away from the run.
+    const auto jumps = [&](Index beside) {
+        return exists(beside) && std::abs(samples.at(beside) - level) > leastJump;
+    };
+    const auto moves = [&](Index beside, Index step) {
+        return exists(beside + step) && samples.at(beside + step) != samples.at(beside);
+    };
+    const Index before = run.begin - 1;
+    const Index after = run.begin + run.count;
+    if (quiet.isNoisy())
+        return jumps(before) || jumps(after) || run.count >= kLongRun;
+    return jumps(before) && jumps(after) && moves(before, -1) && moves(after, 1);
+}
+
+} // namespace dyncal

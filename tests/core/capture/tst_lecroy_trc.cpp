@@ -1,0 +1,421 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/capture/formats/lecroy_trc.h"
+
+#include "tests/core/capture/binary_test_support.h"
+
+namespace dyncal {
+
+using namespace testing;
+
+namespace {
+
+/// What a generated file is to be.
+struct Recipe
+{
+    std::endian order = std::endian::little;
+    bool words = true;
+    QByteArray layout = "LECROY_2_3";
+    QByteArray prefix; ///< of a transfer
+    QByteArray label, unit = "V", horizontalUnit = "S";
+    std::int32_t textBytes = 0, wave2Bytes = 0;
+    std::vector<std::int16_t> counts{-100, 0, 100, 127, -128, 7};
+    std::int32_t segments = 1;
+    std::vector<double> triggers; ///< pairs time, offset
+    float gain = 0.001F, offset = -0.25F;
+    std::optional<float> acquisitionOffset;
+    float interval = 1e-9F;
+    double horizontalOffset = -2.5e-6;
+    std::int16_t recordType = 0, source = 1, bits = 8;
+    std::int32_t firstValid = 0, firstPoint = 0, sparsing = 1;
+    std::int16_t risSweeps = 1;
+    std::optional<std::int32_t> count, wave1Bytes, triggerBytes, lastValid, descriptorBytes;
+};
+
+/// Puts a field at its place in the descriptor.
+template <typename T>
+void place(QByteArray &block, const Recipe &recipe, qsizetype at, T value)
+{
+    const QByteArray raw = ByteWriter(recipe.order).put(value).bytes();
+    block.replace(at, raw.size(), raw);
+}
+
+void placeText(QByteArray &block, qsizetype at, const QByteArray &text)
+{
+    block.replace(at, text.size(), text);
+}
+
+QByteArray trc(const Recipe &recipe)
+{
+    const bool newer = recipe.layout == "LECROY_2_3" || !recipe.layout.endsWith("1_0");
+    QByteArray block(newer ? 346 : 320, '\0');
+    const auto count = recipe.count.value_or(static_cast<std::int32_t>(recipe.counts.size()));
+    const auto bytes = static_cast<std::int32_t>(recipe.counts.size() * (recipe.words ? 2 : 1));
+    const auto triggers = static_cast<std::int32_t>(recipe.triggers.size() * sizeof(double));
+    const auto put32 = [&](qsizetype at, std::int32_t value) { place(block, recipe, at, value); };
+    const auto put16 = [&](qsizetype at, std::int16_t value) { place(block, recipe, at, value); };
+    placeText(block, 0, "WAVEDESC");
+    placeText(block, 16, recipe.layout);
+    put16(32, recipe.words ? 1 : 0);
+    put16(34, recipe.order == std::endian::little ? 1 : 0);
+    put32(36, recipe.descriptorBytes.value_or(static_cast<std::int32_t>(block.size())));
+    put32(40, recipe.textBytes);
+    put32(newer ? 48 : 44, recipe.triggerBytes.value_or(triggers));
+    put32(newer ? 60 : 48, recipe.wave1Bytes.value_or(bytes));
+    put32(newer ? 64 : 52, recipe.wave2Bytes);
+    placeText(block, newer ? 76 : 56, "LECROYHDO6104");
+    put32(newer ? 92 : 72, 4711);
+    placeText(block, newer ? 96 : 76, recipe.label);
+    const qsizetype at = newer ? 116 : 92;
+    put32(at, count);
+    put32(at + 8, recipe.firstValid);
+    put32(at + 12, recipe.lastValid.value_or(count - 1));
+    if (newer) {
+        put32(at + 16, recipe.firstPoint);
+        put32(at + 20, recipe.sparsing);
+    }
+    put32(newer ? 144 : 108, recipe.segments);
+    place(block, recipe, newer ? 156 : 120, recipe.gain);
+    place(block, recipe, newer ? 160 : 124, recipe.offset);
+    put16(newer ? 172 : 132, recipe.bits);
+    place(block, recipe, newer ? 176 : 134, recipe.interval);
+    place(block, recipe, newer ? 180 : 138, recipe.horizontalOffset);
+    placeText(block, newer ? 196 : 154, recipe.unit);
+    placeText(block, newer ? 244 : 202, recipe.horizontalUnit);
+    const QByteArray date = ByteWriter(recipe.order)
+                                .put(7.25)
+                                .put<std::uint8_t>(5)
+                                .put<std::uint8_t>(14)
+                                .put<std::uint8_t>(3)
+                                .put<std::uint8_t>(2)
+                                .put<std::int16_t>(2025)
+                                .bytes();
+    placeText(block, newer ? 296 : 250, date);
+    put16(newer ? 316 : 270, recipe.recordType);
+    if (newer)
+        put16(322, recipe.risSweeps);
+    place(block, recipe, newer ? 340 : 290, recipe.acquisitionOffset.value_or(recipe.offset));
+    put16(newer ? 344 : 296, static_cast<std::int16_t>(recipe.source + (newer ? 0 : 1)));
+    ByteWriter out(recipe.order);
+    out.raw(recipe.prefix).raw(block).zeros(recipe.textBytes).putAll(recipe.triggers);
+    for (const std::int16_t value : recipe.counts) {
+        if (recipe.words)
+            out.put(value);
+        else
+            out.put(static_cast<std::int8_t>(value));
+    }
+    return out.zeros(recipe.wave2Bytes).bytes();
+}
+
+/// Values of RigolWFM's tables and of the headers' dump, converted by hand.
+struct Known
+{
+    const char *name;
+    std::size_t shots;
+    Index points;
+    double rate_Hz, t0_s, gain, offset;
+    const char *channel, *model;
+};
+constexpr Known kKnown[] = {
+    {"lecroy_2.trc", 1, 100002, 1e7, -0.0010000682217302932, 8.719309789739782e-07,
+        0.33000001311302185, "C2", "LECROYWP254HD-MS"},
+    {"lecroy_3.trc", 20, 502, 1e9, -3.645793678514268e-07, 0.00012499500007834285, 1.0, "C2",
+        "LECROYWR64Xi-A"},
+    {"lecroy_4.trc", 1, 502, 1e9, -1.2074500661794662e-07, 0.00012499500007834285, 1.0, "C2",
+        "LECROYWR64Xi-A"},
+    {"trace3.000", 1, 5002, 1e9, -1.5705740271654278e-06, 0.0001220703125, 0.7799999713897705,
+        "Trace3", "LeCroy 7200 DSO"},
+};
+
+} // namespace
+
+/// LeCroy waveforms of both templates.
+class TestLecroyTrc : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void waveform_inEveryLayout_isExact_data();
+    void waveform_inEveryLayout_isExact();
+    void transferPrefix_andUserText_areSkipped();
+    void sequence_segments_areShotsWithTheirOwnTrigger();
+    void validPoints_only_areTaken();
+    void secondArray_isLeftOut();
+    void impossibleInterval_isNoRate();
+    void unreadable_isRefusedBySentence_data();
+    void unreadable_isRefusedBySentence();
+    void bombs_areRefusedAtOnce();
+    void truncated_anywhere_isRefused();
+    void mutants_neverCrash();
+    void corpus_isReadOrRefused();
+
+private:
+    Result<CaptureSet> readBytes(const QByteArray &bytes)
+    {
+        const QString path = m_folder.filePath(QString("f%1.trc").arg(++m_files));
+        return readCapture(write(path, bytes), {});
+    }
+
+    QTemporaryDir m_folder;
+    int m_files = 0;
+};
+
+void TestLecroyTrc::waveform_inEveryLayout_isExact_data()
+{
+    QTest::addColumn<QByteArray>("layout");
+    QTest::addColumn<bool>("big");
+    QTest::addColumn<bool>("words");
+    for (const char *layout : {"LECROY_2_3", "LECROY_1_0"}) {
+        for (const bool big : {false, true}) {
+            for (const bool words : {false, true})
+                QTest::addRow("%s %d %d", layout, big, words) << QByteArray(layout) << big << words;
+        }
+    }
+}
+
+void TestLecroyTrc::waveform_inEveryLayout_isExact()
+{
+    QFETCH(QByteArray, layout);
+    QFETCH(bool, big);
+    QFETCH(bool, words);
+    Recipe recipe;
+    recipe.layout = layout;
+    recipe.order = big ? std::endian::big : std::endian::little;
+    recipe.words = words;
+    const auto set = readBytes(trc(recipe));
+    QVERIFY2(set.has_value(), sentence(set).c_str());
+    QCOMPARE(set->inputs[0].format, std::string("lecroy-trc"));
+    QVERIFY(set->findings.empty());
+    QCOMPARE(set->shots.size(), std::size_t(1));
+    QCOMPARE(set->shots[0].notes.at("recorded"), std::string("2025-02-03 14:05:07.25"));
+    QCOMPARE(set->instruments.at("oscilloscope").at("model"), std::string("LECROYHDO6104"));
+    QCOMPARE(set->instruments.at("oscilloscope").at("serial"), std::string("4711"));
+    const Channel &channel = set->shots[0].channels.at(0);
+    QCOMPARE(channel.name, std::string("C2"));
+    QCOMPARE(channel.unit, std::string("V"));
+    QCOMPARE(channel.sampleRate_Hz, 1.0 / 1e-9);
+    QCOMPARE(channel.t0_s, -2.5e-6);
+    QCOMPARE(channel.adcBits, 8);
+    QVERIFY(!channel.adcMax);
+    QVERIFY(!channel.samples.isInMemory());
+    QCOMPARE(channel.samples.type(), words ? SampleType::Int16 : SampleType::Int8);
+    QCOMPARE(channel.samples.size(), Index(6));
+    for (Index k = 0; k < 6; ++k) {
+        const double count = recipe.counts[static_cast<std::size_t>(k)];
+        QCOMPARE(channel.samples.at(k), count);
+        QCOMPARE(physicalValues(channel, k, 1)[0], double(0.001F) * count + 0.25);
+    }
+}
+
+void TestLecroyTrc::transferPrefix_andUserText_areSkipped()
+{
+    Recipe recipe;
+    recipe.prefix = "#9000000358";
+    recipe.textBytes = 33;
+    recipe.label = "PCB \xB5s";
+    const auto set = readBytes(trc(recipe));
+    QVERIFY2(set.has_value(), sentence(set).c_str());
+    QCOMPARE(set->shots[0].channels[0].samples.at(4), -128.0);
+    QCOMPARE(set->shots[0].channels[0].name, std::string("PCB \xC2\xB5s"));
+}
+
+void TestLecroyTrc::sequence_segments_areShotsWithTheirOwnTrigger()
+{
+    Recipe recipe;
+    recipe.segments = 3;
+    recipe.triggers = {0.0, -1e-6, 0.5, -2e-6, 1.25, -3e-6};
+    const auto set = readBytes(trc(recipe));
+    QVERIFY2(set.has_value(), sentence(set).c_str());
+    QCOMPARE(set->shots.size(), std::size_t(3));
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Channel &channel = set->shots[i].channels.at(0);
+        QCOMPARE(channel.samples.size(), Index(2));
+        QCOMPARE(channel.samples.at(1), double(recipe.counts[2 * i + 1]));
+        QCOMPARE(channel.t0_s, recipe.triggers[2 * i + 1]);
+    }
+    QCOMPARE(set->shots[2].notes.at("trigger_time_s"), std::string("1.25"));
+}
+
+void TestLecroyTrc::validPoints_only_areTaken()
+{
+    Recipe recipe;
+    recipe.firstValid = 2;
+    recipe.lastValid = 4;
+    const auto set = readBytes(trc(recipe));
+    QVERIFY2(set.has_value(), sentence(set).c_str());
+    const Channel &channel = set->shots[0].channels[0];
+    QCOMPARE(channel.samples.size(), Index(3));
+    QCOMPARE(channel.samples.at(0), 100.0);
+    QCOMPARE(channel.t0_s, -2.5e-6 + 2 * 1e-9);
+}
+
+void TestLecroyTrc::secondArray_isLeftOut()
+{
+    Recipe recipe;
+    recipe.wave2Bytes = 12;
+    const auto set = readBytes(trc(recipe));
+    QVERIFY(set && hasFinding(set->findings, "CAP-026"));
+}
+
+void TestLecroyTrc::impossibleInterval_isNoRate()
+{
+    for (const float interval : {0.0F, -1e-9F, std::nanf("")}) {
+        Recipe recipe;
+        recipe.interval = interval;
+        const auto set = readBytes(trc(recipe));
+        QVERIFY(set && hasFinding(set->findings, "CAP-016"));
+        QCOMPARE(set->shots[0].channels[0].sampleRate_Hz, 0.0);
+    }
+}
+
+void TestLecroyTrc::unreadable_isRefusedBySentence_data()
+{
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<QString>("says");
+    const auto row = [](const char *name, const char *id, const char *says, auto &&change) {
+        Recipe recipe;
+        change(recipe);
+        QTest::newRow(name) << trc(recipe) << id << says;
+    };
+    row("template", "CAP-001", "template LECROY_2_2", [](Recipe &r) { r.layout = "LECROY_2_2"; });
+    row("histogram", "CAP-001", "record type 2", [](Recipe &r) { r.recordType = 2; });
+    row("spectrum", "CAP-001", "over \"Hz\"", [](Recipe &r) { r.horizontalUnit = "Hz"; });
+    row("RIS", "CAP-001", "interleaved", [](Recipe &r) { r.risSweeps = 20; });
+    row("sparse", "CAP-001", "sparse", [](Recipe &r) { r.sparsing = 4; });
+    row("first point", "CAP-001", "sparse", [](Recipe &r) { r.firstPoint = 4; });
+    row("offsets", "CAP-001", "two vertical offsets", [](Recipe &r) {
+        r.layout = "LECROY_1_0";
+        r.acquisitionOffset = 2.5F;
+    });
+    row("valid points of a sequence", "CAP-001", "invalid points", [](Recipe &r) {
+        r.segments = 2;
+        r.firstValid = 1;
+    });
+    row("count", "CAP-018", "WAVE_ARRAY_COUNT", [](Recipe &r) { r.count = 7; });
+    row("negative", "CAP-018", "length of a block", [](Recipe &r) { r.wave1Bytes = -12; });
+    row("segments", "CAP-018", "SUBARRAY_COUNT", [](Recipe &r) { r.segments = 4; });
+    row("trigger times", "CAP-018", "TRIGTIME_ARRAY", [](Recipe &r) { r.segments = 2; });
+    row("gain", "CAP-018", "VERTICAL_GAIN", [](Recipe &r) { r.gain = 0.0F; });
+    row("valid", "CAP-018", "FIRST_VALID_PNT", [](Recipe &r) { r.lastValid = 6; });
+    row("descriptor", "CAP-018", "WAVE_DESCRIPTOR", [](Recipe &r) { r.descriptorBytes = 12; });
+    row("header only", "CAP-018", "after 0 of the 6 samples of channel C2", [](Recipe &r) {
+        r.counts.clear();
+        r.count = 6;
+        r.wave1Bytes = 12;
+    });
+    QTest::newRow("cut") << trc({}).chopped(3) << "CAP-018"
+                         << "after 4 of the 6";
+}
+
+void TestLecroyTrc::unreadable_isRefusedBySentence()
+{
+    QFETCH(QByteArray, bytes);
+    QFETCH(QString, id);
+    QFETCH(QString, says);
+    const auto set = readBytes(bytes);
+    QCOMPARE(findingId(set), id.toStdString());
+    QVERIFY2(contains(sentence(set), says.toStdString()), sentence(set).c_str());
+}
+
+void TestLecroyTrc::bombs_areRefusedAtOnce()
+{
+    QElapsedTimer timer;
+    timer.start();
+    Recipe recipe;
+    recipe.wave1Bytes = 0x7FFFFFFE;
+    recipe.count = 0x3FFFFFFF;
+    QCOMPARE(findingId(readBytes(trc(recipe))), std::string("CAP-018"));
+    recipe.segments = 0x3FFFFFFF;
+    recipe.triggerBytes = 0x7FFFFFFF;
+    QCOMPARE(findingId(readBytes(trc(recipe))), std::string("CAP-018"));
+    recipe = {};
+    recipe.descriptorBytes = 0x7FFFFFFF;
+    recipe.textBytes = 0;
+    QCOMPARE(findingId(readBytes(trc(recipe))), std::string("CAP-018"));
+    QVERIFY(timer.elapsed() < kSlow_ms);
+}
+
+void TestLecroyTrc::truncated_anywhere_isRefused()
+{
+    Recipe recipe;
+    recipe.segments = 2;
+    recipe.triggers = {0.0, -1e-6, 0.5, -2e-6};
+    const Storm storm
+        = truncateEverywhere(&readLecroyTrc, trc(recipe), m_folder.filePath("cut.trc"));
+    QCOMPARE(storm.wrong, 0);
+    QCOMPARE(storm.read, 0);
+}
+
+void TestLecroyTrc::mutants_neverCrash()
+{
+    Recipe old;
+    old.layout = "LECROY_1_0";
+    old.order = std::endian::big;
+    Recipe sequence;
+    sequence.segments = 2;
+    sequence.triggers = {0.0, -1e-6, 0.5, -2e-6};
+    const Storm storm = mutate(&readLecroyTrc, {trc({}), trc(old), trc(sequence)}, kMutants,
+        m_folder.filePath("mutant.trc"));
+    qInfo("%d read, %d refused, slowest %lld ms", storm.read, storm.refused,
+        static_cast<long long>(storm.slowest_ms));
+    QCOMPARE(storm.wrong, 0);
+    QVERIFY(storm.slowest_ms < kSlow_ms);
+    QVERIFY(storm.refused > kMutants / 10);
+}
+
+void TestLecroyTrc::corpus_isReadOrRefused()
+{
+    const QStringList files = corpusFiles("rigolwfm/files/trc", {".trc", ".000"});
+    if (files.isEmpty())
+        QSKIP("DYNCAL_DATA has no folder rigolwfm: 0 files covered");
+    int read = 0, refused = 0, known = 0;
+    for (const QString &path : files) {
+        const auto set = readCapture(path.toStdString(), {});
+        if (!set) {
+            QVERIFY2(
+                findingId(set) == "CAP-018" || findingId(set) == "CAP-001", sentence(set).c_str());
+            qInfo("refused (%s): %s", findingId(set).c_str(), sentence(set).c_str());
+            ++refused;
+            continue;
+        }
+        ++read;
+        const auto fact = std::find_if(std::begin(kKnown), std::end(kKnown),
+            [&](const Known &one) { return path.endsWith(one.name); });
+        if (fact == std::end(kKnown))
+            continue;
+        ++known;
+        QCOMPARE(set->instruments.at("oscilloscope").at("model"), std::string(fact->model));
+        QCOMPARE(set->shots.size(), fact->shots);
+        const Channel &channel = set->shots[0].channels.at(0);
+        QCOMPARE(channel.name, std::string(fact->channel));
+        QCOMPARE(channel.samples.size(), fact->points);
+        QCOMPARE(channel.sampleRate_Hz, fact->rate_Hz);
+        QCOMPARE(channel.t0_s, fact->t0_s);
+        QCOMPARE(channel.polynomial, (std::vector<double>{fact->offset, fact->gain}));
+        // The samples are the last thing in these files (the old template ends with a newline).
+        QByteArray bytes = bytesOf(path);
+        if (bytes.size() % 2 == 1 && !path.endsWith(".trc"))
+            bytes.chop(1);
+        const qsizetype total = 2 * fact->points * static_cast<qsizetype>(fact->shots);
+        for (std::size_t s = 0; s < fact->shots; ++s) {
+            const qsizetype begin
+                = bytes.size() - total + 2 * fact->points * static_cast<qsizetype>(s);
+            for (Index k = 0; k < fact->points; ++k) {
+                std::int16_t count = 0;
+                std::memcpy(&count, bytes.constData() + begin + 2 * k, 2);
+                QVERIFY(set->shots[s].channels[0].samples.at(k) == double(count));
+            }
+        }
+    }
+    qInfo("LeCroy: %d files, %d read (%d with known facts), %d refused", int(files.size()), read,
+        known, refused);
+    QCOMPARE(read + refused, int(files.size()));
+    QVERIFY(known >= 2);
+}
+
+} // namespace dyncal
+
+QTEST_GUILESS_MAIN(dyncal::TestLecroyTrc)
+#include "tst_lecroy_trc.moc"
