@@ -256,6 +256,14 @@
         <source>Interpolate invalid samples</source>
         <translation>Interpolera ogiltiga sampel</translation>
     </message>
+    <message>
+        <source>Swap in %1</source>
+        <translation>Byt plats i %1</translation>
+    </message>
+    <message>
+        <source>Import settings...</source>
+        <translation>Importinställningar...</translation>
+    </message>
 </context>
 <context>
     <name>ModelText</name>
@@ -784,16 +792,8 @@
         <translation>Kanal &apos;%1&apos; i skott %2 är konstant: alla %3 sampel är %4. Kontrollera kabel och roll.</translation>
     </message>
     <message>
-        <source>Shot %1, %2: %3 invalid samples, the first at %4 (sample %5). Inside the response window they block the shot; exclude it or set import.interpolate_invalid.</source>
-        <translation>Skott %1, %2: %3 ogiltiga sampel, det första vid %4 (sampel %5). Inom svarsfönstret blockerar de skottet; uteslut det eller ange import.interpolate_invalid.</translation>
-    </message>
-    <message>
         <source>Shot %1, %2 is saturated for %3 at %4, from %5 on. Inside the response window that blocks the shot; use a wider range.</source>
         <translation>Skott %1, %2 är mättat under %3 vid %4, från och med %5. Inom svarsfönstret blockerar det skottet; använd ett större mätområde.</translation>
-    </message>
-    <message>
-        <source>Shot %1 holds the same data as a shot before it; exclude one.</source>
-        <translation>Skott %1 innehåller samma data som ett tidigare skott; uteslut ett av dem.</translation>
     </message>
     <message>
         <source>One shot: PCA is skipped and repeatability cannot be evaluated.</source>
@@ -842,14 +842,6 @@
     <message>
         <source>%1 is a 7-Zip archive; unpack it first. Readable are: %2.</source>
         <translation>%1 är ett 7-Zip-arkiv; packa upp det först. Läsbara format: %2.</translation>
-    </message>
-    <message>
-        <source>%1 is a LabVIEW TDMS file, which this version does not read; export it as LVM or CSV. Readable are: %2.</source>
-        <translation>%1 är en LabVIEW TDMS-fil, som denna version inte läser; exportera den som LVM eller CSV. Läsbara format: %2.</translation>
-    </message>
-    <message>
-        <source>%1 is only the index of a LabVIEW TDMS file and holds no samples. Readable are: %2.</source>
-        <translation>%1 är bara indexet till en LabVIEW TDMS-fil och innehåller inga sampel. Läsbara format: %2.</translation>
     </message>
     <message>
         <source>%1 is a MATLAB file, which this version does not read; write the samples as CSV or HDF5 capture. Readable are: %2.</source>
@@ -940,10 +932,6 @@
         <translation>%1: scale, offset eller poly för kanal %2 är inte ett tal; utan det saknar avläsningarna enhet.</translation>
     </message>
     <message>
-        <source>%1: the samples of channel %2 are not those that were recorded (their SHA-256 differs from the one in the file); take an unchanged copy.</source>
-        <translation>%1: samplen i kanal %2 är inte de som registrerades (deras SHA-256 skiljer sig från den i filen); ta en oförändrad kopia.</translation>
-    </message>
-    <message>
         <source>%1: the samples of channel %2 are stored in a type for which the SHA-256 in the file was not checked.</source>
         <translation>%1: samplen i kanal %2 är lagrade i en typ för vilken SHA-256 i filen inte kontrollerades.</translation>
     </message>
@@ -996,16 +984,8 @@
         <translation>%1: kanal %2 är komprimerad i block på mer än 64 MiB; spara filen med mindre block eller utan komprimering.</translation>
     </message>
     <message>
-        <source>Recipe import.channels names a channel &apos;%1&apos; that no shot has; the channels are %2.</source>
-        <translation>Receptets import.channels anger en kanal &apos;%1&apos; som inget skott har; kanalerna är %2.</translation>
-    </message>
-    <message>
         <source>Shot %1, channel &apos;%2&apos;: the file states no sample rate and has no time column; give import.sample_rate_hz in the recipe.</source>
         <translation>Skott %1, kanal &apos;%2&apos;: filen anger ingen samplingsfrekvens och har ingen tidskolumn; ange import.sample_rate_hz i receptet.</translation>
-    </message>
-    <message>
-        <source>The recipe&apos;s sample rate of %1 replaces what the files state.</source>
-        <translation>Receptets samplingsfrekvens %1 ersätter den som filerna anger.</translation>
     </message>
     <message>
         <source>Shot %1, %2: %3 invalid samples were interpolated.</source>
@@ -1592,14 +1572,6 @@
         <translation>Modellens poler och nollställen i z-planet</translation>
     </message>
     <message>
-        <source>Shots of a higher sample rate were reduced to %1 for the principal components, through an anti-alias filter.</source>
-        <translation>Skott med högre samplingsfrekvens reducerades till %1 för principalkomponenterna, genom ett antivikningsfilter.</translation>
-    </message>
-    <message>
-        <source>One shot: PCA is skipped, repeatability cannot be evaluated.</source>
-        <translation>Ett skott: PCA hoppas över, repeterbarheten kan inte utvärderas.</translation>
-    </message>
-    <message>
         <source>The first principal component explains %1 % (limit %2 %). Shot %3 carries %4 % of the remainder.</source>
         <translation>Den första principalkomponenten förklarar %1 % (gräns %2 %). Skott %3 står för %4 % av återstoden.</translation>
     </message>
@@ -2172,10 +2144,6 @@
         <translation>%1 är en registrering av slaget %2, som denna version inte läser; spara den som CSV.</translation>
     </message>
     <message>
-        <source>%1 holds no sampled signal; record an analog channel and save it again.</source>
-        <translation>%1 innehåller ingen samplad signal; spela in en analog kanal och spara den igen.</translation>
-    </message>
-    <message>
         <source>%1: the header names %2 columns but the rows have %3 cells, so the comma seems to be both separator and decimal mark; export with another separator, or state separator and decimal in the recipe&apos;s import section.</source>
         <translation>%1: huvudet namnger %2 kolumner men raderna har %3 celler, så kommat tycks vara både skiljetecken och decimaltecken; exportera med ett annat skiljetecken, eller ange separator och decimal i receptets importdel.</translation>
     </message>
@@ -2270,6 +2238,374 @@
     <message>
         <source>The profile cannot be kept as &quot;%1&quot;; choose another name.</source>
         <translation>Profilen kan inte sparas som ”%1”; välj ett annat namn.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel &apos;%2&apos;: the samples cannot be read any more, because the file changed or is out of reach; open it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel &apos;%1&apos; of shot %2 is flat: its standard deviation is %3 codes of the converter (%4 is the limit). Check cable and role.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shot %1, %2: %3 invalid samples from %4 on (samples %5 to %6). Inside the response window they block the shot; exclude it or set import.interpolate_invalid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shot %1%2 and shot %3%4 hold identical data; a shot counted twice makes the scatter look smaller than it is. Exclude one of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 changed since it was opened; open it again, or take an unchanged copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the samples of shot %2, channel &apos;%3&apos; are not those that were recorded (their SHA-256 differs from the one in the file); take an unchanged copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the samples of shot %2, channel &apos;%3&apos; cannot be read any more; check the drive or the network, or copy the file again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shot %1, channel &apos;%2&apos;: the file states %3 but import.sample_rate_hz is %4. Leave the key out, or say in import.sample_rate_reason why the file is wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recipe&apos;s sample rate of %1 replaces the %2 that the files state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recipe&apos;s sample rate of %1 replaces the %2 that the files state; reason: %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shot %1, channel &apos;%2&apos; is a pressure already (%3), so it cannot have a sensitivity; leave out the sensitivity or give its unit, e.g. V.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A recording cannot be read any more: its file was changed or is gone; add it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds nothing that is a sampled signal; save the recorded channel itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 has more than 1024 attributes, which no capture has; the file is damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: channel %2 holds integers of more than 53 bits, which would be rounded; save them as 32 bit integers with scale and offset, or as floating point numbers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the samples of channel %2 lie in other files; copy them into one file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: channel %2 would make more than 4 GiB unpacked; save the file without compression.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 uses the comma as separator and as decimal mark, so its numbers cannot be told apart; save it again with tabs as separator.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 claims %2 channels in %3 segments, which is more than it can hold; the file is damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, line %2 has %3 cells more than the header has columns; the file is damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: Delta_X of channel %2 is printed with so few digits that its sample rate of %3 is known to %4 % only, so it was not taken; state sample_rate_hz in the recipe&apos;s import section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the sample rate of channel %2, %3, is known to %4 % only, as Delta_X is printed with few digits; state sample_rate_hz in the recipe&apos;s import section if you know it better.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the header declares %2 channels, but %3 columns have names; the last ones were not read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 channels have no samples and were left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: channel %2 has %3 samples where its header declares %4, so blocks were appended and are read as one record. If each is a shot of its own, save with one header per segment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the 64-bit integers of %2 are too long to be kept exactly; save them as double.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ends within its variable number %2, so it is likely an incomplete copy; copy it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the header of its variable number %2 contradicts itself; copy the file again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: its compressed variable number %2 does not expand to what it declares; copy the file again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the sample rate is stated as %2, but %3 steps by %4, which fits it in no unit of time, so the rate is unknown. Which one is right? State it in the recipe&apos;s import section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the times in %2 are not uniform (allowed is 1 %), so the sample rate is unknown; state it in the recipe&apos;s import section if it is known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 has no unit and was taken as seconds, which makes the sample rate %3; state the rate in the recipe&apos;s import section if it is another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 increases uniformly by %3 and was taken as the times, but its unit is said nowhere. State the sample rate in the recipe&apos;s import section: %4 if they are seconds, %5 if milliseconds, %6 if microseconds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 states a sample rate of %2 and an interval of %3 s, which contradict each other, so the rate is unknown; state it in the recipe&apos;s import section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 describes samples that are in %2, which cannot be opened; put both files into one folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%2 does not hold the samples that %1 describes; copy both files again, from the same recording.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 states a sampling interval of %2 s, but a record from end to end that means %3 s, so the rate is unknown; state it in the recipe&apos;s import section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds only the samples of a Rohde &amp; Schwarz recording; open %2, which describes them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1 has no samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1 has values of the type %2, no samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: channel %2 holds counts of the converter and no scale; state scale and unit, or its values mean nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: a channel was left out. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no channel that can be read. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds no data; it is likely an incomplete copy or a recording that never began.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is of the TDMS version %2, which this program does not know; it was read like version 4713.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 What stands before was read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not closed by the program that wrote it, or its end is missing; all values that are there were read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is incomplete: channel %2 has %3 of %4 samples. All values that are there were read; copy the file again if the original is whole.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: channel %2 states no time between samples (wf_increment); give import.sample_rate_hz in the recipe.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the samples of the segment at byte %2 would begin behind its end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: at byte %2, where a segment should begin, there is none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: up to byte %2 it names more channels than any recording has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the segment at byte %2 has an object with the name %3, which is no path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the segment at byte %2 says that the data of %3 are as before, but there were none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the samples of %3 change their type in the segment at byte %2; such a record cannot be read as one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: up to the segment at byte %2 it lists far more channels than it has samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is only the index of a TDMS file and holds no samples; open %2, which belongs to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no TDMS file: it does not begin with &quot;TDSm&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the segment at byte %2 interleaves channels of different lengths, or texts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the segment at byte %2 declares more samples than any file can hold.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: DAQmx channels of the segment at byte %2 lie outside their raw buffers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the segment at byte %2 mixes DAQmx raw data with other samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the description of the segment at byte %2 ends before all that it declares.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the segment at byte %2 declares %3 %4, more than it has room for or than any recording has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: channel %3 (segment at byte %2) has samples of the type %4, which cannot be read; write them as integers or float64.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: channel %3 (segment at byte %2) has DAQmx counts of the unknown type %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: channel %3 (segment at byte %2) has digital lines of several bytes in big-endian order, which cannot be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the DAQmx counts of channel %3 (segment at byte %2) are not of the type %4 that it declares.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1 claims samples that belong to other channels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1 cannot be read; the file changed meanwhile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1 has 64 bit integers beyond 2^53, which a floating point number does not hold exactly; write it as int32 or float64.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1 declares %2 scales, more than can be meant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1: scale %2 (%3) lacks a number that it needs, or has one that makes no sense.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scales of channel %1 refer to scale %2, which is not there or needs itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scales of channel %1 do not say which of its %2 kinds of counts they are for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1: scale %2 has no type and no counts of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1: scale %2 is of the kind &quot;%3&quot;, which this program does not apply; write the channel scaled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 says that its recording was not completed; check that the records are whole.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 groups with thinned-out copies of the records were left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: each of its %2 logged intervals was taken as a shot; exclude those that are none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the group &quot;%2&quot; was left out because its channels are not those of the other groups, of which each is a shot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has %2 bytes, which is too large for a text; export a shorter part, or as HDF5 capture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a LabVIEW measurement, which says itself how it is to be read; import it as lvm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recipe %1 names a channel &apos;%2&apos; that no shot has; the channels are %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recipe import.files names &apos;%1&apos;, which is none of the inputs; these are %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The profile %1 holds &quot;%2&quot;; a laboratory&apos;s profile holds the sections import and checks only, the rest belongs into the recipe.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gas &apos;%1&apos; has no heat capacity over temperature; choose air, n2, he, ar or co2, or a constant heat capacity.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gas &apos;%1&apos; is not known; it must be air, humid-air, n2, he, ar, co2 or custom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moist air (Cramer): the %1 is %2 %5, and the formula holds from %3 to %4 %5; choose the gas &apos;air&apos; or another value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pressure ratio p2/p1 is %1; a shock needs more than 1: check both pressures and whether they are absolute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The driver pressure p4 = %1 Pa does not exceed p1 = %2 Pa; both are absolute here: add the ambient pressure to a gauge reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gas reaches %1 K, and the variable heat capacity holds from %2 K to %3 K; choose a constant one or another gas.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2466,6 +2802,14 @@
     <message>
         <source>Import settings...</source>
         <translation>Importinställningar...</translation>
+    </message>
+    <message>
+        <source> (reading the recordings: %1 %)</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Why is the rate in the file wrong? The results record the reason.</source>
+        <translation>Varför är filens frekvens fel? Skälet följer med resultaten.</translation>
     </message>
 </context>
 <context>
@@ -2787,6 +3131,62 @@
         <source>Role of channel %1</source>
         <translation>Roll för kanal %1</translation>
     </message>
+    <message>
+        <source>Factor</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Förstärkning</translation>
+    </message>
+    <message>
+        <source>Sensitivity / (mV/kPa)</source>
+        <translation>Känslighet / (mV/kPa)</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Omvänd</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Tryck</translation>
+    </message>
+    <message>
+        <source>Unit of channel %1</source>
+        <translation>Enhet för kanal %1</translation>
+    </message>
+    <message>
+        <source>Factor on channel %1</source>
+        <translation>Faktor på kanal %1</translation>
+    </message>
+    <message>
+        <source>Gain of channel %1</source>
+        <translation>Förstärkning för kanal %1</translation>
+    </message>
+    <message>
+        <source>Sensitivity of channel %1</source>
+        <translation>Känslighet för kanal %1</translation>
+    </message>
+    <message>
+        <source>Inverted polarity of channel %1</source>
+        <translation>Omvänd polaritet för kanal %1</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation>som inspelat</translation>
+    </message>
+    <message>
+        <source>gauge</source>
+        <translation>övertryck</translation>
+    </message>
+    <message>
+        <source>absolute</source>
+        <translation>absolut</translation>
+    </message>
+    <message>
+        <source>Gauge or absolute, channel %1</source>
+        <translation>Övertryck eller absolut, kanal %1</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ImportDialog</name>
@@ -2867,38 +3267,6 @@
         <translation>Samplingsfrekvens</translation>
     </message>
     <message>
-        <source>Sensor under test</source>
-        <translation>Givare under provning</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Enhet</translation>
-    </message>
-    <message>
-        <source>Factor</source>
-        <translation>Faktor</translation>
-    </message>
-    <message>
-        <source>Inverted polarity</source>
-        <translation>Omvänd polaritet</translation>
-    </message>
-    <message>
-        <source>Pressure</source>
-        <translation>Tryck</translation>
-    </message>
-    <message>
-        <source>as recorded</source>
-        <translation>som registrerat</translation>
-    </message>
-    <message>
-        <source>gauge</source>
-        <translation>övertryck</translation>
-    </message>
-    <message>
-        <source>absolute</source>
-        <translation>absolut</translation>
-    </message>
-    <message>
         <source>Remember as profile</source>
         <translation>Spara som profil</translation>
     </message>
@@ -2916,10 +3284,6 @@
     <message>
         <source>Cancel</source>
         <translation>Avbryt</translation>
-    </message>
-    <message>
-        <source>These settings hold for all files of the job.</source>
-        <translation>Inställningarna gäller för alla filer i jobbet.</translation>
     </message>
     <message>
         <source>automatic: %1</source>
@@ -2992,6 +3356,38 @@
     <message>
         <source>The file can be imported.</source>
         <translation>Filen kan importeras.</translation>
+    </message>
+    <message>
+        <source>Why the file is wrong</source>
+        <translation>Varför filen har fel</translation>
+    </message>
+    <message>
+        <source>the time column is right, the header is not</source>
+        <translation>tidskolumnen stämmer, inte huvudet</translation>
+    </message>
+    <message>
+        <source>the header is right, the time column is not</source>
+        <translation>huvudet stämmer, inte tidskolumnen</translation>
+    </message>
+    <message>
+        <source>for all files</source>
+        <translation>för alla filer</translation>
+    </message>
+    <message>
+        <source>for this file</source>
+        <translation>för denna fil</translation>
+    </message>
+    <message>
+        <source>These settings hold</source>
+        <translation>Inställningarna gäller</translation>
+    </message>
+    <message>
+        <source>The header says %1, the time column %2. Which one is right?</source>
+        <translation>Huvudet anger %1, tidskolumnen %2. Vilken stämmer?</translation>
+    </message>
+    <message>
+        <source>The rate typed differs from that of the file: say why the file is wrong. The results record it.</source>
+        <translation>Den inskrivna frekvensen avviker från filens: ange varför filen har fel. Det följer med resultaten.</translation>
     </message>
 </context>
 <context>
@@ -3521,6 +3917,13 @@
     <message>
         <source>factor %1 to the next</source>
         <translation>faktor %1 till nästa</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::OverviewStrip</name>
+    <message>
+        <source>The whole recording. Drag the box to move the view, its edges to zoom; double click shows everything.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>

@@ -63,6 +63,21 @@ void removeUnusedInputs(CaptureSet &set)
 
 } // namespace
 
+void forgetMissingNames(ImportSettings &settings, const CaptureSet &set)
+{
+    std::erase_if(settings.files, [&](const auto &entry) {
+        return std::ranges::find(set.inputs, entry.first, &InputFile::file) == set.inputs.end();
+    });
+    const auto missing = [&](const auto &entry) {
+        return std::ranges::none_of(set.shots, [&](const Shot &shot) {
+            return std::ranges::find(shot.channels, entry.first, &Channel::name)
+                != shot.channels.end();
+        });
+    };
+    std::erase_if(settings.channels, missing);
+    std::erase_if(settings.channelDetails, missing);
+}
+
 CaptureSet withoutShot(CaptureSet set, Index number)
 {
     removePosition(set.shots, static_cast<std::size_t>(number - 1));
@@ -78,6 +93,7 @@ ProjectState withoutShot(const ProjectState &state, Index number)
         return state;
     ProjectState next{
         std::make_shared<const CaptureSet>(withoutShot(*state.captures, number)), state.recipe};
+    forgetMissingNames(next.recipe.import, *next.captures);
     removePosition(next.recipe.import.levels, position);
     removeNumbered(next.recipe.import.exclude, number);
     removeNumbered(next.recipe.acknowledge, number);

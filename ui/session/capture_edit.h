@@ -11,6 +11,9 @@ namespace dyncal {
 /// are moved on. Tube and sensor data of the first win.
 CaptureSet joinedCaptures(const CaptureSet &first, const CaptureSet &second);
 
+/// Takes out what names files and channels that the recordings do not have: a recipe may not.
+void forgetMissingNames(ImportSettings &settings, const CaptureSet &set);
+
 /// The recordings without shot `number` (from 1, must exist) and without files that only it used.
 CaptureSet withoutShot(CaptureSet set, Index number);
 

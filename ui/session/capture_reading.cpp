@@ -78,13 +78,15 @@ Result<CapturesRead> readAgain(
 bool needsReading(
     const CaptureSet &captures, const ImportSettings &before, const ImportSettings &after)
 {
-    const bool onlyExample = std::ranges::all_of(
-        captures.inputs, [](const InputFile &input) { return input.path == kExamplePath; });
-    // A reader of tables holds the stated rate against the times of the file.
-    return !onlyExample
-        && (before.format != after.format || before.columns != after.columns
-            || before.decimal != after.decimal || before.separator != after.separator
-            || before.skipRows != after.skipRows || before.sampleRate_Hz != after.sampleRate_Hz);
+    return std::ranges::any_of(captures.inputs, [&](const InputFile &input) {
+        const ImportSettings a = settingsOfFile(before, input.path);
+        const ImportSettings b = settingsOfFile(after, input.path);
+        // A reader of tables holds the stated rate against the times of the file.
+        return input.path != kExamplePath
+            && (a.format != b.format || a.columns != b.columns || a.decimal != b.decimal
+                || a.separator != b.separator || a.skipRows != b.skipRows
+                || a.sampleRate_Hz != b.sampleRate_Hz);
+    });
 }
 
 } // namespace dyncal

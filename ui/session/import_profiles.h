@@ -19,7 +19,7 @@ public:
 
     QStringList names() const; ///< sorted
     Result<ImportSettings> load(const QString &name) const;
-    /// Without what goes by shot number. Replaces a profile of the same name.
+    /// Without what is of single shots and files. Replaces a profile of the same name.
     Result<void> save(const QString &name, ImportSettings settings) const;
 
 private:

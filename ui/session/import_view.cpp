@@ -156,7 +156,7 @@ ImportView lookAtFile(
         lookAtText(view, path, settings);
     else
         lookAtCapture(
-            view, isExample ? exampleCaptures(control) : readCapture(path, settings, control));
+            view, isExample ? exampleCaptures(control) : openCapture(path, settings, control));
     applyRoles(view, settings);
     return view;
 }
@@ -172,17 +172,20 @@ std::string fileWithQuestion(const CaptureSet &set, const ImportSettings &settin
         if (finding.id == "CAP-019" && !finding.message.arguments.empty())
             return finding.message.arguments.front();
     for (const Shot &shot : set.shots) {
+        const auto input = static_cast<std::size_t>(shot.input);
+        if (input >= set.inputs.size())
+            continue;
+        const ImportSettings own = settingsOfFile(settings, set.inputs[input].path);
         std::vector<ImportChannel> channels;
-        bool rateKnown = settings.sampleRate_Hz.has_value() || !shot.channels.empty();
+        bool rateKnown = true;
         for (const Channel &channel : shot.channels) {
             channels.push_back({channel.name, {}, channel.role, channel.role, {}, 0});
-            rateKnown = rateKnown && (settings.sampleRate_Hz || channel.sampleRate_Hz > 0.0);
+            rateKnown = rateKnown && (own.sampleRate_Hz || channel.sampleRate_Hz > 0.0);
         }
-        giveRoles(channels, settings);
+        giveRoles(channels, own);
         const bool hasDut
             = std::ranges::find(channels, ChannelRole::Dut, &ImportChannel::role) != channels.end();
-        const auto input = static_cast<std::size_t>(shot.input);
-        if ((!rateKnown || !hasDut) && input < set.inputs.size())
+        if (!rateKnown || !hasDut)
             return set.inputs[input].path;
     }
     return {};

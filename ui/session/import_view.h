@@ -41,7 +41,8 @@ struct ImportView
     bool isComplete(const ImportSettings &settings) const;
 };
 
-/// Text tables are read only at their beginning, other files whole.
+/// Under the settings of this file (settingsOfFile). Text tables are read at their beginning only,
+/// of other files as little as shows what they hold.
 ImportView lookAtFile(
     const std::string &path, const ImportSettings &settings, const JobControl &control);
 

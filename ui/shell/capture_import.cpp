@@ -155,6 +155,7 @@ void CaptureImport::take(const Request &request, const Outcome &outcome)
     else if (!outcome.fresh.set.shots.empty()) {
         ProjectState state{std::make_shared<const CaptureSet>(outcome.fresh.set), {}};
         state.recipe.import = request.settings;
+        forgetMissingNames(state.recipe.import, *state.captures);
         emit newJob(state);
     }
     if (!outcome.fresh.set.shots.empty())
@@ -170,6 +171,7 @@ void CaptureImport::addToJob(const Request &request, const Outcome &outcome)
     const CaptureSet &earlier = outcome.again ? outcome.again->set : *next.captures;
     next.captures = std::make_shared<const CaptureSet>(joinedCaptures(earlier, outcome.fresh.set));
     next.recipe.import = request.settings;
+    forgetMissingNames(next.recipe.import, *next.captures);
     if (!next.recipe.import.levels.empty()) // one for each shot
         next.recipe.import.levels.resize(next.captures->shots.size());
     m_session.applyState(next, request.step);

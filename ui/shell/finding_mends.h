@@ -23,6 +23,7 @@ struct Mend
     QString question; ///< asks for a reason, which the certificate prints; empty = none needed
     /// Changes the import section; `reason` is what the question was answered with.
     std::function<void(ImportSettings &settings, const std::string &reason)> apply;
+    QString importPath; ///< not empty: shows the import settings of this file instead
 };
 
 /// The ways there are, the best first; none for most findings. `set` are the recordings on show,

@@ -3,8 +3,11 @@
 
 #include "ui/shell/import_dialog.h"
 
+#include "core/capture/check_settings.h"
 #include "core/capture/format_registry.h"
-#include "ui/shell/import_tables.h"
+#include "ui/session/file_import.h"
+#include "ui/shell/import_channel_table.h"
+#include "ui/shell/import_preview_table.h"
 #include "ui/stages/quantity_edit.h"
 #include "ui/text/core_text.h"
 #include "ui/text/quantity_format.h"
@@ -19,10 +22,12 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QSpinBox>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace dyncal {
 
@@ -34,7 +39,6 @@ constexpr int kAutomatic = -1; ///< of the header rows
 
 const std::array<std::string, 6> kSeparators{"auto", ",", ";", "tab", "space", "|"};
 const std::array<std::string, 3> kDecimals{"auto", ".", ","};
-const std::array<std::string, 3> kReferences{"", "gauge", "absolute"};
 
 /// Choices of "time from" before the columns.
 enum TimeChoice { TimeAuto, TimeNone, TimeFirstColumn };
@@ -82,10 +86,12 @@ ImportDialog::ImportDialog(const QString &path, const ImportSettings &settings, 
     const QString &profiles, QWidget *parent)
     : QDialog(parent)
     , m_path(path)
-    , m_settings(settings)
+    , m_job(settings)
+    , m_settings(settingsOfFile(settings, path.toStdString()))
     , m_profiles(profiles)
     , m_jobs(this)
 {
+    m_settings.files.clear(); // put over the others already
     setObjectName("importDialog");
     setWindowTitle(tr("Import %1").arg(QFileInfo(path).fileName()));
     auto *column = new QVBoxLayout(this);
@@ -94,13 +100,17 @@ ImportDialog::ImportDialog(const QString &path, const ImportSettings &settings, 
     column->addLayout(form);
     column->addWidget(buildText(), 3);
     column->addWidget(buildRate());
-    auto *lower = new QHBoxLayout;
     m_channels = new ImportChannelTable(this);
     m_channels->setMinimumHeight(120);
     connect(m_channels, &ImportChannelTable::roleChosen, this, &ImportDialog::chooseRole);
-    lower->addWidget(m_channels, 3);
-    lower->addWidget(buildSensor(), 2);
-    column->addLayout(lower, 2);
+    connect(m_channels, &ImportChannelTable::detailsChanged, this,
+        [this](int channel, const ChannelImport &details) {
+            const std::string &name = m_view.channels[static_cast<std::size_t>(channel)].name;
+            m_settings.channelDetails[name] = details;
+            if (details == ChannelImport{})
+                m_settings.channelDetails.erase(name);
+        });
+    column->addWidget(m_channels, 2);
     column->addWidget(buildFoot(files));
     m_later.setSingleShot(true);
     m_later.setInterval(kTypingPause_ms);
@@ -191,47 +201,31 @@ QWidget *ImportDialog::buildRate()
         m_settings.sampleRate_Hz = rate_Hz;
         look();
     });
+    m_reason = named(new QLineEdit(box), "importRateReason", tr("Why the file is wrong"));
+    m_reason->setPlaceholderText(m_reason->accessibleName());
+    connect(m_reason, &QLineEdit::textEdited, this, [this](const QString &text) {
+        m_settings.sampleRateReason = text.trimmed().toStdString();
+        showVerdict();
+    });
     m_rateSource = new QLabel(box);
     m_rateSource->setObjectName("importRateSource");
     m_useTimes = named(new QPushButton(box), "useTimes", {});
     m_useHeader = named(new QPushButton(box), "useHeader", {});
-    connect(m_useTimes, &QPushButton::clicked, this,
-        [this] { useRate(m_view.timesRate_Hz.value_or(0.0), false); });
-    connect(m_useHeader, &QPushButton::clicked, this,
-        [this] { useRate(m_view.headerRate_Hz.value_or(0.0), true); });
+    connect(m_useTimes, &QPushButton::clicked, this, [this] {
+        useRate(m_view.timesRate_Hz.value_or(0.0), false,
+            tr("the time column is right, the header is not"));
+    });
+    connect(m_useHeader, &QPushButton::clicked, this, [this] {
+        useRate(m_view.headerRate_Hz.value_or(0.0), true,
+            tr("the header is right, the time column is not"));
+    });
     row->addWidget(new QLabel(tr("Sample rate"), box));
     row->addWidget(m_rate);
-    row->addWidget(m_rateSource, 1);
+    row->addWidget(m_rateSource);
+    row->addWidget(m_reason, 1);
+    row->addStretch(0);
     row->addWidget(m_useTimes);
     row->addWidget(m_useHeader);
-    return box;
-}
-
-QGroupBox *ImportDialog::buildSensor()
-{
-    auto *box = new QGroupBox(tr("Sensor under test"), this);
-    auto *form = new QFormLayout(box);
-    m_unit = named(new QLineEdit(box), "importUnit", tr("Unit"));
-    connect(m_unit, &QLineEdit::textEdited, this, [this](const QString &text) {
-        const std::string unit = text.trimmed().toStdString();
-        m_settings.unit = unit.empty() ? std::nullopt : std::optional(unit);
-    });
-    m_scale = named(new QuantityEdit({}, -1e12, 1e12, 9, box), "importScale", tr("Factor"));
-    connect(
-        m_scale, &QuantityEdit::edited, this, [this](double factor) { m_settings.scale = factor; });
-    m_inverted = named(
-        new QCheckBox(tr("Inverted polarity"), box), "importInverted", tr("Inverted polarity"));
-    connect(m_inverted, &QCheckBox::clicked, this,
-        [this](bool on) { m_settings.polarity = on ? -1 : 1; });
-    m_reference = named(new QComboBox(box), "importReference", tr("Pressure"));
-    m_reference->addItems({tr("as recorded"), tr("gauge"), tr("absolute")});
-    connect(m_reference, &QComboBox::activated, this, [this](int choice) {
-        m_settings.reference = kReferences[static_cast<std::size_t>(choice)];
-    });
-    form->addRow(m_unit->accessibleName(), m_unit);
-    form->addRow(m_scale->accessibleName(), m_scale);
-    form->addRow(m_inverted);
-    form->addRow(m_reference->accessibleName(), m_reference);
     return box;
 }
 
@@ -256,7 +250,17 @@ QWidget *ImportDialog::buildFoot(int files)
     buttons->addButton(tr("Cancel"), QDialogButtonBox::RejectRole);
     connect(buttons, &QDialogButtonBox::accepted, this, &ImportDialog::accept);
     connect(buttons, &QDialogButtonBox::rejected, this, &ImportDialog::reject);
+    m_forAll = new QRadioButton(tr("for all files"), box);
+    m_forAll->setObjectName("importForAll");
+    m_forFile = new QRadioButton(tr("for this file"), box);
+    m_forFile->setObjectName("importForFile");
+    const bool own = m_job.files.contains(QFileInfo(m_path).fileName().toStdString());
+    (own ? m_forFile : m_forAll)->setChecked(true);
     auto *row = new QHBoxLayout;
+    row->addWidget(new QLabel(tr("These settings hold"), box));
+    row->addWidget(m_forAll);
+    row->addWidget(m_forFile);
+    row->addSpacing(24);
     row->addWidget(m_keep);
     row->addWidget(m_keepName, 1);
     row->addStretch(1);
@@ -264,7 +268,6 @@ QWidget *ImportDialog::buildFoot(int files)
     auto *column = new QVBoxLayout(box);
     column->setContentsMargins(0, 0, 0, 0);
     column->addWidget(m_verdict);
-    column->addWidget(new QLabel(tr("These settings hold for all files of the job."), box));
     column->addLayout(row);
     return box;
 }
@@ -297,7 +300,7 @@ void ImportDialog::showView(const ImportView &view)
     showSettings();
     showText();
     showRate();
-    m_channels->setChannels(m_view.channels);
+    m_channels->setChannels(m_view.channels, m_settings.channelDetails);
     showVerdict();
     offerProfile();
 }
@@ -312,11 +315,8 @@ void ImportDialog::showSettings()
         const QSignalBlocker quiet(m_header);
         m_header->setValue(static_cast<int>(m_settings.skipRows.value_or(kAutomatic)));
     }
-    if (!m_unit->hasFocus())
-        m_unit->setText(QString::fromStdString(m_settings.unit.value_or("")));
-    m_scale->setSi(m_settings.scale);
-    m_inverted->setChecked(m_settings.polarity < 0);
-    m_reference->setCurrentIndex(positionIn(kReferences, m_settings.reference));
+    if (!m_reason->hasFocus())
+        m_reason->setText(QString::fromStdString(m_settings.sampleRateReason));
 }
 
 /// "automatic" says what it found.
@@ -356,6 +356,7 @@ void ImportDialog::showRate()
 {
     const std::optional<double> found
         = m_view.sampleRate_Hz > 0.0 ? std::optional(m_view.sampleRate_Hz) : std::nullopt;
+    m_reason->setVisible(needsReason());
     m_rate->setEmptyText(tr("not stated"));
     m_rate->set(m_settings.sampleRate_Hz, found);
     const bool contradiction = m_view.headerRate_Hz && m_view.timesRate_Hz;
@@ -380,11 +381,17 @@ void ImportDialog::showVerdict()
 {
     const bool nameMissing = m_keep->isChecked() && !isProfileName(m_keepName->text());
     const bool complete = m_looked && m_view.isComplete(m_settings);
-    m_import->setEnabled(complete && !nameMissing);
+    const bool reasonMissing = needsReason() && m_settings.sampleRateReason.empty();
+    m_import->setEnabled(complete && !nameMissing && !reasonMissing);
     const auto duts = std::ranges::count(m_view.channels, ChannelRole::Dut, &ImportChannel::role);
     QString said;
     if (!m_looked)
         said = tr("Reading the file...");
+    else if (m_view.headerRate_Hz && m_view.timesRate_Hz)
+        said = QStringLiteral("■ ")
+            + tr("The header says %1, the time column %2. Which one is right?")
+                  .arg(shownQuantity(*m_view.headerRate_Hz, "Hz"),
+                      shownQuantity(*m_view.timesRate_Hz, "Hz"));
     else if (m_view.problem)
         said = QStringLiteral("■ ") + translated(m_view.problem->message);
     else if (m_view.text && m_view.text->unreadableCells > 0)
@@ -397,6 +404,10 @@ void ImportDialog::showVerdict()
                  "the effect.");
     else if (!complete && m_view.sampleRate_Hz <= 0.0 && !m_settings.sampleRate_Hz)
         said = QStringLiteral("■ ") + tr("The file does not say its sample rate: type it.");
+    else if (reasonMissing)
+        said = QStringLiteral("■ ")
+            + tr("The rate typed differs from that of the file: say why the file is wrong. The "
+                 "results record it.");
     else if (duts == 0)
         said = QStringLiteral("■ ") + tr("Choose which channel is the sensor under test (DUT).");
     else if (duts > 1)
@@ -407,7 +418,16 @@ void ImportDialog::showVerdict()
         said = QStringLiteral("▲ ") + translated(m_view.text->remark);
     else
         said = QStringLiteral("● ") + tr("The file can be imported.");
-    m_verdict->setText(said);
+    // The name is in the title: its folder would only make the sentence long.
+    m_verdict->setText(said.replace(m_path, QFileInfo(m_path).fileName()));
+}
+
+/// As the rules of import have it.
+bool ImportDialog::needsReason() const
+{
+    const double tolerance = 0.01 * CheckSettings{}.rateMismatch_percent;
+    return m_settings.sampleRate_Hz && m_view.sampleRate_Hz > 0.0
+        && std::abs(*m_settings.sampleRate_Hz / m_view.sampleRate_Hz - 1.0) > tolerance;
 }
 
 void ImportDialog::chooseRole(int channel, ChannelRole role)
@@ -425,7 +445,7 @@ void ImportDialog::chooseRole(int channel, ChannelRole role)
         look();
     }
     applyRoles(m_view, m_settings);
-    m_channels->setChannels(m_view.channels);
+    m_channels->setChannels(m_view.channels, m_settings.channelDetails);
     showVerdict();
 }
 
@@ -451,9 +471,10 @@ void ImportDialog::nameSampleColumns()
         m_settings.columns.emplace(channelRoleName(ChannelRole::Other), *first->column);
 }
 
-void ImportDialog::useRate(double rate_Hz, bool withoutTimes)
+void ImportDialog::useRate(double rate_Hz, bool withoutTimes, const QString &reason)
 {
     m_settings.sampleRate_Hz = rate_Hz;
+    m_settings.sampleRateReason = reason.toStdString();
     chooseTime(withoutTimes ? TimeNone : TimeAuto);
 }
 
@@ -464,10 +485,7 @@ void ImportDialog::useProfile(const QString &name)
         m_verdict->setText(QStringLiteral("■ ") + translated(profile.error().message));
         return;
     }
-    const ImportSettings before = m_settings;
     m_settings = *profile;
-    m_settings.levels = before.levels;
-    m_settings.exclude = before.exclude;
     m_profile->setCurrentText(name);
     look();
 }
@@ -491,6 +509,13 @@ void ImportDialog::offerProfile()
             if (name && !name->isEmpty())
                 useProfile(*name);
         });
+}
+
+ImportSettings ImportDialog::settings() const
+{
+    const std::string path = m_path.toStdString();
+    return m_forFile->isChecked() ? withOwnSettings(m_job, path, m_settings)
+                                  : withSettingsForAll(m_job, path, m_settings);
 }
 
 void ImportDialog::accept()

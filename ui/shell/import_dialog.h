@@ -17,6 +17,7 @@ class QGroupBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
+class QRadioButton;
 class QSpinBox;
 
 namespace dyncal {
@@ -24,7 +25,6 @@ namespace dyncal {
 class ImportChannelTable;
 class ImportPreviewTable;
 class OptionalEdit;
-class QuantityEdit;
 
 /// Says how a file is read, with what it gives beside it: every change shows its effect at once.
 /// Stays open until the file reads without an open question. Changes nothing by itself: the caller
@@ -38,7 +38,8 @@ public:
     ImportDialog(const QString &path, const ImportSettings &settings, int files,
         const QString &profiles, QWidget *parent);
 
-    const ImportSettings &settings() const { return m_settings; }
+    /// The import section of the job as the operator wants it.
+    ImportSettings settings() const;
     const ImportView &view() const { return m_view; }
     bool isLooking() const { return m_jobs.isRunning() || m_later.isActive(); }
 
@@ -48,7 +49,6 @@ private:
     void buildFileRow(QFormLayout *form);
     QGroupBox *buildText();
     QWidget *buildRate();
-    QGroupBox *buildSensor();
     QWidget *buildFoot(int files);
 
     void look(); ///< soon: reads the file under the settings
@@ -61,12 +61,14 @@ private:
     void chooseRole(int channel, ChannelRole role);
     void chooseTime(int choice);
     void nameSampleColumns();
-    void useRate(double rate_Hz, bool withoutTimes);
+    void useRate(double rate_Hz, bool withoutTimes, const QString &reason);
+    bool needsReason() const;
     void useProfile(const QString &name);
     void offerProfile();
 
     QString m_path;
-    ImportSettings m_settings;
+    ImportSettings m_job; ///< as it is
+    ImportSettings m_settings; ///< for this file
     ImportProfiles m_profiles;
     ImportView m_view;
     bool m_looked = false; ///< m_view belongs to m_settings
@@ -86,10 +88,9 @@ private:
     QPushButton *m_useTimes = nullptr;
     QPushButton *m_useHeader = nullptr;
     ImportChannelTable *m_channels = nullptr;
-    QLineEdit *m_unit = nullptr;
-    QuantityEdit *m_scale = nullptr;
-    QCheckBox *m_inverted = nullptr;
-    QComboBox *m_reference = nullptr;
+    QLineEdit *m_reason = nullptr;
+    QRadioButton *m_forAll = nullptr;
+    QRadioButton *m_forFile = nullptr;
     QLabel *m_verdict = nullptr;
     QCheckBox *m_keep = nullptr;
     QLineEdit *m_keepName = nullptr;

@@ -461,6 +461,10 @@ void MainWindow::acknowledge(const Finding &finding)
 
 void MainWindow::mend(const Mend &mend)
 {
+    if (!mend.importPath.isEmpty()) {
+        m_files->captures().edit(mend.importPath);
+        return;
+    }
     std::optional<QString> reason = QString();
     if (!mend.question.isEmpty())
         reason = m_prompts.sentence(this, mend.step, mend.question);

@@ -137,11 +137,8 @@ void CapturesPage::buildInspector()
             [&](Recipe &r) { r.import.reference = kReferences[static_cast<std::size_t>(choice)]; });
     });
     m_rate = form->add(tr("Sample rate"), "sampleRate", new OptionalEdit({"MHz", 1e6}, 1e-3, 1e12));
-    connect(m_rate, &OptionalEdit::edited, this, [this](const std::optional<double> &rate_Hz) {
-        ImportSettings next = recipe().import;
-        next.sampleRate_Hz = rate_Hz;
-        emit importChanged(next, tr("Change the sample rate"));
-    });
+    connect(m_rate, &OptionalEdit::edited, this,
+        [this](const std::optional<double> &rate_Hz) { changeRate(rate_Hz); });
 }
 
 const CaptureSet &CapturesPage::shownSet() const
@@ -297,6 +294,24 @@ void CapturesPage::setLevel(Index shot, ShotLevel level)
             r.import.levels.push_back(shotLevelName(each.level));
         r.import.levels[static_cast<std::size_t>(shot - 1)] = shotLevelName(level);
     });
+}
+
+/// A rate that is not the file's needs a reason.
+void CapturesPage::changeRate(const std::optional<double> &rate_Hz)
+{
+    ImportSettings next = recipe().import;
+    next.sampleRate_Hz = rate_Hz;
+    next.sampleRateReason.clear();
+    if (rate_Hz) {
+        const std::optional<QString> reason = m_prompts.sentence(this, tr("Change the sample rate"),
+            tr("Why is the rate in the file wrong? The results record the reason."));
+        if (!reason) {
+            showRecipe();
+            return;
+        }
+        next.sampleRateReason = reason->toStdString();
+    }
+    emit importChanged(next, tr("Change the sample rate"));
 }
 
 /// Of the file that the selected shot comes from, or of the first.

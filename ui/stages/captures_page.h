@@ -47,6 +47,7 @@ private:
     void setLevel(Index shot, ShotLevel level);
     void removeSelected();
     void requestImport();
+    void changeRate(const std::optional<double> &rate_Hz);
     const CaptureSet &shownSet() const;
 
     Prompts &m_prompts;

@@ -6,8 +6,9 @@
 #include "tests/ui/support/recording_files.h"
 #include "tests/ui/support/sample_results.h"
 #include "ui/session/import_profiles.h"
+#include "ui/shell/import_channel_table.h"
 #include "ui/shell/import_dialog.h"
-#include "ui/shell/import_tables.h"
+#include "ui/shell/import_preview_table.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/problem_panel.h"
 
@@ -521,12 +522,14 @@ void TestCaptureImport::profile_badName_isRefused()
     settings.decimal = ",";
     settings.levels = {"low"};
     settings.exclude = {{1, "burst"}};
+    settings.files["a.csv"].decimal = ".";
     QVERIFY(profiles.save("Ångström 2", settings));
     QCOMPARE(profiles.names(), QStringList("Ångström 2"));
     const Result<ImportSettings> loaded = profiles.load("Ångström 2");
     QVERIFY(loaded);
     settings.levels.clear(); // of the shots of one job
     settings.exclude.clear();
+    settings.files.clear();
     QVERIFY(*loaded == settings);
     QVERIFY(!profiles.load("none"));
 }
@@ -541,18 +544,19 @@ void TestCaptureImport::dialog_fromTheCapturesPage_changesTheJobAsOneStep()
     ImportDialog *dialog = bench.waitDialog();
     QVERIFY(dialog);
     QVERIFY2(verdict(dialog).startsWith("●"), qPrintable(verdict(dialog)));
-    choose(dialog, "importReference", 1);
+    choose(dialog, "importPressure1", 1);
     choose(dialog, "importSeparator", kComma);
     QTRY_VERIFY2(
         !dialog->isLooking() && importButton(dialog)->isEnabled(), qPrintable(verdict(dialog)));
     importButton(dialog)->click();
-    QTRY_COMPARE(bench.import().reference, std::string("gauge"));
+    QTRY_COMPARE(bench.import().channelDetails.size(), std::size_t(1));
+    QCOMPARE(bench.import().channelDetails.at("p").reference, std::string("gauge"));
     QCOMPARE(bench.import().separator, std::string(","));
     QCOMPARE(bench.shots(), std::size_t(2));
     QCOMPARE(bench.window->session().undoStack().count(), 1);
     bench.window->session().undoStack().undo();
     QCOMPARE(bench.import().separator, std::string("auto"));
-    QVERIFY(bench.import().reference.empty());
+    QVERIFY(bench.import().channelDetails.empty());
 }
 
 void TestCaptureImport::dialog_ofTheExample_listsItsChannels()

@@ -1,25 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "ui/shell/import_tables.h"
+#include "ui/shell/import_preview_table.h"
 
 #include "core/base/number_text.h"
-#include "ui/text/level_text.h"
 
-#include <QComboBox>
 #include <QHeaderView>
 
 #include <algorithm>
-#include <array>
 
 namespace dyncal {
 
 namespace {
 
-enum ChannelColumn { Name, Role, Unit, Samples, ChannelColumnCount };
-
-constexpr std::array kRoles{ChannelRole::Dut, ChannelRole::DrivenSide, ChannelRole::Driver,
-    ChannelRole::Trigger, ChannelRole::Other};
 constexpr int kShownColumns = 50; ///< a damaged file may be one line of many thousand cells
 
 bool isNumber(std::string cell, char decimal)
@@ -50,7 +43,6 @@ ImportPreviewTable::ImportPreviewTable(QWidget *parent)
     setAccessibleName(tr("First rows of the file"));
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    horizontalHeader()->setStretchLastSection(true);
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
 }
@@ -100,45 +92,6 @@ void ImportPreviewTable::fillRow(
             item->setForeground(palette().brush(QPalette::Disabled, QPalette::Text));
         }
         setItem(row, c, item);
-    }
-}
-
-ImportChannelTable::ImportChannelTable(QWidget *parent)
-    : QTableWidget(0, ChannelColumnCount, parent)
-{
-    setObjectName("importChannels");
-    setAccessibleName(tr("Channels of the file"));
-    setHorizontalHeaderLabels({tr("Channel"), tr("Role"), tr("Unit"), tr("Samples")});
-    setEditTriggers(QAbstractItemView::NoEditTriggers);
-    verticalHeader()->hide();
-    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
-}
-
-void ImportChannelTable::setChannels(const std::vector<ImportChannel> &channels)
-{
-    setRowCount(static_cast<int>(channels.size()));
-    for (int row = 0; row < rowCount(); ++row) {
-        const ImportChannel &channel = channels[static_cast<std::size_t>(row)];
-        const QString name = QString::fromStdString(channel.name);
-        setItem(row, Name, fixedItem(name));
-        setItem(row, Unit, fixedItem(QString::fromStdString(channel.unit)));
-        setItem(row, Samples,
-            fixedItem(channel.samples > 0 ? QString::number(channel.samples) : QString()));
-        auto *role = static_cast<QComboBox *>(cellWidget(row, Role));
-        if (!role) {
-            role = new QComboBox(this);
-            for (const ChannelRole choice : kRoles)
-                role->addItem(roleText(choice));
-            connect(role, &QComboBox::activated, this, [this, row](int choice) {
-                emit roleChosen(row, kRoles[static_cast<std::size_t>(choice)]);
-            });
-            setCellWidget(row, Role, role);
-        }
-        role->setObjectName(QString("importRole%1").arg(row + 1));
-        role->setAccessibleName(tr("Role of channel %1").arg(name));
-        role->setCurrentIndex(
-            static_cast<int>(std::ranges::find(kRoles, channel.role) - kRoles.begin()));
     }
 }
 

@@ -27,17 +27,4 @@ private:
     int m_marked = 0;
 };
 
-/// The channels of a file, each with its role.
-class ImportChannelTable : public QTableWidget
-{
-    Q_OBJECT
-
-public:
-    explicit ImportChannelTable(QWidget *parent = nullptr);
-    void setChannels(const std::vector<ImportChannel> &channels);
-
-signals:
-    void roleChosen(int channel, dyncal::ChannelRole role); ///< position in the list
-};
-
 } // namespace dyncal
