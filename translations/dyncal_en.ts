@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en">
 <context>
+    <name>dyncal::CaptureImport</name>
+    <message numerus="yes">
+        <source>%n shot(s) read</source>
+        <translation>
+            <numerusform>%n shot read</numerusform>
+            <numerusform>%n shots read</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>dyncal::CertificatePage</name>
     <message numerus="yes">
         <source>■ %n required field(s) empty: %1.</source>
@@ -26,12 +36,22 @@
     </message>
 </context>
 <context>
-    <name>dyncal::FileActions</name>
+    <name>dyncal::ImportDialog</name>
     <message numerus="yes">
-        <source>%n shot(s) read</source>
+        <source>Import %n file(s)</source>
         <translation>
-            <numerusform>%n shot read</numerusform>
-            <numerusform>%n shots read</numerusform>
+            <numerusform>Import %n file</numerusform>
+            <numerusform>Import %n files</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::ProblemPanel</name>
+    <message numerus="yes">
+        <source>%n file(s) could not be read. All others are open.</source>
+        <translation>
+            <numerusform>%n file could not be read. All others are open.</numerusform>
+            <numerusform>%n files could not be read. All others are open.</numerusform>
         </translation>
     </message>
 </context>

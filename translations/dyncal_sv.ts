@@ -207,6 +207,65 @@
     </message>
 </context>
 <context>
+    <name>Mends</name>
+    <message>
+        <source>Exclude shot %1</source>
+        <translation>Uteslut skott %1</translation>
+    </message>
+    <message>
+        <source>Why is this shot not used? The certificate prints the reason.</source>
+        <translation>Varför används inte detta skott? Skälet skrivs ut i kalibreringsbeviset.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the DUT</source>
+        <translation>”%1” är DUT</translation>
+    </message>
+    <message>
+        <source>Choose %1 as the DUT</source>
+        <translation>Välj %1 som DUT</translation>
+    </message>
+    <message>
+        <source>Swap in all shots</source>
+        <translation>Byt plats i alla skott</translation>
+    </message>
+    <message>
+        <source>Swap DUT and driven side</source>
+        <translation>Byt plats på DUT och drivna sidan</translation>
+    </message>
+    <message>
+        <source>The unit is %1</source>
+        <translation>Enheten är %1</translation>
+    </message>
+    <message>
+        <source>Change the DUT&apos;s unit</source>
+        <translation>Ändra DUT:s enhet</translation>
+    </message>
+    <message>
+        <source>Invert polarity</source>
+        <translation>Vänd polariteten</translation>
+    </message>
+    <message>
+        <source>Change the DUT&apos;s polarity</source>
+        <translation>Ändra DUT:s polaritet</translation>
+    </message>
+    <message>
+        <source>Interpolate gaps of up to %1 samples</source>
+        <translation>Interpolera luckor på högst %1 sampel</translation>
+    </message>
+    <message>
+        <source>Interpolate invalid samples</source>
+        <translation>Interpolera ogiltiga sampel</translation>
+    </message>
+    <message>
+        <source>Swap in %1</source>
+        <translation>Byt plats i %1</translation>
+    </message>
+    <message>
+        <source>Import settings...</source>
+        <translation>Importinställningar...</translation>
+    </message>
+</context>
+<context>
     <name>ModelText</name>
     <message>
         <source>sensor</source>
@@ -677,6 +736,46 @@
 <context>
     <name>core</name>
     <message>
+        <source>Shot %1, %2: %3 invalid samples, the first at %4 (sample %5). Inside the response window they block the shot; exclude it or set import.interpolate_invalid.</source>
+        <translation>Skott %1, %2: %3 ogiltiga sampel, det första vid %4 (sampel %5). Inom svarsfönstret blockerar de skottet; uteslut det eller ange import.interpolate_invalid.</translation>
+    </message>
+    <message>
+        <source>Shot %1 holds the same data as a shot before it; exclude one.</source>
+        <translation>Skott %1 innehåller samma data som ett tidigare skott; uteslut ett av dem.</translation>
+    </message>
+    <message>
+        <source>%1 is a LabVIEW TDMS file, which this version does not read; export it as LVM or CSV. Readable are: %2.</source>
+        <translation>%1 är en LabVIEW TDMS-fil, som denna version inte läser; exportera den som LVM eller CSV. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is only the index of a LabVIEW TDMS file and holds no samples. Readable are: %2.</source>
+        <translation>%1 är bara indexet till en LabVIEW TDMS-fil och innehåller inga sampel. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is a WAV or other RIFF file, which this version does not read. Readable are: %2.</source>
+        <translation>%1 är en WAV-fil eller annan RIFF-fil, som denna version inte läser. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1: the samples of channel %2 are not those that were recorded (their SHA-256 differs from the one in the file); take an unchanged copy.</source>
+        <translation>%1: samplen i kanal %2 är inte de som registrerades (deras SHA-256 skiljer sig från den i filen); ta en oförändrad kopia.</translation>
+    </message>
+    <message>
+        <source>Recipe import.channels names a channel &apos;%1&apos; that no shot has; the channels are %2.</source>
+        <translation>Receptets import.channels anger en kanal &apos;%1&apos; som inget skott har; kanalerna är %2.</translation>
+    </message>
+    <message>
+        <source>The recipe&apos;s sample rate of %1 replaces what the files state.</source>
+        <translation>Receptets samplingsfrekvens %1 ersätter den som filerna anger.</translation>
+    </message>
+    <message>
+        <source>Shots of a higher sample rate were reduced to %1 for the principal components, through an anti-alias filter.</source>
+        <translation>Skott med högre samplingsfrekvens reducerades till %1 för principalkomponenterna, genom ett antivikningsfilter.</translation>
+    </message>
+    <message>
+        <source>One shot: PCA is skipped, repeatability cannot be evaluated.</source>
+        <translation>Ett skott: PCA hoppas över, repeterbarheten kan inte utvärderas.</translation>
+    </message>
+    <message>
         <source>Wrong usage: %1; see dyncal --help.</source>
         <translation>Felaktig användning: %1; se dyncal --help.</translation>
     </message>
@@ -733,16 +832,8 @@
         <translation>Kanal &apos;%1&apos; i skott %2 är konstant: alla %3 sampel är %4. Kontrollera kabel och roll.</translation>
     </message>
     <message>
-        <source>Shot %1, %2: %3 invalid samples, the first at %4 (sample %5). Inside the response window they block the shot; exclude it or set import.interpolate_invalid.</source>
-        <translation>Skott %1, %2: %3 ogiltiga sampel, det första vid %4 (sampel %5). Inom svarsfönstret blockerar de skottet; uteslut det eller ange import.interpolate_invalid.</translation>
-    </message>
-    <message>
         <source>Shot %1, %2 is saturated for %3 at %4, from %5 on. Inside the response window that blocks the shot; use a wider range.</source>
         <translation>Skott %1, %2 är mättat under %3 vid %4, från och med %5. Inom svarsfönstret blockerar det skottet; använd ett större mätområde.</translation>
-    </message>
-    <message>
-        <source>Shot %1 holds the same data as a shot before it; exclude one.</source>
-        <translation>Skott %1 innehåller samma data som ett tidigare skott; uteslut ett av dem.</translation>
     </message>
     <message>
         <source>One shot: PCA is skipped and repeatability cannot be evaluated.</source>
@@ -793,20 +884,8 @@
         <translation>%1 är ett 7-Zip-arkiv; packa upp det först. Läsbara format: %2.</translation>
     </message>
     <message>
-        <source>%1 is a LabVIEW TDMS file, which this version does not read; export it as LVM or CSV. Readable are: %2.</source>
-        <translation>%1 är en LabVIEW TDMS-fil, som denna version inte läser; exportera den som LVM eller CSV. Läsbara format: %2.</translation>
-    </message>
-    <message>
-        <source>%1 is only the index of a LabVIEW TDMS file and holds no samples. Readable are: %2.</source>
-        <translation>%1 är bara indexet till en LabVIEW TDMS-fil och innehåller inga sampel. Läsbara format: %2.</translation>
-    </message>
-    <message>
         <source>%1 is a MATLAB file, which this version does not read; write the samples as CSV or HDF5 capture. Readable are: %2.</source>
         <translation>%1 är en MATLAB-fil, som denna version inte läser; skriv samplen som CSV eller HDF5-registrering. Läsbara format: %2.</translation>
-    </message>
-    <message>
-        <source>%1 is a WAV or other RIFF file, which this version does not read. Readable are: %2.</source>
-        <translation>%1 är en WAV-fil eller annan RIFF-fil, som denna version inte läser. Läsbara format: %2.</translation>
     </message>
     <message>
         <source>%1 is not a recording: it is a program. Readable are: %2.</source>
@@ -893,10 +972,6 @@
         <translation>%1: scale, offset eller poly för kanal %2 är inte ett tal; utan det saknar avläsningarna enhet.</translation>
     </message>
     <message>
-        <source>%1: the samples of channel %2 are not those that were recorded (their SHA-256 differs from the one in the file); take an unchanged copy.</source>
-        <translation>%1: samplen i kanal %2 är inte de som registrerades (deras SHA-256 skiljer sig från den i filen); ta en oförändrad kopia.</translation>
-    </message>
-    <message>
         <source>%1: the samples of channel %2 are stored in a type for which the SHA-256 in the file was not checked.</source>
         <translation>%1: samplen i kanal %2 är lagrade i en typ för vilken SHA-256 i filen inte kontrollerades.</translation>
     </message>
@@ -949,16 +1024,8 @@
         <translation>%1: kanal %2 är komprimerad i block på mer än 64 MiB; spara filen med mindre block eller utan komprimering.</translation>
     </message>
     <message>
-        <source>Recipe import.channels names a channel &apos;%1&apos; that no shot has; the channels are %2.</source>
-        <translation>Receptets import.channels anger en kanal &apos;%1&apos; som inget skott har; kanalerna är %2.</translation>
-    </message>
-    <message>
         <source>Shot %1, channel &apos;%2&apos;: the file states no sample rate and has no time column; give import.sample_rate_hz in the recipe.</source>
         <translation>Skott %1, kanal &apos;%2&apos;: filen anger ingen samplingsfrekvens och har ingen tidskolumn; ange import.sample_rate_hz i receptet.</translation>
-    </message>
-    <message>
-        <source>The recipe&apos;s sample rate of %1 replaces what the files state.</source>
-        <translation>Receptets samplingsfrekvens %1 ersätter den som filerna anger.</translation>
     </message>
     <message>
         <source>Shot %1, %2: %3 invalid samples were interpolated.</source>
@@ -1545,14 +1612,6 @@
         <translation>Modellens poler och nollställen i z-planet</translation>
     </message>
     <message>
-        <source>Shots of a higher sample rate were reduced to %1 for the principal components, through an anti-alias filter.</source>
-        <translation>Skott med högre samplingsfrekvens reducerades till %1 för principalkomponenterna, genom ett antivikningsfilter.</translation>
-    </message>
-    <message>
-        <source>One shot: PCA is skipped, repeatability cannot be evaluated.</source>
-        <translation>Ett skott: PCA hoppas över, repeterbarheten kan inte utvärderas.</translation>
-    </message>
-    <message>
         <source>The first principal component explains %1 % (limit %2 %). Shot %3 carries %4 % of the remainder.</source>
         <translation>Den första principalkomponenten förklarar %1 % (gräns %2 %). Skott %3 står för %4 % av återstoden.</translation>
     </message>
@@ -2097,8 +2156,496 @@
         <translation>Kalibreringsbeviset och diagrammen kan inte ritas: programmet hittade inget att rita på; starta om det.</translation>
     </message>
     <message>
+        <source>%1 is a RIFF file (video, sound font, picture) or a cut WAV, not a recording that can be read. Readable are: %2.</source>
+        <translation>%1 är en RIFF-fil (video, ljudtyper, bild) eller en avklippt WAV, ingen registrering som kan läsas. Läsbara är: %2.</translation>
+    </message>
+    <message>
+        <source>%1 states a sampling interval of %2 s for channel %3, which cannot be; state the sample rate in the recipe&apos;s import section if it is known.</source>
+        <translation>%1 anger ett samplingsintervall på %2 s för kanal %3, vilket inte kan stämma; ange samplingsfrekvensen i receptets importdel om den är känd.</translation>
+    </message>
+    <message>
+        <source>%1: &quot;%2&quot; was left out, because it is no sampled signal (%3).</source>
+        <translation>%1: ”%2” utelämnades, eftersom det inte är en samplad signal (%3).</translation>
+    </message>
+    <message>
+        <source>%1 ends before its first sample, so it is likely an incomplete copy; copy it again.</source>
+        <translation>%1 slutar före sitt första sampel och är därför troligen en ofullständig kopia; kopiera den igen.</translation>
+    </message>
+    <message>
+        <source>%1 ends after %3 of the %4 samples of channel %2 that its header declares, so it is likely an incomplete copy; copy it again.</source>
+        <translation>%1 slutar efter %3 av de %4 sampel i kanal %2 som huvudet anger och är därför troligen en ofullständig kopia; kopiera den igen.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged: its header states %2 as %3, which cannot be; copy the file again.</source>
+        <translation>%1 är skadad: huvudet anger %2 som %3, vilket inte kan stämma; kopiera filen igen.</translation>
+    </message>
+    <message>
+        <source>%1 is a recording of kind %2, which this version does not read; save it as CSV.</source>
+        <translation>%1 är en registrering av slaget %2, som denna version inte läser; spara den som CSV.</translation>
+    </message>
+    <message>
+        <source>%1: the header names %2 columns but the rows have %3 cells, so the comma seems to be both separator and decimal mark; export with another separator, or state separator and decimal in the recipe&apos;s import section.</source>
+        <translation>%1: huvudet namnger %2 kolumner men raderna har %3 celler, så kommat tycks vara både skiljetecken och decimaltecken; exportera med ett annat skiljetecken, eller ange separator och decimal i receptets importdel.</translation>
+    </message>
+    <message>
+        <source>%1: line %2 is a row of %3 numbers like the data, but other text follows it; it was taken as header. Set skip_rows in the recipe&apos;s import section to be certain.</source>
+        <translation>%1: rad %2 är en rad med %3 tal som mätdata, men annan text följer efter den; den togs som huvud. Ange skip_rows i receptets importdel för att vara säker.</translation>
+    </message>
+    <message>
+        <source>%1: line %2 has %3 cells above %4 columns, so the columns are numbered, not named.</source>
+        <translation>%1: rad %2 har %3 celler över %4 kolumner, så kolumnerna är numrerade, inte namngivna.</translation>
+    </message>
+    <message>
+        <source>%1 begins like a header of %2 samples at %3, but has %4 lines, so it is likely an incomplete copy. Copy it again, or set skip_rows in the recipe&apos;s import section.</source>
+        <translation>%1 börjar som ett huvud för %2 sampel med %3 men har %4 rader, så den är troligen en ofullständig kopia. Kopiera den igen, eller ange skip_rows i receptets importdel.</translation>
+    </message>
+    <message>
+        <source>%1: the first %2 lines were taken as header, as they count the %3 lines behind: the sample rate is %4.</source>
+        <translation>%1: de första %2 raderna togs som huvud, eftersom de räknar de %3 raderna efter: samplingsfrekvensen är %4.</translation>
+    </message>
+    <message>
+        <source>%1, line %2 follows %3 blank lines; the file is damaged, or it holds two tables.</source>
+        <translation>%1, rad %2 kommer efter %3 tomma rader; filen är skadad eller innehåller två tabeller.</translation>
+    </message>
+    <message>
+        <source>%1, line %2 is a comment within the data; take it out if the rows around it follow each other, else save them as two files.</source>
+        <translation>%1, rad %2 är en kommentar bland mätdata; ta bort den om raderna omkring följer på varandra, spara dem annars som två filer.</translation>
+    </message>
+    <message>
+        <source>%1 states no sample rate and has no column of times; give the sample rate.</source>
+        <translation>%1 anger ingen samplingsfrekvens och har ingen tidskolumn; ange samplingsfrekvensen.</translation>
+    </message>
+    <message>
+        <source>%1 is no recording over time: its first column, &quot;%2&quot;, holds frequencies. If it holds samples, say so under columns in the recipe&apos;s import section.</source>
+        <translation>%1 är ingen registrering över tid: dess första kolumn, ”%2”, innehåller frekvenser. Om den innehåller sampel, ange det under columns i receptets importdel.</translation>
+    </message>
+    <message>
+        <source>%1: line %2 of the header (&quot;%3&quot;) means %4, but line %5 (&quot;%6&quot;) means %7. Which one is right? State sample_rate_hz in the recipe&apos;s import section.</source>
+        <translation>%1: rad %2 i huvudet (”%3”) betyder %4, men rad %5 (”%6”) betyder %7. Vilken stämmer? Ange sample_rate_hz i receptets importdel.</translation>
+    </message>
+    <message>
+        <source>%1: line %2 of the header (&quot;%3&quot;) means %4, but the column of times steps at %5. Which one is right? State sample_rate_hz in the recipe&apos;s import section; to go against the times, name only the columns of samples there, too.</source>
+        <translation>%1: rad %2 i huvudet (”%3”) betyder %4, men tidskolumnen stegar med %5. Vilken stämmer? Ange sample_rate_hz i receptets importdel; för att gå emot tiderna, namnge dessutom bara kolumnerna med sampel där.</translation>
+    </message>
+    <message>
+        <source>%1: the stated sample rate is %2, but the times, which have no unit, step by %3: that fits neither in s nor in ms, us or ns. Correct the rate, or name only the columns of samples in the recipe&apos;s import section.</source>
+        <translation>%1: den angivna samplingsfrekvensen är %2, men tiderna, som saknar enhet, stegar med %3: det stämmer varken i s, ms, us eller ns. Rätta frekvensen, eller namnge bara kolumnerna med sampel i receptets importdel.</translation>
+    </message>
+    <message>
+        <source>%1: line %2 of the header (&quot;%3&quot;) means %4, but recipe and column of times agree on %5, which was taken.</source>
+        <translation>%1: rad %2 i huvudet (”%3”) betyder %4, men recept och tidskolumn är överens om %5, som används.</translation>
+    </message>
+    <message>
+        <source>%1: line %2 of the header (&quot;%3&quot;) has no unit; in Hz or s it means %4, which was taken as the sample rate.</source>
+        <translation>%1: rad %2 i huvudet (”%3”) saknar enhet; i Hz eller s betyder den %4, som används som samplingsfrekvens.</translation>
+    </message>
+    <message>
+        <source>%1: the recipe&apos;s sample rate of %2 was taken although the file&apos;s column of times steps at %3.</source>
+        <translation>%1: receptets samplingsfrekvens %2 används trots att filens tidskolumn stegar med %3.</translation>
+    </message>
+    <message>
+        <source>%1: column &quot;%2&quot; only counts the rows, so the sample rate is unknown; state sample_rate_hz in the recipe&apos;s import section.</source>
+        <translation>%1: kolumn ”%2” räknar bara raderna, så samplingsfrekvensen är okänd; ange sample_rate_hz i receptets importdel.</translation>
+    </message>
+    <message>
+        <source>%1: column &quot;%2&quot; steps by %3 without a unit, so the sample rate is unknown; state sample_rate_hz in the recipe&apos;s import section.</source>
+        <translation>%1: kolumn ”%2” stegar med %3 utan enhet, så samplingsfrekvensen är okänd; ange sample_rate_hz i receptets importdel.</translation>
+    </message>
+    <message>
+        <source>%1: column &quot;%2&quot; has no unit; its numbers were taken as seconds, which makes the sample rate %3. If that is wrong, write the unit into the title.</source>
+        <translation>%1: kolumn ”%2” saknar enhet; dess tal togs som sekunder, vilket ger samplingsfrekvensen %3. Om det är fel, skriv enheten i rubriken.</translation>
+    </message>
+    <message>
+        <source>%1: the recipe leaves the column of times out, but at line %2 it is not uniform; if samples are missing there, all behind them is shifted.</source>
+        <translation>%1: receptet utelämnar tidskolumnen, men vid rad %2 är den ojämn; om sampel saknas där är allt efter dem förskjutet.</translation>
+    </message>
+    <message>
+        <source>%1: column &quot;%2&quot; rises from row to row like times, but neither title nor unit says so; it was read as samples. If it holds times, name it time under columns in the recipe&apos;s import section.</source>
+        <translation>%1: kolumn ”%2” stiger från rad till rad som tider, men varken rubrik eller enhet säger det; den lästes som sampel. Om den innehåller tider, namnge den time under columns i receptets importdel.</translation>
+    </message>
+    <message>
+        <source>%1 was written as a stream without its length; it was read up to its end (%2 samples per channel), which nothing confirms.</source>
+        <translation>%1 skrevs som en ström utan längd; den lästes till sitt slut (%2 sampel per kanal), vilket inget bekräftar.</translation>
+    </message>
+    <message>
+        <source>%1 ends after %2 of the %3 samples per channel that it declares, or within one; it is likely an incomplete copy.</source>
+        <translation>%1 slutar efter %2 av de %3 sampel per kanal som den anger, eller mitt i ett; den är troligen en ofullständig kopia.</translation>
+    </message>
+    <message>
+        <source>%1 states %2 samples per second, but its bytes per second mean %3; state the sample rate in the recipe&apos;s import section if it is known.</source>
+        <translation>%1 anger %2 sampel per sekund, men dess byte per sekund betyder %3; ange samplingsfrekvensen i receptets importdel om den är känd.</translation>
+    </message>
+    <message>
+        <source>The profile cannot be kept as &quot;%1&quot;; choose another name.</source>
+        <translation>Profilen kan inte sparas som ”%1”; välj ett annat namn.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel &apos;%2&apos;: the samples cannot be read any more, because the file changed or is out of reach; open it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel &apos;%1&apos; of shot %2 is flat: its standard deviation is %3 codes of the converter (%4 is the limit). Check cable and role.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shot %1, %2: %3 invalid samples from %4 on (samples %5 to %6). Inside the response window they block the shot; exclude it or set import.interpolate_invalid.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shot %1%2 and shot %3%4 hold identical data; a shot counted twice makes the scatter look smaller than it is. Exclude one of them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 changed since it was opened; open it again, or take an unchanged copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the samples of shot %2, channel &apos;%3&apos; are not those that were recorded (their SHA-256 differs from the one in the file); take an unchanged copy.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the samples of shot %2, channel &apos;%3&apos; cannot be read any more; check the drive or the network, or copy the file again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shot %1, channel &apos;%2&apos;: the file states %3 but import.sample_rate_hz is %4. Leave the key out, or say in import.sample_rate_reason why the file is wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recipe&apos;s sample rate of %1 replaces the %2 that the files state.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The recipe&apos;s sample rate of %1 replaces the %2 that the files state; reason: %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shot %1, channel &apos;%2&apos; is a pressure already (%3), so it cannot have a sensitivity; leave out the sensitivity or give its unit, e.g. V.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
         <source>A recording cannot be read any more: its file was changed or is gone; add it again.</source>
         <translation>En registrering kan inte längre läsas: filen har ändrats eller saknas; lägg till den igen.</translation>
+    </message>
+    <message>
+        <source>%1 holds nothing that is a sampled signal; save the recorded channel itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 has more than 1024 attributes, which no capture has; the file is damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: channel %2 holds integers of more than 53 bits, which would be rounded; save them as 32 bit integers with scale and offset, or as floating point numbers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the samples of channel %2 lie in other files; copy them into one file.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: channel %2 would make more than 4 GiB unpacked; save the file without compression.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 uses the comma as separator and as decimal mark, so its numbers cannot be told apart; save it again with tabs as separator.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 claims %2 channels in %3 segments, which is more than it can hold; the file is damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1, line %2 has %3 cells more than the header has columns; the file is damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: Delta_X of channel %2 is printed with so few digits that its sample rate of %3 is known to %4 % only, so it was not taken; state sample_rate_hz in the recipe&apos;s import section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the sample rate of channel %2, %3, is known to %4 % only, as Delta_X is printed with few digits; state sample_rate_hz in the recipe&apos;s import section if you know it better.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the header declares %2 channels, but %3 columns have names; the last ones were not read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 channels have no samples and were left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: channel %2 has %3 samples where its header declares %4, so blocks were appended and are read as one record. If each is a shot of its own, save with one header per segment.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the 64-bit integers of %2 are too long to be kept exactly; save them as double.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 ends within its variable number %2, so it is likely an incomplete copy; copy it again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the header of its variable number %2 contradicts itself; copy the file again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: its compressed variable number %2 does not expand to what it declares; copy the file again.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the sample rate is stated as %2, but %3 steps by %4, which fits it in no unit of time, so the rate is unknown. Which one is right? State it in the recipe&apos;s import section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the times in %2 are not uniform (allowed is 1 %), so the sample rate is unknown; state it in the recipe&apos;s import section if it is known.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 has no unit and was taken as seconds, which makes the sample rate %3; state the rate in the recipe&apos;s import section if it is another.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 increases uniformly by %3 and was taken as the times, but its unit is said nowhere. State the sample rate in the recipe&apos;s import section: %4 if they are seconds, %5 if milliseconds, %6 if microseconds.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 states a sample rate of %2 and an interval of %3 s, which contradict each other, so the rate is unknown; state it in the recipe&apos;s import section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 describes samples that are in %2, which cannot be opened; put both files into one folder.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%2 does not hold the samples that %1 describes; copy both files again, from the same recording.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 states a sampling interval of %2 s, but a record from end to end that means %3 s, so the rate is unknown; state it in the recipe&apos;s import section.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds only the samples of a Rohde &amp; Schwarz recording; open %2, which describes them.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1 has no samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1 has values of the type %2, no samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: channel %2 holds counts of the converter and no scale; state scale and unit, or its values mean nothing.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: a channel was left out. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has no channel that can be read. %2</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 holds no data; it is likely an incomplete copy or a recording that never began.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is of the TDMS version %2, which this program does not know; it was read like version 4713.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 What stands before was read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 was not closed by the program that wrote it, or its end is missing; all values that are there were read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is incomplete: channel %2 has %3 of %4 samples. All values that are there were read; copy the file again if the original is whole.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: channel %2 states no time between samples (wf_increment); give import.sample_rate_hz in the recipe.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the samples of the segment at byte %2 would begin behind its end.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: at byte %2, where a segment should begin, there is none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: up to byte %2 it names more channels than any recording has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the segment at byte %2 has an object with the name %3, which is no path.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the segment at byte %2 says that the data of %3 are as before, but there were none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the samples of %3 change their type in the segment at byte %2; such a record cannot be read as one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: up to the segment at byte %2 it lists far more channels than it has samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is only the index of a TDMS file and holds no samples; open %2, which belongs to it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is no TDMS file: it does not begin with &quot;TDSm&quot;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the segment at byte %2 interleaves channels of different lengths, or texts.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the segment at byte %2 declares more samples than any file can hold.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: DAQmx channels of the segment at byte %2 lie outside their raw buffers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the segment at byte %2 mixes DAQmx raw data with other samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the description of the segment at byte %2 ends before all that it declares.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the segment at byte %2 declares %3 %4, more than it has room for or than any recording has.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: channel %3 (segment at byte %2) has samples of the type %4, which cannot be read; write them as integers or float64.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: channel %3 (segment at byte %2) has DAQmx counts of the unknown type %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: channel %3 (segment at byte %2) has digital lines of several bytes in big-endian order, which cannot be read.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the DAQmx counts of channel %3 (segment at byte %2) are not of the type %4 that it declares.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1 claims samples that belong to other channels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1 cannot be read; the file changed meanwhile.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1 has 64 bit integers beyond 2^53, which a floating point number does not hold exactly; write it as int32 or float64.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1 declares %2 scales, more than can be meant.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1: scale %2 (%3) lacks a number that it needs, or has one that makes no sense.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scales of channel %1 refer to scale %2, which is not there or needs itself.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The scales of channel %1 do not say which of its %2 kinds of counts they are for.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1: scale %2 has no type and no counts of its own.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Channel %1: scale %2 is of the kind &quot;%3&quot;, which this program does not apply; write the channel scaled.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 says that its recording was not completed; check that the records are whole.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 groups with thinned-out copies of the records were left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: each of its %2 logged intervals was taken as a shot; exclude those that are none.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the group &quot;%2&quot; was left out because its channels are not those of the other groups, of which each is a shot.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has %2 bytes, which is too large for a text; export a shorter part, or as HDF5 capture.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a LabVIEW measurement, which says itself how it is to be read; import it as lvm.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recipe %1 names a channel &apos;%2&apos; that no shot has; the channels are %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Recipe import.files names &apos;%1&apos;, which is none of the inputs; these are %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The profile %1 holds &quot;%2&quot;; a laboratory&apos;s profile holds the sections import and checks only, the rest belongs into the recipe.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gas &apos;%1&apos; has no heat capacity over temperature; choose air, n2, he, ar or co2, or a constant heat capacity.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gas &apos;%1&apos; is not known; it must be air, humid-air, n2, he, ar, co2 or custom.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Moist air (Cramer): the %1 is %2 %5, and the formula holds from %3 to %4 %5; choose the gas &apos;air&apos; or another value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pressure ratio p2/p1 is %1; a shock needs more than 1: check both pressures and whether they are absolute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The driver pressure p4 = %1 Pa does not exceed p1 = %2 Pa; both are absolute here: add the ambient pressure to a gauge reading.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The gas reaches %1 K, and the variable heat capacity holds from %2 K to %3 K; choose a constant one or another gas.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -2114,6 +2661,28 @@
     <message>
         <source>Ticked: the program&apos;s rule decides</source>
         <translation>Markerad: programmets regel bestämmer</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::CaptureImport</name>
+    <message>
+        <source>Add recordings</source>
+        <translation>Lägg till registreringar</translation>
+    </message>
+    <message>
+        <source>Change the import settings</source>
+        <translation>Ändra importinställningarna</translation>
+    </message>
+    <message>
+        <source>Reading recordings</source>
+        <translation>Läser registreringar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shot(s) read</source>
+        <translation>
+            <numerusform>%n skott läst</numerusform>
+            <numerusform>%n skott lästa</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -2271,8 +2840,16 @@
         <translation>Ta bort skott %1</translation>
     </message>
     <message>
+        <source>Import settings...</source>
+        <translation>Importinställningar...</translation>
+    </message>
+    <message>
         <source> (reading the recordings: %1 %)</source>
         <translation> (läser registreringarna: %1 %)</translation>
+    </message>
+    <message>
+        <source>Why is the rate in the file wrong? The results record the reason.</source>
+        <translation>Varför är filens frekvens fel? Skälet följer med resultaten.</translation>
     </message>
 </context>
 <context>
@@ -2453,6 +3030,25 @@
 <context>
     <name>dyncal::FileActions</name>
     <message>
+        <source>Reading recordings</source>
+        <translation>Läser registreringar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shot(s) read</source>
+        <translation>
+            <numerusform>%n skott inläst</numerusform>
+            <numerusform>%n skott inlästa</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add recordings</source>
+        <translation>Lägg till registreringar</translation>
+    </message>
+    <message>
+        <source>The recordings are still being read for their hashes, which the project keeps; try again in a moment.</source>
+        <translation>Registreringarna läses fortfarande för att beräkna kontrollsummorna som projektet sparar; försök igen om en stund.</translation>
+    </message>
+    <message>
         <source>Recordings (%1)</source>
         <translation>Registreringar (%1)</translation>
     </message>
@@ -2471,21 +3067,6 @@
     <message>
         <source>Open captures</source>
         <translation>Öppna registreringar</translation>
-    </message>
-    <message>
-        <source>Reading recordings</source>
-        <translation>Läser registreringar</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n shot(s) read</source>
-        <translation>
-            <numerusform>%n skott inläst</numerusform>
-            <numerusform>%n skott inlästa</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Add recordings</source>
-        <translation>Lägg till registreringar</translation>
     </message>
     <message>
         <source>Making the example</source>
@@ -2552,8 +3133,8 @@
         <translation>Skriver %1</translation>
     </message>
     <message>
-        <source>The recordings are still being read for their hashes, which the project keeps; try again in a moment.</source>
-        <translation>Registreringarna läses fortfarande för att beräkna kontrollsummorna som projektet sparar; försök igen om en stund.</translation>
+        <source>The example is open</source>
+        <translation>Exemplet är öppnat</translation>
     </message>
 </context>
 <context>
@@ -2581,6 +3162,310 @@
     <message>
         <source>Give a reason...</source>
         <translation>Ange ett skäl...</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::ImportChannelTable</name>
+    <message>
+        <source>Channels of the file</source>
+        <translation>Filens kanaler</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Role</source>
+        <translation>Roll</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Enhet</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Sampel</translation>
+    </message>
+    <message>
+        <source>Role of channel %1</source>
+        <translation>Roll för kanal %1</translation>
+    </message>
+    <message>
+        <source>Factor</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Förstärkning</translation>
+    </message>
+    <message>
+        <source>Sensitivity / (mV/kPa)</source>
+        <translation>Känslighet / (mV/kPa)</translation>
+    </message>
+    <message>
+        <source>Inverted</source>
+        <translation>Omvänd</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Tryck</translation>
+    </message>
+    <message>
+        <source>Unit of channel %1</source>
+        <translation>Enhet för kanal %1</translation>
+    </message>
+    <message>
+        <source>Factor on channel %1</source>
+        <translation>Faktor på kanal %1</translation>
+    </message>
+    <message>
+        <source>Gain of channel %1</source>
+        <translation>Förstärkning för kanal %1</translation>
+    </message>
+    <message>
+        <source>Sensitivity of channel %1</source>
+        <translation>Känslighet för kanal %1</translation>
+    </message>
+    <message>
+        <source>Inverted polarity of channel %1</source>
+        <translation>Omvänd polaritet för kanal %1</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation>som inspelat</translation>
+    </message>
+    <message>
+        <source>gauge</source>
+        <translation>övertryck</translation>
+    </message>
+    <message>
+        <source>absolute</source>
+        <translation>absolut</translation>
+    </message>
+    <message>
+        <source>Gauge or absolute, channel %1</source>
+        <translation>Övertryck eller absolut, kanal %1</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::ImportDialog</name>
+    <message>
+        <source>comma</source>
+        <translation>komma</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>punkt</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>tabb</translation>
+    </message>
+    <message>
+        <source>blanks</source>
+        <translation>blanksteg</translation>
+    </message>
+    <message>
+        <source>Import %1</source>
+        <translation>Importera %1</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatiskt</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>Text table</source>
+        <translation>Texttabell</translation>
+    </message>
+    <message>
+        <source>Separator</source>
+        <translation>Skiljetecken</translation>
+    </message>
+    <message>
+        <source>comma ,</source>
+        <translation>komma ,</translation>
+    </message>
+    <message>
+        <source>semicolon ;</source>
+        <translation>semikolon ;</translation>
+    </message>
+    <message>
+        <source>bar |</source>
+        <translation>streck |</translation>
+    </message>
+    <message>
+        <source>Decimal mark</source>
+        <translation>Decimaltecken</translation>
+    </message>
+    <message>
+        <source>point .</source>
+        <translation>punkt .</translation>
+    </message>
+    <message>
+        <source>Header rows</source>
+        <translation>Huvudrader</translation>
+    </message>
+    <message>
+        <source>Time from</source>
+        <translation>Tid från</translation>
+    </message>
+    <message>
+        <source>Sample rate</source>
+        <translation>Samplingsfrekvens</translation>
+    </message>
+    <message>
+        <source>Remember as profile</source>
+        <translation>Spara som profil</translation>
+    </message>
+    <message>
+        <source>Name of the profile</source>
+        <translation>Profilens namn</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %n file(s)</source>
+        <translation>
+            <numerusform>Importera %n fil</numerusform>
+            <numerusform>Importera %n filer</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>automatic: %1</source>
+        <translation>automatiskt: %1</translation>
+    </message>
+    <message>
+        <source>no column: the rate is given</source>
+        <translation>ingen kolumn: frekvensen anges</translation>
+    </message>
+    <message>
+        <source>column %1: %2</source>
+        <translation>kolumn %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 rows looked at, unreadable cells: %2. Text: %3.</source>
+        <translation>%1 rader lästa på prov, oläsbara celler: %2. Text: %3.</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>ej angiven</translation>
+    </message>
+    <message>
+        <source>Use the time column: %1</source>
+        <translation>Använd tidskolumnen: %1</translation>
+    </message>
+    <message>
+        <source>Use the header: %1</source>
+        <translation>Använd huvudet: %1</translation>
+    </message>
+    <message>
+        <source>as typed</source>
+        <translation>som inskrivet</translation>
+    </message>
+    <message>
+        <source>from the time column: %1</source>
+        <translation>från tidskolumnen: %1</translation>
+    </message>
+    <message>
+        <source>the file states %1</source>
+        <translation>filen anger %1</translation>
+    </message>
+    <message>
+        <source>Reading the file...</source>
+        <translation>Läser filen...</translation>
+    </message>
+    <message>
+        <source>Cells that are no numbers are marked; change separator, decimal mark or header rows.</source>
+        <translation>Celler som inte är tal är markerade; ändra skiljetecken, decimaltecken eller huvudrader.</translation>
+    </message>
+    <message>
+        <source>The numbers can be read in two ways: choose the decimal mark; the table shows the effect.</source>
+        <translation>Talen kan läsas på två sätt: välj decimaltecken; tabellen visar verkan.</translation>
+    </message>
+    <message>
+        <source>The file does not say its sample rate: type it.</source>
+        <translation>Filen anger inte sin samplingsfrekvens: skriv in den.</translation>
+    </message>
+    <message>
+        <source>Choose which channel is the sensor under test (DUT).</source>
+        <translation>Välj vilken kanal som är givaren under provning (DUT).</translation>
+    </message>
+    <message>
+        <source>Only one channel can be the sensor under test (DUT).</source>
+        <translation>Bara en kanal kan vara givaren under provning (DUT).</translation>
+    </message>
+    <message>
+        <source>Give the profile a name that a file can have.</source>
+        <translation>Ge profilen ett namn som en fil kan ha.</translation>
+    </message>
+    <message>
+        <source>The file can be imported.</source>
+        <translation>Filen kan importeras.</translation>
+    </message>
+    <message>
+        <source>Why the file is wrong</source>
+        <translation>Varför filen har fel</translation>
+    </message>
+    <message>
+        <source>the time column is right, the header is not</source>
+        <translation>tidskolumnen stämmer, inte huvudet</translation>
+    </message>
+    <message>
+        <source>the header is right, the time column is not</source>
+        <translation>huvudet stämmer, inte tidskolumnen</translation>
+    </message>
+    <message>
+        <source>for all files</source>
+        <translation>för alla filer</translation>
+    </message>
+    <message>
+        <source>for this file</source>
+        <translation>för denna fil</translation>
+    </message>
+    <message>
+        <source>These settings hold</source>
+        <translation>Inställningarna gäller</translation>
+    </message>
+    <message>
+        <source>The header says %1, the time column %2. Which one is right?</source>
+        <translation>Huvudet anger %1, tidskolumnen %2. Vilken stämmer?</translation>
+    </message>
+    <message>
+        <source>The rate typed differs from that of the file: say why the file is wrong. The results record it.</source>
+        <translation>Den inskrivna frekvensen avviker från filens: ange varför filen har fel. Det följer med resultaten.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::ImportPreviewTable</name>
+    <message>
+        <source>First rows of the file</source>
+        <translation>Filens första rader</translation>
+    </message>
+    <message>
+        <source>%1 (time)</source>
+        <translation>%1 (tid)</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>saknas</translation>
+    </message>
+    <message>
+        <source>No number under these settings</source>
+        <translation>Inget tal med dessa inställningar</translation>
     </message>
 </context>
 <context>
@@ -2735,6 +3620,10 @@
     <message>
         <source>Give a reason for %1</source>
         <translation>Ange ett skäl för %1</translation>
+    </message>
+    <message>
+        <source>Files that could not be read</source>
+        <translation>Filer som inte kunde läsas</translation>
     </message>
 </context>
 <context>
@@ -3125,6 +4014,48 @@
     <message>
         <source>The plot could not be written to %1; choose a folder that can be written and a name that ends in .svg, .png, .pdf or .csv.</source>
         <translation>Diagrammet kunde inte skrivas till %1; välj en skrivbar mapp och ett namn som slutar på .svg, .png, .pdf eller .csv.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::ProblemPanel</name>
+    <message>
+        <source>Files that could not be read</source>
+        <translation>Filer som inte kunde läsas</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Fil</translation>
+    </message>
+    <message>
+        <source>What is wrong, and what to do</source>
+        <translation>Vad som är fel och vad som kan göras</translation>
+    </message>
+    <message>
+        <source>Try again</source>
+        <translation>Försök igen</translation>
+    </message>
+    <message>
+        <source>Copy all</source>
+        <translation>Kopiera allt</translation>
+    </message>
+    <message>
+        <source>Dismiss</source>
+        <translation>Stäng</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) could not be read. All others are open.</source>
+        <translation>
+            <numerusform>%n fil kunde inte läsas. Alla andra är öppna.</numerusform>
+            <numerusform>%n filer kunde inte läsas. Alla andra är öppna.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Import settings...</source>
+        <translation>Importinställningar...</translation>
+    </message>
+    <message>
+        <source>Import settings of %1</source>
+        <translation>Importinställningar för %1</translation>
     </message>
 </context>
 <context>

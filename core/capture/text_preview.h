@@ -28,6 +28,8 @@ struct TextPreview
     bool decimalAmbiguous = false; ///< numbers can be read in two ways (CAP-019)
     std::optional<Index> timeColumn; ///< holds times or row numbers, no samples
     double sampleRate_Hz = 0.0; ///< 0 = must be stated
+    std::optional<Error> problem; ///< what would stop the import under these settings
+    Message remark; ///< the question, to be translated; no text if all is certain
     std::string question; ///< English sentence: what must be asked; empty if all is certain
 };
 

@@ -22,7 +22,8 @@ CaptureSet joinedCaptures(const CaptureSet &first, const CaptureSet &second)
             finding.shot += shots;
         all.findings.push_back(std::move(finding));
     }
-    all.tube.insert(second.tube.begin(), second.tube.end());
+    if (all.tube.empty()) // as the command line joins: one description, never a mixture of two
+        all.tube = second.tube;
     all.sensors.insert(second.sensors.begin(), second.sensors.end());
     all.instruments.insert(second.instruments.begin(), second.instruments.end());
     return all;
@@ -62,23 +63,53 @@ void removeUnusedInputs(CaptureSet &set)
 
 } // namespace
 
+void forgetMissingNames(ImportSettings &settings, const CaptureSet &set)
+{
+    std::erase_if(settings.files, [&](const auto &entry) {
+        return std::ranges::find(set.inputs, entry.first, &InputFile::file) == set.inputs.end();
+    });
+    const auto missing = [&](const auto &entry) {
+        return std::ranges::none_of(set.shots, [&](const Shot &shot) {
+            return std::ranges::find(shot.channels, entry.first, &Channel::name)
+                != shot.channels.end();
+        });
+    };
+    std::erase_if(settings.channels, missing);
+    std::erase_if(settings.channelDetails, missing);
+}
+
+CaptureSet withoutShot(CaptureSet set, Index number)
+{
+    removePosition(set.shots, static_cast<std::size_t>(number - 1));
+    removeNumbered(set.findings, number);
+    removeUnusedInputs(set);
+    return set;
+}
+
 ProjectState withoutShot(const ProjectState &state, Index number)
 {
     const auto position = static_cast<std::size_t>(number - 1);
     if (number < 1 || position >= state.captures->shots.size())
         return state;
-    CaptureSet set = *state.captures;
-    removePosition(set.shots, position);
-    removeNumbered(set.findings, number);
-    removeUnusedInputs(set);
-
-    ProjectState next{std::make_shared<const CaptureSet>(std::move(set)), state.recipe};
+    ProjectState next{
+        std::make_shared<const CaptureSet>(withoutShot(*state.captures, number)), state.recipe};
+    forgetMissingNames(next.recipe.import, *next.captures);
     removePosition(next.recipe.import.levels, position);
     removeNumbered(next.recipe.import.exclude, number);
     removeNumbered(next.recipe.acknowledge, number);
     if (next.recipe.window.start_s.size() > 1)
         removePosition(next.recipe.window.start_s, position);
     return next;
+}
+
+void setShotExcluded(
+    ImportSettings &settings, Index number, const std::optional<std::string> &reason)
+{
+    std::erase_if(
+        settings.exclude, [&](const ExcludedShot &entry) { return entry.shot == number; });
+    if (reason)
+        settings.exclude.push_back({number, *reason});
+    std::ranges::sort(settings.exclude, {}, &ExcludedShot::shot);
 }
 
 } // namespace dyncal

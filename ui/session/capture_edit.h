@@ -11,8 +11,18 @@ namespace dyncal {
 /// are moved on. Tube and sensor data of the first win.
 CaptureSet joinedCaptures(const CaptureSet &first, const CaptureSet &second);
 
+/// Takes out what names files and channels that the recordings do not have: a recipe may not.
+void forgetMissingNames(ImportSettings &settings, const CaptureSet &set);
+
+/// The recordings without shot `number` (from 1, must exist) and without files that only it used.
+CaptureSet withoutShot(CaptureSet set, Index number);
+
 /// The job without shot `number` (from 1): later shots move up by one, and every part of the
 /// recipe that goes by shot number moves with them.
 ProjectState withoutShot(const ProjectState &state, Index number);
+
+/// Takes shot `number` in (no reason) or out, for the reason that the certificate prints.
+void setShotExcluded(
+    ImportSettings &settings, Index number, const std::optional<std::string> &reason);
 
 } // namespace dyncal

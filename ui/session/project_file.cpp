@@ -3,8 +3,7 @@
 
 #include "ui/session/project_file.h"
 
-#include "core/capture/format_registry.h"
-#include "ui/session/capture_edit.h"
+#include "ui/session/capture_reading.h"
 #include "ui/session/example.h"
 
 #include <QDir>
@@ -89,19 +88,19 @@ Result<QJsonObject> readProjectObject(const QString &path)
     return document.object();
 }
 
+/// A project is whole or not opened at all.
 Result<CaptureSet> readReferenced(const std::vector<CaptureReference> &references,
     const ImportSettings &settings, const JobControl &control)
 {
-    CaptureSet all;
-    for (const CaptureReference &reference : references) {
-        Result<CaptureSet> set = reference.path == kExamplePath
-            ? exampleCaptures(control)
-            : readCapture(reference.path.toStdString(), settings, control);
-        if (!set)
-            return set;
-        all = joinedCaptures(all, *set);
-    }
-    return all;
+    std::vector<std::string> paths;
+    for (const CaptureReference &reference : references)
+        paths.push_back(reference.path.toStdString());
+    Result<CapturesRead> read = readEach(paths, settings, control);
+    if (!read)
+        return tl::unexpected(read.error());
+    if (!read->problems.empty())
+        return tl::unexpected(read->problems.front().error);
+    return std::move(read->set);
 }
 
 void reportChangedFiles(CaptureSet &set, const std::vector<CaptureReference> &references)

@@ -5,7 +5,6 @@
 
 #include "core/base/atomic_file.h"
 #include "core/capture/format_registry.h"
-#include "ui/session/capture_edit.h"
 #include "ui/session/example.h"
 #include "ui/session/project_file.h"
 #include "ui/text/core_text.h"
@@ -51,8 +50,14 @@ FileActions::FileActions(Session &session, CurrentUtc currentUtc, Prompts &promp
     , m_preferences(preferences)
     , m_window(window)
     , m_jobs(this)
+    , m_captures(session, preferences, window)
     , m_export(this)
 {
+    connect(&m_captures, &CaptureImport::busy, this, &FileActions::busy);
+    connect(&m_captures, &CaptureImport::progress, this, &FileActions::progress);
+    connect(&m_captures, &CaptureImport::idle, this, &FileActions::idle);
+    connect(&m_captures, &CaptureImport::newJob, this,
+        [this](const ProjectState &state) { startJob(state, {}); });
     connect(&m_export, &ExportJob::progress, this, &FileActions::progress);
     connect(&m_export, &ExportJob::failed, this, &FileActions::showProblem);
     connect(&m_export, &ExportJob::finished, this,
@@ -124,35 +129,8 @@ void FileActions::openPaths(const QStringList &paths)
 
 void FileActions::readRecordings(const QStringList &paths, bool add)
 {
-    if (isExporting())
-        return;
-    std::vector<std::string> files;
-    for (const QString &path : paths)
-        files.push_back(path.toStdString());
-    const ImportSettings settings = add ? m_session.recipe().import : ImportSettings{};
-    emit busy(tr("Reading recordings"));
-    m_jobs.start<CaptureSet>(
-        [files, settings](
-            const JobControl &control) { return dyncal::openCaptures(files, settings, control); },
-        [this, add](Result<CaptureSet> set) {
-            if (set)
-                takeRecordings(*set, add);
-            else
-                showProblem(set.error());
-        },
-        [this](double done) { emit progress(done); });
-}
-
-void FileActions::takeRecordings(const CaptureSet &set, bool add)
-{
-    emit idle(tr("%n shot(s) read", nullptr, static_cast<int>(set.shots.size())));
-    if (!add) {
-        startJob({std::make_shared<const CaptureSet>(set), {}}, {});
-        return;
-    }
-    ProjectState next = m_session.state();
-    next.captures = std::make_shared<const CaptureSet>(joinedCaptures(*next.captures, set));
-    m_session.applyState(next, tr("Add recordings"));
+    if (!isExporting())
+        m_captures.read(paths, add);
 }
 
 void FileActions::startJob(const ProjectState &state, const QString &path)
@@ -171,10 +149,12 @@ void FileActions::openExample()
         [duration = m_exampleDuration_s](
             const JobControl &control) { return exampleCaptures(control, duration); },
         [this](Result<CaptureSet> set) {
-            if (set)
-                takeRecordings(*set, false);
-            else
+            if (!set) {
                 showProblem(set.error());
+                return;
+            }
+            emit idle(tr("The example is open"));
+            startJob({std::make_shared<const CaptureSet>(std::move(*set)), {}}, {});
         },
         [this](double done) { emit progress(done); });
 }
@@ -326,6 +306,7 @@ void FileActions::startExport(
 void FileActions::cancel()
 {
     m_jobs.cancel();
+    m_captures.cancel();
     m_export.cancel();
     emit idle(tr("Cancelled"));
 }

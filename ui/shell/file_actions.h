@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ui/session/session.h"
+#include "ui/shell/capture_import.h"
 #include "ui/shell/export_job.h"
 #include "ui/shell/preferences.h"
 #include "ui/shell/prompts.h"
@@ -39,10 +40,16 @@ public:
     void exportResults();
     void exportCertificate();
 
+    /// Reading of recordings, its questions and its problems.
+    CaptureImport &captures() { return m_captures; }
+
     /// False when the operator wants to keep working on unsaved changes.
     bool mayDiscard();
     bool isModified() const;
-    bool isBusy() const { return m_jobs.isRunning() || m_export.isRunning(); }
+    bool isBusy() const
+    {
+        return m_jobs.isRunning() || m_captures.isRunning() || m_export.isRunning();
+    }
     /// False, and said why, while results are being written: quitting would leave half of them.
     bool mayQuit();
     void cancel();
@@ -61,7 +68,6 @@ signals:
 private:
     QStringList askForCaptures();
     void readRecordings(const QStringList &paths, bool add);
-    void takeRecordings(const CaptureSet &set, bool add);
     void startJob(const ProjectState &state, const QString &path);
     bool saveTo(const QString &path);
     bool hasResults();
@@ -79,6 +85,7 @@ private:
     double m_exampleDuration_s = 0.02;
     QString m_exportTarget; ///< as it is told when it has been written
     JobRunner m_jobs;
+    CaptureImport m_captures;
     ExportJob m_export;
 };
 

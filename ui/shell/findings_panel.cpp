@@ -10,10 +10,18 @@
 #include <QContextMenuEvent>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QPushButton>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
 namespace dyncal {
+
+namespace {
+
+constexpr int kButtonIndent = 18; ///< below the sentence, not below its sign
+
+} // namespace
 
 FindingsPanel::FindingsPanel(QWidget *parent)
     : QListWidget(parent)
@@ -30,23 +38,30 @@ FindingsPanel::FindingsPanel(QWidget *parent)
     connect(this, &QListWidget::itemActivated, this, &FindingsPanel::request);
 }
 
-void FindingsPanel::setFindings(
-    const Findings &findings, const std::vector<Acknowledgement> &acknowledged)
+void FindingsPanel::setFindings(const Findings &findings,
+    const std::vector<Acknowledgement> &acknowledged, const CaptureSet &captures)
 {
     m_shown = findings;
     std::ranges::stable_sort(
         m_shown, [](const Finding &a, const Finding &b) { return a.severity > b.severity; });
     clear();
-    for (const Finding &finding : m_shown) {
+    m_rows.clear();
+    for (std::size_t i = 0; i < m_shown.size(); ++i) {
+        const Finding &finding = m_shown[i];
         QString line = findingLine(finding);
         for (const Acknowledgement &entry : acknowledged)
             if (entry.finding == finding.id && entry.shot == finding.shot)
                 line += " " + tr("Accepted: %1").arg(QString::fromStdString(entry.reason));
         addItem(line);
+        m_rows.push_back(i);
         item(count() - 1)
             ->setToolTip(finding.severity == Severity::Caution
                     ? tr("Click to go to the stage; right click to give a reason")
                     : tr("Click to go to the stage"));
+        if (const std::vector<Mend> mends = mendsOf(finding, captures); !mends.empty()) {
+            addButtons(finding, mends);
+            m_rows.push_back(i);
+        }
     }
     if (m_shown.empty()) {
         addItem(tr("No findings."));
@@ -54,26 +69,55 @@ void FindingsPanel::setFindings(
     }
 }
 
+/// A row of its own, so that the sentence above keeps its width, its menu and its place in the
+/// copy.
+void FindingsPanel::addButtons(const Finding &finding, const std::vector<Mend> &mends)
+{
+    auto *box = new QWidget(this);
+    auto *column = new QVBoxLayout(box);
+    column->setContentsMargins(kButtonIndent, 0, 4, 6);
+    column->setSpacing(3);
+    for (const Mend &mend : mends) {
+        auto *button = new QPushButton(mend.label, box);
+        button->setObjectName(
+            QString("mend_%1_%2").arg(QString::fromStdString(finding.id)).arg(column->count() + 1));
+        button->setAccessibleDescription(findingLine(finding));
+        // The panel is filled anew by what the mend changes: not within the click.
+        connect(
+            button, &QPushButton::clicked, this, [this, mend] { emit mendRequested(mend); },
+            Qt::QueuedConnection);
+        column->addWidget(button, 0, Qt::AlignLeft);
+    }
+    auto *row = new QListWidgetItem(this);
+    row->setFlags(Qt::NoItemFlags);
+    row->setSizeHint(box->sizeHint());
+    setItemWidget(row, box);
+}
+
+const Finding *FindingsPanel::findingAt(int row) const
+{
+    if (row < 0 || static_cast<std::size_t>(row) >= m_rows.size())
+        return nullptr;
+    return &m_shown[m_rows[static_cast<std::size_t>(row)]];
+}
+
 void FindingsPanel::request(const QListWidgetItem *item)
 {
-    const auto position = static_cast<std::size_t>(row(item));
-    if (position >= m_shown.size())
+    const Finding *finding = findingAt(row(item));
+    if (!finding)
         return;
-    if (const std::optional<StageId> stage = stageOfFinding(m_shown[position].id))
+    if (const std::optional<StageId> stage = stageOfFinding(finding->id))
         emit stageRequested(*stage);
 }
 
 void FindingsPanel::contextMenuEvent(QContextMenuEvent *event)
 {
-    const int position = row(itemAt(event->pos()));
-    if (position < 0 || position >= static_cast<int>(m_shown.size()))
-        return;
-    const Finding finding = m_shown[static_cast<std::size_t>(position)];
-    if (finding.severity != Severity::Caution)
+    const Finding *found = findingAt(row(itemAt(event->pos())));
+    if (!found || found->severity != Severity::Caution)
         return;
     QMenu menu(this);
     menu.addAction(
-        tr("Give a reason..."), this, [this, finding] { emit reasonRequested(finding); });
+        tr("Give a reason..."), this, [this, finding = *found] { emit reasonRequested(finding); });
     menu.exec(event->globalPos());
 }
 
@@ -85,7 +129,7 @@ void FindingsPanel::keyPressEvent(QKeyEvent *event)
     }
     QStringList lines;
     for (int row = 0; row < count(); ++row)
-        if (selectedItems().isEmpty() || item(row)->isSelected())
+        if (!itemWidget(item(row)) && (selectedItems().isEmpty() || item(row)->isSelected()))
             lines << item(row)->text();
     QApplication::clipboard()->setText(lines.join('\n'));
 }

@@ -6,6 +6,7 @@
 #include "core/base/finding.h"
 #include "core/project/recipe.h"
 #include "ui/session/stage_status.h"
+#include "ui/shell/finding_mends.h"
 
 #include <QListWidget>
 
@@ -13,7 +14,7 @@ namespace dyncal {
 
 /// All findings of the job, most severe first: glyph, word, id and sentence. A click (or Enter)
 /// goes to the stage; the menu of a caution takes the reason for accepting it; Ctrl+C copies the
-/// lines selected, or all.
+/// lines selected, or all. Below a finding that can be mended by an edit stand its buttons.
 class FindingsPanel : public QListWidget
 {
     Q_OBJECT
@@ -21,11 +22,14 @@ class FindingsPanel : public QListWidget
 public:
     explicit FindingsPanel(QWidget *parent = nullptr);
 
-    void setFindings(const Findings &findings, const std::vector<Acknowledgement> &acknowledged);
+    /// `captures`: the recordings on show, which say what mends there are.
+    void setFindings(const Findings &findings, const std::vector<Acknowledgement> &acknowledged,
+        const CaptureSet &captures);
 
 signals:
     void stageRequested(dyncal::StageId stage);
     void reasonRequested(const dyncal::Finding &finding); ///< the operator wants to accept it
+    void mendRequested(const dyncal::Mend &mend);
 
 protected:
     void keyPressEvent(QKeyEvent *event) override;
@@ -33,7 +37,11 @@ protected:
 
 private:
     void request(const QListWidgetItem *item);
-    Findings m_shown; ///< one per row
+    void addButtons(const Finding &finding, const std::vector<Mend> &mends);
+    const Finding *findingAt(int row) const;
+
+    Findings m_shown; ///< the most severe first
+    std::vector<std::size_t> m_rows; ///< position in m_shown of each row: findings and buttons
 };
 
 } // namespace dyncal

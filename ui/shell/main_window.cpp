@@ -5,6 +5,7 @@
 
 #include "ui/shell/findings_panel.h"
 #include "ui/shell/help_dialogs.h"
+#include "ui/shell/problem_panel.h"
 #include "ui/shell/shot_chips.h"
 #include "ui/shell/stage_list.h"
 #include "ui/shell/start_page.h"
@@ -79,6 +80,7 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
         resetLayout();
         m_sizeDocks = true;
     }
+    m_problemsDock->hide();
     showStart();
 }
 
@@ -104,6 +106,9 @@ void MainWindow::buildDocks()
     m_inspectorDock = dock("inspectorDock", Qt::RightDockWidgetArea);
     m_findingsDock = dock("findingsDock", Qt::RightDockWidgetArea);
     m_inspectorDock->setWidget(m_inspectors);
+    // Of a moment, so no part of the layout that is kept.
+    m_problemsDock = dock("problemsDock", Qt::BottomDockWidgetArea);
+    m_problemsDock->hide();
 }
 
 void MainWindow::resetLayout()
@@ -182,6 +187,8 @@ void MainWindow::buildContents()
     m_findingsDock->setWidget(m_findings);
     connect(m_findings, &FindingsPanel::stageRequested, this, &MainWindow::showStage);
     connect(m_findings, &FindingsPanel::reasonRequested, this, &MainWindow::acknowledge);
+    connect(m_findings, &FindingsPanel::mendRequested, this, &MainWindow::mend);
+    buildProblems();
     delete m_chips;
     m_chips = new ShotChips(this);
     statusBar()->addWidget(m_chips);
@@ -195,6 +202,23 @@ void MainWindow::buildContents()
     showIdle({});
     if (started)
         showPage(std::max(row, 0));
+}
+
+/// Made anew in the language of the window; what it lists stays.
+void MainWindow::buildProblems()
+{
+    const auto shown = m_problems ? m_problems->problems() : std::vector<FileProblem>();
+    delete m_problems;
+    m_problems = new ProblemPanel(m_problemsDock);
+    m_problemsDock->setWidget(m_problems);
+    m_problemsDock->setWindowTitle(tr("Files that could not be read"));
+    connect(m_problems, &ProblemPanel::changed, this,
+        [this] { m_problemsDock->setVisible(!m_problems->problems().empty()); });
+    CaptureImport *captures = &m_files->captures();
+    connect(m_problems, &ProblemPanel::importRequested, captures, &CaptureImport::edit);
+    connect(m_problems, &ProblemPanel::retryRequested, m_files, &FileActions::openPaths);
+    connect(captures, &CaptureImport::problemsChanged, m_problems, &ProblemPanel::update);
+    m_problems->update({}, shown);
 }
 
 void MainWindow::buildPages()
@@ -214,6 +238,8 @@ void MainWindow::buildPages()
 
     auto *captures = new CapturesPage(m_session, m_prompts);
     connect(captures, &CapturesPage::addRequested, m_files, &FileActions::addCaptures);
+    connect(captures, &CapturesPage::importRequested, &m_files->captures(), &CaptureImport::edit);
+    connect(captures, &CapturesPage::importChanged, &m_files->captures(), &CaptureImport::change);
     auto *certificate = new CertificatePage(m_session);
     connect(
         certificate, &CertificatePage::exportRequested, m_files, &FileActions::exportCertificate);
@@ -409,12 +435,13 @@ void MainWindow::showStatuses()
 void MainWindow::showFindings()
 {
     const Findings findings = m_session.findings();
-    m_findings->setFindings(findings, m_session.recipe().acknowledge);
+    const auto &prepared = m_session.results().captures;
+    const CaptureSet &shown = prepared ? prepared->set : *m_session.state().captures;
+    m_findings->setFindings(findings, m_session.recipe().acknowledge, shown);
     const auto count = std::ranges::count_if(
         findings, [](const Finding &finding) { return finding.severity != Severity::Info; });
     m_findingsDock->setWindowTitle(count > 0 ? tr("Findings (%1)").arg(count) : tr("Findings"));
-    const auto &prepared = m_session.results().captures;
-    m_chips->setShots(prepared ? prepared->set : *m_session.state().captures);
+    m_chips->setShots(shown);
 }
 
 void MainWindow::acknowledge(const Finding &finding)
@@ -430,6 +457,22 @@ void MainWindow::acknowledge(const Finding &finding)
     });
     next.acknowledge.push_back({finding.id, finding.shot, reason->toStdString()});
     m_session.apply(next, tr("Give a reason for %1").arg(id));
+}
+
+void MainWindow::mend(const Mend &mend)
+{
+    if (!mend.importPath.isEmpty()) {
+        m_files->captures().edit(mend.importPath);
+        return;
+    }
+    std::optional<QString> reason = QString();
+    if (!mend.question.isEmpty())
+        reason = m_prompts.sentence(this, mend.step, mend.question);
+    if (!reason)
+        return;
+    Recipe next = m_session.recipe();
+    mend.apply(next.import, reason->toStdString());
+    m_session.apply(next, mend.step);
 }
 
 void MainWindow::showCaptures()

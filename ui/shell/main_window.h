@@ -5,6 +5,7 @@
 
 #include "ui/session/session.h"
 #include "ui/shell/file_actions.h"
+#include "ui/shell/finding_mends.h"
 #include "ui/shell/language.h"
 #include "ui/shell/preferences.h"
 #include "ui/shell/prompts.h"
@@ -20,6 +21,7 @@ class QStackedWidget;
 namespace dyncal {
 
 class FindingsPanel;
+class ProblemPanel;
 class ShotChips;
 class StageList;
 class StagePage;
@@ -55,6 +57,7 @@ private:
     void buildStatusBar();
     void connectSession();
     void buildContents(); ///< everything with words in it; again after a change of language
+    void buildProblems();
     void buildPages();
     void buildMenus();
     void buildFileMenu();
@@ -70,6 +73,7 @@ private:
     void showStatuses();
     void showFindings();
     void acknowledge(const Finding &finding);
+    void mend(const Mend &mend);
     void showCaptures();
     void showBusy(const QString &what);
     void showIdle(const QString &outcome);
@@ -92,6 +96,8 @@ private:
     QStackedWidget *m_inspectors;
     QDockWidget *m_stagesDock;
     QDockWidget *m_inspectorDock;
+    QDockWidget *m_problemsDock = nullptr;
+    ProblemPanel *m_problems = nullptr;
     QDockWidget *m_findingsDock;
     FindingsPanel *m_findings = nullptr;
     QMenu *m_recentMenu = nullptr;

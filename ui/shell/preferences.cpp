@@ -54,6 +54,11 @@ void Preferences::setWindow(const QByteArray &geometry, const QByteArray &layout
     m_settings.setValue("window/layoutVersion", kLayoutVersion);
 }
 
+QString Preferences::profileFolder() const
+{
+    return QFileInfo(m_settings.fileName()).dir().filePath("import-profiles");
+}
+
 QString Preferences::lastFolder() const
 {
     return m_settings.value("lastFolder", QDir::homePath()).toString();

@@ -22,6 +22,9 @@ public:
     QByteArray layout() const;
     void setWindow(const QByteArray &geometry, const QByteArray &layout);
 
+    /// Where profiles of import are kept: beside the settings.
+    QString profileFolder() const;
+
     QString lastFolder() const;
     void setLastFolder(const QString &folder);
 

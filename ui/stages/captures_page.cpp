@@ -97,6 +97,10 @@ void CapturesPage::buildInspector()
     add->setObjectName("addCaptures");
     connect(add, &QPushButton::clicked, this, &CapturesPage::addRequested);
     form->addWide(add);
+    auto *import = new QPushButton(tr("Import settings..."));
+    import->setObjectName("importSettings");
+    connect(import, &QPushButton::clicked, this, &CapturesPage::requestImport);
+    form->addWide(import);
     m_remove = new QPushButton(tr("Remove selected shot"));
     m_remove->setObjectName("removeShot");
     connect(m_remove, &QPushButton::clicked, this, &CapturesPage::removeSelected);
@@ -133,9 +137,8 @@ void CapturesPage::buildInspector()
             [&](Recipe &r) { r.import.reference = kReferences[static_cast<std::size_t>(choice)]; });
     });
     m_rate = form->add(tr("Sample rate"), "sampleRate", new OptionalEdit({"MHz", 1e6}, 1e-3, 1e12));
-    connect(m_rate, &OptionalEdit::edited, this, [this](const std::optional<double> &rate_Hz) {
-        change(tr("Change the sample rate"), [&](Recipe &r) { r.import.sampleRate_Hz = rate_Hz; });
-    });
+    connect(m_rate, &OptionalEdit::edited, this,
+        [this](const std::optional<double> &rate_Hz) { changeRate(rate_Hz); });
 }
 
 const CaptureSet &CapturesPage::shownSet() const
@@ -268,23 +271,19 @@ void CapturesPage::showRecipe()
 
 void CapturesPage::setIncluded(Index shot, bool included)
 {
-    std::optional<QString> reason;
+    std::optional<std::string> reason;
     if (!included) {
-        reason = m_prompts.sentence(this, tr("Exclude shot %1").arg(shot),
-            tr("Why is this shot not used? The certificate prints the reason."));
-        if (!reason) {
+        const std::optional<QString> given
+            = m_prompts.sentence(this, tr("Exclude shot %1").arg(shot),
+                tr("Why is this shot not used? The certificate prints the reason."));
+        if (!given) {
             showTable();
             return;
         }
+        reason = given->toStdString();
     }
-    change(
-        included ? tr("Use shot %1").arg(shot) : tr("Exclude shot %1").arg(shot), [&](Recipe &r) {
-            std::erase_if(
-                r.import.exclude, [&](const ExcludedShot &entry) { return entry.shot == shot; });
-            if (reason)
-                r.import.exclude.push_back({shot, reason->toStdString()});
-            std::ranges::sort(r.import.exclude, {}, &ExcludedShot::shot);
-        });
+    change(included ? tr("Use shot %1").arg(shot) : tr("Exclude shot %1").arg(shot),
+        [&](Recipe &r) { setShotExcluded(r.import, shot, reason); });
 }
 
 void CapturesPage::setLevel(Index shot, ShotLevel level)
@@ -295,6 +294,36 @@ void CapturesPage::setLevel(Index shot, ShotLevel level)
             r.import.levels.push_back(shotLevelName(each.level));
         r.import.levels[static_cast<std::size_t>(shot - 1)] = shotLevelName(level);
     });
+}
+
+/// A rate that is not the file's needs a reason.
+void CapturesPage::changeRate(const std::optional<double> &rate_Hz)
+{
+    ImportSettings next = recipe().import;
+    next.sampleRate_Hz = rate_Hz;
+    next.sampleRateReason.clear();
+    if (rate_Hz) {
+        const std::optional<QString> reason = m_prompts.sentence(this, tr("Change the sample rate"),
+            tr("Why is the rate in the file wrong? The results record the reason."));
+        if (!reason) {
+            showRecipe();
+            return;
+        }
+        next.sampleRateReason = reason->toStdString();
+    }
+    emit importChanged(next, tr("Change the sample rate"));
+}
+
+/// Of the file that the selected shot comes from, or of the first.
+void CapturesPage::requestImport()
+{
+    const CaptureSet &set = *session().state().captures;
+    const auto row = static_cast<std::size_t>(std::max(0, m_table->currentRow()));
+    if (row >= set.shots.size())
+        return;
+    const auto input = static_cast<std::size_t>(set.shots[row].input);
+    if (input < set.inputs.size())
+        emit importRequested(QString::fromStdString(set.inputs[input].path));
 }
 
 void CapturesPage::removeSelected()

@@ -30,6 +30,9 @@ public:
 
 signals:
     void addRequested();
+    void importRequested(const QString &path); ///< how this file is read is to be shown
+    /// A change that may need the files to be read again.
+    void importChanged(const dyncal::ImportSettings &next, const QString &step);
 
 protected:
     void showRecipe() override;
@@ -43,6 +46,8 @@ private:
     void showChannels();
     void setLevel(Index shot, ShotLevel level);
     void removeSelected();
+    void requestImport();
+    void changeRate(const std::optional<double> &rate_Hz);
     const CaptureSet &shownSet() const;
 
     Prompts &m_prompts;

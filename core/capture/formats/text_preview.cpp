@@ -77,17 +77,17 @@ constexpr const char *kNoTime = DYNCAL_TEXT(
     "core", "%1 states no sample rate and has no column of times; give the sample rate.");
 
 /// What would stop the import comes first, then what may make numbers wrong, then the rate.
-std::string questionOf(
+Message questionOf(
     const std::string &path, const Result<ImportedTable> &table, const ImportSettings &settings)
 {
     if (!table)
-        return english(table.error().message);
+        return table.error().message;
     for (const Finding &finding : table->findings) {
         if (finding.severity != Severity::Info)
-            return english(finding.message);
+            return finding.message;
     }
     const bool rateKnown = table->time.sampleRate_Hz > 0.0 || settings.sampleRate_Hz;
-    return rateKnown ? std::string() : english({kNoTime, {path}});
+    return rateKnown ? Message() : Message{kNoTime, {path}};
 }
 
 } // namespace
@@ -121,8 +121,11 @@ Result<TextPreview> previewText(const std::string &path, const ImportSettings &s
         preview.headerLines += table->countedHeaderLines;
         preview.timeColumn = table->time.column;
         preview.sampleRate_Hz = table->time.sampleRate_Hz;
+    } else {
+        preview.problem = table.error();
     }
-    preview.question = questionOf(path, table, settings);
+    preview.remark = questionOf(path, table, settings);
+    preview.question = english(preview.remark);
     PreviewRows(*dialect, preview.headerLines, preview).read(head->text);
     return preview;
 }

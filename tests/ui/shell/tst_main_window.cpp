@@ -109,7 +109,6 @@ private slots:
     void shot_excludedWithoutReason_staysIncluded();
     void close_unsaved_asks();
     void save_andOpen_givesTheSameRecipe();
-    void wrongFile_dropped_changesNothingAndSaysSoOnce();
     void language_switched_retranslatesEverything();
     void export_withoutResults_saysWhy();
     void caution_reasonGiven_isInTheRecipe();
@@ -328,29 +327,6 @@ void TestMainWindow::save_andOpen_givesTheSameRecipe()
     QTRY_COMPARE(bench.prompts.shownProblems().size(), 1);
     QVERIFY(bench.prompts.shownProblems()[0].contains("low.h5"));
     QVERIFY(bench.window->session().recipe() == next);
-}
-
-void TestMainWindow::wrongFile_dropped_changesNothingAndSaysSoOnce()
-{
-    Bench bench;
-    bench.openSample();
-    const ProjectState before = bench.window->session().state();
-    const QString path = bench.folder.filePath("letter.h5");
-    QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write("%PDF-1.7 not a capture");
-    file.close();
-    QMimeData data;
-    data.setUrls({QUrl::fromLocalFile(path)});
-    QDragEnterEvent enter({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(bench.window.get(), &enter);
-    QVERIFY(enter.isAccepted());
-    QDropEvent drop({10, 10}, Qt::CopyAction, &data, Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(bench.window.get(), &drop);
-    QTRY_COMPARE(bench.prompts.shownProblems().size(), 1);
-    QVERIFY(bench.prompts.shownProblems()[0].contains("letter.h5"));
-    QVERIFY(bench.window->session().state() == before);
-    QVERIFY(!bench.window->files().isBusy());
 }
 
 void TestMainWindow::language_switched_retranslatesEverything()

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/capture/capture_set.h"
+#include "core/capture/import_settings.h"
+
+#include <string>
+#include <vector>
+
+namespace dyncal {
+
+/// A file, or folder, that could not be read.
+struct FileProblem
+{
+    std::string path;
+    Error error;
+};
+
+/// What several files gave: the shots of all that could be read, and what is wrong with each other.
+struct CapturesRead
+{
+    CaptureSet set;
+    std::vector<FileProblem> problems;
+};
+
+/// Reads every file (or folder, or the built-in example by kExamplePath) for itself, so that one
+/// bad file costs none of the others. Fails only if cancelled.
+Result<CapturesRead> readEach(const std::vector<std::string> &paths, const ImportSettings &settings,
+    const JobControl &control);
+
+/// Reads the files of `captures` once more under other settings. Shots that had been removed stay
+/// away: numbers in a recipe keep their meaning.
+Result<CapturesRead> readAgain(
+    const CaptureSet &captures, const ImportSettings &settings, const JobControl &control);
+
+/// Whether files must be read again when the import section changes from one to the other; the
+/// rest of the section is applied to what was read.
+bool needsReading(
+    const CaptureSet &captures, const ImportSettings &before, const ImportSettings &after);
+
+} // namespace dyncal

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/capture/capture_set.h"
+#include "core/capture/text_preview.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dyncal {
+
+/// One channel as an import dialog lists it.
+struct ImportChannel
+{
+    std::string name; ///< by which the recipe gives it a role
+    std::string unit; ///< as the file says
+    ChannelRole fileRole = ChannelRole::Other; ///< as the file says
+    ChannelRole role = ChannelRole::Other; ///< with the settings applied
+    std::optional<Index> column; ///< of a text table
+    Index samples = 0; ///< 0 = not counted
+    bool operator==(const ImportChannel &) const = default;
+};
+
+/// What an import dialog shows: how one file reads under given settings.
+struct ImportView
+{
+    std::string format; ///< id of the reader; empty = none takes the file
+    std::optional<TextPreview> text; ///< of a text table
+    std::vector<ImportChannel> channels;
+    double sampleRate_Hz = 0.0; ///< as the file says; 0 = it does not
+    std::optional<Error> problem; ///< what would stop the import
+    /// Where header and column of times contradict each other (CAP-003): what each of them says.
+    std::optional<double> headerRate_Hz, timesRate_Hz;
+
+    /// Whether the file can be imported with these settings: it reads without an error, its numbers
+    /// can be taken in one way only, the rate is known and one channel is the DUT.
+    bool isComplete(const ImportSettings &settings) const;
+};
+
+/// Under the settings of this file (settingsOfFile). Text tables are read at their beginning only,
+/// of other files as little as shows what they hold.
+ImportView lookAtFile(
+    const std::string &path, const ImportSettings &settings, const JobControl &control);
+
+/// Gives the channels their roles under other settings, without a look at the file.
+void applyRoles(ImportView &view, const ImportSettings &settings);
+
+/// The first of `set`'s files that leaves open what only the operator knows, with the settings
+/// applied: the sample rate, which channel is the DUT, the decimal mark. Empty if none does.
+std::string fileWithQuestion(const CaptureSet &set, const ImportSettings &settings);
+
+/// Whether the error is such a question.
+bool isQuestion(const Error &error);
+
+} // namespace dyncal

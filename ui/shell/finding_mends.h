@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/finding.h"
+#include "core/capture/capture_set.h"
+#include "core/project/recipe.h"
+
+#include <QString>
+
+#include <functional>
+#include <vector>
+
+namespace dyncal {
+
+/// One way to mend what a finding says: an edit of the recipe, as one step of undo. Nothing on disk
+/// changes.
+struct Mend
+{
+    QString label; ///< of the button: "Invert polarity"
+    QString step; ///< of undo: "Invert the DUT's polarity"
+    QString question; ///< asks for a reason, which the certificate prints; empty = none needed
+    /// Changes the import section; `reason` is what the question was answered with.
+    std::function<void(ImportSettings &settings, const std::string &reason)> apply;
+    QString importPath; ///< not empty: shows the import settings of this file instead
+};
+
+/// The ways there are, the best first; none for most findings. `set` are the recordings on show,
+/// with the import section applied.
+std::vector<Mend> mendsOf(const Finding &finding, const CaptureSet &set);
+
+} // namespace dyncal

@@ -1,0 +1,103 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "ui/session/import_profiles.h"
+#include "ui/session/import_view.h"
+#include "ui/session/job_runner.h"
+
+#include <QDialog>
+#include <QTimer>
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class QGroupBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QRadioButton;
+class QSpinBox;
+
+namespace dyncal {
+
+class ImportChannelTable;
+class ImportPreviewTable;
+class OptionalEdit;
+
+/// Says how a file is read, with what it gives beside it: every change shows its effect at once.
+/// Stays open until the file reads without an open question. Changes nothing by itself: the caller
+/// takes settings() when it is accepted.
+class ImportDialog : public QDialog
+{
+    Q_OBJECT
+
+public:
+    /// `files`: how many are read with the same settings; `profiles`: the folder of profiles.
+    ImportDialog(const QString &path, const ImportSettings &settings, int files,
+        const QString &profiles, QWidget *parent);
+
+    /// The import section of the job as the operator wants it.
+    ImportSettings settings() const;
+    const ImportView &view() const { return m_view; }
+    bool isLooking() const { return m_jobs.isRunning() || m_later.isActive(); }
+
+    void accept() override;
+
+private:
+    void buildFileRow(QFormLayout *form);
+    QGroupBox *buildText();
+    QWidget *buildRate();
+    QWidget *buildFoot(int files);
+
+    void look(); ///< soon: reads the file under the settings
+    void lookNow();
+    void showView(const ImportView &view);
+    void showSettings();
+    void showText();
+    void showRate();
+    void showVerdict();
+    void chooseRole(int channel, ChannelRole role);
+    void chooseTime(int choice);
+    void nameSampleColumns();
+    void useRate(double rate_Hz, bool withoutTimes, const QString &reason);
+    bool needsReason() const;
+    void useProfile(const QString &name);
+    void offerProfile();
+
+    QString m_path;
+    ImportSettings m_job; ///< as it is
+    ImportSettings m_settings; ///< for this file
+    ImportProfiles m_profiles;
+    ImportView m_view;
+    bool m_looked = false; ///< m_view belongs to m_settings
+    bool m_offered = false;
+
+    QComboBox *m_profile = nullptr;
+    QComboBox *m_format = nullptr;
+    QGroupBox *m_text = nullptr;
+    QComboBox *m_separator = nullptr;
+    QComboBox *m_decimal = nullptr;
+    QSpinBox *m_header = nullptr;
+    QComboBox *m_time = nullptr;
+    ImportPreviewTable *m_preview = nullptr;
+    QLabel *m_counts = nullptr;
+    OptionalEdit *m_rate = nullptr;
+    QLabel *m_rateSource = nullptr;
+    QPushButton *m_useTimes = nullptr;
+    QPushButton *m_useHeader = nullptr;
+    ImportChannelTable *m_channels = nullptr;
+    QLineEdit *m_reason = nullptr;
+    QRadioButton *m_forAll = nullptr;
+    QRadioButton *m_forFile = nullptr;
+    QLabel *m_verdict = nullptr;
+    QCheckBox *m_keep = nullptr;
+    QLineEdit *m_keepName = nullptr;
+    QPushButton *m_import = nullptr;
+
+    QTimer m_later;
+    JobRunner m_jobs;
+};
+
+} // namespace dyncal
