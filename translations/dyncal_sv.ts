@@ -1645,8 +1645,8 @@
         <translation>Polen vid z = %1 är själva steget.</translation>
     </message>
     <message>
-        <source>%1 poles are nearly cancelled by zeros: a lower order may do.</source>
-        <translation>%1 poler tas nästan ut av nollställen: en lägre ordning kan räcka.</translation>
+        <source>Poles nearly cancelled by zeros: %1. A lower order may do.</source>
+        <translation>Poler som nästan tas ut av nollställen: %1. En lägre ordning kan räcka.</translation>
     </message>
     <message>
         <source>FIT is %1 % of an attainable %2 %: the model misses part of the response.</source>

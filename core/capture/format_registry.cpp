@@ -8,6 +8,9 @@
 #include "core/capture/formats/hdf5_capture.h"
 #include "core/capture/formats/lecroy_trc.h"
 #include "core/capture/formats/lvm.h"
+#include "core/capture/formats/mat.h"
+#include "core/capture/formats/rigol_wfm.h"
+#include "core/capture/formats/rohde_bin.h"
 #include "core/capture/formats/scope_bin.h"
 #include "core/capture/formats/tdms.h"
 #include "core/capture/formats/wav.h"
@@ -73,7 +76,10 @@ const std::vector<CaptureFormat> &captureFormats()
         {"keysight-bin", "Keysight/Agilent waveform", {"bin"}, &recogniseKeysightBin,
             &readKeysightBin},
         {"rigol-bin", "Rigol waveform", {"bin"}, &recogniseRigolBin, &readRigolBin},
+        {"rigol-wfm", "Rigol waveform memory", {"wfm"}, &recogniseRigolWfm, &readRigolWfm},
+        {"rohde-bin", "Rohde & Schwarz waveform", {"bin"}, &recogniseRohdeBin, &readRohdeBin},
         {"lecroy-trc", "LeCroy waveform", {"trc"}, &recogniseLecroyTrc, &readLecroyTrc},
+        {"mat", "MATLAB 4 to 7.2", {"mat"}, &recogniseMat, &readMat},
         {"wav", "WAV", {"wav", "rf64", "bw64"}, &recogniseWav, &readWav},
         {"text", "text table", {"csv", "tsv", "txt", "dat"}, &recogniseDelimitedText,
             &readDelimitedText},

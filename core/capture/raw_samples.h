@@ -65,6 +65,11 @@ public:
         return m_type != SampleType::Float32 && m_type != SampleType::Float64;
     }
     bool isInMemory() const { return m_source == nullptr; }
+    /// Whether both are one and the same record, however it is kept; equal copies are not.
+    bool sharesWith(const RawSamples &other) const
+    {
+        return m_counts == other.m_counts && m_source == other.m_source && m_size == other.m_size;
+    }
 
     /// Raw value (count, or value for floating point sources) of sample `i`, 0 <= i < size(); NaN
     /// if the source cannot be read any more. For single samples: a loop wants visitBlocks().

@@ -3,16 +3,25 @@
 
 #include "core/project/gas_names.h"
 
+#include "core/shock/gas_model.h"
+
 namespace dyncal {
+namespace {
+
+std::vector<std::pair<std::string, GasSettings>> makeGases()
+{
+    std::vector<std::pair<std::string, GasSettings>> gases;
+    for (const NamedGas &gas : knownGases())
+        gases.emplace_back(gas.name, GasSettings{gas.gamma, gas.molarMass_kg_mol, gas.name});
+    gases.emplace_back("humid-air", GasSettings{1.402, 0.028966, "humid-air"});
+    return gases;
+}
+
+} // namespace
 
 const std::vector<std::pair<std::string, GasSettings>> &namedGases()
 {
-    static const std::vector<std::pair<std::string, GasSettings>> gases{
-        {"air", GasSettings{1.402, 0.028966}},
-        {"n2", GasSettings{7.0 / 5.0, 0.028014}},
-        {"he", GasSettings{5.0 / 3.0, 0.0040026}},
-        {"ar", GasSettings{5.0 / 3.0, 0.039948}},
-    };
+    static const std::vector<std::pair<std::string, GasSettings>> gases = makeGases();
     return gases;
 }
 

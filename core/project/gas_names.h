@@ -11,10 +11,8 @@
 
 namespace dyncal {
 
-/// The gases that a recipe may name, as ideal gases of constant heat capacity: "air" as in the
-/// thesis, table 4.1 (gamma of the real gas at 1 atm); "n2", "he", "ar" with the heat capacity
-/// ratio of kinetic theory (7/5, 5/3) and the molar mass of the IUPAC standard atomic weights.
-/// "n2" is given the value 1.400 although the real gas has 1.401 at room conditions.
+/// The gases that a recipe may name by one word, with constant heat capacity (constants and their
+/// sources: knownGases()); "humid-air" takes gamma and speed of sound from Cramer's formula.
 const std::vector<std::pair<std::string, GasSettings>> &namedGases();
 
 } // namespace dyncal

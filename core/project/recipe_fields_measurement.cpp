@@ -9,6 +9,14 @@ namespace {
 
 constexpr Index kMostSamples = 1000000000;
 
+std::vector<std::string> substanceNames()
+{
+    std::vector<std::string> names{"custom"};
+    for (const auto &[name, settings] : namedGases())
+        names.push_back(name);
+    return names;
+}
+
 Codec<GasSettings> gas()
 {
     std::string names;
@@ -19,6 +27,9 @@ Codec<GasSettings> gas()
         field("gamma", &GasSettings::gamma, number(1.0, 2.0, Bound::Exclusive), true),
         field("molar_mass_kg_mol", &GasSettings::molarMass_kg_mol,
             number(0.0, 1.0, Bound::Exclusive), true),
+        field("substance", &GasSettings::substance, oneOf(substanceNames())),
+        field("heat_capacity", &GasSettings::heatCapacity,
+            oneOf({kConstantHeatCapacity, kVariableHeatCapacity})),
     });
     const auto read = [plain, needs](const JsonAt &at) -> Result<GasSettings> {
         for (const auto &[name, settings] : namedGases()) {
@@ -27,7 +38,10 @@ Codec<GasSettings> gas()
         }
         if (!at.value.is_object())
             return mismatch(at, needs);
-        return plain.read(at);
+        Result<GasSettings> typed = plain.read(at);
+        if (typed && !at.value.contains("substance"))
+            typed->substance = "custom";
+        return typed;
     };
     return {needs, read, plain.write, plain.paths};
 }

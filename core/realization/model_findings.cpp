@@ -90,7 +90,7 @@ void judgePoles(const SensorModel &model, Findings &out)
     }
     if (cancelling > 0) {
         out.push_back(about("MOD-005", Severity::Info,
-            {DYNCAL_TEXT("core", "%1 poles are nearly cancelled by zeros: a lower order may do."),
+            {DYNCAL_TEXT("core", "Poles nearly cancelled by zeros: %1. A lower order may do."),
                 {std::to_string(cancelling)}},
             static_cast<double>(cancelling)));
     }

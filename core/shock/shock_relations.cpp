@@ -187,4 +187,87 @@ Result<double> driverPressure_Pa(
         * std::pow(bracket, -2.0 * driver.gamma / (driver.gamma - 1.0)); // eq 3.10
 }
 
+Result<double> machOfPressureRatio(const Gas &gas, double ratio)
+{
+    if (auto checked = checkGas(gas); !checked)
+        return tl::unexpected(checked.error());
+    if (!(ratio > 1.0 && std::isfinite(ratio)))
+        return fail(ErrorKind::DataBlocked,
+            Message{DYNCAL_TEXT("core",
+                        "The pressure ratio p2/p1 is %1; a shock needs more than 1: check both "
+                        "pressures and whether they are absolute."),
+                {numberText(ratio, 5)}},
+            "SHK-001");
+    return std::sqrt(1.0 + (gas.gamma + 1.0) / (2.0 * gas.gamma) * (ratio - 1.0));
+}
+
+Result<double> velocityOfDriverPressure_m_s(
+    const Gas &driven, double p1_Pa, double T1_K, const Gas &driver, double p4_Pa, double T4_K)
+{
+    if (!(p4_Pa > p1_Pa && std::isfinite(p4_Pa)))
+        return fail(ErrorKind::DataBlocked,
+            Message{DYNCAL_TEXT("core",
+                        "The driver pressure p4 = %1 Pa does not exceed p1 = %2 Pa; both are "
+                        "absolute here: add the ambient pressure to a gauge reading."),
+                {numberText(p4_Pa, 6), numberText(p1_Pa, 6)}});
+    const double a1_m_s = soundSpeed_m_s(driven, T1_K);
+    // p4 grows with the velocity from p1 at M = 1 without limit; where none reaches it, it is more.
+    double low_m_s = a1_m_s, high_m_s = a1_m_s;
+    const auto tooFast = [&](double velocity_m_s) -> Result<bool> {
+        const auto states = shockStates(driven, p1_Pa, T1_K, velocity_m_s);
+        if (!states)
+            return tl::unexpected(states.error());
+        const auto needed_Pa = driverPressure_Pa(*states, driven, driver, T4_K);
+        if (!needed_Pa
+            && (needed_Pa.error().kind == ErrorKind::Usage || !needed_Pa.error().findingId.empty()))
+            return tl::unexpected(needed_Pa.error());
+        return !needed_Pa || *needed_Pa > p4_Pa;
+    };
+    for (;;) {
+        high_m_s *= 2.0;
+        const auto passed = tooFast(high_m_s);
+        if (!passed)
+            return tl::unexpected(passed.error());
+        if (*passed)
+            break;
+        low_m_s = high_m_s;
+    }
+    for (;;) {
+        const double middle_m_s = 0.5 * (low_m_s + high_m_s);
+        if (middle_m_s <= low_m_s || middle_m_s >= high_m_s)
+            return middle_m_s;
+        const auto passed = tooFast(middle_m_s);
+        if (!passed)
+            return tl::unexpected(passed.error());
+        (*passed ? high_m_s : low_m_s) = middle_m_s;
+    }
+}
+
+GasState expandedDriver(const ShockStates &states, const Gas &driver, double p4_Pa, double T4_K)
+{
+    const double p3_Pa = states.shocked.pressure_Pa;
+    const double T3_K = T4_K * std::pow(p3_Pa / p4_Pa, (driver.gamma - 1.0) / driver.gamma);
+    GasState state = gasAtRest(driver, p3_Pa, T3_K);
+    state.velocity_m_s = states.shocked.velocity_m_s;
+    return state;
+}
+
+double reflectedMachOf(const Gas &gas, double mach)
+{
+    const double g = gas.gamma;
+    const double excess = (mach - 1.0) * (mach + 1.0);
+    const double right = mach / excess
+        * std::sqrt(
+            1.0 + 2.0 * (g - 1.0) / ((g + 1.0) * (g + 1.0)) * excess * (g + 1.0 / (mach * mach)));
+    // M_R/(M_R^2 - 1) = right is M_R^2 - M_R/right - 1 = 0; its positive root.
+    const double half = 0.5 / right;
+    return half + std::hypot(half, 1.0);
+}
+
+double reflectedRatioOf(const Gas &gas, double mach)
+{
+    const double reflected = reflectedMachOf(gas, mach);
+    return 1.0 + 2.0 * gas.gamma / (gas.gamma + 1.0) * (reflected - 1.0) * (reflected + 1.0);
+}
+
 } // namespace dyncal

@@ -59,4 +59,22 @@ double plateauTime_s(const ShockStates &states, double drivenLength_m);
 Result<double> driverPressure_Pa(
     const ShockStates &states, const Gas &driven, const Gas &driver, double T4_K);
 
+/// Mach number of the shock with pressure ratio p2/p1 (eq 3.1 turned round). Fails (DataBlocked,
+/// SHK-001) on a ratio that is not above 1.
+Result<double> machOfPressureRatio(const Gas &gas, double ratio);
+
+/// Velocity of the shock that a driver at p4, T4 makes in gas at p1, T1: eq 3.10 solved for p2/p1,
+/// then eq 3.1. Fails (DataBlocked) where p4 does not exceed p1 and as driverPressure_Pa().
+Result<double> velocityOfDriverPressure_m_s(
+    const Gas &driven, double p1_Pa, double T1_K, const Gas &driver, double p4_Pa, double T4_K);
+
+/// Region 3: driver gas behind the contact surface, expanded from (p4, T4) to p3 = p2 without a
+/// shock; u3 = u2. `p4_Pa` at least p2.
+GasState expandedDriver(const ShockStates &states, const Gas &driver, double p4_Pa, double T4_K);
+
+/// p5/p2 a second way, as a check of eq 3.5: from the reflected Mach number, which follows from M
+/// in closed form (M_R/(M_R^2 - 1) = M/(M^2 - 1) sqrt(1 + 2(g-1)/(g+1)^2 (M^2 - 1)(g + 1/M^2))).
+double reflectedMachOf(const Gas &gas, double mach);
+double reflectedRatioOf(const Gas &gas, double mach);
+
 } // namespace dyncal

@@ -9,11 +9,16 @@
 
 namespace dyncal {
 
-/// Ideal gas of constant heat capacity.
+inline constexpr const char *kConstantHeatCapacity = "constant";
+inline constexpr const char *kVariableHeatCapacity = "variable";
+
+/// A gas: constants, which serve with a constant heat capacity, and what substance it is.
 struct GasSettings
 {
     double gamma = 1.402; ///< thesis table 4.1
     double molarMass_kg_mol = 0.028966; ///< thesis table 4.1
+    std::string substance = "air"; ///< or "humid-air", "n2", "he", "ar", "co2", "custom"
+    std::string heatCapacity = kConstantHeatCapacity; ///< or variable: cp(T) of the substance
     bool operator==(const GasSettings &) const = default;
 };
 

@@ -300,34 +300,4 @@ Result<SpectrumResult> analyseSpectra(const std::vector<WindowedResponse> &respo
     return result;
 }
 
-PowerSpectrum thinned(const PowerSpectrum &spectrum, Index count)
-{
-    const Index bins = spectrum.psd.size() - 1; // 0 Hz has no place on a log axis
-    PowerSpectrum result;
-    if (bins < 1 || count < 1)
-        return result;
-    std::vector<Index> begins; // every bin while cells are narrower than that, then log-spaced
-    Index bin = 1;
-    while (bin <= bins) {
-        begins.push_back(bin);
-        const auto left = static_cast<double>(count - static_cast<Index>(begins.size()) + 1);
-        const double ratio = std::pow(
-            static_cast<double>(bins + 1) / static_cast<double>(bin), 1.0 / std::max(left, 1.0));
-        const double next = std::ceil(static_cast<double>(bin) * ratio - 1e-9);
-        bin = std::max(bin + 1, static_cast<Index>(next));
-    }
-    const auto cells = static_cast<Index>(begins.size());
-    result.frequency_Hz.resize(cells);
-    result.psd.resize(cells);
-    begins.push_back(bins + 1);
-    for (Index i = 0; i < cells; ++i) {
-        const Index begin = begins[static_cast<std::size_t>(i)];
-        const Index end = begins[static_cast<std::size_t>(i + 1)];
-        result.frequency_Hz[i]
-            = std::sqrt(spectrum.frequency_Hz[begin] * spectrum.frequency_Hz[end - 1]);
-        result.psd[i] = spectrum.psd.segment(begin, end - begin).maxCoeff();
-    }
-    return result;
-}
-
 } // namespace dyncal

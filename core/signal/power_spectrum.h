@@ -54,8 +54,4 @@ Result<PowerSpectrum> computePowerSpectrum(const Eigen::Ref<const Eigen::VectorX
 Result<SpectrumResult> analyseSpectra(const std::vector<WindowedResponse> &responses,
     const SpectrumSettings &settings, const JobControl &control = {});
 
-/// At most `count` log-spaced points without 0 Hz; each holds the maximum of its cell (for
-/// results.json) and stands at the cell's geometric middle, so that it depends on the axis only.
-PowerSpectrum thinned(const PowerSpectrum &spectrum, Index count);
-
 } // namespace dyncal

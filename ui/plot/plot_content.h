@@ -7,10 +7,13 @@
 
 #include <QString>
 
+#include <memory>
 #include <optional>
 #include <vector>
 
 namespace dyncal {
+
+class CurveSamples;
 
 /// What a curve stands for; the theme gives it colour, dash and marker (never colour alone).
 enum class CurveRole {
@@ -42,6 +45,9 @@ struct PlotCurve
     std::vector<double> x;
     std::vector<double> y;
     bool inLegend = true;
+    /// A long record behind the curve, of which x and y are the extremes over all its length. Views
+    /// are drawn from it, down to its single samples.
+    std::shared_ptr<const CurveSamples> record = {};
 };
 
 /// An axis: quantity and SI unit; the wrapper chooses the prefix ("Time / µs") by the range shown.
@@ -81,6 +87,8 @@ struct PlotContent
     bool equalAspect = false; ///< pole-zero map
     bool unitCircle = false;
     std::optional<double> xMin, xMax, yMin, yMax; ///< first view; else fitted to the data
+    /// More is to come: the next content is fitted too, unless the operator moved the view.
+    bool growing = false;
     QString summary; ///< one sentence for screen readers and as tooltip of the plot
 };
 

@@ -38,6 +38,10 @@ PlotWidget::Private::Private(PlotWidget *widget)
     plot->setPlottingHints(QCP::phFastPolylines | QCP::phCacheLabels);
     rubberBand->hide();
     QObject::connect(plot, &QCustomPlot::afterReplot, q, &PlotWidget::replotted);
+    QObject::connect(plot->xAxis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), q,
+        [this](const QCPRange &x) {
+            emit q->xRangeChanged({x.lower, x.upper});
+        });
 }
 
 void PlotWidget::Private::replot()
@@ -60,6 +64,23 @@ void PlotWidget::Private::fitView()
     scene.fitY();
 }
 
+void PlotWidget::Private::fitContent(const PlotContent &before)
+{
+    const PlotContent &now = scene.content();
+    const View shown = view();
+    const auto isFirst = [&](bool moved) { return before.growing ? !moved : !hasView; };
+    if (isFirst(shown.x != fitted.x) || !sameAxis(now.xAxis, before.xAxis)) {
+        const QSignalBlocker quiet(q);
+        scene.fitX();
+        fitted.x = plot->xAxis->range();
+    }
+    if (!hasView || isFirst(shown.y != fitted.y) || !sameAxis(now.yAxis, before.yAxis)) {
+        scene.fitY();
+        fitted.y = plot->yAxis->range();
+    }
+    hasView = scene.hasData();
+}
+
 void PlotWidget::Private::setView(const View &view)
 {
     plot->xAxis->setRange(view.x);
@@ -70,9 +91,8 @@ void PlotWidget::Private::setView(const View &view)
 PlotPicture PlotWidget::Private::picture() const
 {
     const View shown = view();
-    return {std::make_shared<const PlotContent>(scene.content()),
-        Interval{shown.x.lower, shown.x.upper}, Interval{shown.y.lower, shown.y.upper},
-        handles.states()};
+    return {scene.sharedContent(), Interval{shown.x.lower, shown.x.upper},
+        Interval{shown.y.lower, shown.y.upper}, handles.states()};
 }
 
 void PlotWidget::Private::announce(const HandleState &state, bool finished)
@@ -97,18 +117,14 @@ PlotWidget::~PlotWidget() = default;
 
 void PlotWidget::setContent(const PlotContent &content)
 {
-    const bool newX = !d->hasView || !sameAxis(content.xAxis, d->scene.content().xAxis);
-    const bool newY = !d->hasView || !sameAxis(content.yAxis, d->scene.content().yAxis);
+    const std::shared_ptr<const PlotContent> before = d->scene.sharedContent();
     d->scene.setContent(std::make_shared<const PlotContent>(content));
-    if (newX)
-        d->scene.fitX();
-    if (newY)
-        d->scene.fitY();
-    d->hasView = d->scene.hasData();
+    d->fitContent(*before);
     setAccessibleName(content.title);
     setAccessibleDescription(content.summary);
     d->cursors.refresh(d->scene);
     d->replot();
+    emit contentChanged();
 }
 
 const PlotContent &PlotWidget::content() const
@@ -156,6 +172,17 @@ QPoint PlotWidget::pixelOf(double x, double y) const
 Interval PlotWidget::xRange() const
 {
     return {d->plot->xAxis->range().lower, d->plot->xAxis->range().upper};
+}
+
+void PlotWidget::setXRange(Interval x)
+{
+    d->plot->xAxis->setRange(x.begin, x.end);
+    d->replot();
+}
+
+QRect PlotWidget::axesRect() const
+{
+    return d->plot->axisRect()->rect().translated(d->plot->pos());
 }
 
 Interval PlotWidget::yRange() const

@@ -16,7 +16,8 @@ namespace dyncal {
 
 /// The only plot of the program: wraps QCustomPlot, so that zoom, pan, cursors, handles, theme and
 /// export are the same everywhere. Setting content keeps the view (zoom, pan); only fit() and the
-/// first content change it. It knows values only: no results, no session.
+/// first content change it (a content that is still growing counts as the first until it is
+/// complete or the operator moves the view). It knows values only: no results, no session.
 ///
 /// Mouse: wheel zooms x at the pointer, Ctrl+wheel y, Shift+wheel pans; left drag pans; right drag
 /// zooms a box; double click fits; hover shows the nearest point. Keys: F fit, G grid, 1 / 2 put
@@ -45,7 +46,9 @@ public:
 
     /// Pixel position (widget coordinates) of a plot coordinate: for tests that use the mouse.
     QPoint pixelOf(double x, double y) const;
+    QRect axesRect() const; ///< where curves are drawn, widget coordinates
     Interval xRange() const;
+    void setXRange(Interval x); ///< y stays
     Interval yRange() const;
 
     /// Draws the plot as vectors, light theme, opaque colours, no background, into `target` of a
@@ -69,6 +72,8 @@ signals:
     void bandMoved(const QString &id, dyncal::Interval x, bool finished); ///< finished = released
     void lineMoved(const QString &id, double x, bool finished);
     void pointPicked(double x, double y); ///< plain click, at the nearest data point
+    void xRangeChanged(dyncal::Interval x); ///< other than by setting content
+    void contentChanged(); ///< and fitted
     void replotted(); ///< after the pixels are up to date
 
 protected:

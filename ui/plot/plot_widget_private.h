@@ -52,6 +52,7 @@ struct PlotWidget::Private
     void replot();
     void applyTheme();
     void fitView();
+    void fitContent(const PlotContent &before);
     View view() const { return {plot->xAxis->range(), plot->yAxis->range()}; }
     void setView(const View &view);
     PlotPicture picture() const;
@@ -89,6 +90,7 @@ struct PlotWidget::Private
     PlotCursors cursors;
     QRubberBand *rubberBand;
     bool hasView = false; ///< a content with data has been fitted
+    View fitted; ///< the view as it was last fitted to a content
     Drag drag;
     QPointF pointer; ///< where it was last seen
     std::optional<HandleGrip> focused;

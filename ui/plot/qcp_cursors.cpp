@@ -43,16 +43,17 @@ std::optional<CurvePoint> nearestPoint(const QCustomPlot &plot, const PlotScene 
         const DrawnCurve &drawn = scene.curves()[c];
         if (!drawn.visible)
             continue;
-        Index begin = drawn.envelope->firstFrom(from);
-        Index end = drawn.envelope->firstBeyond(to);
+        Index begin = drawn.samples->firstFrom(from);
+        Index end = drawn.samples->firstBeyond(to);
         if (end - begin > kMostCandidates) {
-            const Index middle = drawn.envelope->firstFrom(plot.xAxis->pixelToCoord(position.x()));
+            const Index middle = drawn.samples->firstFrom(plot.xAxis->pixelToCoord(position.x()));
             begin = std::max(begin, middle - kMostCandidates / 2);
             end = std::min(end, middle + kMostCandidates / 2);
         }
-        for (Index i = begin; i < end; ++i) {
-            const double x = drawn.x()[static_cast<std::size_t>(i)];
-            const double y = drawn.y()[static_cast<std::size_t>(i)];
+        const DrawnPoints around = drawn.samples->samples(begin, std::max(begin, end));
+        for (std::size_t i = 0; i < around.x.size(); ++i) {
+            const double x = around.x[i];
+            const double y = around.y[i];
             const double dx = plot.xAxis->coordToPixel(x) - position.x();
             const double dy = plot.yAxis->coordToPixel(y) - position.y();
             const double distance = std::hypot(dx, dy);

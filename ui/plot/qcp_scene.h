@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "ui/plot/curve_envelope.h"
+#include "ui/plot/curve_samples.h"
 #include "ui/plot/plot_content.h"
 #include "ui/plot/plot_theme.h"
 
@@ -41,8 +41,10 @@ struct DrawnCurve
     QCPBars *bars = nullptr;
     /// Sorted, positive on logarithmic axes; empty while the content's own vectors serve.
     std::vector<double> ownX, ownY;
-    std::optional<CurveEnvelope> envelope;
-    bool dense = false; ///< too many points to hand over: drawn through the envelope
+    std::shared_ptr<const CurveSamples> samples; ///< the same, or the long record behind them
+    bool dense = false; ///< too many points to hand over: drawn by columns
+    std::vector<double> drawnEdges; ///< columns that the graph has now
+    bool enveloped = false; ///< they hold extremes, not single samples
     bool visible = true;
 
     QCPAbstractPlottable *plottable() const;
@@ -60,6 +62,7 @@ public:
     /// Replaces what is drawn; the ranges stay. The content is shared, never copied.
     void setContent(std::shared_ptr<const PlotContent> content);
     const PlotContent &content() const { return *m_content; }
+    const std::shared_ptr<const PlotContent> &sharedContent() const { return m_content; }
     void setTheme(const PlotTheme &theme);
     const PlotTheme &theme() const { return m_theme; }
     void setColumnsPerPixel(int columns) { m_columnsPerPixel = columns; }

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "ui/plot/curve_envelope.h"
 #include "ui/plot/qcp_scene.h"
 
 #include <algorithm>
@@ -96,7 +97,7 @@ void PlotScene::makeCurves()
     m_plot.legend->clearItems();
     m_plot.clearPlottables();
     m_curves.clear();
-    // Envelopes keep views of the vectors in here: never reallocate.
+    // Samples keep views of the vectors in here: never reallocate.
     m_curves.reserve(m_content->curves.size());
     for (const PlotCurve &curve : m_content->curves) {
         DrawnCurve &drawn = m_curves.emplace_back();
@@ -133,8 +134,10 @@ void PlotScene::prepareSamples(DrawnCurve &drawn) const
             drawn.ownY.push_back(std::numeric_limits<double>::quiet_NaN());
         }
     }
-    drawn.envelope.emplace(drawn.x(), drawn.y());
-    drawn.dense = drawn.x().size() > kDensePoints;
+    drawn.samples = curve.record;
+    if (!drawn.samples)
+        drawn.samples = std::make_shared<CurveEnvelope>(drawn.x(), drawn.y());
+    drawn.dense = static_cast<std::size_t>(drawn.samples->size()) > kDensePoints || curve.record;
 }
 
 void PlotScene::makePlottable(DrawnCurve &drawn)
@@ -225,22 +228,23 @@ void PlotScene::drawView()
 
 void PlotScene::drawCurve(DrawnCurve &drawn, const std::vector<double> &edges) const
 {
-    bool enveloped = false;
-    if (drawn.dense) {
-        const DrawnPoints points = drawn.envelope->points(edges);
+    if (drawn.dense && drawn.drawnEdges != edges) {
+        const DrawnPoints points = drawn.samples->points(edges);
         drawn.graph->setData(toQt(points.x), toQt(points.y), true);
-        enveloped = points.enveloped;
+        drawn.enveloped = points.enveloped;
+        drawn.drawnEdges = edges;
     }
     if (!drawn.markers)
         return;
     // Dashes need room: on an envelope or on noise they are unreadable, and slow.
     const QCPRange range = m_plot.xAxis->range();
     const Index count
-        = drawn.envelope->firstBeyond(range.upper) - drawn.envelope->firstFrom(range.lower);
+        = drawn.samples->firstBeyond(range.upper) - drawn.samples->firstFrom(range.lower);
     const bool crowded
         = isShot(drawn.curve->role) && count > m_plot.axisRect()->width() / kPixelsPerDash;
     QPen pen = drawn.graph->pen();
-    pen.setStyle(enveloped || crowded ? Qt::SolidLine : m_theme.style(drawn.curve->role).dash);
+    pen.setStyle(
+        drawn.enveloped || crowded ? Qt::SolidLine : m_theme.style(drawn.curve->role).dash);
     drawn.graph->setPen(pen);
     drawMarkers(drawn);
 }
@@ -249,25 +253,25 @@ void PlotScene::drawMarkers(DrawnCurve &drawn) const
 {
     const RoleStyle style = m_theme.style(drawn.curve->role);
     const QCPRange range = m_plot.xAxis->range();
-    const Index begin = drawn.envelope->firstFrom(range.lower);
-    const Index count = drawn.envelope->firstBeyond(range.upper) - begin;
+    const Index begin = drawn.samples->firstFrom(range.lower);
+    const Index count = drawn.samples->firstBeyond(range.upper) - begin;
     const bool wide = count < m_plot.axisRect()->width() / kPixelsPerDot;
     const bool everySample = drawn.curve->style == CurveStyle::LineAndDots
         || (wide && drawn.curve->role != CurveRole::Noise);
     QVector<double> x;
     QVector<double> y;
-    const auto add = [&](Index i) {
-        x.append(drawn.x()[static_cast<std::size_t>(i)]);
-        y.append(drawn.y()[static_cast<std::size_t>(i)]);
+    const auto add = [&](Index first, Index samples) {
+        const DrawnPoints some = drawn.samples->samples(first, first + samples);
+        x += toQt(some.x);
+        y += toQt(some.y);
     };
     if (everySample) {
-        for (Index i = begin; i < begin + count; ++i)
-            add(i);
+        add(begin, count);
     } else if (isShot(drawn.curve->role)) {
         // Each role begins elsewhere, so that markers of curves on each other do not coincide.
         const Index phase = 1 + 2 * static_cast<Index>(drawn.curve->role);
         for (Index k = 0; k < kMarkersPerCurve; ++k)
-            add(begin + (8 * k + phase) * count / (8 * kMarkersPerCurve));
+            add(begin + (8 * k + phase) * count / (8 * kMarkersPerCurve), 1);
     }
     const bool plain = !isShot(drawn.curve->role);
     drawn.markers->setData(x, y, true);

@@ -5,10 +5,10 @@
 
 #include "ui/plot/axis_prefix.h"
 #include "ui/plot/curve_building.h"
+#include "ui/plot/record_samples.h"
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 namespace dyncal {
 
@@ -19,76 +19,47 @@ constexpr double kShareShown = 0.05; ///< of the window, where no rise time is k
 constexpr Index kLeastSamplesShown = 50;
 constexpr double kShareBeforeStart = 0.1;
 
-struct RawExtremes
+/// The record through its envelope, or nothing yet while that is built.
+void appendRecord(
+    const std::shared_ptr<const ChannelEnvelope> &envelope, bool keepRecord, PlotCurve &curve)
 {
-    double min = 0.0;
-    double max = 0.0;
-    bool any = false;
-};
-
-template <typename T>
-RawExtremes extremesOf(std::span<const T> counts)
-{
-    RawExtremes found;
-    for (const T count : counts) {
-        const auto value = static_cast<double>(count);
-        if (!std::isfinite(value))
-            continue;
-        found.min = found.any ? std::min(found.min, value) : value;
-        found.max = found.any ? std::max(found.max, value) : value;
-        found.any = true;
-    }
-    return found;
+    if (!envelope)
+        return;
+    auto record = std::make_shared<const RecordSamples>(envelope);
+    DrawnPoints whole = record->overview(kRawColumns);
+    curve.x = std::move(whole.x);
+    curve.y = std::move(whole.y);
+    if (keepRecord)
+        curve.record = std::move(record);
 }
 
-/// Extremes of the physical values: those of the counts where the conversion is a line.
-RawExtremes physicalExtremes(const Channel &channel, Index begin, Index end)
+std::shared_ptr<const ChannelEnvelope> builtNow(const Channel &channel)
 {
-    if (channel.polynomial.size() > 2) {
-        const Eigen::VectorXd values = physicalValues(channel, begin, end - begin);
-        return extremesOf(
-            std::span<const double>(values.data(), static_cast<std::size_t>(values.size())));
-    }
-    RawExtremes found;
-    channel.samples.visitBlocks(begin, end, [&](auto counts, Index) {
-        const RawExtremes here = extremesOf(counts);
-        if (!here.any)
-            return;
-        found.min = found.any ? std::min(found.min, here.min) : here.min;
-        found.max = found.any ? std::max(found.max, here.max) : here.max;
-        found.any = true;
-    });
-    const double a = physicalValue(channel, found.min);
-    const double b = physicalValue(channel, found.max);
-    return {std::min(a, b), std::max(a, b), found.any};
+    auto envelope = ChannelEnvelope::build(channel);
+    return envelope ? std::make_shared<const ChannelEnvelope>(std::move(*envelope)) : nullptr;
 }
 
-void appendEnvelope(const Channel &channel, PlotCurve &curve)
-{
-    const Index count = channel.samples.size();
-    const Index stretch = (count + kRawBuckets - 1) / kRawBuckets;
-    for (Index begin = 0; begin < count; begin += stretch) {
-        const Index end = std::min(count, begin + stretch);
-        const RawExtremes found = physicalExtremes(channel, begin, end);
-        if (!found.any)
-            continue;
-        const double time = 0.5 * (channel.timeOf_s(begin) + channel.timeOf_s(end - 1));
-        curve.x.insert(curve.x.end(), {time, time});
-        curve.y.insert(curve.y.end(), {found.min, found.max});
-    }
-}
-
-PlotCurve rawCurve(const Channel &channel, const ShotStyle &style)
+PlotCurve rawCurve(const Channel &channel, const ShotStyle &style, const EnvelopeSource &envelopeOf)
 {
     PlotCurve curve{style.name, style.role, CurveStyle::Line, {}, {}, true};
-    const Index count = channel.samples.size();
-    if (count > 2 * kRawBuckets) {
-        appendEnvelope(channel, curve);
+    if (isLongRecord(channel)) {
+        appendRecord(envelopeOf ? envelopeOf(channel) : builtNow(channel), !!envelopeOf, curve);
     } else {
-        curve.x = timeAxis(channel.t0_s, 1.0 / channel.sampleRate_Hz, count);
-        curve.y = toVector(physicalValues(channel, 0, count));
+        curve.x = timeAxis(channel.t0_s, 1.0 / channel.sampleRate_Hz, channel.samples.size());
+        curve.y = toVector(physicalValues(channel, 0, channel.samples.size()));
     }
     return curve;
+}
+
+/// The view holds all of a record from the beginning, also while it is still being read.
+void extendView(const Channel &channel, PlotContent &content)
+{
+    if (channel.samples.size() == 0)
+        return;
+    const double begin = channel.t0_s;
+    const double end = channel.timeOf_s(channel.samples.size() - 1);
+    content.xMin = std::min(content.xMin.value_or(begin), begin);
+    content.xMax = std::max(content.xMax.value_or(end), end);
 }
 
 QString roleTitle(ChannelRole role)
@@ -140,7 +111,23 @@ Index samplesOfStart(const WindowedResponse &response)
 
 } // namespace
 
-PlotContent rawCurves(const CaptureSet &set, ChannelRole role)
+bool isLongRecord(const Channel &channel)
+{
+    return channel.samples.size() > 2 * kRawColumns && channel.sampleRate_Hz > 0.0;
+}
+
+std::vector<Channel> longRecords(const CaptureSet &set)
+{
+    std::vector<Channel> records;
+    for (const ChannelRole role : {ChannelRole::Dut, ChannelRole::DrivenSide, ChannelRole::Driver})
+        for (const Shot &shot : set.shots)
+            if (const Channel *channel = shot.channelWithRole(role);
+                shot.included && channel && isLongRecord(*channel))
+                records.push_back(*channel);
+    return records;
+}
+
+PlotContent rawCurves(const CaptureSet &set, ChannelRole role, const EnvelopeSource &envelopeOf)
 {
     PlotContent content;
     content.title = roleTitle(role);
@@ -154,7 +141,8 @@ PlotContent rawCurves(const CaptureSet &set, ChannelRole role)
         if (content.curves.empty())
             content.yAxis.unit = QString::fromStdString(channel->unit);
         content.curves.push_back(
-            rawCurve(*channel, shotStyle(static_cast<Index>(i) + 1, shot.level)));
+            rawCurve(*channel, shotStyle(static_cast<Index>(i) + 1, shot.level), envelopeOf));
+        extendView(*channel, content);
     }
     content.summary
         = Plots::tr("%1; recordings: %2.").arg(content.title).arg(content.curves.size());

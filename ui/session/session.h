@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "ui/session/envelope_store.h"
 #include "ui/session/job_runner.h"
 #include "ui/session/project_state.h"
 #include "ui/session/stage_status.h"
@@ -50,6 +51,9 @@ public:
     /// Adds or removes recordings (and adjusts the recipe with them), as one undo step.
     void applyState(const ProjectState &next, const QString &label);
 
+    /// Minima and maxima of the records on the screen.
+    EnvelopeStore &envelopes() { return m_envelopes; }
+
     /// Starts over with another job: no undo across, clean.
     void reset(const ProjectState &state);
 
@@ -82,6 +86,7 @@ private:
     QUndoStack m_undo;
     int m_mergeEpoch = 0;
     QTimer m_start;
+    EnvelopeStore m_envelopes;
     std::shared_ptr<ResultCache> m_cache = std::make_shared<ResultCache>();
     JobRunner m_jobs; ///< last: stops before anything that a delivery touches is gone
 };

@@ -3,6 +3,7 @@
 
 #include "ui/stages/captures_page.h"
 
+#include "ui/plot/overview_strip.h"
 #include "ui/plot/signal_curves.h"
 #include "ui/session/capture_edit.h"
 #include "ui/shell/prompts.h"
@@ -60,6 +61,15 @@ CapturesPage::CapturesPage(Session &session, Prompts &prompts)
         split->addWidget(plot);
         split->setStretchFactor(split->count() - 1, role == ChannelRole::Dut ? 3 : 2);
     }
+    auto *overview = new OverviewStrip(this);
+    overview->setObjectName("recordOverview");
+    for (const auto &[role, plot] : m_plots)
+        overview->follow(plot);
+    content()->addWidget(overview);
+    connect(&session.envelopes(), &EnvelopeStore::changed, this, [this] {
+        if (isVisible())
+            showPlots();
+    });
     m_table->setObjectName("shotTable");
     m_table->setAccessibleName(tr("Shots"));
     m_table->setColumnCount(ColumnCount);
@@ -145,12 +155,21 @@ void CapturesPage::showResults()
 
 void CapturesPage::showPlots()
 {
+    EnvelopeStore &envelopes = session().envelopes();
+    envelopes.want(longRecords(shownSet()));
+    const auto envelopeOf = [&](const Channel &channel) { return envelopes.find(channel); };
     for (const auto &[role, plot] : m_plots) {
         const bool present = std::ranges::any_of(shownSet().shots,
             [r = role](const Shot &shot) { return shot.channelWithRole(r) != nullptr; });
         plot->setVisible(present || role == ChannelRole::Dut);
-        if (present)
-            plot->setContent(rawCurves(shownSet(), role));
+        if (!present)
+            continue;
+        PlotContent content = rawCurves(shownSet(), role, envelopeOf);
+        content.growing = envelopes.isBusy();
+        if (content.growing)
+            content.title += tr(" (reading the recordings: %1 %)")
+                                 .arg(static_cast<int>(100.0 * envelopes.progress()));
+        plot->setContent(content);
     }
 }
 

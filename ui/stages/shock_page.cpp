@@ -39,6 +39,10 @@ ShockPage::ShockPage(Session &session)
         {StageId::Shock})
 {
     m_side = makePlot("sidePlot", tr("Arrival of the shock at the side sensor"));
+    connect(&session.envelopes(), &EnvelopeStore::changed, this, [this] {
+        if (isVisible())
+            showResults();
+    });
     m_states = new ValueTable("stateTable", tr("States of the gas per shot"), this);
     m_sensitivity = new ValueTable("sensitivityTable", tr("Sensitivity per shot"), this);
     m_reason = new QLabel(this);
@@ -215,6 +219,17 @@ QVector<QStringList> ShockPage::stateRows() const
     return rows;
 }
 
+PlotContent ShockPage::rawSideCurves()
+{
+    const CaptureSet &set = results().captures->set;
+    EnvelopeStore &envelopes = session().envelopes();
+    envelopes.want(longRecords(set));
+    PlotContent content = rawCurves(set, ChannelRole::DrivenSide,
+        [&](const Channel &channel) { return envelopes.find(channel); });
+    content.growing = envelopes.isBusy();
+    return content;
+}
+
 void ShockPage::showResults()
 {
     const auto &shock = results().shock;
@@ -225,7 +240,7 @@ void ShockPage::showResults()
         for (const Shot &shot : captures->set.shots)
             side = side || shot.channelWithRole(ChannelRole::DrivenSide);
         if (side)
-            content = rawCurves(captures->set, ChannelRole::DrivenSide);
+            content = rawSideCurves();
     }
     QStringList headers{tr("Quantity")};
     if (shock) {

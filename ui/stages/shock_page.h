@@ -34,6 +34,7 @@ private:
         OptionalEdit *control, std::optional<double> ShockSettings::*member);
     void setDistance(const std::optional<double> &distance_m);
     QVector<QStringList> stateRows() const;
+    PlotContent rawSideCurves();
     void showSensitivity();
 
     PlotWidget *m_side;

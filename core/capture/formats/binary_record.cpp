@@ -117,8 +117,8 @@ tl::unexpected<Error> unsupportedKind(const std::string &path, const std::string
 tl::unexpected<Error> noSignal(const std::string &path)
 {
     return fail(ErrorKind::FileUnreadable,
-        {DYNCAL_TEXT(
-             "core", "%1 holds no sampled signal; record an analog channel and save it again."),
+        {DYNCAL_TEXT("core",
+             "%1 holds nothing that is a sampled signal; save the recorded channel itself."),
             {path}},
         "CAP-001");
 }

@@ -78,13 +78,13 @@ int recogniseDelimitedText(const std::string &path, std::string_view head)
 Result<CaptureSet> readDelimitedText(
     const std::string &path, const ImportSettings &settings, const JobControl &control)
 {
-    const Result<std::string> text = readTextFile(path);
+    const Result<FileText> text = readTextFile(path);
     if (!text)
         return tl::unexpected(text.error());
-    const std::optional<TextDialect> dialect = dialectOf(*text, settings);
+    const std::optional<TextDialect> dialect = dialectOf(text->view(), settings);
     if (!dialect)
         return noRowsOfNumbers(path);
-    Result<ImportedTable> table = importTable({path, *text}, *dialect, settings, control);
+    Result<ImportedTable> table = importTable({path, text->view()}, *dialect, settings, control);
     if (!table)
         return tl::unexpected(table.error());
     CaptureSet set;

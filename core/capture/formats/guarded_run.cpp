@@ -3,17 +3,51 @@
 
 #include "core/capture/formats/guarded_run.h"
 
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/time.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <csignal>
 #include <fstream>
-#include <thread>
+#include <utility>
+#include <vector>
 
 namespace dyncal {
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Work that waits (for a lock, for a disk that is gone) uses no processor time.
+constexpr std::chrono::seconds kSilence{30};
+constexpr std::size_t kPipeBytes = 1 << 20;
+
+/// Owns one end of the pipe.
+class PipeEnd
+{
+public:
+    explicit PipeEnd(int descriptor)
+        : m_descriptor(descriptor)
+    {
+    }
+    PipeEnd(const PipeEnd &) = delete;
+    PipeEnd &operator=(const PipeEnd &) = delete;
+    ~PipeEnd() { close(); }
+
+    int descriptor() const { return m_descriptor; }
+    void close()
+    {
+        if (m_descriptor >= 0)
+            ::close(std::exchange(m_descriptor, -1));
+    }
+
+private:
+    int m_descriptor;
+};
 
 void limit(int resource, std::uint64_t value)
 {
@@ -29,46 +63,118 @@ std::uint64_t usedAddressSpace()
     return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-[[noreturn]] void runAsChild(const std::function<void()> &work, const GuardedLimits &limits)
+/// A handler of the program would report a crash as the program's own.
+void forgetSignalHandling()
 {
-    // A handler of the program would report the crash as the program's own.
-    for (const int crash : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGINT})
-        ::signal(crash, SIG_DFL);
+    for (const int number :
+        {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGINT, SIGPIPE, SIGPROF})
+        ::signal(number, SIG_DFL);
+    sigset_t none;
+    ::sigemptyset(&none);
+    ::sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
+[[noreturn]] void runAsChild(const std::function<void(GuardedOutput &)> &work, int descriptor,
+    const GuardedLimits &limits, std::uint64_t addressSpace)
+{
+    ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    forgetSignalHandling();
     limit(RLIMIT_CORE, 0);
-    limit(RLIMIT_AS, usedAddressSpace() + limits.memoryBytes);
-    limit(RLIMIT_CPU, static_cast<std::uint64_t>(limits.time.count()));
+    limit(RLIMIT_FSIZE, 0); // it reads files and writes none
+    limit(RLIMIT_AS, addressSpace + limits.memoryBytes);
+    GuardedOutput output(descriptor, limits.time);
     try {
-        work();
+        work(output);
     } catch (...) {
         ::_exit(1);
     }
     ::_exit(0);
 }
 
+/// Hands over what arrives until the other end is closed.
+GuardedOutcome receiveAll(int descriptor,
+    const std::function<bool(std::span<const std::byte>)> &receive, const std::stop_token &stop)
+{
+    constexpr int kLook_ms = 20;
+    std::vector<std::byte> buffer(kPipeBytes);
+    for (auto heard = Clock::now(); Clock::now() - heard < kSilence;) {
+        if (stop.stop_requested())
+            return GuardedOutcome::Stopped;
+        pollfd wait{descriptor, POLLIN, 0};
+        if (::poll(&wait, 1, kLook_ms) <= 0)
+            continue;
+        const ssize_t got = ::read(descriptor, buffer.data(), buffer.size());
+        if (got == 0)
+            return GuardedOutcome::Finished;
+        if (got > 0 && !receive(std::span(buffer.data(), static_cast<std::size_t>(got))))
+            return GuardedOutcome::Died;
+        if (got < 0 && errno != EINTR && errno != EAGAIN)
+            return GuardedOutcome::Died;
+        heard = Clock::now();
+    }
+    return GuardedOutcome::Died;
+}
+
+bool exitedWell(pid_t child)
+{
+    int status = 0;
+    pid_t ended = 0;
+    while ((ended = ::waitpid(child, &status, 0)) < 0 && errno == EINTR) { }
+    return ended == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
 } // namespace
 
-GuardedOutcome rehearse(
-    const std::function<void()> &work, const GuardedLimits &limits, const std::stop_token &stop)
+GuardedOutput::GuardedOutput(int descriptor, std::chrono::milliseconds time)
+    : m_descriptor(descriptor)
+    , m_time(time)
 {
+    restartClock();
+}
+
+void GuardedOutput::write(std::span<const std::byte> bytes)
+{
+    restartClock();
+    while (!bytes.empty()) {
+        const ssize_t done = ::write(m_descriptor, bytes.data(), bytes.size());
+        if (done < 0 && errno != EINTR)
+            ::_exit(1);
+        bytes = bytes.subspan(static_cast<std::size_t>(done > 0 ? done : 0));
+    }
+}
+
+void GuardedOutput::restartClock() const
+{
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(m_time);
+    const auto rest = std::chrono::duration_cast<std::chrono::microseconds>(m_time - seconds);
+    const itimerval timer{{0, 0}, {seconds.count(), rest.count()}};
+    ::setitimer(ITIMER_PROF, &timer, nullptr); // SIGPROF ends the process
+}
+
+GuardedOutcome runGuarded(const std::function<void(GuardedOutput &)> &work,
+    const std::function<bool(std::span<const std::byte>)> &receive, const GuardedLimits &limits,
+    const std::stop_token &stop)
+{
+    const std::uint64_t addressSpace = usedAddressSpace();
+    int ends[2];
+    if (::pipe2(ends, O_CLOEXEC) != 0)
+        return GuardedOutcome::NotStarted;
+    PipeEnd out(ends[0]);
+    PipeEnd in(ends[1]);
+    ::fcntl(in.descriptor(), F_SETPIPE_SZ, static_cast<int>(kPipeBytes)); // faster, if it may be
     const pid_t child = ::fork();
     if (child < 0)
         return GuardedOutcome::NotStarted;
     if (child == 0)
-        runAsChild(work, limits);
-    // The wall clock too: a child that waits for a lock uses no processor time.
-    const auto deadline = std::chrono::steady_clock::now() + 2 * limits.time;
-    int status = 0;
-    pid_t ended = 0;
-    while ((ended = ::waitpid(child, &status, WNOHANG)) == 0 || (ended < 0 && errno == EINTR)) {
-        if (stop.stop_requested() || std::chrono::steady_clock::now() > deadline) {
-            ::kill(child, SIGKILL);
-            ::waitpid(child, &status, 0);
-            return stop.stop_requested() ? GuardedOutcome::Stopped : GuardedOutcome::Died;
-        }
-        std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    const bool returned = ended == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
-    return returned ? GuardedOutcome::Finished : GuardedOutcome::Died;
+        runAsChild(work, in.descriptor(), limits, addressSpace);
+    in.close();
+    const GuardedOutcome received = receiveAll(out.descriptor(), receive, stop);
+    if (received != GuardedOutcome::Finished)
+        ::kill(child, SIGKILL);
+    const bool well = exitedWell(child);
+    if (received == GuardedOutcome::Finished && !well)
+        return GuardedOutcome::Died;
+    return received;
 }
 
 } // namespace dyncal

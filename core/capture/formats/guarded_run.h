@@ -4,16 +4,18 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <stop_token>
 
 namespace dyncal {
 
-/// How a rehearsal in a process of its own ended.
+/// How work in a process of its own ended.
 enum class GuardedOutcome {
-    Finished, ///< it came back; do it here
-    Died, ///< crashed, ran out of memory or took too long
+    Finished, ///< it came back; all it wrote was received
+    Died, ///< crashed, ran out of memory, took too long or wrote what was not wanted
     Stopped, ///< stop was requested
     NotStarted, ///< the system gave us no process
 };
@@ -21,13 +23,32 @@ enum class GuardedOutcome {
 struct GuardedLimits
 {
     std::uint64_t memoryBytes; ///< beyond what this process uses already
-    std::chrono::seconds time;
+    std::chrono::milliseconds time; ///< of the processor, from one piece of output to the next
 };
 
-/// Runs `work` in a forked copy of this process under limits and throws its results away: what
-/// crashes a library there does not crash us. `work` may use only what is safe after fork in a
-/// threaded program: memory, files, and libraries whose locks no other thread holds now.
-GuardedOutcome rehearse(
-    const std::function<void()> &work, const GuardedLimits &limits, const std::stop_token &stop);
+/// Where guarded work puts what it finds out.
+class GuardedOutput
+{
+public:
+    GuardedOutput(int descriptor, std::chrono::milliseconds time);
+
+    /// Blocks while the receiver is busy; does not return once nobody listens any more.
+    void write(std::span<const std::byte> bytes);
+
+private:
+    void restartClock() const;
+
+    int m_descriptor;
+    std::chrono::milliseconds m_time;
+};
+
+/// Runs `work` in a forked copy of this process under limits: what crashes or bloats a library
+/// there does not touch us. All that comes back is what it writes, handed to `receive` in pieces of
+/// any size; false from there ends it. Nothing received may be used unless it finished. `work` may
+/// use only what is safe after fork in a threaded program: memory, files it only reads, and
+/// libraries whose locks no other thread holds now.
+GuardedOutcome runGuarded(const std::function<void(GuardedOutput &)> &work,
+    const std::function<bool(std::span<const std::byte>)> &receive, const GuardedLimits &limits,
+    const std::stop_token &stop);
 
 } // namespace dyncal

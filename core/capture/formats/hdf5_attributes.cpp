@@ -124,17 +124,20 @@ std::vector<double> numbersOf(const OpenAttribute &opened)
     return values;
 }
 
-std::string attributeName(hid_t object, hsize_t position)
+herr_t collectName(hid_t, const char *name, const H5A_info_t *, void *data)
 {
-    const ssize_t length = H5Aget_name_by_idx(
-        object, ".", H5_INDEX_NAME, H5_ITER_INC, position, nullptr, 0, H5P_DEFAULT);
-    if (length <= 0 || length > static_cast<ssize_t>(kMaxTextBytes))
-        return {};
-    std::string name(static_cast<std::size_t>(length) + 1, '\0');
-    H5Aget_name_by_idx(
-        object, ".", H5_INDEX_NAME, H5_ITER_INC, position, name.data(), name.size(), H5P_DEFAULT);
-    name.pop_back();
-    return name;
+    static_cast<std::vector<std::string> *>(data)->emplace_back(name);
+    return 0;
+}
+
+Hdf5Value valueOf(const OpenAttribute &opened)
+{
+    if (std::optional<std::string> text = textOf(opened))
+        return {Hdf5ValueKind::Text, std::move(*text), {}};
+    std::vector<double> numbers = numbersOf(opened);
+    if (!numbers.empty())
+        return {Hdf5ValueKind::Numbers, {}, std::move(numbers)};
+    return {};
 }
 
 } // namespace
@@ -181,50 +184,14 @@ bool writeAttributes(hid_t object, const Attributes &attributes)
     });
 }
 
-std::optional<std::string> readTextAttribute(hid_t object, const std::string &name)
+Hdf5Attributes readAttributes(hid_t object)
 {
-    const OpenAttribute opened = openAttribute(object, name);
-    if (opened.elements != 1)
-        return std::nullopt;
-    if (opened.isNumeric()) {
-        const std::vector<double> values = numbersOf(opened);
-        return values.empty() ? std::nullopt : std::optional(numberText(values.front()));
-    }
-    return textOf(opened);
-}
-
-std::optional<double> readNumberAttribute(hid_t object, const std::string &name)
-{
-    const OpenAttribute opened = openAttribute(object, name);
-    if (opened.elements != 1)
-        return std::nullopt;
-    if (opened.isNumeric()) {
-        const std::vector<double> values = numbersOf(opened);
-        return values.empty() ? std::nullopt : std::optional(values.front());
-    }
-    const std::optional<std::string> text = textOf(opened);
-    return text ? parseNumber(*text) : std::nullopt;
-}
-
-std::vector<double> readNumbersAttribute(hid_t object, const std::string &name)
-{
-    const OpenAttribute opened = openAttribute(object, name);
-    return opened.elements > 0 ? numbersOf(opened) : std::vector<double>();
-}
-
-Attributes readAttributes(hid_t object)
-{
-    Attributes attributes;
-    H5O_info_t info;
-    if (H5Oget_info2(object, &info, H5O_INFO_NUM_ATTRS) < 0)
+    std::vector<std::string> names;
+    Hdf5Attributes attributes;
+    if (H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, &collectName, &names) < 0)
         return attributes;
-    for (hsize_t i = 0; i < info.num_attrs; ++i) {
-        const std::string name = attributeName(object, i);
-        const std::optional<std::string> text
-            = name.empty() ? std::nullopt : readTextAttribute(object, name);
-        if (text && *text != "nan")
-            attributes[name] = *text;
-    }
+    for (const std::string &name : names)
+        attributes[name] = valueOf(openAttribute(object, name));
     return attributes;
 }
 

@@ -5,8 +5,8 @@
 
 #include "core/capture/capture_set.h"
 #include "core/capture/formats/hdf5_handle.h"
+#include "core/capture/formats/hdf5_tree.h"
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,18 +27,7 @@ bool writeIntegersAttribute(hid_t object, const std::string &name, const std::ve
 /// numbers stay text ("0042" is not 42).
 bool writeAttributes(hid_t object, const Attributes &attributes);
 
-// Reading: empty if the attribute is not there or is of no such kind.
-
-/// Text of any HDF5 string type; a number becomes its shortest round-trip text.
-std::optional<std::string> readTextAttribute(hid_t object, const std::string &name);
-
-/// One number of any numeric type, or text that is a number.
-std::optional<double> readNumberAttribute(hid_t object, const std::string &name);
-
-/// All elements of a numeric attribute of at most 64 elements.
-std::vector<double> readNumbersAttribute(hid_t object, const std::string &name);
-
-/// All scalar attributes of an object. NaN (not recorded) is left out.
-Attributes readAttributes(hid_t object);
+/// All attributes of an object, whatever they are.
+Hdf5Attributes readAttributes(hid_t object);
 
 } // namespace dyncal

@@ -10,12 +10,13 @@
 #include "core/capture/formats/hdf5_create.h"
 #include "core/capture/formats/hdf5_handle.h"
 #include "core/capture/formats/hdf5_layout.h"
+#include "core/capture/formats/hdf5_open.h"
 #include "core/capture/formats/hdf5_samples.h"
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <mutex>
+#include <optional>
 #include <set>
 #include <system_error>
 
@@ -205,7 +206,7 @@ private:
 
     bool writeSamples(hid_t dataset, const RawSamples &samples)
     {
-        const hid_t type = sampleTypes(samples).memory;
+        const hid_t type = sampleTypes(samples.type()).memory;
         bool written = true;
         const auto writeBlock = [&](std::span<const std::byte> block, Index begin, Index count) {
             written = !m_control.stopRequested()
@@ -283,19 +284,42 @@ private:
     Index m_doneSamples = 0;
 };
 
-/// Reads back what has just been written: a full disk is not always reported when it happens.
+/// Reads back what has just been written, as any reader would: a full disk is not always reported
+/// when it happens.
 bool readsBack(const std::string &path, const std::vector<WrittenChannel> &channels)
 {
-    const Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), &H5Fclose);
-    hsize_t budgetBytes = std::numeric_limits<hsize_t>::max();
-    return file.valid()
+    const Result<Hdf5File> file = openHdf5(path, {});
+    return file
         && std::all_of(channels.begin(), channels.end(), [&](const WrittenChannel &channel) {
-               const Hdf5Handle dataset(
-                   H5Dopen2(file.id(), channel.path.c_str(), H5P_DEFAULT), &H5Dclose);
-               const Result<StoredSamples> stored = readSampleDataset(
-                   dataset.id(), path, channel.path, budgetBytes, SampleUse::Keep, {});
-               return stored && sha256OfSamples(stored->samples) == channel.sha256;
+               const Hdf5Object *object = objectAt(file->tree, channel.path);
+               if (object == nullptr || object->dataset.obstacle != Hdf5Obstacle::None)
+                   return false;
+               const auto samples
+                   = hdf5Columns(*file, {{&object->dataset, object->address, channel.path, 0}}, {});
+               return samples && sha256OfSamples(samples->front().front()) == channel.sha256;
            });
+}
+
+/// The channels written; empty if anything went wrong.
+std::optional<std::vector<WrittenChannel>> writeFile(Hdf5Handle file, CaptureWriter writer,
+    const std::string &createdUtc, const std::string &title, const std::vector<ShotTruth> &truth)
+{
+    const bool written = writer.write(file.id(), createdUtc, title, truth)
+        && H5Fflush(file.id(), H5F_SCOPE_GLOBAL) >= 0;
+    if (!file.close() || !written)
+        return std::nullopt;
+    return writer.channels();
+}
+
+/// Invalid if it cannot be created; then nothing is left behind.
+Hdf5Handle createTemporary(const std::string &path)
+{
+    std::error_code error;
+    const bool isNew = !std::filesystem::exists(path, error); // else maybe another writer's
+    Hdf5Handle file = createFile(path);
+    if (!file.valid() && isNew)
+        std::filesystem::remove(path, error);
+    return file;
 }
 
 } // namespace
@@ -304,8 +328,6 @@ Result<void> writeHdf5Capture(const CaptureSet &set, const std::string &path,
     const std::string &createdUtc, const std::string &title, const std::vector<ShotTruth> &truth,
     const JobControl &control)
 {
-    const std::scoped_lock lock(hdf5Mutex());
-    silenceHdf5();
     std::error_code error;
     if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
         return fail(ErrorKind::Usage,
@@ -313,22 +335,18 @@ Result<void> writeHdf5Capture(const CaptureSet &set, const std::string &path,
                 {path}});
     // A fixed name: what a killed run left behind is overwritten, not collected.
     const std::string temporary = path + ".part";
-    const bool isNew = !std::filesystem::exists(temporary, error); // else maybe another writer's
-    Hdf5Handle file = createFile(temporary);
-    if (!file.valid()) {
-        if (isNew)
-            std::filesystem::remove(temporary, error);
+    std::unique_lock lock(hdf5Mutex());
+    silenceHdf5();
+    Hdf5Handle file = createTemporary(temporary);
+    if (!file.valid())
         return fail(ErrorKind::Usage,
             {DYNCAL_TEXT(
                  "core", "Cannot create %1; check that the folder exists and may be written to."),
                 {path}});
-    }
-    CaptureWriter writer(set, control);
-    const bool written = writer.write(file.id(), createdUtc, title, truth)
-        && H5Fflush(file.id(), H5F_SCOPE_GLOBAL) >= 0;
-    const bool complete = file.close() && written && readsBack(temporary, writer.channels())
-        && moveIntoPlace(temporary, path);
-    if (complete)
+    const auto written
+        = writeFile(std::move(file), CaptureWriter(set, control), createdUtc, title, truth);
+    lock.unlock();
+    if (written && readsBack(temporary, *written) && moveIntoPlace(temporary, path))
         return {};
     std::filesystem::remove(temporary, error);
     if (control.stopRequested())

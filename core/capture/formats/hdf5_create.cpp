@@ -50,8 +50,8 @@ Hdf5Handle createSampleDataset(hid_t group, const std::string &name, const RawSa
         return {};
     if (chunk > 0 && H5Pset_chunk(creation.id(), 1, &chunk) < 0)
         return {};
-    return {H5Dcreate2(group, name.c_str(), sampleTypes(samples).stored, space.id(), H5P_DEFAULT,
-                creation.id(), H5P_DEFAULT),
+    return {H5Dcreate2(group, name.c_str(), sampleTypes(samples.type()).stored, space.id(),
+                H5P_DEFAULT, creation.id(), H5P_DEFAULT),
         &H5Dclose};
 }
 

@@ -3,13 +3,13 @@
 
 #pragma once
 
-#include "core/base/progress.h"
-#include "core/base/result.h"
+#include "core/capture/formats/guarded_run.h"
 #include "core/capture/formats/hdf5_handle.h"
 #include "core/capture/raw_samples.h"
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace dyncal {
 
@@ -19,31 +19,31 @@ struct SampleTypes
     hid_t stored;
     hid_t memory;
 };
-SampleTypes sampleTypes(const RawSamples &samples);
+SampleTypes sampleTypes(SampleType type);
 
-/// Samples per chunk of our own files, and per read or write of any file.
+/// Samples per chunk of our own files.
 constexpr hsize_t kHdf5BlockSamples = 1 << 20;
 
-/// Readers open files with a chunk cache of this size; a compressed chunk must fit into it, or it
-/// would be unpacked once for every block of samples.
-constexpr hsize_t kHdf5ChunkCacheBytes = 64 << 20;
+/// Larger compressed chunks are not read: each must be unpacked whole in memory.
+constexpr hsize_t kHdf5LargestPackedChunk = 64 << 20;
 
-/// Rehearse reads every sample and keeps none.
-enum class SampleUse { Keep, Rehearse };
-
-/// What a dataset of samples turned out to be.
-struct StoredSamples
+/// A dataset to unpack: one record, or a table whose columns are records.
+struct UnpackOrder
 {
-    RawSamples samples;
-    bool exactType = true; ///< kept as stored; false = widened (such as uint16 to int32)
+    std::uint64_t address = 0; ///< of the dataset in its file
+    SampleType type = SampleType::Float64; ///< to deliver
+    Index sampleAxis = 0; ///< the dimension along which time runs
+    Index samples = 0; ///< its extent
+    Index columns = 1; ///< extent of the other dimension, if any
+
+    /// Samples of each column per piece; a piece holds all columns one behind the other.
+    Index samplesPerPiece() const;
 };
 
-/// Reads a 1-D dataset of integers or floats, stored contiguous, compact or chunked, with any
-/// filter that is installed. What the dataset claims is held against what the file stores before
-/// anything is allocated: `budgetBytes` is what of the file no other channel has claimed yet, and
-/// is reduced. Errors name `channel` in `path` (CAP-018: incomplete or damaged).
-Result<StoredSamples> readSampleDataset(hid_t dataset, const std::string &path,
-    const std::string &channel, hsize_t &budgetBytes, SampleUse use, const JobControl &control);
+/// Unpacks datasets and writes piece by piece, in the byte order of this machine. For the helper
+/// process. False if one of them is not what the order says or cannot be read.
+bool unpackDatasets(
+    const std::string &path, const std::vector<UnpackOrder> &orders, GuardedOutput &output);
 
 /// Writes `count` samples of this memory type to [begin, begin + count) of the dataset.
 bool writeSampleBlock(hid_t dataset, hid_t memoryType, hsize_t begin,

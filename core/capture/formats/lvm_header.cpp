@@ -3,13 +3,14 @@
 
 #include "core/capture/formats/lvm_header.h"
 
-#include "core/base/number_text.h"
+#include "core/capture/formats/time_axis.h"
 
 #include <cmath>
 
 namespace dyncal {
 namespace {
 
+constexpr std::size_t kLongestHeader = std::size_t(4) << 20; ///< a thousand channels need 1 MiB
 constexpr std::string_view kUnsetDate = "1903/12/31"; ///< LabVIEW's zero of time
 
 std::string_view tagCell(const LvmTags &tags, std::string_view tag, std::size_t index)
@@ -59,7 +60,15 @@ void addStart(Attributes &notes, const LvmTags &tags)
 bool readLvmTags(LineCursor &lines, std::string_view line, char separator, LvmTags &tags)
 {
     bool special = false;
+    std::size_t bytes = 0;
     while (!line.empty() || lines.next(line)) {
+        bytes += line.size() + 1;
+        if (bytes > kLongestHeader && !special)
+            return false;
+        if (special && !line.starts_with("***End_Special***")) {
+            line = {};
+            continue;
+        }
         std::vector<std::string_view> cells = cellsOf(line, separator);
         line = {};
         const std::string_view tag = cells[0];
@@ -67,9 +76,9 @@ bool readLvmTags(LineCursor &lines, std::string_view line, char separator, LvmTa
             special = false;
         else if (tag == "***Start_Special***")
             special = true;
-        else if (tag == "***End_of_Header***" && !special)
+        else if (tag == "***End_of_Header***")
             return true;
-        else if (!special && !tag.empty())
+        else if (!tag.empty())
             tags.emplace(tag, std::vector(cells.begin() + 1, cells.end()));
     }
     return false;
@@ -99,6 +108,8 @@ LvmFileHeader lvmFileHeader(const LvmTags &tags, char separator)
     if (decimal != tags.end() && !decimal->second.empty()) {
         if (decimal->second[0] == "." || decimal->second[0] == ",")
             file.decimal = decimal->second[0][0];
+        file.commaTwice = separator == ',' && decimal->second.size() > 1
+            && decimal->second[0].empty() && decimal->second[1].empty();
     }
     const std::string_view columns = tagCell(tags, "X_Columns", 0);
     if (columns == "No")
@@ -129,6 +140,7 @@ std::optional<LvmSegment> lvmSegment(
         return std::nullopt;
 
     LvmSegment segment;
+    segment.namedChannels = static_cast<Index>(available);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t column = 1 + stride * i;
         LvmChannel channel;
@@ -138,8 +150,11 @@ std::optional<LvmSegment> lvmSegment(
         if (file.xColumns != LvmXColumns::None)
             channel.xColumn = multi ? channel.column - 1 : 0;
         channel.x0 = headerNumber(tagCell(tags, "X0", column - 1)).value_or(0.0);
-        const double delta = headerNumber(tagCell(tags, "Delta_X", column - 1)).value_or(0.0);
+        const std::string_view deltaCell = tagCell(tags, "Delta_X", column - 1);
+        const double delta = headerNumber(deltaCell).value_or(0.0);
         channel.deltaX = delta > 0.0 ? delta : 0.0;
+        const char mark = deltaCell.find(',') != std::string_view::npos ? ',' : '.';
+        channel.deltaResolution = delta > 0.0 ? printedResolution(deltaCell, mark) : 0.0;
         channel.declaredSamples = headerCount(tagCell(tags, "Samples", column - 1));
         segment.channels.push_back(std::move(channel));
     }

@@ -26,6 +26,7 @@ struct LvmFileHeader
     char separator = '\t';
     std::optional<char> decimal; ///< versions before 8.6 do not say
     LvmXColumns xColumns = LvmXColumns::One;
+    bool commaTwice = false; ///< separator and decimal mark: the cells cannot be told apart
     Attributes notes;
 };
 
@@ -37,17 +38,19 @@ struct LvmChannel
     std::optional<Index> xColumn;
     double x0 = 0.0;
     double deltaX = 0.0; ///< 0 = not stated
+    double deltaResolution = 0.0; ///< one unit of the last digit printed of deltaX
     std::optional<Index> declaredSamples;
 };
 
 struct LvmSegment
 {
     std::vector<LvmChannel> channels;
+    Index namedChannels = 0; ///< in the line of column names; more than declared are not read
     Attributes notes;
 };
 
 /// Reads tag lines from `line` on (empty: from the next one) up to the end of the header; false if
-/// the text ends before that. Special blocks are passed over.
+/// the text ends before that or no header is that long (4 MiB). Special blocks are passed over.
 bool readLvmTags(LineCursor &lines, std::string_view line, char separator, LvmTags &tags);
 
 /// The separator stands right behind a tag of the first lines.

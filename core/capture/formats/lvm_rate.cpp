@@ -12,28 +12,39 @@ namespace dyncal {
 namespace {
 
 constexpr double kRateTolerance = 0.001; ///< as in CAP-003
+/// How much finer the mean of the X cells must be to be preferred to Delta_X.
+constexpr double kClearlyFiner = 4.0;
+/// Relative half digit of Delta_X up to which it is taken as it is.
+constexpr double kEnoughDigits = 1e-5;
+
+LvmRate rateOf(double step, double uncertainty, double meanStep)
+{
+    return {1.0 / step, uncertainty / step, false, meanStep};
+}
 
 } // namespace
 
 LvmRate lvmRate(const LvmChannel &channel, std::span<const double> x, double resolution)
 {
-    LvmRate rate;
-    rate.sampleRate_Hz = channel.deltaX > 0.0 ? 1.0 / channel.deltaX : 0.0;
+    const bool stated = channel.deltaX > 0.0;
+    const double deltaHalf = 0.5 * channel.deltaResolution;
     const auto isThere = [](double value) { return std::isfinite(value); };
     if (x.size() < 2 || std::none_of(x.begin(), x.end(), isThere))
-        return rate;
+        return stated ? rateOf(channel.deltaX, deltaHalf, 0.0) : LvmRate();
     const TimeAxis axis = timeAxisOf(x, resolution);
     const double steps = static_cast<double>(x.size() - 1);
-    rate.meanStep = (x.back() - x.front()) / steps;
-    const double step = channel.deltaX > 0.0 ? channel.deltaX : axis.step;
-    const double tolerance = kRateTolerance * step + 2.0 * resolution / steps;
+    const double mean = (x.back() - x.front()) / steps;
+    const double meanHalf = resolution / steps; // half a digit at both ends
+    const double step = stated ? channel.deltaX : axis.step;
+    const double tolerance = std::max(kRateTolerance * step, deltaHalf) + 2.0 * meanHalf;
     const bool coarse = resolution > 0.5 * step; // single steps say nothing
-    const bool agrees = std::abs(rate.meanStep - step) <= tolerance && (coarse || !axis.irregular);
-    if (agrees && channel.deltaX > 0.0)
-        return rate;
-    rate.contradicted = !agrees || coarse;
-    rate.sampleRate_Hz = rate.contradicted ? 0.0 : 1.0 / axis.step;
-    return rate;
+    const bool agrees = std::abs(mean - step) <= tolerance && (coarse || !axis.irregular);
+    if (!agrees || (coarse && !stated))
+        return {0.0, 0.0, true, mean};
+    const bool enough = deltaHalf <= kEnoughDigits * channel.deltaX;
+    if (stated && (coarse || enough || kClearlyFiner * meanHalf > deltaHalf))
+        return rateOf(channel.deltaX, deltaHalf, mean);
+    return rateOf(mean, meanHalf, mean);
 }
 
 } // namespace dyncal

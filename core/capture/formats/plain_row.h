@@ -4,13 +4,12 @@
 #pragma once
 
 #include <span>
-#include <string>
 #include <string_view>
 
 namespace dyncal {
 
 /// The fast way through a table: rows that are nothing but numbers, as nearly all are. It reads
-/// what CellCursor and readCell would read, several times as fast, or says that it cannot.
+/// what LineCursor, CellCursor and readCell would read, many times as fast, or says that it cannot.
 class PlainRowReader
 {
 public:
@@ -20,16 +19,16 @@ public:
     {
     }
 
-    /// Fills `row` if the line has exactly as many cells, or empty ones behind, and all are plain
-    /// numbers. On false nothing is known of the line, and `row` holds anything.
-    bool read(std::string_view line, std::span<double> row);
+    /// Fills `row` if the text begins with a line of exactly as many numbers (empty cells behind
+    /// them do not matter) and a line end; returns what stands behind that. Null otherwise, and
+    /// `row` then holds anything.
+    const char *read(std::string_view text, std::span<double> row) const;
 
 private:
-    bool usePoints(std::string_view line);
+    const char *behindRow(const char *at, const char *end, std::span<double> row) const;
 
     char m_separator;
     char m_decimal;
-    std::string m_scratch; ///< the line with decimal points
 };
 
 } // namespace dyncal

@@ -23,54 +23,76 @@ public:
         : m_path(path)
         , m_text(text)
         , m_dialect(dialect)
+        , m_lines(text)
         , m_row(static_cast<std::size_t>(dialect.columns))
         , m_plain(dialect.separator, dialect.decimal)
     {
         m_table.columns.resize(m_row.size());
-        for (std::vector<double> &column : m_table.columns)
-            column.reserve(mostRows());
     }
 
     Result<TableColumns> parse(const JobControl &control)
     {
-        constexpr Index kRowsPerCheck = 1 << 16;
-        LineCursor lines(m_text);
-        for (std::string_view line; lines.next(line);) {
-            if (lines.number() <= m_dialect.headerLines())
+        LineCursor &lines = m_lines;
+        std::string_view line;
+        while (lines.number() < m_dialect.headerLines() && lines.next(line)) { }
+        for (;;) {
+            if (const Result<void> going = pause(control); !going)
+                return tl::unexpected(going.error());
+            const bool plain = m_commentLine == 0 && m_blankRows == 0;
+            if (const char *behind = plain ? m_plain.read(lines.rest(), m_row) : nullptr) {
+                append();
+                lines.take(behind);
                 continue;
-            if (lines.number() % kRowsPerCheck == 0) {
-                if (control.stopRequested())
-                    return fail(ErrorKind::Cancelled,
-                        {DYNCAL_TEXT("core", "Reading %1 was cancelled."), {m_path}});
-                control.report(static_cast<double>(line.data() - m_text.data())
-                    / static_cast<double>(m_text.size()));
             }
-            if (!lines.terminated() && isCut(line, lines.number()))
+            if (!lines.next(line) || (!lines.terminated() && isCut(line, lines.number())))
                 break;
-            if (const Result<void> row = addLine(line, lines.number()); !row)
-                return tl::unexpected(row.error());
+            if (const Result<void> added = addLine(line, lines.number()); !added)
+                return tl::unexpected(added.error());
         }
         control.report(1.0);
         return std::move(m_table);
     }
 
 private:
-    /// A line end and a separator each stand for at most one value, so a table can never have more
-    /// rows than this, whatever the file is.
-    std::size_t mostRows() const
+    void append()
     {
-        const auto lineFeeds = std::count(m_text.begin(), m_text.end(), '\n');
-        const auto ends
-            = lineFeeds > 0 ? lineFeeds : std::count(m_text.begin(), m_text.end(), '\r');
-        return std::min(static_cast<std::size_t>(ends) + 1, m_text.size() / m_row.size() + 1);
+        if (m_table.columns[0].size() == m_table.columns[0].capacity())
+            makeRoom();
+        for (std::size_t i = 0; i < m_row.size(); ++i)
+            m_table.columns[i].push_back(m_row[i]);
+    }
+
+    /// For as many rows as the text will have if all are as long as those so far, and some more:
+    /// doubling would hold up to three times the values at the end.
+    void makeRoom()
+    {
+        constexpr std::size_t kFirstRows = 1024;
+        constexpr double kSpare = 1.02;
+        const std::size_t rows = m_table.columns[0].size();
+        const auto done = static_cast<double>(m_text.size() - m_lines.rest().size() + 1);
+        const double all = static_cast<double>(rows) * static_cast<double>(m_text.size()) / done;
+        const std::size_t room = rows + kFirstRows
+            + (rows < kFirstRows ? 0 : static_cast<std::size_t>(all * kSpare) - rows);
+        const std::size_t most = rows + m_text.size() / m_row.size() + 1; // a cell takes a byte
+        for (std::vector<double> &column : m_table.columns)
+            column.reserve(std::min(room, most));
+    }
+
+    Result<void> pause(const JobControl &control) const
+    {
+        constexpr Index kRowsPerCheck = 1 << 16;
+        if (m_lines.number() % kRowsPerCheck != 0)
+            return {};
+        if (control.stopRequested())
+            return fail(
+                ErrorKind::Cancelled, {DYNCAL_TEXT("core", "Reading %1 was cancelled."), {m_path}});
+        control.report(
+            1.0 - static_cast<double>(m_lines.rest().size()) / static_cast<double>(m_text.size()));
+        return {};
     }
 
     Result<void> addLine(std::string_view line, Index number)
     {
-        if (m_commentLine == 0 && m_blankRows == 0 && m_plain.read(line, m_row)) {
-            append();
-            return {};
-        }
         if (isBlankRow(line, m_dialect.separator)) {
             ++m_blankRows;
             return {};
@@ -123,12 +145,6 @@ private:
         return {};
     }
 
-    void append()
-    {
-        for (std::size_t i = 0; i < m_row.size(); ++i)
-            m_table.columns[i].push_back(m_row[i]);
-    }
-
     tl::unexpected<Error> damaged(const char *sentence, std::vector<std::string> more) const
     {
         more.insert(more.begin(), m_path);
@@ -167,6 +183,7 @@ private:
     const std::string &m_path;
     std::string_view m_text;
     const TextDialect &m_dialect;
+    LineCursor m_lines;
     std::vector<double> m_row;
     PlainRowReader m_plain;
     TableColumns m_table;

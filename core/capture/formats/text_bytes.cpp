@@ -12,6 +12,9 @@
 namespace dyncal {
 namespace {
 
+constexpr std::uintmax_t kLargestFile = std::uintmax_t(8) << 30;
+constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
+
 void appendUtf8(std::string &text, std::uint32_t code)
 {
     const auto byte = [&](std::uint32_t value) { text += static_cast<char>(value); };
@@ -110,19 +113,34 @@ tl::unexpected<Error> cannotRead(const std::string &path)
 
 } // namespace
 
-Result<std::string> readTextFile(const std::string &path)
+Result<FileText> readTextFile(const std::string &path)
 {
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(path, error);
     std::ifstream file(path, std::ios::binary);
-    std::string text;
-    if (!error && file) {
-        text.resize(size);
-        file.read(text.data(), static_cast<std::streamsize>(size));
-    }
-    if (error || !file || static_cast<std::uintmax_t>(file.gcount()) != size)
+    if (error || !file)
         return cannotRead(path);
-    return textOfBytes(std::move(text));
+    if (size > kLargestFile)
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core",
+                 "%1 has %2 bytes, which is too large for a text; export a shorter part, or as "
+                 "HDF5 "
+                 "capture."),
+                {path, std::to_string(size)}},
+            "CAP-018");
+    FileText text(size);
+    file.read(text.data(), static_cast<std::streamsize>(size));
+    if (!file || static_cast<std::uintmax_t>(file.gcount()) != size)
+        return cannotRead(path);
+    const ByteOrder order = byteOrderOf(text.view());
+    if (order == ByteOrder::None) {
+        text.skip(text.view().starts_with(kUtf8Mark) ? kUtf8Mark.size() : 0);
+        return text;
+    }
+    const std::string converted = fromUtf16(text.view(), order == ByteOrder::BigEndian);
+    FileText utf8(converted.size());
+    converted.copy(utf8.data(), converted.size());
+    return utf8;
 }
 
 Result<TextHead> readTextHead(const std::string &path, std::size_t bytes)
@@ -149,8 +167,8 @@ std::string textOfBytes(std::string bytes)
     const ByteOrder order = byteOrderOf(bytes);
     if (order != ByteOrder::None)
         return fromUtf16(bytes, order == ByteOrder::BigEndian);
-    if (bytes.starts_with("\xEF\xBB\xBF"))
-        bytes.erase(0, 3);
+    if (bytes.starts_with(kUtf8Mark))
+        bytes.erase(0, kUtf8Mark.size());
     return bytes;
 }
 

@@ -5,14 +5,36 @@
 
 #include "core/base/result.h"
 
+#include <memory>
 #include <string>
 #include <string_view>
 
 namespace dyncal {
 
-/// The whole file as UTF-8 or single-byte text: a byte order mark is removed, UTF-16 is converted.
-/// Fails (CAP-018) if it cannot be read.
-Result<std::string> readTextFile(const std::string &path);
+/// The characters of a file. Unlike std::string it does not touch its memory before the file is
+/// read into it, and its characters stay where they are when it is moved.
+class FileText
+{
+public:
+    explicit FileText(std::size_t size)
+        : m_bytes(new char[size])
+        , m_text(m_bytes.get(), size)
+    {
+    }
+
+    char *data() { return m_bytes.get(); }
+    std::string_view view() const { return m_text; }
+    void skip(std::size_t bytes) { m_text.remove_prefix(bytes); }
+
+private:
+    std::unique_ptr<char[]> m_bytes;
+    std::string_view m_text;
+};
+
+/// The whole file as UTF-8 or single-byte text: a byte order mark is removed, UTF-16 (with mark, or
+/// beginning with two ASCII characters) is converted. Fails (CAP-018) if it cannot be read or has
+/// more than 8 GiB.
+Result<FileText> readTextFile(const std::string &path);
 
 /// The same for bytes that are there already.
 std::string textOfBytes(std::string bytes);

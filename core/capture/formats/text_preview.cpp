@@ -3,6 +3,7 @@
 
 #include "core/capture/text_preview.h"
 
+#include "core/capture/formats/lvm.h"
 #include "core/capture/formats/table_import.h"
 #include "core/capture/formats/text_dialect.h"
 #include "core/capture/formats/text_table.h"
@@ -96,6 +97,14 @@ Result<TextPreview> previewText(const std::string &path, const ImportSettings &s
     const Result<TextHead> head = readTextHead(path, kBytes);
     if (!head)
         return tl::unexpected(head.error());
+    if (recogniseLvm(path, head->text) > 0)
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core",
+                 "%1 is a LabVIEW measurement, which says itself how it is to be read; import it "
+                 "as "
+                 "lvm."),
+                {path}},
+            "CAP-001");
     const std::optional<TextDialect> dialect = dialectOf(head->text, settings);
     if (!dialect)
         return noRowsOfNumbers(path);

@@ -73,6 +73,13 @@ bool LineCursor::next(std::string_view &line)
     return true;
 }
 
+void LineCursor::take(const char *behind)
+{
+    m_rest.remove_prefix(static_cast<std::size_t>(behind - m_rest.data()));
+    m_terminated = true;
+    ++m_number;
+}
+
 CellCursor::CellCursor(std::string_view line, char separator)
     : m_rest(separator == kBlankSeparator ? trimmed(line) : line)
     , m_separator(separator)
@@ -172,12 +179,12 @@ CellKind readCell(std::string_view cell, char decimal, double &value)
     return readPlainNumber(buffer.data(), buffer.data() + cell.size(), value);
 }
 
-void SampleColumn::addValue(double value)
+void SampleColumn::addValueAt(Index row, double value)
 {
-    if (m_pendingEmpty > 0)
-        m_values.insert(m_values.end(), static_cast<std::size_t>(m_pendingEmpty),
-            std::numeric_limits<double>::quiet_NaN());
-    m_pendingEmpty = 0;
+    if (row > size()) {
+        m_values.resize(static_cast<std::size_t>(row), std::numeric_limits<double>::quiet_NaN());
+        m_hasGaps = true;
+    }
     m_values.push_back(value);
 }
 

@@ -33,6 +33,12 @@ public:
     /// The next line without its end; false at the end of the text.
     bool next(std::string_view &line);
 
+    /// What is behind the line just read.
+    std::string_view rest() const { return m_rest; }
+
+    /// Counts the next line as read by someone else, up to `behind` its end in rest().
+    void take(const char *behind);
+
     Index number() const { return m_number; } ///< of the line just read, from 1
     bool terminated() const { return m_terminated; } ///< whether that line had an end
 
@@ -79,22 +85,22 @@ enum class CellKind { Number, Empty, Unreadable };
 /// Reads a cell as a number with this decimal mark. "nan" is a number that is NaN.
 CellKind readCell(std::string_view cell, char decimal, double &value);
 
-/// Grows by one value per row; empty cells at the end are no samples, empty cells before a later
-/// value are invalid ones.
+/// Values of one channel, row by row. Rows without a value at the end are no samples, such before a
+/// later value are invalid ones.
 class SampleColumn
 {
 public:
-    void addValue(double value);
-    void addEmpty() { ++m_pendingEmpty; }
+    /// `row` counts from 0 and must be at least size().
+    void addValueAt(Index row, double value);
 
     Index size() const { return static_cast<Index>(m_values.size()); }
     const std::vector<double> &values() const { return m_values; }
+    bool hasGaps() const { return m_hasGaps; }
     std::vector<double> take() { return std::move(m_values); }
-    void reserve(std::size_t rows) { m_values.reserve(rows); }
 
 private:
     std::vector<double> m_values;
-    Index m_pendingEmpty = 0;
+    bool m_hasGaps = false;
 };
 
 /// "12,3x" in column 2 of line 17 is no number: CAP-018, naming all of it.

@@ -64,7 +64,6 @@ private slots:
         QTest::newRow("prose") << QByteArray("Dear reader,\nno samples here.\n")
                                << "text without rows of numbers";
         QTest::newRow("binary") << QByteArray("\x01\x02\x00\x03", 4) << "binary file of unknown";
-        QTest::newRow("tdms") << QByteArray("TDSm....") << "TDMS";
     }
     void readCapture_foreignFile_saysWhatItLooksLike()
     {

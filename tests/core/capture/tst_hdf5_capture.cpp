@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/capture/capture_seal.h"
 #include "core/capture/formats/hdf5_capture.h"
 #include "tests/core/capture/capture_test_support.h"
 
@@ -68,6 +69,14 @@ CaptureSet richSet()
     return set;
 }
 
+/// Read and its hashes held against those in the file, as before a calibration.
+Result<CaptureSet> readSealed(const std::string &path)
+{
+    return readHdf5Capture(path, {}, {}).and_then([](CaptureSet set) {
+        return sealCaptures(std::move(set));
+    });
+}
+
 } // namespace
 
 class TestHdf5Capture : public QObject
@@ -104,7 +113,7 @@ private slots:
     void write_everyField_readsBackEqual()
     {
         const CaptureSet set = richSet();
-        const Result<CaptureSet> read = readHdf5Capture(written("rich.h5", set), {}, {});
+        const Result<CaptureSet> read = readSealed(written("rich.h5", set));
         QVERIFY2(read, sentence(read).c_str());
         QVERIFY(read->findings.empty());
         QVERIFY(read->tube == set.tube);
@@ -144,7 +153,7 @@ private slots:
         written("again.h5", richSet());
         CaptureSet small;
         small.shots = {shotOf(std::vector<std::int16_t>{1, 2, 3})};
-        QCOMPARE(readHdf5Capture(written("again.h5", small), {}, {})->shots.size(), 1U);
+        QCOMPARE(readSealed(written("again.h5", small))->shots.size(), 1U);
         QVERIFY(!std::filesystem::exists(path("again.h5.part")));
     }
 
@@ -156,7 +165,7 @@ private slots:
         channel.polynomial = {0.25, 2.0};
         channel.polarity = -1.0;
         channel.userScale = 4.0;
-        const Result<CaptureSet> read = readHdf5Capture(written("folded.h5", set), {}, {});
+        const Result<CaptureSet> read = readSealed(written("folded.h5", set));
         QVERIFY2(read, sentence(read).c_str());
         const Channel &again = read->shots[0].channels[0];
         QVERIFY(physicalValues(again, 0, 3) == physicalValues(channel, 0, 3)); // powers of two
@@ -170,7 +179,7 @@ private slots:
             values[i] = static_cast<std::int16_t>(i * 7919);
         CaptureSet set;
         set.shots = {shotOf(values)};
-        const Result<CaptureSet> read = readHdf5Capture(written("long.h5", set), {}, {});
+        const Result<CaptureSet> read = readSealed(written("long.h5", set));
         QVERIFY2(read, sentence(read).c_str());
         QVERIFY(sameSamples(read->shots[0].channels[0].samples, set.shots[0].channels[0].samples));
     }
@@ -182,7 +191,7 @@ private slots:
         set.shots[0].channels.push_back(set.shots[0].channels[0]);
         set.shots[0].channels.push_back(set.shots[0].channels[0]);
         set.shots[0].channels[2].samples = RawSamples(std::vector<double>());
-        const Result<CaptureSet> read = readHdf5Capture(written("names.h5", set), {}, {});
+        const Result<CaptureSet> read = readSealed(written("names.h5", set));
         QVERIFY2(read, sentence(read).c_str());
         QCOMPARE(read->shots[0].channels.size(), 3U);
         QCOMPARE(read->shots[0].channels[1].name, std::string("DUT"));
@@ -245,10 +254,9 @@ private slots:
         const auto position = bytes.indexOf(QByteArray(64, 0x5A));
         QVERIFY(position > 0);
         bytes[position + 10] = 0x5B;
-        const Result<CaptureSet> read
-            = readHdf5Capture(write(m_folder.filePath("flipped2.h5"), bytes), {}, {});
-        QCOMPARE(findingId(read), std::string("CAP-015"));
-        QVERIFY(contains(sentence(read), "DUT of shot 001"));
+        const Result<CaptureSet> read = readSealed(write(m_folder.filePath("flipped2.h5"), bytes));
+        QCOMPARE(findingId(read), std::string("CAP-018"));
+        QVERIFY(contains(sentence(read), "shot 1, channel 'DUT'"));
     }
 
     void read_truncatedAnywhere_errorNeverCrash()
@@ -259,7 +267,7 @@ private slots:
         constexpr int kEvery = 64;
         for (int length = 0; length < bytes.size(); length += kEvery) {
             const std::string cut = write(m_folder.filePath("cut.h5"), bytes.left(length));
-            const Result<CaptureSet> read = readHdf5Capture(cut, {}, {});
+            const Result<CaptureSet> read = readSealed(cut);
             QVERIFY2(!read, qPrintable(QString("cut at %1 was read").arg(length)));
             QVERIFY(read.error().kind == ErrorKind::FileUnreadable);
         }
@@ -275,7 +283,7 @@ private slots:
             QByteArray flipped = bytes;
             flipped[at] = static_cast<char>(flipped[at] ^ 0x41);
             const Result<CaptureSet> read
-                = readHdf5Capture(write(m_folder.filePath("flip.h5"), flipped), {}, {});
+                = readSealed(write(m_folder.filePath("flip.h5"), flipped));
             if (read)
                 QVERIFY(sameSamples(
                     read->shots[0].channels[0].samples, set.shots[0].channels[0].samples));
@@ -284,14 +292,12 @@ private slots:
 
     void read_noCaptures_saysWhat()
     {
-        QCOMPARE(findingId(readHdf5Capture(path("missing.h5"), {}, {})), std::string("CAP-018"));
-        QCOMPARE(findingId(readHdf5Capture(write(m_folder.filePath("empty.h5"), ""), {}, {})),
+        QCOMPARE(findingId(readSealed(path("missing.h5"))), std::string("CAP-018"));
+        QCOMPARE(findingId(readSealed(write(m_folder.filePath("empty.h5"), ""))),
             std::string("CAP-018"));
-        QCOMPARE(findingId(
-                     readHdf5Capture(write(m_folder.filePath("pdf.h5"), "%PDF-1.4\n%..."), {}, {})),
+        QCOMPARE(findingId(readSealed(write(m_folder.filePath("pdf.h5"), "%PDF-1.4\n%..."))),
             std::string("CAP-018"));
-        QCOMPARE(findingId(readHdf5Capture(m_folder.path().toStdString(), {}, {})),
-            std::string("CAP-018"));
+        QCOMPARE(findingId(readSealed(m_folder.path().toStdString())), std::string("CAP-018"));
     }
 
     void read_otherWriters_data()
@@ -322,7 +328,7 @@ private slots:
         QFETCH(bool, exact);
         if (!makeWithPython("other.h5", body))
             QSKIP("no Python with h5py here: files of other writers not covered");
-        const Result<CaptureSet> read = readHdf5Capture(path("other.h5"), {}, {});
+        const Result<CaptureSet> read = readSealed(path("other.h5"));
         QVERIFY2(read, sentence(read).c_str());
         const Channel &channel = read->shots.at(0).channels.at(0);
         QCOMPARE(channel.samples.size(), Index(5000));
@@ -385,14 +391,14 @@ private slots:
         QTest::newRow("external file")
             << "c.create_dataset('a', shape=(100,), dtype='i2', external=[('/etc/passwd', 0, 200)])"
             << "CAP-018"
-            << "claims more";
+            << "lie in other files";
         QTest::newRow("external link") << "c['a'] = h5py.ExternalLink('/tmp/x.h5', '/a')"
                                        << "CAP-018"
                                        << "channels of its own";
         QTest::newRow("wrong hash")
             << "d = c.create_dataset('a', data=x)\nd.attrs['raw_sha256'] = '0' * 64"
-            << "CAP-015"
-            << "a of shot 001";
+            << "CAP-018"
+            << "SHA-256";
         QTest::newRow("scale nan") << "d = c.create_dataset('a', data=x)\nd.attrs['scale'] = np.nan"
                                    << "CAP-018"
                                    << "not a number";
@@ -405,7 +411,7 @@ private slots:
         QFETCH(QString, words);
         if (!makeWithPython("unusable.h5", body))
             QSKIP("no Python with h5py here: unusable files of other writers not covered");
-        const Result<CaptureSet> read = readHdf5Capture(path("unusable.h5"), {}, {});
+        const Result<CaptureSet> read = readSealed(path("unusable.h5"));
         QVERIFY(!read);
         QVERIFY(read.error().kind == ErrorKind::FileUnreadable);
         QCOMPARE(findingId(read), id.toStdString());
@@ -418,7 +424,7 @@ private slots:
                 "f.attrs['format_version'] = np.array([1, 7], dtype='i4')\n"
                 "c.create_dataset('a', data=x)"))
             QSKIP("no Python with h5py here: newer layout not covered");
-        const Result<CaptureSet> read = readHdf5Capture(path("minor.h5"), {}, {});
+        const Result<CaptureSet> read = readSealed(path("minor.h5"));
         QVERIFY(read && hasFinding(read->findings, "CAP-021"));
     }
 
@@ -428,7 +434,7 @@ private slots:
         if (folder.isEmpty())
             QSKIP("data folder missing: 0 captures of other writers covered");
         const QString file = folder + "/derived/ds1_capture_v1_shots123.h5";
-        const Result<CaptureSet> read = readHdf5Capture(file.toStdString(), {}, {});
+        const Result<CaptureSet> read = readSealed(file.toStdString());
         QVERIFY2(read, sentence(read).c_str());
         const QJsonObject expected
             = QJsonDocument::fromJson(bytesOf(folder + "/derived/expected_shots123.json")).object();
@@ -452,8 +458,7 @@ private slots:
         if (files.isEmpty())
             QSKIP("data folder missing: 0 files that crash libhdf5 covered");
         for (const QString &file : files) {
-            const Result<CaptureSet> read
-                = readHdf5Capture((folder + "/" + file).toStdString(), {}, {});
+            const Result<CaptureSet> read = readSealed((folder + "/" + file).toStdString());
             QVERIFY(!read && read.error().kind == ErrorKind::FileUnreadable);
         }
     }

@@ -287,7 +287,7 @@ void TestScopeBin::unreadable_isRefusedBySentence_data()
     QTest::newRow("channels") << file("AG10", std::vector<Waveform>(65)) << "CAP-018"
                               << "number of waveforms";
     QTest::newRow("nothing") << file("AG10", {}) << "CAP-001"
-                             << "no sampled signal";
+                             << "nothing that is a sampled signal";
     QTest::newRow("cut") << file("AG10", {Waveform{}}).chopped(5) << "CAP-018"
                          << "after 2 of the 4 samples of channel 1";
     QTest::newRow("tag only") << QByteArray("AG10") << "CAP-018"

@@ -84,6 +84,12 @@ private slots:
     void inputs_notFinite_neverYieldStates();
     void driver_unreachable_blocked();
     void driver_helium_needsLessPressure();
+    void pressureRatio_turnedRound_givesMachBack();
+    void driverPressure_turnedRound_givesVelocityBack_data();
+    void driverPressure_turnedRound_givesVelocityBack();
+    void driverPressure_notAboveP1_blocked();
+    void region3_thesisShot_isTheExpandedDriver();
+    void reflectedRatio_bothWays_agree();
 };
 
 void TestShockRelations::thesisTable_velocity51282_everyPrintedDigit()
@@ -407,6 +413,84 @@ void TestShockRelations::driver_helium_needsLessPressure()
     QVERIFY(withHelium.has_value());
     QVERIFY(*withHelium < *withAir);
     QVERIFY(*withHelium > s.shocked.pressure_Pa);
+}
+
+void TestShockRelations::pressureRatio_turnedRound_givesMachBack()
+{
+    for (const double mach : {1.0001, 1.2, 1.49, 3.0, 9.0}) {
+        const ShockStates s = statesAtMach(kThesisAir, mach);
+        const auto found
+            = machOfPressureRatio(kThesisAir, s.shocked.pressure_Pa / s.driven.pressure_Pa);
+        QVERIFY(relativeError(found.value(), mach) < 1e-12);
+    }
+    for (const double ratio : {1.0, 0.5, -1.0, std::nan("")}) {
+        const auto failed = machOfPressureRatio(kThesisAir, ratio);
+        QVERIFY(!failed);
+        QCOMPARE(failed.error().findingId, std::string("SHK-001"));
+    }
+}
+
+void TestShockRelations::driverPressure_turnedRound_givesVelocityBack_data()
+{
+    QTest::addColumn<double>("gamma4");
+    QTest::addColumn<double>("molarMass4");
+    QTest::addRow("air") << 1.402 << 0.028966;
+    QTest::addRow("helium") << 5.0 / 3.0 << 0.0040026;
+    QTest::addRow("argon") << 5.0 / 3.0 << 0.039948;
+}
+
+void TestShockRelations::driverPressure_turnedRound_givesVelocityBack()
+{
+    QFETCH(double, gamma4);
+    QFETCH(double, molarMass4);
+    const Gas driver{gamma4, molarMass4};
+    for (const double velocity_m_s : {350.0, 430.0, 512.82, 900.0}) {
+        const ShockStates s = thesisStates(velocity_m_s);
+        const auto p4_Pa = driverPressure_Pa(s, kThesisAir, driver, kThesisT4_K);
+        QVERIFY(p4_Pa.has_value());
+        const auto found = velocityOfDriverPressure_m_s(
+            kThesisAir, kThesisP1_Pa, kThesisT1_K, driver, *p4_Pa, kThesisT4_K);
+        QVERIFY(relativeError(found.value(), velocity_m_s) < 1e-12);
+    }
+}
+
+void TestShockRelations::driverPressure_notAboveP1_blocked()
+{
+    const auto failed = velocityOfDriverPressure_m_s(
+        kThesisAir, kThesisP1_Pa, kThesisT1_K, kThesisAir, 0.9e5, kThesisT4_K);
+    QVERIFY(!failed);
+    QVERIFY(english(failed.error().message).find("gauge") != std::string::npos);
+    const auto celsius = velocityOfDriverPressure_m_s(
+        kThesisAir, kThesisP1_Pa, kThesisT1_K, kThesisAir, 6e5, 22.2);
+    QVERIFY(!celsius);
+    QCOMPARE(celsius.error().findingId, std::string("SHK-004"));
+    // Any pressure above p1 makes a shock; a huge one only approaches the largest Mach number.
+    const auto huge = velocityOfDriverPressure_m_s(
+        kThesisAir, kThesisP1_Pa, kThesisT1_K, kThesisAir, 1e30, kThesisT4_K);
+    QVERIFY(huge.value() / soundSpeed_m_s(kThesisAir, kThesisT1_K) < 6.5);
+}
+
+void TestShockRelations::region3_thesisShot_isTheExpandedDriver()
+{
+    const ShockStates s = thesisStates(512.8);
+    const double p4_Pa = driverPressure_Pa(s, kThesisAir, kThesisAir, kThesisT4_K).value();
+    const GasState three = expandedDriver(s, kThesisAir, p4_Pa, kThesisT4_K);
+    QCOMPARE(three.pressure_Pa, s.shocked.pressure_Pa);
+    QCOMPARE(three.velocity_m_s, s.shocked.velocity_m_s);
+    // Riemann invariant of the expansion: a4 = a3 + (gamma - 1)/2 u3.
+    const double a4_m_s = soundSpeed_m_s(kThesisAir, kThesisT4_K);
+    QVERIFY(relativeError(three.soundSpeed_m_s + 0.201 * three.velocity_m_s, a4_m_s) < 1e-12);
+}
+
+void TestShockRelations::reflectedRatio_bothWays_agree()
+{
+    for (double mach = 1.001; mach < 12.0; mach *= 1.1) {
+        const ShockStates s = statesAtMach(kThesisAir, mach);
+        QVERIFY(relativeError(reflectedMachOf(kThesisAir, mach), s.reflectedMach) < 1e-11);
+        QVERIFY(relativeError(reflectedRatioOf(kThesisAir, mach),
+                    s.reflected.pressure_Pa / s.shocked.pressure_Pa)
+            < 1e-11);
+    }
 }
 
 QTEST_APPLESS_MAIN(TestShockRelations)

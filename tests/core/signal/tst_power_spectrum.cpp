@@ -96,7 +96,6 @@ private slots:
     void shots_spread_isAFinding();
     void operatorList_isMatchedToMaxima();
     void searchOff_findsNothingAndSaysNothing();
-    void thinned_keepsMaximaOnCommonCells();
     void analyse_stopAndErrors();
     void analyse_threeLongShots_isFast();
     void measured_impact_showsItsPlateMode();
@@ -446,29 +445,6 @@ void TestPowerSpectrum::searchOff_findsNothingAndSaysNothing()
     QVERIFY(result->resonances.empty());
     QVERIFY(result->findings.empty());
     QCOMPARE(result->perShot.size(), std::size_t(1));
-}
-
-void TestPowerSpectrum::thinned_keepsMaximaOnCommonCells()
-{
-    const auto one = *computePowerSpectrum(Gaussian(1).vector(150'000, 1.0), 1e8, {});
-    const auto two = *computePowerSpectrum(Gaussian(2).vector(150'000, 1.0), 1e8, {});
-    const PowerSpectrum thin = thinned(one, 4096);
-    QVERIFY(thin.psd.size() <= 4096 && thin.psd.size() > 3500);
-    QVERIFY(thin.frequency_Hz == thinned(two, 4096).frequency_Hz); // whatever the data
-    QCOMPARE(thin.frequency_Hz[0], one.frequency_Hz[1]);
-    QCOMPARE(thin.psd[0], one.psd[1]);
-    QCOMPARE(thin.psd.maxCoeff(), one.psd.tail(one.psd.size() - 1).maxCoeff());
-    for (Index i = 1; i < thin.psd.size(); ++i)
-        QVERIFY(thin.frequency_Hz[i] > thin.frequency_Hz[i - 1]);
-
-    const auto small = *computePowerSpectrum(Gaussian(3).vector(100, 1.0), 1.0, {});
-    const PowerSpectrum all = thinned(small, 4096);
-    QVERIFY(all.psd == small.psd.tail(50));
-    QVERIFY((all.frequency_Hz - small.frequency_Hz.tail(50)).cwiseAbs().maxCoeff() < 1e-15);
-    QCOMPARE(thinned(small, 1).psd.size(), Index(1));
-    QCOMPARE(thinned(small, 0).psd.size(), Index(0));
-    for (const Index count : {2, 3, 7, 20, 49})
-        QVERIFY(thinned(small, count).psd.size() <= count);
 }
 
 void TestPowerSpectrum::analyse_stopAndErrors()

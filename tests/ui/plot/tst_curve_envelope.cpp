@@ -13,6 +13,7 @@
 using dyncal::CurveEnvelope;
 using dyncal::DrawnPoints;
 using dyncal::Index;
+using dyncal::SampleExtremes;
 
 namespace {
 
@@ -40,9 +41,9 @@ Series noise(Index count, std::mt19937 &random, double gapShare)
     return series;
 }
 
-CurveEnvelope::Extremes bruteForce(const Series &series, Index begin, Index end)
+SampleExtremes bruteForce(const Series &series, Index begin, Index end)
 {
-    CurveEnvelope::Extremes found;
+    SampleExtremes found;
     for (Index i = begin; i < end; ++i) {
         const double y = series.y[static_cast<std::size_t>(i)];
         if (std::isnan(y))

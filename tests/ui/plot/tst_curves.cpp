@@ -109,7 +109,7 @@ void TestCurves::raw_longRecord_keepsSpikeInFewPoints()
     const PlotContent content
         = rawCurves(captureOf(dyncal::RawSamples(std::move(counts)), {0.0, 1.0}), ChannelRole::Dut);
     const PlotCurve &curve = content.curves[0];
-    QVERIFY(curve.x.size() <= 2 * static_cast<std::size_t>(dyncal::kRawBuckets));
+    QVERIFY(curve.x.size() <= 2 * static_cast<std::size_t>(dyncal::kRawColumns));
     QCOMPARE(largest(curve), 9999.0);
     QCOMPARE(smallest(curve), -300.0);
     QVERIFY(std::is_sorted(curve.x.begin(), curve.x.end()));

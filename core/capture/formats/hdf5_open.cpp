@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/capture/formats/hdf5_open.h"
+
+#include "core/capture/formats/guarded_run.h"
+#include "core/capture/formats/hdf5_describe.h"
+#include "core/capture/formats/hdf5_helper.h"
+
+#include <sys/stat.h>
+
+#include <mutex>
+
+namespace dyncal {
+namespace {
+
+constexpr std::string_view kSignature("\x89HDF\r\n\x1a\n", 8);
+
+/// Honest descriptions take milliseconds and some MiB.
+constexpr GuardedLimits kDescribeLimits{256U << 20, std::chrono::seconds(2)};
+constexpr std::size_t kMaxDescriptionBytes = 64U << 20;
+
+tl::unexpected<Error> notHdf5(const std::string &path)
+{
+    return fail(ErrorKind::FileUnreadable,
+        {DYNCAL_TEXT("core",
+             "%1 cannot be opened as HDF5: it is incomplete, damaged or in use by another program; "
+             "copy it again or close the other program."),
+            {path}},
+        "CAP-018");
+}
+
+/// What tells one file from another that took its place.
+struct FileIdentity
+{
+    dev_t device = 0;
+    ino_t node = 0;
+    off_t bytes = 0;
+
+    bool operator==(const FileIdentity &) const = default;
+};
+
+FileIdentity identityOf(const std::string &path)
+{
+    struct stat status
+    {
+    };
+    if (::stat(path.c_str(), &status) != 0)
+        return {};
+    return {status.st_dev, status.st_ino, status.st_size};
+}
+
+/// No tree if the file cannot be opened.
+Result<std::optional<Hdf5Tree>> describeAside(
+    const std::string &path, Hdf5Depth depth, const JobControl &control)
+{
+    std::vector<std::byte> received;
+    const auto describe = [&](GuardedOutput &output) {
+        if (const std::optional<Hdf5Tree> tree = describeHdf5(path, depth))
+            output.write(packed(*tree));
+    };
+    const auto receive = [&](std::span<const std::byte> bytes) {
+        received.insert(received.end(), bytes.begin(), bytes.end());
+        return received.size() <= kMaxDescriptionBytes;
+    };
+    const Result<void> done = runHdf5Helper(path, describe, receive, kDescribeLimits, control);
+    if (!done)
+        return tl::unexpected(done.error());
+    return unpackedTree(received);
+}
+
+} // namespace
+
+Result<void> runHdf5Helper(const std::string &path,
+    const std::function<void(GuardedOutput &)> &work,
+    const std::function<bool(std::span<const std::byte>)> &receive, const GuardedLimits &limits,
+    const JobControl &control)
+{
+    const std::scoped_lock lock(hdf5Mutex());
+    silenceHdf5();
+    switch (runGuarded(work, receive, limits, control.stop)) {
+    case GuardedOutcome::Finished:
+        return {};
+    case GuardedOutcome::Stopped:
+        return fail(
+            ErrorKind::Cancelled, {DYNCAL_TEXT("core", "Reading %1 was cancelled."), {path}});
+    case GuardedOutcome::NotStarted:
+        return fail(ErrorKind::Internal,
+            {DYNCAL_TEXT("core",
+                 "%1 was not read because the system could not start a helper process; close other "
+                 "programs."),
+                {path}});
+    case GuardedOutcome::Died:
+        break;
+    }
+    return fail(ErrorKind::FileUnreadable,
+        {DYNCAL_TEXT("core",
+             "%1 is damaged so badly that the HDF5 library fails on it; take another copy."),
+            {path}},
+        "CAP-018");
+}
+
+Result<Hdf5File> openHdf5(const std::string &path, const JobControl &control)
+{
+    const FileIdentity before = identityOf(path);
+    const auto file = SampleFile::open(path);
+    if (!file)
+        return notHdf5(path);
+    Result<std::optional<Hdf5Tree>> tree = describeAside(path, Hdf5Depth::Everything, control);
+    if (!tree)
+        return tl::unexpected(tree.error());
+    if (!*tree || !(identityOf(path) == before) || !(*file)->unchanged())
+        return notHdf5(path);
+    return Hdf5File{path, *file, std::move(**tree)};
+}
+
+Hdf5Attributes hdf5RootAttributes(const std::string &path)
+{
+    const auto tree = describeAside(path, Hdf5Depth::RootAttributes, {});
+    return tree && *tree ? (*tree)->objects.front().attributes : Hdf5Attributes();
+}
+
+bool hasHdf5Signature(std::string_view head)
+{
+    for (std::size_t offset = 0; offset < head.size(); offset = offset == 0 ? 512 : 2 * offset) {
+        if (head.substr(offset).starts_with(kSignature))
+            return true;
+    }
+    return false;
+}
+
+} // namespace dyncal

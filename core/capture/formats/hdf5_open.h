@@ -1,0 +1,49 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/capture/file_samples.h"
+#include "core/capture/formats/hdf5_places.h"
+#include "core/capture/formats/hdf5_tree.h"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace dyncal {
+
+/// An HDF5 file as a helper process described it. libhdf5 crashes, hangs and bloats on some damaged
+/// files, so this process never lets it near a file that it did not write itself.
+struct Hdf5File
+{
+    std::string path;
+    std::shared_ptr<const SampleFile> file;
+    Hdf5Tree tree;
+
+    const Hdf5Object &root() const { return tree.objects.front(); }
+};
+
+/// Describes the file; no samples are read. Fails with CAP-018.
+Result<Hdf5File> openHdf5(const std::string &path, const JobControl &control);
+
+/// Attributes of the root alone; empty if they cannot be read.
+Hdf5Attributes hdf5RootAttributes(const std::string &path);
+
+/// Whether the file begins as HDF5; the signature may lie behind a user block (MATLAB 7.3).
+bool hasHdf5Signature(std::string_view head);
+
+/// The samples of each wish, column by column (one of a 1-D dataset or a single value). What lies
+/// in the file as it is stays there; the rest is unpacked into memory by a helper process. What
+/// the description claims is not believed. Errors name dataset and file (CAP-018).
+Result<std::vector<std::vector<RawSamples>>> hdf5Columns(
+    const Hdf5File &file, const std::vector<Hdf5Wish> &wishes, const JobControl &control);
+
+/// The sentence for a dataset that cannot be samples (CAP-018).
+tl::unexpected<Error> hdf5ObstacleError(
+    const std::string &path, const std::string &name, const Hdf5Dataset &dataset);
+
+} // namespace dyncal

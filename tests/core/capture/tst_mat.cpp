@@ -1,0 +1,714 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/capture/formats/mat.h"
+
+#include "tests/core/capture/binary_test_support.h"
+
+namespace dyncal {
+
+using namespace testing;
+
+namespace {
+
+/// Class codes and number codes of version 5.
+constexpr int kStruct = 2, kChar = 4, kSparse = 5, kDouble = 6, kSingle = 7, kInt16 = 10;
+constexpr int kComplexFlag = 0x0800, kLogicalFlag = 0x0200;
+constexpr std::uint32_t kMiInt8 = 1, kMiUInt8 = 2, kMiInt16 = 3, kMiUInt16 = 4, kMiInt32 = 5,
+                        kMiUInt32 = 6, kMiSingle = 7, kMiDouble = 9, kMiInt64 = 12;
+
+/// Writes level 5 files, one variable after the other.
+class Mat5
+{
+public:
+    explicit Mat5(std::endian order = std::endian::little)
+        : m_order(order)
+        , m_file(order)
+    {
+        m_file.text(QByteArray("MATLAB 5.0 MAT-file, made by a test").leftJustified(116, ' '));
+        m_file.zeros(8).put<std::uint16_t>(0x0100).put<std::uint16_t>(0x4D49); // "MI" turned
+    }
+
+    template <typename T>
+    Mat5 &add(const QByteArray &name, std::uint32_t number, const std::vector<T> &values,
+        std::vector<std::int32_t> sizes = {}, int flags = kDouble, bool compress = false)
+    {
+        if (sizes.empty())
+            sizes = {static_cast<std::int32_t>(values.size()), 1};
+        ByteWriter content(m_order);
+        content.put<std::uint32_t>(kMiUInt32).put<std::uint32_t>(8);
+        content.put(static_cast<std::uint32_t>(flags)).put<std::uint32_t>(0);
+        putElement(content, kMiInt32, ByteWriter(m_order).putAll(sizes).bytes());
+        putElement(content, kMiInt8, name);
+        putElement(content, number, ByteWriter(m_order).putAll(values).bytes());
+        return addMatrix(content.bytes(), compress);
+    }
+
+    Mat5 &addMatrix(const QByteArray &content, bool compress)
+    {
+        ByteWriter matrix(m_order);
+        matrix.put<std::uint32_t>(14).put(static_cast<std::uint32_t>(content.size())).raw(content);
+        if (!compress) {
+            m_file.raw(matrix.bytes());
+            return *this;
+        }
+        const QByteArray stream = qCompress(matrix.bytes()).mid(4); // Qt puts a length before
+        m_file.put<std::uint32_t>(15).put(static_cast<std::uint32_t>(stream.size())).raw(stream);
+        return *this;
+    }
+
+    const QByteArray &bytes() const { return m_file.bytes(); }
+
+private:
+    void putElement(ByteWriter &out, std::uint32_t type, const QByteArray &raw) const
+    {
+        const auto size = static_cast<std::uint32_t>(raw.size());
+        if (size > 0 && size <= 4) {
+            out.put(size << 16 | type).raw(raw).zeros(4 - raw.size());
+            return;
+        }
+        out.put(type).put(size).raw(raw).zeros((8 - raw.size() % 8) % 8);
+    }
+
+    std::endian m_order;
+    ByteWriter m_file;
+};
+
+/// One matrix of a level 4 file.
+template <typename T>
+QByteArray mat4(const QByteArray &name, int code, const std::vector<T> &values, std::int32_t rows,
+    std::endian order = std::endian::little, bool complex = false)
+{
+    ByteWriter out(order);
+    const auto columns = static_cast<std::int32_t>(values.size()) / rows;
+    out.put(static_cast<std::int32_t>(code + (order == std::endian::big ? 1000 : 0)));
+    out.put(rows).put(columns).put<std::int32_t>(complex);
+    out.put(static_cast<std::int32_t>(name.size() + 1)).raw(name).zeros(1).putAll(values);
+    return complex ? out.putAll(values).bytes() : out.bytes();
+}
+
+std::vector<double> signal(std::size_t count = 20)
+{
+    std::vector<double> values;
+    for (std::size_t k = 0; k < count; ++k)
+        values.push_back(
+            std::sin(0.7 * static_cast<double>(k)) + 1e-3 * static_cast<double>(k * k));
+    return values;
+}
+
+std::vector<double> axis(double first, double step, std::size_t count = 20)
+{
+    std::vector<double> values;
+    for (std::size_t k = 0; k < count; ++k)
+        values.push_back(first + step * static_cast<double>(k));
+    return values;
+}
+
+std::vector<double> joined(std::vector<double> a, const std::vector<double> &b)
+{
+    a.insert(a.end(), b.begin(), b.end());
+    return a;
+}
+
+/// Rates by uniform axes: rounding of the times.
+constexpr double kRateTolerance = 1e-9;
+
+bool near(double a, double b)
+{
+    return std::abs(a - b) <= kRateTolerance * std::abs(b);
+}
+
+} // namespace
+
+/// MATLAB files of the levels 4 and 5: exact numbers, and no rate that is not certain.
+class TestMat : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void numbers_ofEveryType_areExact_data();
+    void numbers_ofEveryType_areExact();
+    void matrix_columnsAreChannels_orRowsIfWide();
+    void smallElement_isRead();
+    void longIntegers_thatDoubleCannotHold_areRefused();
+    void level4_everyNumberAndOrder_isExact();
+    void notSignals_areLeftOut();
+    void rate_byScalar();
+    void rate_byTimeVector();
+    void rate_byUnnamedColumn_isAQuestion();
+    void rate_contradictions_areNoRate();
+    void rate_irregularTimes_areNoRate();
+    void temperature_isNoTime();
+    void unreadable_isRefusedBySentence_data();
+    void unreadable_isRefusedBySentence();
+    void bombs_areRefusedAtOnce();
+    void truncated_anywhere_isRefused();
+    void mutants_neverCrash();
+    void scipy_writesWhatIsRead();
+    void corpus_isReadOrRefused();
+    void dropTower_timesInMilliseconds_areAQuestion();
+    void derived_shotsAreThoseOfTheMatrix();
+
+private:
+    Result<CaptureSet> readBytes(const QByteArray &bytes, const ImportSettings &settings = {})
+    {
+        const QString path = m_folder.filePath(QString("f%1.mat").arg(++m_files));
+        return readCapture(write(path, bytes), settings);
+    }
+
+    QTemporaryDir m_folder;
+    int m_files = 0;
+};
+
+void TestMat::numbers_ofEveryType_areExact_data()
+{
+    QTest::addColumn<bool>("big");
+    QTest::addColumn<bool>("compressed");
+    for (const bool big : {false, true}) {
+        for (const bool compressed : {false, true})
+            QTest::addRow("%d %d", big, compressed) << big << compressed;
+    }
+}
+
+void TestMat::numbers_ofEveryType_areExact()
+{
+    QFETCH(bool, big);
+    QFETCH(bool, compressed);
+    Mat5 file(big ? std::endian::big : std::endian::little);
+    const std::vector<int> whole{0, 1, 100, 127, 3, 2, 1, 99, 5, 7};
+    const auto add = [&]<typename T>(const char *name, std::uint32_t number, T) {
+        std::vector<T> values(whole.begin(), whole.end());
+        values[0] = std::numeric_limits<T>::lowest();
+        values[1] = std::numeric_limits<T>::max();
+        if (sizeof(T) == 8 && std::is_integral_v<T>) // the largest that a double holds
+            values[0] = values[1] = static_cast<T>(9007199254740992);
+        file.add(name, number, values, {}, kDouble, compressed);
+        return values;
+    };
+    const auto i8 = add("i8", kMiInt8, std::int8_t());
+    const auto u8 = add("u8", kMiUInt8, std::uint8_t());
+    const auto i16 = add("i16", kMiInt16, std::int16_t());
+    const auto u16 = add("u16", kMiUInt16, std::uint16_t());
+    const auto i32 = add("i32", kMiInt32, std::int32_t());
+    const auto u32 = add("u32", kMiUInt32, std::uint32_t());
+    const auto f32 = add("f32", kMiSingle, float());
+    const auto f64 = add("f64", kMiDouble, double());
+    const auto i64 = add("i64", kMiInt64, std::int64_t());
+    const auto set = readBytes(file.bytes());
+    QVERIFY2(set.has_value(), sentence(set).c_str());
+    QCOMPARE(set->inputs[0].format, std::string("mat"));
+    QVERIFY(set->findings.empty());
+    const auto check = [&](const char *name, SampleType type, const auto &values) {
+        const Channel *channel = channelNamed(set->shots[0], name);
+        QVERIFY2(channel != nullptr, name);
+        QCOMPARE(channel->samples.type(), type);
+        QCOMPARE(channel->samples.size(), std::ssize(values));
+        for (Index k = 0; k < std::ssize(values); ++k)
+            QCOMPARE(channel->samples.at(k), double(values[static_cast<std::size_t>(k)]));
+        QCOMPARE(channel->sampleRate_Hz, 0.0);
+        QCOMPARE(channel->unit, std::string("1"));
+    };
+    check("i8", SampleType::Int8, i8);
+    check("u8", SampleType::UInt8, u8);
+    check("i16", SampleType::Int16, i16);
+    check("u16", SampleType::UInt16, u16);
+    check("i32", SampleType::Int32, i32);
+    check("u32", SampleType::Float64, u32);
+    check("f32", SampleType::Float32, f32);
+    check("f64", SampleType::Float64, f64);
+    check("i64", SampleType::Float64, i64);
+    QCOMPARE(channelNamed(set->shots[0], "f64")->samples.isInMemory(), compressed);
+}
+
+void TestMat::matrix_columnsAreChannels_orRowsIfWide()
+{
+    std::vector<double> values;
+    for (int k = 0; k < 36; ++k)
+        values.push_back(k * k % 17);
+    for (const bool compressed : {false, true}) {
+        const QByteArray file = Mat5()
+                                    .add("tall", kMiDouble, values, {12, 3}, kDouble, compressed)
+                                    .add("wide", kMiDouble, values, {3, 12}, kDouble, compressed)
+                                    .bytes();
+        const auto set = readBytes(file);
+        QVERIFY2(set.has_value(), sentence(set).c_str());
+        QCOMPARE(set->shots[0].channels.size(), std::size_t(6));
+        for (std::size_t c = 0; c < 3; ++c) {
+            const Channel *tall = channelNamed(set->shots[0], "tall " + std::to_string(c + 1));
+            const Channel *wide = channelNamed(set->shots[0], "wide " + std::to_string(c + 1));
+            QVERIFY(tall != nullptr && wide != nullptr);
+            for (std::size_t k = 0; k < 12; ++k) {
+                QCOMPARE(tall->samples.at(static_cast<Index>(k)), values[12 * c + k]);
+                QCOMPARE(wide->samples.at(static_cast<Index>(k)), values[3 * k + c]);
+            }
+        }
+    }
+}
+
+void TestMat::smallElement_isRead()
+{
+    const auto set = readBytes(Mat5().add<std::int8_t>("y", kMiInt8, {1, -2, 3}).bytes());
+    QVERIFY2(set.has_value(), sentence(set).c_str());
+    QCOMPARE(set->shots[0].channels[0].samples.at(1), -2.0);
+}
+
+void TestMat::longIntegers_thatDoubleCannotHold_areRefused()
+{
+    const auto set
+        = readBytes(Mat5().add<std::int64_t>("y", kMiInt64, {1, (1LL << 53) + 2, 3}).bytes());
+    QCOMPARE(findingId(set), std::string("CAP-001"));
+    QVERIFY(contains(sentence(set), "64-bit"));
+}
+
+void TestMat::level4_everyNumberAndOrder_isExact()
+{
+    for (const std::endian order : {std::endian::little, std::endian::big}) {
+        const QByteArray file = mat4<double>("d", 0, {1.5, -2.0, 1e300, 4.0}, 4, order)
+            + mat4<float>("f", 10, {1.5F, -2.0F}, 1, order)
+            + mat4<std::int32_t>("i", 20, {1, -7}, 2, order)
+            + mat4<std::int16_t>("s", 30, {1, -8}, 2, order)
+            + mat4<std::uint16_t>("w", 40, {1, 65535}, 2, order)
+            + mat4<std::uint8_t>("b", 50, {1, 255}, 2, order)
+            + mat4<double>("word", 1, {72, 105}, 1, order)
+            + mat4<double>("sparse", 2, {1, 1, 1, 2, 2, 1}, 2, order)
+            + mat4<double>("z", 0, {1, 2}, 2, order, true) + mat4<double>("fs", 0, {5e6}, 1, order);
+        const auto set = readBytes(file);
+        QVERIFY2(set.has_value(), sentence(set).c_str());
+        QCOMPARE(set->shots[0].channels.size(), std::size_t(6));
+        const auto last = [&](const char *name) {
+            const Channel *channel = channelNamed(set->shots[0], name);
+            return channel->samples.at(channel->samples.size() - 1);
+        };
+        QCOMPARE(channelNamed(set->shots[0], "d")->samples.at(2), 1e300);
+        QCOMPARE(last("f"), -2.0);
+        QCOMPARE(last("i"), -7.0);
+        QCOMPARE(last("s"), -8.0);
+        QCOMPARE(last("w"), 65535.0);
+        QCOMPARE(last("b"), 255.0);
+        QCOMPARE(set->shots[0].channels[0].sampleRate_Hz, 5e6);
+        QCOMPARE(set->findings.size(), std::size_t(1));
+        QVERIFY(contains(english(set->findings[0].message), "word, sparse, z"));
+    }
+}
+
+void TestMat::notSignals_areLeftOut()
+{
+    Mat5 file;
+    file.add("y", kMiDouble, signal());
+    file.add("z", kMiDouble, signal(4), {}, kDouble | kComplexFlag);
+    file.add<std::uint8_t>("on", kMiUInt8, std::vector<std::uint8_t>(20, 1), {}, 9 | kLogicalFlag);
+    file.add<std::uint16_t>("name", kMiUInt16, {65, 66, 67}, {1, 3}, kChar);
+    file.add("meta", kMiDouble, signal(3), {1, 1}, kStruct);
+    file.add("sp", kMiDouble, signal(3), {3, 3}, kSparse);
+    file.add("cube", kMiDouble, signal(24), {4, 3, 2});
+    file.add("gains", kMiDouble, signal(3));
+    file.add("image", kMiDouble, std::vector<double>(257 * 300), {300, 257});
+    file.add<double>("none", kMiDouble, {}, {0, 0});
+    const auto set = readBytes(file.bytes());
+    QVERIFY2(set.has_value(), sentence(set).c_str());
+    QCOMPARE(set->shots[0].channels.size(), std::size_t(1));
+    QCOMPARE(set->findings.size(), std::size_t(1));
+    QCOMPARE(set->findings[0].id, std::string("CAP-026"));
+    const std::string text = english(set->findings[0].message);
+    for (const char *word : {"complex", "logical", "text", "struct", "sparse matrix",
+             "3 dimensions", "few values", "256 columns"})
+        QVERIFY2(contains(text, word), text.c_str());
+    QVERIFY2(!contains(text, "none"), text.c_str());
+}
+
+void TestMat::rate_byScalar()
+{
+    for (const char *name : {"fs", "Fs", "FS", "sample_rate", "SampleRate"}) {
+        const auto set = readBytes(Mat5()
+                                       .add("y", kMiDouble, signal())
+                                       .add<double>(name, kMiDouble, {2.5e6})
+                                       .add<double>("t0", kMiDouble, {-1e-3})
+                                       .bytes());
+        QVERIFY2(set.has_value(), sentence(set).c_str());
+        QCOMPARE(set->shots[0].channels[0].sampleRate_Hz, 2.5e6);
+        QCOMPARE(set->shots[0].channels[0].t0_s, -1e-3);
+        QVERIFY(set->findings.empty());
+    }
+    for (const char *name : {"dt", "Ts", "ts", "Tinterval"}) {
+        const auto set = readBytes(
+            Mat5().add("y", kMiDouble, signal()).add<double>(name, kMiDouble, {4e-7}).bytes());
+        QVERIFY(set && near(set->shots[0].channels[0].sampleRate_Hz, 2.5e6));
+    }
+}
+
+void TestMat::rate_byTimeVector()
+{
+    struct Row
+    {
+        const char *name;
+        double step, rate_Hz, first_s;
+        bool convention;
+    };
+    for (const Row &row : {Row{"t", 1e-6, 1e6, -3e-6, true}, Row{"Time", 1e-6, 1e6, -3e-6, true},
+             Row{"t_ms", 0.001, 1e6, -3e-6, false}, Row{"time_us", 0.5, 2e6, -1.5e-6, false},
+             Row{"time_s", 2e-8, 5e7, -6e-8, false}}) {
+        const auto set = readBytes(Mat5()
+                                       .add(row.name, kMiDouble, axis(-3 * row.step, row.step))
+                                       .add("y", kMiDouble, signal())
+                                       .add("other", kMiDouble, signal(30))
+                                       .bytes());
+        QVERIFY2(set.has_value(), sentence(set).c_str());
+        QCOMPARE(set->shots[0].channels.size(), std::size_t(2));
+        const Channel *y = channelNamed(set->shots[0], "y");
+        QVERIFY2(near(y->sampleRate_Hz, row.rate_Hz), row.name);
+        QVERIFY(near(y->t0_s, row.first_s));
+        QCOMPARE(channelNamed(set->shots[0], "other")->sampleRate_Hz, 0.0);
+        QCOMPARE(hasFinding(set->findings, "CAP-016"), row.convention);
+        if (row.convention)
+            QCOMPARE(set->findings[0].severity, Severity::Info);
+    }
+    // A scalar tells the unit of a vector that does not.
+    const auto set = readBytes(Mat5()
+                                   .add("t", kMiDouble, axis(-0.002, 0.001))
+                                   .add<double>("fs", kMiDouble, {1e6})
+                                   .add("y", kMiDouble, signal())
+                                   .bytes());
+    QVERIFY2(set.has_value(), sentence(set).c_str());
+    QCOMPARE(set->shots[0].channels[0].sampleRate_Hz, 1e6);
+    QVERIFY(near(set->shots[0].channels[0].t0_s, -2e-6));
+    QVERIFY(set->findings.empty());
+}
+
+void TestMat::rate_byUnnamedColumn_isAQuestion()
+{
+    for (const bool first : {true, false}) {
+        const std::vector<double> times = axis(0.0, 0.001);
+        const std::vector<double> values
+            = first ? joined(times, signal()) : joined(signal(), times);
+        const QByteArray file = Mat5().add("M", kMiDouble, values, {20, 2}).bytes();
+        const auto asked = readBytes(file);
+        QVERIFY2(asked.has_value(), sentence(asked).c_str());
+        QCOMPARE(asked->shots[0].channels.size(), std::size_t(1));
+        QCOMPARE(asked->shots[0].channels[0].name, std::string(first ? "M 2" : "M 1"));
+        QCOMPARE(asked->shots[0].channels[0].sampleRate_Hz, 0.0);
+        QVERIFY(hasFinding(asked->findings, "CAP-016"));
+        QVERIFY(contains(english(asked->findings[0].message), "1 MHz if milliseconds"));
+        ImportSettings settings;
+        settings.sampleRate_Hz = 1e6;
+        const auto told = readBytes(file, settings);
+        QVERIFY(told && told->findings.empty());
+        QCOMPARE(told->shots[0].channels[0].sampleRate_Hz, 1e6);
+    }
+    // A counter is no time, and neither is a column that only begins like one.
+    std::vector<double> bent = axis(0.0, 0.001);
+    bent[10] += 5e-4;
+    for (const std::vector<double> &values : {axis(1.0, 1.0), bent}) {
+        const auto set
+            = readBytes(Mat5().add("M", kMiDouble, joined(values, signal()), {20, 2}).bytes());
+        QVERIFY(set && set->findings.empty());
+        QCOMPARE(set->shots[0].channels.size(), std::size_t(2));
+    }
+}
+
+void TestMat::rate_contradictions_areNoRate()
+{
+    const auto vector = readBytes(Mat5()
+                                      .add("t", kMiDouble, axis(0.0, 1e-6))
+                                      .add<double>("fs", kMiDouble, {1.1e6})
+                                      .add("y", kMiDouble, signal())
+                                      .add("z", kMiDouble, signal())
+                                      .bytes());
+    QVERIFY2(vector.has_value(), sentence(vector).c_str());
+    QCOMPARE(vector->shots[0].channels[0].sampleRate_Hz, 0.0);
+    QCOMPARE(vector->findings.size(), std::size_t(1)); // once, not per channel
+    QCOMPARE(vector->findings[0].id, std::string("CAP-003"));
+    const auto known = readBytes(Mat5()
+                                     .add("t_us", kMiDouble, axis(0.0, 0.001))
+                                     .add<double>("fs", kMiDouble, {1e6}) // fits ms only
+                                     .add("y", kMiDouble, signal())
+                                     .bytes());
+    QVERIFY(known && hasFinding(known->findings, "CAP-003"));
+    QCOMPARE(known->shots[0].channels[0].sampleRate_Hz, 0.0);
+    const auto scalars = readBytes(Mat5()
+                                       .add<double>("fs", kMiDouble, {1e6})
+                                       .add<double>("dt", kMiDouble, {2e-6})
+                                       .add("y", kMiDouble, signal())
+                                       .bytes());
+    QVERIFY(scalars && hasFinding(scalars->findings, "CAP-003"));
+    QCOMPARE(scalars->shots[0].channels[0].sampleRate_Hz, 0.0);
+}
+
+void TestMat::rate_irregularTimes_areNoRate()
+{
+    std::vector<double> gap = axis(0.0, 1e-6);
+    gap[12] += 3e-7;
+    std::vector<double> falling = axis(0.0, -1e-6);
+    for (const std::vector<double> &times : {gap, falling, std::vector<double>(20, 0.0)}) {
+        const auto set
+            = readBytes(Mat5().add("t", kMiDouble, times).add("y", kMiDouble, signal()).bytes());
+        QVERIFY2(set.has_value(), sentence(set).c_str());
+        QCOMPARE(set->shots[0].channels[0].sampleRate_Hz, 0.0);
+        QVERIFY(hasFinding(set->findings, "CAP-016"));
+        QCOMPARE(set->findings[0].severity, Severity::Caution);
+    }
+}
+
+void TestMat::temperature_isNoTime()
+{
+    const auto set = readBytes(Mat5().add("T", kMiDouble, axis(290.0, 0.5)).bytes());
+    QVERIFY2(set.has_value(), sentence(set).c_str());
+    QCOMPARE(set->shots[0].channels[0].name, std::string("T"));
+    QCOMPARE(set->shots[0].channels[0].sampleRate_Hz, 0.0);
+}
+
+void TestMat::unreadable_isRefusedBySentence_data()
+{
+    QTest::addColumn<QByteArray>("bytes");
+    QTest::addColumn<QString>("id");
+    QTest::addColumn<QString>("says");
+    const QByteArray whole = Mat5().add("y", kMiDouble, signal()).bytes();
+    const QByteArray packed = Mat5().add("y", kMiDouble, signal(2000), {}, kDouble, true).bytes();
+    QTest::newRow("cut") << whole.chopped(1) << "CAP-018"
+                         << "within its variable number 1";
+    QTest::newRow("cut stream") << packed.chopped(1) << "CAP-018"
+                                << "within its variable";
+    QByteArray flipped = packed;
+    flipped[flipped.size() - 1] = static_cast<char>(flipped.back() ^ 1); // of the checksum
+    QTest::newRow("checksum") << flipped << "CAP-018"
+                              << "does not expand";
+    QTest::newRow("sizes") << Mat5().add("y", kMiDouble, signal(), {21, 1}).bytes() << "CAP-018"
+                           << "contradicts itself";
+    QTest::newRow("negative size")
+        << Mat5().add("y", kMiDouble, signal(), {-20, -1}).bytes() << "CAP-018"
+        << "contradicts itself";
+    QTest::newRow("no number") << Mat5().add("y", 77, signal()).bytes() << "CAP-018"
+                               << "contradicts itself";
+    QTest::newRow("element") << patched<std::uint32_t>(whole, 128, 99) << "CAP-018"
+                             << "contradicts itself";
+    QTest::newRow("header only") << Mat5().bytes() << "CAP-001"
+                                 << "nothing that is a sampled signal";
+    QTest::newRow("only a struct")
+        << Mat5().add("m", kMiDouble, signal(1), {1, 1}, kStruct).bytes() << "CAP-001"
+        << "nothing that is a sampled signal";
+}
+
+void TestMat::unreadable_isRefusedBySentence()
+{
+    QFETCH(QByteArray, bytes);
+    QFETCH(QString, id);
+    QFETCH(QString, says);
+    const auto set = readBytes(bytes);
+    QCOMPARE(findingId(set), id.toStdString());
+    QVERIFY2(contains(sentence(set), says.toStdString()), sentence(set).c_str());
+}
+
+void TestMat::bombs_areRefusedAtOnce()
+{
+    QElapsedTimer timer;
+    timer.start();
+    const std::vector<std::vector<std::int32_t>> claims{{0x7FFFFFFF, 0x7FFFFFFF}, {0x7FFFFFFF, 1},
+        {1 << 28, 1}, {1 << 16, 1 << 16, 1 << 16, 1 << 16}};
+    for (const auto &sizes : claims) {
+        for (const bool compressed : {false, true}) {
+            const auto set = readBytes(
+                Mat5().add("y", kMiDouble, signal(), sizes, kDouble, compressed).bytes());
+            QCOMPARE(findingId(set), std::string("CAP-018"));
+        }
+    }
+    // 400 MB of zeros in 400 kB.
+    const QByteArray zeros(200 << 20, '\0');
+    ByteWriter content;
+    content.put<std::uint32_t>(kMiUInt32).put<std::uint32_t>(8).put<std::uint32_t>(kDouble);
+    content.put<std::uint32_t>(0).put<std::uint32_t>(kMiInt32).put<std::uint32_t>(8);
+    content.put<std::int32_t>(200 << 17).put<std::int32_t>(1);
+    content.put<std::uint32_t>(1 << 16 | kMiInt8).raw("y").zeros(3);
+    content.put<std::uint32_t>(kMiDouble).put<std::uint32_t>(200 << 20).raw(zeros);
+    const QByteArray bomb = Mat5().addMatrix(content.bytes(), true).bytes();
+    QVERIFY(bomb.size() < (1 << 20));
+    timer.start(); // making it took longer than refusing it
+    QCOMPARE(findingId(readBytes(bomb)), std::string("CAP-018"));
+    QCOMPARE(
+        findingId(readBytes(mat4<double>("y", 0, {1, 2}, 2).replace(4, 4, "\xFF\xFF\xFF\x7F"))),
+        std::string("CAP-018"));
+    QVERIFY(timer.elapsed() < kSlow_ms);
+}
+
+void TestMat::truncated_anywhere_isRefused()
+{
+    const QByteArray whole = Mat5()
+                                 .add("y", kMiDouble, signal(9))
+                                 .add<double>("fs", kMiDouble, {1e6}, {}, kDouble, true)
+                                 .bytes();
+    const qsizetype firstEnd = Mat5().add("y", kMiDouble, signal(9)).bytes().size();
+    const Storm storm = truncateEverywhere(&readMat, whole, m_folder.filePath("cut.mat"));
+    QCOMPARE(storm.wrong, 0);
+    QCOMPARE(storm.read, 1); // exactly between the two variables nothing tells
+    QVERIFY(readMat(write(m_folder.filePath("cut.mat"), whole.left(firstEnd)), {}, {}));
+    const QByteArray old = mat4<double>("y", 0, signal(5), 5) + mat4<double>("fs", 0, {1e6}, 1);
+    const Storm old4 = truncateEverywhere(&readMat, old, m_folder.filePath("cut.mat"));
+    QCOMPARE(old4.wrong, 0);
+    QCOMPARE(old4.read, 1);
+}
+
+void TestMat::mutants_neverCrash()
+{
+    const QList<QByteArray> seeds{
+        Mat5()
+            .add("t", kMiDouble, axis(0.0, 1e-6))
+            .add("y", kMiInt16, std::vector<std::int16_t>(20, 5))
+            .add("M", kMiDouble, joined(signal(), axis(0.0, 1e-3)), {20, 2})
+            .bytes(),
+        Mat5(std::endian::big).add("y", kMiDouble, signal(300), {100, 3}, kDouble, true).bytes(),
+        mat4<double>("y", 0, signal(), 10) + mat4<double>("fs", 0, {1e6}, 1)};
+    const Storm storm = mutate(&readMat, seeds, kMutants, m_folder.filePath("mutant.mat"));
+    qInfo("%d read, %d refused, slowest %lld ms", storm.read, storm.refused,
+        static_cast<long long>(storm.slowest_ms));
+    QCOMPARE(storm.wrong, 0);
+    QVERIFY(storm.slowest_ms < kSlow_ms);
+    QVERIFY(storm.refused > kMutants / 10);
+}
+
+/// An independent writer: every format and compression of scipy.
+void TestMat::scipy_writesWhatIsRead()
+{
+    const QString script = R"(
+import sys, numpy as np, scipy.io as sio
+n = 1000
+y = np.sin(np.arange(n) * 0.01).reshape(-1, 1)
+d = {'y': y, 'counts': np.arange(-500, 500, dtype='<i2').reshape(1, -1), 'fs': 2e6,
+     'M': np.column_stack([y, y * y])}
+sio.savemat(sys.argv[1], d, format='5')
+sio.savemat(sys.argv[2], d, format='5', do_compression=True)
+sio.savemat(sys.argv[3], d, format='4')
+)";
+    const QStringList paths{m_folder.filePath("scipy5.mat"), m_folder.filePath("scipy5z.mat"),
+        m_folder.filePath("scipy4.mat")};
+    if (!runPython(script, paths))
+        QSKIP("no python3 with scipy here");
+    for (const QString &path : paths) {
+        const auto set = readCapture(path.toStdString(), {});
+        QVERIFY2(set.has_value(), sentence(set).c_str());
+        QVERIFY(set->findings.empty());
+        const Shot &shot = set->shots[0];
+        QCOMPARE(shot.channels.size(), std::size_t(4));
+        for (const Channel &channel : shot.channels) {
+            QCOMPARE(channel.sampleRate_Hz, 2e6);
+            QCOMPARE(channel.samples.size(), Index(1000));
+        }
+        for (Index k = 0; k < 1000; ++k) {
+            const double y = channelNamed(shot, "y")->samples.at(k);
+            QVERIFY(std::abs(y - std::sin(static_cast<double>(k) * 0.01)) < 1e-15); // numpy's sin
+            QCOMPARE(channelNamed(shot, "counts")->samples.at(k), double(k - 500));
+            QCOMPARE(channelNamed(shot, "M 2")->samples.at(k), y * y);
+        }
+    }
+}
+
+void TestMat::corpus_isReadOrRefused()
+{
+    const QStringList files = corpusFiles("mat_corpus", {".mat"});
+    if (files.isEmpty())
+        QSKIP("DYNCAL_DATA has no folder mat_corpus: 0 files covered");
+    int read = 0, refused = 0, otherReader = 0;
+    for (const QString &path : files) {
+        const QByteArray bytes = bytesOf(path);
+        if (recogniseMat({}, std::string_view(bytes.constData(), std::size_t(bytes.size()))) == 0) {
+            ++otherReader; // 7.3 is HDF5
+            continue;
+        }
+        const auto set = readMat(path.toStdString(), {}, {});
+        if (!set) {
+            QVERIFY2(
+                findingId(set) == "CAP-018" || findingId(set) == "CAP-001", sentence(set).c_str());
+            ++refused;
+            qInfo("refused (%s): %s", findingId(set).c_str(), sentence(set).c_str());
+            continue;
+        }
+        ++read;
+        if (path.contains("testdouble_")) { // 0, pi/4, ..., 2 pi by the corpus' own tests
+            const Channel &channel = set->shots[0].channels.at(0);
+            QCOMPARE(channel.name, std::string("testdouble"));
+            QCOMPARE(channel.samples.size(), Index(9));
+            for (Index k = 0; k < 9; ++k)
+                QVERIFY(std::abs(channel.samples.at(k) - static_cast<double>(k) * M_PI / 4.0)
+                    < 1e-15 * 8.0);
+        }
+        if (path.contains("testmatrix_")) { // rows 1..5, first column 2 and 3
+            const Shot &shot = set->shots[0];
+            QCOMPARE(shot.channels.size(), std::size_t(3));
+            for (Index k = 0; k < 5; ++k)
+                QCOMPARE(shot.channels[0].samples.at(k), double(k + 1));
+            QCOMPARE(shot.channels[1].samples.at(0), 2.0);
+            QCOMPARE(shot.channels[2].samples.at(0), 3.0);
+        }
+    }
+    qInfo("MAT: %d files, %d read, %d refused, %d for another reader", int(files.size()), read,
+        refused, otherReader);
+    QCOMPARE(read + refused + otherReader, int(files.size()));
+    QVERIFY(read >= 6);
+}
+
+/// The last column holds milliseconds, which nothing in the file says.
+void TestMat::dropTower_timesInMilliseconds_areAQuestion()
+{
+    const QStringList files = corpusFiles("highrate_ds1_droptower", {".mat"});
+    if (files.isEmpty())
+        QSKIP("DYNCAL_DATA has no folder highrate_ds1_droptower: 0 files covered");
+    int covered = 0;
+    for (const QString &path : files) {
+        if (!path.contains("Unit105"))
+            continue;
+        ++covered;
+        const auto asked = readCapture(path.toStdString(), {});
+        QVERIFY2(asked.has_value(), sentence(asked).c_str());
+        QCOMPARE(asked->shots[0].channels.size(), std::size_t(6));
+        QCOMPARE(asked->shots[0].channels[0].sampleRate_Hz, 0.0);
+        QVERIFY(hasFinding(asked->findings, "CAP-016"));
+        QVERIFY(contains(english(asked->findings[0].message), "1 MHz if milliseconds"));
+        ImportSettings settings;
+        settings.sampleRate_Hz = 1e6;
+        const auto told = readCapture(path.toStdString(), settings);
+        QVERIFY(told && told->findings.empty());
+        for (const Channel &channel : told->shots[0].channels) {
+            QCOMPARE(channel.samples.size(), Index(100000));
+            QCOMPARE(channel.sampleRate_Hz, 1e6);
+            QCOMPARE(channel.t0_s, 0.0);
+        }
+    }
+    qInfo("drop tower: %d files covered", covered);
+    QVERIFY(covered > 0);
+}
+
+void TestMat::derived_shotsAreThoseOfTheMatrix()
+{
+    const QStringList files = corpusFiles("derived", {"_v5.mat"});
+    if (files.isEmpty())
+        QSKIP("DYNCAL_DATA has no folder derived: 0 files covered");
+    const QString script = R"(
+import sys, numpy as np, scipy.io as sio
+sio.loadmat(sys.argv[1])['Y'].T.astype('<f8').tofile(sys.argv[2])
+)";
+    for (const QString &path : files) {
+        const auto set = readCapture(path.toStdString(), {});
+        QVERIFY2(set.has_value(), sentence(set).c_str());
+        const Shot &shot = set->shots[0];
+        QCOMPARE(shot.channels.size(), std::size_t(3));
+        QCOMPARE(set->findings.size(), std::size_t(1)); // the struct "meta"
+        QCOMPARE(set->findings[0].id, std::string("CAP-026"));
+        const QString out = m_folder.filePath("Y.f64");
+        const bool compare = runPython(script, {path, out});
+        const QByteArray bytes = bytesOf(out);
+        for (std::size_t c = 0; c < 3; ++c) {
+            const Channel &channel = shot.channels[c];
+            QCOMPARE(channel.name, "Y " + std::to_string(c + 1));
+            QCOMPARE(channel.sampleRate_Hz, 1e6);
+            QCOMPARE(channel.samples.size(), Index(20000));
+            for (Index k = 0; compare && k < 20000; ++k) {
+                double expected = 0.0;
+                std::memcpy(&expected, bytes.constData() + 8 * (20000 * qsizetype(c) + k), 8);
+                QVERIFY(channel.samples.at(k) == expected);
+            }
+        }
+    }
+    qInfo("derived: %d files covered", int(files.size()));
+}
+
+} // namespace dyncal
+
+QTEST_GUILESS_MAIN(dyncal::TestMat)
+#include "tst_mat.moc"

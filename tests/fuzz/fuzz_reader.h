@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/capture/capture_set.h"
+#include "core/capture/import_settings.h"
+#include "tests/support/memory_file.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+/// A fuzz target of one reader is: its header, this header, and DYNCAL_FUZZ_READER(&readIt).
+namespace dyncal::fuzz {
+
+/// Promises that every reader keeps, whatever the bytes are.
+inline void require(bool promise)
+{
+    if (!promise)
+        std::abort();
+}
+
+/// Reads samples at both ends of the record, which is what a broken header puts out of bounds.
+inline void touch(const Channel &channel)
+{
+    constexpr Index kEnd = 4096;
+    const Index size = channel.samples.size();
+    require(size >= 0 && !channel.polynomial.empty());
+    const auto visit = [](auto block, Index) { require(!block.empty()); };
+    const Index part = size < kEnd ? size : kEnd;
+    require(channel.samples.visitBlocks(0, part, visit));
+    require(channel.samples.visitBlocks(size - part, size, visit));
+}
+
+using Reader = Result<CaptureSet> (*)(
+    const std::string &path, const ImportSettings &settings, const JobControl &control);
+
+inline int readBytes(Reader reader, const std::uint8_t *data, std::size_t size)
+{
+    const testing::MemoryFile file(data, size);
+    const Result<CaptureSet> set = reader(file.path(), {}, {});
+    if (!set) {
+        require(
+            set.error().kind == ErrorKind::FileUnreadable && !english(set.error().message).empty());
+        return 0;
+    }
+    require(!set->shots.empty());
+    for (const Shot &shot : set->shots) {
+        for (const Channel &channel : shot.channels)
+            touch(channel);
+    }
+    return 0;
+}
+
+} // namespace dyncal::fuzz
+
+#define DYNCAL_FUZZ_READER(reader)                                                                 \
+    extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size)              \
+    {                                                                                              \
+        return dyncal::fuzz::readBytes(reader, data, size);                                        \
+    }
