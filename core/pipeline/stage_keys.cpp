@@ -68,7 +68,7 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
         part.window = recipe.window;
         part.remap = recipe.remap;
         part.input.treatment = recipe.input.treatment;
-        part.shock = recipe.shock; // the plateau's end
+        part.shock = recipe.shock; // the plateau's end and the order of the channels
         break;
     case StageId::Spectrum:
         part.spectrum = recipe.spectrum;

@@ -160,7 +160,7 @@ Error wrongOrder(const Sighting &farthest, const Sighting &nearest)
     return {ErrorKind::DataBlocked,
         Message{DYNCAL_TEXT("core",
                     "The shock reaches '%1' %2 after '%3', which is farther down the tube: check "
-                    "whether the two channels are swapped, and their distances."),
+                    "whether the two channels are swapped (CAP-010), and their distances."),
             {farthest.channel, numberWithUnit(farthest.time_s - nearest.time_s, "s", 3),
                 nearest.channel}},
         "SHK-001"};
