@@ -5,9 +5,9 @@
 
 #include "core/capture/capture_check.h"
 #include "core/capture/import_rules.h"
+#include "core/pipeline/shock_stage.h"
 #include "core/pipeline/stage_keys.h"
 #include "core/shock/channel_order.h"
-#include "core/shock/reading_check.h"
 #include "core/shock/shock_velocity.h"
 #include "core/signal/start_detection.h"
 
@@ -81,34 +81,6 @@ Result<DecompositionResult> decompose(
         return tl::unexpected(hankel.error());
     OrderSuggestion suggestion = suggestOrder(input, *hankel);
     return DecompositionResult{std::move(*hankel), std::move(suggestion)};
-}
-
-/// When each sensor felt the shock: the model's onset where there is one, else the detected start.
-std::vector<DutArrival> dutArrivals(const WindowResult &window, const SensorModel &model)
-{
-    std::vector<DutArrival> arrivals;
-    for (const WindowedResponse &response : window.responses) {
-        double onset_s = 0.0;
-        for (const SeriesFit &fit : model.series) {
-            if (fit.shot == response.shot)
-                onset_s = fit.onset_s;
-        }
-        arrivals.push_back({response.shot, response.start_s + onset_s});
-    }
-    return arrivals;
-}
-
-Result<ShockConditionsSet> shockConditions(const CaptureSet &set, const WindowResult &window,
-    const SensorModel &model, const Recipe &recipe)
-{
-    if (!recipe.shock.enabled)
-        return ShockConditionsSet{};
-    auto shock = estimateShockConditions(set, dutArrivals(window, model), recipe.shock);
-    if (shock) {
-        const Findings misread = checkReadings(window.responses, *shock, recipe.checks);
-        shock->findings.insert(shock->findings.end(), misread.begin(), misread.end());
-    }
-    return shock;
 }
 
 /// Runs one stage unless its result is in the cache; keeps count and stops at the first failure.
@@ -186,7 +158,10 @@ void runStages(const CaptureSet &captures, const Recipe &recipe, Run &run, Calib
                     *r.spectrum, control);
             })
         .stage(StageId::Shock, &R::shock,
-            [&] { return shockConditions(r.captures->set, *r.window, *r.model, recipe); })
+            [&] {
+                return shockStage(
+                    r.captures->set, *r.window, *r.spectrum, *r.model, recipe, control);
+            })
         .stage(StageId::Response, &R::response, [&] {
             return computeResponse(
                 r.window->responses, *r.input, *r.model, *r.shock, recipe.response);

@@ -34,6 +34,10 @@ Json findingJson(const Finding &finding)
     record.set("message", english(finding.message));
     record.number("value", finding.value, "Is not about one number.");
     record.number("limit", finding.limit, "Has no limit.");
+    if (finding.mend)
+        record.set("mend",
+            {{"label", english(finding.mend->label)}, {"key", finding.mend->key},
+                {"value", finding.mend->value}});
     return record.take();
 }
 

@@ -89,7 +89,8 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
         part.realization.refine = recipe.realization.refine;
         break;
     case StageId::Shock:
-        break; // in the window's key already
+        part.uncertainty = recipe.uncertainty; // the rest is in the window's key already
+        break;
     case StageId::Response:
         part.response = recipe.response;
         break;
