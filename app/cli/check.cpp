@@ -68,9 +68,8 @@ void print(const Findings &findings, std::size_t shots)
         return std::count_if(findings.begin(), findings.end(),
             [&](const Finding &finding) { return finding.severity == severity; });
     };
-    std::cout << shots << (shots == 1 ? " shot: " : " shots: ") << count(Severity::Block)
-              << " blocking, " << count(Severity::Caution) << " cautions, " << count(Severity::Info)
-              << " infos.\n";
+    std::cout << "Shots " << shots << ": blocking " << count(Severity::Block) << ", cautions "
+              << count(Severity::Caution) << ", infos " << count(Severity::Info) << ".\n";
 }
 
 Json checkJson(const CaptureSet &set, const Findings &findings)
