@@ -3981,6 +3981,10 @@
 <context>
     <name>dyncal::OverviewStrip</name>
     <message>
+        <source>Overview of the recording</source>
+        <translation>Översikt av registreringen</translation>
+    </message>
+    <message>
         <source>The whole recording. Drag the box to move the view, its edges to zoom; double click shows everything.</source>
         <translation>Hela registreringen. Dra i rutan för att flytta vyn, i dess kanter för att zooma; dubbelklicka för att visa allt.</translation>
     </message>
