@@ -736,6 +736,46 @@
 <context>
     <name>core</name>
     <message>
+        <source>Shot %1, %2: %3 invalid samples, the first at %4 (sample %5). Inside the response window they block the shot; exclude it or set import.interpolate_invalid.</source>
+        <translation>Skott %1, %2: %3 ogiltiga sampel, det första vid %4 (sampel %5). Inom svarsfönstret blockerar de skottet; uteslut det eller ange import.interpolate_invalid.</translation>
+    </message>
+    <message>
+        <source>Shot %1 holds the same data as a shot before it; exclude one.</source>
+        <translation>Skott %1 innehåller samma data som ett tidigare skott; uteslut ett av dem.</translation>
+    </message>
+    <message>
+        <source>%1 is a LabVIEW TDMS file, which this version does not read; export it as LVM or CSV. Readable are: %2.</source>
+        <translation>%1 är en LabVIEW TDMS-fil, som denna version inte läser; exportera den som LVM eller CSV. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is only the index of a LabVIEW TDMS file and holds no samples. Readable are: %2.</source>
+        <translation>%1 är bara indexet till en LabVIEW TDMS-fil och innehåller inga sampel. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1 is a WAV or other RIFF file, which this version does not read. Readable are: %2.</source>
+        <translation>%1 är en WAV-fil eller annan RIFF-fil, som denna version inte läser. Läsbara format: %2.</translation>
+    </message>
+    <message>
+        <source>%1: the samples of channel %2 are not those that were recorded (their SHA-256 differs from the one in the file); take an unchanged copy.</source>
+        <translation>%1: samplen i kanal %2 är inte de som registrerades (deras SHA-256 skiljer sig från den i filen); ta en oförändrad kopia.</translation>
+    </message>
+    <message>
+        <source>Recipe import.channels names a channel &apos;%1&apos; that no shot has; the channels are %2.</source>
+        <translation>Receptets import.channels anger en kanal &apos;%1&apos; som inget skott har; kanalerna är %2.</translation>
+    </message>
+    <message>
+        <source>The recipe&apos;s sample rate of %1 replaces what the files state.</source>
+        <translation>Receptets samplingsfrekvens %1 ersätter den som filerna anger.</translation>
+    </message>
+    <message>
+        <source>Shots of a higher sample rate were reduced to %1 for the principal components, through an anti-alias filter.</source>
+        <translation>Skott med högre samplingsfrekvens reducerades till %1 för principalkomponenterna, genom ett antivikningsfilter.</translation>
+    </message>
+    <message>
+        <source>One shot: PCA is skipped, repeatability cannot be evaluated.</source>
+        <translation>Ett skott: PCA hoppas över, repeterbarheten kan inte utvärderas.</translation>
+    </message>
+    <message>
         <source>Wrong usage: %1; see dyncal --help.</source>
         <translation>Felaktig användning: %1; se dyncal --help.</translation>
     </message>
@@ -2285,7 +2325,7 @@
     </message>
     <message>
         <source>A recording cannot be read any more: its file was changed or is gone; add it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>En registrering kan inte längre läsas: filen har ändrats eller saknas; lägg till den igen.</translation>
     </message>
     <message>
         <source>%1 holds nothing that is a sampled signal; save the recorded channel itself.</source>
@@ -2805,7 +2845,7 @@
     </message>
     <message>
         <source> (reading the recordings: %1 %)</source>
-        <translation type="unfinished"></translation>
+        <translation> (läser registreringarna: %1 %)</translation>
     </message>
     <message>
         <source>Why is the rate in the file wrong? The results record the reason.</source>
@@ -2989,6 +3029,25 @@
 </context>
 <context>
     <name>dyncal::FileActions</name>
+    <message>
+        <source>Reading recordings</source>
+        <translation>Läser registreringar</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n shot(s) read</source>
+        <translation>
+            <numerusform>%n skott inläst</numerusform>
+            <numerusform>%n skott inlästa</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Add recordings</source>
+        <translation>Lägg till registreringar</translation>
+    </message>
+    <message>
+        <source>The recordings are still being read for their hashes, which the project keeps; try again in a moment.</source>
+        <translation>Registreringarna läses fortfarande för att beräkna kontrollsummorna som projektet sparar; försök igen om en stund.</translation>
+    </message>
     <message>
         <source>Recordings (%1)</source>
         <translation>Registreringar (%1)</translation>
@@ -3923,7 +3982,7 @@
     <name>dyncal::OverviewStrip</name>
     <message>
         <source>The whole recording. Drag the box to move the view, its edges to zoom; double click shows everything.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hela registreringen. Dra i rutan för att flytta vyn, i dess kanter för att zooma; dubbelklicka för att visa allt.</translation>
     </message>
 </context>
 <context>

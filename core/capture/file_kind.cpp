@@ -42,13 +42,16 @@ constexpr std::array kKinds{
         DYNCAL_TEXT("core", "%1 is a compressed file (gzip); unpack it first. Readable are: %2.")},
     KnownKind{"7z\xBC\xAF"sv,
         DYNCAL_TEXT("core", "%1 is a 7-Zip archive; unpack it first. Readable are: %2.")},
-    KnownKind{"MATLAB 5.0 MAT-file"sv, kMatlab},
+    KnownKind{"MATLAB 5.0 MAT-file"sv,
+        DYNCAL_TEXT("core",
+            "%1 begins like a MATLAB file, but its header is cut or damaged; copy it again. "
+            "Readable are: %2.")},
     KnownKind{"MATLAB 7.3 MAT-file"sv, kMatlab},
     KnownKind{"RIFF"sv,
         DYNCAL_TEXT("core",
-            "%1 is a RIFF file (video, sound font, picture) or a cut WAV, not a recording that can "
-            "be "
-            "read. Readable are: %2.")},
+            "%1 is a RIFF file but no WAV (a video, a sound font, a picture) or a cut one. "
+            "Readable "
+            "are: %2.")},
     KnownKind{"\x7F"
               "ELF"sv,
         DYNCAL_TEXT("core", "%1 is not a recording: it is a program. Readable are: %2.")},

@@ -5,10 +5,12 @@
 
 #include "core/capture/file_kind.h"
 #include "core/capture/formats/delimited_text.h"
+#include "core/capture/formats/foreign_hdf5.h"
 #include "core/capture/formats/hdf5_capture.h"
 #include "core/capture/formats/lecroy_trc.h"
 #include "core/capture/formats/lvm.h"
 #include "core/capture/formats/mat.h"
+#include "core/capture/formats/mat73.h"
 #include "core/capture/formats/rigol_wfm.h"
 #include "core/capture/formats/rohde_bin.h"
 #include "core/capture/formats/scope_bin.h"
@@ -71,6 +73,9 @@ const std::vector<CaptureFormat> &captureFormats()
 {
     static const std::vector<CaptureFormat> formats{
         {"dyncal-capture", "HDF5 capture", {"h5", "hdf5"}, &recogniseHdf5Capture, &readHdf5Capture},
+        {"hdf5", "other HDF5", {"h5", "hdf5", "hdf", "nxs"}, &recogniseForeignHdf5,
+            &readForeignHdf5},
+        {"mat73", "MATLAB 7.3", {"mat"}, &recogniseMat73, &readMat73},
         {"lvm", "LabVIEW measurement", {"lvm"}, &recogniseLvm, &readLvm},
         {"tdms", "NI TDMS", {"tdms"}, &recogniseTdms, &readTdms},
         {"keysight-bin", "Keysight/Agilent waveform", {"bin"}, &recogniseKeysightBin,

@@ -30,10 +30,16 @@ inline void touch(const Channel &channel)
     constexpr Index kEnd = 4096;
     const Index size = channel.samples.size();
     require(size >= 0 && !channel.polynomial.empty());
-    const auto visit = [](auto block, Index) { require(!block.empty()); };
+    double sum = 0.0;
+    const auto visit = [&](auto block, Index) {
+        for (const auto value : block)
+            sum += static_cast<double>(value);
+    };
     const Index part = size < kEnd ? size : kEnd;
     require(channel.samples.visitBlocks(0, part, visit));
     require(channel.samples.visitBlocks(size - part, size, visit));
+    volatile double keep = sum; // so that the reading is not left out
+    static_cast<void>(keep);
 }
 
 using Reader = Result<CaptureSet> (*)(

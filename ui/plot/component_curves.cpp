@@ -140,23 +140,17 @@ PlotContent autocovarianceCurves(
 
 PlotContent residualSpectrumCurves(const ComponentResult &components, const WindowResult &window)
 {
-    PlotContent content;
-    content.title = Plots::tr("Power spectrum of the residuals");
-    content.xAxis = frequencyAxisMeaning();
-    const QString unit = responseAxisMeaning(window).unit;
-    content.yAxis = {Plots::tr("Power spectral density"),
-        unit.isEmpty() ? QStringLiteral("dB re 1/Hz") : QStringLiteral("dB re %1²/Hz").arg(unit)};
     std::vector<ShotStyle> shots;
     std::vector<const PowerSpectrum *> spectra;
     for (std::size_t i = 0; i < components.residuals.size() && i < components.shots.size(); ++i) {
-        const ResidualAnalysis &residual = components.residuals[i];
         shots.push_back(shotStyle(components.shots[i], window));
-        spectra.push_back(&residual.spectrum);
-        if (!residual.peaks_Hz.empty())
-            markOnce(content, residual.peaks_Hz.front());
+        spectra.push_back(&components.residuals[i].spectrum);
     }
-    content.curves = spectraOfShots(shots, spectra);
-    content.yMin = lowestShown_dB(content.curves);
+    PlotContent content
+        = spectraContent(Plots::tr("Power spectrum of the residuals"), window, shots, spectra);
+    for (std::size_t i = 0; i < spectra.size(); ++i)
+        if (const auto &peaks_Hz = components.residuals[i].peaks_Hz; !peaks_Hz.empty())
+            markOnce(content, peaks_Hz.front());
     content.summary = Plots::tr("Power spectra of the residuals; the strongest maximum of each "
                                 "shot is marked.");
     return content;

@@ -102,6 +102,23 @@ PowerSpectrum highestPerBand(const PowerSpectrum &spectrum, Index bands)
     return {f_Hz(highest), spectrum.psd(highest)};
 }
 
+/// Lowest decibel value worth showing first: deep nulls of a periodogram would squeeze the rest.
+std::optional<double> lowestShown_dB(const std::vector<PlotCurve> &curves)
+{
+    constexpr double kHiddenShare = 0.02;
+    constexpr double kRoom_dB = 6.0;
+    std::vector<double> values;
+    for (const PlotCurve &curve : curves)
+        std::copy_if(curve.y.begin(), curve.y.end(), std::back_inserter(values),
+            [](double value) { return std::isfinite(value); });
+    if (values.empty())
+        return std::nullopt;
+    const auto place
+        = values.begin() + static_cast<Index>(kHiddenShare * static_cast<double>(values.size()));
+    std::nth_element(values.begin(), place, values.end());
+    return *place - kRoom_dB;
+}
+
 } // namespace
 
 std::vector<PlotCurve> spectraOfShots(
@@ -124,20 +141,18 @@ std::vector<PlotCurve> spectraOfShots(
     return all;
 }
 
-std::optional<double> lowestShown_dB(const std::vector<PlotCurve> &curves)
+PlotContent spectraContent(const QString &title, const WindowResult &window,
+    const std::vector<ShotStyle> &shots, const std::vector<const PowerSpectrum *> &spectra)
 {
-    constexpr double kHiddenShare = 0.02;
-    constexpr double kRoom_dB = 6.0;
-    std::vector<double> values;
-    for (const PlotCurve &curve : curves)
-        std::copy_if(curve.y.begin(), curve.y.end(), std::back_inserter(values),
-            [](double value) { return std::isfinite(value); });
-    if (values.empty())
-        return std::nullopt;
-    const auto place
-        = values.begin() + static_cast<Index>(kHiddenShare * static_cast<double>(values.size()));
-    std::nth_element(values.begin(), place, values.end());
-    return *place - kRoom_dB;
+    PlotContent content;
+    content.title = title;
+    content.xAxis = frequencyAxisMeaning();
+    const QString unit = responseAxisMeaning(window).unit;
+    content.yAxis = {Plots::tr("Power spectral density"),
+        unit.isEmpty() ? QStringLiteral("dB re 1/Hz") : QStringLiteral("dB re %1²/Hz").arg(unit)};
+    content.curves = spectraOfShots(shots, spectra);
+    content.yMin = lowestShown_dB(content.curves);
+    return content;
 }
 
 PlotAxis timeAxisMeaning()

@@ -46,8 +46,9 @@ std::vector<double> decibels(const Eigen::VectorXd &power);
 std::vector<PlotCurve> spectraOfShots(
     const std::vector<ShotStyle> &shots, const std::vector<const PowerSpectrum *> &spectra);
 
-/// Lowest decibel value worth showing first: deep nulls of a periodogram would squeeze the rest.
-std::optional<double> lowestShown_dB(const std::vector<PlotCurve> &curves);
+/// A plot of power spectral densities of responses: axes, the shots' curves, and where y begins.
+PlotContent spectraContent(const QString &title, const WindowResult &window,
+    const std::vector<ShotStyle> &shots, const std::vector<const PowerSpectrum *> &spectra);
 
 PlotAxis timeAxisMeaning(); ///< "Time" in s
 PlotAxis frequencyAxisMeaning(); ///< "Frequency" in Hz, logarithmic

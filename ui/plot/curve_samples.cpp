@@ -4,6 +4,7 @@
 #include "ui/plot/curve_samples.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -42,6 +43,24 @@ std::vector<Index> CurveSamples::sampleEdges(std::span<const double> edges) cons
         for (Index &edge : found)
             edge = edge == size() ? edge : (edge + grains / 2) / grains * grains;
     return found;
+}
+
+double CurveSamples::placeOf(double x, double y, std::span<const double> edges) const
+{
+    const auto after = std::ranges::upper_bound(edges, x);
+    if (after == edges.begin() || after == edges.end())
+        return x;
+    const std::vector<Index> from = sampleEdges(edges);
+    const auto column = static_cast<std::size_t>(after - edges.begin()) - 1;
+    Index begin = from[column];
+    Index end = from[column + 1];
+    while (end - begin > 1) {
+        const Index middle = begin + (end - begin) / 2;
+        const SampleExtremes first = stretches(std::array{begin, middle}).front();
+        (first.any && (first.min == y || first.max == y) ? end : begin) = middle;
+    }
+    const DrawnPoints found = samples(begin, end);
+    return found.x.empty() ? x : found.x.front();
 }
 
 DrawnPoints CurveSamples::points(std::span<const double> edges) const

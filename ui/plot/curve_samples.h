@@ -38,6 +38,8 @@ public:
     /// (and one neighbour at either side) while they are few, else min and max of each column.
     /// Never plain decimation: a spike of one sample stays visible.
     DrawnPoints points(std::span<const double> edges) const;
+    /// Where in its column the sample lies that gave (`x`, `y`) of an enveloped points(edges).
+    double placeOf(double x, double y, std::span<const double> edges) const;
 
 protected:
     /// Extremes of [edges[k], edges[k + 1]); `edges` ascend within 0..size().

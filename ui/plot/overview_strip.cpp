@@ -181,7 +181,7 @@ void OverviewStrip::paintEvent(QPaintEvent *)
         QRectF(shown.right(), all.top(), all.right() - shown.right(), all.height()), veil);
     painter.setPen(QPen(theme.axis, 1.0));
     painter.drawRect(all.adjusted(0.0, -1.0, 0.0, 0.0));
-    painter.setPen(QPen(theme.focus, 2.0));
+    painter.setPen(QPen(theme.handle, 2.0));
     painter.drawRect(shown.adjusted(1.0, 0.0, -1.0, -1.0));
 }
 

@@ -223,7 +223,7 @@ bool PlotWidget::exportImage(const QString &path) const
 
 QString PlotWidget::csv() const
 {
-    return contentCsv(d->scene.content());
+    return contentCsv(d->scene.contentInView());
 }
 
 void PlotWidget::changeEvent(QEvent *event)

@@ -66,7 +66,9 @@ public:
     QSize minimumSizeHint() const override;
 
     bool exportImage(const QString &path) const; ///< .png, .svg or .pdf by suffix
-    QString csv() const; ///< the plotted numbers at full precision, '.' as decimal mark
+    /// The plotted numbers at full precision, '.' as decimal mark; of a long record those of the
+    /// present view: its samples when they are few, else extremes of pixel columns.
+    QString csv() const;
 
 signals:
     void bandMoved(const QString &id, dyncal::Interval x, bool finished); ///< finished = released

@@ -16,12 +16,37 @@ namespace dyncal {
 namespace {
 
 constexpr int kDigits = 6;
-/// Samples looked at around the pointer at most; more share a pixel column and look alike.
+/// Samples looked at one by one at most; of more, the extremes of pixel columns are looked at.
 constexpr Index kMostCandidates = 20000;
 
 const char *cursorName(std::size_t which)
 {
     return which == 0 ? "A" : "B";
+}
+
+/// Edges of the pixel columns within reach; without a reach, all of the plot's.
+std::vector<double> pixelEdges(
+    const QCustomPlot &plot, const QPointF &position, std::optional<double> reach_px)
+{
+    const QRect rect = plot.axisRect()->rect();
+    const double reach
+        = reach_px.value_or(rect.width() + std::abs(position.x() - rect.center().x()));
+    std::vector<double> edges;
+    for (double pixel = position.x() - reach; pixel < position.x() + reach + 1.0; pixel += 1.0)
+        edges.push_back(plot.xAxis->pixelToCoord(pixel));
+    if (plot.xAxis->rangeReversed())
+        std::ranges::reverse(edges);
+    return edges;
+}
+
+/// Each sample between the edges, or of many the lowest and highest of every column; `all`: beyond
+/// the edges too while they are few.
+DrawnPoints candidates(const CurveSamples &samples, const std::vector<double> &edges, bool all)
+{
+    const Index begin = all ? 0 : samples.firstFrom(edges.front());
+    const Index end = all ? samples.size() : samples.firstBeyond(edges.back());
+    return end - begin <= kMostCandidates ? samples.samples(begin, std::max(begin, end))
+                                          : samples.points(edges);
 }
 
 QString valueText(double value, const PlotAxis &axis)
@@ -36,35 +61,28 @@ std::optional<CurvePoint> nearestPoint(const QCustomPlot &plot, const PlotScene 
 {
     std::optional<CurvePoint> best;
     double bestDistance = std::numeric_limits<double>::infinity();
-    const double halfWidth = reach_px.value_or(1e9);
-    const double from = plot.xAxis->pixelToCoord(position.x() - halfWidth);
-    const double to = plot.xAxis->pixelToCoord(position.x() + halfWidth);
+    bool isExtreme = false;
+    const std::vector<double> edges = pixelEdges(plot, position, reach_px);
     for (std::size_t c = 0; c < scene.curves().size(); ++c) {
         const DrawnCurve &drawn = scene.curves()[c];
         if (!drawn.visible)
             continue;
-        Index begin = drawn.samples->firstFrom(from);
-        Index end = drawn.samples->firstBeyond(to);
-        if (end - begin > kMostCandidates) {
-            const Index middle = drawn.samples->firstFrom(plot.xAxis->pixelToCoord(position.x()));
-            begin = std::max(begin, middle - kMostCandidates / 2);
-            end = std::min(end, middle + kMostCandidates / 2);
-        }
-        const DrawnPoints around = drawn.samples->samples(begin, std::max(begin, end));
+        const DrawnPoints around = candidates(*drawn.samples, edges, !reach_px);
         for (std::size_t i = 0; i < around.x.size(); ++i) {
-            const double x = around.x[i];
-            const double y = around.y[i];
-            const double dx = plot.xAxis->coordToPixel(x) - position.x();
-            const double dy = plot.yAxis->coordToPixel(y) - position.y();
+            const double dx = plot.xAxis->coordToPixel(around.x[i]) - position.x();
+            const double dy = plot.yAxis->coordToPixel(around.y[i]) - position.y();
             const double distance = std::hypot(dx, dy);
             if (distance <= bestDistance) { // false for NaN; what is drawn on top wins
                 bestDistance = distance;
-                best = CurvePoint{c, x, y};
+                best = CurvePoint{c, around.x[i], around.y[i]};
+                isExtreme = around.enveloped;
             }
         }
     }
-    if (reach_px && bestDistance > *reach_px)
+    if (!best || (reach_px && bestDistance > *reach_px))
         return std::nullopt;
+    if (isExtreme)
+        best->x = scene.curves()[best->curve].samples->placeOf(best->x, best->y, edges);
     return best;
 }
 

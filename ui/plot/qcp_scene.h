@@ -63,6 +63,8 @@ public:
     void setContent(std::shared_ptr<const PlotContent> content);
     const PlotContent &content() const { return *m_content; }
     const std::shared_ptr<const PlotContent> &sharedContent() const { return m_content; }
+    /// With the points of the present view where there is a long record behind a curve.
+    PlotContent contentInView() const;
     void setTheme(const PlotTheme &theme);
     const PlotTheme &theme() const { return m_theme; }
     void setColumnsPerPixel(int columns) { m_columnsPerPixel = columns; }

@@ -217,6 +217,20 @@ std::vector<double> PlotScene::columnEdges() const
     return edges;
 }
 
+PlotContent PlotScene::contentInView() const
+{
+    PlotContent content = *m_content;
+    const std::vector<double> edges = columnEdges();
+    for (PlotCurve &curve : content.curves) {
+        if (!curve.record)
+            continue;
+        DrawnPoints points = curve.record->points(edges);
+        curve.x = std::move(points.x);
+        curve.y = std::move(points.y);
+    }
+    return content;
+}
+
 void PlotScene::drawView()
 {
     const std::vector<double> edges = columnEdges();

@@ -176,20 +176,13 @@ PlotContent startCurves(const WindowResult &window)
 
 PlotContent spectrumCurves(const SpectrumResult &spectrum, const WindowResult &window)
 {
-    PlotContent content;
-    content.title = Plots::tr("Power spectrum");
-    content.xAxis = frequencyAxisMeaning();
-    const QString unit = responseAxisMeaning(window).unit;
-    content.yAxis = {Plots::tr("Power spectral density"),
-        unit.isEmpty() ? QStringLiteral("dB re 1/Hz") : QStringLiteral("dB re %1²/Hz").arg(unit)};
     std::vector<ShotStyle> shots;
     std::vector<const PowerSpectrum *> spectra;
     for (std::size_t i = 0; i < spectrum.perShot.size() && i < window.responses.size(); ++i) {
         shots.push_back(shotStyle(window.responses[i].shot, window.responses[i].level));
         spectra.push_back(&spectrum.perShot[i]);
     }
-    content.curves = spectraOfShots(shots, spectra);
-    content.yMin = lowestShown_dB(content.curves);
+    PlotContent content = spectraContent(Plots::tr("Power spectrum"), window, shots, spectra);
     for (const Resonance &resonance : spectrum.resonances)
         content.marks.push_back({resonance.frequency_Hz,
             valueWithUnit(resonance.frequency_Hz, QStringLiteral("Hz"), 4), CurveRole::Suggestion});

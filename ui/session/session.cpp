@@ -3,9 +3,12 @@
 
 #include "ui/session/session.h"
 
+#include "core/capture/capture_seal.h"
 #include "core/pipeline/results_json.h"
 
 #include <QUndoCommand>
+
+#include <algorithm>
 
 namespace dyncal {
 
@@ -59,6 +62,7 @@ private:
 Session::Session(Pipeline pipeline, QObject *parent)
     : QObject(parent)
     , m_pipeline(std::move(pipeline))
+    , m_sealing(this)
     , m_jobs(this)
 {
     m_undo.setUndoLimit(kUndoSteps);
@@ -101,6 +105,8 @@ void Session::applyState(const ProjectState &next, const QString &label)
 void Session::reset(const ProjectState &state)
 {
     m_jobs.cancel();
+    m_sealing.cancel();
+    m_sealed.clear();
     m_run = {};
     m_state = {};
     setState(state);
@@ -114,8 +120,11 @@ void Session::reset(const ProjectState &state)
     emit stageStatusChanged();
 }
 
-void Session::setState(const ProjectState &state)
+void Session::setState(const ProjectState &wanted)
 {
+    ProjectState state = wanted;
+    if (const auto sealed = m_sealed.find(state.captures); sealed != m_sealed.end())
+        state.captures = sealed->second;
     const bool otherCaptures = state.captures != m_state.captures;
     const auto affected = otherCaptures ? std::optional(StageId::Captures)
                                         : firstAffectedStage(m_state.recipe, state.recipe);
@@ -133,6 +142,7 @@ void Session::markStaleFrom(StageId stage)
     m_run.computing = m_state.hasShots();
     if (!m_state.hasShots()) {
         m_jobs.cancel();
+        m_sealing.cancel();
         m_start.stop();
         m_run = {};
         emit resultsChanged();
@@ -151,12 +161,48 @@ void Session::cancelComputation()
 {
     m_start.stop();
     m_jobs.cancel();
+    m_sealing.cancel();
     m_run.computing = false;
     emit stageStatusChanged();
 }
 
+bool Session::isSealed() const
+{
+    return std::ranges::none_of(m_state.captures->inputs,
+        [](const InputFile &input) { return input.bytes > 0 && input.sha256.empty(); });
+}
+
+void Session::seal()
+{
+    m_jobs.cancel();
+    const auto opened = m_beingSealed = m_state.captures;
+    m_sealing.start<CaptureSet>(
+        [opened](const JobControl &control) { return sealCaptures(*opened, control); },
+        [this, opened](Result<CaptureSet> sealed) { takeSealed(opened, std::move(sealed)); },
+        [this](double done) { emit progress(done); });
+}
+
+void Session::takeSealed(const std::shared_ptr<const CaptureSet> &opened, Result<CaptureSet> sealed)
+{
+    if (!sealed) {
+        take({{}, sealed.error(), StageId::Captures});
+        return;
+    }
+    m_sealed[opened] = std::make_shared<const CaptureSet>(std::move(*sealed));
+    if (m_state.captures == opened) {
+        m_state.captures = m_sealed[opened];
+        emit capturesChanged();
+    }
+    startComputation();
+}
+
 void Session::startComputation()
 {
+    if (!isSealed()) {
+        if (!m_sealing.isRunning() || m_beingSealed != m_state.captures)
+            seal();
+        return;
+    }
     if (m_jobs.isRunning() && m_jobs.age_ms() < kGrace_ms) {
         m_start.start();
         return;

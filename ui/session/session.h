@@ -12,6 +12,8 @@
 #include <QTimer>
 #include <QUndoStack>
 
+#include <map>
+
 namespace dyncal {
 
 /// One open calibration job: what was decided (recipe), the recordings, undo, and the results that
@@ -36,6 +38,9 @@ public:
     const std::optional<Error> &error() const { return m_run.error; }
     StageId failedStage() const { return m_run.failedStage; }
     bool isComputing() const { return m_run.computing; }
+    /// False for recordings that are opened but whose files have no hash yet: they can be shown,
+    /// not saved. Before anything is computed from them they are sealed, in the background.
+    bool isSealed() const;
     /// Whether the results belong to the recipe on the screen: false while computing, and after a
     /// cancelled computation. Only results that do may leave the program.
     bool isUpToDate() const { return !m_run.computing && m_run.firstStale == kStageCount; }
@@ -76,6 +81,8 @@ private:
     void setState(const ProjectState &state);
     void markStaleFrom(StageId stage);
     void startComputation();
+    void seal();
+    void takeSealed(const std::shared_ptr<const CaptureSet> &opened, Result<CaptureSet> sealed);
     void take(const PipelineOutcome &outcome);
     void takePart(const CalibrationResults &part, StageId upTo);
 
@@ -87,7 +94,11 @@ private:
     int m_mergeEpoch = 0;
     QTimer m_start;
     EnvelopeStore m_envelopes;
+    /// Opened -> sealed: the undo steps made meanwhile know the opened ones.
+    std::map<std::shared_ptr<const CaptureSet>, std::shared_ptr<const CaptureSet>> m_sealed;
     std::shared_ptr<ResultCache> m_cache = std::make_shared<ResultCache>();
+    std::shared_ptr<const CaptureSet> m_beingSealed;
+    JobRunner m_sealing;
     JobRunner m_jobs; ///< last: stops before anything that a delivery touches is gone
 };
 

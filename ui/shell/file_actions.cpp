@@ -203,6 +203,12 @@ bool FileActions::saveAs()
 
 bool FileActions::saveTo(const QString &path)
 {
+    if (!m_session.isSealed()) {
+        m_prompts.showProblem(m_window,
+            tr("The recordings are still being read for their hashes, which the project keeps; "
+               "try again in a moment."));
+        return false;
+    }
     const Result<void> saved = saveProject(path, m_session.state());
     if (!saved) {
         showProblem(saved.error());

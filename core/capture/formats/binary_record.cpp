@@ -40,7 +40,7 @@ double sampleRateOf(double interval_s, const std::string &path, const std::strin
     return 0.0;
 }
 
-void finishShots(CaptureSet &set, const std::string &path)
+void labelShots(CaptureSet &set, const std::string &path)
 {
     const std::string stem = std::filesystem::path(path).stem().string();
     for (std::size_t i = 0; i < set.shots.size(); ++i) {
@@ -48,8 +48,6 @@ void finishShots(CaptureSet &set, const std::string &path)
         shot.label = stem;
         if (set.shots.size() > 1)
             shot.label.append(", segment ").append(std::to_string(i + 1));
-        for (Channel &channel : shot.channels)
-            channel.sha256 = sha256OfSamples(channel.samples);
     }
 }
 

@@ -22,9 +22,8 @@ double intendedInterval(double stored);
 double sampleRateOf(double interval_s, const std::string &path, const std::string &channel,
     Index shot, Findings &findings);
 
-/// Labels the shots of a file by its name, with the number of the segment if there are several,
-/// and seals their channels (sha256).
-void finishShots(CaptureSet &set, const std::string &path);
+/// Labels the shots of a file by its name, with the number of the segment if there are several.
+void labelShots(CaptureSet &set, const std::string &path);
 
 /// A name that no channel of `shot` has yet: `name`, or "name (2)", ...
 std::string freeChannelName(const Shot &shot, const std::string &name);

@@ -9,7 +9,6 @@
 #include <array>
 #include <bit>
 #include <cstddef>
-#include <cstring>
 #include <span>
 #include <string>
 #include <string_view>
@@ -81,9 +80,12 @@ public:
     std::string text(std::size_t bytes)
     {
         const std::span<const std::byte> field = take(bytes);
-        std::string text(field.size(), '\0');
-        std::memcpy(text.data(), field.data(), field.size());
-        text.resize(std::min(text.find('\0'), text.size()));
+        std::string text;
+        for (const std::byte character : field) {
+            if (character == std::byte{0})
+                break;
+            text += std::to_integer<char>(character);
+        }
         const auto isBlank = [](char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; };
         while (!text.empty() && isBlank(text.back()))
             text.pop_back();

@@ -29,7 +29,8 @@ std::optional<CountedHeader> countedHeader(std::span<const double> column)
     const bool trigger = rows > 2 && isCount(column[2], 0.0, column[0]);
     const bool fraction = rows > 3 && trigger && column[3] >= 0.0 && column[3] <= 1.0;
     header.lines = rows - header.declared;
-    if (header.lines == 2 || (header.lines == 3 && trigger) || (header.lines == 4 && fraction))
+    const Index plausible = fraction ? 4 : trigger ? 3 : 2; // a cut file may match a shorter one
+    if (header.lines == plausible || (header.lines == 2 && !fraction))
         return header;
     const bool lessThanAll = rows < header.declared + 2;
     header.lines = fraction ? 4 : 2;

@@ -3,7 +3,6 @@
 
 #include "core/capture/formats/delimited_text.h"
 
-#include "core/base/content_hash.h"
 #include "core/capture/file_kind.h"
 #include "core/capture/formats/table_import.h"
 #include "core/capture/formats/text_dialect.h"
@@ -39,7 +38,6 @@ Channel channelOf(const ColumnTitle &title, ChannelRole role, std::vector<double
     channel.role = role;
     channel.unit = title.unit.empty() ? "1" : title.unit;
     channel.samples = RawSamples(std::move(values));
-    channel.sha256 = sha256OfSamples(channel.samples);
     return channel;
 }
 

@@ -87,24 +87,26 @@ std::string nameOfType(hid_t type)
 class DatasetMaker
 {
 public:
-    DatasetMaker(hid_t dataset, hsize_t fileBytes)
+    DatasetMaker(hid_t dataset, const Hdf5FileFacts &file)
         : m_dataset(dataset)
-        , m_fileBytes(fileBytes)
+        , m_file(file)
         , m_type(H5Dget_type(dataset), &H5Tclose)
         , m_creation(H5Dget_create_plist(dataset), &H5Pclose)
         , m_space(H5Dget_space(dataset), &H5Sclose)
     {
     }
 
-    Hdf5Dataset make()
+    std::optional<Hdf5Dataset> make()
     {
-        if (!m_type.valid() || !m_creation.valid() || !m_space.valid())
-            return m_made;
+        const bool known = m_type.valid() && m_creation.valid() && m_space.valid()
+            && H5Dget_storage_size(m_dataset) <= m_file.bytes;
+        if (!known)
+            return std::nullopt;
         m_made.typeText = nameOfType(m_type.id());
         m_made.obstacle = readShape() ? obstacle() : Hdf5Obstacle::Shape;
         if (m_made.obstacle == Hdf5Obstacle::None)
             place();
-        return m_made;
+        return m_damaged ? std::nullopt : std::optional(m_made);
     }
 
 private:
@@ -154,11 +156,13 @@ private:
     {
         std::array<hsize_t, H5S_MAX_RANK> extents{};
         const auto rank = static_cast<int>(m_made.shape.size());
-        if (H5Pget_chunk(m_creation.id(), rank, extents.data()) != rank)
-            return false;
+        const bool known = H5Pget_chunk(m_creation.id(), rank, extents.data()) == rank;
         m_made.blockShape.assign(extents.begin(), extents.begin() + rank);
-        return std::find(m_made.blockShape.begin(), m_made.blockShape.end(), 0U)
-            == m_made.blockShape.end();
+        const bool sound = known && rank > 0
+            && std::find(m_made.blockShape.begin(), m_made.blockShape.end(), 0U)
+                == m_made.blockShape.end();
+        m_damaged = m_damaged || !sound;
+        return sound;
     }
 
     /// A chunk has fewer than 2^32 bytes, or the library would not have opened it.
@@ -176,7 +180,7 @@ private:
         const hsize_t bytes = H5Tget_size(m_type.id());
         const hsize_t stored = H5Dget_storage_size(m_dataset);
         const hsize_t credible = isFiltered() ? stored * kMaxCompression + kSmallBytes : stored;
-        if (stored > m_fileBytes || bytes == 0 || m_made.elements() > credible / bytes)
+        if (bytes == 0 || m_made.elements() > credible / bytes)
             return Hdf5Obstacle::Incomplete;
         const bool chunked = H5Pget_layout(m_creation.id()) == H5D_CHUNKED;
         if (chunked && !(readChunkShape() && allChunksThere()))
@@ -238,8 +242,8 @@ private:
             m_made.blockShape = m_made.shape;
             m_made.blockOffsets = {H5Dget_offset(m_dataset)};
             return m_made.blockOffsets.front() != HADDR_UNDEF;
-        case H5D_CHUNKED:
-            return m_chunks <= kMaxLocatedChunks && locateChunks();
+        case H5D_CHUNKED: // versions of the library differ in whether the user block is counted in
+            return m_file.userBlockBytes == 0 && m_chunks <= kMaxLocatedChunks && locateChunks();
         default:
             return false;
         }
@@ -269,19 +273,20 @@ private:
     }
 
     hid_t m_dataset;
-    hsize_t m_fileBytes;
+    const Hdf5FileFacts &m_file;
     Hdf5Handle m_type;
     Hdf5Handle m_creation;
     Hdf5Handle m_space;
     hsize_t m_chunks = 0;
+    bool m_damaged = false; ///< it states what cannot be
     Hdf5Dataset m_made;
 };
 
 } // namespace
 
-Hdf5Dataset describeDataset(hid_t dataset, hsize_t fileBytes)
+std::optional<Hdf5Dataset> describeDataset(hid_t dataset, const Hdf5FileFacts &file)
 {
-    return DatasetMaker(dataset, fileBytes).make();
+    return DatasetMaker(dataset, file).make();
 }
 
 } // namespace dyncal

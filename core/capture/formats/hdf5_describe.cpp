@@ -13,6 +13,7 @@ namespace dyncal {
 namespace {
 
 constexpr std::size_t kMaxObjects = 20'000;
+constexpr std::size_t kMaxLinks = 200'000; ///< of one group
 constexpr int kMaxDepth = 64;
 constexpr hsize_t kMaxAttributes = 1024; ///< of one object
 
@@ -27,7 +28,7 @@ herr_t collectLink(hid_t, const char *name, const H5L_info_t *info, void *data)
     auto &links = *static_cast<std::vector<FoundLink> *>(data);
     const bool hard = info->type == H5L_TYPE_HARD;
     links.push_back({name, hard ? std::optional(info->u.address) : std::nullopt});
-    return links.size() < kMaxObjects ? 0 : -1;
+    return links.size() < kMaxLinks ? 0 : -1;
 }
 
 /// Members of a group: as they were added where the file knows, otherwise in natural order.
@@ -54,21 +55,22 @@ public:
     explicit TreeMaker(hid_t file)
         : m_file(file)
     {
-        H5Fget_filesize(file, &m_fileBytes);
+        H5Fget_filesize(file, &m_facts.bytes);
+        const Hdf5Handle creation(H5Fget_create_plist(file), &H5Pclose);
+        H5Pget_userblock(creation.id(), &m_facts.userBlockBytes);
     }
 
     std::optional<Hdf5Tree> make(Hdf5Depth depth)
     {
         H5O_info_t root;
-        if (H5Oget_info2(m_file, &root, H5O_INFO_BASIC) < 0 || add(root.addr, 0) < 0)
+        if (H5Oget_info2(m_file, &root, H5O_INFO_BASIC) < 0 || add(root.addr, 0) != 0)
             return std::nullopt;
-        while (depth == Hdf5Depth::Everything && !m_groups.empty()) {
+        while (!m_damaged && depth == Hdf5Depth::Everything && !m_groups.empty()) {
             const Group group = m_groups.front();
             m_groups.pop_front();
-            if (!readLinks(group))
-                return std::nullopt;
+            readLinks(group);
         }
-        return std::move(m_tree);
+        return m_damaged ? std::nullopt : std::optional(std::move(m_tree));
     }
 
 private:
@@ -90,9 +92,10 @@ private:
             return known->second;
         const Hdf5Handle opened(H5Oopen_by_addr(m_file, address), &H5Oclose);
         const H5I_type_t kind = opened.valid() ? H5Iget_type(opened.id()) : H5I_BADID;
+        m_damaged = m_damaged || !opened.valid();
         const bool usable = (kind == H5I_GROUP || kind == H5I_DATASET) && depth <= kMaxDepth
             && m_tree.objects.size() < kMaxObjects;
-        const Index position = usable ? std::ssize(m_tree.objects) : Hdf5Link::kBroken;
+        const Index position = usable ? std::ssize(m_tree.objects) : Hdf5Link::kNotRead;
         m_positions[address] = position;
         if (!usable)
             return position;
@@ -102,7 +105,7 @@ private:
         return position;
     }
 
-    Hdf5Object described(hid_t opened, H5I_type_t kind, haddr_t address) const
+    Hdf5Object described(hid_t opened, H5I_type_t kind, haddr_t address)
     {
         Hdf5Object result;
         result.address = address;
@@ -112,27 +115,29 @@ private:
         if (!result.tooManyAttributes)
             result.attributes = readAttributes(opened);
         result.isDataset = kind == H5I_DATASET;
-        if (result.isDataset)
-            result.dataset = describeDataset(opened, m_fileBytes);
+        if (result.isDataset == 0)
+            return result;
+        std::optional<Hdf5Dataset> dataset = describeDataset(opened, m_facts);
+        m_damaged = m_damaged || !dataset;
+        result.dataset = dataset.value_or(Hdf5Dataset());
         return result;
     }
 
-    bool readLinks(const Group &group)
+    void readLinks(const Group &group)
     {
         const Hdf5Handle opened(H5Oopen_by_addr(m_file, object(group.object).address), &H5Oclose);
         const auto links = opened.valid() ? linksOf(opened.id()) : std::nullopt;
-        if (!links)
-            return false;
-        for (const FoundLink &link : *links) {
+        m_damaged = m_damaged || !links;
+        for (const FoundLink &link : links.value_or(std::vector<FoundLink>())) {
             const Index target
                 = link.address ? add(*link.address, group.depth + 1) : Hdf5Link::kElsewhere;
             object(group.object).links.push_back({link.name, target});
         }
-        return true;
     }
 
     hid_t m_file;
-    hsize_t m_fileBytes = 0;
+    Hdf5FileFacts m_facts;
+    bool m_damaged = false;
     Hdf5Tree m_tree;
     std::map<haddr_t, Index> m_positions;
     std::deque<Group> m_groups;

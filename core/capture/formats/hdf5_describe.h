@@ -20,11 +20,19 @@ enum class Hdf5Depth { RootAttributes, Everything };
 Hdf5Handle openHdf5File(const std::string &path);
 
 /// The objects of the file and what they state; no samples are read. Links to elsewhere are not
-/// followed. Groups nested deeper than 64 and objects beyond 20 000 are left as broken links.
-/// Empty if the file cannot be opened.
+/// followed; groups nested deeper than 64 and objects beyond 20 000 are not read. Empty if the file
+/// or any object in it cannot be opened, or states what cannot be: next to such damage nothing in
+/// the file can be trusted.
 std::optional<Hdf5Tree> describeHdf5(const std::string &path, Hdf5Depth depth);
 
-/// A dataset by itself. `fileBytes` is held against what it claims.
-Hdf5Dataset describeDataset(hid_t dataset, hsize_t fileBytes);
+/// What must be known of the file to judge what its datasets claim.
+struct Hdf5FileFacts
+{
+    hsize_t bytes = 0;
+    hsize_t userBlockBytes = 0; ///< before the HDF5 part
+};
+
+/// A dataset by itself; empty if it states what cannot be.
+std::optional<Hdf5Dataset> describeDataset(hid_t dataset, const Hdf5FileFacts &file);
 
 } // namespace dyncal

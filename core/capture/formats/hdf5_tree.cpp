@@ -61,7 +61,7 @@ bool isSound(const Hdf5Object &object, Index objects)
                 return isKnown(attribute.second.kind, Hdf5ValueKind::Unreadable);
             })
         && std::all_of(object.links.begin(), object.links.end(), [&](const Hdf5Link &link) {
-               return link.target >= Hdf5Link::kBroken && link.target < objects;
+               return link.target >= Hdf5Link::kNotRead && link.target < objects;
            });
 }
 

@@ -82,7 +82,7 @@ struct Hdf5Link
     Index target = 0; ///< position in Hdf5Tree::objects, or one of the two below
 
     static constexpr Index kElsewhere = -1; ///< a soft, external or user-defined link
-    static constexpr Index kBroken = -2; ///< cannot be opened, or is nested too deep
+    static constexpr Index kNotRead = -2; ///< nested too deep, too many, or no group nor dataset
 };
 
 struct Hdf5Object

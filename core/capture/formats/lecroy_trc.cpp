@@ -141,7 +141,7 @@ public:
         scope["vendor"] = "Teledyne LeCroy";
         scope["model"] = m_wave.instrument;
         scope["serial"] = std::to_string(m_wave.serial);
-        finishShots(m_set, m_path);
+        labelShots(m_set, m_path);
         return std::move(m_set);
     }
 

@@ -95,12 +95,17 @@ private:
             if (!*header || !lines.next(line))
                 return endEarly();
         }
-        LvmRows rows(m_header, m_file, static_cast<Index>(m_text.size()));
+        if (const Result<void> counted = countChannels(); !counted)
+            return counted;
+        LvmRows rows(m_header, m_file, static_cast<Index>(m_text.size()) / 2);
         const Result<void> read = readRows(lines, line, rows);
         if (!read)
             return read;
         m_file.decimal = rows.decimal();
-        return rows.isEmpty() ? endEarly() : addShot(std::move(rows));
+        if (rows.isEmpty())
+            return endEarly();
+        addShot(std::move(rows));
+        return {};
     }
 
     /// Rows from `line` on up to a blank line.
@@ -114,10 +119,10 @@ private:
                 return row;
             for (const char *behind = nullptr; (behind = rows.addPlain(lines.rest())) != nullptr;) {
                 lines.take(behind);
-                if (const Result<void> going = pause(lines); !going)
+                if (const Result<void> going = pause(lines, begin, rows); !going)
                     return going;
             }
-            if (const Result<void> going = pause(lines); !going)
+            if (const Result<void> going = pause(lines, begin, rows); !going)
                 return going;
         } while (lines.next(line));
         return {};
@@ -177,35 +182,43 @@ private:
         return true; // LabVIEW ends every line, so doubt is enough
     }
 
-    Result<void> pause(const LineCursor &lines) const
+    /// Every so many rows: the time to stop, to report, and to make room for the rows to come.
+    Result<void> pause(const LineCursor &lines, const char *begin, LvmRows &rows) const
     {
         constexpr Index kRowsPerCheck = 1 << 16;
-        if (lines.number() % kRowsPerCheck != 0)
+        constexpr double kSpare = 1.02;
+        if (rows.size() % kRowsPerCheck != 0)
             return {};
         if (m_control.stopRequested())
             return fail(
                 ErrorKind::Cancelled, {DYNCAL_TEXT("core", "Reading %1 was cancelled."), {m_path}});
-        m_control.report(
-            1.0 - static_cast<double>(lines.rest().size()) / static_cast<double>(m_text.size()));
+        const auto rest = static_cast<double>(lines.rest().size());
+        m_control.report(1.0 - rest / static_cast<double>(m_text.size()));
+        const double perRow
+            = static_cast<double>(lines.rest().data() - begin) / static_cast<double>(rows.size());
+        rows.reserve(rows.size() + static_cast<Index>(kSpare * rest / perRow) + 1);
         return {};
     }
 
     /// Segments without a header of their own cost a few bytes in the file and many in memory.
-    Result<void> addShot(LvmRows rows)
+    Result<void> countChannels()
     {
         m_channels += static_cast<Index>(m_header.channels.size());
-        if (m_channels * kChannelBytes > static_cast<Index>(m_text.size()))
-            return fail(ErrorKind::FileUnreadable,
-                {DYNCAL_TEXT("core",
-                     "%1 claims %2 channels in %3 segments, which is more than it can hold; the "
-                     "file "
-                     "is damaged."),
-                    {m_path, std::to_string(m_channels), std::to_string(m_set.shots.size() + 1)}},
-                "CAP-018");
+        if (m_channels * kChannelBytes <= static_cast<Index>(m_text.size()))
+            return {};
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core",
+                 "%1 claims %2 channels in all its segments, which is more than it can hold; the "
+                 "file is damaged."),
+                {m_path, std::to_string(m_channels)}},
+            "CAP-018");
+    }
+
+    void addShot(LvmRows rows)
+    {
         const auto number = static_cast<Index>(m_set.shots.size()) + 1;
         m_set.shots.push_back(
             lvmShot(m_path, number, m_header, m_file, std::move(rows), m_set.findings));
-        return {};
     }
 
     void nameShots()

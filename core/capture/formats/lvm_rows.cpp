@@ -40,6 +40,16 @@ bool LvmRows::isEmpty() const
         [](const SampleColumn &column) { return column.size() == 0; });
 }
 
+void LvmRows::reserve(Index rows)
+{
+    for (std::vector<SampleColumn> *columns : {&m_values, &m_x}) {
+        for (SampleColumn &column : *columns) {
+            if (column.size() == m_rows)
+                column.reserve(rows);
+        }
+    }
+}
+
 const char *LvmRows::addPlain(std::string_view rest)
 {
     if (m_plainCells == 0 || m_rows < kCarefulRows || m_rows % kCarefulEvery == 0 || !m_decimal)

@@ -28,6 +28,11 @@ public:
     /// Reads any line. Fails with CAP-018 on a cell that is no number or a line that is too long.
     Result<void> add(const std::string &path, std::string_view line, Index number);
 
+    Index size() const { return m_rows; }
+
+    /// Makes room for so many rows in all columns that have reached the last ones.
+    void reserve(Index rows);
+
     const std::vector<SampleColumn> &values() const { return m_values; } ///< one per channel
     std::vector<SampleColumn> takeValues() { return std::move(m_values); }
     const std::vector<SampleColumn> &x() const { return m_x; } ///< one per X column

@@ -65,7 +65,6 @@ private:
         channel.sampleRate_Hz = sampleRate_Hz;
         channel.t0_s = header.x0;
         channel.samples = RawSamples(std::move(values));
-        channel.sha256 = sha256OfSamples(channel.samples);
         return channel;
     }
 

@@ -155,7 +155,7 @@ private:
             set.findings.push_back(leftOut(m_path, m_leftOutNames, kinds));
         }
         set.shots.push_back(std::move(m_shot));
-        finishShots(set, m_path);
+        labelShots(set, m_path);
         return set;
     }
 

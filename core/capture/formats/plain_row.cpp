@@ -176,6 +176,8 @@ const char *PlainRowReader::behindRow(const char *at, const char *end, std::span
 
 const char *PlainRowReader::read(std::string_view text, std::span<double> row) const
 {
+    if (m_separator == m_decimal)
+        return nullptr; // only quotes tell them apart
     const char *const end = text.data() + text.size();
     const char *const at = behindRow(text.data(), end, row);
     if (at == nullptr || at == end)

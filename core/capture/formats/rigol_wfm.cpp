@@ -202,7 +202,7 @@ Result<CaptureSet> setOf(
     }
     set.shots.push_back(std::move(shot));
     set.instruments["oscilloscope"] = {{"vendor", "Rigol"}, {"model", header.model}};
-    finishShots(set, path);
+    labelShots(set, path);
     return set;
 }
 

@@ -108,7 +108,7 @@ public:
         }
         m_set.shots.push_back(std::move(shot));
         m_set.instruments["oscilloscope"] = {{"vendor", "Rohde & Schwarz"}};
-        finishShots(m_set, m_path);
+        labelShots(m_set, m_path);
         return std::move(m_set);
     }
 

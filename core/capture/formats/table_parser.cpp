@@ -3,6 +3,7 @@
 
 #include "core/capture/formats/table_parser.h"
 
+#include "core/capture/formats/large_pages.h"
 #include "core/capture/formats/plain_row.h"
 #include "core/capture/formats/table_end.h"
 #include "core/capture/formats/text_table.h"
@@ -74,8 +75,10 @@ private:
         const std::size_t room = rows + kFirstRows
             + (rows < kFirstRows ? 0 : static_cast<std::size_t>(all * kSpare) - rows);
         const std::size_t most = rows + m_text.size() / m_row.size() + 1; // a cell takes a byte
-        for (std::vector<double> &column : m_table.columns)
+        for (std::vector<double> &column : m_table.columns) {
             column.reserve(std::min(room, most));
+            preferLargePages(column.data() + rows, (column.capacity() - rows) * sizeof(double));
+        }
     }
 
     Result<void> pause(const JobControl &control) const
@@ -171,10 +174,10 @@ private:
 
     bool isCut(std::string_view line, Index number)
     {
-        if (isBlankRow(line, m_dialect.separator) || isCommentLine(line)
-            || m_table.columns.front().empty())
+        if (isBlankRow(line, m_dialect.separator) || isCommentLine(line))
             return false;
-        const RowEnd end = lastRowEnd(m_text, line, m_dialect);
+        const RowEnd end = m_table.columns.front().empty() ? RowEnd::Unclear
+                                                           : lastRowEnd(m_text, line, m_dialect);
         if (end != RowEnd::Whole)
             m_table.findings.push_back(unfinishedLine(m_path, number, end));
         return end == RowEnd::Cut;

@@ -147,7 +147,7 @@ private:
         if (channel.unit.empty() || record.bareCounts)
             channel.unit = "1";
         if (record.bareCounts)
-            m_set.findings.push_back({"CAP-014", Severity::Caution, 0, channel.name, {},
+            m_set.findings.push_back({"CAP-027", Severity::Caution, 0, channel.name, {},
                 {DYNCAL_TEXT("core",
                      "%1: channel %2 holds counts of the converter and no scale; state scale and "
                      "unit, or its values mean nothing."),
@@ -159,7 +159,7 @@ private:
     void leaveOut(Message reason, Severity severity)
     {
         m_lastReason = reason;
-        m_set.findings.push_back({"CAP-024", severity, 0, {}, {},
+        m_set.findings.push_back({"CAP-026", severity, 0, {}, {},
             {DYNCAL_TEXT("core", "%1: a channel was left out. %2"), {m_path, english(reason)}}, {},
             {}});
     }

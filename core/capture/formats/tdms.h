@@ -22,7 +22,8 @@ int recogniseTdms(const std::string &path, std::string_view head);
 /// without, CAP-003), first sample at wf_start_offset. A file that ends early or is damaged behind
 /// its first segment keeps all complete values (CAP-018, caution); channels that cannot be read
 /// rightly (texts, time stamps, complex numbers, scales that are not applied) are left out
-/// (CAP-024). Fails with CAP-018 if nothing can be read, CAP-001 for the index of a TDMS file.
+/// (CAP-026), DAQmx counts without a scale given out as counts (CAP-027). Fails with CAP-018 if
+/// nothing can be read, CAP-001 for the index of a TDMS file.
 Result<CaptureSet> readTdms(
     const std::string &path, const ImportSettings &settings, const JobControl &control);
 

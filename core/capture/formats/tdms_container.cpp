@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <unordered_map>
+#include <unordered_set>
 
 namespace dyncal {
 namespace {
@@ -201,7 +202,12 @@ private:
                 {DYNCAL_TEXT("core",
                      "%1 is damaged: up to byte %2 it names more channels than any recording has."),
                     {}});
+        std::unordered_set<std::string_view> paths;
         for (const TdmsObjectEntry &entry : entries) {
+            if (!paths.insert(entry.path).second)
+                return Unexpected({DYNCAL_TEXT("core",
+                                       "%1 is damaged: the segment at byte %2 describes %3 twice."),
+                    {entry.path}});
             const auto known = m_ids.find(entry.path);
             const TdmsObject *object
                 = known != m_ids.end() ? &m_contents.objects[known->second] : nullptr;

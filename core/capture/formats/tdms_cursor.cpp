@@ -5,24 +5,34 @@
 
 namespace dyncal {
 
+void TdmsCursor::moveWindow()
+{
+    constexpr std::uint64_t kLeast = 1024;
+    constexpr std::uint64_t kMost = 32 * 1024;
+    // Large segments lie far apart, so that only their first bytes are wanted; small ones do not.
+    const std::uint64_t size = m_window.size();
+    const bool near = m_position >= m_windowBegin && m_position <= m_windowBegin + 2 * size;
+    const std::uint64_t wanted = near ? std::clamp(2 * size, kLeast, kMost) : kLeast;
+    m_windowBegin = m_position;
+    m_window.resize(static_cast<std::size_t>(std::min(wanted, m_file.size() - m_position)));
+    if (!m_file.read(m_windowBegin, m_window.size(), m_window.data()))
+        m_window.clear();
+}
+
 bool TdmsCursor::copy(std::byte *target, std::size_t bytes)
 {
-    constexpr std::uint64_t kWindow = 32 * 1024;
+    constexpr std::size_t kLarge = 512;
     if (remaining() < bytes)
         return false;
-    const std::uint64_t windowEnd = m_windowBegin + m_window.size();
-    if (m_position < m_windowBegin || m_position + bytes > windowEnd) {
-        if (bytes > kWindow) {
-            const bool done = m_file.read(m_position, bytes, target);
-            m_position += bytes;
-            return done;
-        }
-        m_windowBegin = m_position;
-        m_window.resize(static_cast<std::size_t>(std::min(kWindow, m_file.size() - m_position)));
-        if (!m_file.read(m_windowBegin, m_window.size(), m_window.data())) {
-            m_window.clear();
+    if (bytes > kLarge) {
+        const bool done = m_file.read(m_position, bytes, target);
+        m_position += bytes;
+        return done;
+    }
+    if (m_position < m_windowBegin || m_position + bytes > m_windowBegin + m_window.size()) {
+        moveWindow();
+        if (m_window.size() < bytes)
             return false;
-        }
     }
     std::memcpy(target, m_window.data() + (m_position - m_windowBegin), bytes);
     m_position += bytes;

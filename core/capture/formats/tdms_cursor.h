@@ -58,6 +58,7 @@ public:
 
 private:
     bool copy(std::byte *target, std::size_t bytes);
+    void moveWindow();
 
     const SampleFile &m_file;
     std::vector<std::byte> m_window;

@@ -178,6 +178,25 @@ bool scalersFit(const Objects &objects)
     });
 }
 
+/// Whether scalers use the same bytes many times over, so that a small file would claim samples
+/// without end; once or twice does no harm.
+bool overlapEndlessly(const Objects &objects)
+{
+    constexpr std::uint64_t kBitsPerByte = 8;
+    constexpr std::uint64_t kTimes = 4;
+    std::vector<std::uint64_t> bits(objects.front()->index->widths.size(), 0);
+    for (const TdmsObject *object : objects) {
+        for (const TdmsScaler &scaler : object->index->scalers)
+            bits[scaler.buffer] += scaler.bit >= 0
+                ? 1
+                : kBitsPerByte * static_cast<std::uint64_t>(tdmsTypeBytes(scaler.type).value_or(0));
+    }
+    return !std::equal(bits.begin(), bits.end(), objects.front()->index->widths.begin(),
+        [](std::uint64_t used, std::uint64_t width) {
+            return used <= kTimes * kBitsPerByte * width;
+        });
+}
+
 /// One raw buffer of a chunk.
 struct Buffer
 {
@@ -224,10 +243,10 @@ void placeBuffers(const TdmsRegion &region, const Objects &objects,
 
 tl::expected<void, TdmsProblem> placeDaqmx(const TdmsRegion &region, const Objects &objects)
 {
-    if (!scalersFit(objects))
+    if (!scalersFit(objects) || overlapEndlessly(objects))
         return Unexpected(
             {DYNCAL_TEXT("core",
-                 "%1 is damaged: DAQmx channels of the segment at byte %2 lie outside "
+                 "%1 is damaged: DAQmx channels of the segment at byte %2 do not fit into "
                  "their raw buffers."),
                 {}});
     std::vector<Buffer> buffers = buffersOf(objects);

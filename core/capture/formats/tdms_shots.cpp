@@ -38,14 +38,17 @@ std::vector<Group> groupsOf(const TdmsContents &contents)
     return groups;
 }
 
+/// SignalExpress writes these to the group and again to its channels.
 std::optional<std::uint64_t> countIn(const Group &group, const char *name)
 {
-    return group.object != nullptr ? countOf(group.object->properties, name) : std::nullopt;
+    const auto count
+        = group.object != nullptr ? countOf(group.object->properties, name) : std::nullopt;
+    return count ? count : countOf(group.channels.front()->properties, name);
 }
 
 Finding leftOut(Message message)
 {
-    return {"CAP-024", Severity::Info, 0, {}, {}, std::move(message), {}, {}};
+    return {"CAP-026", Severity::Info, 0, {}, {}, std::move(message), {}, {}};
 }
 
 bool isSignalExpress(const std::vector<Group> &groups)
@@ -89,7 +92,7 @@ TdmsShots signalExpressShots(
     for (auto &[index, plan] : intervals)
         shots.shots.push_back(std::move(plan));
     if (shots.shots.size() > 1)
-        shots.findings.push_back({"CAP-024", Severity::Info, 0, {}, {},
+        shots.findings.push_back({"CAP-028", Severity::Info, 0, {}, {},
             {DYNCAL_TEXT("core",
                  "%1: each of its %2 logged intervals was taken as a shot; exclude those that are "
                  "none."),

@@ -3,10 +3,13 @@
 
 #include "core/capture/formats/text_bytes.h"
 
+#include "core/capture/formats/large_pages.h"
+
 #include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <new>
 #include <system_error>
 
 namespace dyncal {
@@ -112,6 +115,16 @@ tl::unexpected<Error> cannotRead(const std::string &path)
 }
 
 } // namespace
+
+FileText::FileText(std::size_t size)
+{
+    const std::size_t bytes = (size / kLargePage + 1) * kLargePage;
+    m_bytes.reset(static_cast<char *>(std::aligned_alloc(kLargePage, bytes)));
+    if (!m_bytes)
+        throw std::bad_alloc();
+    preferLargePages(m_bytes.get(), bytes);
+    m_text = {m_bytes.get(), size};
+}
 
 Result<FileText> readTextFile(const std::string &path)
 {

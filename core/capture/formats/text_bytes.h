@@ -5,6 +5,7 @@
 
 #include "core/base/result.h"
 
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -16,18 +17,19 @@ namespace dyncal {
 class FileText
 {
 public:
-    explicit FileText(std::size_t size)
-        : m_bytes(new char[size])
-        , m_text(m_bytes.get(), size)
-    {
-    }
+    explicit FileText(std::size_t size);
 
     char *data() { return m_bytes.get(); }
     std::string_view view() const { return m_text; }
     void skip(std::size_t bytes) { m_text.remove_prefix(bytes); }
 
 private:
-    std::unique_ptr<char[]> m_bytes;
+    struct Free
+    {
+        void operator()(char *bytes) const { std::free(bytes); }
+    };
+
+    std::unique_ptr<char, Free> m_bytes;
     std::string_view m_text;
 };
 

@@ -218,10 +218,13 @@ private:
 std::optional<TextDialect> dialectOf(std::string_view text, const ImportSettings &settings)
 {
     const std::vector<std::string_view> lines = firstLines(text);
+    // In quotes the separator may be the decimal mark, too.
+    const bool quoted = std::any_of(lines.begin(), lines.end(),
+        [](std::string_view line) { return line.find('"') != std::string_view::npos; });
     std::vector<Trial> trials;
     for (const char separator : separatorsToTry(settings.separator)) {
         for (const char decimal : decimalsToTry(settings.decimal)) {
-            if (separator != decimal)
+            if (separator != decimal || quoted)
                 trials.push_back(tried(lines, separator, decimal, settings.skipRows));
         }
     }

@@ -182,7 +182,10 @@ CellKind readCell(std::string_view cell, char decimal, double &value)
 void SampleColumn::addValueAt(Index row, double value)
 {
     if (row > size()) {
-        m_values.resize(static_cast<std::size_t>(row), std::numeric_limits<double>::quiet_NaN());
+        const std::size_t rows = static_cast<std::size_t>(row);
+        if (rows > 2 * m_values.capacity())
+            m_values.reserve(rows + 1); // or else the value itself would double it
+        m_values.resize(rows, std::numeric_limits<double>::quiet_NaN());
         m_hasGaps = true;
     }
     m_values.push_back(value);

@@ -97,6 +97,7 @@ public:
     const std::vector<double> &values() const { return m_values; }
     bool hasGaps() const { return m_hasGaps; }
     std::vector<double> take() { return std::move(m_values); }
+    void reserve(Index rows) { m_values.reserve(static_cast<std::size_t>(rows)); }
 
 private:
     std::vector<double> m_values;

@@ -182,8 +182,11 @@ private:
     Result<void> takeStated(const TimeAxis &axis, double scale_s)
     {
         take(axis, scale_s);
-        if (m_settings.sampleRate_Hz && !agree(*m_settings.sampleRate_Hz, m_time.sampleRate_Hz))
-            return m_say.recipeAgainstTimes(*m_settings.sampleRate_Hz, m_time.sampleRate_Hz);
+        if (m_settings.sampleRate_Hz && !agree(*m_settings.sampleRate_Hz, m_time.sampleRate_Hz)) {
+            if (m_settings.sampleRateReason.empty())
+                return m_say.recipeAgainstTimes(*m_settings.sampleRate_Hz, m_time.sampleRate_Hz);
+            return {}; // the import rules replace the rate and print the reason
+        }
         for (const HeaderRate &rate : m_header) {
             if (agrees(rate, m_time.sampleRate_Hz))
                 continue;
@@ -211,7 +214,8 @@ private:
                 return {};
             }
         }
-        if (known_Hz && !counter)
+        const bool reasoned = m_settings.sampleRate_Hz && !m_settings.sampleRateReason.empty();
+        if (known_Hz && !counter && !reasoned)
             return m_say.noUnitAgrees(axis.step, *known_Hz);
         if (known_Hz) {
             m_time.sampleRate_Hz = m_settings.sampleRate_Hz ? 0.0 : *known_Hz;

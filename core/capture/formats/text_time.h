@@ -33,8 +33,9 @@ struct TextTime
 /// columns, they must name the time too. Row 0 of `columns` is the first line behind the header.
 ///
 /// Fails: CAP-001 the first column holds frequencies, CAP-003 times, header and
-/// settings.sampleRate_Hz differ by more than 0.1 %, CAP-016 times are not uniform or their unit is
-/// unknown.
+/// settings.sampleRate_Hz differ by more than 0.1 % (not the last, if settings.sampleRateReason
+/// says why: then the import rules replace the rate), CAP-016 times are not uniform or their unit
+/// is unknown.
 Result<TextTime> timeOfTable(const std::string &path, const ImportSettings &settings,
     const TextDialect &dialect, const std::vector<ColumnTitle> &titles,
     const std::vector<std::vector<double>> &columns);

@@ -66,8 +66,9 @@ TimeSentences::Failure TimeSentences::recipeAgainstTimes(double recipe_Hz, doubl
     return failure("CAP-003",
         DYNCAL_TEXT("core",
             "%1: the recipe states a sample rate of %2, but the column of times steps at %3. Which "
-            "one is right? Take sample_rate_hz out of the recipe, or name only the columns of "
-            "samples there."),
+            "one is right? Take sample_rate_hz out of the recipe, or say in sample_rate_reason why "
+            "the "
+            "times are wrong."),
         {path, hertz(recipe_Hz), hertz(times_Hz)});
 }
 

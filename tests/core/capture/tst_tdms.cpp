@@ -386,7 +386,7 @@ private slots:
         QCOMPARE(set->shots[0].channels.size(), std::size_t{1});
         std::string all;
         for (const Finding &finding : set->findings)
-            all += finding.id == "CAP-024" ? english(finding.message) : std::string();
+            all += finding.id == "CAP-026" ? english(finding.message) : std::string();
         for (const char *name : {"remark", "clock", "wave", "empty"})
             QVERIFY2(contains(all, name), name);
     }
@@ -499,7 +499,7 @@ private slots:
         QCOMPARE(set->shots[0].label, std::string("record, low"));
         QCOMPARE(set->shots[1].label, std::string("record, high"));
         QCOMPARE(rawValuesOf(*channelNamed(set->shots[1], "q")), numbers(4));
-        const Finding *left = findingWith(set->findings, "CAP-024");
+        const Finding *left = findingWith(set->findings, "CAP-026");
         QVERIFY(left != nullptr && contains(english(left->message), "\"log\""));
     }
 
@@ -526,7 +526,8 @@ private slots:
         QCOMPARE(rawValuesOf(set->shots[0].channels[0]), numbers(1));
         QCOMPARE(rawValuesOf(set->shots[1].channels[0]), numbers(3));
         QVERIFY(!hasFinding(set->findings, "CAP-018"));
-        QVERIFY(hasFinding(set->findings, "CAP-024"));
+        QVERIFY(hasFinding(set->findings, "CAP-026"));
+        QVERIFY(hasFinding(set->findings, "CAP-028"));
     }
 
     void signalExpress_unfinishedRecording_isSaid()
@@ -535,6 +536,19 @@ private slots:
         QCOMPARE(set->shots.size(), std::size_t{1});
         QVERIFY(!contains(set->shots[0].label, ","));
         QVERIFY(hasFinding(set->findings, "CAP-018"));
+    }
+
+    void signalExpress_levelOfTheChannelAlone_counts()
+    {
+        Segment segment(kFresh);
+        segment.channel<std::int16_t>("/'All Data'/'ai0'", 1);
+        segment.property("DecimationLevel", std::int32_t{0});
+        segment.channel<std::int16_t>("/'Decimated'/'ai0'", 1);
+        segment.property("DecimationLevel", std::int32_t{1});
+        segment.data().all<std::int16_t>({1, 2});
+        const auto set = m_folder.read(segment.bytes());
+        QCOMPARE(set->shots.size(), std::size_t{1});
+        QCOMPARE(valuesIn(set, "ai0"), numbers(1));
     }
 
     void unknownVersion_isReadAndSaid()

@@ -333,7 +333,7 @@ private slots:
         QCOMPARE(set->shots[0].channels.size(), std::size_t{1});
         QCOMPARE(set->shots[0].channels[0].samples.size(), Index{20000});
         QCOMPARE(set->shots[0].channels[0].sampleRate_Hz, 2000.0);
-        QVERIFY(hasFinding(set->findings, "CAP-024"));
+        QVERIFY(hasFinding(set->findings, "CAP-026"));
     }
 
     void indexFiles_areNamedForWhatTheyAre()

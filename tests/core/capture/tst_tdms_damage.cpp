@@ -194,6 +194,10 @@ private slots:
         uneven.channel<std::int16_t>(kA, 1).channel<std::int32_t>(kB, 2);
         uneven.data().add<std::int16_t>(1).add(2).add(3);
         row("interleaved of different lengths", uneven.bytes());
+        Segment twice(kFresh); // found by fuzzing: the second description has another type
+        twice.channel<std::int32_t>(kB, 1).object(kB, twice.index(0, 1));
+        twice.data().add(1);
+        row("one object twice", twice.bytes());
     }
 
     void damageLater_keepsWhatStandsBefore()
@@ -349,6 +353,17 @@ private slots:
         clock.start();
         readTdms(path, {}, {}); // read in part or refused, but soon
         QVERIFY(clock.elapsed() < 5 * kLongestRefusal_ms);
+    }
+
+    void daqmxChannelsOfTheSameBytes_areRefused()
+    {
+        Segment segment(kFresh);
+        for (int i = 0; i < 1000; ++i)
+            segment.object("/'g'/'" + std::to_string(i) + "'",
+                segment.daqmx(4, {TdmsWriterScaler{3, 0, 0, 0}}, {2}));
+        segment.data().all<std::int16_t>({1, 2, 3, 4});
+        const auto set = m_folder.read(segment.bytes());
+        QVERIFY(!set && findingId(set) == "CAP-018");
     }
 
     void cancelled_readingStops()

@@ -291,7 +291,7 @@ private slots:
         const auto set = m_folder.read(segment.bytes());
         QCOMPARE(set->shots[0].channels.size(), std::size_t{1});
         QCOMPARE(valuesIn(set, "b"), numbers(2));
-        const Finding *finding = findingWith(set->findings, "CAP-024");
+        const Finding *finding = findingWith(set->findings, "CAP-026");
         QVERIFY(finding != nullptr && finding->severity == Severity::Caution);
         QVERIFY(contains(english(finding->message), "RTD"));
     }
@@ -376,7 +376,7 @@ private slots:
         QCOMPARE(valuesIn(set, "c"), numbers(50000, 50001, 50010, 50011));
         QCOMPARE(set->shots[0].channels[2].samples.type(), SampleType::UInt16);
         QCOMPARE(set->shots[0].channels[0].unit, std::string("1"));
-        QVERIFY(hasFinding(set->findings, "CAP-014")); // counts, and nothing says what they mean
+        QVERIFY(hasFinding(set->findings, "CAP-027")); // counts, and nothing says what they mean
     }
 
     void daqmx_cutWithinBuffers_keepsWholeRows()
@@ -404,7 +404,7 @@ private slots:
         QCOMPARE(channel.polynomial, numbers(1.0, 0.25));
         QCOMPARE(rawValuesOf(channel), numbers(-4, 8));
         QCOMPARE(channel.unit, std::string("V"));
-        QVERIFY(!hasFinding(set->findings, "CAP-014"));
+        QVERIFY(!hasFinding(set->findings, "CAP-027"));
     }
 
     void daqmx_twoScalersAdded()
@@ -453,7 +453,7 @@ private slots:
         QCOMPARE(valuesIn(set, "a"), numbers(1, 0, 1));
         QCOMPARE(valuesIn(set, "b"), numbers(0, 1, 0));
         QCOMPARE(set->shots[0].channels[0].samples.type(), SampleType::UInt8);
-        QVERIFY(!hasFinding(set->findings, "CAP-014"));
+        QVERIFY(!hasFinding(set->findings, "CAP-027"));
     }
 
     void daqmx_typesWithoutSampleType_areExact()

@@ -123,7 +123,7 @@ void TestTextParts::unknownFile_saysWhatItIs_data()
     row("gif", "GIF89a", "a GIF picture", true);
     row("gzip", "\x1F\x8B\x08", "compressed file (gzip)", true);
     row("7z", "7z\xBC\xAF", "a 7-Zip archive", true);
-    row("matlab 5", "MATLAB 5.0 MAT-file, Platform", "a MATLAB file", true);
+    row("matlab 5", "MATLAB 5.0 MAT-file, Platform", "like a MATLAB file", true);
     row("matlab 7.3", "MATLAB 7.3 MAT-file, Platform", "a MATLAB file", true);
     row("riff", "RIFF....AVI ", "a RIFF file", true);
     row("elf", QByteArray("\x7F\x45LF\x02"), "a program", true);

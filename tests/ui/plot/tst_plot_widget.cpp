@@ -109,6 +109,7 @@ class TestPlotWidget : public QObject
     Q_OBJECT
 
 private slots:
+    void content_growing_isFittedUntilTheViewIsMoved();
     void init_contentOfOneCurve_fitsIt();
     void setContent_afterZoom_keepsView();
     void setContent_otherQuantity_fitsThatAxis();
@@ -685,6 +686,45 @@ void TestPlotWidget::keys_prefixOfAxis_followsRange()
     QVERIFY(plot.xRange().end < 1e-4);
     QVERIFY(plot.exportImage(folder.filePath("a.svg")));
     QVERIFY(bytesOf(folder.filePath("a.svg")).contains(QByteArray("Time / µs")));
+}
+
+void TestPlotWidget::content_growing_isFittedUntilTheViewIsMoved()
+{
+    PlotWidget plot;
+    PlotContent content = timeContent();
+    content.growing = true;
+    content.xMin = 0.0;
+    content.xMax = 2e-3;
+    const PlotCurve first = content.curves.front();
+    content.curves.front().x.clear();
+    content.curves.front().y.clear();
+    plot.setContent(content); // the axis is there before the first point
+    QCOMPARE(plot.xRange(), (Interval{0.0, 2e-3}));
+    content.curves.front() = first;
+    plot.setContent(content);
+    QVERIFY(plot.yRange().end > 1.0 && plot.yRange().end < 5.0);
+    PlotCurve higher = first;
+    for (double &y : higher.y)
+        y *= 10.0;
+    content.curves.push_back(higher);
+    plot.setContent(content);
+    QVERIFY(plot.yRange().end > 10.0);
+
+    plot.setXRange({0.5e-3, 0.6e-3}); // the operator looks closer: that stays, y still grows
+    const double top = plot.yRange().end;
+    for (double &y : higher.y)
+        y *= 2.0;
+    content.curves.push_back(higher);
+    content.growing = false;
+    plot.setContent(content);
+    QCOMPARE(plot.xRange(), (Interval{0.5e-3, 0.6e-3}));
+    QVERIFY(plot.yRange().end > 1.5 * top);
+
+    const Interval y = plot.yRange();
+    content.curves.resize(1); // complete: from now on nothing moves
+    plot.setContent(content);
+    QCOMPARE(plot.xRange(), (Interval{0.5e-3, 0.6e-3}));
+    QCOMPARE(plot.yRange(), y);
 }
 
 QTEST_MAIN(TestPlotWidget)

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/capture/foreign_datasets.h"
+
+#include "core/capture/formats/mat73.h"
+
+namespace dyncal {
+
+Result<std::vector<DatasetEntry>> listDatasets(const std::string &path, const JobControl &control)
+{
+    const Result<Hdf5File> file = openHdf5(path, control);
+    if (!file)
+        return tl::unexpected(file.error());
+    const bool matlab = isMat73(path);
+    std::vector<DatasetEntry> entries;
+    for (const ForeignDataset &dataset : datasetsOf(file->tree)) {
+        ForeignChannels channels
+            = matlab ? mat73ChannelsOf(dataset, path) : channelsOf(dataset, path);
+        const Hdf5Dataset &data = dataset.object->dataset;
+        entries.push_back({dataset.path, data.typeText, data.shape, attributeTexts(*dataset.object),
+            std::move(channels.names), std::move(channels.whyNot)});
+    }
+    return entries;
+}
+
+} // namespace dyncal
