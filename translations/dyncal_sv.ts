@@ -3232,7 +3232,7 @@
     </message>
     <message>
         <source>as recorded</source>
-        <translation>som inspelat</translation>
+        <translation>som registrerat</translation>
     </message>
     <message>
         <source>gauge</source>

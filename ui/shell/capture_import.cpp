@@ -117,8 +117,9 @@ void CaptureImport::start(const Request &request)
 
 void CaptureImport::deliver(const Request &request, const std::shared_ptr<const Outcome> &outcome)
 {
-    if (request.mayAsk && !outcome->question.empty())
-        ask(QString::fromStdString(outcome->question), request, outcome);
+    const QString question = QString::fromStdString(outcome->question);
+    if (request.mayAsk && !question.isEmpty() && question != request.asked)
+        ask(question, request, outcome);
     else
         take(request, *outcome);
 }
@@ -129,10 +130,10 @@ void CaptureImport::ask(
 {
     ImportDialog *dialog
         = openDialog(path, request.settings, static_cast<int>(request.paths.size()));
-    connect(dialog, &ImportDialog::accepted, this, [this, dialog, request] {
+    connect(dialog, &ImportDialog::accepted, this, [this, dialog, request, path] {
         Request answered = request;
         answered.settings = dialog->settings();
-        answered.mayAsk = false;
+        answered.asked = path; // the answer may be for this file only, then the next one asks
         start(answered);
     });
     connect(dialog, &ImportDialog::rejected, this,

@@ -53,6 +53,7 @@ private:
         ImportSettings settings;
         bool mayAsk = true;
         QString step;
+        QString asked{}; ///< the file of the last question: no question comes twice
     };
     struct Outcome;
 

@@ -52,6 +52,7 @@ ImportChannelTable::ImportChannelTable(QWidget *parent)
         tr("Sensitivity / (mV/kPa)"), tr("Inverted"), tr("Pressure"), tr("Samples")});
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionMode(QAbstractItemView::NoSelection);
+    setTabKeyNavigation(false); // Tab goes through the controls
     verticalHeader()->hide();
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);

@@ -41,6 +41,7 @@ ImportPreviewTable::ImportPreviewTable(QWidget *parent)
 {
     setObjectName("importPreview");
     setAccessibleName(tr("First rows of the file"));
+    setTabKeyNavigation(false);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);

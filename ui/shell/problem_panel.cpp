@@ -20,6 +20,8 @@ namespace dyncal {
 
 namespace {
 
+constexpr int kMostHeight = 190; ///< the work beside it needs room
+
 enum Column { File, Sentence, Action, ColumnCount };
 
 QString fileName(const FileProblem &problem)
@@ -47,6 +49,8 @@ ProblemPanel::ProblemPanel(QWidget *parent)
     m_table->setAccessibleName(tr("Files that could not be read"));
     m_table->setHorizontalHeaderLabels({tr("File"), tr("What is wrong, and what to do"), {}});
     m_table->verticalHeader()->hide();
+    m_table->setTabKeyNavigation(false);
+    m_table->setMaximumHeight(kMostHeight);
     m_table->setWordWrap(true);
     m_table->setTextElideMode(Qt::ElideMiddle);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);

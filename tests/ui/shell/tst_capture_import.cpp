@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/capture/format_registry.h"
+#include "core/capture/import_rules.h"
 #include "tests/ui/support/event_loop_watchdog.h"
 #include "tests/ui/support/recording_files.h"
 #include "tests/ui/support/sample_results.h"
@@ -21,6 +22,7 @@
 #include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
+#include <QRadioButton>
 #include <QSpinBox>
 #include <QTableWidget>
 #include <QTemporaryDir>
@@ -155,6 +157,9 @@ private slots:
     void add_toAJob_keepsItsShotsAndLevels();
     void noDut_asksAndTakesTheAnswerForAllFiles();
     void noDut_askedInVain_takesTheFilesAsTheyAre();
+    void noDut_answeredForOneFile_asksForTheNext();
+    void channelDetails_typed_areInTheSettings();
+    void rateAgainstTheFile_needsAReason();
     void noRate_asks();
     void germanTable_readsWithoutAQuestion();
     void ambiguousDecimal_asksAndShowsTheEffect();
@@ -334,6 +339,82 @@ void TestCaptureImport::noDut_askedInVain_takesTheFilesAsTheyAre()
     QTRY_COMPARE(bench.shots(), std::size_t(1)); // CAP-002 says the rest
     QCOMPARE(bench.panel()->problems().size(), std::size_t(1));
     QVERIFY(bench.import() == ImportSettings{});
+}
+
+void TestCaptureImport::noDut_answeredForOneFile_asksForTheNext()
+{
+    const Bench bench;
+    bench.drop({bench.write("a.csv", tableText({})), bench.write("b.csv", tableText({}))});
+    for (const int dut : {1, 2}) { // the channels of the two files are the other way round
+        const QString title = dut == 1 ? "Import a.csv" : "Import b.csv";
+        QTRY_VERIFY(bench.dialog() && bench.dialog()->windowTitle() == title);
+        ImportDialog *dialog = bench.waitDialog();
+        choose(dialog, QString("importRole%1").arg(dut), kDutRole);
+        dialog->findChild<QRadioButton *>("importForFile")->click();
+        importButton(dialog)->click();
+    }
+    QTRY_COMPARE(bench.shots(), std::size_t(2));
+    QVERIFY(bench.import().channels.empty());
+    QCOMPARE(bench.import().files.at("a.csv").channels.at("p"), std::string("dut"));
+    QCOMPARE(bench.import().files.at("b.csv").channels.at("side"), std::string("dut"));
+    const auto applied
+        = applyImportSettings(*bench.window->session().state().captures, bench.import());
+    QVERIFY(applied);
+    QCOMPARE(applied->shots[0].channelWithRole(ChannelRole::Dut)->name, std::string("p"));
+    QCOMPARE(applied->shots[1].channelWithRole(ChannelRole::Dut)->name, std::string("side"));
+}
+
+void TestCaptureImport::channelDetails_typed_areInTheSettings()
+{
+    const Bench bench;
+    const QString path = bench.write("a.csv", tableText({}));
+    ImportDialog dialog(path, {}, 1, bench.preferences.profileFolder(), nullptr);
+    QTRY_VERIFY(!dialog.isLooking());
+    const auto type = [&](const char *name, const char *text) {
+        auto *edit = dialog.findChild<QLineEdit *>(name);
+        QVERIFY(edit);
+        edit->selectAll();
+        QTest::keyClicks(edit, text);
+        emit edit->editingFinished();
+    };
+    type("importSensitivity1Value", "12,5");
+    type("importGain1Value", "10");
+    type("importFactor2Value", "0.5");
+    type("importUnit2", "bar");
+    choose(&dialog, "importPressure2", 2);
+    dialog.findChild<QCheckBox *>("importInverted1")->click();
+    const auto details = dialog.settings().channelDetails;
+    QCOMPARE(details.size(), std::size_t(2));
+    QVERIFY(std::abs(*details.at("p").sensitivity / 12.5e-6 - 1.0) < 1e-12); // V/Pa
+    QCOMPARE(details.at("p").gain, std::optional<double>(10.0));
+    QCOMPARE(details.at("p").polarity, std::optional<int>(-1));
+    QCOMPARE(details.at("side").scale, std::optional<double>(0.5));
+    QCOMPARE(details.at("side").unit, std::optional<std::string>("bar"));
+    QCOMPARE(details.at("side").reference, std::string("absolute"));
+    type("importGain1Value", "-3"); // no gain: the last good one stays
+    QCOMPARE(dialog.settings().channelDetails.at("p").gain, std::optional<double>(10.0));
+}
+
+void TestCaptureImport::rateAgainstTheFile_needsAReason()
+{
+    const Bench bench;
+    // A file that states its rate without a column of times: header only.
+    const QString csv = bench.write("a.csv",
+        tableText({.header = "Sample rate: 1 MHz\np [V]\n", .times = false, .columns = 1}));
+    ImportDialog dialog(csv, {}, 1, bench.preferences.profileFolder(), nullptr);
+    QTRY_VERIFY(!dialog.isLooking());
+    QVERIFY2(importButton(&dialog)->isEnabled(), qPrintable(verdict(&dialog)));
+    auto *rate = dialog.findChild<QLineEdit *>("importRateValue");
+    QTest::keyClicks(rate, "2");
+    emit rate->editingFinished();
+    QTRY_VERIFY(!dialog.isLooking());
+    QVERIFY2(!importButton(&dialog)->isEnabled(), qPrintable(verdict(&dialog)));
+    auto *reason = dialog.findChild<QLineEdit *>("importRateReason");
+    QVERIFY(!reason->isHidden());
+    QTest::keyClicks(reason, "clock doubled");
+    QVERIFY2(importButton(&dialog)->isEnabled(), qPrintable(verdict(&dialog)));
+    QCOMPARE(dialog.settings().sampleRate_Hz, std::optional<double>(2e6));
+    QCOMPARE(dialog.settings().sampleRateReason, std::string("clock doubled"));
 }
 
 void TestCaptureImport::noRate_asks()
