@@ -736,46 +736,6 @@
 <context>
     <name>core</name>
     <message>
-        <source>Shot %1, %2: %3 invalid samples, the first at %4 (sample %5). Inside the response window they block the shot; exclude it or set import.interpolate_invalid.</source>
-        <translation>Skott %1, %2: %3 ogiltiga sampel, det första vid %4 (sampel %5). Inom svarsfönstret blockerar de skottet; uteslut det eller ange import.interpolate_invalid.</translation>
-    </message>
-    <message>
-        <source>Shot %1 holds the same data as a shot before it; exclude one.</source>
-        <translation>Skott %1 innehåller samma data som ett tidigare skott; uteslut ett av dem.</translation>
-    </message>
-    <message>
-        <source>%1 is a LabVIEW TDMS file, which this version does not read; export it as LVM or CSV. Readable are: %2.</source>
-        <translation>%1 är en LabVIEW TDMS-fil, som denna version inte läser; exportera den som LVM eller CSV. Läsbara format: %2.</translation>
-    </message>
-    <message>
-        <source>%1 is only the index of a LabVIEW TDMS file and holds no samples. Readable are: %2.</source>
-        <translation>%1 är bara indexet till en LabVIEW TDMS-fil och innehåller inga sampel. Läsbara format: %2.</translation>
-    </message>
-    <message>
-        <source>%1 is a WAV or other RIFF file, which this version does not read. Readable are: %2.</source>
-        <translation>%1 är en WAV-fil eller annan RIFF-fil, som denna version inte läser. Läsbara format: %2.</translation>
-    </message>
-    <message>
-        <source>%1: the samples of channel %2 are not those that were recorded (their SHA-256 differs from the one in the file); take an unchanged copy.</source>
-        <translation>%1: samplen i kanal %2 är inte de som registrerades (deras SHA-256 skiljer sig från den i filen); ta en oförändrad kopia.</translation>
-    </message>
-    <message>
-        <source>Recipe import.channels names a channel &apos;%1&apos; that no shot has; the channels are %2.</source>
-        <translation>Receptets import.channels anger en kanal &apos;%1&apos; som inget skott har; kanalerna är %2.</translation>
-    </message>
-    <message>
-        <source>The recipe&apos;s sample rate of %1 replaces what the files state.</source>
-        <translation>Receptets samplingsfrekvens %1 ersätter den som filerna anger.</translation>
-    </message>
-    <message>
-        <source>Shots of a higher sample rate were reduced to %1 for the principal components, through an anti-alias filter.</source>
-        <translation>Skott med högre samplingsfrekvens reducerades till %1 för principalkomponenterna, genom ett antivikningsfilter.</translation>
-    </message>
-    <message>
-        <source>One shot: PCA is skipped, repeatability cannot be evaluated.</source>
-        <translation>Ett skott: PCA hoppas över, repeterbarheten kan inte utvärderas.</translation>
-    </message>
-    <message>
         <source>Wrong usage: %1; see dyncal --help.</source>
         <translation>Felaktig användning: %1; se dyncal --help.</translation>
     </message>
@@ -1852,10 +1812,6 @@
         <translation>Trycksteget är inte bestämt: chockvågens hastighet är okänd, eftersom en DUT i sidoväggen kräver två ankomstgivare; ange hastigheten eller själva steget.</translation>
     </message>
     <message>
-        <source>The shock reaches &apos;%1&apos; %2 after &apos;%3&apos;, which is farther down the tube: check whether the two channels are swapped, and their distances.</source>
-        <translation>Chockvågen når &apos;%1&apos; %2 efter &apos;%3&apos;, som sitter längre ned i röret: kontrollera om de två kanalerna är förväxlade, och deras avstånd.</translation>
-    </message>
-    <message>
         <source>No resonance found below %1.</source>
         <translation>Ingen resonans hittades under %1.</translation>
     </message>
@@ -2092,10 +2048,6 @@
         <translation>%1: tiderna är inte jämnt fördelade: rad %2 följer sin föregångare med %3, andra med %4 (1 % är tillåtet). Gör om registreringen, eller ange bara kolumnerna med sampel och ge samplingsfrekvensen i receptets avsnitt import.</translation>
     </message>
     <message>
-        <source>%1: the recipe states a sample rate of %2, but the column of times steps at %3. Which one is right? Take sample_rate_hz out of the recipe, or name only the columns of samples there.</source>
-        <translation>%1: receptet anger samplingsfrekvensen %2, men tidskolumnen har steget %3. Vilket är rätt? Ta bort sample_rate_hz ur receptet, eller ange bara kolumnerna med sampel där.</translation>
-    </message>
-    <message>
         <source>%1: the unit &quot;%2&quot; of the column of times is unknown; write s, ms, us or ns.</source>
         <translation>%1: tidskolumnens enhet &quot;%2&quot; är okänd; skriv s, ms, us eller ns.</translation>
     </message>
@@ -2154,10 +2106,6 @@
     <message>
         <source>The certificate and the plots cannot be drawn: the program found nothing to draw on; start it anew.</source>
         <translation>Kalibreringsbeviset och diagrammen kan inte ritas: programmet hittade inget att rita på; starta om det.</translation>
-    </message>
-    <message>
-        <source>%1 is a RIFF file (video, sound font, picture) or a cut WAV, not a recording that can be read. Readable are: %2.</source>
-        <translation>%1 är en RIFF-fil (video, ljudtyper, bild) eller en avklippt WAV, ingen registrering som kan läsas. Läsbara är: %2.</translation>
     </message>
     <message>
         <source>%1 states a sampling interval of %2 s for channel %3, which cannot be; state the sample rate in the recipe&apos;s import section if it is known.</source>
@@ -2352,10 +2300,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 claims %2 channels in %3 segments, which is more than it can hold; the file is damaged.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1, line %2 has %3 cells more than the header has columns; the file is damaged.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2520,10 +2464,6 @@
         <translation type="unfinished"></translation>
     </message>
     <message>
-        <source>%1 is damaged: DAQmx channels of the segment at byte %2 lie outside their raw buffers.</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>%1 is damaged: the segment at byte %2 mixes DAQmx raw data with other samples.</source>
         <translation type="unfinished"></translation>
     </message>
@@ -2645,6 +2585,190 @@
     </message>
     <message>
         <source>The gas reaches %1 K, and the variable heat capacity holds from %2 K to %3 K; choose a constant one or another gas.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is one of the inputs and is not overwritten; give the capture another name.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 exists already and captures are written once; give the capture another name or remove the old one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Monte Carlo: %1 of %2 trials leave the range of the relations (%3); the stated uncertainties are too large for the value.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Monte Carlo with %1 trials; it must be 0 (adaptive) or between %2 and %3.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The coverage probability is %1; it must lie between 0 and 1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 begins like a MATLAB file, but its header is cut or damaged; copy it again. Readable are: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a RIFF file but no WAV (a video, a sound font, a picture) or a cut one. Readable are: %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 states scale and offset in two ways that differ; correct the attributes.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 marks missing samples by the value %3; such samples are read as they are, so look whether there are any.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is an HDF5 file without a dataset of samples (one-dimensional numbers, or a table of at most 64 columns).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has none of the datasets that import.channels names; it has %2.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 is of another length or kind than the channels and was left out; name the channels to have it.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 links that lead to other files or places, or cannot be opened, were not followed.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 has the sample rate stated twice, as %3 and as %4; give the right one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the times in %2 do not rise by equal steps, so the sample rate of %3 is unknown; state it, or resample the record.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 states %3, but the times in %4 give %5; give the right sample rate.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has fewer than two samples.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 has more than 1024 attributes, which were not read: its scale and unit are unknown.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is a table of %2 x %3 numbers; at most 64 columns become channels.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 claims %2 channels in all its segments, which is more than it can hold; the file is damaged.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is part of a structure or a cell.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 (%2) is no full matrix of real numbers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: %2 is no matrix of numbers (a structure, cell, text or the like) and was left out.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: the segment at byte %2 describes %3 twice.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1 is damaged: DAQmx channels of the segment at byte %2 do not fit into their raw buffers.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>%1: the recipe states a sample rate of %2, but the column of times steps at %3. Which one is right? Take sample_rate_hz out of the recipe, or say in sample_rate_reason why the times are wrong.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Peak %1 follows the sound speed of the gas (slope %2, u %3): tube mode, not the sensor. Nearest: %4.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Shot %1: the step reaches &apos;%2&apos; %3 before &apos;%4&apos;, which the shock passes first. The two channels look swapped; exchange their roles in import.channels, for one file in import.files.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The pressure step is not determined: the relative humidity of the driven gas is not recorded; enter it or choose the gas &apos;air&apos;.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use %1 K</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Velocity uncertainty %1 % gives %2 % on the pressure step (factor %3); the budget says where it comes from.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The DUT marks the arrival at the end wall by its detected start, which its own delay makes late: a microsecond is %1 % of the velocity and %2 % of the step. Use two side sensors, or a model of each shot instead of the average.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arrivals scatter about their line more than their stated uncertainties allow (chi-square %1, degrees of freedom %2): check distances, delays and arrivals, or let the velocity change along the tube.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured %1 = %2 at &apos;%5&apos; is %3 % below the computed %4 (both absolute): check velocity, unit and sensitivity, and gauge or absolute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Measured %1 = %2 at &apos;%5&apos; is %3 % above the computed %4 (both absolute): check velocity, unit and sensitivity, and gauge or absolute.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>p1 = %1 Pa? Pressures are in pascals here: %1 %2 are %3 Pa, about ambient.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Use %1 Pa</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The expansion reflected at the driver&apos;s end reaches the end wall %1 after the step (computed), before the contact surface&apos;s wave: a longer driver section would help.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The reflected shock passes the DUT %1 after the step (computed).</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The uncertainty of %1 is not stated; add &apos;%2&apos; to uncertainty.budget of the recipe.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The shock reaches &apos;%1&apos; %2 after &apos;%3&apos;, which is farther down the tube: check whether the two channels are swapped (CAP-010), and their distances.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Exchange &apos;%1&apos; and &apos;%2&apos;</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>The arrivals from &apos;%1&apos; to &apos;%2&apos; give a velocity of %3 m/s; the shock must run towards the end wall: check channels, distances and arrivals.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A velocity needs arrivals at two places at least; there are %1.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>A counter reads %1 s from %2 m to %3 m before the end wall; the time must be above 0 and the first distance the larger one.</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>There is no counter reading.</source>
         <translation type="unfinished"></translation>
     </message>
 </context>
@@ -3029,21 +3153,6 @@
 </context>
 <context>
     <name>dyncal::FileActions</name>
-    <message>
-        <source>Reading recordings</source>
-        <translation>Läser registreringar</translation>
-    </message>
-    <message numerus="yes">
-        <source>%n shot(s) read</source>
-        <translation>
-            <numerusform>%n skott inläst</numerusform>
-            <numerusform>%n skott inlästa</numerusform>
-        </translation>
-    </message>
-    <message>
-        <source>Add recordings</source>
-        <translation>Lägg till registreringar</translation>
-    </message>
     <message>
         <source>The recordings are still being read for their hashes, which the project keeps; try again in a moment.</source>
         <translation>Registreringarna läses fortfarande för att beräkna kontrollsummorna som projektet sparar; försök igen om en stund.</translation>
