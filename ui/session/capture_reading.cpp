@@ -27,7 +27,7 @@ Result<CaptureSet> readOne(
     const std::string &path, const ImportSettings &settings, const JobControl &control)
 {
     return path == kExamplePath ? exampleCaptures(control)
-                                : readCaptures({path}, settings, control);
+                                : openCaptures({path}, settings, control);
 }
 
 using ShotName = std::pair<std::string, std::string>; ///< of its file, its label
