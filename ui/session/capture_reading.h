@@ -28,7 +28,8 @@ struct CapturesRead
 };
 
 /// Reads every file (or folder, or the built-in example by kExamplePath) for itself, so that one
-/// bad file costs none of the others. Fails only if cancelled.
+/// bad file costs none of the others. They are opened, not sealed: the session does that before
+/// anything is computed. Fails only if cancelled.
 Result<CapturesRead> readEach(const std::vector<std::string> &paths, const ImportSettings &settings,
     const JobControl &control);
 

@@ -3,6 +3,7 @@
 
 #include "ui/session/project_file.h"
 
+#include "core/capture/capture_seal.h"
 #include "ui/session/capture_reading.h"
 #include "ui/session/example.h"
 
@@ -100,7 +101,7 @@ Result<CaptureSet> readReferenced(const std::vector<CaptureReference> &reference
         return tl::unexpected(read.error());
     if (!read->problems.empty())
         return tl::unexpected(read->problems.front().error);
-    return std::move(read->set);
+    return sealCaptures(std::move(read->set)); // the project knows the hashes
 }
 
 void reportChangedFiles(CaptureSet &set, const std::vector<CaptureReference> &references)
