@@ -16,6 +16,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <ctime>
 #include <limits>
 
 using dyncal::CurveRole;
@@ -130,6 +131,7 @@ class TestPlotWidget : public QObject
 
 private slots:
     void content_growing_isFittedUntilTheViewIsMoved();
+    void noise_inEveryStyle_takesAboutTheSameTime();
     void longRecord_click_picksTheSpikesOwnSample();
     void longRecord_csv_isOfTheView();
     void init_contentOfOneCurve_fitsIt();
@@ -747,6 +749,30 @@ void TestPlotWidget::content_growing_isFittedUntilTheViewIsMoved()
     plot.setContent(content);
     QCOMPARE(plot.xRange(), (Interval{0.5e-3, 0.6e-3}));
     QCOMPARE(plot.yRange(), y);
+}
+
+void TestPlotWidget::noise_inEveryStyle_takesAboutTheSameTime()
+{
+    constexpr double kMost = 12.0; // measured 4; dashes took 50 times as long, wide pens too
+    PlotContent content = timeContent(15000);
+    for (std::size_t i = 0; i < content.curves[0].y.size(); ++i)
+        content.curves[0].y[i] = std::sin(1.7 * static_cast<double>(i * i));
+    PlotWidget plot;
+    show(plot);
+    std::vector<double> times;
+    for (int role = 0; role <= static_cast<int>(CurveRole::Suggestion); ++role) {
+        content.curves[0].role = static_cast<CurveRole>(role);
+        plot.setContent(content);
+        QApplication::processEvents();
+        const std::clock_t before = std::clock(); // of the processor: others do not count
+        for (int i = 0; i < 3; ++i) {
+            plot.setXRange({1e-9 * i, 1e-3});
+            QApplication::processEvents();
+        }
+        times.push_back(static_cast<double>(std::clock() - before));
+    }
+    const auto [least, most] = std::minmax_element(times.begin(), times.end());
+    QVERIFY2(*most < kMost * *least, qPrintable(QString::number(*most / *least)));
 }
 
 void TestPlotWidget::longRecord_click_picksTheSpikesOwnSample()
