@@ -2229,47 +2229,47 @@
     </message>
     <message>
         <source>Shot %1, channel &apos;%2&apos;: the samples cannot be read any more, because the file changed or is out of reach; open it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skott %1, kanal &apos;%2&apos;: samplen kan inte längre läsas, eftersom filen har ändrats eller är oåtkomlig; öppna den igen.</translation>
     </message>
     <message>
         <source>Channel &apos;%1&apos; of shot %2 is flat: its standard deviation is %3 codes of the converter (%4 is the limit). Check cable and role.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanal &apos;%1&apos; i skott %2 är konstant: dess standardavvikelse är %3 kodsteg i omvandlaren (gränsen är %4). Kontrollera kabel och roll.</translation>
     </message>
     <message>
         <source>Shot %1, %2: %3 invalid samples from %4 on (samples %5 to %6). Inside the response window they block the shot; exclude it or set import.interpolate_invalid.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skott %1, %2: %3 ogiltiga sampel från och med %4 (sampel %5 till %6). Inom svarsfönstret blockerar de skottet; uteslut det eller sätt import.interpolate_invalid.</translation>
     </message>
     <message>
         <source>Shot %1%2 and shot %3%4 hold identical data; a shot counted twice makes the scatter look smaller than it is. Exclude one of them.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skott %1%2 och skott %3%4 innehåller identiska data; ett skott som räknas två gånger får spridningen att se mindre ut än den är. Uteslut ett av dem.</translation>
     </message>
     <message>
         <source>%1 changed since it was opened; open it again, or take an unchanged copy.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 har ändrats sedan filen öppnades; öppna den igen eller ta en oförändrad kopia.</translation>
     </message>
     <message>
         <source>%1 is damaged: the samples of shot %2, channel &apos;%3&apos; are not those that were recorded (their SHA-256 differs from the one in the file); take an unchanged copy.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är skadad: samplen i skott %2, kanal &apos;%3&apos; är inte de som registrerades (deras SHA-256 skiljer sig från den i filen); ta en oförändrad kopia.</translation>
     </message>
     <message>
         <source>%1: the samples of shot %2, channel &apos;%3&apos; cannot be read any more; check the drive or the network, or copy the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: samplen i skott %2, kanal &apos;%3&apos; kan inte längre läsas; kontrollera disken eller nätverket, eller kopiera filen igen.</translation>
     </message>
     <message>
         <source>Shot %1, channel &apos;%2&apos;: the file states %3 but import.sample_rate_hz is %4. Leave the key out, or say in import.sample_rate_reason why the file is wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skott %1, kanal &apos;%2&apos;: filen anger %3 men import.sample_rate_hz är %4. Utelämna nyckeln, eller ange i import.sample_rate_reason varför filen har fel.</translation>
     </message>
     <message>
         <source>The recipe&apos;s sample rate of %1 replaces the %2 that the files state.</source>
-        <translation type="unfinished"></translation>
+        <translation>Receptets samplingsfrekvens %1 ersätter %2, som filerna anger.</translation>
     </message>
     <message>
         <source>The recipe&apos;s sample rate of %1 replaces the %2 that the files state; reason: %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Receptets samplingsfrekvens %1 ersätter %2, som filerna anger; skäl: %3.</translation>
     </message>
     <message>
         <source>Shot %1, channel &apos;%2&apos; is a pressure already (%3), so it cannot have a sensitivity; leave out the sensitivity or give its unit, e.g. V.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skott %1, kanal &apos;%2&apos; är redan ett tryck (%3) och kan därför inte ha någon känslighet; utelämna känsligheten eller ange dess enhet, t.ex. V.</translation>
     </message>
     <message>
         <source>A recording cannot be read any more: its file was changed or is gone; add it again.</source>
@@ -2277,499 +2277,499 @@
     </message>
     <message>
         <source>%1 holds nothing that is a sampled signal; save the recorded channel itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 innehåller inget som är en samplad signal; spara själva den registrerade kanalen.</translation>
     </message>
     <message>
         <source>%1: %2 has more than 1024 attributes, which no capture has; the file is damaged.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 har fler än 1024 attribut, vilket ingen registrering har; filen är skadad.</translation>
     </message>
     <message>
         <source>%1: channel %2 holds integers of more than 53 bits, which would be rounded; save them as 32 bit integers with scale and offset, or as floating point numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: kanal %2 innehåller heltal på mer än 53 bitar, som skulle avrundas; spara dem som 32-bitars heltal med skala och offset, eller som flyttal.</translation>
     </message>
     <message>
         <source>%1: the samples of channel %2 lie in other files; copy them into one file.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: samplen i kanal %2 ligger i andra filer; kopiera dem till en enda fil.</translation>
     </message>
     <message>
         <source>%1: channel %2 would make more than 4 GiB unpacked; save the file without compression.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: kanal %2 skulle uppackad bli större än 4 GiB; spara filen utan komprimering.</translation>
     </message>
     <message>
         <source>%1 uses the comma as separator and as decimal mark, so its numbers cannot be told apart; save it again with tabs as separator.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 använder kommatecknet både som skiljetecken och som decimaltecken, så talen kan inte skiljas åt; spara den igen med tabb som skiljetecken.</translation>
     </message>
     <message>
         <source>%1, line %2 has %3 cells more than the header has columns; the file is damaged.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1, rad %2 har %3 celler mer än huvudet har kolumner; filen är skadad.</translation>
     </message>
     <message>
         <source>%1: Delta_X of channel %2 is printed with so few digits that its sample rate of %3 is known to %4 % only, so it was not taken; state sample_rate_hz in the recipe&apos;s import section.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: Delta_X för kanal %2 är skrivet med så få siffror att kanalens samplingsfrekvens %3 bara är känd på %4 % när, så den används inte; ange sample_rate_hz i receptets importdel.</translation>
     </message>
     <message>
         <source>%1: the sample rate of channel %2, %3, is known to %4 % only, as Delta_X is printed with few digits; state sample_rate_hz in the recipe&apos;s import section if you know it better.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: samplingsfrekvensen för kanal %2, %3, är bara känd på %4 % när, eftersom Delta_X är skrivet med få siffror; ange sample_rate_hz i receptets importdel om du känner den bättre.</translation>
     </message>
     <message>
         <source>%1: the header declares %2 channels, but %3 columns have names; the last ones were not read.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: huvudet anger %2 kanaler, men %3 kolumner har namn; de sista lästes inte.</translation>
     </message>
     <message>
         <source>%1: %2 of %3 channels have no samples and were left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 av %3 kanaler har inga sampel och utelämnades.</translation>
     </message>
     <message>
         <source>%1: channel %2 has %3 samples where its header declares %4, so blocks were appended and are read as one record. If each is a shot of its own, save with one header per segment.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: kanal %2 har %3 sampel där huvudet anger %4, så block har lagts till i slutet och läses som en enda registrering. Om vart och ett är ett eget skott, spara med ett huvud per segment.</translation>
     </message>
     <message>
         <source>%1: the 64-bit integers of %2 are too long to be kept exactly; save them as double.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: heltalen på 64 bitar i %2 är för långa för att bevaras exakt; spara dem som double.</translation>
     </message>
     <message>
         <source>%1 ends within its variable number %2, so it is likely an incomplete copy; copy it again.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 slutar mitt i variabel nummer %2 och är därför troligen en ofullständig kopia; kopiera den igen.</translation>
     </message>
     <message>
         <source>%1 is damaged: the header of its variable number %2 contradicts itself; copy the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är skadad: huvudet till variabel nummer %2 motsäger sig självt; kopiera filen igen.</translation>
     </message>
     <message>
         <source>%1 is damaged: its compressed variable number %2 does not expand to what it declares; copy the file again.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är skadad: den komprimerade variabeln nummer %2 ger inte uppackad det som den anger; kopiera filen igen.</translation>
     </message>
     <message>
         <source>%1: the sample rate is stated as %2, but %3 steps by %4, which fits it in no unit of time, so the rate is unknown. Which one is right? State it in the recipe&apos;s import section.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: samplingsfrekvensen anges till %2, men %3 stegar med %4, vilket inte stämmer i någon tidsenhet, så frekvensen är okänd. Vilken stämmer? Ange den i receptets importdel.</translation>
     </message>
     <message>
         <source>%1: the times in %2 are not uniform (allowed is 1 %), so the sample rate is unknown; state it in the recipe&apos;s import section if it is known.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: tiderna i %2 är inte jämnt fördelade (1 % är tillåtet), så samplingsfrekvensen är okänd; ange den i receptets importdel om den är känd.</translation>
     </message>
     <message>
         <source>%1: %2 has no unit and was taken as seconds, which makes the sample rate %3; state the rate in the recipe&apos;s import section if it is another.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 saknar enhet och togs som sekunder, vilket ger samplingsfrekvensen %3; ange frekvensen i receptets importdel om den är en annan.</translation>
     </message>
     <message>
         <source>%1: %2 increases uniformly by %3 and was taken as the times, but its unit is said nowhere. State the sample rate in the recipe&apos;s import section: %4 if they are seconds, %5 if milliseconds, %6 if microseconds.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 ökar jämnt med %3 och togs som tiderna, men enheten anges ingenstans. Ange samplingsfrekvensen i receptets importdel: %4 om det är sekunder, %5 om millisekunder, %6 om mikrosekunder.</translation>
     </message>
     <message>
         <source>%1 states a sample rate of %2 and an interval of %3 s, which contradict each other, so the rate is unknown; state it in the recipe&apos;s import section.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 anger samplingsfrekvensen %2 och intervallet %3 s, som motsäger varandra, så frekvensen är okänd; ange den i receptets importdel.</translation>
     </message>
     <message>
         <source>%1 describes samples that are in %2, which cannot be opened; put both files into one folder.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 beskriver sampel som finns i %2, som inte kan öppnas; lägg båda filerna i en och samma mapp.</translation>
     </message>
     <message>
         <source>%2 does not hold the samples that %1 describes; copy both files again, from the same recording.</source>
-        <translation type="unfinished"></translation>
+        <translation>%2 innehåller inte de sampel som %1 beskriver; kopiera båda filerna igen, från samma registrering.</translation>
     </message>
     <message>
         <source>%1 states a sampling interval of %2 s, but a record from end to end that means %3 s, so the rate is unknown; state it in the recipe&apos;s import section.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 anger ett samplingsintervall på %2 s, men registreringens längd från början till slut motsvarar %3 s, så frekvensen är okänd; ange den i receptets importdel.</translation>
     </message>
     <message>
         <source>%1 holds only the samples of a Rohde &amp; Schwarz recording; open %2, which describes them.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 innehåller bara samplen i en registrering från Rohde &amp; Schwarz; öppna %2, som beskriver dem.</translation>
     </message>
     <message>
         <source>Channel %1 has no samples.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanal %1 har inga sampel.</translation>
     </message>
     <message>
         <source>Channel %1 has values of the type %2, no samples.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanal %1 har värden av typen %2, inga sampel.</translation>
     </message>
     <message>
         <source>%1: channel %2 holds counts of the converter and no scale; state scale and unit, or its values mean nothing.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: kanal %2 innehåller omvandlarens avläsningar men ingen skala; ange skala och enhet, annars betyder värdena ingenting.</translation>
     </message>
     <message>
         <source>%1: a channel was left out. %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: en kanal utelämnades. %2</translation>
     </message>
     <message>
         <source>%1 has no channel that can be read. %2</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 har ingen kanal som kan läsas. %2</translation>
     </message>
     <message>
         <source>%1 holds no data; it is likely an incomplete copy or a recording that never began.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 innehåller inga data; den är troligen en ofullständig kopia eller en registrering som aldrig började.</translation>
     </message>
     <message>
         <source>%1 is of the TDMS version %2, which this program does not know; it was read like version 4713.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 har TDMS-version %2, som detta program inte känner till; den lästes som version 4713.</translation>
     </message>
     <message>
         <source>%1 What stands before was read.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 Det som står dessförinnan lästes.</translation>
     </message>
     <message>
         <source>%1 was not closed by the program that wrote it, or its end is missing; all values that are there were read.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 stängdes inte av programmet som skrev den, eller så saknas dess slut; alla värden som finns lästes.</translation>
     </message>
     <message>
         <source>%1 is incomplete: channel %2 has %3 of %4 samples. All values that are there were read; copy the file again if the original is whole.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är ofullständig: kanal %2 har %3 av %4 sampel. Alla värden som finns lästes; kopiera filen igen om originalet är helt.</translation>
     </message>
     <message>
         <source>%1: channel %2 states no time between samples (wf_increment); give import.sample_rate_hz in the recipe.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: kanal %2 anger ingen tid mellan samplen (wf_increment); ange import.sample_rate_hz i receptet.</translation>
     </message>
     <message>
         <source>%1 is damaged: the samples of the segment at byte %2 would begin behind its end.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är skadad: samplen i segmentet vid byte %2 skulle börja efter segmentets slut.</translation>
     </message>
     <message>
         <source>%1 is damaged: at byte %2, where a segment should begin, there is none.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är skadad: vid byte %2, där ett segment skulle börja, finns inget.</translation>
     </message>
     <message>
         <source>%1 is damaged: up to byte %2 it names more channels than any recording has.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är skadad: fram till byte %2 namnger den fler kanaler än någon registrering har.</translation>
     </message>
     <message>
         <source>%1 is damaged: the segment at byte %2 has an object with the name %3, which is no path.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är skadad: segmentet vid byte %2 har ett objekt med namnet %3, som inte är någon sökväg.</translation>
     </message>
     <message>
         <source>%1 is damaged: the segment at byte %2 says that the data of %3 are as before, but there were none.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är skadad: segmentet vid byte %2 anger att data för %3 är som tidigare, men det fanns inga.</translation>
     </message>
     <message>
         <source>%1: the samples of %3 change their type in the segment at byte %2; such a record cannot be read as one.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: samplen i %3 byter typ i segmentet vid byte %2; en sådan registrering kan inte läsas som en enda.</translation>
     </message>
     <message>
         <source>%1 is damaged: up to the segment at byte %2 it lists far more channels than it has samples.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är skadad: fram till segmentet vid byte %2 listar den långt fler kanaler än den har sampel.</translation>
     </message>
     <message>
         <source>%1 is only the index of a TDMS file and holds no samples; open %2, which belongs to it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är bara indexet till en TDMS-fil och innehåller inga sampel; öppna %2, som det hör till.</translation>
     </message>
     <message>
         <source>%1 is no TDMS file: it does not begin with &quot;TDSm&quot;.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är ingen TDMS-fil: den börjar inte med ”TDSm”.</translation>
     </message>
     <message>
         <source>%1 is damaged: the segment at byte %2 interleaves channels of different lengths, or texts.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är skadad: segmentet vid byte %2 flätar samman kanaler av olika längd, eller texter.</translation>
     </message>
     <message>
         <source>%1 is damaged: the segment at byte %2 declares more samples than any file can hold.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är skadad: segmentet vid byte %2 anger fler sampel än någon fil kan innehålla.</translation>
     </message>
     <message>
         <source>%1 is damaged: the segment at byte %2 mixes DAQmx raw data with other samples.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är skadad: segmentet vid byte %2 blandar DAQmx-rådata med andra sampel.</translation>
     </message>
     <message>
         <source>%1 is damaged: the description of the segment at byte %2 ends before all that it declares.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är skadad: beskrivningen av segmentet vid byte %2 slutar före allt som den anger.</translation>
     </message>
     <message>
         <source>%1 is damaged: the segment at byte %2 declares %3 %4, more than it has room for or than any recording has.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är skadad: segmentet vid byte %2 anger %3 %4, mer än det har plats för eller än någon registrering har.</translation>
     </message>
     <message>
         <source>%1: channel %3 (segment at byte %2) has samples of the type %4, which cannot be read; write them as integers or float64.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: kanal %3 (segmentet vid byte %2) har sampel av typen %4, som inte kan läsas; skriv dem som heltal eller float64.</translation>
     </message>
     <message>
         <source>%1: channel %3 (segment at byte %2) has DAQmx counts of the unknown type %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: kanal %3 (segmentet vid byte %2) har DAQmx-avläsningar av den okända typen %4.</translation>
     </message>
     <message>
         <source>%1: channel %3 (segment at byte %2) has digital lines of several bytes in big-endian order, which cannot be read.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: kanal %3 (segmentet vid byte %2) har digitala linjer på flera byte i big-endian-ordning, som inte kan läsas.</translation>
     </message>
     <message>
         <source>%1 is damaged: the DAQmx counts of channel %3 (segment at byte %2) are not of the type %4 that it declares.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är skadad: DAQmx-avläsningarna i kanal %3 (segmentet vid byte %2) är inte av typen %4 som den anger.</translation>
     </message>
     <message>
         <source>Channel %1 claims samples that belong to other channels.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanal %1 gör anspråk på sampel som hör till andra kanaler.</translation>
     </message>
     <message>
         <source>Channel %1 cannot be read; the file changed meanwhile.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanal %1 kan inte läsas; filen har ändrats under tiden.</translation>
     </message>
     <message>
         <source>Channel %1 has 64 bit integers beyond 2^53, which a floating point number does not hold exactly; write it as int32 or float64.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanal %1 har 64-bitars heltal över 2^53, som ett flyttal inte återger exakt; skriv den som int32 eller float64.</translation>
     </message>
     <message>
         <source>Channel %1 declares %2 scales, more than can be meant.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanal %1 anger %2 skalor, fler än vad som kan vara avsett.</translation>
     </message>
     <message>
         <source>Channel %1: scale %2 (%3) lacks a number that it needs, or has one that makes no sense.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanal %1: skala %2 (%3) saknar ett tal som den behöver, eller har ett som är orimligt.</translation>
     </message>
     <message>
         <source>The scales of channel %1 refer to scale %2, which is not there or needs itself.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skalorna för kanal %1 hänvisar till skala %2, som inte finns eller behöver sig själv.</translation>
     </message>
     <message>
         <source>The scales of channel %1 do not say which of its %2 kinds of counts they are for.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skalorna för kanal %1 anger inte vilket av dess %2 slag av avläsningar de gäller.</translation>
     </message>
     <message>
         <source>Channel %1: scale %2 has no type and no counts of its own.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanal %1: skala %2 har ingen typ och inga egna avläsningar.</translation>
     </message>
     <message>
         <source>Channel %1: scale %2 is of the kind &quot;%3&quot;, which this program does not apply; write the channel scaled.</source>
-        <translation type="unfinished"></translation>
+        <translation>Kanal %1: skala %2 är av slaget ”%3”, som detta program inte tillämpar; skriv kanalen skalad.</translation>
     </message>
     <message>
         <source>%1 says that its recording was not completed; check that the records are whole.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 anger att registreringen inte slutfördes; kontrollera att den är hel.</translation>
     </message>
     <message>
         <source>%1: %2 groups with thinned-out copies of the records were left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 grupper med utglesade kopior av registreringarna utelämnades.</translation>
     </message>
     <message>
         <source>%1: each of its %2 logged intervals was taken as a shot; exclude those that are none.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: vart och ett av dess %2 loggade intervall togs som ett skott; uteslut dem som inte är det.</translation>
     </message>
     <message>
         <source>%1: the group &quot;%2&quot; was left out because its channels are not those of the other groups, of which each is a shot.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: gruppen ”%2” utelämnades, eftersom dess kanaler inte är desamma som i de andra grupperna, som var och en är ett skott.</translation>
     </message>
     <message>
         <source>%1 has %2 bytes, which is too large for a text; export a shorter part, or as HDF5 capture.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 har %2 byte, vilket är för mycket för en text; exportera en kortare del, eller som HDF5-registrering.</translation>
     </message>
     <message>
         <source>%1 is a LabVIEW measurement, which says itself how it is to be read; import it as lvm.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är en LabVIEW-mätning, som själv anger hur den ska läsas; importera den som lvm.</translation>
     </message>
     <message>
         <source>Recipe %1 names a channel &apos;%2&apos; that no shot has; the channels are %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Receptet %1 anger en kanal &apos;%2&apos; som inget skott har; kanalerna är %3.</translation>
     </message>
     <message>
         <source>Recipe import.files names &apos;%1&apos;, which is none of the inputs; these are %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>Receptets import.files anger &apos;%1&apos;, som inte är någon av indatafilerna; dessa är %2.</translation>
     </message>
     <message>
         <source>The profile %1 holds &quot;%2&quot;; a laboratory&apos;s profile holds the sections import and checks only, the rest belongs into the recipe.</source>
-        <translation type="unfinished"></translation>
+        <translation>Profilen %1 innehåller ”%2”; ett laboratoriums profil innehåller bara avsnitten import och checks, resten hör hemma i receptet.</translation>
     </message>
     <message>
         <source>The gas &apos;%1&apos; has no heat capacity over temperature; choose air, n2, he, ar or co2, or a constant heat capacity.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gasen &apos;%1&apos; har ingen temperaturberoende värmekapacitet; välj air, n2, he, ar eller co2, eller en konstant värmekapacitet.</translation>
     </message>
     <message>
         <source>The gas &apos;%1&apos; is not known; it must be air, humid-air, n2, he, ar, co2 or custom.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gasen &apos;%1&apos; är okänd; den ska vara air, humid-air, n2, he, ar, co2 eller custom.</translation>
     </message>
     <message>
         <source>Moist air (Cramer): the %1 is %2 %5, and the formula holds from %3 to %4 %5; choose the gas &apos;air&apos; or another value.</source>
-        <translation type="unfinished"></translation>
+        <translation>Fuktig luft (Cramer): %1 är %2 %5, och formeln gäller från %3 till %4 %5; välj gasen &apos;air&apos; eller ett annat värde.</translation>
     </message>
     <message>
         <source>The pressure ratio p2/p1 is %1; a shock needs more than 1: check both pressures and whether they are absolute.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tryckförhållandet p2/p1 är %1; en chockvåg kräver mer än 1: kontrollera båda trycken och om de är absoluta.</translation>
     </message>
     <message>
         <source>The driver pressure p4 = %1 Pa does not exceed p1 = %2 Pa; both are absolute here: add the ambient pressure to a gauge reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Drivtrycket p4 = %1 Pa är inte större än p1 = %2 Pa; båda är absoluta här: lägg omgivningstrycket till ett övertryck.</translation>
     </message>
     <message>
         <source>The gas reaches %1 K, and the variable heat capacity holds from %2 K to %3 K; choose a constant one or another gas.</source>
-        <translation type="unfinished"></translation>
+        <translation>Gasen når %1 K, och den variabla värmekapaciteten gäller från %2 K till %3 K; välj en konstant värmekapacitet eller en annan gas.</translation>
     </message>
     <message>
         <source>%1 is one of the inputs and is not overwritten; give the capture another name.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är en av indatafilerna och skrivs inte över; ge registreringen ett annat namn.</translation>
     </message>
     <message>
         <source>%1 exists already and captures are written once; give the capture another name or remove the old one.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 finns redan och registreringar skrivs bara en gång; ge registreringen ett annat namn eller ta bort den gamla.</translation>
     </message>
     <message>
         <source>Monte Carlo: %1 of %2 trials leave the range of the relations (%3); the stated uncertainties are too large for the value.</source>
-        <translation type="unfinished"></translation>
+        <translation>Monte Carlo: %1 av %2 försök hamnar utanför sambandens område (%3); de angivna osäkerheterna är för stora för värdet.</translation>
     </message>
     <message>
         <source>Monte Carlo with %1 trials; it must be 0 (adaptive) or between %2 and %3.</source>
-        <translation type="unfinished"></translation>
+        <translation>Monte Carlo med %1 försök; antalet ska vara 0 (adaptivt) eller ligga mellan %2 och %3.</translation>
     </message>
     <message>
         <source>The coverage probability is %1; it must lie between 0 and 1.</source>
-        <translation type="unfinished"></translation>
+        <translation>Täckningssannolikheten är %1; den ska ligga mellan 0 och 1.</translation>
     </message>
     <message>
         <source>%1 begins like a MATLAB file, but its header is cut or damaged; copy it again. Readable are: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 börjar som en MATLAB-fil, men huvudet är avklippt eller skadat; kopiera den igen. Läsbara format: %2.</translation>
     </message>
     <message>
         <source>%1 is a RIFF file but no WAV (a video, a sound font, a picture) or a cut one. Readable are: %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är en RIFF-fil men ingen WAV-fil (en video, en ljudbank, en bild) eller en avklippt sådan. Läsbara format: %2.</translation>
     </message>
     <message>
         <source>%1: %2 states scale and offset in two ways that differ; correct the attributes.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 anger skala och offset på två sätt som skiljer sig åt; rätta attributen.</translation>
     </message>
     <message>
         <source>%1: %2 marks missing samples by the value %3; such samples are read as they are, so look whether there are any.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 markerar saknade sampel med värdet %3; sådana sampel läses som de är, så kontrollera om det finns några.</translation>
     </message>
     <message>
         <source>%1 is an HDF5 file without a dataset of samples (one-dimensional numbers, or a table of at most 64 columns).</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är en HDF5-fil utan någon datamängd med sampel (endimensionella tal, eller en tabell med högst 64 kolumner).</translation>
     </message>
     <message>
         <source>%1 has none of the datasets that import.channels names; it has %2.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 har ingen av de datamängder som import.channels anger; filen har %2.</translation>
     </message>
     <message>
         <source>%1: %2 is of another length or kind than the channels and was left out; name the channels to have it.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 är av annan längd eller annat slag än kanalerna och utelämnades; ange kanalerna för att få med den.</translation>
     </message>
     <message>
         <source>%1: %2 links that lead to other files or places, or cannot be opened, were not followed.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 länkar som leder till andra filer eller platser, eller som inte kan öppnas, följdes inte.</translation>
     </message>
     <message>
         <source>%1: %2 has the sample rate stated twice, as %3 and as %4; give the right one.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: för %2 anges samplingsfrekvensen två gånger, som %3 och som %4; ange den rätta.</translation>
     </message>
     <message>
         <source>%1: the times in %2 do not rise by equal steps, so the sample rate of %3 is unknown; state it, or resample the record.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: tiderna i %2 ökar inte i lika steg, så samplingsfrekvensen för %3 är okänd; ange den, eller sampla om registreringen.</translation>
     </message>
     <message>
         <source>%1: %2 states %3, but the times in %4 give %5; give the right sample rate.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 anger %3, men tiderna i %4 ger %5; ange den rätta samplingsfrekvensen.</translation>
     </message>
     <message>
         <source>%1 has fewer than two samples.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 har färre än två sampel.</translation>
     </message>
     <message>
         <source>%1 has more than 1024 attributes, which were not read: its scale and unit are unknown.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 har fler än 1024 attribut, som inte lästes: skala och enhet är okända.</translation>
     </message>
     <message>
         <source>%1 is a table of %2 x %3 numbers; at most 64 columns become channels.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är en tabell med %2 x %3 tal; högst 64 kolumner blir kanaler.</translation>
     </message>
     <message>
         <source>%1 claims %2 channels in all its segments, which is more than it can hold; the file is damaged.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 uppger %2 kanaler i alla sina segment, vilket är mer än den kan innehålla; filen är skadad.</translation>
     </message>
     <message>
         <source>%1 is part of a structure or a cell.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är en del av en struktur eller en cell.</translation>
     </message>
     <message>
         <source>%1 (%2) is no full matrix of real numbers.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 (%2) är ingen full matris av reella tal.</translation>
     </message>
     <message>
         <source>%1: %2 is no matrix of numbers (a structure, cell, text or the like) and was left out.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: %2 är ingen matris av tal (en struktur, cell, text eller liknande) och utelämnades.</translation>
     </message>
     <message>
         <source>%1 is damaged: the segment at byte %2 describes %3 twice.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är skadad: segmentet vid byte %2 beskriver %3 två gånger.</translation>
     </message>
     <message>
         <source>%1 is damaged: DAQmx channels of the segment at byte %2 do not fit into their raw buffers.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1 är skadad: DAQmx-kanalerna i segmentet vid byte %2 ryms inte i sina råbuffertar.</translation>
     </message>
     <message>
         <source>%1: the recipe states a sample rate of %2, but the column of times steps at %3. Which one is right? Take sample_rate_hz out of the recipe, or say in sample_rate_reason why the times are wrong.</source>
-        <translation type="unfinished"></translation>
+        <translation>%1: receptet anger samplingsfrekvensen %2, men tidskolumnen stegar med %3. Vilken stämmer? Ta bort sample_rate_hz ur receptet, eller ange i sample_rate_reason varför tiderna är fel.</translation>
     </message>
     <message>
         <source>Peak %1 follows the sound speed of the gas (slope %2, u %3): tube mode, not the sensor. Nearest: %4.</source>
-        <translation type="unfinished"></translation>
+        <translation>Toppen %1 följer gasens ljudhastighet (lutning %2, u %3): en rörmod, inte givaren. Närmast: %4.</translation>
     </message>
     <message>
         <source>Shot %1: the step reaches &apos;%2&apos; %3 before &apos;%4&apos;, which the shock passes first. The two channels look swapped; exchange their roles in import.channels, for one file in import.files.</source>
-        <translation type="unfinished"></translation>
+        <translation>Skott %1: steget når &apos;%2&apos; %3 före &apos;%4&apos;, som chockvågen passerar först. De två kanalerna ser ut att vara förväxlade; byt plats på deras roller i import.channels, för en enskild fil i import.files.</translation>
     </message>
     <message>
         <source>The pressure step is not determined: the relative humidity of the driven gas is not recorded; enter it or choose the gas &apos;air&apos;.</source>
-        <translation type="unfinished"></translation>
+        <translation>Trycksteget är inte bestämt: den relativa fuktigheten hos gasen i lågtrycksdelen är inte registrerad; ange den eller välj gasen &apos;air&apos;.</translation>
     </message>
     <message>
         <source>Use %1 K</source>
-        <translation type="unfinished"></translation>
+        <translation>Använd %1 K</translation>
     </message>
     <message>
         <source>Velocity uncertainty %1 % gives %2 % on the pressure step (factor %3); the budget says where it comes from.</source>
-        <translation type="unfinished"></translation>
+        <translation>Hastighetens osäkerhet %1 % ger %2 % på trycksteget (faktor %3); osäkerhetsbudgeten visar var den kommer ifrån.</translation>
     </message>
     <message>
         <source>The DUT marks the arrival at the end wall by its detected start, which its own delay makes late: a microsecond is %1 % of the velocity and %2 % of the step. Use two side sensors, or a model of each shot instead of the average.</source>
-        <translation type="unfinished"></translation>
+        <translation>DUT markerar ankomsten till ändväggen med sin detekterade start, som dess egen fördröjning gör sen: en mikrosekund är %1 % av hastigheten och %2 % av steget. Använd två sidogivare, eller en modell för varje skott i stället för medelvärdet.</translation>
     </message>
     <message>
         <source>The arrivals scatter about their line more than their stated uncertainties allow (chi-square %1, degrees of freedom %2): check distances, delays and arrivals, or let the velocity change along the tube.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ankomsterna sprider sig kring sin linje mer än deras angivna osäkerheter tillåter (chi-kvadrat %1, frihetsgrader %2): kontrollera avstånd, fördröjningar och ankomster, eller låt hastigheten ändras längs röret.</translation>
     </message>
     <message>
         <source>Measured %1 = %2 at &apos;%5&apos; is %3 % below the computed %4 (both absolute): check velocity, unit and sensitivity, and gauge or absolute.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uppmätt %1 = %2 vid &apos;%5&apos; ligger %3 % under det beräknade %4 (båda absoluta): kontrollera hastighet, enhet och känslighet, samt övertryck eller absolut.</translation>
     </message>
     <message>
         <source>Measured %1 = %2 at &apos;%5&apos; is %3 % above the computed %4 (both absolute): check velocity, unit and sensitivity, and gauge or absolute.</source>
-        <translation type="unfinished"></translation>
+        <translation>Uppmätt %1 = %2 vid &apos;%5&apos; ligger %3 % över det beräknade %4 (båda absoluta): kontrollera hastighet, enhet och känslighet, samt övertryck eller absolut.</translation>
     </message>
     <message>
         <source>p1 = %1 Pa? Pressures are in pascals here: %1 %2 are %3 Pa, about ambient.</source>
-        <translation type="unfinished"></translation>
+        <translation>p1 = %1 Pa? Tryck anges här i pascal: %1 %2 är %3 Pa, ungefär omgivningstrycket.</translation>
     </message>
     <message>
         <source>Use %1 Pa</source>
-        <translation type="unfinished"></translation>
+        <translation>Använd %1 Pa</translation>
     </message>
     <message>
         <source>The expansion reflected at the driver&apos;s end reaches the end wall %1 after the step (computed), before the contact surface&apos;s wave: a longer driver section would help.</source>
-        <translation type="unfinished"></translation>
+        <translation>Den expansionsvåg som reflekteras vid högtrycksdelens ände når ändväggen %1 efter steget (beräknat), före kontaktytans våg: en längre högtrycksdel skulle hjälpa.</translation>
     </message>
     <message>
         <source>The reflected shock passes the DUT %1 after the step (computed).</source>
-        <translation type="unfinished"></translation>
+        <translation>Den reflekterade chockvågen passerar DUT %1 efter steget (beräknat).</translation>
     </message>
     <message>
         <source>The uncertainty of %1 is not stated; add &apos;%2&apos; to uncertainty.budget of the recipe.</source>
-        <translation type="unfinished"></translation>
+        <translation>Osäkerheten för %1 är inte angiven; lägg till &apos;%2&apos; i receptets uncertainty.budget.</translation>
     </message>
     <message>
         <source>The shock reaches &apos;%1&apos; %2 after &apos;%3&apos;, which is farther down the tube: check whether the two channels are swapped (CAP-010), and their distances.</source>
-        <translation type="unfinished"></translation>
+        <translation>Chockvågen når &apos;%1&apos; %2 efter &apos;%3&apos;, som ligger längre fram i röret: kontrollera om de två kanalerna är förväxlade (CAP-010), samt deras avstånd.</translation>
     </message>
     <message>
         <source>Exchange &apos;%1&apos; and &apos;%2&apos;</source>
-        <translation type="unfinished"></translation>
+        <translation>Byt plats på &apos;%1&apos; och &apos;%2&apos;</translation>
     </message>
     <message>
         <source>The arrivals from &apos;%1&apos; to &apos;%2&apos; give a velocity of %3 m/s; the shock must run towards the end wall: check channels, distances and arrivals.</source>
-        <translation type="unfinished"></translation>
+        <translation>Ankomsterna från &apos;%1&apos; till &apos;%2&apos; ger hastigheten %3 m/s; chockvågen ska löpa mot ändväggen: kontrollera kanaler, avstånd och ankomster.</translation>
     </message>
     <message>
         <source>A velocity needs arrivals at two places at least; there are %1.</source>
-        <translation type="unfinished"></translation>
+        <translation>En hastighet kräver ankomster på minst två ställen; det finns %1.</translation>
     </message>
     <message>
         <source>A counter reads %1 s from %2 m to %3 m before the end wall; the time must be above 0 and the first distance the larger one.</source>
-        <translation type="unfinished"></translation>
+        <translation>En räknare visar %1 s från %2 m till %3 m före ändväggen; tiden ska vara större än 0 och det första avståndet det större.</translation>
     </message>
     <message>
         <source>There is no counter reading.</source>
-        <translation type="unfinished"></translation>
+        <translation>Det finns ingen räknaravläsning.</translation>
     </message>
 </context>
 <context>
