@@ -84,7 +84,8 @@ Eigen::VectorXd statedWeights(const std::vector<Sighting> &sightings, double vel
         weight[i]
             = 1.0 / (s.u_time_s * s.u_time_s + s.u_delay_s * s.u_delay_s + u_place_s * u_place_s);
     }
-    return weight;
+    // A place known a million times better than another is as good as exact; more costs digits.
+    return weight.cwiseMin(1e12 * weight.minCoeff());
 }
 
 double weightedSquares(const Eigen::VectorXd &weight, const Eigen::VectorXd &residual)
