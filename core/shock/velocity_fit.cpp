@@ -3,17 +3,19 @@
 
 #include "core/shock/velocity_fit.h"
 
+#include "core/base/distributions.h"
 #include "core/base/number_text.h"
 
 #include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dyncal {
 namespace {
 
-constexpr double kSignificance = 3.0; ///< of an attenuation that is fitted by itself
+constexpr double kSignificance = 0.99865; ///< one-sided, as 3 sigma of a normal distribution
 
 /// Polynomial of degree `parameters` - 1 through y over x, weighted; coefficients and covariance
 /// for weights that are inverse variances.
@@ -84,7 +86,8 @@ Eigen::VectorXd statedWeights(const std::vector<Sighting> &sightings, double vel
         weight[i]
             = 1.0 / (s.u_time_s * s.u_time_s + s.u_delay_s * s.u_delay_s + u_place_s * u_place_s);
     }
-    return weight;
+    // A place known a million times better than another is as good as exact; more costs digits.
+    return weight.cwiseMin(1e12 * weight.minCoeff());
 }
 
 double weightedSquares(const Eigen::VectorXd &weight, const Eigen::VectorXd &residual)
@@ -106,9 +109,15 @@ Error notTowardsTheWall(const std::vector<Sighting> &sightings, double velocity_
         "SHK-001"};
 }
 
-bool isSignificant(double gradient, double u_gradient)
+double dofOf(bool stated, Index residualDof)
 {
-    return std::abs(gradient) > kSignificance * u_gradient;
+    return stated ? std::numeric_limits<double>::infinity() : static_cast<double>(residualDof);
+}
+
+/// `dof` of u: an uncertainty from few residuals is itself uncertain.
+bool isSignificant(double gradient, double u_gradient, double dof)
+{
+    return dof > 0.0 && std::abs(gradient) > studentQuantile(kSignificance, dof) * u_gradient;
 }
 
 /// Fills in everything that follows from the chosen line.
@@ -165,8 +174,10 @@ Result<VelocityFit> fitVelocity(const std::vector<Sighting> &sightings, Attenuat
         ? 1.0
         : std::sqrt(weightedSquares(weight, bentFit.residual) / static_cast<double>(bentFit.dof));
     const bool asked = attenuation == Attenuation::Linear && known;
-    const bool taken
-        = known && (asked || isSignificant(bent.gradient(), factor * bent.u_gradient()));
+    const bool taken = known
+        && (asked
+            || isSignificant(
+                bent.gradient(), factor * bent.u_gradient(), dofOf(stated, bentFit.dof)));
     if (taken && bent.velocity() > 0.0) {
         fit = bentFit;
         fit.arrivalAtWall_s = bent.polynomial.coefficients[0] + origin_s;
@@ -264,7 +275,8 @@ Result<VelocityFit> fitCounters(
         : std::sqrt(squares / static_cast<double>(bentFit.dof));
     const double gradient = bent.coefficients[1];
     const double u_gradient = factor * std::sqrt(bent.covariance(1, 1));
-    if (attenuation == Attenuation::Linear || (known && isSignificant(gradient, u_gradient)))
+    if (attenuation == Attenuation::Linear
+        || (known && isSignificant(gradient, u_gradient, dofOf(intervals.stated, bentFit.dof))))
         fit = bentFit;
     fit.gradient_per_s = gradient;
     if (known)

@@ -4,6 +4,7 @@
 #include "ui/shell/finding_mends.h"
 
 #include "ui/session/capture_edit.h"
+#include "ui/text/core_text.h"
 
 #include <QCoreApplication>
 
@@ -26,7 +27,7 @@ using Apply = std::function<void(ImportSettings &, const std::string &)>;
 
 MendAction edit(const QString &label, const QString &step, Apply apply)
 {
-    return {label, step, {}, std::move(apply), {}};
+    return {label, step, {}, std::move(apply), {}, {}};
 }
 
 const Shot *shotOf(const Finding &finding, const CaptureSet &set)
@@ -49,7 +50,7 @@ MendAction excludeShot(Index shot)
         [shot](ImportSettings &settings, const std::string &reason) {
             setShotExcluded(settings, shot, reason);
         },
-        {}};
+        {}, {}};
 }
 
 std::vector<MendAction> chooseDut(const Shot *shot)
@@ -153,7 +154,7 @@ std::vector<MendAction> showImport(const Finding &finding, const Shot *shot, con
                 file = &input;
     if (!file)
         return {};
-    return {{Mends::tr("Import settings..."), {}, {}, {}, QString::fromStdString(file->path)}};
+    return {{Mends::tr("Import settings..."), {}, {}, {}, QString::fromStdString(file->path), {}}};
 }
 
 /// What mends the finding itself, shot by shot or for all.
@@ -182,6 +183,10 @@ std::vector<MendAction> mendsOf(const Finding &finding, const CaptureSet &set)
 {
     const Shot *shot = shotOf(finding, set);
     std::vector<MendAction> mends = remedies(finding, shot, set);
+    if (finding.mend) {
+        const QString label = translated(finding.mend->label);
+        mends.push_back({label, label, {}, {}, {}, finding.mend});
+    }
     const bool canExclude
         = shot && shot->included && std::ranges::count_if(set.shots, &Shot::included) > 1;
     for (const char *id : {"CAP-006", "CAP-007", "CAP-008", "CAP-009", "CAP-011", "CAP-020"})

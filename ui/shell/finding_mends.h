@@ -10,6 +10,7 @@
 #include <QString>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace dyncal {
@@ -24,6 +25,7 @@ struct MendAction
     /// Changes the import section; `reason` is what the question was answered with.
     std::function<void(ImportSettings &settings, const std::string &reason)> apply;
     QString importPath; ///< not empty: shows the import settings of this file instead
+    std::optional<Mend> ofCore; ///< or the change that the finding itself proposes
 };
 
 /// The ways there are, the best first; none for most findings. `set` are the recordings on show,

@@ -3,6 +3,8 @@
 
 #include "ui/shell/main_window.h"
 
+#include "core/project/recipe_mend.h"
+
 #include "ui/shell/findings_panel.h"
 #include "ui/shell/help_dialogs.h"
 #include "ui/shell/problem_panel.h"
@@ -463,6 +465,13 @@ void MainWindow::mend(const MendAction &mend)
 {
     if (!mend.importPath.isEmpty()) {
         m_files->captures().edit(mend.importPath);
+        return;
+    }
+    if (mend.ofCore) {
+        if (const Result<Recipe> next = mendedRecipe(m_session.recipe(), *mend.ofCore))
+            m_session.apply(*next, mend.step);
+        else
+            m_prompts.showProblem(this, translated(next.error().message));
         return;
     }
     std::optional<QString> reason = QString();

@@ -186,9 +186,10 @@ void TestStageKeys::recipeChange_movesTheStageThatReadsItAndAllLater_data()
     // read only by a list or a linear grid, or with the search switched off
     none("response.count unused", [](Recipe &r) { r.response.linearCount = 20; });
     none("nothing", [](Recipe &) {});
-    none("uncertainty", [](Recipe &r) { r.uncertainty.coverage = 0.99; });
-    none("uncertainty.budget", [](Recipe &r) {
-        r.uncertainty.budget = {{"p1", 50.0, "normal", {}}};
+    const auto shock = StageId::Shock;
+    row("uncertainty", shock, [](Recipe &r) { r.uncertainty.coverage = 0.99; });
+    row("uncertainty.budget", shock, [](Recipe &r) {
+        r.uncertainty.budget = {{"p1_pa", 50.0, "normal", {}}};
     });
     none("acknowledge", [](Recipe &r) { r.acknowledge = {{"CAP-014", 1, "seen"}}; });
     none("certificate", [](Recipe &r) { r.certificate.fields["customer"] = "somebody"; });

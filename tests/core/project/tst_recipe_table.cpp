@@ -119,7 +119,10 @@ private slots:
         const QMap<QString, QString> complete{
             {"import.exclude", R"({"shot": 1, "reason": "x"})"},
             {"shock.arrival_sensors",
-                R"({"channel": "a", "distance_to_end_wall_m": 1, "u_distance_m": 0})"},
+                R"({"channel": "a", "distance_to_end_wall_m": 1, "u_distance_m": 0,
+                    "arrival_s": null, "u_arrival_s": 0, "delay_s": null, "u_delay_s": 0})"},
+            {"shock.counters",
+                R"({"far_m": 1, "near_m": 0, "time_s": 1, "u_distance_m": 0, "u_time_s": 0})"},
             {"uncertainty.budget",
                 R"({"quantity": "a", "u": 1, "distribution": "normal", "dof": null})"},
             {"acknowledge", R"({"finding": "a", "shot": 0, "reason": "x"})"},
@@ -141,7 +144,7 @@ private slots:
             QVERIFY2(accepted == (row.defaultText != "needed"), qPrintable(row.key));
             ++checked;
         }
-        QCOMPARE(checked, 12);
+        QCOMPARE(checked, 21);
     }
 
     void example_isARecipe()

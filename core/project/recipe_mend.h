@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/finding.h"
+#include "core/project/recipe.h"
+
+namespace dyncal {
+
+/// The recipe with one key changed as a finding proposes. An object is merged into what is there:
+/// roles of two channels leave those of the others alone. Fails (Usage) like parseRecipe if the
+/// key does not exist or does not take the value.
+Result<Recipe> mendedRecipe(const Recipe &recipe, const Mend &mend);
+
+} // namespace dyncal

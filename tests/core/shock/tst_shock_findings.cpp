@@ -1,0 +1,339 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/shock/shock_conditions.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace dyncal;
+
+namespace {
+
+constexpr double kVelocity_m_s = 512.8;
+constexpr double kAtWall_s = 2e-3;
+
+CaptureSet thesisSet()
+{
+    CaptureSet set;
+    Shot shot;
+    shot.environment.p1_Pa = 101100.0;
+    shot.environment.u_p1_Pa = 30.0;
+    shot.environment.T1_K = 294.15;
+    shot.environment.u_T1_K = 0.3;
+    shot.environment.T4_K = 295.35;
+    set.shots.push_back(shot);
+    set.tube["driven_length_m"] = "0.97";
+    set.tube["driver_length_m"] = "0.97";
+    set.tube["inner_diameter_m"] = "0.1";
+    return set;
+}
+
+ShockSettings typedVelocity()
+{
+    ShockSettings settings;
+    settings.velocity_m_s = kVelocity_m_s;
+    return settings;
+}
+
+/// Sensors whose arrivals are typed, as the cursors of the workbench do.
+ShockSettings typedArrivals(const std::vector<double> &distances_m)
+{
+    ShockSettings settings;
+    for (const double x : distances_m)
+        settings.arrivalSensors.push_back(
+            {"toa " + std::to_string(x), x, 2e-4, kAtWall_s - x / kVelocity_m_s, 1e-7, 0.0, 0.0});
+    return settings;
+}
+
+const Finding *findingWithId(const ShockConditionsSet &set, const char *id)
+{
+    const auto found = std::find_if(
+        set.findings.begin(), set.findings.end(), [&](const Finding &f) { return f.id == id; });
+    return found != set.findings.end() ? &*found : nullptr;
+}
+
+ShockConditionsSet estimated(const CaptureSet &set, const ShockSettings &settings,
+    const std::vector<DutArrival> &arrivals = {}, const UncertaintyRequest &request = {})
+{
+    return estimateShockConditions(set, arrivals, settings, request).value();
+}
+
+UncertaintyRequest budget()
+{
+    UncertaintyRequest request;
+    request.evaluate = true;
+    request.monteCarlo.trials = 1000;
+    return request;
+}
+
+} // namespace
+
+class TestShockFindings : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void celsius_offersKelvin();
+    void celsiusOfTheDriver_offersKelvin();
+    void psiForPascal_offersPascal();
+    void swappedChannels_offerTheExchange();
+    void uncorrectedDut_isWarnedAbout();
+    void scatteringArrivals_chiSquare();
+    void uncertainVelocity_namesFactor();
+    void stateFromDriverOrP2_givesTheVelocityBack();
+    void unreachableOrMissingPressures_areFindings();
+    void humidAir_needsHumidityAndUsesIt();
+    void variableHeatCapacity_reachesTheStep();
+    void typedArrivals_threeSensors_velocityAndBudget();
+    void sideWall_plateauUntilTheReflectedShock();
+    void guard_isTakenOff();
+    void tube_diagramAndCandidatesAreThere();
+    void typedStep_hasNoUncertaintyOfTheStep();
+};
+
+void TestShockFindings::celsius_offersKelvin()
+{
+    ShockSettings settings = typedVelocity();
+    settings.T1_K = 21.0;
+    const auto result = estimated(thesisSet(), settings);
+    const Finding *finding = findingWithId(result, "SHK-004");
+    QVERIFY(finding && finding->severity == Severity::Block && finding->mend);
+    QCOMPARE(finding->mend->key, std::string("shock.t1_k"));
+    QCOMPARE(finding->mend->value, std::string("294.15"));
+    QCOMPARE(english(finding->mend->label), std::string("Use 294.15 K"));
+    settings.T1_K = 500.0; // nothing to offer
+    QVERIFY(!findingWithId(estimated(thesisSet(), settings), "SHK-004")->mend);
+}
+
+void TestShockFindings::celsiusOfTheDriver_offersKelvin()
+{
+    ShockSettings settings = typedVelocity();
+    settings.T4_K = 22.0;
+    const auto result = estimated(thesisSet(), settings);
+    const Finding *finding = findingWithId(result, "SHK-004");
+    QVERIFY(finding && finding->severity == Severity::Caution && finding->mend);
+    QCOMPARE(finding->mend->key, std::string("shock.t4_k"));
+    QVERIFY(result.shots[0].step_Pa.has_value());
+}
+
+void TestShockFindings::psiForPascal_offersPascal()
+{
+    ShockSettings settings = typedVelocity();
+    const std::pair<double, double> typed[]
+        = {{14.66, 14.66 * 6894.757}, {1.011, 101100.0}, {101.1, 101100.0}, {1011.0, 101100.0}};
+    for (const auto &[value, pascals] : typed) {
+        settings.p1_Pa = value;
+        const auto result = estimated(thesisSet(), settings);
+        const Finding *finding = findingWithId(result, "SHK-011");
+        QVERIFY(finding && finding->mend);
+        QCOMPARE(finding->mend->key, std::string("shock.p1_pa"));
+        QVERIFY(std::abs(std::stod(finding->mend->value) / pascals - 1.0) < 1e-12);
+    }
+    for (const double fine : {101100.0, 454.0, 50e3}) {
+        settings.p1_Pa = fine;
+        QVERIFY(!findingWithId(estimated(thesisSet(), settings), "SHK-011"));
+    }
+}
+
+void TestShockFindings::swappedChannels_offerTheExchange()
+{
+    CaptureSet set = thesisSet();
+    Channel side, dut;
+    side.name = "ch 1";
+    side.role = ChannelRole::DrivenSide;
+    dut.name = "ch 2";
+    dut.role = ChannelRole::Dut;
+    set.shots[0].channels = {dut, side};
+    ShockSettings settings;
+    settings.arrivalSensors = {{side.name, 0.8, 2e-4, 2e-3, 1e-7, 0.0, 0.0}};
+    const auto result = estimated(set, settings, {{1, 0.5e-3}});
+    const Finding *finding = findingWithId(result, "SHK-001");
+    QVERIFY(finding && finding->mend);
+    QCOMPARE(finding->mend->key, std::string("import.channels"));
+    const std::string exchanged = "{\"ch 1\":\"dut\",\"ch 2\":\"driven_side\"}";
+    QCOMPARE(finding->mend->value, exchanged);
+}
+
+void TestShockFindings::uncorrectedDut_isWarnedAbout()
+{
+    const ShockSettings settings = typedArrivals({0.8});
+    const auto corrected = estimated(thesisSet(), settings, {{1, kAtWall_s, 1e-9, true}});
+    QVERIFY(!findingWithId(corrected, "SHK-008"));
+    const auto late = estimated(thesisSet(), settings, {{1, kAtWall_s, 0.0, false}});
+    const Finding *finding = findingWithId(late, "SHK-008");
+    QVERIFY(finding && finding->severity == Severity::Caution);
+    // 1 us of 1.56 ms is 0.064 %, times 4.65 on the step.
+    const std::string text = english(finding->message);
+    QVERIFY2(text.find("0.064 %") != std::string::npos, text.c_str());
+    QVERIFY2(text.find("0.3 %") != std::string::npos, text.c_str());
+    ShockSettings without = typedArrivals({0.8, 0.3});
+    without.useDutArrival = false;
+    QVERIFY(
+        !findingWithId(estimated(thesisSet(), without, {{1, kAtWall_s, 0.0, false}}), "SHK-008"));
+}
+
+void TestShockFindings::scatteringArrivals_chiSquare()
+{
+    ShockSettings settings = typedArrivals({0.9, 0.5, 0.1});
+    settings.attenuation = "none";
+    QVERIFY(!findingWithId(estimated(thesisSet(), settings), "SHK-010"));
+    *settings.arrivalSensors[1].arrival_s += 5e-6; // an order above what is stated
+    const auto result = estimated(thesisSet(), settings);
+    const Finding *finding = findingWithId(result, "SHK-010");
+    QVERIFY(finding && *finding->value < 0.01);
+}
+
+void TestShockFindings::uncertainVelocity_namesFactor()
+{
+    UncertaintyRequest request = budget();
+    request.stated = {{"velocity_m_s", 0.0033 * kVelocity_m_s, Distribution::Normal, {}}};
+    const auto result = estimated(thesisSet(), typedVelocity(), {}, request);
+    const Finding *finding = findingWithId(result, "SHK-003");
+    QVERIFY(finding);
+    QCOMPARE(english(finding->message),
+        std::string("Velocity uncertainty 0.33 % gives 1.5 % on the pressure step (factor 4.65); "
+                    "the budget says where it comes from."));
+}
+
+void TestShockFindings::stateFromDriverOrP2_givesTheVelocityBack()
+{
+    const ShockConditions direct = estimated(thesisSet(), typedVelocity()).shots[0];
+    ShockSettings fromDriver;
+    fromDriver.stateFrom = "p4";
+    fromDriver.p4_Pa = direct.driver->pressure_Pa;
+    ShockSettings fromShocked;
+    fromShocked.stateFrom = "p2";
+    fromShocked.p2_Pa = direct.states->shocked.pressure_Pa;
+    for (const ShockSettings &settings : {fromDriver, fromShocked}) {
+        const ShockConditions found = estimated(thesisSet(), settings).shots[0];
+        QVERIFY(std::abs(found.states->velocity_m_s / kVelocity_m_s - 1.0) < 1e-12);
+        QVERIFY(std::abs(*found.step_Pa / *direct.step_Pa - 1.0) < 1e-11);
+    }
+}
+
+void TestShockFindings::unreachableOrMissingPressures_areFindings()
+{
+    ShockSettings settings;
+    settings.stateFrom = "p4"; // none is known
+    const auto none = estimated(thesisSet(), settings);
+    QVERIFY(findingWithId(none, "SHK-001") && !none.shots[0].step_Pa);
+    settings.p4_Pa = 0.5e5;
+    QVERIFY(!estimated(thesisSet(), settings).shots[0].step_Pa);
+    ShockSettings fast;
+    fast.velocity_m_s = 2500.0; // no driver of air can make that
+    const auto unreachable = estimated(thesisSet(), fast);
+    const Finding *finding = findingWithId(unreachable, "SHK-006");
+    QVERIFY(finding && finding->severity == Severity::Caution);
+    QVERIFY(!unreachable.shots[0].driver);
+}
+
+void TestShockFindings::humidAir_needsHumidityAndUsesIt()
+{
+    ShockSettings settings = typedVelocity();
+    settings.drivenGas.substance = "humid-air";
+    const auto unknown = estimated(thesisSet(), settings);
+    const Finding *finding = findingWithId(unknown, "SHK-007");
+    QVERIFY(finding);
+    QVERIFY(english(finding->message).find("humidity") != std::string::npos);
+    QVERIFY(!unknown.shots[0].step_Pa);
+    settings.relativeHumidity = 0.5;
+    const auto known = estimated(thesisSet(), settings).shots[0];
+    QVERIFY(std::abs(known.states->driven.soundSpeed_m_s - 344.6135) < 1e-4);
+    QCOMPARE(known.drivenGas->name, std::string("humid-air"));
+    QVERIFY(known.driver.has_value()); // the driver's pressure is beyond Cramer's range
+    CaptureSet warm = thesisSet();
+    warm.shots[0].environment.T1_K = 310.0;
+    QVERIFY(findingWithId(estimated(warm, settings), "SHK-009"));
+}
+
+void TestShockFindings::variableHeatCapacity_reachesTheStep()
+{
+    ShockSettings settings = typedVelocity();
+    settings.drivenGas.heatCapacity = kVariableHeatCapacity;
+    const auto varying = estimated(thesisSet(), settings).shots[0];
+    const auto thesis = estimated(thesisSet(), typedVelocity()).shots[0];
+    const double percent = 100.0
+        * (varying.states->reflected.pressure_Pa / thesis.states->reflected.pressure_Pa - 1.0);
+    QVERIFY(std::abs(percent - 0.24955) < 1e-3);
+    settings.drivenGas.substance = "custom";
+    QVERIFY(!estimateShockConditions(thesisSet(), {}, settings));
+}
+
+void TestShockFindings::typedArrivals_threeSensors_velocityAndBudget()
+{
+    const auto result
+        = estimated(thesisSet(), typedArrivals({0.9, 0.5, 0.1}), {}, budget()).shots[0];
+    QVERIFY(std::abs(result.states->velocity_m_s / kVelocity_m_s - 1.0) < 1e-10);
+    QCOMPARE(result.sightings.size(), std::size_t(3));
+    QVERIFY(result.velocityFit->gradient_per_s.has_value());
+    QVERIFY(std::abs(result.velocityFit->arrivalAtWall_s - kAtWall_s) < 1e-12);
+    QVERIFY(result.uncertainty && result.uncertainty->u(StepResult::Step));
+    QVERIFY(result.uncertainty->validated);
+    // u(W)/W = sqrt(u_x^2 + (u_t W)^2)/sqrt(sum of squares of the levers).
+    const double each_m = std::hypot(2e-4, 1e-7 * kVelocity_m_s);
+    const double expected = each_m / std::sqrt(0.32);
+    QVERIFY(std::abs(*result.uncertainty->u(StepResult::Velocity) / kVelocity_m_s / expected - 1.0)
+        < 1e-5);
+}
+
+void TestShockFindings::sideWall_plateauUntilTheReflectedShock()
+{
+    ShockSettings settings = typedVelocity();
+    settings.dutPosition = kSideWall;
+    settings.dutDistance_m = 0.3;
+    settings.dutDiameter_m = 5.5e-3;
+    const auto result = estimated(thesisSet(), settings);
+    const ShockConditions &c = result.shots[0];
+    QVERIFY(std::abs(*c.plateau_s - (0.3 / 512.8 + 0.3 / 325.219169)) < 1e-9);
+    QCOMPARE(*c.plateauEnd, PlateauEnd::ReflectedShock);
+    QVERIFY(std::abs(*c.sideWallLimit_Hz - 48e3) < 500.0);
+    QVERIFY(std::abs(*c.step_Pa - (245253.880 - 101100.0)) < 1e-2);
+    QVERIFY(english(findingWithId(result, "SHK-005")->message).find("passes the DUT")
+        != std::string::npos);
+}
+
+void TestShockFindings::guard_isTakenOff()
+{
+    ShockSettings settings = typedVelocity();
+    const double full_s = *estimated(thesisSet(), settings).shots[0].plateau_s;
+    settings.plateauGuard_s = 1e-4;
+    QVERIFY(std::abs(*estimated(thesisSet(), settings).shots[0].plateau_s - full_s + 1e-4) < 1e-15);
+    settings.plateauGuard_s = 1.0;
+    QCOMPARE(*estimated(thesisSet(), settings).shots[0].plateau_s, 0.0);
+    settings.plateauGuard_s = 0.0;
+    settings.driverLength_m = 0.2;
+    const auto shortDriver = estimated(thesisSet(), settings);
+    QCOMPARE(*shortDriver.shots[0].plateauEnd, PlateauEnd::DriverRarefaction);
+    QVERIFY(english(findingWithId(shortDriver, "SHK-005")->message).find("longer driver")
+        != std::string::npos);
+}
+
+void TestShockFindings::tube_diagramAndCandidatesAreThere()
+{
+    const auto c
+        = estimated(thesisSet(), typedArrivals({0.8}), {{1, kAtWall_s, 1e-9, true}}).shots[0];
+    QVERIFY(c.diagram.has_value());
+    QCOMPARE(c.diagram->sensors.size(), std::size_t(2));
+    QVERIFY(std::abs(*c.diagram->sensors[0].arrival_s - c.diagram->sensors[0].expected_s) < 1e-9);
+    QVERIFY(std::abs(c.diagram->burst_s - (kAtWall_s - 0.97 / kVelocity_m_s)) < 1e-9);
+    QCOMPARE(c.resonances.size(), std::size_t(4 * 3 + 12));
+    // Without lengths there is neither, and the step stands.
+    CaptureSet bare = thesisSet();
+    bare.tube.clear();
+    const auto without = estimated(bare, typedVelocity()).shots[0];
+    QVERIFY(without.step_Pa && !without.diagram && without.resonances.empty());
+}
+
+void TestShockFindings::typedStep_hasNoUncertaintyOfTheStep()
+{
+    ShockSettings settings;
+    settings.step_Pa = 4e5;
+    const auto c = estimated(thesisSet(), settings, {}, budget()).shots[0];
+    QVERIFY(c.stepTyped && !c.uncertainty);
+}
+
+QTEST_APPLESS_MAIN(TestShockFindings)
+#include "tst_shock_findings.moc"

@@ -1,0 +1,211 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/shock/velocity_fit.h"
+
+#include <QtTest>
+
+#include <cmath>
+
+using namespace dyncal;
+
+namespace {
+
+constexpr double kInch_m = 0.0254;
+
+/// Arrivals of a shock whose velocity is W0 + k x at distance x to the end wall.
+std::vector<Sighting> arrivals(const std::vector<double> &distances_m, double W0_m_s,
+    double k_per_s, double u_distance_m = 1e-4, double u_time_s = 1e-7)
+{
+    std::vector<Sighting> list;
+    for (const double x : distances_m) {
+        const double time_s
+            = k_per_s == 0.0 ? -x / W0_m_s : -std::log1p(k_per_s * x / W0_m_s) / k_per_s;
+        Sighting s;
+        s.channel = "toa";
+        s.distance_m = x;
+        s.u_distance_m = x > 0.0 ? u_distance_m : 0.0;
+        s.time_s = 0.123 + time_s;
+        s.u_time_s = u_time_s;
+        s.isDut = x == 0.0;
+        list.push_back(s);
+    }
+    return list;
+}
+
+/// The real shot of formats.md: four counters between five sensors.
+std::vector<CounterReading> realCounters()
+{
+    const double lengths_m[]
+        = {11.996 * kInch_m, 11.994 * kInch_m, 11.991 * kInch_m, 11.992 * kInch_m};
+    const double times_s[] = {2.6362e-4, 2.6297e-4, 2.6336e-4, 2.6429e-4};
+    const double middles_m[] = {1.4199, 1.1152, 0.8106, 0.5060};
+    std::vector<CounterReading> readings;
+    for (int i = 0; i < 4; ++i)
+        readings.push_back({middles_m[i] + 0.5 * lengths_m[i], middles_m[i] - 0.5 * lengths_m[i],
+            times_s[i], 0.0, 0.0});
+    return readings;
+}
+
+} // namespace
+
+class TestVelocityFit : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void twoPlaces_distanceOverTime();
+    void manyPlaces_onALine_exact();
+    void weights_moreCertainPlaceWins();
+    void attenuation_linear_recoversVelocityAtTheWall();
+    void attenuation_automatic_onlyWhereSignificant();
+    void attenuation_threePlacesStated_uncertaintyKnown();
+    void scatter_unstatedDistances_isEstimated();
+    void chiSquare_ofStatedUncertainties();
+    void refitted_sameInputs_sameVelocity();
+    void counters_realShot_endWallVelocity();
+    void counters_constantOrFew();
+    void nonsense_refused();
+};
+
+void TestVelocityFit::twoPlaces_distanceOverTime()
+{
+    const auto fit = fitVelocity(arrivals({0.8, 0.0}, 512.8, 0.0), Attenuation::Automatic);
+    QVERIFY(std::abs(fit->velocity_m_s / 512.8 - 1.0) < 1e-13);
+    QVERIFY(std::abs(fit->arrivalAtWall_s - 0.123) < 1e-12);
+    QCOMPARE(fit->dof, Index(0));
+    QVERIFY(!fit->scatterEstimated && !fit->gradient_per_s && !fit->chiSquare);
+}
+
+void TestVelocityFit::manyPlaces_onALine_exact()
+{
+    for (const Attenuation attenuation :
+        {Attenuation::None, Attenuation::Automatic, Attenuation::Linear}) {
+        const auto fit = fitVelocity(arrivals({1.4, 1.1, 0.8, 0.5, 0.2}, 512.8, 0.0), attenuation);
+        QVERIFY(std::abs(fit->velocity_m_s / 512.8 - 1.0) < 1e-10);
+        QVERIFY(fit->residual.cwiseAbs().maxCoeff() < 1e-14);
+    }
+}
+
+void TestVelocityFit::weights_moreCertainPlaceWins()
+{
+    std::vector<Sighting> list = arrivals({0.8, 0.4, 0.0}, 500.0, 0.0);
+    list[1].time_s += 1e-5;
+    list[1].u_time_s = 1.0; // worth nothing
+    const auto fit = fitVelocity(list, Attenuation::None);
+    QVERIFY(std::abs(fit->velocity_m_s / 500.0 - 1.0) < 1e-9);
+}
+
+void TestVelocityFit::attenuation_linear_recoversVelocityAtTheWall()
+{
+    // 1 % per metre; a parabola leaves terms of order (k x/W)^2/3: a few parts in 1e5.
+    const auto fit
+        = fitVelocity(arrivals({1.0, 0.8, 0.6, 0.4, 0.2}, 512.8, 5.128), Attenuation::Linear);
+    QVERIFY(fit->attenuated);
+    QVERIFY2(std::abs(fit->velocity_m_s / 512.8 - 1.0) < 4e-5,
+        qPrintable(QString::number(fit->velocity_m_s, 'g', 10)));
+    QVERIFY(std::abs(*fit->gradient_per_s / 5.128 - 1.0) < 0.02);
+    const auto straight
+        = fitVelocity(arrivals({1.0, 0.8, 0.6, 0.4, 0.2}, 512.8, 5.128), Attenuation::None);
+    QVERIFY(straight->velocity_m_s > 514.0); // what ignoring it costs
+}
+
+void TestVelocityFit::attenuation_automatic_onlyWhereSignificant()
+{
+    const std::vector<double> places{1.0, 0.8, 0.6, 0.4, 0.2};
+    QVERIFY(fitVelocity(arrivals(places, 512.8, 5.128), Attenuation::Automatic)->attenuated);
+    QVERIFY(!fitVelocity(arrivals(places, 512.8, 0.1), Attenuation::Automatic)->attenuated);
+    QVERIFY(fitVelocity(arrivals(places, 512.8, 0.1), Attenuation::Automatic)->gradient_per_s);
+}
+
+void TestVelocityFit::attenuation_threePlacesStated_uncertaintyKnown()
+{
+    const auto fit = fitVelocity(arrivals({0.9, 0.5, 0.1}, 512.8, 5.0), Attenuation::Linear);
+    QVERIFY(fit->attenuated);
+    QVERIFY(fit->u_gradient_per_s.has_value());
+    QCOMPARE(fit->dof, Index(0));
+    // Without stated distances nothing is left to say what it is worth: a straight line.
+    const auto unstated
+        = fitVelocity(arrivals({0.9, 0.5, 0.1}, 512.8, 5.0, 0.0), Attenuation::Linear);
+    QVERIFY(!unstated->attenuated);
+    QVERIFY(!unstated->u_gradient_per_s.has_value());
+}
+
+void TestVelocityFit::scatter_unstatedDistances_isEstimated()
+{
+    std::vector<Sighting> list = arrivals({0.8, 0.4, 0.0}, 500.0, 0.0, 0.0);
+    list[1].time_s += 3e-6;
+    const auto fit = fitVelocity(list, Attenuation::None);
+    QVERIFY(fit->scatterEstimated);
+    QCOMPARE(fit->dof, Index(1));
+    // Residuals -1, 2, -1 us: s^2 = 6e-12; u(slope) = s/sqrt(0.32); u(W) = u(slope) W^2.
+    const double expected = std::sqrt(6e-12 / 0.32) * fit->velocity_m_s * fit->velocity_m_s;
+    QVERIFY(std::abs(fit->scatter_m_s / expected - 1.0) < 1e-9);
+    QVERIFY(!fit->chiSquare);
+}
+
+void TestVelocityFit::chiSquare_ofStatedUncertainties()
+{
+    std::vector<Sighting> list = arrivals({0.8, 0.4, 0.0}, 500.0, 0.0, 1e-12, 1e-6);
+    list[1].time_s += 3e-6;
+    const auto fit = fitVelocity(list, Attenuation::None);
+    QVERIFY(std::abs(*fit->chiSquare - 6.0) < 1e-6);
+}
+
+void TestVelocityFit::refitted_sameInputs_sameVelocity()
+{
+    const std::vector<Sighting> list = arrivals({1.0, 0.8, 0.6, 0.4, 0.2}, 512.8, 5.128);
+    for (const Attenuation attenuation : {Attenuation::None, Attenuation::Linear}) {
+        const auto fit = fitVelocity(list, attenuation);
+        Eigen::VectorXd x(5), t(5);
+        for (Index i = 0; i < 5; ++i) {
+            x[i] = list[static_cast<std::size_t>(i)].distance_m;
+            t[i] = list[static_cast<std::size_t>(i)].time_s;
+        }
+        QVERIFY(std::abs(refittedVelocity_m_s(*fit, x, t) / fit->velocity_m_s - 1.0) < 1e-12);
+    }
+    const auto counters = fitCounters(realCounters(), Attenuation::Linear);
+    QVERIFY(
+        std::abs(refittedCounterVelocity_m_s(*counters, realCounters()) - counters->velocity_m_s)
+        < 1e-9);
+}
+
+void TestVelocityFit::counters_realShot_endWallVelocity()
+{
+    const auto fit = fitCounters(realCounters(), Attenuation::Linear);
+    qInfo("U(end wall) = %.3f m/s (oracle 1152.05), gradient %.4f (m/s)/m (oracle 3.9221)",
+        fit->velocity_m_s, *fit->gradient_per_s);
+    QVERIFY(std::abs(fit->velocity_m_s - 1152.05) < 0.005);
+    QVERIFY(std::abs(*fit->gradient_per_s - 3.9221) < 5e-4); // middles are printed to 0.1 mm
+    QVERIFY(fit->attenuated && fit->scatterEstimated);
+    QCOMPARE(fit->dof, Index(2));
+}
+
+void TestVelocityFit::counters_constantOrFew()
+{
+    const auto mean = fitCounters(realCounters(), Attenuation::None);
+    QVERIFY(std::abs(mean->velocity_m_s - (1155.82 + 1158.49 + 1156.48 + 1152.51) / 4.0) < 0.01);
+    const auto one = fitCounters({realCounters().front()}, Attenuation::Linear);
+    QVERIFY(std::abs(one->velocity_m_s - 1155.82) < 0.01);
+    QVERIFY(!one->scatterEstimated);
+}
+
+void TestVelocityFit::nonsense_refused()
+{
+    QCOMPARE(fitVelocity({}, Attenuation::None).error().kind, ErrorKind::Usage);
+    QCOMPARE(
+        fitVelocity(arrivals({0.8}, 500.0, 0.0), Attenuation::None).error().kind, ErrorKind::Usage);
+    QCOMPARE(fitVelocity(arrivals({0.8, 0.8}, 500.0, 0.0), Attenuation::None).error().kind,
+        ErrorKind::Usage);
+    const auto away = fitVelocity(arrivals({0.8, 0.1}, -500.0, 0.0), Attenuation::None);
+    QCOMPARE(away.error().findingId, std::string("SHK-001"));
+    std::vector<Sighting> together = arrivals({0.8, 0.1}, 500.0, 0.0);
+    together[1].time_s = together[0].time_s;
+    QVERIFY(!fitVelocity(together, Attenuation::None));
+    QCOMPARE(fitCounters({}, Attenuation::None).error().kind, ErrorKind::Usage);
+    QCOMPARE(fitCounters({{0.5, 0.8, 1e-4, 0.0, 0.0}}, Attenuation::None).error().kind,
+        ErrorKind::Usage);
+}
+
+QTEST_APPLESS_MAIN(TestVelocityFit)
+#include "tst_velocity_fit.moc"
