@@ -20,7 +20,7 @@
 namespace dyncal {
 namespace {
 
-constexpr std::array<std::string_view, 3> kVerbs{"simulate", "info", "run"};
+constexpr std::array<std::string_view, 5> kVerbs{"simulate", "info", "import", "check", "run"};
 /// Further apart than this, a word is not taken for a misspelt subcommand.
 constexpr Index kMostMisspelt = 2;
 
@@ -53,6 +53,8 @@ int parseAndAct(int argc, char **argv)
     VerbAction action;
     addSimulate(program, action);
     addInfo(program, action);
+    addImport(program, action);
+    addCheck(program, action);
     addRun(program, action);
     try {
         program.parse(argc, argv);

@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "app/cli/console.h"
+#include "app/cli/findings_json.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/recipe_options.h"
 #include "app/cli/verbs.h"
 
 #include "core/base/number_text.h"
 #include "core/capture/format_registry.h"
 
-#include <nlohmann/json.hpp>
-
 #include <algorithm>
+#include <array>
 #include <iomanip>
 #include <iostream>
 #include <memory>
@@ -23,8 +24,17 @@ using Json = nlohmann::json;
 struct InfoOptions
 {
     std::vector<std::string> files;
+    RecipeOptions recipe;
     bool json = false;
 };
+
+/// "int16": how one sample is kept.
+std::string typeName(SampleType type)
+{
+    static constexpr std::array kNames{
+        "int16", "int32", "float32", "float64", "int8", "uint8", "uint16"}; // as SampleType
+    return kNames[static_cast<std::size_t>(type)];
+}
 
 Json orNull(bool known, const Json &value)
 {
@@ -36,7 +46,8 @@ Json channelJson(const Channel &channel)
     const bool timed = channel.sampleRate_Hz > 0.0;
     return {{"name", channel.name}, {"role", channelRoleName(channel.role)},
         {"sample_rate_hz", orNull(timed, channel.sampleRate_Hz)},
-        {"samples", channel.samples.size()}, {"unit", channel.unit}, {"quantity", channel.quantity},
+        {"samples", channel.samples.size()}, {"type", typeName(channel.samples.type())},
+        {"t0_s", channel.t0_s}, {"unit", channel.unit}, {"quantity", channel.quantity},
         {"duration_s", timed ? Json(channel.duration_s()) : Json(nullptr)},
         {"adc_bits", orNull(channel.adcBits > 0, channel.adcBits)}, {"sensor", channel.sensorId},
         {"sha256", channel.sha256}};
@@ -61,13 +72,9 @@ Json infoJson(const CaptureSet &set)
     Json shots = Json::array();
     for (std::size_t i = 0; i < set.shots.size(); ++i)
         shots.push_back(shotJson(set, i));
-    Json findings = Json::array();
-    for (const Finding &finding : set.findings)
-        findings.push_back({{"id", finding.id}, {"severity", severityName(finding.severity)},
-            {"message", english(finding.message)}});
     return {{"schema", "dyncal-info/1"}, {"files", std::move(files)}, {"shots", std::move(shots)},
         {"tube", set.tube}, {"sensors", set.sensors}, {"instruments", set.instruments},
-        {"findings", std::move(findings)}};
+        {"findings", findingsJson(set.findings)}};
 }
 
 void printAttributes(const std::string &title, const Attributes &attributes)
@@ -79,6 +86,13 @@ void printAttributes(const std::string &title, const Attributes &attributes)
         std::cout << "  " << key << " = " << value << '\n';
 }
 
+/// "int16", with the converter's bits where they are known: "int16/14".
+std::string precisionText(const Channel &channel)
+{
+    return typeName(channel.samples.type())
+        + (channel.adcBits > 0 ? "/" + std::to_string(channel.adcBits) : std::string());
+}
+
 void printChannel(const Channel &channel, std::size_t nameWidth)
 {
     const bool timed = channel.sampleRate_Hz > 0.0;
@@ -86,8 +100,10 @@ void printChannel(const Channel &channel, std::size_t nameWidth)
               << std::setw(13) << channelRoleName(channel.role) << std::right << std::setw(10)
               << (timed ? numberWithUnit(channel.sampleRate_Hz, "Hz") : "rate ?") << std::setw(12)
               << channel.samples.size() << " samples  " << std::setw(9)
-              << (timed ? numberWithUnit(channel.duration_s(), "s") : "?") << "  "
-              << (channel.unit.empty() ? "unit ?" : channel.unit) << '\n';
+              << (timed ? numberWithUnit(channel.duration_s(), "s") : "?") << "  from "
+              << std::setw(9) << numberWithUnit(channel.t0_s, "s") << "  " << std::setw(8)
+              << precisionText(channel) << "  " << (channel.unit.empty() ? "unit ?" : channel.unit)
+              << '\n';
 }
 
 void printShots(const CaptureSet &set)
@@ -125,9 +141,12 @@ void printInfo(const CaptureSet &set)
 
 int info(const InfoOptions &options)
 {
+    const Result<Recipe> recipe = options.recipe.read();
+    if (!recipe)
+        return report(recipe.error());
     ProgressLine progress("Reading");
     const Result<CaptureSet> set
-        = readCaptures(options.files, {}, {interruptToken(), progress.sink()});
+        = readCaptures(options.files, recipe->import, {interruptToken(), progress.sink()});
     if (!set)
         return report(set.error());
     if (options.json)
@@ -148,6 +167,7 @@ void addInfo(CLI::App &program, VerbAction &action)
     verb->add_option("files", options->files, "Captures, or folders of captures")
         ->required()
         ->type_name("FILE");
+    options->recipe.declare(*verb);
     verb->add_flag("--json", options->json, "As JSON");
     verb->footer("Example:\n  dyncal info example.h5\n  dyncal info --json shots/");
     verb->callback([options, &action] { action = [options] { return info(*options); }; });

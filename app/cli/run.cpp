@@ -3,6 +3,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/interrupt.h"
+#include "app/cli/recipe_options.h"
 #include "app/cli/run_output.h"
 #include "app/cli/run_summary.h"
 #include "app/cli/verbs.h"
@@ -20,7 +21,7 @@ namespace {
 struct RunOptions
 {
     std::vector<std::string> files;
-    std::string recipe;
+    RecipeOptions recipe;
     std::string order;
     std::string output;
 };
@@ -46,9 +47,7 @@ Result<Recipe> withOrder(Recipe recipe, const std::string &order)
 
 Result<Recipe> recipeOf(const RunOptions &options)
 {
-    if (options.recipe.empty())
-        return withOrder({}, options.order);
-    const Result<Recipe> recipe = readRecipeFile(options.recipe);
+    const Result<Recipe> recipe = options.recipe.read();
     return recipe ? withOrder(*recipe, options.order) : recipe;
 }
 
@@ -119,8 +118,7 @@ void addRun(CLI::App &program, VerbAction &action)
     verb->add_option("files", options->files, "Captures of one sensor, or folders of captures")
         ->required()
         ->type_name("FILE");
-    verb->add_option("--recipe", options->recipe, "Every decision (docs/recipe.md)")
-        ->type_name("RECIPE");
+    options->recipe.declare(*verb);
     verb->add_option("--order", options->order, "Model order: auto or a number")
         ->type_name("auto|N");
     verb->add_option("-o,--output", options->output, "Folder to write to")

@@ -15,6 +15,8 @@ using VerbAction = std::function<int()>;
 /// Each declares its subcommand with options, help and example, and sets `action` when chosen.
 void addSimulate(CLI::App &program, VerbAction &action);
 void addInfo(CLI::App &program, VerbAction &action);
+void addImport(CLI::App &program, VerbAction &action);
+void addCheck(CLI::App &program, VerbAction &action);
 void addRun(CLI::App &program, VerbAction &action);
 
 } // namespace dyncal

@@ -97,6 +97,42 @@ double upperFraction(double a, double x)
     return h;
 }
 
+/// Regularised incomplete beta function I_x(a, b) for x below the mean's side: Lentz's continued
+/// fraction (Abramowitz and Stegun 26.5.8).
+double betaFraction(double a, double b, double x)
+{
+    constexpr double kTiny = 1e-300;
+    double c = 1.0;
+    double d = 1.0 - (a + b) * x / (a + 1.0);
+    d = 1.0 / (std::abs(d) < kTiny ? kTiny : d);
+    double h = d;
+    for (int m = 1; m < 10000; ++m) {
+        const double n = m;
+        for (const double term : {n * (b - n) * x / ((a + 2.0 * n - 1.0) * (a + 2.0 * n)),
+                 -(a + n) * (a + b + n) * x / ((a + 2.0 * n) * (a + 2.0 * n + 1.0))}) {
+            d = 1.0 + term * d;
+            d = 1.0 / (std::abs(d) < kTiny ? kTiny : d);
+            c = 1.0 + term / c;
+            c = std::abs(c) < kTiny ? kTiny : c;
+            h *= d * c;
+        }
+        if (std::abs(d * c - 1.0) < kEpsilon)
+            break;
+    }
+    return h;
+}
+
+double betaRatio(double a, double b, double x, double complement)
+{
+    const double front = std::exp(
+        logGamma(a + b) - logGamma(a) - logGamma(b) + a * std::log(x) + b * std::log(complement));
+    if (x < (a + 1.0) / (a + b + 2.0))
+        return front * betaFraction(a, b, x) / a;
+    return 1.0 - front * betaFraction(b, a, complement) / b;
+}
+
+constexpr double kNormalDof = 1e8; ///< t differs from z by less than 1e-8 beyond
+
 } // namespace
 
 double upperGammaRatio(double a, double x)
@@ -122,6 +158,37 @@ double normalQuantile(double probability)
         return q * polynomial(kCentreAbove, r) / polynomial(kCentreBelow, r);
     }
     return q < 0.0 ? -tailQuantile(probability) : tailQuantile(1.0 - probability);
+}
+
+double studentSurvival(double t, double dof)
+{
+    if (t < 0.0)
+        return 1.0 - studentSurvival(-t, dof);
+    if (dof > kNormalDof)
+        return 0.5 * std::erfc(t / std::numbers::sqrt2);
+    if (t == 0.0)
+        return 0.5;
+    const double square = t * t;
+    return 0.5 * betaRatio(0.5 * dof, 0.5, dof / (dof + square), square / (dof + square));
+}
+
+double studentQuantile(double probability, double dof)
+{
+    if (dof > kNormalDof)
+        return normalQuantile(probability);
+    if (probability < 0.5)
+        return -studentQuantile(1.0 - probability, dof);
+    const double tail = 1.0 - probability;
+    double low = 0.0, high = 1.0;
+    while (studentSurvival(high, dof) > tail && high < 1e300)
+        high *= 2.0;
+    for (int i = 0; i < 200; ++i) {
+        const double middle = 0.5 * (low + high);
+        if (middle == low || middle == high)
+            break;
+        (studentSurvival(middle, dof) > tail ? low : high) = middle;
+    }
+    return 0.5 * (low + high);
 }
 
 } // namespace dyncal

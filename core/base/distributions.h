@@ -17,4 +17,11 @@ double chiSquareSurvival(double x, double degrees);
 /// accuracy about 1e-15), with the portable logarithm: the same bits on every machine.
 double normalQuantile(double probability);
 
+/// Probability that Student's t with `dof` > 0 degrees of freedom (any real number, infinity = the
+/// normal distribution) exceeds t. 1e-12 relative.
+double studentSurvival(double t, double dof);
+
+/// t with P(T <= t) = p, 0 < p < 1, to 1e-12 relative.
+double studentQuantile(double probability, double dof);
+
 } // namespace dyncal

@@ -14,6 +14,16 @@ namespace dyncal {
 
 enum class Severity { Info, Caution, Block };
 
+/// One change of the recipe that would settle a finding: what a button offers, ready to apply.
+struct Mend
+{
+    Message label; ///< "Use 294.15 K"
+    std::string key; ///< dotted path of the recipe: "shock.t1_k"
+    std::string value; ///< as JSON: "294.15"
+
+    bool operator==(const Mend &) const = default;
+};
+
 /// A result exists and the operator must see something about it. Ids are stable (findings catalogue
 /// in docs/findings.md); scripts and tests key on them.
 struct Finding
@@ -26,6 +36,7 @@ struct Finding
     Message message;
     std::optional<double> value;
     std::optional<double> limit;
+    std::optional<Mend> mend = std::nullopt; ///< where one change of the recipe would settle it
 
     bool operator==(const Finding &) const = default;
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 namespace dyncal {
@@ -16,6 +17,7 @@ constexpr Index kLongRun = 16;
 constexpr double kJumpShare = 0.01; ///< of the range
 constexpr double kJumpSigmas = 6.0;
 constexpr double kJumpCodes = 2.0;
+constexpr double kResolved = 3.0; ///< codes of noise
 constexpr double kNormal = 1.4826; ///< standard deviation over median of a normal distribution
 
 /// Noise and smallest step of the values, from the quiet beginning of a record.
@@ -23,7 +25,8 @@ struct Quiet
 {
     double noise = 0.0;
     double code = 0.0;
-    bool isNoisy() const { return noise > 0.5 * code && noise > 0.0; }
+    bool isNoisy() const { return noise > 0.5 * code; }
+    bool neverRepeats() const { return noise > kResolved * code; }
 };
 
 Quiet quietBeginning(const RawSamples &samples)
@@ -34,19 +37,24 @@ Quiet quietBeginning(const RawSamples &samples)
     if (span < kLeastSpan)
         return quiet;
     std::vector<double> steps;
+    std::vector<double> bends; // second differences: no slow movement is taken for noise
     double before = samples.at(0);
-    samples.visitBlocks(1, span, [&](auto values, Index) {
-        for (const auto value : values) {
-            const double step = std::abs(static_cast<double>(value) - before);
-            before = static_cast<double>(value);
-            if (std::isfinite(step))
-                steps.push_back(step);
+    double last = samples.at(1);
+    samples.visitBlocks(2, span, [&](auto values, Index) {
+        for (const auto raw : values) {
+            const auto value = static_cast<double>(raw);
+            if (const double bend = std::abs(value - 2.0 * last + before); std::isfinite(bend)) {
+                bends.push_back(bend);
+                steps.push_back(std::abs(value - last));
+            }
+            before = std::exchange(last, value);
         }
     });
     if (steps.empty())
         return quiet;
     std::sort(steps.begin(), steps.end());
-    quiet.noise = kNormal * steps[steps.size() / 2] / std::sqrt(2.0);
+    std::sort(bends.begin(), bends.end());
+    quiet.noise = kNormal * bends[bends.size() / 2] / std::sqrt(6.0);
     if (const auto moved = std::upper_bound(steps.begin(), steps.end(), 0.0);
         !samples.isInteger() && moved != steps.end())
         quiet.code = *moved;
@@ -71,6 +79,8 @@ bool isCutOff(const RawSamples &samples, const RecordSurvey &survey, const Equal
     };
     const Index before = run.begin - 1;
     const Index after = run.begin + run.count;
+    if (quiet.neverRepeats())
+        return true;
     if (quiet.isNoisy())
         return jumps(before) || jumps(after) || run.count >= kLongRun;
     return jumps(before) && jumps(after) && moves(before, -1) && moves(after, 1);

@@ -9,7 +9,8 @@ namespace dyncal {
 
 /// Whether a run of equal samples at an extreme of the record was cut off there, told from the
 /// record alone because the converter's limits are not known. Something must have been moving:
-/// - The value jumps into the run or out of it, by more than 1 % of the range, 6 standard
+/// - the noise is of more than 3 codes, so that no value repeats at an extreme by chance, or
+/// - the value jumps into the run or out of it, by more than 1 % of the range, 6 standard
 /// deviations
 ///   of the noise and 2 codes (a rounded peak arrives by one code), or
 /// - the run is of 16 samples at least although the noise is larger than half a code.

@@ -5,7 +5,6 @@
 
 #include "core/base/number_text.h"
 #include "core/model_analysis/step_transform.h"
-#include "core/shock/pressure_units.h"
 
 #include <algorithm>
 #include <cmath>
@@ -230,27 +229,6 @@ void compareAnswers(ResponseResult &result)
     }
 }
 
-/// CAP-013: a recording in units of pressure must read about the step that the shock made.
-void checkReading(const WindowedResponse &response, double step_Pa, Findings &findings)
-{
-    constexpr double kOff = 3.0;
-    const auto pascals = pascalsPer(response.unit);
-    if (!pascals)
-        return;
-    const double ratio = std::abs(response.step * *pascals / step_Pa);
-    if (ratio < kOff && ratio > 1.0 / kOff)
-        return;
-    const auto fitting = unitThatFits(response.step, step_Pa);
-    findings.push_back({"CAP-013", Severity::Caution, response.shot, response.channel, {},
-        {fitting ? DYNCAL_TEXT(
-             "core", "Shot %1: the step reads %2; %3 is expected. Is the unit %4? Set import.unit.")
-                 : DYNCAL_TEXT("core",
-                     "Shot %1: the step reads %2; %3 is expected. Check the unit and the scale."),
-            {std::to_string(response.shot), numberWithUnit(response.step, response.unit, 4),
-                numberWithUnit(step_Pa, "Pa", 4), fitting.value_or("")}},
-        response.step * *pascals, step_Pa});
-}
-
 void describeShots(const std::vector<WindowedResponse> &responses, const SensorModel &model,
     const ShockConditionsSet &shock, ResponseResult &result)
 {
@@ -264,7 +242,6 @@ void describeShots(const std::vector<WindowedResponse> &responses, const SensorM
             shot.sensitivity = fit->plateauGain * response.valueScale / *conditions->step_Pa;
             sum += *shot.sensitivity;
             ++count;
-            checkReading(response, *conditions->step_Pa, result.findings);
         }
         result.sensitivityUnit = shot.unit;
         result.shots.push_back(std::move(shot));

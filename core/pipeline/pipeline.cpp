@@ -5,9 +5,13 @@
 
 #include "core/capture/capture_check.h"
 #include "core/capture/import_rules.h"
+#include "core/pipeline/shock_stage.h"
 #include "core/pipeline/stage_keys.h"
+#include "core/shock/channel_order.h"
+#include "core/shock/shock_velocity.h"
 #include "core/signal/start_detection.h"
 
+#include <algorithm>
 #include <exception>
 #include <new>
 
@@ -26,13 +30,9 @@ Result<PreparedCaptures> prepareCaptures(const CaptureSet &captures, const Recip
     return prepared;
 }
 
-/// The plateau's end as far as it can be known before the window is cut: from the detected starts.
-std::vector<std::optional<double>> expectedPlateaus(
-    const CaptureSet &set, const Recipe &recipe, const JobControl &control)
+/// When the DUTs felt the shock, as far as it can be known before the window is cut.
+std::vector<DutArrival> detectedArrivals(const CaptureSet &set, const JobControl &control)
 {
-    std::vector<std::optional<double>> plateaus(set.shots.size());
-    if (!recipe.shock.enabled)
-        return plateaus;
     std::vector<DutArrival> arrivals;
     for (std::size_t i = 0; i < set.shots.size(); ++i) {
         const Channel *dut = set.shots[i].channelWithRole(ChannelRole::Dut);
@@ -41,7 +41,14 @@ std::vector<std::optional<double>> expectedPlateaus(
         if (const auto start = detectStart(*dut, control))
             arrivals.push_back({static_cast<Index>(i) + 1, start->time_s});
     }
-    const auto shock = estimateShockConditions(set, arrivals, recipe.shock);
+    return arrivals;
+}
+
+std::vector<std::optional<double>> expectedPlateaus(
+    const CaptureSet &set, const std::vector<DutArrival> &arrivals, const ShockSettings &settings)
+{
+    std::vector<std::optional<double>> plateaus(set.shots.size());
+    const auto shock = estimateShockConditions(set, arrivals, settings);
     for (std::size_t i = 0; shock && i < plateaus.size(); ++i) {
         if (const ShockConditions *conditions = shock->ofShot(static_cast<Index>(i) + 1))
             plateaus[i] = conditions->plateau_s;
@@ -51,9 +58,19 @@ std::vector<std::optional<double>> expectedPlateaus(
 
 Result<WindowResult> window(const CaptureSet &set, const Recipe &recipe, const JobControl &control)
 {
-    const WindowContext context{
-        recipe.input.treatment, recipe.remap, expectedPlateaus(set, recipe, control)};
-    return cutWindows(set, recipe.window, context, control);
+    WindowContext context{recipe.input.treatment, recipe.remap, {}, recipe.checks};
+    context.plateau_s.resize(set.shots.size());
+    Findings order;
+    if (recipe.shock.enabled) {
+        const std::vector<DutArrival> arrivals = detectedArrivals(set, control);
+        context.plateau_s = expectedPlateaus(set, arrivals, recipe.shock);
+        if (recipe.shock.dutPosition == kEndWall)
+            order = checkChannelOrder(set, arrivals);
+    }
+    Result<WindowResult> result = cutWindows(set, recipe.window, context, control);
+    if (result)
+        result->findings.insert(result->findings.begin(), order.begin(), order.end());
+    return result;
 }
 
 Result<DecompositionResult> decompose(
@@ -64,29 +81,6 @@ Result<DecompositionResult> decompose(
         return tl::unexpected(hankel.error());
     OrderSuggestion suggestion = suggestOrder(input, *hankel);
     return DecompositionResult{std::move(*hankel), std::move(suggestion)};
-}
-
-/// When each sensor felt the shock: the model's onset where there is one, else the detected start.
-std::vector<DutArrival> dutArrivals(const WindowResult &window, const SensorModel &model)
-{
-    std::vector<DutArrival> arrivals;
-    for (const WindowedResponse &response : window.responses) {
-        double onset_s = 0.0;
-        for (const SeriesFit &fit : model.series) {
-            if (fit.shot == response.shot)
-                onset_s = fit.onset_s;
-        }
-        arrivals.push_back({response.shot, response.start_s + onset_s});
-    }
-    return arrivals;
-}
-
-Result<ShockConditionsSet> shockConditions(const CaptureSet &set, const WindowResult &window,
-    const SensorModel &model, const ShockSettings &settings)
-{
-    if (!settings.enabled)
-        return ShockConditionsSet{};
-    return estimateShockConditions(set, dutArrivals(window, model), settings);
 }
 
 /// Runs one stage unless its result is in the cache; keeps count and stops at the first failure.
@@ -164,7 +158,10 @@ void runStages(const CaptureSet &captures, const Recipe &recipe, Run &run, Calib
                     *r.spectrum, control);
             })
         .stage(StageId::Shock, &R::shock,
-            [&] { return shockConditions(r.captures->set, *r.window, *r.model, recipe.shock); })
+            [&] {
+                return shockStage(
+                    r.captures->set, *r.window, *r.spectrum, *r.model, recipe, control);
+            })
         .stage(StageId::Response, &R::response, [&] {
             return computeResponse(
                 r.window->responses, *r.input, *r.model, *r.shock, recipe.response);
@@ -178,6 +175,17 @@ Error outOfMemory()
              "Not enough memory for this calibration; shorten the window or the model input."),
             {}},
         {}, 0};
+}
+
+/// Whether one of the first `count` findings says of the same channel what `finding` says again.
+bool isTold(const Findings &findings, std::size_t count, const Finding &finding)
+{
+    return !finding.channel.empty()
+        && std::any_of(findings.begin(), findings.begin() + static_cast<std::ptrdiff_t>(count),
+            [&](const Finding &told) {
+                return told.id == finding.id && told.shot == finding.shot
+                    && told.channel == finding.channel && told.severity >= finding.severity;
+            });
 }
 
 } // namespace
@@ -211,8 +219,11 @@ Findings CalibrationResults::findings() const
 {
     Findings all;
     const auto add = [&all](const auto &result) {
-        if (result)
-            all.insert(all.end(), result->findings.begin(), result->findings.end());
+        const std::size_t earlier = all.size();
+        for (const Finding &finding : result ? result->findings : Findings()) {
+            if (!isTold(all, earlier, finding))
+                all.push_back(finding);
+        }
     };
     add(captures);
     add(window);

@@ -92,8 +92,7 @@ void addSpectrum(JsonRecord &root, const ResultsContext &context)
     for (const Resonance &resonance : result->resonances)
         resonances.push_back(resonanceJson(resonance));
     section.set("resonances", std::move(resonances));
-    section.missing("candidates",
-        "Not computed: this version does not compare peaks with tube modes and mains lines.");
+    addCandidates(section, context);
     root.set("spectrum", section.take());
 }
 

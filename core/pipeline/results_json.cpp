@@ -34,6 +34,10 @@ Json findingJson(const Finding &finding)
     record.set("message", english(finding.message));
     record.number("value", finding.value, "Is not about one number.");
     record.number("limit", finding.limit, "Has no limit.");
+    if (finding.mend)
+        record.set("mend",
+            {{"label", english(finding.mend->label)}, {"key", finding.mend->key},
+                {"value", finding.mend->value}});
     return record.take();
 }
 
@@ -104,11 +108,14 @@ Findings allFindings(const PipelineOutcome &outcome)
     if (!outcome.error || outcome.error->findingId.empty())
         return findings;
     const Finding gravest = asFinding(*outcome.error);
-    const bool listed = std::any_of(findings.begin(), findings.end(), [&](const Finding &f) {
-        return f.id == gravest.id && f.shot == gravest.shot && f.severity == gravest.severity;
-    });
-    if (!listed)
+    const auto told = std::find_if(findings.begin(), findings.end(),
+        [&](const Finding &f) { return f.id == gravest.id && f.shot == gravest.shot; });
+    if (told == findings.end()) {
         findings.push_back(gravest);
+    } else if (told->severity != gravest.severity) { // what was a caution has stopped the run
+        told->severity = gravest.severity;
+        told->message = gravest.message;
+    }
     return findings;
 }
 

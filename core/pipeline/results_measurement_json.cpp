@@ -107,48 +107,6 @@ Json shotJson(Index number, const Shot &shot, const ResultsContext &context)
     return record.take();
 }
 
-void addGas(
-    JsonRecord &record, const std::string &region, const GasState *state, const std::string &reason)
-{
-    const auto value = [state](double GasState::*member) {
-        return state ? std::optional(state->*member) : std::nullopt;
-    };
-    record.number("p" + region + "_pa", value(&GasState::pressure_Pa), reason);
-    record.number("t" + region + "_k", value(&GasState::temperature_K), reason);
-    record.number("rho" + region + "_kg_m3", value(&GasState::density_kg_m3), reason);
-    record.number("a" + region + "_m_s", value(&GasState::soundSpeed_m_s), reason);
-}
-
-Json shockJson(const ShockConditions &shock)
-{
-    const std::string noVelocity = "The shock's velocity is neither given nor measured.";
-    const ShockStates *states = shock.states ? &*shock.states : nullptr;
-    const auto value = [states](double ShockStates::*member) {
-        return states ? std::optional(states->*member) : std::nullopt;
-    };
-    JsonRecord record;
-    record.set("shot", shock.shot);
-    record.number("velocity_m_s", value(&ShockStates::velocity_m_s), noVelocity);
-    record.missing("u_velocity_m_s", kNoUncertainty);
-    record.number("mach", value(&ShockStates::mach), noVelocity);
-    addGas(record, "1", states ? &states->driven : nullptr, noVelocity);
-    addGas(record, "2", states ? &states->shocked : nullptr, noVelocity);
-    addGas(record, "4", shock.driver ? &*shock.driver : nullptr,
-        states ? "The driver's temperature or pressure is not known." : noVelocity);
-    addGas(record, "5", states ? &states->reflected : nullptr, noVelocity);
-    record.number(
-        "u2_m_s", states ? std::optional(states->shocked.velocity_m_s) : std::nullopt, noVelocity);
-    record.number("reflected_velocity_m_s", value(&ShockStates::reflectedVelocity_m_s), noVelocity);
-    record.number("reflected_mach", value(&ShockStates::reflectedMach), noVelocity);
-    record.number("step_pa", shock.step_Pa, "Not determined; see the findings.");
-    record.missing("u_step_pa", kNoUncertainty);
-    const std::string noPlateau = states ? "The driven section's length is not known." : noVelocity;
-    record.number("plateau_s", shock.plateau_s, noPlateau);
-    record.number("f_low_hz",
-        shock.plateau_s ? std::optional(1.0 / *shock.plateau_s) : std::nullopt, noPlateau);
-    return record.take();
-}
-
 } // namespace
 
 void addInputs(JsonRecord &root, const ResultsContext &context)
@@ -179,22 +137,6 @@ void addShots(JsonRecord &root, const ResultsContext &context)
     for (std::size_t i = 0; i < shots.size(); ++i)
         list.push_back(shotJson(static_cast<Index>(i) + 1, shots[i], context));
     root.set("shots", std::move(list));
-}
-
-void addShock(JsonRecord &root, const ResultsContext &context)
-{
-    if (!context.results().shock) {
-        root.missing("shock", context.whyMissing());
-        return;
-    }
-    if (!context.recipe.shock.enabled) {
-        root.missing("shock", "Not computed: the recipe switches it off (shock.enabled).");
-        return;
-    }
-    Json list = Json::array();
-    for (const ShockConditions &shock : context.results().shock->shots)
-        list.push_back(shockJson(shock));
-    root.set("shock", std::move(list));
 }
 
 } // namespace dyncal

@@ -31,6 +31,8 @@ inline constexpr const char *kNoUncertainty
 void addInputs(JsonRecord &root, const ResultsContext &context);
 void addShots(JsonRecord &root, const ResultsContext &context);
 void addShock(JsonRecord &root, const ResultsContext &context);
+/// Resonances of the tube beside those of the spectrum; part of the section "spectrum".
+void addCandidates(JsonRecord &section, const ResultsContext &context);
 void addSpectrum(JsonRecord &root, const ResultsContext &context);
 void addComponents(JsonRecord &root, const ResultsContext &context);
 void addModelInput(JsonRecord &root, const ResultsContext &context);

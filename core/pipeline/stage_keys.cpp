@@ -68,7 +68,7 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
         part.window = recipe.window;
         part.remap = recipe.remap;
         part.input.treatment = recipe.input.treatment;
-        part.shock = recipe.shock; // the plateau's end
+        part.shock = recipe.shock; // the plateau's end and the order of the channels
         break;
     case StageId::Spectrum:
         part.spectrum = recipe.spectrum;
@@ -89,7 +89,8 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
         part.realization.refine = recipe.realization.refine;
         break;
     case StageId::Shock:
-        break; // in the window's key already
+        part.uncertainty = recipe.uncertainty; // the rest is in the window's key already
+        break;
     case StageId::Response:
         part.response = recipe.response;
         break;

@@ -53,6 +53,22 @@ Codec<ArrivalSensor> arrivalSensor()
         field(
             "distance_to_end_wall_m", &ArrivalSensor::distanceToEndWall_m, positiveNumber(), true),
         field("u_distance_m", &ArrivalSensor::u_distance_m, nonNegativeNumber()),
+        field("arrival_s", &ArrivalSensor::arrival_s, orNull(anyNumber())),
+        field("u_arrival_s", &ArrivalSensor::u_arrival_s, nonNegativeNumber()),
+        field("delay_s", &ArrivalSensor::delay_s, orNull(anyNumber())),
+        field("u_delay_s", &ArrivalSensor::u_delay_s, nonNegativeNumber()),
+    });
+}
+
+Codec<CounterReading> counterReading()
+{
+    using C = CounterReading;
+    return object<C>({
+        field("far_m", &C::far_m, positiveNumber(), true),
+        field("near_m", &C::near_m, nonNegativeNumber(), true),
+        field("time_s", &C::time_s, positiveNumber(), true),
+        field("u_distance_m", &C::u_distance_m, nonNegativeNumber()),
+        field("u_time_s", &C::u_time_s, nonNegativeNumber()),
     });
 }
 
@@ -165,6 +181,18 @@ Codec<ShockSettings> shockCodec()
         field("dut_position", &S::dutPosition, oneOf({"end-wall", "side-wall"})),
         field("front_duration_s", &S::frontDuration_s, nonNegativeNumber()),
         field("u_front_duration_s", &S::u_frontDuration_s, nonNegativeNumber()),
+        field("state_from", &S::stateFrom, oneOf({"velocity", "p2", "p4"})),
+        field("p2_pa", &S::p2_Pa, orNull(positiveNumber())),
+        field("p4_pa", &S::p4_Pa, orNull(positiveNumber())),
+        field("carbon_dioxide_fraction", &S::carbonDioxide, number(0.0, 0.01)),
+        field("counters", &S::counters, list(counterReading())),
+        field("attenuation", &S::attenuation, oneOf({"auto", "none", "linear"})),
+        field("use_dut_arrival", &S::useDutArrival, boolean()),
+        field("dut_distance_to_end_wall_m", &S::dutDistance_m, orNull(positiveNumber())),
+        field("dut_diameter_m", &S::dutDiameter_m, orNull(positiveNumber())),
+        field("tube_length_m", &S::tubeLength_m, orNull(positiveNumber())),
+        field("wall_sound_speed_m_s", &S::wallSoundSpeed_m_s, positiveNumber()),
+        field("plateau_guard_s", &S::plateauGuard_s, nonNegativeNumber()),
     });
 }
 

@@ -4,21 +4,13 @@
 #include "core/shock/shock_conditions.h"
 
 #include "core/base/number_text.h"
-#include "core/shock/shock_velocity.h"
+#include "core/shock/shock_work.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace dyncal {
 namespace {
-
-constexpr double kVelocityUncertaintyLimit = 0.002; ///< SHK-003, relative
-constexpr double kDriverPressureLimit = 0.10; ///< SHK-006, relative
-
-Gas gasOf(const GasSettings &settings)
-{
-    return {settings.gamma, settings.molarMass_kg_mol};
-}
 
 std::optional<double> firstKnown(const std::optional<double> &typed, double recorded)
 {
@@ -27,44 +19,14 @@ std::optional<double> firstKnown(const std::optional<double> &typed, double reco
     return std::isfinite(recorded) ? std::optional<double>(recorded) : std::nullopt;
 }
 
-Finding findingFor(Index shot, const char *id, Severity severity, Message message)
+std::optional<double> length_m(
+    const ShockWork &work, const std::optional<double> &typed, const char *attribute)
 {
-    Finding finding;
-    finding.id = id;
-    finding.severity = severity;
-    finding.shot = shot;
-    finding.message = std::move(message);
-    return finding;
+    const auto known = typed ? typed : work.set.tubeNumber(attribute);
+    return known && *known > 0.0 ? known : std::nullopt;
 }
 
-/// Everything about one shot that has to be worked on together.
-struct ShotWork
-{
-    const CaptureSet &set;
-    const Shot &shot;
-    const ShockSettings &settings;
-    ShockConditions conditions;
-    Findings findings;
-
-    bool atEndWall() const { return settings.dutPosition == kEndWall; }
-    void report(const char *id, Severity severity, Message message)
-    {
-        findings.push_back(findingFor(conditions.shot, id, severity, std::move(message)));
-    }
-    /// A typed step stands whatever the velocity says, so nothing is blocked then.
-    void reportProblem(const Error &error)
-    {
-        findings.push_back(findingFor(conditions.shot, error.findingId.c_str(),
-            conditions.stepTyped ? Severity::Caution : Severity::Block, error.message));
-    }
-    void reportMissing(Message message)
-    {
-        if (!conditions.stepTyped)
-            report("SHK-007", Severity::Info, std::move(message));
-    }
-};
-
-void reportMissingPressureAndTemperature(ShotWork &work, bool hasPressure, bool hasTemperature)
+void reportMissingPressureAndTemperature(ShockWork &work, bool hasPressure, bool hasTemperature)
 {
     if (!hasPressure)
         work.reportMissing(Message{
@@ -80,123 +42,244 @@ void reportMissingPressureAndTemperature(ShotWork &work, bool hasPressure, bool 
                 {}});
 }
 
-double stepOf(const ShockStates &states, bool atEndWall)
+/// Plateau of a DUT in the side wall: until the reflected shock is back.
+void addSideWall(ShockWork &work)
 {
-    const GasState &behind = atEndWall ? states.reflected : states.shocked;
-    return behind.pressure_Pa - states.driven.pressure_Pa;
-}
-
-/// d ln(step) / d ln(W), by a central difference that stays above Mach 1.
-double velocitySensitivity(const ShockStates &states, const Gas &gas, bool atEndWall)
-{
-    const double relative = std::min(1e-4, 0.5 * (1.0 - 1.0 / states.mach));
-    const auto stepAt = [&](double factor) {
-        const auto shifted = shockStates(gas, states.driven.pressure_Pa,
-            states.driven.temperature_K, factor * states.velocity_m_s);
-        return shifted ? stepOf(*shifted, atEndWall) : stepOf(states, atEndWall);
-    };
-    return (stepAt(1.0 + relative) - stepAt(1.0 - relative))
-        / (2.0 * relative * stepOf(states, atEndWall));
-}
-
-void judgeDistance(ShotWork &work, double relativeUncertainty)
-{
-    if (relativeUncertainty <= kVelocityUncertaintyLimit)
+    const ShockStates &states = *work.conditions.states;
+    const ShockSettings &settings = work.settings;
+    if (settings.dutDiameter_m)
+        work.conditions.sideWallLimit_Hz
+            = sideWallLimit_Hz(*settings.dutDiameter_m, states.velocity_m_s);
+    if (!settings.dutDistance_m)
         return;
-    const double factor = velocitySensitivity(
-        *work.conditions.states, gasOf(work.settings.drivenGas), work.atEndWall());
-    work.report("SHK-003", Severity::Caution,
-        Message{DYNCAL_TEXT("core",
-                    "The distance alone makes the velocity uncertain by %1 %, which gives %2 % on "
-                    "the pressure step (factor %3)."),
-            {numberText(100.0 * relativeUncertainty, 2),
-                numberText(100.0 * relativeUncertainty * factor, 2), numberText(factor, 3)}});
-    work.findings.back().value = relativeUncertainty;
-    work.findings.back().limit = kVelocityUncertaintyLimit;
+    const double back_s = *settings.dutDistance_m
+        * (1.0 / states.velocity_m_s + 1.0 / states.reflectedVelocity_m_s);
+    work.conditions.plateau_s = std::max(back_s - settings.plateauGuard_s, 0.0);
+    work.conditions.plateauEnd = PlateauEnd::ReflectedShock;
 }
 
-void addPlateau(ShotWork &work)
+void addDiagram(
+    ShockWork &work, const TubeWaves &waves, const std::optional<DutArrival> &dutArrival)
 {
-    auto length_m = work.settings.drivenLength_m;
-    if (!length_m)
-        length_m = work.set.tubeNumber("driven_length_m");
-    if (!length_m || !(*length_m > 0.0) || !work.atEndWall())
+    ShockConditions &c = work.conditions;
+    const bool atWall = dutArrival && work.atEndWall();
+    const bool knowsFit = c.velocityFit && std::isfinite(c.velocityFit->arrivalAtWall_s);
+    if (!knowsFit && !atWall)
         return;
-    work.conditions.plateau_s = plateauTime_s(*work.conditions.states, *length_m);
-    work.report("SHK-005", Severity::Info,
-        Message{DYNCAL_TEXT("core",
-                    "The reflected shock's return from the contact surface reaches the end wall %1 "
-                    "after the step (computed)."),
-            {numberWithUnit(*work.conditions.plateau_s, "s", 3)}});
-    work.findings.back().value = work.conditions.plateau_s;
+    const double atWall_s = atWall ? dutArrival->time_s : c.velocityFit->arrivalAtWall_s;
+    std::vector<TubeSensor> sensors;
+    for (const Sighting &s : c.sightings)
+        sensors.push_back({s.channel, s.distance_m, s.time_s, 0.0, 0.0});
+    if (sensors.empty() || sensors.back().distance_m > 0.0)
+        sensors.push_back({"end wall", 0.0, std::nullopt, 0.0, 0.0});
+    c.diagram = tubeDiagram(
+        waves, *c.states, atWall_s, std::move(sensors), c.plateau_s.value_or(waves.plateau_s));
+    c.measured = measuredPressures(work.shot, *c.states, c.sightings, atWall_s, waves.plateau_s,
+        c.diagram->burst_s, c.driver ? std::optional(c.driver->pressure_Pa) : std::nullopt);
 }
 
-void compareDriverPressure(ShotWork &work, double computed_Pa)
+/// Plateau, x-t diagram, resonances and pressures read from the records.
+void addTube(ShockWork &work, const std::optional<DutArrival> &dutArrival)
 {
-    const double recorded_Pa = work.shot.environment.p4_Pa;
-    const double relative = (recorded_Pa - computed_Pa) / computed_Pa;
-    if (!std::isfinite(relative) || std::abs(relative) <= kDriverPressureLimit)
+    ShockConditions &c = work.conditions;
+    const auto driven_m = length_m(work, work.settings.drivenLength_m, "driven_length_m");
+    const auto driver_m = length_m(work, work.settings.driverLength_m, "driver_length_m");
+    const Gas driverGas = c.driverGas ? c.driverGas->constants : Gas{};
+    auto whole_m = work.settings.tubeLength_m;
+    if (!whole_m && driven_m && driver_m)
+        whole_m = *driven_m + *driver_m;
+    c.resonances = tubeResonances(*c.states, c.driver, driverGas,
+        {whole_m, driven_m, driver_m,
+            length_m(work, work.settings.innerDiameter_m, "inner_diameter_m"),
+            work.settings.wallSoundSpeed_m_s});
+    if (!work.atEndWall())
+        addSideWall(work);
+    if (!driven_m)
         return;
-    const char *text = relative < 0.0
-        ? DYNCAL_TEXT("core",
-            "Driver pressure %1 is %2 % below the %3 that the shock implies (both absolute): usual "
-            "for a finite opening time.")
-        : DYNCAL_TEXT("core",
-            "Driver pressure %1 is %2 % above the %3 that the shock implies (both absolute): check "
-            "whether the recorded value is right.");
-    work.report("SHK-006", Severity::Info,
-        Message{text,
-            {numberWithUnit(recorded_Pa, "Pa", 3), numberText(100.0 * std::abs(relative), 2),
-                numberWithUnit(computed_Pa, "Pa", 3)}});
-    work.findings.back().value = relative;
-    work.findings.back().limit = kDriverPressureLimit;
+    const TubeWaves waves = tubeWaves(*c.states, {*driven_m, driver_m, c.driver, driverGas});
+    if (work.atEndWall()) {
+        c.plateau_s = std::max(waves.plateau_s - work.settings.plateauGuard_s, 0.0);
+        c.plateauEnd = waves.plateauEnd;
+    }
+    addDiagram(work, waves, dutArrival);
 }
 
-void addDriver(ShotWork &work)
+/// Eq 3.10 knows constant heat capacities only, and Cramer's formula ends at 102 kPa: moist air in
+/// the driver is taken as the recipe's air.
+Result<GasModel> driverModel(GasSettings settings, double T4_K)
+{
+    if (settings.substance == "humid-air")
+        settings.substance = "air";
+    settings.heatCapacity = kConstantHeatCapacity;
+    return gasModel(settings, {0.0, T4_K, 0.0, 0.0});
+}
+
+void addDriver(ShockWork &work)
 {
     const auto T4_K = firstKnown(work.settings.T4_K, work.shot.environment.T4_K);
     if (!T4_K)
         return;
-    const Gas driver = gasOf(work.settings.driverGas);
-    const auto p4_Pa
-        = driverPressure_Pa(*work.conditions.states, gasOf(work.settings.drivenGas), driver, *T4_K);
-    if (!p4_Pa) { // region 4 carries no result of the calibration
-        Error error = p4_Pa.error();
-        work.report(error.findingId.empty() ? "SHK-006" : error.findingId.c_str(),
-            Severity::Caution, std::move(error.message));
+    auto driver = driverModel(work.settings.driverGas, *T4_K);
+    if (!driver) {
+        work.done = tl::unexpected(driver.error());
         return;
     }
-    work.conditions.driver = gasAtRest(driver, *p4_Pa, *T4_K);
-    compareDriverPressure(work, *p4_Pa);
+    const auto p4_Pa = driverPressure_Pa(
+        *work.conditions.states, work.conditions.drivenGas->constants, driver->constants, *T4_K);
+    if (!p4_Pa) { // region 4 carries no result of the calibration
+        const Error &error = p4_Pa.error();
+        work.report(error.findingId.empty() ? "SHK-006" : error.findingId.c_str(),
+                Severity::Caution, error.message)
+            .mend
+            = kelvinFor("shock.t4_k", *T4_K);
+        return;
+    }
+    work.conditions.driver = gasAtRest(driver->constants, *p4_Pa, *T4_K);
+    work.conditions.expandedDriver
+        = expandedDriver(*work.conditions.states, driver->constants, *p4_Pa, *T4_K);
+    work.conditions.driverGas = std::move(*driver);
+    judgeDriverPressure(work, *p4_Pa);
 }
 
-void addStates(ShotWork &work, const VelocityEstimate &estimate)
+/// The velocity where the state follows from a pressure (eqs 3.1 and 3.10 turned round).
+Result<double> velocityFromPressure(const ShockWork &work, double p1_Pa, double T1_K)
 {
-    const auto p1_Pa = firstKnown(work.settings.p1_Pa, work.shot.environment.p1_Pa);
-    const auto T1_K = firstKnown(work.settings.T1_K, work.shot.environment.T1_K);
-    reportMissingPressureAndTemperature(work, p1_Pa.has_value(), T1_K.has_value());
-    if (estimate.missing)
-        work.reportMissing(*estimate.missing);
-    work.conditions.arrival_s = estimate.arrival_s;
-    work.conditions.distance_m = estimate.distance_m;
-    if (estimate.problem) {
-        work.reportProblem(*estimate.problem);
+    const ShockSettings &settings = work.settings;
+    const Gas &gas = work.conditions.drivenGas->constants;
+    if (settings.stateFrom == "p2")
+        return machOfPressureRatio(gas, settings.p2_Pa.value_or(0.0) / p1_Pa).map([&](double mach) {
+            return mach * soundSpeed_m_s(gas, T1_K);
+        });
+    const double T4_K = firstKnown(settings.T4_K, work.shot.environment.T4_K).value_or(T1_K);
+    const auto driver = driverModel(settings.driverGas, T4_K);
+    if (!driver)
+        return tl::unexpected(driver.error());
+    return velocityOfDriverPressure_m_s(gas, p1_Pa, T1_K, driver->constants,
+        settings.p4_Pa.value_or(work.shot.environment.p4_Pa), T4_K);
+}
+
+void addUncertainty(ShockWork &work, const SectionState &state, const VelocityEstimate &estimate)
+{
+    ShockConditions &c = work.conditions;
+    if (!work.request.evaluate)
+        return;
+    if (work.settings.stateFrom != "velocity") {
+        c.uncertaintyMissing = "Not evaluated where the state follows from a pressure.";
         return;
     }
-    if (!p1_Pa || !T1_K || !estimate.velocity_m_s)
+    const Environment &around = work.shot.environment;
+    StepMeasurement measurement{work.settings.drivenGas, state, estimate, {}, work.atEndWall(),
+        around.u_p1_Pa, around.u_T1_K};
+    if (estimate.fit && estimate.sightings.empty())
+        measurement.counters = work.settings.counters;
+    UncertaintyRequest request = work.request;
+    request.monteCarlo.shot = c.shot;
+    auto uncertainty = evaluateStep(measurement, request, work.control);
+    if (!uncertainty) {
+        c.uncertaintyMissing = english(uncertainty.error().message);
+        const ErrorKind kind = uncertainty.error().kind;
+        if (kind == ErrorKind::Cancelled || kind == ErrorKind::Usage)
+            work.done = tl::unexpected(uncertainty.error());
         return;
-    auto states
-        = shockStates(gasOf(work.settings.drivenGas), *p1_Pa, *T1_K, *estimate.velocity_m_s);
+    }
+    if (uncertainty->stepMissing)
+        c.uncertaintyMissing = english(*uncertainty->stepMissing);
+    c.uncertainty = std::move(*uncertainty);
+}
+
+/// The driven gas at p1, T1; without one, the finding says what it needs. `state` gets the
+/// humidity.
+std::optional<GasModel> drivenModel(ShockWork &work, SectionState &state)
+{
+    const auto humidity
+        = firstKnown(work.settings.relativeHumidity, work.shot.environment.relativeHumidity);
+    if (work.settings.drivenGas.substance == "humid-air" && !humidity) {
+        work.reportMissing(
+            Message{DYNCAL_TEXT("core",
+                        "The pressure step is not determined: the relative humidity of the driven "
+                        "gas is not recorded; enter it or choose the gas 'air'."),
+                {}});
+        return std::nullopt;
+    }
+    state.relativeHumidity = humidity.value_or(0.0);
+    state.carbonDioxide = work.settings.carbonDioxide;
+    auto gas = gasModel(work.settings.drivenGas, state);
+    if (gas)
+        return std::move(*gas);
+    if (gas.error().kind == ErrorKind::Usage)
+        work.done = tl::unexpected(gas.error());
+    else
+        work.reportProblem(gas.error());
+    return std::nullopt;
+}
+
+/// What follows once velocity, p1 and T1 are known.
+void addShockedStates(ShockWork &work, const VelocityEstimate &estimate, const SectionState &state,
+    const std::optional<DutArrival> &dutArrival)
+{
+    const double T1_K = state.temperature_K;
+    auto states = shockStatesOf(
+        *work.conditions.drivenGas, state.pressure_Pa, T1_K, *estimate.velocity_m_s);
     if (!states) {
-        work.reportProblem(states.error());
+        const bool isTemperature = states.error().findingId == "SHK-004";
+        if (states.error().kind == ErrorKind::Usage)
+            work.done = tl::unexpected(states.error());
+        else
+            work.reportProblem(
+                states.error(), isTemperature ? kelvinFor("shock.t1_k", T1_K) : std::nullopt);
         return;
     }
     work.conditions.states = std::move(*states);
     if (!work.conditions.stepTyped)
         work.conditions.step_Pa = stepOf(*work.conditions.states, work.atEndWall());
-    judgeDistance(work, estimate.relativeDistanceUncertainty);
-    addPlateau(work);
+    addUncertainty(work, state, estimate);
+    judgeVelocity(work, estimate.relativeDistanceUncertainty);
+    judgeFit(work, estimate);
+    const Index before = std::ssize(work.findings);
     addDriver(work);
+    addTube(work, dutArrival);
+    if (work.conditions.plateau_s) {
+        reportPlateau(work); // said before what the driver has to say
+        std::rotate(work.findings.begin() + before, work.findings.end() - 1, work.findings.end());
+    }
+    judgeMeasured(work);
+}
+
+void addStates(ShockWork &work, const std::optional<DutArrival> &dutArrival)
+{
+    const auto p1_Pa = firstKnown(work.settings.p1_Pa, work.shot.environment.p1_Pa);
+    const auto T1_K = firstKnown(work.settings.T1_K, work.shot.environment.T1_K);
+    const bool fromVelocity = work.settings.stateFrom == "velocity";
+    VelocityEstimate estimate;
+    if (fromVelocity)
+        estimate = estimateVelocity(work.set, work.shot, dutArrival, work.settings);
+    reportMissingPressureAndTemperature(work, p1_Pa.has_value(), T1_K.has_value());
+    if (estimate.missing)
+        work.reportMissing(*estimate.missing);
+    work.conditions.arrival_s = estimate.arrival_s;
+    work.conditions.distance_m = estimate.distance_m;
+    work.conditions.sightings = estimate.sightings;
+    work.conditions.velocityFit = estimate.fit;
+    if (estimate.problem) {
+        work.reportProblem(*estimate.problem, estimate.mend);
+        return;
+    }
+    if (!p1_Pa || !T1_K || (fromVelocity && !estimate.velocity_m_s))
+        return;
+    judgeTypedPressure(work, *p1_Pa);
+    SectionState state{*p1_Pa, *T1_K, 0.0, 0.0};
+    work.conditions.drivenGas = drivenModel(work, state);
+    if (!work.conditions.drivenGas)
+        return;
+    if (!fromVelocity) {
+        const auto velocity_m_s = velocityFromPressure(work, *p1_Pa, *T1_K);
+        if (!velocity_m_s) {
+            work.reportProblem(velocity_m_s.error());
+            return;
+        }
+        estimate.velocity_m_s = *velocity_m_s;
+    }
+    addShockedStates(work, estimate, state, dutArrival);
 }
 
 Result<void> checkSettings(const ShockSettings &settings)
@@ -242,11 +325,11 @@ Findings withoutRepetition(const Findings &findings, Index shotCount)
     return shorter;
 }
 
-std::optional<double> arrivalOf(const std::vector<DutArrival> &arrivals, Index shot)
+std::optional<DutArrival> arrivalOf(const std::vector<DutArrival> &arrivals, Index shot)
 {
     const auto found = std::find_if(
         arrivals.begin(), arrivals.end(), [&](const DutArrival &a) { return a.shot == shot; });
-    return found != arrivals.end() ? std::optional<double>(found->time_s) : std::nullopt;
+    return found != arrivals.end() ? std::optional(*found) : std::nullopt;
 }
 
 } // namespace
@@ -258,8 +341,9 @@ const ShockConditions *ShockConditionsSet::ofShot(Index shot) const
     return found != shots.end() ? &*found : nullptr;
 }
 
-Result<ShockConditionsSet> estimateShockConditions(
-    const CaptureSet &set, const std::vector<DutArrival> &arrivals, const ShockSettings &settings)
+Result<ShockConditionsSet> estimateShockConditions(const CaptureSet &set,
+    const std::vector<DutArrival> &arrivals, const ShockSettings &settings,
+    const UncertaintyRequest &request, const JobControl &control)
 {
     if (auto checked = checkSettings(settings); !checked)
         return tl::unexpected(checked.error());
@@ -268,13 +352,15 @@ Result<ShockConditionsSet> estimateShockConditions(
         const Shot &shot = set.shots[static_cast<std::size_t>(i)];
         if (!shot.included)
             continue;
-        ShotWork work{set, shot, settings, {}, {}};
+        ShockWork work{set, shot, settings, request, control, {}, {}, {}};
         work.conditions.shot = i + 1;
         if (settings.enabled) {
             work.conditions.step_Pa = settings.step_Pa;
             work.conditions.stepTyped = settings.step_Pa.has_value();
-            addStates(work, estimateVelocity(set, shot, arrivalOf(arrivals, i + 1), settings));
+            addStates(work, arrivalOf(arrivals, i + 1));
         }
+        if (!work.done)
+            return tl::unexpected(work.done.error());
         result.shots.push_back(std::move(work.conditions));
         result.findings.insert(result.findings.end(), work.findings.begin(), work.findings.end());
     }

@@ -6,8 +6,14 @@
 #include "core/base/finding.h"
 #include "core/base/result.h"
 #include "core/capture/capture_set.h"
+#include "core/shock/gas_model.h"
+#include "core/shock/measured_pressures.h"
 #include "core/shock/shock_relations.h"
 #include "core/shock/shock_settings.h"
+#include "core/shock/shock_uncertainty.h"
+#include "core/shock/shock_velocity.h"
+#include "core/shock/tube_resonances.h"
+#include "core/shock/tube_waves.h"
 
 #include <optional>
 #include <vector>
@@ -25,21 +31,38 @@ struct ShockConditions
     std::optional<double> plateau_s;
     std::optional<double> arrival_s; ///< of the shock at the side sensor, record axis
     double distance_m = 0.0; ///< side sensor to end wall, where used
+
+    std::optional<GasModel> drivenGas; ///< as used, with its source
+    std::optional<GasModel> driverGas;
+    std::optional<GasState> expandedDriver; ///< region 3
+    std::vector<Sighting> sightings; ///< what the velocity was fitted to, farthest first
+    std::optional<VelocityFit> velocityFit; ///< empty where the velocity was typed
+    std::optional<StepUncertainty> uncertainty; ///< where it was asked for and can be worked out
+    std::string uncertaintyMissing; ///< why there is none, in English
+    std::vector<MeasuredPressure> measured; ///< from the records, beside the relations
+    std::optional<PlateauEnd> plateauEnd; ///< of the usable plateau `plateau_s` (guard taken off)
+    std::optional<TubeDiagram> diagram; ///< where length and arrival at the wall are known
+    std::vector<TubeResonance> resonances; ///< of the tube, not of the sensor
+    std::optional<double> sideWallLimit_Hz; ///< -3 dB of a swept diaphragm in the side wall
+};
+
+/// A peak of the spectra followed from shot to shot, against the sound speed of region 5.
+struct FollowedPeak
+{
+    std::vector<Index> shots;
+    std::vector<PeakOfShot> peaks; ///< one per shot of `shots`
+    SoundSpeedTest test;
+    std::string
+        candidate; ///< label of the nearest resonance of the tube in the first shot, or empty
 };
 
 struct ShockConditionsSet
 {
     std::vector<ShockConditions> shots; ///< one per included shot, same order as the responses
+    std::vector<FollowedPeak> followedPeaks; ///< SPC-005
     Findings findings;
 
     const ShockConditions *ofShot(Index shot) const;
-};
-
-/// When the DUT felt the shock: shot number and time on the record's axis.
-struct DutArrival
-{
-    Index shot = 0;
-    double time_s = 0.0;
 };
 
 /// Pressure step per shot: typed, or computed from the velocity (typed, or distance over time
@@ -48,8 +71,11 @@ struct DutArrival
 /// Inputs that contradict each other (SHK-001, SHK-004) leave it undetermined for that shot too,
 /// as a finding that blocks (a caution where the step is typed, which then stands).
 /// Recipe values win over the capture's environment and tube attributes. End wall: step = p5 - p1;
-/// side wall: p2 - p1. Fails (Usage) on settings that make no sense.
-Result<ShockConditionsSet> estimateShockConditions(
-    const CaptureSet &set, const std::vector<DutArrival> &arrivals, const ShockSettings &settings);
+/// side wall: p2 - p1. Uncertainties only where `request` asks for them; a velocity whose
+/// uncertainty nobody states, a Monte Carlo that fails and the like leave them out with the reason.
+/// Fails (Usage) on settings that make no sense.
+Result<ShockConditionsSet> estimateShockConditions(const CaptureSet &set,
+    const std::vector<DutArrival> &arrivals, const ShockSettings &settings,
+    const UncertaintyRequest &request = {}, const JobControl &control = {});
 
 } // namespace dyncal

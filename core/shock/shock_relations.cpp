@@ -11,8 +11,6 @@ namespace dyncal {
 namespace {
 
 constexpr double kCelsiusZero_K = 273.15;
-constexpr double kLowestTemperature_K = 200.0;
-constexpr double kHighestTemperature_K = 400.0;
 constexpr double kHighestGamma = 2.0;
 constexpr double kLightestGas_kg_mol = 0.001;
 constexpr double kHeaviestGas_kg_mol = 0.4;

@@ -8,6 +8,8 @@
 namespace dyncal {
 
 inline constexpr double kGasConstant_J_molK = 8.314462618; ///< CODATA 2018
+inline constexpr double kLowestTemperature_K = 200.0; ///< of a section before the shot
+inline constexpr double kHighestTemperature_K = 400.0;
 
 /// Ideal gas of constant heat capacity.
 struct Gas

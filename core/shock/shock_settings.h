@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "core/shock/velocity_fit.h"
+
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,6 +30,11 @@ struct ArrivalSensor
     std::string channel; ///< channel name or role name
     double distanceToEndWall_m = 0.0;
     double u_distance_m = 0.0;
+    std::optional<double> arrival_s
+        = std::nullopt; ///< typed, record axis; else found in the record
+    double u_arrival_s = 0.0;
+    std::optional<double> delay_s = std::nullopt; ///< of the sensor's 50 % crossing; taken off
+    double u_delay_s = 0.0;
     bool operator==(const ArrivalSensor &) const = default;
 };
 
@@ -51,6 +58,18 @@ struct ShockSettings
     std::string dutPosition = "end-wall"; ///< or "side-wall"
     double frontDuration_s = 0.0;
     double u_frontDuration_s = 0.0;
+    std::string stateFrom = "velocity"; ///< or "p2", "p4": which pressure the state follows from
+    std::optional<double> p2_Pa = std::nullopt; ///< absolute; for "p2"
+    std::optional<double> p4_Pa = std::nullopt; ///< absolute; for "p4", and to compare with
+    double carbonDioxide = 4e-4; ///< mole fraction in humid air
+    std::vector<CounterReading> counters = {}; ///< win over arrival sensors
+    std::string attenuation = "auto"; ///< or "none", "linear"
+    bool useDutArrival = true; ///< a DUT in the end wall marks the arrival there
+    std::optional<double> dutDistance_m = std::nullopt; ///< of a DUT in the side wall
+    std::optional<double> dutDiameter_m = std::nullopt; ///< of its diaphragm
+    std::optional<double> tubeLength_m = std::nullopt; ///< over all; else the sum of the sections
+    double wallSoundSpeed_m_s = 5130.0; ///< thesis, eq 5.1
+    double plateauGuard_s = 0.0; ///< taken off the usable plateau
 
     bool operator==(const ShockSettings &) const = default;
 };

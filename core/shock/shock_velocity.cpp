@@ -6,21 +6,14 @@
 #include "core/base/number_text.h"
 #include "core/shock/side_arrival.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 namespace dyncal {
 namespace {
-
-/// Where and when the shock was seen.
-struct Sighting
-{
-    double distance_m = 0.0; ///< to the end wall
-    double u_distance_m = 0.0;
-    double time_s = 0.0;
-    std::string channel;
-};
 
 VelocityEstimate missing(Message message)
 {
@@ -81,26 +74,59 @@ std::string dutName(const Shot &shot)
     return dut != nullptr ? dut->name : "DUT";
 }
 
+/// Typed, or found in the record.
+std::optional<Sighting> sightingOf(
+    const Shot &shot, const ArrivalSensor &sensor, const std::optional<double> &reflectionFree_s)
+{
+    Sighting seen;
+    seen.channel = sensor.channel;
+    seen.distance_m = sensor.distanceToEndWall_m;
+    seen.u_distance_m = sensor.u_distance_m;
+    const Channel *channel = channelOf(shot, sensor.channel);
+    const auto found = channel != nullptr ? sideArrival(*channel, reflectionFree_s) : std::nullopt;
+    if (!found && !sensor.arrival_s)
+        return std::nullopt;
+    const double raw_s = sensor.arrival_s ? *sensor.arrival_s : found->time_s;
+    seen.time_s = raw_s - sensor.delay_s.value_or(0.0);
+    seen.u_time_s = sensor.arrival_s ? sensor.u_arrival_s : found->u_time_s;
+    // Between 0 (a diaphragm that the front sweeps) and the rise time (a sensor that rings).
+    seen.u_delay_s = sensor.delay_s  ? sensor.u_delay_s
+        : found && !sensor.arrival_s ? found->rise_s / std::sqrt(3.0)
+                                     : 0.0;
+    return seen;
+}
+
+Sighting dutSighting(const Shot &shot, const DutArrival &arrival)
+{
+    const Channel *dut = shot.channelWithRole(ChannelRole::Dut);
+    Sighting seen;
+    seen.channel = dutName(shot);
+    seen.time_s = arrival.time_s;
+    seen.u_time_s = arrival.u_time_s > 0.0 ? arrival.u_time_s : 0.0;
+    if (seen.u_time_s == 0.0 && dut != nullptr && dut->sampleRate_Hz > 0.0)
+        seen.u_time_s = 1.0 / dut->sampleRate_Hz / std::sqrt(12.0);
+    seen.isDut = true;
+    return seen;
+}
+
 /// One sighting per sensor, or the sentence that says which one is missing.
 tl::expected<std::vector<Sighting>, Message> sightings(const CaptureSet &set, const Shot &shot,
-    const std::optional<double> &dutArrival_s, const ShockSettings &settings)
+    const std::optional<DutArrival> &dutArrival, const ShockSettings &settings)
 {
     const std::vector<ArrivalSensor> sensors = arrivalSensors(set, shot, settings);
     if (sensors.empty())
         return tl::unexpected(noSensorMessage(shot));
     std::vector<Sighting> seen;
-    const bool dutCounts = settings.dutPosition == kEndWall;
+    const bool atWall = settings.dutPosition == kEndWall && dutArrival;
     for (const ArrivalSensor &sensor : sensors) {
-        const Channel *channel = channelOf(shot, sensor.channel);
-        const auto time_s = channel != nullptr
-            ? sideArrival_s(*channel, dutCounts ? dutArrival_s : std::nullopt)
-            : std::nullopt;
-        if (!time_s)
+        auto sighting = sightingOf(
+            shot, sensor, atWall ? std::optional<double>(dutArrival->time_s) : std::nullopt);
+        if (!sighting)
             return tl::unexpected(noArrivalMessage(sensor.channel));
-        seen.push_back({sensor.distanceToEndWall_m, sensor.u_distance_m, *time_s, sensor.channel});
+        seen.push_back(std::move(*sighting));
     }
-    if (dutCounts && dutArrival_s && std::isfinite(*dutArrival_s))
-        seen.push_back({0.0, 0.0, *dutArrival_s, dutName(shot)});
+    if (atWall && settings.useDutArrival && std::isfinite(dutArrival->time_s))
+        seen.push_back(dutSighting(shot, *dutArrival));
     return seen;
 }
 
@@ -116,27 +142,6 @@ Message tooFewMessage(bool atEndWall)
                 "in the side wall needs two arrival sensors; enter the velocity or the step "
                 "itself."),
         {}};
-}
-
-/// Slope of distance travelled over time: least squares of the times on the distances.
-std::optional<double> velocityOf(const std::vector<Sighting> &seen)
-{
-    const double n = static_cast<double>(seen.size());
-    double meanX = 0.0;
-    double meanT = 0.0;
-    for (const Sighting &s : seen) {
-        meanX += s.distance_m / n;
-        meanT += s.time_s / n;
-    }
-    double xx = 0.0;
-    double xt = 0.0;
-    for (const Sighting &s : seen) {
-        xx += (s.distance_m - meanX) * (s.distance_m - meanX);
-        xt += (s.distance_m - meanX) * (s.time_s - meanT);
-    }
-    if (!(xx > 0.0))
-        return std::nullopt;
-    return -xx / xt; // the shock runs towards smaller distances; infinite for equal times
 }
 
 /// u(W)/W from the distances: each weighs with its lever (x_i - mean x) / sum (x - mean x)^2.
@@ -160,42 +165,79 @@ Error wrongOrder(const Sighting &farthest, const Sighting &nearest)
     return {ErrorKind::DataBlocked,
         Message{DYNCAL_TEXT("core",
                     "The shock reaches '%1' %2 after '%3', which is farther down the tube: check "
-                    "whether the two channels are swapped, and their distances."),
+                    "whether the two channels are swapped (CAP-010), and their distances."),
             {farthest.channel, numberWithUnit(farthest.time_s - nearest.time_s, "s", 3),
                 nearest.channel}},
         "SHK-001"};
 }
 
+/// Exchanges the roles of a DUT and a side sensor that were mixed up.
+std::optional<Mend> exchangeRoles(
+    const Shot &shot, const Sighting &farthest, const Sighting &nearest)
+{
+    const Channel *side = channelOf(shot, farthest.channel);
+    const Channel *dut = shot.channelWithRole(ChannelRole::Dut);
+    if (side == nullptr || dut == nullptr || !nearest.isDut)
+        return std::nullopt;
+    const nlohmann::json roles{
+        {side->name, channelRoleName(ChannelRole::Dut)}, {dut->name, channelRoleName(side->role)}};
+    return Mend{Message{DYNCAL_TEXT("core", "Exchange '%1' and '%2'"), {side->name, dut->name}},
+        "import.channels", roles.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
+}
+
+Attenuation attenuationOf(const std::string &word)
+{
+    if (word == "none")
+        return Attenuation::None;
+    return word == "linear" ? Attenuation::Linear : Attenuation::Automatic;
+}
+
+VelocityEstimate withFit(VelocityEstimate estimate, Result<VelocityFit> fit)
+{
+    if (!fit) {
+        estimate.problem = std::move(fit.error());
+        return estimate;
+    }
+    estimate.velocity_m_s = fit->velocity_m_s;
+    estimate.fit = std::move(*fit);
+    return estimate;
+}
+
 } // namespace
 
 VelocityEstimate estimateVelocity(const CaptureSet &set, const Shot &shot,
-    const std::optional<double> &dutArrival_s, const ShockSettings &settings)
+    const std::optional<DutArrival> &dutArrival, const ShockSettings &settings)
 {
     VelocityEstimate estimate;
     if (settings.velocity_m_s) {
         estimate.velocity_m_s = settings.velocity_m_s;
         return estimate;
     }
-    auto found = sightings(set, shot, dutArrival_s, settings);
+    const Attenuation attenuation = attenuationOf(settings.attenuation);
+    if (!settings.counters.empty())
+        return withFit({}, fitCounters(settings.counters, attenuation));
+    auto found = sightings(set, shot, dutArrival, settings);
     if (!found)
         return missing(std::move(found.error()));
     std::stable_sort(found->begin(), found->end(),
         [](const Sighting &a, const Sighting &b) { return a.distance_m > b.distance_m; });
-    const Sighting &farthest = found->front();
-    const Sighting &nearest = found->back();
+    estimate.sightings = std::move(*found);
+    const Sighting &farthest = estimate.sightings.front();
+    const Sighting &nearest = estimate.sightings.back();
     estimate.arrival_s = farthest.time_s;
     estimate.distance_m = farthest.distance_m;
-    if (found->size() < 2 || farthest.distance_m == nearest.distance_m) {
+    if (estimate.sightings.size() < 2 || farthest.distance_m == nearest.distance_m) {
         estimate.missing = tooFewMessage(settings.dutPosition == kEndWall);
         return estimate;
     }
     if (farthest.time_s >= nearest.time_s) {
         estimate.problem = wrongOrder(farthest, nearest);
+        estimate.mend = exchangeRoles(shot, farthest, nearest);
         return estimate;
     }
-    estimate.velocity_m_s = velocityOf(*found);
-    estimate.relativeDistanceUncertainty = relativeDistanceUncertainty(*found);
-    return estimate;
+    estimate.relativeDistanceUncertainty = relativeDistanceUncertainty(estimate.sightings);
+    estimate.usesUncorrectedDut = dutArrival && nearest.isDut && !dutArrival->delayCorrected;
+    return withFit(estimate, fitVelocity(estimate.sightings, attenuation));
 }
 
 } // namespace dyncal

@@ -34,9 +34,35 @@ std::optional<double> medianLevel(const Channel &channel, Index begin, Index end
     return *middle;
 }
 
+constexpr double kRiseBegin = 0.1;
+constexpr double kRiseEnd = 0.9;
+
+/// Time in which the record rises by `share` about the crossing, and the noise over that slope.
+double crossingUncertainty_s(const Channel &channel, const SideArrival &arrival, Index from)
+{
+    const double height = arrival.behind - arrival.before;
+    const double sample_s = 1.0 / channel.sampleRate_Hz;
+    const auto below = crossingTime_s(channel, arrival.before + 0.4 * height, from);
+    const auto above = crossingTime_s(channel, arrival.before + 0.6 * height, from);
+    const double span_s = below && above ? std::max(*above - *below, 0.0) : 0.0;
+    // Within one sample the crossing is interpolated; a curved front errs by up to a part of it.
+    const double grid_s = std::max(sample_s - span_s / 0.2, 0.0) / std::sqrt(12.0);
+    return std::hypot(arrival.noiseSd * span_s / (0.2 * std::abs(height)), grid_s)
+        + 0.01 * sample_s;
+}
+
 } // namespace
 
-std::optional<double> sideArrival_s(
+std::optional<double> medianBetween(const Channel &channel, double begin_s, double end_s)
+{
+    const auto sampleAt = [&](double time_s) {
+        return static_cast<Index>(std::clamp((time_s - channel.t0_s) * channel.sampleRate_Hz, 0.0,
+            static_cast<double>(channel.samples.size())));
+    };
+    return medianLevel(channel, sampleAt(begin_s), sampleAt(end_s));
+}
+
+std::optional<SideArrival> sideArrival(
     const Channel &channel, const std::optional<double> &reflectionFree_s)
 {
     if (!(channel.sampleRate_Hz > 0.0))
@@ -54,8 +80,30 @@ std::optional<double> sideArrival_s(
     const auto level = medianLevel(channel, begin, end);
     if (!level)
         return std::nullopt;
-    return crossingTime_s(channel, start->baseline + kCrossing * (*level - start->baseline),
-        std::max<Index>(start->sample - 1, 0));
+    SideArrival arrival;
+    arrival.before = start->baseline;
+    arrival.behind = *level;
+    arrival.noiseSd = start->noiseSd;
+    const Index from = std::max<Index>(start->sample - 1, 0);
+    const auto crossing = [&](double share) {
+        return crossingTime_s(
+            channel, arrival.before + share * (arrival.behind - arrival.before), from);
+    };
+    const auto time_s = crossing(kCrossing);
+    if (!time_s)
+        return std::nullopt;
+    arrival.time_s = *time_s;
+    arrival.rise_s = std::max(
+        crossing(kRiseEnd).value_or(*time_s) - crossing(kRiseBegin).value_or(*time_s), 0.0);
+    arrival.u_time_s = crossingUncertainty_s(channel, arrival, from);
+    return arrival;
+}
+
+std::optional<double> sideArrival_s(
+    const Channel &channel, const std::optional<double> &reflectionFree_s)
+{
+    const auto arrival = sideArrival(channel, reflectionFree_s);
+    return arrival ? std::optional<double>(arrival->time_s) : std::nullopt;
 }
 
 } // namespace dyncal

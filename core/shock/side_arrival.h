@@ -9,12 +9,29 @@
 
 namespace dyncal {
 
-/// Time (record axis) at which a side-wall sensor crosses 50 % of its own step p1 -> p2: level
-/// before from the detected start, level after as the median of the second and third quarter
-/// between the start and `reflectionFree_s` (a time until which the reflected shock cannot be
-/// back, such as the arrival at the end wall). Where that is unknown or not after the start, the
-/// half millisecond behind the start serves. Empty where no arrival is found.
+/// What a side-wall sensor's record tells of the passing shock.
+struct SideArrival
+{
+    double time_s = 0.0; ///< crossing of 50 % of its own step p1 -> p2, record axis
+    double u_time_s = 0.0; ///< of that crossing: noise over slope, and the spacing of the samples
+    double rise_s = 0.0; ///< 10 % to 90 %
+    double before = 0.0; ///< levels in the channel's unit
+    double behind = 0.0;
+    double noiseSd = 0.0;
+};
+
+/// Level before from the detected start, level behind as the median of the second and third quarter
+/// between the start and `reflectionFree_s` (a time until which the reflected shock cannot be back,
+/// such as the arrival at the end wall). Where that is unknown or not after the start, the half
+/// millisecond behind the start serves. Empty where no arrival is found.
+std::optional<SideArrival> sideArrival(
+    const Channel &channel, const std::optional<double> &reflectionFree_s);
+
+/// Its time alone.
 std::optional<double> sideArrival_s(
     const Channel &channel, const std::optional<double> &reflectionFree_s);
+
+/// Median of the finite physical values between two times of the record; empty if there is none.
+std::optional<double> medianBetween(const Channel &channel, double begin_s, double end_s);
 
 } // namespace dyncal

@@ -78,7 +78,7 @@ public:
         if (!bands)
             return bands.error();
         m_bands = *bands;
-        if (auto error = unusableSamples(*m_channel, m_response.shot, m_bands))
+        if (auto error = unusableSamples(*m_channel, m_response.shot, m_bands, m_context.checks))
             return error;
         measureLevels();
         if (!m_isAtRest) {
@@ -89,8 +89,7 @@ public:
             return error;
         cutValues();
         measureCharacteristics();
-        const Findings findings
-            = windowFindings(*m_channel, m_response, m_context.treatment, plateau_s());
+        const Findings findings = windowFindings(*m_channel, m_response, m_context, plateau_s());
         result.findings.insert(result.findings.end(), findings.begin(), findings.end());
         result.responses.push_back(std::move(m_response));
         return std::nullopt;
@@ -128,6 +127,7 @@ private:
                 "");
         m_response.channel = m_channel->name;
         m_response.unit = m_channel->unit;
+        m_response.recordedUnit = m_channel->recordedUnit;
         m_response.sampleRate_Hz = m_channel->sampleRate_Hz;
         return std::nullopt;
     }

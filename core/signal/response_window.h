@@ -8,6 +8,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/capture/capture_set.h"
+#include "core/capture/check_settings.h"
 #include "core/signal/signal_settings.h"
 
 #include <Eigen/Core>
@@ -27,6 +28,7 @@ struct WindowedResponse
     ShotLevel level = ShotLevel::None;
     std::string channel;
     std::string unit; ///< of baseline, settled, step, noiseSd
+    std::string recordedUnit; ///< of the recording where `unit` is its SI unit; else empty
     double sampleRate_Hz = 0.0;
     double start_s = 0.0; ///< of values[lead], on the record's own axis
     Index startSample = 0; ///< its position in the record
@@ -72,6 +74,7 @@ struct WindowContext
     ResponseTreatment treatment = ResponseTreatment::StepDeflated;
     bool remap = true;
     std::vector<std::optional<double>> plateau_s; ///< per shot of the set; for end "plateau"
+    CheckSettings checks; ///< limits of CAP-007 and CAP-014
 };
 
 /// Cuts the response of every included shot (thesis 3.7 step 2): start, baseline, window, settle

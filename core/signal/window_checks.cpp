@@ -13,27 +13,25 @@
 namespace dyncal {
 namespace {
 
-constexpr Index kLeastRun = 3;
 constexpr Index kLongRun = 16;
 constexpr double kJumpShare = 0.01; ///< of the range of the window
 constexpr double kJumpSigmas = 6.0;
-constexpr double kLeastCodes = 64.0;
 constexpr double kSettleDrift_per_ms = 0.01; ///< of the step
 constexpr double kBaselineDrift_per_ms = 0.005;
 constexpr double kSlopeSigmas = 3.0; ///< a slope that noise alone explains is none
 constexpr double kLeastSnr_dB = 20.0;
 constexpr double kMilli = 1e-3;
 
-/// Calls `visit(begin, count)` for every run of at least kLeastRun samples that `isAt` accepts,
-/// until it returns true.
+/// Calls `visit(begin, count)` for every run of at least `least` samples that `isAt` accepts, until
+/// it returns true.
 template <typename Test, typename Visit>
-void forEachRun(Index size, const Test &isAt, const Visit &visit)
+void forEachRun(Index size, Index least, const Test &isAt, const Visit &visit)
 {
     for (Index begin = 0; begin < size;) {
         Index end = begin;
         while (end < size && isAt(end))
             ++end;
-        if (end - begin >= kLeastRun && visit(begin, end - begin))
+        if (end - begin >= least && visit(begin, end - begin))
             return;
         begin = std::max(end, begin + 1);
     }
@@ -81,7 +79,7 @@ double attainableFit_percent(const WindowedResponse &response)
     return 100.0 * std::clamp(1.0 - noise / spread, 0.0, 1.0);
 }
 
-Finding saturationFinding(const WindowedResponse &response, const SaturatedRun &run)
+Finding saturationFinding(const WindowedResponse &response, const SaturatedRun &run, Index leastRun)
 {
     const double begin_s
         = response.start_s + static_cast<double>(run.begin) / response.sampleRate_Hz;
@@ -90,7 +88,7 @@ Finding saturationFinding(const WindowedResponse &response, const SaturatedRun &
              "Shot %1: %2 samples in a row at %3 are equal and the extreme of the window; the "
              "record may be saturated there."),
             {shotText(response), std::to_string(run.count), numberWithUnit(begin_s, "s", 6)}},
-        static_cast<double>(run.count), static_cast<double>(kLeastRun));
+        static_cast<double>(run.count), static_cast<double>(leastRun));
     result.time_s = begin_s;
     return result;
 }
@@ -114,7 +112,8 @@ void addStepFindings(const WindowedResponse &response, Findings &findings)
 
 } // namespace
 
-std::optional<Error> unusableSamples(const Channel &channel, Index shot, const WindowBands &bands)
+std::optional<Error> unusableSamples(
+    const Channel &channel, Index shot, const WindowBands &bands, const CheckSettings &checks)
 {
     SampleRange joined = bands.window;
     if (bands.baseline.size() > 0 && bands.baseline.end <= bands.window.begin)
@@ -135,7 +134,7 @@ std::optional<Error> unusableSamples(const Channel &channel, Index shot, const W
             "CAP-006", shot};
     }
     for (const SampleRange &range : {bands.window, bands.baseline}) {
-        if (const auto run = runAtRail(channel, range))
+        if (const auto run = runAtRail(channel, range, checks.saturationRun))
             return Error{ErrorKind::DataBlocked,
                 {DYNCAL_TEXT("core",
                      "Shot %1, channel %2 is saturated for %3 samples from %4 on, inside the "
@@ -147,7 +146,8 @@ std::optional<Error> unusableSamples(const Channel &channel, Index shot, const W
     return std::nullopt;
 }
 
-std::optional<SaturatedRun> runAtRail(const Channel &channel, const SampleRange &range)
+std::optional<SaturatedRun> runAtRail(
+    const Channel &channel, const SampleRange &range, Index leastRun)
 {
     std::optional<SaturatedRun> result;
     for (const bool top : {true, false}) {
@@ -158,7 +158,7 @@ std::optional<SaturatedRun> runAtRail(const Channel &channel, const SampleRange 
             const double raw = channel.samples.at(range.begin + i);
             return top ? raw >= *rail : raw <= *rail;
         };
-        forEachRun(range.size(), isAt, [&](Index begin, Index count) {
+        forEachRun(range.size(), leastRun, isAt, [&](Index begin, Index count) {
             result = SaturatedRun{range.begin + begin, count};
             return true;
         });
@@ -166,8 +166,8 @@ std::optional<SaturatedRun> runAtRail(const Channel &channel, const SampleRange 
     return result;
 }
 
-std::optional<SaturatedRun> runAtExtreme(
-    const Eigen::Ref<const Eigen::VectorXd> &values, double noiseSd, double codeSize)
+std::optional<SaturatedRun> runAtExtreme(const Eigen::Ref<const Eigen::VectorXd> &values,
+    double noiseSd, double codeSize, Index leastRun)
 {
     std::optional<SaturatedRun> result;
     if (values.size() == 0)
@@ -176,7 +176,7 @@ std::optional<SaturatedRun> runAtExtreme(
     const double leastJump = std::max(kJumpShare * (highest - lowest), kJumpSigmas * noiseSd);
     for (const double extreme : {highest, lowest}) {
         const auto isAt = [&](Index i) { return values[i] == extreme; };
-        forEachRun(values.size(), isAt, [&](Index begin, Index count) {
+        forEachRun(values.size(), leastRun, isAt, [&](Index begin, Index count) {
             const Index end = begin + count;
             const double in = begin > 0 ? std::abs(values[begin - 1] - extreme) : 0.0;
             const double out = end < values.size() ? std::abs(values[end] - extreme) : 0.0;
@@ -191,25 +191,25 @@ std::optional<SaturatedRun> runAtExtreme(
 }
 
 Findings windowFindings(const Channel &channel, const WindowedResponse &response,
-    ResponseTreatment treatment, std::optional<double> plateau_s)
+    const WindowContext &context, std::optional<double> plateau_s)
 {
     Findings findings;
     const double code = countSize(channel, channel.samples.at(response.startSample));
     if (!channel.adcMin && !channel.adcMax) {
         const double scale = std::abs(response.valueScale);
-        if (const auto run
-            = runAtExtreme(response.window(), response.noiseSd / scale, code / scale))
-            findings.push_back(saturationFinding(response, *run));
+        if (const auto run = runAtExtreme(response.window(), response.noiseSd / scale, code / scale,
+                context.checks.saturationRun))
+            findings.push_back(saturationFinding(response, *run, context.checks.saturationRun));
     }
-    if (isStepTreatment(treatment))
+    if (isStepTreatment(context.treatment))
         addStepFindings(response, findings);
-    if (code > 0.0 && std::abs(response.step) < kLeastCodes * code)
+    if (code > 0.0 && std::abs(response.step) < context.checks.leastCodes * code)
         findings.push_back(finding("CAP-014", response,
             {DYNCAL_TEXT("core",
                  "Shot %1: the step uses %2 codes of the converter; quantisation limits the "
                  "result."),
                 {shotText(response), numberText(std::abs(response.step) / code, 3)}},
-            std::abs(response.step) / code, kLeastCodes));
+            std::abs(response.step) / code, context.checks.leastCodes));
     // Ends lie on samples: the nearest one to the plateau's end is no overrun.
     if (plateau_s && response.end_s > *plateau_s + 1.0 / response.sampleRate_Hz)
         findings.push_back(finding("WIN-001", response,

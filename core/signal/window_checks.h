@@ -16,7 +16,8 @@ namespace dyncal {
 
 /// CAP-006 when the baseline, the window or what lies between them holds invalid samples, CAP-007
 /// when one of the two is saturated on a converter whose rails are known.
-std::optional<Error> unusableSamples(const Channel &channel, Index shot, const WindowBands &bands);
+std::optional<Error> unusableSamples(
+    const Channel &channel, Index shot, const WindowBands &bands, const CheckSettings &checks = {});
 
 /// Samples in a row at one extreme.
 struct SaturatedRun
@@ -25,18 +26,19 @@ struct SaturatedRun
     Index count = 0;
 };
 
-/// The first three or more samples in a row at a rail of the converter; none where the rails are
-/// not known.
-std::optional<SaturatedRun> runAtRail(const Channel &channel, const SampleRange &range);
+/// The first run of at least `leastRun` samples at a rail of the converter; none where the rails
+/// are not known.
+std::optional<SaturatedRun> runAtRail(const Channel &channel, const SampleRange &range,
+    Index leastRun = CheckSettings().saturationRun);
 
 /// The longest run of equal samples at an extreme of `values` that a signal with this noise would
-/// not make: three or more with a jump of 1 % of the range (and 6 deviations) beside it, or sixteen
-/// while the noise is larger than half a code.
-std::optional<SaturatedRun> runAtExtreme(
-    const Eigen::Ref<const Eigen::VectorXd> &values, double noiseSd, double codeSize);
+/// not make: `leastRun` or more with a jump of 1 % of the range (and 6 deviations) beside it, or
+/// sixteen while the noise is larger than half a code.
+std::optional<SaturatedRun> runAtExtreme(const Eigen::Ref<const Eigen::VectorXd> &values,
+    double noiseSd, double codeSize, Index leastRun = CheckSettings().saturationRun);
 
 /// CAP-007 (caution), CAP-012, CAP-014, WIN-001, WIN-003, WIN-004, WIN-006 of one response.
 Findings windowFindings(const Channel &channel, const WindowedResponse &response,
-    ResponseTreatment treatment, std::optional<double> plateau_s);
+    const WindowContext &context, std::optional<double> plateau_s);
 
 } // namespace dyncal

@@ -6,7 +6,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/capture/channel.h"
-#include "core/synthesis/portable_random.h"
+#include "core/base/portable_random.h"
 #include "core/synthesis/sensor_simulator.h"
 
 #include <vector>

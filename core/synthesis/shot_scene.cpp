@@ -3,7 +3,7 @@
 
 #include "core/synthesis/shot_scene.h"
 
-#include "core/synthesis/portable_random.h"
+#include "core/base/portable_random.h"
 
 #include <cmath>
 

@@ -40,7 +40,7 @@ private slots:
     {
         QTest::addColumn<QStringList>("arguments");
         QTest::newRow("program") << QStringList{"--help"};
-        for (const char *verb : {"simulate", "info", "run"})
+        for (const char *verb : {"simulate", "info", "import", "check", "run"})
             QTest::newRow(verb) << QStringList{verb, "--help"};
     }
 

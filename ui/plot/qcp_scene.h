@@ -111,6 +111,7 @@ private:
     void styleLine(DrawnCurve &drawn) const;
     void drawView();
     void drawCurve(DrawnCurve &drawn, const std::vector<double> &edges) const;
+    bool isEntangled(const QCPGraph &graph) const;
     void drawMarkers(DrawnCurve &drawn) const;
     std::vector<double> columnEdges() const;
     // qcp_scene_decorations.cpp

@@ -16,6 +16,8 @@ namespace {
 constexpr std::size_t kDensePoints = 20000;
 constexpr int kPixelsPerDot = 4; ///< samples get dots when they are at least this far apart
 constexpr int kPixelsPerDash = 2; ///< least distance of samples for a dashed line
+constexpr double kLongestDashed
+    = 30.0; ///< heights of the plot that a dashed line may go up and down
 constexpr Index kMarkersPerCurve = 8;
 constexpr double kMarkerSize = 6.0;
 constexpr double kDotSize = 4.0;
@@ -240,6 +242,27 @@ void PlotScene::drawView()
     staggerMarks();
 }
 
+/// Whether the line in view runs up and down so often that dashes would only be noise: a second
+/// and more for some thousand points.
+bool PlotScene::isEntangled(const QCPGraph &graph) const
+{
+    const double longest_px = kLongestDashed * m_plot.axisRect()->height();
+    const double perUnit_px = m_plot.axisRect()->height() / m_plot.yAxis->range().size();
+    const bool logarithmic = m_plot.yAxis->scaleType() == QCPAxis::stLogarithmic;
+    const auto end = graph.data()->findEnd(m_plot.xAxis->range().upper);
+    auto point = graph.data()->findBegin(m_plot.xAxis->range().lower);
+    const auto height_px
+        = [&](double y) { return logarithmic ? m_plot.yAxis->coordToPixel(y) : perUnit_px * y; };
+    double length_px = 0.0;
+    for (double before = std::numeric_limits<double>::quiet_NaN(); point != end; ++point) {
+        const double here = height_px(point->value);
+        if (const double way = std::abs(here - before); std::isfinite(way)) // no gap
+            length_px += way;
+        before = here;
+    }
+    return length_px > longest_px;
+}
+
 void PlotScene::drawCurve(DrawnCurve &drawn, const std::vector<double> &edges) const
 {
     if (drawn.dense && drawn.drawnEdges != edges) {
@@ -255,7 +278,8 @@ void PlotScene::drawCurve(DrawnCurve &drawn, const std::vector<double> &edges) c
     const Index count
         = drawn.samples->firstBeyond(range.upper) - drawn.samples->firstFrom(range.lower);
     const bool crowded
-        = isShot(drawn.curve->role) && count > m_plot.axisRect()->width() / kPixelsPerDash;
+        = (isShot(drawn.curve->role) && count > m_plot.axisRect()->width() / kPixelsPerDash)
+        || isEntangled(*drawn.graph);
     QPen pen = drawn.graph->pen();
     pen.setStyle(
         drawn.enveloped || crowded ? Qt::SolidLine : m_theme.style(drawn.curve->role).dash);

@@ -25,14 +25,6 @@ Channel channel(const char *name, std::vector<double> values, double rate_Hz = 1
     return c;
 }
 
-Channel counts(const char *name, std::vector<std::int16_t> values)
-{
-    Channel c = channel(name, {});
-    c.samples = RawSamples(RawSamples::Counts(std::move(values)));
-    c.sha256 = sha256OfSamples(c.samples);
-    return c;
-}
-
 CaptureSet set(std::vector<std::vector<Channel>> shots)
 {
     CaptureSet s;
@@ -113,8 +105,40 @@ private slots:
         const auto done = applyImportSettings(set({{channel("x", ramp(9), 0.0)}}), settings);
         QVERIFY(done && done->shots[0].channels[0].sampleRate_Hz == 5e4);
         QVERIFY(!find(done->findings, "CAP-025"));
-        const auto replaced = applyImportSettings(set({{channel("x", ramp(9), 1e5)}}), settings);
-        QVERIFY(find(replaced->findings, "CAP-025"));
+    }
+
+    void rateThatContradictsTheFile_needsAReason()
+    {
+        const CaptureSet s = set({{channel("x", ramp(9), 1e8)}, {channel("x", ramp(9), 1e8)}});
+        ImportSettings settings;
+        settings.sampleRate_Hz = 1e7;
+        const auto refused = applyImportSettings(s, settings);
+        QCOMPARE(refused.error().findingId, std::string("CAP-003"));
+        QCOMPARE(refused.error().kind, ErrorKind::DataBlocked);
+        const std::string sentence = english(refused.error().message);
+        QVERIFY(sentence.find("100 MHz") != std::string::npos);
+        QVERIFY(sentence.find("10 MHz") != std::string::npos);
+        settings.sampleRateReason = "the recorder was set to 10 MHz";
+        const auto replaced = applyImportSettings(s, settings);
+        QCOMPARE(replaced->shots[1].channels[0].sampleRate_Hz, 1e7);
+        QCOMPARE(replaced->findings.size(), std::size_t(1)); // for both shots
+        QCOMPARE(replaced->findings[0].id, std::string("CAP-025"));
+        QCOMPARE(replaced->findings[0].severity, Severity::Caution);
+        QVERIFY(english(replaced->findings[0].message).find("was set to") != std::string::npos);
+    }
+
+    void rateWithinTheLimit_isAnInfo()
+    {
+        const CaptureSet s = set({{channel("x", ramp(9), 1e6)}});
+        ImportSettings settings;
+        settings.sampleRate_Hz = 1.0009e6; // 0.09 %
+        QCOMPARE(applyImportSettings(s, settings)->findings[0].severity, Severity::Info);
+        CheckSettings checks;
+        checks.rateMismatch_percent = 0.05;
+        QCOMPARE(
+            applyImportSettings(s, settings, checks).error().findingId, std::string("CAP-003"));
+        settings.sampleRate_Hz = 1e6;
+        QVERIFY(applyImportSettings(s, settings)->findings.empty());
     }
 
     void unitScalePolarity_actOnTheDutOnly()
@@ -128,10 +152,162 @@ private slots:
         settings.reference = "absolute";
         const auto done = applyImportSettings(s, settings);
         const Channel &dut = done->shots[0].channels[0];
-        QCOMPARE(physicalValues(dut, 2, 1)[0], -5.0);
-        QCOMPARE(dut.unit, std::string("kPa"));
+        QCOMPARE(physicalValues(dut, 2, 1)[0], -5000.0);
+        QCOMPARE(dut.unit, std::string("Pa"));
+        QCOMPARE(dut.recordedUnit, std::string("kPa"));
         QCOMPARE(dut.reference, PressureReference::Absolute);
         QCOMPARE(physicalValues(done->shots[0].channels[1], 2, 1)[0], 2.0);
+    }
+
+    void units_becomeSi_data()
+    {
+        QTest::addColumn<QString>("unit");
+        QTest::addColumn<double>("value"); ///< that a recorded 2 becomes
+        QTest::addColumn<QString>("si");
+        QTest::newRow("Pa") << "Pa" << 2.0 << "Pa";
+        QTest::newRow("hPa") << "hPa" << 200.0 << "Pa";
+        QTest::newRow("kPa") << "kPa" << 2e3 << "Pa";
+        QTest::newRow("MPa") << "MPa" << 2e6 << "Pa";
+        QTest::newRow("bar") << "bar" << 2e5 << "Pa";
+        QTest::newRow("mbar") << "mbar" << 200.0 << "Pa";
+        QTest::newRow("psi") << "psi" << 13789.514 << "Pa"; // 4.448221615 N / (25.4 mm)^2 each
+        QTest::newRow("V") << "V" << 2.0 << "V";
+        QTest::newRow("mV") << "mV" << 2e-3 << "V";
+        QTest::newRow("uV") << "uV" << 2e-6 << "V";
+        QTest::newRow("kV") << "kV" << 2e3 << "V";
+        QTest::newRow("other") << "m/s^2" << 2.0 << "m/s^2";
+    }
+
+    void units_becomeSi()
+    {
+        QFETCH(QString, unit);
+        QFETCH(double, value);
+        QFETCH(QString, si);
+        CaptureSet s = set({{channel("dut", ramp(9)), channel("side", ramp(9))}});
+        s.shots[0].channels[1].unit = unit.toStdString();
+        const auto done = applyImportSettings(s, {});
+        const Channel &side = done->shots[0].channels[1];
+        QCOMPARE(physicalValues(side, 2, 1)[0], value);
+        QCOMPARE(QString::fromStdString(side.unit), si);
+        QCOMPARE(side.recordedUnit.empty(), unit == si);
+    }
+
+    void psiOfTheScenario_isPascal()
+    {
+        CaptureSet s = set({{channel("dut", {0.0, 77.7})}});
+        ImportSettings settings;
+        settings.unit = "psi";
+        const auto done = applyImportSettings(s, settings);
+        const double read_Pa = physicalValues(done->shots[0].channels[0], 1, 1)[0];
+        QVERIFY(std::abs(read_Pa / 0.5357e6 - 1.0) < 1e-3); // 77.7 psi = 0.536 MPa
+    }
+
+    void channelDetails_scaleGainAndSensitivityGivePascal()
+    {
+        // 2 V at the recorder, amplified 10 times, doubled by a divider: 0.4 V at a sensor of
+        // 20 nV/Pa are 20 MPa.
+        CaptureSet s = set({{channel("dut", ramp(9)), channel("side", ramp(9))}});
+        ImportSettings settings;
+        ChannelImport &side = settings.channelDetails["side"];
+        side.scale = 2.0;
+        side.gain = 10.0;
+        side.sensitivity = 2e-8;
+        side.polarity = -1;
+        side.reference = "gauge";
+        settings.channels = {{"side", "driven_side"}, {"dut", "dut"}};
+        const auto done = applyImportSettings(s, settings);
+        const Channel &channel = done->shots[0].channels[1];
+        QCOMPARE(physicalValues(channel, 2, 1)[0], -2e7);
+        QCOMPARE(channel.unit, std::string("Pa"));
+        QCOMPARE(channel.reference, PressureReference::Gauge);
+        QCOMPARE(channel.role, ChannelRole::DrivenSide);
+        QCOMPARE(physicalValues(done->shots[0].channels[0], 2, 1)[0], 2.0);
+    }
+
+    void sensitivity_isPerSiUnit()
+    {
+        CaptureSet s = set({{channel("dut", ramp(9))}});
+        ImportSettings settings;
+        settings.channelDetails["dut"].unit = "mV";
+        settings.channelDetails["dut"].sensitivity = 1e-6; // 1 uV/Pa, so 2 mV are 2 kPa
+        const auto done = applyImportSettings(s, settings);
+        QCOMPARE(physicalValues(done->shots[0].channels[0], 2, 1)[0], 2000.0);
+    }
+
+    void sensitivityOfAPressure_isRefused()
+    {
+        CaptureSet s = set({{channel("dut", ramp(9))}});
+        s.shots[0].channels[0].unit = "bar";
+        ImportSettings settings;
+        settings.channelDetails["dut"].sensitivity = 1e-6;
+        const auto done = applyImportSettings(s, settings);
+        QCOMPARE(done.error().kind, ErrorKind::Usage);
+        QVERIFY(english(done.error().message).find("bar") != std::string::npos);
+    }
+
+    void channelDetails_winOverTheDutsKeys()
+    {
+        CaptureSet s = set({{channel("dut", ramp(9))}});
+        ImportSettings settings;
+        settings.unit = "psi";
+        settings.scale = 7.0;
+        settings.channelDetails["dut"].unit = "kPa";
+        const Channel dut = applyImportSettings(s, settings)->shots[0].channels[0];
+        QCOMPARE(dut.recordedUnit, std::string("kPa"));
+        QCOMPARE(physicalValues(dut, 2, 1)[0], 14000.0); // the scale is not said of the channel
+    }
+
+    void files_haveSettingsOfTheirOwn()
+    {
+        CaptureSet s = set({{channel("x", ramp(9)), channel("y", ramp(9, 2.0))},
+            {channel("x", ramp(9)), channel("y", ramp(9, 2.0))}});
+        s.inputs = {{"dir/a.csv", "a.csv", "1", "text"}, {"dir/b.csv", "b.csv", "2", "text"}};
+        s.shots[1].input = 1;
+        ImportSettings settings;
+        settings.channels = {{"x", "dut"}};
+        settings.files["b.csv"].channels = {{"y", "dut"}, {"x", "driven_side"}};
+        settings.files["b.csv"].unit = "mV";
+        settings.files["b.csv"].sampleRate_Hz = 2e6;
+        settings.files["b.csv"].sampleRateReason = "known";
+        const auto done = applyImportSettings(s, settings);
+        QVERIFY2(done.has_value(), done ? "" : english(done.error().message).c_str());
+        QCOMPARE(done->shots[0].channelWithRole(ChannelRole::Dut)->name, std::string("x"));
+        QCOMPARE(done->shots[1].channelWithRole(ChannelRole::Dut)->name, std::string("y"));
+        QCOMPARE(done->shots[1].channelWithRole(ChannelRole::DrivenSide)->name, std::string("x"));
+        QCOMPARE(physicalValues(*done->shots[1].channelWithRole(ChannelRole::Dut), 2, 1)[0], 4e-3);
+        QCOMPARE(done->shots[0].channels[0].sampleRate_Hz, 1e6);
+        QCOMPARE(done->shots[1].channels[0].sampleRate_Hz, 2e6);
+    }
+
+    void fileThatIsNoInput_isRefusedWithTheKnownOnes()
+    {
+        CaptureSet s = set({{channel("x", ramp(9))}});
+        s.inputs = {{"dir/a.csv", "a.csv", "1", "text"}};
+        ImportSettings settings;
+        settings.files["b.csv"].unit = "V";
+        const auto done = applyImportSettings(s, settings);
+        QCOMPARE(done.error().kind, ErrorKind::Usage);
+        QVERIFY(english(done.error().message).find("'a.csv'") != std::string::npos);
+        settings.files = {{"a.csv", {}}};
+        settings.files["a.csv"].channels = {{"z", "dut"}};
+        QVERIFY(english(applyImportSettings(s, settings).error().message).find("'z'")
+            != std::string::npos);
+    }
+
+    void settingsOfFile_replaceOnlyWhatIsGiven()
+    {
+        ImportSettings all;
+        all.decimal = ",";
+        all.skipRows = 3;
+        all.columns = {{"time", 0}, {"dut", 1}};
+        all.files["b.csv"].skipRows = 0;
+        all.files["b.csv"].columns = {{"dut", 4}};
+        const ImportSettings own = settingsOfFile(all, "some/where/b.csv");
+        QCOMPARE(own.skipRows.value(), Index(0));
+        QCOMPARE(own.decimal, std::string(","));
+        const std::map<std::string, Index> columns{{"dut", 4}};
+        QVERIFY(own.columns == columns);
+        QCOMPARE(settingsOfFile(all, "a.csv").skipRows.value(), Index(3));
     }
 
     void interpolation_fillsShortGapsOnly()
@@ -149,6 +325,19 @@ private slots:
         QVERIFY(std::isnan(dut.samples.at(11)));
         QCOMPARE(find(done->findings, "CAP-022")->value.value_or(0), 2.0);
         QCOMPARE(find(checkCaptures(*done), "CAP-006")->value.value_or(0), 4.0);
+    }
+
+    void interpolation_keepsTheTypeOfTheSamples()
+    {
+        Channel x = channel("x", {});
+        x.samples = RawSamples(
+            RawSamples::Counts(std::vector<float>{0.0F, 1.0F, static_cast<float>(kNaN), 3.0F}));
+        ImportSettings settings;
+        settings.interpolateInvalid = 1;
+        const auto done = applyImportSettings(set({{x}}), settings);
+        const RawSamples &samples = done->shots[0].channels[0].samples;
+        QCOMPARE(samples.type(), SampleType::Float32);
+        QCOMPARE(samples.at(2), 2.0);
     }
 
     void interpolation_leavesGapsAtTheEnds()
@@ -185,48 +374,6 @@ private slots:
         QCOMPARE(applyImportSettings(two, settings)->shots[1].level, ShotLevel::High);
         settings.levels = {"low"};
         QVERIFY(!applyImportSettings(two, settings));
-    }
-
-    void checks_flatAndSaturated()
-    {
-        const auto flat
-            = applyImportSettings(set({{channel("x", std::vector<double>(50, 3.0))}}), {});
-        QCOMPARE(find(checkCaptures(*flat), "CAP-008")->severity, Severity::Block);
-
-        std::vector<std::int16_t> clipped{0, 5, 100, 100, 100, 7, -20, 3};
-        const auto top = applyImportSettings(set({{counts("x", clipped)}}), {});
-        const Findings findings = checkCaptures(*top);
-        QVERIFY(find(findings, "CAP-007"));
-        QCOMPARE(find(findings, "CAP-007")->time_s.value_or(-1), 2e-6);
-
-        CaptureSet ranged = set({{counts("x", clipped)}});
-        ranged.shots[0].channels[0].adcMax = 8191.0; // far from the rail: a plateau, no saturation
-        ranged.shots[0].channels[0].adcMin = -8192.0;
-        QVERIFY(!find(checkCaptures(*applyImportSettings(ranged, {})), "CAP-007"));
-    }
-
-    void checks_compareTheShots()
-    {
-        const auto done = applyImportSettings(
-            set({{channel("x", ramp(100))}, {channel("x", ramp(50, 2.0), 5e5)},
-                {channel("x", ramp(100))}, {channel("x", ramp(40, 3.0))}}),
-            {});
-        const Findings findings = checkCaptures(*done);
-        QVERIFY(find(findings, "CAP-004"));
-        QVERIFY(find(findings, "CAP-005"));
-        QCOMPARE(find(findings, "CAP-011")->shot, Index(3));
-        QVERIFY(!find(findings, "CAP-017"));
-    }
-
-    void checks_ofAnEmptyChannel_doNotCrash()
-    {
-        CaptureSet s = set({{channel("x", {})}});
-        s.shots[0].channels[0].role = ChannelRole::Dut;
-        QVERIFY(find(checkCaptures(s), "CAP-008"));
-        s = set({{channel("x", {kNaN, kNaN})}});
-        s.shots[0].channels[0].role = ChannelRole::Dut;
-        QVERIFY(find(checkCaptures(s), "CAP-008"));
-        QVERIFY(checkCaptures({}).empty());
     }
 };
 

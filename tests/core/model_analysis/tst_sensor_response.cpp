@@ -188,38 +188,6 @@ private slots:
         QVERIFY(!hasFinding(secondOrder(2).run().findings, "CAP-023"));
     }
 
-    void readingInAUnitOfPressure_isHeldAgainstTheStep_data()
-    {
-        QTest::addColumn<QString>("unit");
-        QTest::addColumn<double>("step");
-        QTest::addColumn<bool>("isSaid");
-        QTest::addColumn<QString>("names");
-        QTest::newRow("psi right") << "psi" << 72.5 << false << "";
-        QTest::newRow("psi called bar") << "bar" << 72.5 << true << "Is the unit psi?";
-        QTest::newRow("bar called psi") << "psi" << 5.0 << true << "Is the unit bar?";
-        QTest::newRow("negative") << "bar" << -72.5 << true << "Is the unit psi?";
-        QTest::newRow("within a factor of 3") << "bar" << 14.9 << false << "";
-        QTest::newRow("no unit fits") << "bar" << 19.0 << true << "Check the unit";
-        QTest::newRow("no pressure") << "V" << 72.5 << false << "";
-    }
-    void readingInAUnitOfPressure_isHeldAgainstTheStep()
-    {
-        QFETCH(QString, unit);
-        QFETCH(double, step);
-        QFETCH(bool, isSaid);
-        QFETCH(QString, names);
-        Calibration calibration = secondOrder();
-        calibration.responses[0].unit = unit.toStdString();
-        calibration.responses[0].step = calibration.responses[0].valueScale = step;
-        const Findings findings = calibration.run().findings;
-        QCOMPARE(hasFinding(findings, "CAP-013"), isSaid);
-        if (isSaid) {
-            const QString text = QString::fromStdString(english(findings.front().message));
-            QVERIFY2(text.contains(names), qPrintable(text));
-            QCOMPARE(findings.front().shot, Index(1));
-        }
-    }
-
     void nonParametric_equalsTheModel_onNoiseFreeData()
     {
         Calibration calibration = secondOrder(3);

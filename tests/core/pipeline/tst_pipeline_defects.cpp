@@ -122,13 +122,15 @@ void TestPipelineDefects::defect_endsInItsFinding_data()
     QTest::addColumn<bool>("stops"); ///< there is an error instead of a result
     const auto row = [](const char *defect, const char *finding, Severity severity, bool stops) {
         for (const char *shot : {"", "@1", "@2", "@3"})
-            QTest::addRow("%s%s", defect, shot) << QString("%1%2").arg(defect, shot) << finding
-                                                << static_cast<int>(severity) << stops;
+            QTest::addRow("%s%s %s", defect, shot, finding)
+                << QString("%1%2").arg(defect, shot) << finding << static_cast<int>(severity)
+                << stops;
     };
     row("clip", "CAP-007", Severity::Block, true);
     row("nan", "CAP-006", Severity::Block, true);
     row("nostep", "CAP-009", Severity::Block, true);
     row("swap", "SHK-001", Severity::Block, false);
+    row("swap", "CAP-010", Severity::Caution, false);
     row("drift", "WIN-004", Severity::Caution, false);
     row("psi", "CAP-013", Severity::Caution, false);
     QTest::newRow("short@2") << "short@2"
@@ -233,10 +235,10 @@ void TestPipelineDefects::mislabelledUnit_corrected_isAsWithoutTheDefect()
     const PipelineOutcome outcome = calibrated(settings, recipe);
     QVERIFY(outcome.results.response);
     QVERIFY(findingsOf(outcome, "CAP-013").empty());
-    // the simulated scale is exact: psi in, pascal expected, sensitivity 1/6894.757 psi/Pa
-    constexpr double kPascalPerPsi = 6894.757293;
+    // the simulated scale is exact: psi in, converted to Pa, so 1 Pa is read per Pa
     constexpr double kTolerance = 0.01; ///< of the plateau level and the computed step
-    QVERIFY(std::abs(*outcome.results.response->sensitivity * kPascalPerPsi - 1.0) < kTolerance);
+    QVERIFY(std::abs(*outcome.results.response->sensitivity - 1.0) < kTolerance);
+    QCOMPARE(outcome.results.response->sensitivityUnit, std::string("Pa/Pa"));
 }
 
 void TestPipelineDefects::allDefectsAtOnce_areAnErrorNotACrash()

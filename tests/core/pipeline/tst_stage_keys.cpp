@@ -99,6 +99,11 @@ void TestStageKeys::recipeChange_movesTheStageThatReadsItAndAllLater_data()
     row("import.skip_rows", import, [](Recipe &r) { r.import.skipRows = 4; });
     row("import.interpolate", import, [](Recipe &r) { r.import.interpolateInvalid = 3; });
     row("import.levels", import, [](Recipe &r) { r.import.levels = {"low", "high"}; });
+    row("import.rate reason", import, [](Recipe &r) { r.import.sampleRateReason = "known"; });
+    row("import.details", import, [](Recipe &r) { r.import.channelDetails["DUT"].gain = 2.0; });
+    row("import.files", import, [](Recipe &r) { r.import.files["a.h5"].unit = "psi"; });
+    row("checks.saturation", import, [](Recipe &r) { r.checks.saturationRun = 5; });
+    row("checks.codes", import, [](Recipe &r) { r.checks.leastCodes = 32.0; });
     row("import.exclude", import, [](Recipe &r) { r.import.exclude = {{1, "leak"}}; });
 
     const auto window = StageId::Window;

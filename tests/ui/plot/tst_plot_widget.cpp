@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "ui/plot/plot_widget.h"
+#include "ui/plot/signal_curves.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -63,6 +64,25 @@ PlotContent singularValues()
     return content;
 }
 
+constexpr Index kSpike = 1'234'567;
+
+/// Three million zeros at 1 MS/s with one sample of 1 V, drawn through its envelope.
+PlotContent longRecord()
+{
+    std::vector<std::int16_t> counts(3'000'000);
+    counts[kSpike] = 1;
+    dyncal::Channel channel;
+    channel.role = dyncal::ChannelRole::Dut;
+    channel.samples = dyncal::RawSamples(std::move(counts));
+    channel.sampleRate_Hz = 1e6;
+    dyncal::CaptureSet set;
+    set.shots.emplace_back().channels.push_back(channel);
+    return rawCurves(set, dyncal::ChannelRole::Dut, [](const dyncal::Channel &each) {
+        return std::make_shared<const dyncal::ChannelEnvelope>(
+            *dyncal::ChannelEnvelope::build(each));
+    });
+}
+
 void show(PlotWidget &plot)
 {
     plot.resize(640, 400);
@@ -110,6 +130,8 @@ class TestPlotWidget : public QObject
 
 private slots:
     void content_growing_isFittedUntilTheViewIsMoved();
+    void longRecord_click_picksTheSpikesOwnSample();
+    void longRecord_csv_isOfTheView();
     void init_contentOfOneCurve_fitsIt();
     void setContent_afterZoom_keepsView();
     void setContent_otherQuantity_fitsThatAxis();
@@ -725,6 +747,32 @@ void TestPlotWidget::content_growing_isFittedUntilTheViewIsMoved()
     plot.setContent(content);
     QCOMPARE(plot.xRange(), (Interval{0.5e-3, 0.6e-3}));
     QCOMPARE(plot.yRange(), y);
+}
+
+void TestPlotWidget::longRecord_click_picksTheSpikesOwnSample()
+{
+    PlotWidget plot;
+    plot.setContent(longRecord());
+    show(plot);
+    const QSignalSpy picked(&plot, &PlotWidget::pointPicked);
+    const double x = static_cast<double>(kSpike) * 1e-6;
+    QTest::mouseClick(&plot, Qt::LeftButton, {}, plot.pixelOf(x, 1.0)); // a pixel is 5000 samples
+    QCOMPARE(picked.count(), 1);
+    QCOMPARE(picked[0][0].toDouble(), x);
+    QCOMPARE(picked[0][1].toDouble(), 1.0);
+}
+
+void TestPlotWidget::longRecord_csv_isOfTheView()
+{
+    PlotWidget plot;
+    plot.setContent(longRecord());
+    show(plot);
+    const auto rows = [&] { return plot.csv().split('\n', Qt::SkipEmptyParts); };
+    QVERIFY(rows().size() > 500 && rows().size() < 2000); // extremes of pixel columns
+    const double x = static_cast<double>(kSpike) * 1e-6;
+    plot.setXRange({x - 4.5e-6, x + 4.5e-6});
+    QTRY_COMPARE(rows().size(), 1 + 11); // heading, nine samples, a neighbour at either side
+    QCOMPARE(rows()[6], QString("1.234567,1"));
 }
 
 QTEST_MAIN(TestPlotWidget)

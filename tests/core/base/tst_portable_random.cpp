@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/synthesis/portable_random.h"
+#include "core/base/portable_random.h"
 
 #include <QElapsedTimer>
 #include <QtTest>

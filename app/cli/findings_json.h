@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/finding.h"
+
+#include <nlohmann/json.hpp>
+
+namespace dyncal {
+
+/// Findings as `dyncal info` and `dyncal check` print them (docs/command-line.md); what a finding
+/// has not is null.
+nlohmann::json findingsJson(const Findings &findings);
+
+} // namespace dyncal

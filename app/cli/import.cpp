@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/cli/console.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/recipe_options.h"
+#include "app/cli/verbs.h"
+#include "app/clock.h"
+
+#include "core/capture/format_registry.h"
+#include "core/capture/formats/hdf5_capture.h"
+#include "core/capture/import_rules.h"
+
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+namespace dyncal {
+namespace {
+
+struct ImportOptions
+{
+    std::vector<std::string> files;
+    RecipeOptions recipe;
+    std::string output;
+};
+
+/// Captures are written once: nothing that exists is replaced, least of all an input.
+Result<void> checkOutput(const ImportOptions &options)
+{
+    std::error_code error;
+    if (!std::filesystem::exists(options.output, error))
+        return {};
+    for (const std::string &file : options.files) {
+        if (std::filesystem::equivalent(file, options.output, error))
+            return fail(ErrorKind::Usage,
+                {DYNCAL_TEXT("core",
+                     "%1 is one of the inputs and is not overwritten; give the capture another "
+                     "name."),
+                    {options.output}});
+    }
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "%1 exists already and captures are written once; give the capture another name or "
+             "remove the old one."),
+            {options.output}});
+}
+
+Result<CaptureSet> readAndApply(const ImportOptions &options, const Recipe &recipe)
+{
+    ProgressLine progress("Reading");
+    Result<CaptureSet> set
+        = readCaptures(options.files, recipe.import, {interruptToken(), progress.sink()});
+    if (!set)
+        return set;
+    return applyImportSettings(std::move(*set), recipe.import, recipe.checks);
+}
+
+Result<void> write(const CaptureSet &set, const ImportOptions &options, const std::string &created)
+{
+    ProgressLine progress("Writing");
+    const std::string title = std::filesystem::path(options.output).stem().string();
+    return writeHdf5Capture(
+        set, options.output, created, title, {}, {interruptToken(), progress.sink()});
+}
+
+int importFiles(const ImportOptions &options)
+{
+    const Result<std::string> created = currentUtc();
+    if (!created)
+        return report(created.error());
+    const Result<Recipe> recipe = options.recipe.read();
+    if (!recipe)
+        return report(recipe.error());
+    if (const Result<void> free = checkOutput(options); !free)
+        return report(free.error());
+    const Result<CaptureSet> set = readAndApply(options, *recipe);
+    if (!set)
+        return report(set.error());
+    if (const Result<void> written = write(*set, options, *created); !written)
+        return report(written.error());
+    std::cout << "Wrote " << options.output << ": " << set->shots.size()
+              << (set->shots.size() == 1 ? " shot" : " shots") << " from " << set->inputs.size()
+              << (set->inputs.size() == 1 ? " file\n" : " files\n");
+    reportFindings(set->findings);
+    return static_cast<int>(exitCodeOf(set->findings));
+}
+
+} // namespace
+
+void addImport(CLI::App &program, VerbAction &action)
+{
+    const auto options = std::make_shared<ImportOptions>();
+    CLI::App *verb = program.add_subcommand(
+        "import", "Bring files of any readable format into one capture (.h5)");
+    verb->add_option("files", options->files, "Recordings of one sensor, or folders of them")
+        ->required()
+        ->type_name("FILE");
+    verb->add_option("-o,--output", options->output, "Capture to write (.h5); must not exist")
+        ->required()
+        ->type_name("CAPTURE");
+    options->recipe.declare(*verb);
+    verb->footer("The import section of the recipe is applied once, here: leave it out of the "
+                 "recipe of the run.\n\n"
+                 "Example:\n  dyncal import low.csv medium.csv high.csv -o shots.h5\n"
+                 "  dyncal import recordings/ --profile laboratory.json -o shots.h5");
+    verb->callback([options, &action] { action = [options] { return importFiles(*options); }; });
+}
+
+} // namespace dyncal

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/project/recipe.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace dyncal {
+
+/// Options --recipe and --profile, as several subcommands have them.
+struct RecipeOptions
+{
+    std::string recipe;
+    std::string profile;
+
+    void declare(CLI::App &verb);
+    /// The recipe over the profile; the default recipe where neither is given.
+    Result<Recipe> read() const { return readRecipeFiles(recipe, profile); }
+};
+
+} // namespace dyncal

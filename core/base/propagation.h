@@ -1,0 +1,100 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/index.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace dyncal {
+
+enum class Distribution { Normal, Rectangular, Triangular };
+
+const char *distributionName(Distribution distribution); ///< "normal", ...
+
+/// One quantity that a result depends on, known as value and standard uncertainty.
+struct UncertainInput
+{
+    std::string quantity; ///< unique among the inputs: it also names the random stream
+    double value = 0.0;
+    double u = 0.0; ///< standard uncertainty, >= 0
+    Distribution distribution = Distribution::Normal;
+    double dof = std::numeric_limits<double>::infinity(); ///< degrees of freedom of u
+    bool common = false; ///< the same error in every shot
+};
+
+/// y = f(x): several results at once of all inputs, in their order. Must not depend on anything
+/// else.
+using Measurement = std::function<Result<Eigen::VectorXd>(const Eigen::VectorXd &)>;
+
+/// What one input does to the results.
+struct BudgetLine
+{
+    UncertainInput input;
+    Eigen::VectorXd sensitivity; ///< dy/dx, one per result
+    Eigen::VectorXd contribution; ///< dy/dx u(x), signed
+};
+
+/// Law of propagation (GUM, JCGM 100, 5.1.2) with independent inputs.
+struct GumBudget
+{
+    Eigen::VectorXd value; ///< of the results
+    Eigen::VectorXd u; ///< combined standard uncertainties
+    Eigen::VectorXd dof; ///< effective, Welch-Satterthwaite (G.4.1)
+    std::vector<BudgetLine> lines; ///< in the order of the inputs
+
+    double sharePercent(std::size_t line, Index result) const; ///< of the variance
+};
+
+/// Sensitivities by central differences over a tenth of each u; an input with u = 0 contributes
+/// nothing. Fails where f fails at the values or beside them.
+Result<GumBudget> propagateGum(
+    const std::vector<UncertainInput> &inputs, const Measurement &measurement);
+
+/// k with P(|T| <= k) = coverage for Student's t.
+double coverageFactor(double dof, double coverage);
+
+/// Covariance of one result between two shots: the lines common to both, matched by name.
+double commonCovariance(const GumBudget &a, const GumBudget &b, Index result);
+
+struct MonteCarloSettings
+{
+    Index trials = 10000; ///< 0 = adaptive: batches of 10000 until stable to a digit, at most 1e6
+    std::uint64_t seed = 1;
+    Index shot = 0; ///< its own streams for inputs that are not common
+    double coverage = 0.95;
+};
+
+/// Propagation of distributions (JCGM 101).
+struct MonteCarloResult
+{
+    Index trials = 0;
+    Eigen::VectorXd mean;
+    Eigen::VectorXd u; ///< standard deviation
+    Eigen::VectorXd low; ///< ends of the probabilistically symmetric interval
+    Eigen::VectorXd high;
+};
+
+/// Each input has a random stream of its own, named by the quantity (and by the shot, unless it is
+/// common), so that a result does not depend on other inputs being there or on threads. An input
+/// with finite dof is drawn from the scaled t distribution. Fails where f fails in any trial,
+/// saying in how many, and (Usage) on fewer than 100 trials or a coverage outside 0..1.
+Result<MonteCarloResult> propagateMonteCarlo(const std::vector<UncertainInput> &inputs,
+    const Measurement &measurement, const MonteCarloSettings &settings,
+    const JobControl &control = {});
+
+/// JCGM 101, clause 8: the ends of both intervals agree within half of the last of `digits`
+/// significant digits of u.
+bool isValidated(const GumBudget &gum, const MonteCarloResult &monteCarlo, Index result,
+    double coverage, int digits = 1);
+
+} // namespace dyncal

@@ -1,0 +1,182 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/pipeline/shock_stage.h"
+
+#include "core/base/number_text.h"
+#include "core/shock/reading_check.h"
+#include "core/signal/resonance_search.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+namespace {
+
+constexpr double kPeakTolerance = 0.015; ///< beyond the span from the sensor's place to the gas's
+constexpr double kCandidateTolerance = 0.05;
+
+struct ShotSpectrum
+{
+    Index shot;
+    const PowerSpectrum *spectrum;
+    double a5_m_s;
+    const ShockConditions *conditions;
+};
+
+/// Shots that have a spectrum and states.
+std::vector<ShotSpectrum> usableShots(
+    const SpectrumResult &spectrum, const WindowResult &window, const ShockConditionsSet &shock)
+{
+    std::vector<ShotSpectrum> list;
+    const std::size_t count = std::min(spectrum.perShot.size(), window.responses.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        const Index shot = window.responses[i].shot;
+        const ShockConditions *conditions = shock.ofShot(shot);
+        if (conditions && conditions->states && spectrum.perShot[i].frequency_Hz.size() > 8)
+            list.push_back({shot, &spectrum.perShot[i],
+                conditions->states->reflected.soundSpeed_m_s, conditions});
+    }
+    return list;
+}
+
+/// A peak's place is known to a part of a bin.
+double frequencyUncertainty_Hz(const PowerSpectrum &spectrum)
+{
+    return (spectrum.frequency_Hz[1] - spectrum.frequency_Hz[0]) / std::sqrt(12.0);
+}
+
+/// The most prominent peak between where sensor and gas would have it.
+std::optional<double> peakBetween(
+    const std::vector<SpectralPeak> &peaks, double atSensor_Hz, double atGas_Hz)
+{
+    const double low = std::min(atSensor_Hz, atGas_Hz) * (1.0 - kPeakTolerance);
+    const double high = std::max(atSensor_Hz, atGas_Hz) * (1.0 + kPeakTolerance);
+    for (const SpectralPeak &peak : peaks) {
+        if (peak.frequency_Hz >= low && peak.frequency_Hz <= high)
+            return peak.frequency_Hz;
+    }
+    return std::nullopt;
+}
+
+std::string nearestCandidate(const ShockConditions &conditions, double frequency_Hz)
+{
+    std::string label;
+    double best = kCandidateTolerance;
+    for (const TubeResonance &resonance : conditions.resonances) {
+        const double distance = std::abs(resonance.frequency_Hz / frequency_Hz - 1.0);
+        if (distance < best && resonance.followsGas) {
+            best = distance;
+            label = resonance.label();
+        }
+    }
+    return label;
+}
+
+Finding movingPeak(const FollowedPeak &peak)
+{
+    std::string frequencies;
+    for (const PeakOfShot &p : peak.peaks)
+        frequencies += (frequencies.empty() ? "" : "/") + numberWithUnit(p.frequency_Hz, "Hz", 3);
+    Finding finding;
+    finding.id = "SPC-005";
+    finding.message
+        = {DYNCAL_TEXT("core",
+               "Peak %1 follows the sound speed of the gas (slope %2, u %3): tube mode, "
+               "not the sensor. Nearest: %4."),
+            {frequencies, numberText(peak.test.slope, 3), numberText(peak.test.u_slope, 2),
+                peak.candidate.empty() ? "-" : peak.candidate}};
+    finding.value = peak.test.slope;
+    finding.limit = 1.0;
+    return finding;
+}
+
+UncertaintyRequest requestOf(const UncertaintySettings &settings)
+{
+    UncertaintyRequest request;
+    request.evaluate = true;
+    for (const BudgetEntry &entry : settings.budget) {
+        const Distribution distribution = entry.distribution == "rectangular"
+            ? Distribution::Rectangular
+            : entry.distribution == "triangular" ? Distribution::Triangular
+                                                 : Distribution::Normal;
+        request.stated.push_back({entry.quantity, entry.u, distribution, entry.dof});
+    }
+    request.monteCarlo.trials = settings.monteCarloTrials;
+    request.monteCarlo.seed = static_cast<std::uint64_t>(settings.seed);
+    request.monteCarlo.coverage = settings.coverage;
+    return request;
+}
+
+} // namespace
+
+std::vector<DutArrival> dutArrivals(const WindowResult &window, const SensorModel &model)
+{
+    std::vector<DutArrival> arrivals;
+    for (const WindowedResponse &response : window.responses) {
+        DutArrival arrival{response.shot, response.start_s, 0.0, false};
+        for (const SeriesFit &fit : model.series) {
+            if (fit.shot != response.shot || !std::isfinite(fit.onset_s))
+                continue;
+            arrival.time_s = response.start_s + fit.onset_s;
+            arrival.u_time_s = std::isfinite(fit.u_onset_s) ? fit.u_onset_s : 0.0;
+            arrival.delayCorrected = true;
+        }
+        arrivals.push_back(arrival);
+    }
+    return arrivals;
+}
+
+std::vector<FollowedPeak> followPeaks(
+    const SpectrumResult &spectrum, const WindowResult &window, const ShockConditionsSet &shock)
+{
+    const std::vector<ShotSpectrum> shots = usableShots(spectrum, window, shock);
+    std::vector<FollowedPeak> followed;
+    if (shots.size() < 2)
+        return followed;
+    std::vector<std::vector<SpectralPeak>> peaks;
+    for (const ShotSpectrum &shot : shots)
+        peaks.push_back(ResonanceSearch(*shot.spectrum, 1.0).prominentPeaks(std::nullopt));
+    for (const SpectralPeak &first : peaks.front()) {
+        FollowedPeak peak;
+        for (std::size_t i = 0; i < shots.size(); ++i) {
+            const double atGas_Hz = first.frequency_Hz * shots[i].a5_m_s / shots.front().a5_m_s;
+            const auto found_Hz = peakBetween(peaks[i], first.frequency_Hz, atGas_Hz);
+            if (!found_Hz)
+                break;
+            peak.shots.push_back(shots[i].shot);
+            peak.peaks.push_back(
+                {shots[i].a5_m_s, *found_Hz, frequencyUncertainty_Hz(*shots[i].spectrum)});
+        }
+        const auto test
+            = peak.shots.size() == shots.size() ? testSoundSpeed(peak.peaks) : std::nullopt;
+        if (!test)
+            continue;
+        peak.test = *test;
+        peak.candidate = nearestCandidate(*shots.front().conditions, first.frequency_Hz);
+        followed.push_back(std::move(peak));
+    }
+    return followed;
+}
+
+Result<ShockConditionsSet> shockStage(const CaptureSet &set, const WindowResult &window,
+    const SpectrumResult &spectrum, const SensorModel &model, const Recipe &recipe,
+    const JobControl &control)
+{
+    if (!recipe.shock.enabled)
+        return ShockConditionsSet{};
+    auto shock = estimateShockConditions(
+        set, dutArrivals(window, model), recipe.shock, requestOf(recipe.uncertainty), control);
+    if (!shock)
+        return shock;
+    const Findings misread = checkReadings(window.responses, *shock, recipe.checks);
+    shock->findings.insert(shock->findings.end(), misread.begin(), misread.end());
+    shock->followedPeaks = followPeaks(spectrum, window, *shock);
+    for (const FollowedPeak &peak : shock->followedPeaks) {
+        if (peak.test.followsGas)
+            shock->findings.push_back(movingPeak(peak));
+    }
+    return shock;
+}
+
+} // namespace dyncal

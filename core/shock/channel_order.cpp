@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/shock/channel_order.h"
+
+#include "core/base/number_text.h"
+#include "core/shock/side_arrival.h"
+
+#include <algorithm>
+
+namespace dyncal {
+namespace {
+
+constexpr double kLeastLead_samples = 5.0; ///< what a detected start may be off
+
+Finding swapped(Index shot, const Channel &dut, const Channel &side, double lead_s)
+{
+    return {"CAP-010", Severity::Caution, shot, dut.name, {},
+        {DYNCAL_TEXT("core",
+             "Shot %1: the step reaches '%2' %3 before '%4', which the shock passes first. The two "
+             "channels look swapped; exchange their roles in import.channels, for one file in "
+             "import.files."),
+            {std::to_string(shot), dut.name, numberWithUnit(lead_s, "s", 3), side.name}},
+        lead_s, 0.0};
+}
+
+} // namespace
+
+Findings checkChannelOrder(const CaptureSet &set, const std::vector<DutArrival> &arrivals)
+{
+    Findings findings;
+    for (const DutArrival &arrival : arrivals) {
+        const Shot &shot = set.shots.at(static_cast<std::size_t>(arrival.shot - 1));
+        const Channel *dut = shot.channelWithRole(ChannelRole::Dut);
+        const Channel *side = shot.channelWithRole(ChannelRole::DrivenSide);
+        if (!shot.included || !dut || !side)
+            continue;
+        const auto sideTime_s = sideArrival_s(*side, arrival.time_s);
+        const double slower_Hz = std::min(dut->sampleRate_Hz, side->sampleRate_Hz);
+        if (sideTime_s && *sideTime_s - arrival.time_s > kLeastLead_samples / slower_Hz)
+            findings.push_back(swapped(arrival.shot, *dut, *side, *sideTime_s - arrival.time_s));
+    }
+    return findings;
+}
+
+} // namespace dyncal

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/finding.h"
+#include "core/capture/capture_set.h"
+#include "core/shock/shock_conditions.h"
+
+#include <vector>
+
+namespace dyncal {
+
+/// CAP-010 for every shot whose DUT in the end wall feels the shock before a sensor in the driven
+/// section's wall does, which the shock passes first: the two channels look swapped. `arrivals` are
+/// the detected starts of the DUTs. Nothing is said of shots where either has no arrival.
+Findings checkChannelOrder(const CaptureSet &set, const std::vector<DutArrival> &arrivals);
+
+} // namespace dyncal

@@ -1,0 +1,223 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/base/distributions.h"
+#include "core/base/number_text.h"
+#include "core/shock/pressure_units.h"
+#include "core/shock/shock_work.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+namespace {
+
+constexpr double kVelocityUncertaintyLimit = 0.002; ///< SHK-003, relative
+constexpr double kDriverPressureLimit = 0.10; ///< SHK-006, relative
+constexpr double kPlateauLimit = 0.05; ///< SHK-002, relative
+constexpr double kScatterProbability = 0.01; ///< SHK-010
+constexpr double kCelsiusZero_K = 273.15;
+constexpr double kLowestAmbient_Pa = 87e3;
+constexpr double kHighestAmbient_Pa = 108e3;
+constexpr double kLowestLikely_Pa = 2000.0; ///< below, a typed p1 may be in another unit
+
+void reportVelocityUncertainty(ShockWork &work, const char *text, double relative)
+{
+    const double factor = velocitySensitivity(work);
+    Finding &finding = work.report("SHK-003", Severity::Caution,
+        Message{text,
+            {numberText(100.0 * relative, 2), numberText(100.0 * relative * factor, 2),
+                numberText(factor, 3)}});
+    finding.value = relative;
+    finding.limit = kVelocityUncertaintyLimit;
+}
+
+} // namespace
+
+Finding &ShockWork::report(const char *id, Severity severity, Message message)
+{
+    Finding finding;
+    finding.id = id;
+    finding.severity = severity;
+    finding.shot = conditions.shot;
+    finding.message = std::move(message);
+    findings.push_back(std::move(finding));
+    return findings.back();
+}
+
+void ShockWork::reportProblem(const Error &error, std::optional<Mend> mend)
+{
+    report(error.findingId.empty() ? "SHK-001" : error.findingId.c_str(),
+        conditions.stepTyped ? Severity::Caution : Severity::Block, error.message)
+        .mend
+        = std::move(mend);
+}
+
+void ShockWork::reportMissing(Message message)
+{
+    if (!conditions.stepTyped)
+        report("SHK-007", Severity::Info, std::move(message));
+}
+
+double stepOf(const ShockStates &states, bool atEndWall)
+{
+    const GasState &behind = atEndWall ? states.reflected : states.shocked;
+    return behind.pressure_Pa - states.driven.pressure_Pa;
+}
+
+double velocitySensitivity(const ShockWork &work)
+{
+    const ShockStates &states = *work.conditions.states;
+    const double relative = std::min(1e-4, 0.5 * (1.0 - 1.0 / states.mach));
+    const auto stepAt = [&](double factor) {
+        const auto shifted = shockStatesOf(*work.conditions.drivenGas, states.driven.pressure_Pa,
+            states.driven.temperature_K, factor * states.velocity_m_s);
+        return stepOf(shifted ? *shifted : states, work.atEndWall());
+    };
+    return (stepAt(1.0 + relative) - stepAt(1.0 - relative))
+        / (2.0 * relative * stepOf(states, work.atEndWall()));
+}
+
+std::optional<Mend> kelvinFor(const char *key, double typed_K)
+{
+    const double kelvin = typed_K + kCelsiusZero_K;
+    if (!(kelvin >= kLowestTemperature_K && kelvin <= kHighestTemperature_K))
+        return std::nullopt;
+    return Mend{
+        Message{DYNCAL_TEXT("core", "Use %1 K"), {numberText(kelvin, 6)}}, key, numberText(kelvin)};
+}
+
+void judgeVelocity(ShockWork &work, double relativeFromDistance)
+{
+    const auto &uncertainty = work.conditions.uncertainty;
+    const auto u_m_s = uncertainty ? uncertainty->u(StepResult::Velocity) : std::nullopt;
+    const double relative = u_m_s.value_or(0.0) / work.conditions.states->velocity_m_s;
+    if (relativeFromDistance > kVelocityUncertaintyLimit)
+        reportVelocityUncertainty(work,
+            DYNCAL_TEXT("core",
+                "The distance alone makes the velocity uncertain by %1 %, which gives %2 % on "
+                "the pressure step (factor %3)."),
+            relativeFromDistance);
+    else if (relative > kVelocityUncertaintyLimit)
+        reportVelocityUncertainty(work,
+            DYNCAL_TEXT("core",
+                "Velocity uncertainty %1 % gives %2 % on the pressure step (factor %3); the budget "
+                "says where it comes from."),
+            relative);
+}
+
+void judgeFit(ShockWork &work, const VelocityEstimate &estimate)
+{
+    if (estimate.usesUncorrectedDut) {
+        const double perMicrosecond
+            = 100e-6 * work.conditions.states->velocity_m_s / estimate.distance_m;
+        work.report("SHK-008", Severity::Caution,
+            Message{
+                DYNCAL_TEXT("core",
+                    "The DUT marks the arrival at the end wall by its detected start, which its "
+                    "own delay makes late: a microsecond is %1 % of the velocity and %2 % of the "
+                    "step. Use two side sensors, or a model of each shot instead of the average."),
+                {numberText(perMicrosecond, 2),
+                    numberText(perMicrosecond * velocitySensitivity(work), 2)}});
+    }
+    const auto &fit = work.conditions.velocityFit;
+    if (!fit || !fit->chiSquare)
+        return;
+    const double probability = chiSquareSurvival(*fit->chiSquare, static_cast<double>(fit->dof));
+    if (probability >= kScatterProbability)
+        return;
+    Finding &finding = work.report("SHK-010", Severity::Caution,
+        Message{DYNCAL_TEXT("core",
+                    "The arrivals scatter about their line more than their stated uncertainties "
+                    "allow (chi-square %1, degrees of freedom %2): check distances, delays and "
+                    "arrivals, or let the velocity change along the tube."),
+            {numberText(*fit->chiSquare, 3), std::to_string(fit->dof)}});
+    finding.value = probability;
+    finding.limit = kScatterProbability;
+}
+
+void judgeMeasured(ShockWork &work)
+{
+    // A DUT in a unit of pressure is CAP-013's; the side sensors are the reference's own witnesses.
+    const Channel *dut = work.shot.channelWithRole(ChannelRole::Dut);
+    for (const MeasuredPressure &m : work.conditions.measured) {
+        const bool judged
+            = (m.region == "p2" || m.region == "p5") && (dut == nullptr || dut->name != m.channel);
+        if (!judged || std::abs(m.deviation()) <= kPlateauLimit)
+            continue;
+        Finding &finding = work.report("SHK-002", Severity::Caution,
+            Message{m.deviation() < 0.0
+                    ? DYNCAL_TEXT("core",
+                        "Measured %1 = %2 at '%5' is %3 % below the computed %4 (both absolute): "
+                        "check velocity, unit and sensitivity, and gauge or absolute.")
+                    : DYNCAL_TEXT("core",
+                        "Measured %1 = %2 at '%5' is %3 % above the computed %4 (both absolute): "
+                        "check velocity, unit and sensitivity, and gauge or absolute."),
+                {m.region, numberWithUnit(m.measured_Pa, "Pa", 3),
+                    numberText(100.0 * std::abs(m.deviation()), 2),
+                    numberWithUnit(m.predicted_Pa, "Pa", 3), m.channel}});
+        finding.channel = m.channel;
+        finding.value = m.deviation();
+        finding.limit = kPlateauLimit;
+    }
+}
+
+void judgeDriverPressure(ShockWork &work, double computed_Pa)
+{
+    const double recorded_Pa = work.settings.p4_Pa.value_or(work.shot.environment.p4_Pa);
+    const double relative = (recorded_Pa - computed_Pa) / computed_Pa;
+    if (!std::isfinite(relative) || std::abs(relative) <= kDriverPressureLimit)
+        return;
+    const char *text = relative < 0.0
+        ? DYNCAL_TEXT("core",
+            "Driver pressure %1 is %2 % below the %3 that the shock implies (both absolute): usual "
+            "for a finite opening time.")
+        : DYNCAL_TEXT("core",
+            "Driver pressure %1 is %2 % above the %3 that the shock implies (both absolute): check "
+            "whether the recorded value is right.");
+    Finding &finding = work.report("SHK-006", Severity::Info,
+        Message{text,
+            {numberWithUnit(recorded_Pa, "Pa", 3), numberText(100.0 * std::abs(relative), 2),
+                numberWithUnit(computed_Pa, "Pa", 3)}});
+    finding.value = relative;
+    finding.limit = kDriverPressureLimit;
+}
+
+void judgeTypedPressure(ShockWork &work, double p1_Pa)
+{
+    if (!work.settings.p1_Pa || p1_Pa > kLowestLikely_Pa)
+        return;
+    for (const char *unit : {"psi", "bar", "kPa", "mbar"}) {
+        const double fitting_Pa = p1_Pa * *pascalsPer(unit);
+        if (fitting_Pa < kLowestAmbient_Pa || fitting_Pa > kHighestAmbient_Pa)
+            continue;
+        Finding &finding = work.report("SHK-011", Severity::Caution,
+            Message{
+                DYNCAL_TEXT("core",
+                    "p1 = %1 Pa? Pressures are in pascals here: %1 %2 are %3 Pa, about ambient."),
+                {numberText(p1_Pa, 6), unit, numberText(fitting_Pa, 6)}});
+        finding.mend = Mend{Message{DYNCAL_TEXT("core", "Use %1 Pa"), {numberText(fitting_Pa, 6)}},
+            "shock.p1_pa", numberText(fitting_Pa)};
+        return;
+    }
+}
+
+void reportPlateau(ShockWork &work)
+{
+    const char *text = DYNCAL_TEXT("core",
+        "The reflected shock's return from the contact surface reaches the end wall %1 "
+        "after the step (computed).");
+    if (work.conditions.plateauEnd == PlateauEnd::DriverRarefaction)
+        text = DYNCAL_TEXT("core",
+            "The expansion reflected at the driver's end reaches the end wall %1 after the step "
+            "(computed), before the contact surface's wave: a longer driver section would help.");
+    if (work.conditions.plateauEnd == PlateauEnd::ReflectedShock)
+        text = DYNCAL_TEXT(
+            "core", "The reflected shock passes the DUT %1 after the step (computed).");
+    work.report("SHK-005", Severity::Info,
+            Message{text, {numberWithUnit(*work.conditions.plateau_s, "s", 3)}})
+        .value
+        = work.conditions.plateau_s;
+}
+
+} // namespace dyncal

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/propagation.h"
+#include "core/shock/gas_model.h"
+#include "core/shock/shock_velocity.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dyncal {
+
+/// The results whose uncertainty is worked out, in this order.
+enum class StepResult : Index { Velocity, Mach, P2, P5, Step };
+inline constexpr Index kStepResults = 5;
+
+/// An uncertainty that the operator states (recipe section "uncertainty", key "budget").
+struct StatedUncertainty
+{
+    std::string
+        quantity; ///< "p1_pa", "t1_k", "gamma", "molar_mass_kg_mol", "relative_humidity", ...
+    double u = 0.0;
+    Distribution distribution = Distribution::Normal;
+    std::optional<double> dof;
+};
+
+/// Everything that the step of one shot follows from.
+struct StepMeasurement
+{
+    GasSettings gas; ///< driven
+    SectionState state; ///< p1, T1 and what humid air needs
+    VelocityEstimate velocity;
+    std::vector<CounterReading> counters; ///< where the velocity comes from them
+    bool atEndWall = true;
+    double u_p1_Pa = 0.0; ///< as recorded; not above 0 = not stated
+    double u_T1_K = 0.0;
+};
+
+/// Uncertainty of one shot's velocity, Mach number, p2, p5 and step.
+struct StepUncertainty
+{
+    GumBudget budget;
+    std::optional<MonteCarloResult> monteCarlo;
+    bool validated = false; ///< the step: GUM and Monte Carlo agree (JCGM 101, clause 8)
+    std::optional<Message> velocityMissing; ///< an uncertainty that nobody states; then no u(W)
+    std::optional<Message> stepMissing; ///< the same for everything that follows
+
+    std::optional<double> u(StepResult result) const;
+};
+
+/// What is asked for besides the step itself.
+struct UncertaintyRequest
+{
+    bool evaluate = false;
+    std::vector<StatedUncertainty> stated;
+    MonteCarloSettings monteCarlo; ///< `shot` is set per shot
+    bool withMonteCarlo = true;
+};
+
+/// GUM and Monte Carlo over the whole way from arrivals to step, refitting the velocity each time.
+/// p1, T1, gas constants, distances and delays are common to all shots, arrival times and an
+/// estimated scatter are each shot's own. Stated uncertainties win over recorded ones, and those
+/// over the gases' usual ones. Quantities: p1_pa, t1_k, gamma, molar_mass_kg_mol,
+/// relative_humidity, carbon_dioxide_fraction, velocity_m_s (typed), distance_m, arrival_s, delay_s
+/// (each sensor), and step_relative (what the relations leave out, of the step).
+Result<StepUncertainty> evaluateStep(const StepMeasurement &measurement,
+    const UncertaintyRequest &request, const JobControl &control = {});
+
+} // namespace dyncal
