@@ -24,7 +24,7 @@ constexpr std::size_t kUnitArgument = 3; ///< of CAP-013: the unit that fits, or
 
 using Apply = std::function<void(ImportSettings &, const std::string &)>;
 
-Mend edit(const QString &label, const QString &step, Apply apply)
+Remedy edit(const QString &label, const QString &step, Apply apply)
 {
     return {label, step, {}, std::move(apply), {}};
 }
@@ -41,7 +41,7 @@ const InputFile *fileOf(const Shot *shot, const CaptureSet &set)
     return shot && input < set.inputs.size() ? &set.inputs[input] : nullptr;
 }
 
-Mend excludeShot(Index shot)
+Remedy excludeShot(Index shot)
 {
     const QString step = Mends::tr("Exclude shot %1").arg(shot);
     return {step + QStringLiteral("..."), step,
@@ -52,9 +52,9 @@ Mend excludeShot(Index shot)
         {}};
 }
 
-std::vector<Mend> chooseDut(const Shot *shot)
+std::vector<Remedy> chooseDut(const Shot *shot)
 {
-    std::vector<Mend> mends;
+    std::vector<Remedy> mends;
     for (const Channel &channel : shot ? shot->channels : std::vector<Channel>()) {
         if (mends.size() == kMostChannels)
             break;
@@ -68,7 +68,7 @@ std::vector<Mend> chooseDut(const Shot *shot)
     return mends;
 }
 
-std::vector<Mend> swapChannels(const Shot *shot, const CaptureSet &set)
+std::vector<Remedy> swapChannels(const Shot *shot, const CaptureSet &set)
 {
     const Channel *dut = shot ? shot->channelWithRole(ChannelRole::Dut) : nullptr;
     const Channel *side = shot ? shot->channelWithRole(ChannelRole::DrivenSide) : nullptr;
@@ -79,7 +79,7 @@ std::vector<Mend> swapChannels(const Shot *shot, const CaptureSet &set)
               roles[first] = channelRoleName(ChannelRole::DrivenSide);
               roles[second] = channelRoleName(ChannelRole::Dut);
           };
-    std::vector<Mend> mends;
+    std::vector<Remedy> mends;
     const QString step = Mends::tr("Swap DUT and driven side");
     const InputFile *file = fileOf(shot, set);
     if (file && set.inputs.size() > 1)
@@ -108,7 +108,7 @@ ChannelImport *detailsOf(
     return found == settings.channelDetails.end() ? nullptr : &found->second;
 }
 
-std::vector<Mend> useUnit(const Finding &finding, const std::string &file)
+std::vector<Remedy> useUnit(const Finding &finding, const std::string &file)
 {
     const auto &words = finding.message.arguments;
     if (words.size() <= kUnitArgument || words[kUnitArgument].empty())
@@ -122,7 +122,7 @@ std::vector<Mend> useUnit(const Finding &finding, const std::string &file)
         })};
 }
 
-Mend invertPolarity(const Finding &finding, const std::string &file)
+Remedy invertPolarity(const Finding &finding, const std::string &file)
 {
     return edit(Mends::tr("Invert polarity"), Mends::tr("Change the DUT's polarity"),
         [file, channel = finding.channel](ImportSettings &settings, const std::string &) {
@@ -134,7 +134,7 @@ Mend invertPolarity(const Finding &finding, const std::string &file)
         });
 }
 
-Mend interpolate()
+Remedy interpolate()
 {
     return edit(Mends::tr("Interpolate gaps of up to %1 samples").arg(kLongestGap),
         Mends::tr("Interpolate invalid samples"),
@@ -144,7 +144,7 @@ Mend interpolate()
 }
 
 /// Of the file that the finding speaks of: by its shot, or named in the sentence.
-std::vector<Mend> showImport(const Finding &finding, const Shot *shot, const CaptureSet &set)
+std::vector<Remedy> showImport(const Finding &finding, const Shot *shot, const CaptureSet &set)
 {
     const InputFile *file = fileOf(shot, set);
     for (const InputFile &input : set.inputs)
@@ -157,7 +157,7 @@ std::vector<Mend> showImport(const Finding &finding, const Shot *shot, const Cap
 }
 
 /// What mends the finding itself, shot by shot or for all.
-std::vector<Mend> remedies(const Finding &finding, const Shot *shot, const CaptureSet &set)
+std::vector<Remedy> remedies(const Finding &finding, const Shot *shot, const CaptureSet &set)
 {
     const InputFile *file = fileOf(shot, set);
     const std::string fileName = file ? file->file : std::string();
@@ -178,10 +178,10 @@ std::vector<Mend> remedies(const Finding &finding, const Shot *shot, const Captu
 
 } // namespace
 
-std::vector<Mend> mendsOf(const Finding &finding, const CaptureSet &set)
+std::vector<Remedy> mendsOf(const Finding &finding, const CaptureSet &set)
 {
     const Shot *shot = shotOf(finding, set);
-    std::vector<Mend> mends = remedies(finding, shot, set);
+    std::vector<Remedy> mends = remedies(finding, shot, set);
     const bool canExclude
         = shot && shot->included && std::ranges::count_if(set.shots, &Shot::included) > 1;
     for (const char *id : {"CAP-006", "CAP-007", "CAP-008", "CAP-009", "CAP-011", "CAP-020"})

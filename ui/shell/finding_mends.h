@@ -16,7 +16,7 @@ namespace dyncal {
 
 /// One way to mend what a finding says: an edit of the recipe, as one step of undo. Nothing on disk
 /// changes.
-struct Mend
+struct Remedy
 {
     QString label; ///< of the button: "Invert polarity"
     QString step; ///< of undo: "Invert the DUT's polarity"
@@ -28,6 +28,6 @@ struct Mend
 
 /// The ways there are, the best first; none for most findings. `set` are the recordings on show,
 /// with the import section applied.
-std::vector<Mend> mendsOf(const Finding &finding, const CaptureSet &set);
+std::vector<Remedy> mendsOf(const Finding &finding, const CaptureSet &set);
 
 } // namespace dyncal

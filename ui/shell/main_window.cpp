@@ -459,7 +459,7 @@ void MainWindow::acknowledge(const Finding &finding)
     m_session.apply(next, tr("Give a reason for %1").arg(id));
 }
 
-void MainWindow::mend(const Mend &mend)
+void MainWindow::mend(const Remedy &mend)
 {
     if (!mend.importPath.isEmpty()) {
         m_files->captures().edit(mend.importPath);
