@@ -736,104 +736,8 @@
 <context>
     <name>core</name>
     <message>
-        <source>%1 is one of the inputs and is not overwritten; give the capture another name.</source>
-        <translation>%1 är en av indatafilerna och skrivs inte över; ge registreringen ett annat namn.</translation>
-    </message>
-    <message>
-        <source>%1 exists already and captures are written once; give the capture another name or remove the old one.</source>
-        <translation>%1 finns redan och registreringar skrivs bara en gång; ge registreringen ett annat namn eller ta bort den gamla.</translation>
-    </message>
-    <message>
-        <source>Monte Carlo: %1 of %2 trials leave the range of the relations (%3); the stated uncertainties are too large for the value.</source>
-        <translation>Monte Carlo: %1 av %2 försök hamnar utanför sambandens område (%3); de angivna osäkerheterna är för stora för värdet.</translation>
-    </message>
-    <message>
-        <source>Monte Carlo with %1 trials; it must be 0 (adaptive) or between %2 and %3.</source>
-        <translation>Monte Carlo med %1 försök; antalet ska vara 0 (adaptivt) eller ligga mellan %2 och %3.</translation>
-    </message>
-    <message>
-        <source>The coverage probability is %1; it must lie between 0 and 1.</source>
-        <translation>Täckningssannolikheten är %1; den ska ligga mellan 0 och 1.</translation>
-    </message>
-    <message>
-        <source>Peak %1 follows the sound speed of the gas (slope %2, u %3): tube mode, not the sensor. Nearest: %4.</source>
-        <translation>Toppen %1 följer gasens ljudhastighet (lutning %2, u %3): en rörmod, inte givaren. Närmast: %4.</translation>
-    </message>
-    <message>
-        <source>Shot %1: the step reaches &apos;%2&apos; %3 before &apos;%4&apos;, which the shock passes first. The two channels look swapped; exchange their roles in import.channels, for one file in import.files.</source>
-        <translation>Skott %1: steget når &apos;%2&apos; %3 före &apos;%4&apos;, som chockvågen passerar först. De två kanalerna ser ut att vara förväxlade; byt plats på deras roller i import.channels, för en enskild fil i import.files.</translation>
-    </message>
-    <message>
-        <source>The pressure step is not determined: the relative humidity of the driven gas is not recorded; enter it or choose the gas &apos;air&apos;.</source>
-        <translation>Trycksteget är inte bestämt: den relativa fuktigheten hos gasen i lågtrycksdelen är inte registrerad; ange den eller välj gasen &apos;air&apos;.</translation>
-    </message>
-    <message>
-        <source>Use %1 K</source>
-        <translation>Använd %1 K</translation>
-    </message>
-    <message>
-        <source>Velocity uncertainty %1 % gives %2 % on the pressure step (factor %3); the budget says where it comes from.</source>
-        <translation>Hastighetens osäkerhet %1 % ger %2 % på trycksteget (faktor %3); osäkerhetsbudgeten visar var den kommer ifrån.</translation>
-    </message>
-    <message>
-        <source>The DUT marks the arrival at the end wall by its detected start, which its own delay makes late: a microsecond is %1 % of the velocity and %2 % of the step. Use two side sensors, or a model of each shot instead of the average.</source>
-        <translation>DUT markerar ankomsten till ändväggen med sin detekterade start, som dess egen fördröjning gör sen: en mikrosekund är %1 % av hastigheten och %2 % av steget. Använd två sidogivare, eller en modell för varje skott i stället för medelvärdet.</translation>
-    </message>
-    <message>
-        <source>The arrivals scatter about their line more than their stated uncertainties allow (chi-square %1, degrees of freedom %2): check distances, delays and arrivals, or let the velocity change along the tube.</source>
-        <translation>Ankomsterna sprider sig kring sin linje mer än deras angivna osäkerheter tillåter (chi-kvadrat %1, frihetsgrader %2): kontrollera avstånd, fördröjningar och ankomster, eller låt hastigheten ändras längs röret.</translation>
-    </message>
-    <message>
-        <source>Measured %1 = %2 at &apos;%5&apos; is %3 % below the computed %4 (both absolute): check velocity, unit and sensitivity, and gauge or absolute.</source>
-        <translation>Uppmätt %1 = %2 vid &apos;%5&apos; ligger %3 % under det beräknade %4 (båda absoluta): kontrollera hastighet, enhet och känslighet, samt övertryck eller absolut.</translation>
-    </message>
-    <message>
-        <source>Measured %1 = %2 at &apos;%5&apos; is %3 % above the computed %4 (both absolute): check velocity, unit and sensitivity, and gauge or absolute.</source>
-        <translation>Uppmätt %1 = %2 vid &apos;%5&apos; ligger %3 % över det beräknade %4 (båda absoluta): kontrollera hastighet, enhet och känslighet, samt övertryck eller absolut.</translation>
-    </message>
-    <message>
-        <source>p1 = %1 Pa? Pressures are in pascals here: %1 %2 are %3 Pa, about ambient.</source>
-        <translation>p1 = %1 Pa? Tryck anges här i pascal: %1 %2 är %3 Pa, ungefär omgivningstrycket.</translation>
-    </message>
-    <message>
-        <source>Use %1 Pa</source>
-        <translation>Använd %1 Pa</translation>
-    </message>
-    <message>
-        <source>The expansion reflected at the driver&apos;s end reaches the end wall %1 after the step (computed), before the contact surface&apos;s wave: a longer driver section would help.</source>
-        <translation>Den expansionsvåg som reflekteras vid högtrycksdelens ände når ändväggen %1 efter steget (beräknat), före kontaktytans våg: en längre högtrycksdel skulle hjälpa.</translation>
-    </message>
-    <message>
-        <source>The reflected shock passes the DUT %1 after the step (computed).</source>
-        <translation>Den reflekterade chockvågen passerar DUT %1 efter steget (beräknat).</translation>
-    </message>
-    <message>
-        <source>The uncertainty of %1 is not stated; add &apos;%2&apos; to uncertainty.budget of the recipe.</source>
-        <translation>Osäkerheten för %1 är inte angiven; lägg till &apos;%2&apos; i receptets uncertainty.budget.</translation>
-    </message>
-    <message>
-        <source>The shock reaches &apos;%1&apos; %2 after &apos;%3&apos;, which is farther down the tube: check whether the two channels are swapped (CAP-010), and their distances.</source>
-        <translation>Chockvågen når &apos;%1&apos; %2 efter &apos;%3&apos;, som ligger längre fram i röret: kontrollera om de två kanalerna är förväxlade (CAP-010), samt deras avstånd.</translation>
-    </message>
-    <message>
-        <source>Exchange &apos;%1&apos; and &apos;%2&apos;</source>
-        <translation>Byt plats på &apos;%1&apos; och &apos;%2&apos;</translation>
-    </message>
-    <message>
-        <source>The arrivals from &apos;%1&apos; to &apos;%2&apos; give a velocity of %3 m/s; the shock must run towards the end wall: check channels, distances and arrivals.</source>
-        <translation>Ankomsterna från &apos;%1&apos; till &apos;%2&apos; ger hastigheten %3 m/s; chockvågen ska löpa mot ändväggen: kontrollera kanaler, avstånd och ankomster.</translation>
-    </message>
-    <message>
-        <source>A velocity needs arrivals at two places at least; there are %1.</source>
-        <translation>En hastighet kräver ankomster på minst två ställen; det finns %1.</translation>
-    </message>
-    <message>
-        <source>A counter reads %1 s from %2 m to %3 m before the end wall; the time must be above 0 and the first distance the larger one.</source>
-        <translation>En räknare visar %1 s från %2 m till %3 m före ändväggen; tiden ska vara större än 0 och det första avståndet det större.</translation>
-    </message>
-    <message>
-        <source>There is no counter reading.</source>
-        <translation>Det finns ingen räknaravläsning.</translation>
+        <source>The shock reaches &apos;%1&apos; %2 after &apos;%3&apos;, which is farther down the tube: check whether the two channels are swapped, and their distances.</source>
+        <translation>Chockvågen når &apos;%1&apos; %2 efter &apos;%3&apos;, som sitter längre ned i röret: kontrollera om de två kanalerna är förväxlade, och deras avstånd.</translation>
     </message>
     <message>
         <source>Wrong usage: %1; see dyncal --help.</source>
@@ -1912,10 +1816,6 @@
         <translation>Trycksteget är inte bestämt: chockvågens hastighet är okänd, eftersom en DUT i sidoväggen kräver två ankomstgivare; ange hastigheten eller själva steget.</translation>
     </message>
     <message>
-        <source>The shock reaches &apos;%1&apos; %2 after &apos;%3&apos;, which is farther down the tube: check whether the two channels are swapped, and their distances.</source>
-        <translation>Chockvågen når &apos;%1&apos; %2 efter &apos;%3&apos;, som sitter längre ned i röret: kontrollera om de två kanalerna är förväxlade, och deras avstånd.</translation>
-    </message>
-    <message>
         <source>No resonance found below %1.</source>
         <translation>Ingen resonans hittades under %1.</translation>
     </message>
@@ -2692,6 +2592,26 @@
         <translation>Gasen når %1 K, och den variabla värmekapaciteten gäller från %2 K till %3 K; välj en konstant eller en annan gas.</translation>
     </message>
     <message>
+        <source>%1 is one of the inputs and is not overwritten; give the capture another name.</source>
+        <translation>%1 är en av infilerna och skrivs inte över; ge registreringen ett annat namn.</translation>
+    </message>
+    <message>
+        <source>%1 exists already and captures are written once; give the capture another name or remove the old one.</source>
+        <translation>%1 finns redan och registreringar skrivs en gång; ge registreringen ett annat namn eller ta bort den gamla.</translation>
+    </message>
+    <message>
+        <source>Monte Carlo: %1 of %2 trials leave the range of the relations (%3); the stated uncertainties are too large for the value.</source>
+        <translation>Monte Carlo: %1 av %2 försök lämnar sambandens giltighetsområde (%3); de angivna osäkerheterna är för stora för värdet.</translation>
+    </message>
+    <message>
+        <source>Monte Carlo with %1 trials; it must be 0 (adaptive) or between %2 and %3.</source>
+        <translation>Monte Carlo med %1 försök; antalet måste vara 0 (adaptivt) eller mellan %2 och %3.</translation>
+    </message>
+    <message>
+        <source>The coverage probability is %1; it must lie between 0 and 1.</source>
+        <translation>Täckningssannolikheten är %1; den måste ligga mellan 0 och 1.</translation>
+    </message>
+    <message>
         <source>%1 begins like a MATLAB file, but its header is cut or damaged; copy it again. Readable are: %2.</source>
         <translation>%1 börjar som en MATLAB-fil, men huvudet är avklippt eller skadat; kopiera den igen. Läsbara är: %2.</translation>
     </message>
@@ -2774,6 +2694,86 @@
     <message>
         <source>%1: the recipe states a sample rate of %2, but the column of times steps at %3. Which one is right? Take sample_rate_hz out of the recipe, or say in sample_rate_reason why the times are wrong.</source>
         <translation>%1: receptet anger samplingsfrekvensen %2, men tidskolumnen stegar med %3. Vilken stämmer? Ta bort sample_rate_hz ur receptet, eller ange i sample_rate_reason varför tiderna är fel.</translation>
+    </message>
+    <message>
+        <source>Peak %1 follows the sound speed of the gas (slope %2, u %3): tube mode, not the sensor. Nearest: %4.</source>
+        <translation>Toppen %1 följer gasens ljudhastighet (lutning %2, u %3): rörmod, inte givaren. Närmast: %4.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the step reaches &apos;%2&apos; %3 before &apos;%4&apos;, which the shock passes first. The two channels look swapped; exchange their roles in import.channels, for one file in import.files.</source>
+        <translation>Skott %1: steget når &apos;%2&apos; %3 före &apos;%4&apos;, som stöten passerar först. De två kanalerna verkar förväxlade; byt deras roller i import.channels, för en enda fil i import.files.</translation>
+    </message>
+    <message>
+        <source>The pressure step is not determined: the relative humidity of the driven gas is not recorded; enter it or choose the gas &apos;air&apos;.</source>
+        <translation>Trycksteget är inte bestämt: den drivna gasens relativa fuktighet är inte registrerad; ange den eller välj gasen &apos;air&apos;.</translation>
+    </message>
+    <message>
+        <source>Use %1 K</source>
+        <translation>Använd %1 K</translation>
+    </message>
+    <message>
+        <source>Velocity uncertainty %1 % gives %2 % on the pressure step (factor %3); the budget says where it comes from.</source>
+        <translation>Hastighetsosäkerheten %1 % ger %2 % på trycksteget (faktor %3); budgeten visar varifrån den kommer.</translation>
+    </message>
+    <message>
+        <source>The DUT marks the arrival at the end wall by its detected start, which its own delay makes late: a microsecond is %1 % of the velocity and %2 % of the step. Use two side sensors, or a model of each shot instead of the average.</source>
+        <translation>DUT markerar ankomsten till ändväggen med sin detekterade start, som dess egen fördröjning gör sen: en mikrosekund är %1 % av hastigheten och %2 % av steget. Använd två sidogivare, eller en modell av varje skott i stället för medelvärdet.</translation>
+    </message>
+    <message>
+        <source>The arrivals scatter about their line more than their stated uncertainties allow (chi-square %1, degrees of freedom %2): check distances, delays and arrivals, or let the velocity change along the tube.</source>
+        <translation>Ankomsterna sprider sig kring sin linje mer än de angivna osäkerheterna medger (chi-kvadrat %1, frihetsgrader %2): kontrollera avstånd, fördröjningar och ankomster, eller låt hastigheten ändras längs röret.</translation>
+    </message>
+    <message>
+        <source>Measured %1 = %2 at &apos;%5&apos; is %3 % below the computed %4 (both absolute): check velocity, unit and sensitivity, and gauge or absolute.</source>
+        <translation>Uppmätt %1 = %2 vid &apos;%5&apos; är %3 % under beräknat %4 (båda absoluta): kontrollera hastighet, enhet och känslighet samt övertryck eller absolut.</translation>
+    </message>
+    <message>
+        <source>Measured %1 = %2 at &apos;%5&apos; is %3 % above the computed %4 (both absolute): check velocity, unit and sensitivity, and gauge or absolute.</source>
+        <translation>Uppmätt %1 = %2 vid &apos;%5&apos; är %3 % över beräknat %4 (båda absoluta): kontrollera hastighet, enhet och känslighet samt övertryck eller absolut.</translation>
+    </message>
+    <message>
+        <source>p1 = %1 Pa? Pressures are in pascals here: %1 %2 are %3 Pa, about ambient.</source>
+        <translation>p1 = %1 Pa? Tryck anges här i pascal: %1 %2 är %3 Pa, ungefär omgivningens.</translation>
+    </message>
+    <message>
+        <source>Use %1 Pa</source>
+        <translation>Använd %1 Pa</translation>
+    </message>
+    <message>
+        <source>The expansion reflected at the driver&apos;s end reaches the end wall %1 after the step (computed), before the contact surface&apos;s wave: a longer driver section would help.</source>
+        <translation>Expansionen som reflekteras i högtrycksdelens ände når ändväggen %1 efter steget (beräknat), före kontaktytans våg: en längre högtrycksdel skulle hjälpa.</translation>
+    </message>
+    <message>
+        <source>The reflected shock passes the DUT %1 after the step (computed).</source>
+        <translation>Den reflekterade stöten passerar DUT %1 efter steget (beräknat).</translation>
+    </message>
+    <message>
+        <source>The uncertainty of %1 is not stated; add &apos;%2&apos; to uncertainty.budget of the recipe.</source>
+        <translation>Osäkerheten för %1 är inte angiven; lägg till &apos;%2&apos; i receptets uncertainty.budget.</translation>
+    </message>
+    <message>
+        <source>The shock reaches &apos;%1&apos; %2 after &apos;%3&apos;, which is farther down the tube: check whether the two channels are swapped (CAP-010), and their distances.</source>
+        <translation>Stöten når &apos;%1&apos; %2 efter &apos;%3&apos;, som ligger längre ned i röret: kontrollera om de två kanalerna är förväxlade (CAP-010), och deras avstånd.</translation>
+    </message>
+    <message>
+        <source>Exchange &apos;%1&apos; and &apos;%2&apos;</source>
+        <translation>Byt plats på &apos;%1&apos; och &apos;%2&apos;</translation>
+    </message>
+    <message>
+        <source>The arrivals from &apos;%1&apos; to &apos;%2&apos; give a velocity of %3 m/s; the shock must run towards the end wall: check channels, distances and arrivals.</source>
+        <translation>Ankomsterna från &apos;%1&apos; till &apos;%2&apos; ger hastigheten %3 m/s; stöten måste gå mot ändväggen: kontrollera kanaler, avstånd och ankomster.</translation>
+    </message>
+    <message>
+        <source>A velocity needs arrivals at two places at least; there are %1.</source>
+        <translation>En hastighet kräver ankomster på minst två platser; det finns %1.</translation>
+    </message>
+    <message>
+        <source>A counter reads %1 s from %2 m to %3 m before the end wall; the time must be above 0 and the first distance the larger one.</source>
+        <translation>En räknare visar %1 s från %2 m till %3 m före ändväggen; tiden måste vara över 0 och det första avståndet det större.</translation>
+    </message>
+    <message>
+        <source>There is no counter reading.</source>
+        <translation>Det finns ingen räknaravläsning.</translation>
     </message>
 </context>
 <context>

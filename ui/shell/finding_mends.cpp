@@ -25,7 +25,7 @@ constexpr std::size_t kUnitArgument = 3; ///< of CAP-013: the unit that fits, or
 
 using Apply = std::function<void(ImportSettings &, const std::string &)>;
 
-MendAction edit(const QString &label, const QString &step, Apply apply)
+Remedy edit(const QString &label, const QString &step, Apply apply)
 {
     return {label, step, {}, std::move(apply), {}, {}};
 }
@@ -42,7 +42,7 @@ const InputFile *fileOf(const Shot *shot, const CaptureSet &set)
     return shot && input < set.inputs.size() ? &set.inputs[input] : nullptr;
 }
 
-MendAction excludeShot(Index shot)
+Remedy excludeShot(Index shot)
 {
     const QString step = Mends::tr("Exclude shot %1").arg(shot);
     return {step + QStringLiteral("..."), step,
@@ -53,9 +53,9 @@ MendAction excludeShot(Index shot)
         {}, {}};
 }
 
-std::vector<MendAction> chooseDut(const Shot *shot)
+std::vector<Remedy> chooseDut(const Shot *shot)
 {
-    std::vector<MendAction> mends;
+    std::vector<Remedy> mends;
     for (const Channel &channel : shot ? shot->channels : std::vector<Channel>()) {
         if (mends.size() == kMostChannels)
             break;
@@ -69,7 +69,7 @@ std::vector<MendAction> chooseDut(const Shot *shot)
     return mends;
 }
 
-std::vector<MendAction> swapChannels(const Shot *shot, const CaptureSet &set)
+std::vector<Remedy> swapChannels(const Shot *shot, const CaptureSet &set)
 {
     const Channel *dut = shot ? shot->channelWithRole(ChannelRole::Dut) : nullptr;
     const Channel *side = shot ? shot->channelWithRole(ChannelRole::DrivenSide) : nullptr;
@@ -80,7 +80,7 @@ std::vector<MendAction> swapChannels(const Shot *shot, const CaptureSet &set)
               roles[first] = channelRoleName(ChannelRole::DrivenSide);
               roles[second] = channelRoleName(ChannelRole::Dut);
           };
-    std::vector<MendAction> mends;
+    std::vector<Remedy> mends;
     const QString step = Mends::tr("Swap DUT and driven side");
     const InputFile *file = fileOf(shot, set);
     if (file && set.inputs.size() > 1)
@@ -109,7 +109,7 @@ ChannelImport *detailsOf(
     return found == settings.channelDetails.end() ? nullptr : &found->second;
 }
 
-std::vector<MendAction> useUnit(const Finding &finding, const std::string &file)
+std::vector<Remedy> useUnit(const Finding &finding, const std::string &file)
 {
     const auto &words = finding.message.arguments;
     if (words.size() <= kUnitArgument || words[kUnitArgument].empty())
@@ -123,7 +123,7 @@ std::vector<MendAction> useUnit(const Finding &finding, const std::string &file)
         })};
 }
 
-MendAction invertPolarity(const Finding &finding, const std::string &file)
+Remedy invertPolarity(const Finding &finding, const std::string &file)
 {
     return edit(Mends::tr("Invert polarity"), Mends::tr("Change the DUT's polarity"),
         [file, channel = finding.channel](ImportSettings &settings, const std::string &) {
@@ -135,7 +135,7 @@ MendAction invertPolarity(const Finding &finding, const std::string &file)
         });
 }
 
-MendAction interpolate()
+Remedy interpolate()
 {
     return edit(Mends::tr("Interpolate gaps of up to %1 samples").arg(kLongestGap),
         Mends::tr("Interpolate invalid samples"),
@@ -145,7 +145,7 @@ MendAction interpolate()
 }
 
 /// Of the file that the finding speaks of: by its shot, or named in the sentence.
-std::vector<MendAction> showImport(const Finding &finding, const Shot *shot, const CaptureSet &set)
+std::vector<Remedy> showImport(const Finding &finding, const Shot *shot, const CaptureSet &set)
 {
     const InputFile *file = fileOf(shot, set);
     for (const InputFile &input : set.inputs)
@@ -158,7 +158,7 @@ std::vector<MendAction> showImport(const Finding &finding, const Shot *shot, con
 }
 
 /// What mends the finding itself, shot by shot or for all.
-std::vector<MendAction> remedies(const Finding &finding, const Shot *shot, const CaptureSet &set)
+std::vector<Remedy> remedies(const Finding &finding, const Shot *shot, const CaptureSet &set)
 {
     const InputFile *file = fileOf(shot, set);
     const std::string fileName = file ? file->file : std::string();
@@ -179,10 +179,10 @@ std::vector<MendAction> remedies(const Finding &finding, const Shot *shot, const
 
 } // namespace
 
-std::vector<MendAction> mendsOf(const Finding &finding, const CaptureSet &set)
+std::vector<Remedy> mendsOf(const Finding &finding, const CaptureSet &set)
 {
     const Shot *shot = shotOf(finding, set);
-    std::vector<MendAction> mends = remedies(finding, shot, set);
+    std::vector<Remedy> mends = remedies(finding, shot, set);
     if (finding.mend) {
         const QString label = translated(finding.mend->label);
         mends.push_back({label, label, {}, {}, {}, finding.mend});

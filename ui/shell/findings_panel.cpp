@@ -58,7 +58,7 @@ void FindingsPanel::setFindings(const Findings &findings,
             ->setToolTip(finding.severity == Severity::Caution
                     ? tr("Click to go to the stage; right click to give a reason")
                     : tr("Click to go to the stage"));
-        if (const std::vector<MendAction> mends = mendsOf(finding, captures); !mends.empty()) {
+        if (const std::vector<Remedy> mends = mendsOf(finding, captures); !mends.empty()) {
             addButtons(finding, mends);
             m_rows.push_back(i);
         }
@@ -71,13 +71,13 @@ void FindingsPanel::setFindings(const Findings &findings,
 
 /// A row of its own, so that the sentence above keeps its width, its menu and its place in the
 /// copy.
-void FindingsPanel::addButtons(const Finding &finding, const std::vector<MendAction> &mends)
+void FindingsPanel::addButtons(const Finding &finding, const std::vector<Remedy> &mends)
 {
     auto *box = new QWidget(this);
     auto *column = new QVBoxLayout(box);
     column->setContentsMargins(kButtonIndent, 0, 4, 6);
     column->setSpacing(3);
-    for (const MendAction &mend : mends) {
+    for (const Remedy &mend : mends) {
         auto *button = new QPushButton(mend.label, box);
         button->setObjectName(
             QString("mend_%1_%2").arg(QString::fromStdString(finding.id)).arg(column->count() + 1));

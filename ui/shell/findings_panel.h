@@ -29,7 +29,7 @@ public:
 signals:
     void stageRequested(dyncal::StageId stage);
     void reasonRequested(const dyncal::Finding &finding); ///< the operator wants to accept it
-    void mendRequested(const dyncal::MendAction &mend);
+    void mendRequested(const dyncal::Remedy &mend);
 
 protected:
     void keyPressEvent(QKeyEvent *event) override;
@@ -37,7 +37,7 @@ protected:
 
 private:
     void request(const QListWidgetItem *item);
-    void addButtons(const Finding &finding, const std::vector<MendAction> &mends);
+    void addButtons(const Finding &finding, const std::vector<Remedy> &mends);
     const Finding *findingAt(int row) const;
 
     Findings m_shown; ///< the most severe first

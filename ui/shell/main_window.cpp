@@ -20,6 +20,7 @@
 #include "ui/stages/shock_page.h"
 #include "ui/stages/spectrum_page.h"
 #include "ui/stages/window_page.h"
+#include "ui/text/core_text.h"
 
 #include <QCloseEvent>
 #include <QDockWidget>
@@ -461,14 +462,14 @@ void MainWindow::acknowledge(const Finding &finding)
     m_session.apply(next, tr("Give a reason for %1").arg(id));
 }
 
-void MainWindow::mend(const MendAction &mend)
+void MainWindow::mend(const Remedy &mend)
 {
     if (!mend.importPath.isEmpty()) {
         m_files->captures().edit(mend.importPath);
         return;
     }
-    if (mend.ofCore) {
-        if (const Result<Recipe> next = mendedRecipe(m_session.recipe(), *mend.ofCore))
+    if (mend.ofFinding) {
+        if (const Result<Recipe> next = mendedRecipe(m_session.recipe(), *mend.ofFinding))
             m_session.apply(*next, mend.step);
         else
             m_prompts.showProblem(this, translated(next.error().message));

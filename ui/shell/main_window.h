@@ -73,7 +73,7 @@ private:
     void showStatuses();
     void showFindings();
     void acknowledge(const Finding &finding);
-    void mend(const MendAction &mend);
+    void mend(const Remedy &mend);
     void showCaptures();
     void showBusy(const QString &what);
     void showIdle(const QString &outcome);

@@ -34,15 +34,15 @@ CaptureSet threeFiles()
     return set;
 }
 
-QStringList labels(const std::vector<MendAction> &mends)
+QStringList labels(const std::vector<Remedy> &mends)
 {
     QStringList texts;
-    for (const MendAction &mend : mends)
+    for (const Remedy &mend : mends)
         texts << mend.label;
     return texts;
 }
 
-ImportSettings mended(const MendAction &mend, ImportSettings settings = {})
+ImportSettings mended(const Remedy &mend, ImportSettings settings = {})
 {
     mend.apply(settings, "reason");
     return settings;
@@ -89,7 +89,7 @@ void TestFindingMends::others_haveNone()
 
 void TestFindingMends::noDut_offersEveryChannel()
 {
-    const std::vector<MendAction> mends = mendsOf(finding("CAP-002", 1), threeFiles());
+    const std::vector<Remedy> mends = mendsOf(finding("CAP-002", 1), threeFiles());
     QCOMPARE(labels(mends), QStringList({"\"Sensor\" is the DUT", "\"Side\" is the DUT"}));
     QCOMPARE(mended(mends[1]).channels, (std::map<std::string, std::string>{{"Side", "dut"}}));
 }
@@ -97,7 +97,7 @@ void TestFindingMends::noDut_offersEveryChannel()
 void TestFindingMends::swapped_oneFile_swapsThatShotOnly()
 {
     const CaptureSet set = threeFiles();
-    const std::vector<MendAction> mends = mendsOf(finding("CAP-010", 2), set);
+    const std::vector<Remedy> mends = mendsOf(finding("CAP-010", 2), set);
     QCOMPARE(labels(mends), QStringList({"Swap in mid.h5", "Swap in all shots"}));
     const Result<CaptureSet> applied = applyImportSettings(set, mended(mends[0]));
     QVERIFY(applied);
@@ -110,7 +110,7 @@ void TestFindingMends::swapped_oneFile_swapsThatShotOnly()
 void TestFindingMends::swapped_all_swapsEveryShot()
 {
     const CaptureSet set = threeFiles();
-    const std::vector<MendAction> mends = mendsOf(finding("CAP-010", 2), set);
+    const std::vector<Remedy> mends = mendsOf(finding("CAP-010", 2), set);
     // Also where one file had been swapped before.
     const Result<CaptureSet> applied = applyImportSettings(set, mended(mends[1], mended(mends[0])));
     QVERIFY(applied);
@@ -128,7 +128,7 @@ void TestFindingMends::swapped_oneInput_offersAllOnly()
 
 void TestFindingMends::inverted_flipsWhatIsInForce()
 {
-    const std::vector<MendAction> mends = mendsOf(finding("CAP-012", 2), threeFiles());
+    const std::vector<Remedy> mends = mendsOf(finding("CAP-012", 2), threeFiles());
     QCOMPARE(mends.size(), std::size_t(1));
     QCOMPARE(mended(mends[0]).polarity, -1);
     QCOMPARE(mended(mends[0], mended(mends[0])).polarity, 1);
@@ -145,7 +145,7 @@ void TestFindingMends::inverted_flipsWhatIsInForce()
 
 void TestFindingMends::unit_takesTheOneThatFits()
 {
-    const std::vector<MendAction> mends = mendsOf(finding("CAP-013", 1), threeFiles());
+    const std::vector<Remedy> mends = mendsOf(finding("CAP-013", 1), threeFiles());
     QCOMPARE(labels(mends), QStringList("The unit is psi"));
     QCOMPARE(mended(mends[0]).unit, std::optional<std::string>("psi"));
     ImportSettings channel;
@@ -159,7 +159,7 @@ void TestFindingMends::unit_takesTheOneThatFits()
 
 void TestFindingMends::gaps_areInterpolatedOrTheShotExcluded()
 {
-    const std::vector<MendAction> mends = mendsOf(finding("CAP-006", 3), threeFiles());
+    const std::vector<Remedy> mends = mendsOf(finding("CAP-006", 3), threeFiles());
     QCOMPARE(mends.size(), std::size_t(2));
     QVERIFY(mends[0].question.isEmpty());
     QCOMPARE(mended(mends[0]).interpolateInvalid, Index(5));
