@@ -31,7 +31,7 @@ ShockConditionsSet shockOf(std::optional<double> step_Pa)
     ShockConditions conditions;
     conditions.shot = 1;
     conditions.step_Pa = step_Pa;
-    return {{conditions}, {}};
+    return {{conditions}, {}, {}};
 }
 
 } // namespace

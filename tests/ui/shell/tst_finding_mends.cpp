@@ -62,6 +62,7 @@ class TestFindingMends : public QObject
 
 private slots:
     void others_haveNone();
+    void ownMend_ofAFinding_isOffered();
     void noDut_offersEveryChannel();
     void swapped_oneFile_swapsThatShotOnly();
     void swapped_all_swapsEveryShot();
@@ -319,6 +320,15 @@ void TestFindingMends::settingsForAll_keepWhatIsOfShotsAndOtherFiles()
     QCOMPARE(next.levels, job.levels);
     QCOMPARE(next.exclude.size(), std::size_t(1));
     QVERIFY(!next.files.contains("x.csv") && next.files.contains("y.csv"));
+}
+
+void TestFindingMends::ownMend_ofAFinding_isOffered()
+{
+    Finding celsius = finding("SHK-004", 1);
+    celsius.mend = Mend{{"Use %1 K", {"294.15"}}, "shock.t1_k", "294.15"};
+    const std::vector<Remedy> mends = mendsOf(celsius, threeFiles());
+    QCOMPARE(labels(mends), QStringList("Use 294.15 K"));
+    QVERIFY(mends.front().ofFinding == celsius.mend);
 }
 
 QTEST_MAIN(TestFindingMends)
