@@ -150,12 +150,15 @@ std::optional<SaturatedRun> runAtRail(
     const Channel &channel, const SampleRange &range, Index leastRun)
 {
     std::optional<SaturatedRun> result;
+    const RawSamples samples = channel.samples.inMemory(range.begin, range.size());
+    if (samples.size() == 0) // out of reach: said where the values are taken
+        return result;
     for (const bool top : {true, false}) {
         const std::optional<double> rail = top ? channel.adcMax : channel.adcMin;
         if (!rail || result)
             continue;
         const auto isAt = [&](Index i) {
-            const double raw = channel.samples.at(range.begin + i);
+            const double raw = samples.at(i);
             return top ? raw >= *rail : raw <= *rail;
         };
         forEachRun(range.size(), leastRun, isAt, [&](Index begin, Index count) {

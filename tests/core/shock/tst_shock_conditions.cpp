@@ -342,8 +342,8 @@ void TestShockConditions::swappedChannels_blockWithSentence()
     QCOMPARE(result->findings[0].severity, Severity::Block);
     QCOMPARE(english(result->findings[0].message),
         std::string("The shock reaches 'Driven side' 310 \xC2\xB5s after 'PXI 0', which is farther "
-                    "down the tube: check whether the two channels are swapped, and their "
-                    "distances."));
+                    "down the tube: check whether the two channels are swapped (CAP-010), and "
+                    "their distances."));
 }
 
 void TestShockConditions::slowVelocity_blocksShotWithSHK001()
