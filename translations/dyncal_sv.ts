@@ -736,10 +736,6 @@
 <context>
     <name>core</name>
     <message>
-        <source>The shock reaches &apos;%1&apos; %2 after &apos;%3&apos;, which is farther down the tube: check whether the two channels are swapped, and their distances.</source>
-        <translation>Chockvågen når &apos;%1&apos; %2 efter &apos;%3&apos;, som sitter längre ned i röret: kontrollera om de två kanalerna är förväxlade, och deras avstånd.</translation>
-    </message>
-    <message>
         <source>Wrong usage: %1; see dyncal --help.</source>
         <translation>Felaktig användning: %1; se dyncal --help.</translation>
     </message>

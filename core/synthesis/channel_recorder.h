@@ -3,10 +3,10 @@
 
 #pragma once
 
+#include "core/base/portable_random.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/capture/channel.h"
-#include "core/base/portable_random.h"
 #include "core/synthesis/sensor_simulator.h"
 
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/capture/capture_set.h"
 #include "core/base/content_hash.h"
+#include "core/capture/capture_set.h"
 #include "core/capture/channel.h"
 #include "core/capture/natural_order.h"
 #include "core/capture/raw_samples.h"
