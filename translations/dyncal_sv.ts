@@ -1412,8 +1412,8 @@
         <translation>Resultat</translation>
     </message>
     <message>
-        <source>Uncertainties marked U are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes. A complete uncertainty budget was not evaluated; where no uncertainty stands beside a value, none was determined. Rise time, overshoot, settling time and band edges are those of the model.</source>
-        <translation>Osäkerheter märkta U är utvidgade mätosäkerheter med täckningsfaktorn k = 2 och innehåller endast bidraget från registreringarnas brus. Någon fullständig osäkerhetsbudget har inte utvärderats; där ingen osäkerhet står bredvid ett värde har ingen bestämts. Stigtid, översväng, insvängningstid och bandgränser är modellens.</translation>
+        <source>Uncertainties marked U are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes. A complete uncertainty budget was not evaluated; where no uncertainty stands beside a value, none is stated. Rise time, overshoot, settling time and band edges are those of the model.</source>
+        <translation>Osäkerheter märkta U är utvidgade mätosäkerheter med täckningsfaktorn k = 2 och innehåller endast bidraget från registreringarnas brus. Någon fullständig osäkerhetsbudget har inte utvärderats; där ingen osäkerhet står bredvid ett värde anges ingen. Stigtid, översväng, insvängningstid och bandgränser är modellens.</translation>
     </message>
     <message>
         <source>Shots</source>

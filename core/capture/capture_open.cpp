@@ -185,8 +185,10 @@ Result<CaptureSet> openCapture(
     if (!set)
         return set;
     set->inputs = {input};
-    for (Shot &shot : set->shots)
-        shot.input = 0;
+    for (std::size_t i = 0; i < set->shots.size(); ++i) {
+        set->shots[i].input = 0;
+        set->shots[i].inFile = static_cast<Index>(i) + 1;
+    }
     return set;
 }
 

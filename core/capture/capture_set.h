@@ -51,6 +51,7 @@ struct Shot
     std::vector<Channel> channels;
     Environment environment;
     Index input = 0; ///< position in CaptureSet::inputs
+    Index inFile = 0; ///< place among the shots of its file, from 1; 0 = of no file
     bool included = true;
     std::string excludeReason;
     Attributes notes; ///< what else the source says of the shot: "start_utc", "operator", "comment"

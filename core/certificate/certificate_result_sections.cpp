@@ -191,7 +191,7 @@ CertificateSection resultsSection(const CertificateSources &sources)
              "Uncertainties marked U are expanded uncertainties with the coverage factor k = 2 and "
              "contain only what the noise of the recordings contributes. A complete uncertainty "
              "budget "
-             "was not evaluated; where no uncertainty stands beside a value, none was determined. "
+             "was not evaluated; where no uncertainty stands beside a value, none is stated. "
              "Rise "
              "time, overshoot, settling time and band edges are those of the model."),
             {}});

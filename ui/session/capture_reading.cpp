@@ -30,12 +30,12 @@ Result<CaptureSet> readOne(
                                 : openCaptures({path}, settings, control);
 }
 
-using ShotName = std::pair<std::string, std::string>; ///< of its file, its label
+using ShotName = std::pair<std::string, Index>; ///< of its file, its place there
 
 ShotName nameOf(const CaptureSet &set, const Shot &shot)
 {
     const auto input = static_cast<std::size_t>(shot.input);
-    return {input < set.inputs.size() ? set.inputs[input].path : std::string(), shot.label};
+    return {input < set.inputs.size() ? set.inputs[input].path : std::string(), shot.inFile};
 }
 
 } // namespace

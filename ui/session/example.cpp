@@ -37,8 +37,10 @@ Result<CaptureSet> exampleCaptures(const JobControl &control, double duration_s)
         return tl::unexpected(simulated.error());
     CaptureSet set = std::move(simulated->set);
     set.inputs = {{kExamplePath, "example optic3", combinedHash(set), "simulated"}};
-    for (Shot &shot : set.shots)
-        shot.input = 0;
+    for (std::size_t i = 0; i < set.shots.size(); ++i) {
+        set.shots[i].input = 0;
+        set.shots[i].inFile = static_cast<Index>(i) + 1;
+    }
     return set;
 }
 

@@ -4,6 +4,7 @@
 #include "ui/session/project_file.h"
 
 #include "core/capture/capture_seal.h"
+#include "ui/session/capture_edit.h"
 #include "ui/session/capture_reading.h"
 #include "ui/session/example.h"
 
@@ -14,6 +15,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QSaveFile>
+
+#include <set>
 
 namespace dyncal {
 
@@ -29,14 +32,28 @@ struct CaptureReference
     QString path; ///< as it is found now, or as written when it is missing
     QString sha256;
     bool found = false;
+    std::set<Index> shots = {}; ///< those of the file that belong to the job; empty = all
 };
+
+/// Shots that were taken out of the job must stay out: everything goes by their number.
+QJsonArray shotsOf(const CaptureSet &set, Index input)
+{
+    QJsonArray places;
+    for (const Shot &shot : set.shots) {
+        if (shot.input == input && shot.inFile > 0)
+            places.append(static_cast<qint64>(shot.inFile));
+    }
+    return places;
+}
 
 QJsonArray captureReferences(const ProjectState &state, const QDir &folder)
 {
     QJsonArray list;
-    for (const InputFile &input : state.captures->inputs) {
+    for (std::size_t i = 0; i < state.captures->inputs.size(); ++i) {
+        const InputFile &input = state.captures->inputs[i];
         const QString path = QString::fromStdString(input.path);
-        QJsonObject entry{{"sha256", QString::fromStdString(input.sha256)}};
+        QJsonObject entry{{"sha256", QString::fromStdString(input.sha256)},
+            {"shots", shotsOf(*state.captures, static_cast<Index>(i))}};
         if (input.path == kExamplePath) {
             entry["path"] = path;
         } else {
@@ -51,15 +68,33 @@ QJsonArray captureReferences(const ProjectState &state, const QDir &folder)
 
 CaptureReference locate(const QJsonObject &entry, const QDir &folder)
 {
-    CaptureReference reference{entry["path"].toString(), entry["sha256"].toString(), false};
-    if (reference.path == kExamplePath)
-        return {reference.path, reference.sha256, true};
+    CaptureReference reference{entry["path"].toString(), entry["sha256"].toString()};
+    for (const auto &place : entry["shots"].toArray())
+        reference.shots.insert(static_cast<Index>(place.toInteger()));
+    if (reference.path == kExamplePath) {
+        reference.found = true;
+        return reference;
+    }
     for (const QString &candidate :
         {folder.absoluteFilePath(reference.path), entry["absolute_path"].toString()}) {
-        if (!candidate.isEmpty() && QFileInfo(candidate).isFile())
-            return {QDir::cleanPath(candidate), reference.sha256, true};
+        if (!reference.found && !candidate.isEmpty() && QFileInfo(candidate).isFile()) {
+            reference.path = QDir::cleanPath(candidate);
+            reference.found = true;
+        }
     }
     return reference;
+}
+
+/// Without the shots that do not belong to the job.
+CaptureSet onlyReferenced(CaptureSet set, const std::vector<CaptureReference> &references)
+{
+    for (std::size_t i = set.shots.size(); i > 0; --i) {
+        const auto input = static_cast<std::size_t>(set.shots[i - 1].input);
+        const bool known = input < references.size() && !references[input].shots.empty();
+        if (known && !references[input].shots.contains(set.shots[i - 1].inFile))
+            set = withoutShot(std::move(set), static_cast<Index>(i));
+    }
+    return set;
 }
 
 Result<QJsonObject> readProjectObject(const QString &path)
@@ -169,7 +204,8 @@ Result<ProjectState> openProject(const QString &path, const JobControl &control)
     if (!set)
         return tl::unexpected(set.error());
     reportChangedFiles(*set, references);
-    return ProjectState{std::make_shared<const CaptureSet>(std::move(*set)), std::move(*recipe)};
+    CaptureSet kept = onlyReferenced(std::move(*set), references);
+    return ProjectState{std::make_shared<const CaptureSet>(std::move(kept)), std::move(*recipe)};
 }
 
 } // namespace dyncal

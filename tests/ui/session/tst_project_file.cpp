@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "ui/session/capture_edit.h"
 #include "ui/session/example.h"
 #include "ui/session/project_file.h"
 
@@ -44,6 +45,7 @@ class TestProjectFile : public QObject
 private slots:
     void initTestCase();
     void example_savedAndOpened_isTheSame();
+    void removedShot_staysOut();
     void recipe_everyNumber_survives();
     void recordings_areNamedRelativeToTheProject();
     void changedRecording_isReportedAndBlocks();
@@ -82,6 +84,23 @@ void TestProjectFile::example_savedAndOpened_isTheSame()
     for (std::size_t i = 0; i < 3; ++i)
         QCOMPARE(opened->captures->shots[i].channels[0].samples.at(12345),
             m_state.captures->shots[i].channels[0].samples.at(12345));
+}
+
+void TestProjectFile::removedShot_staysOut()
+{
+    const QString path = m_folder.filePath("removed.dyncal");
+    const ProjectState state = withoutShot(m_state, 1);
+    QCOMPARE(state.recipe.import.exclude.at(0).shot, Index(1)); // was shot 2
+    QVERIFY(saveProject(path, state));
+    const Result<ProjectState> opened = openProject(path);
+    QVERIFY(opened);
+    QCOMPARE(opened->captures->shots.size(), std::size_t(2));
+    for (std::size_t i = 0; i < 2; ++i) {
+        QCOMPARE(opened->captures->shots[i].inFile, static_cast<Index>(i) + 2);
+        QVERIFY(sameSamples(opened->captures->shots[i].channels[0].samples,
+            m_state.captures->shots[i + 1].channels[0].samples));
+    }
+    QVERIFY(opened->recipe == state.recipe);
 }
 
 void TestProjectFile::recipe_everyNumber_survives()
