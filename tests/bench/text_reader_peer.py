@@ -37,7 +37,7 @@ def build(folder: pathlib.Path, program: pathlib.Path) -> None:
     hdf5 = "/usr/lib/x86_64-linux-gnu/hdf5/serial"
     subprocess.run(
         ["g++", "-std=c++20", "-O2", "-I", root, "-isystem", "/usr/include/eigen3", source, "-o", program,
-         folder / "core/libdyncal_core.a", "-L", hdf5, "-lhdf5", "-lfftw3", "-lcrypto", "-lpthread"],
+         folder / "core/libdyncal_core.a", "-L", hdf5, "-lhdf5", "-lfftw3", "-lcrypto", "-lz", "-lpthread"],
         check=True)
 
 
