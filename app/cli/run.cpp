@@ -12,6 +12,7 @@
 #include "core/base/number_text.h"
 #include "core/capture/format_registry.h"
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -71,6 +72,15 @@ Result<CaptureSet> readFiles(const RunOptions &options, const Recipe &recipe)
     return readCaptures(options.files, recipe.import, {interruptToken(), progress.sink()});
 }
 
+/// Whether a blocking finding has said already what stopped the run.
+bool isSaid(const Error &error, const Findings &findings)
+{
+    return std::any_of(findings.begin(), findings.end(), [&](const Finding &finding) {
+        return finding.severity == Severity::Block && finding.id == error.findingId
+            && finding.shot == error.shot;
+    });
+}
+
 /// Prints the answer and says how it went.
 int conclude(
     const PipelineOutcome &outcome, const Recipe &recipe, const std::vector<std::string> &paths)
@@ -81,7 +91,8 @@ int conclude(
     const Findings findings = outcome.results.findings();
     reportFindings(findings);
     if (outcome.error)
-        return report(*outcome.error);
+        return isSaid(*outcome.error, findings) ? static_cast<int>(exitCodeOf(*outcome.error))
+                                                : report(*outcome.error);
     return static_cast<int>(exitCodeOf(findings));
 }
 
