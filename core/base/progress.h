@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <stop_token>
 
@@ -22,6 +23,14 @@ struct JobControl
     {
         if (progress)
             progress(fraction);
+    }
+
+    /// For one of `count` equal parts of this work; reports into this one, which must outlive it.
+    JobControl part(std::size_t index, std::size_t count) const
+    {
+        return {stop, [this, index, count](double fraction) {
+                    report((static_cast<double>(index) + fraction) / static_cast<double>(count));
+                }};
     }
 };
 

@@ -141,15 +141,6 @@ std::vector<Candidate> candidates(const std::vector<std::string> &paths, Capture
     return files;
 }
 
-/// The share of one of `count` equal parts of the work.
-JobControl partOf(const JobControl &control, std::size_t index, std::size_t count)
-{
-    const auto place = [=](double fraction) {
-        return (static_cast<double>(index) + fraction) / static_cast<double>(count);
-    };
-    return {control.stop, [&control, place](double fraction) { control.report(place(fraction)); }};
-}
-
 using ReadOne
     = Result<CaptureSet> (*)(const std::string &, const ImportSettings &, const JobControl &);
 
@@ -162,8 +153,7 @@ Result<CaptureSet> joinCaptures(const std::vector<std::string> &paths,
     CaptureJoiner joiner;
     const std::vector<Candidate> files = candidates(paths, joiner);
     for (std::size_t i = 0; i < files.size(); ++i) {
-        Result<CaptureSet> part
-            = readOne(files[i].path, settings, partOf(control, i, files.size()));
+        Result<CaptureSet> part = readOne(files[i].path, settings, control.part(i, files.size()));
         if (!part && part.error().kind == ErrorKind::Cancelled)
             return part;
         joiner.add(files[i], std::move(part));
@@ -201,10 +191,10 @@ Result<CaptureSet> openCaptures(const std::vector<std::string> &paths,
 Result<CaptureSet> readCapture(
     const std::string &path, const ImportSettings &settings, const JobControl &control)
 {
-    Result<CaptureSet> set = openCapture(path, settings, partOf(control, 0, 2));
+    Result<CaptureSet> set = openCapture(path, settings, control.part(0, 2));
     if (!set)
         return set;
-    return sealCaptures(std::move(*set), partOf(control, 1, 2));
+    return sealCaptures(std::move(*set), control.part(1, 2));
 }
 
 Result<CaptureSet> readCaptures(const std::vector<std::string> &paths,

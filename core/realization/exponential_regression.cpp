@@ -3,6 +3,8 @@
 
 #include "core/realization/exponential_regression.h"
 
+#include "core/realization/exponential_sum.h"
+
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -91,12 +93,7 @@ Powers powersOf(const std::vector<RegressionMode> &modes, Index blocks)
     Powers powers{Eigen::MatrixXd(kBlock, 2 * count), Eigen::MatrixXcd(count, blocks)};
     for (Index m = 0; m < count; ++m) {
         const Complex exponent = modes[static_cast<std::size_t>(m)].exponent;
-        const Complex pole = std::exp(exponent);
-        Complex power = 1.0;
-        for (Index j = 0; j < kBlock; ++j, power *= pole) {
-            powers.within(j, 2 * m) = power.real();
-            powers.within(j, 2 * m + 1) = power.imag();
-        }
+        powers.within.middleCols(2 * m, 2) = powerTable(exponent, kBlock);
         // Not multiplied on from block to block: errors would add up over a long record.
         for (Index b = 0; b < blocks; ++b)
             powers.begins(m, b) = std::exp(exponent * static_cast<double>(b * kBlock));

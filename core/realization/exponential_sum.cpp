@@ -106,19 +106,23 @@ AmplitudeFit fitAmplitudes(
     return fit;
 }
 
+Eigen::MatrixX2d powerTable(std::complex<double> exponent, Index rows)
+{
+    const std::complex<double> factor = std::exp(exponent);
+    Eigen::MatrixX2d table(rows, 2);
+    std::complex<double> power = 1.0;
+    for (Index k = 0; k < rows; ++k, power *= factor)
+        table.row(k) << power.real(), power.imag();
+    return table;
+}
+
 ExponentialSampler::ExponentialSampler(const ExponentialSum &sum, double dt_s)
     : m_sum(sum)
     , m_dt_s(dt_s)
     , m_powers(kBlock, 2 * sum.rates_rad_s.size())
 {
-    for (Index i = 0; i < sum.rates_rad_s.size(); ++i) {
-        const std::complex<double> factor = std::exp(sum.rates_rad_s[i] * dt_s);
-        std::complex<double> power = 1.0;
-        for (Index j = 0; j < kBlock; ++j, power *= factor) {
-            m_powers(j, 2 * i) = power.real();
-            m_powers(j, 2 * i + 1) = power.imag();
-        }
-    }
+    for (Index i = 0; i < sum.rates_rad_s.size(); ++i)
+        m_powers.middleCols(2 * i, 2) = powerTable(sum.rates_rad_s[i] * dt_s, kBlock);
 }
 
 Eigen::VectorXd ExponentialSampler::block(Index block) const

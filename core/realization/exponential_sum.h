@@ -25,6 +25,10 @@ struct ExponentialSum
     double value(double t_s) const { return derivative(t_s, 0); }
 };
 
+/// Re and Im of e^(k exponent) for k = 0 .. rows - 1, by one product each: for stretches of a few
+/// hundred, over which rounding does not add up.
+Eigen::MatrixX2d powerTable(std::complex<double> exponent, Index rows);
+
 /// Values of a sum at t = k dt, block by block: one exponential per block and mode instead of one
 /// per sample.
 class ExponentialSampler

@@ -14,15 +14,6 @@ namespace dyncal {
 
 namespace {
 
-/// The share of one of `count` equal parts of the work.
-JobControl partOf(const JobControl &control, std::size_t index, std::size_t count)
-{
-    const auto place = [=](double fraction) {
-        return (static_cast<double>(index) + fraction) / static_cast<double>(count);
-    };
-    return {control.stop, [&control, place](double fraction) { control.report(place(fraction)); }};
-}
-
 Result<CaptureSet> readOne(
     const std::string &path, const ImportSettings &settings, const JobControl &control)
 {
@@ -45,7 +36,7 @@ Result<CapturesRead> readEach(const std::vector<std::string> &paths, const Impor
 {
     CapturesRead read;
     for (std::size_t i = 0; i < paths.size(); ++i) {
-        Result<CaptureSet> part = readOne(paths[i], settings, partOf(control, i, paths.size()));
+        Result<CaptureSet> part = readOne(paths[i], settings, control.part(i, paths.size()));
         if (part)
             read.set = joinedCaptures(read.set, *part);
         else if (part.error().kind == ErrorKind::Cancelled)

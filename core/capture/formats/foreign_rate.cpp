@@ -6,6 +6,7 @@
 #include "core/base/number_text.h"
 #include "core/capture/formats/header_rate.h"
 #include "core/capture/formats/text_table.h"
+#include "core/capture/formats/time_axis.h"
 #include "core/capture/formats/time_words.h"
 
 #include <algorithm>
@@ -16,7 +17,6 @@
 namespace dyncal {
 namespace {
 
-constexpr double kRateTolerance = 1e-3; ///< of CAP-003
 constexpr double kStepTolerance = 0.01; ///< of CAP-016
 
 enum class RateWord { None, Rate, Interval };
@@ -102,11 +102,6 @@ std::vector<StatedRate> ratesInAttributes(const Hdf5Object &object)
             rates.push_back(*rate);
     }
     return rates;
-}
-
-bool agree(double a_Hz, double b_Hz)
-{
-    return std::abs(a_Hz - b_Hz) <= kRateTolerance * std::abs(a_Hz);
 }
 
 /// Seconds per unit of a dataset of times; empty if its unit is none of time. Without a unit it is
@@ -235,7 +230,7 @@ std::optional<StatedRate> TimingFinder::statedFor(
         if (const auto scalars = m_scalars.find(place); scalars != m_scalars.end())
             rates.insert(rates.end(), scalars->second.begin(), scalars->second.end());
         for (const StatedRate &rate : rates) {
-            if (agree(rates.front().rate_Hz, rate.rate_Hz))
+            if (ratesAgree(rate.rate_Hz, rates.front().rate_Hz))
                 continue;
             findings.push_back({"CAP-003", Severity::Caution, 0, dataset.path, {},
                 {DYNCAL_TEXT("core",
@@ -279,7 +274,7 @@ SampleTiming TimingFinder::timingOf(
             {}, {}});
         return {};
     }
-    if (!stated || agree(axis->rate_Hz, stated->rate_Hz)) {
+    if (!stated || ratesAgree(stated->rate_Hz, axis->rate_Hz)) {
         constexpr double kRounding = 1e-6; // what the digits of times explain
         const bool same
             = stated && std::abs(stated->rate_Hz - axis->rate_Hz) <= kRounding * stated->rate_Hz;

@@ -11,7 +11,6 @@
 namespace dyncal {
 namespace {
 
-constexpr double kRateTolerance = 0.001; ///< as in CAP-003
 /// How much finer the mean of the X cells must be to be preferred to Delta_X.
 constexpr double kClearlyFiner = 4.0;
 /// Relative half digit of Delta_X up to which it is taken as it is.

@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/capture/formats/lvm_rate.h"
+#include "core/capture/formats/time_axis.h"
 
 #include <algorithm>
 #include <span>
@@ -13,7 +14,6 @@ namespace dyncal {
 namespace {
 
 constexpr double kPreciseRate = 1e-4; ///< relative: not worth a word
-constexpr double kRateTolerance = 1e-3; ///< of CAP-003
 constexpr double kUselessRate = 1e-2; ///< a rate this vague is none
 
 /// Makes the channels of one segment.

@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/capture/formats/text_table.h"
+#include "core/capture/formats/time_axis.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +15,6 @@
 namespace dyncal {
 namespace {
 
-constexpr double kRateTolerance = 0.001; ///< of CAP-003
 constexpr Index kRowsToTellTime = 8; ///< uniform steps that are no accident
 
 constexpr auto kRateNames = std::to_array<std::string_view>({"fs", "f_s", "fs_hz", "sample_rate",
@@ -54,11 +54,6 @@ std::optional<double> unitByName(const std::string &name)
             return unit.seconds;
     }
     return {};
-}
-
-bool agree(double a, double b)
-{
-    return std::abs(a - b) <= kRateTolerance * std::abs(b);
 }
 
 /// Near enough to be worth reading the whole column.
@@ -180,7 +175,7 @@ MatRate MatTime::rateByAxis(const Axis &axis, Findings &findings) const
     if (const std::optional<double> rate_Hz = stated()) {
         for (const TimeUnit &unit : kUnits) {
             const bool possible = axis.unit_s == 0.0 || axis.unit_s == unit.seconds;
-            if (possible && agree(*rate_Hz * step * unit.seconds, 1.0))
+            if (possible && ratesAgree(*rate_Hz * step * unit.seconds, 1.0))
                 return {*rate_Hz, axis.uniform->first * unit.seconds};
         }
         findings.push_back(contradiction(axis.name, step));
@@ -230,7 +225,8 @@ MatRate MatTime::rateOfLength(Index length, Findings &findings) const
 
 MatRate MatTime::statedRate(Findings &findings) const
 {
-    if (!m_operator_Hz && m_rate_Hz && m_interval_s && !agree(*m_rate_Hz * *m_interval_s, 1.0)) {
+    if (!m_operator_Hz && m_rate_Hz && m_interval_s
+        && !ratesAgree(*m_rate_Hz * *m_interval_s, 1.0)) {
         findings.push_back({"CAP-003", Severity::Caution, 0, {}, {},
             {DYNCAL_TEXT("core",
                  "%1 states a sample rate of %2 and an interval of %3 s, which contradict each "

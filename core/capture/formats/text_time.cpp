@@ -16,21 +16,16 @@
 namespace dyncal {
 namespace {
 
-constexpr double kRateTolerance = 0.001; ///< of CAP-003
 /// From here on a column without unit is in seconds for certain: in ms the rate would be 1 GHz.
 /// Slightly less than 1 MHz, because it comes from printed times.
 constexpr double kCertainRate_Hz = 0.999e6;
-
-bool agree(double a, double b)
-{
-    return std::abs(a / b - 1.0) <= kRateTolerance;
-}
 
 /// A header rate without unit may be in kHz or MHz, an interval in ms or us.
 bool agrees(const HeaderRate &stated, double rate_Hz)
 {
     for (const double factor : {1.0, 1e3, 1e6, 1e9}) {
-        if (agree(stated.rate_Hz * factor, rate_Hz) || agree(stated.rate_Hz, rate_Hz * factor))
+        if (ratesAgree(stated.rate_Hz * factor, rate_Hz)
+            || ratesAgree(stated.rate_Hz, rate_Hz * factor))
             return true;
         if (stated.unitStated)
             break;
@@ -159,7 +154,7 @@ private:
         if (axis.irregular)
             m_time.findings.push_back(m_say.irregularPassedOver(axis));
         else if (scale_s && m_settings.sampleRate_Hz
-            && !agree(*m_settings.sampleRate_Hz, 1.0 / (axis.step * *scale_s)))
+            && !ratesAgree(*m_settings.sampleRate_Hz, 1.0 / (axis.step * *scale_s)))
             m_time.findings.push_back(
                 m_say.ratePassedOver(*m_settings.sampleRate_Hz, 1.0 / (axis.step * *scale_s)));
     }
@@ -182,7 +177,8 @@ private:
     Result<void> takeStated(const TimeAxis &axis, double scale_s)
     {
         take(axis, scale_s);
-        if (m_settings.sampleRate_Hz && !agree(*m_settings.sampleRate_Hz, m_time.sampleRate_Hz)) {
+        if (m_settings.sampleRate_Hz
+            && !ratesAgree(*m_settings.sampleRate_Hz, m_time.sampleRate_Hz)) {
             if (m_settings.sampleRateReason.empty())
                 return m_say.recipeAgainstTimes(*m_settings.sampleRate_Hz, m_time.sampleRate_Hz);
             return {}; // the import rules replace the rate and print the reason
@@ -209,7 +205,7 @@ private:
             known_Hz = m_time.sampleRate_Hz;
         }
         for (const double scale_s : {1.0, 1e-3, 1e-6, 1e-9}) {
-            if (known_Hz && !counter && agree(*known_Hz, 1.0 / (axis.step * scale_s))) {
+            if (known_Hz && !counter && ratesAgree(*known_Hz, 1.0 / (axis.step * scale_s))) {
                 take(axis, scale_s);
                 return {};
             }

@@ -5,6 +5,7 @@
 
 #include "core/base/index.h"
 
+#include <cmath>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -27,6 +28,15 @@ TimeAxis timeAxisOf(std::span<const double> times);
 
 /// The same where the text is known to be printed to `resolution`.
 TimeAxis timeAxisOf(std::span<const double> times, double resolution);
+
+/// Two statements of a rate (or of an interval) that differ by more are a contradiction: CAP-003.
+constexpr double kRateTolerance = 0.001;
+
+/// Whether `a` is `b` within that tolerance; b is not 0.
+inline bool ratesAgree(double a, double b)
+{
+    return std::abs(a / b - 1.0) <= kRateTolerance;
+}
 
 /// How a column rises from row to row.
 enum class ColumnRise {

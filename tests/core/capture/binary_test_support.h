@@ -110,6 +110,38 @@ inline std::string rewrite(const QString &path, const QByteArray &bytes)
     return write(path, bytes);
 }
 
+/// Puts bytes into files of its own and reads them as any file is read.
+class BytesReader
+{
+public:
+    explicit BytesReader(QString ending)
+        : m_ending(std::move(ending))
+    {
+    }
+
+    Result<CaptureSet> operator()(const QByteArray &bytes, const ImportSettings &settings = {})
+    {
+        const QString path = m_folder.filePath(QString("f%1.%2").arg(++m_files).arg(m_ending));
+        return readCapture(write(path, bytes), settings);
+    }
+
+private:
+    QString m_ending;
+    QTemporaryDir m_folder;
+    int m_files = 0;
+};
+
+/// The test of a row "bytes", "id", "says": they are refused with this finding and these words.
+inline void checkRefusal(BytesReader &readBytes)
+{
+    QFETCH(QByteArray, bytes);
+    QFETCH(QString, id);
+    QFETCH(QString, says);
+    const auto set = readBytes(bytes);
+    QCOMPARE(findingId(set), id.toStdString());
+    QVERIFY2(contains(sentence(set), says.toStdString()), sentence(set).c_str());
+}
+
 /// What a storm of damaged files came to.
 struct Storm
 {

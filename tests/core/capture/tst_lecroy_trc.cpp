@@ -151,14 +151,8 @@ private slots:
     void corpus_isReadOrRefused();
 
 private:
-    Result<CaptureSet> readBytes(const QByteArray &bytes)
-    {
-        const QString path = m_folder.filePath(QString("f%1.trc").arg(++m_files));
-        return readCapture(write(path, bytes), {});
-    }
-
+    BytesReader readBytes{"trc"};
     QTemporaryDir m_folder;
-    int m_files = 0;
 };
 
 void TestLecroyTrc::waveform_inEveryLayout_isExact_data()
@@ -311,12 +305,7 @@ void TestLecroyTrc::unreadable_isRefusedBySentence_data()
 
 void TestLecroyTrc::unreadable_isRefusedBySentence()
 {
-    QFETCH(QByteArray, bytes);
-    QFETCH(QString, id);
-    QFETCH(QString, says);
-    const auto set = readBytes(bytes);
-    QCOMPARE(findingId(set), id.toStdString());
-    QVERIFY2(contains(sentence(set), says.toStdString()), sentence(set).c_str());
+    checkRefusal(readBytes);
 }
 
 void TestLecroyTrc::bombs_areRefusedAtOnce()

@@ -150,14 +150,8 @@ private slots:
     void derived_shotsAreThoseOfTheMatrix();
 
 private:
-    Result<CaptureSet> readBytes(const QByteArray &bytes, const ImportSettings &settings = {})
-    {
-        const QString path = m_folder.filePath(QString("f%1.mat").arg(++m_files));
-        return readCapture(write(path, bytes), settings);
-    }
-
+    BytesReader readBytes{"mat"};
     QTemporaryDir m_folder;
-    int m_files = 0;
 };
 
 void TestMat::numbers_ofEveryType_areExact_data()
@@ -489,12 +483,7 @@ void TestMat::unreadable_isRefusedBySentence_data()
 
 void TestMat::unreadable_isRefusedBySentence()
 {
-    QFETCH(QByteArray, bytes);
-    QFETCH(QString, id);
-    QFETCH(QString, says);
-    const auto set = readBytes(bytes);
-    QCOMPARE(findingId(set), id.toStdString());
-    QVERIFY2(contains(sentence(set), says.toStdString()), sentence(set).c_str());
+    checkRefusal(readBytes);
 }
 
 void TestMat::bombs_areRefusedAtOnce()

@@ -124,14 +124,8 @@ private slots:
     void twins_writtenByTheOscilloscope_agree();
 
 private:
-    Result<CaptureSet> readBytes(const QByteArray &bytes)
-    {
-        const QString path = m_folder.filePath(QString("f%1.wfm").arg(++m_files));
-        return readCapture(write(path, bytes), {});
-    }
-
+    BytesReader readBytes{"wfm"};
     QTemporaryDir m_folder;
-    int m_files = 0;
 };
 
 void TestRigolWfm::familyE_isScaledAsOnTheScreen()
@@ -210,12 +204,7 @@ void TestRigolWfm::unreadable_isRefusedBySentence_data()
 
 void TestRigolWfm::unreadable_isRefusedBySentence()
 {
-    QFETCH(QByteArray, bytes);
-    QFETCH(QString, id);
-    QFETCH(QString, says);
-    const auto set = readBytes(bytes);
-    QCOMPARE(findingId(set), id.toStdString());
-    QVERIFY2(contains(sentence(set), says.toStdString()), sentence(set).c_str());
+    checkRefusal(readBytes);
 }
 
 void TestRigolWfm::bombs_areRefusedAtOnce()

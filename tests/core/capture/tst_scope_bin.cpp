@@ -108,14 +108,8 @@ private slots:
     void corpus_isReadOrRefused();
 
 private:
-    Result<CaptureSet> readBytes(const QByteArray &bytes)
-    {
-        const QString path = m_folder.filePath(QString("f%1.bin").arg(++m_files));
-        return readCapture(write(path, bytes), {});
-    }
-
+    BytesReader readBytes{"bin"};
     QTemporaryDir m_folder;
-    int m_files = 0;
 };
 
 void TestScopeBin::waveforms_ofEveryVersion_areExact_data()
@@ -298,12 +292,7 @@ void TestScopeBin::unreadable_isRefusedBySentence_data()
 
 void TestScopeBin::unreadable_isRefusedBySentence()
 {
-    QFETCH(QByteArray, bytes);
-    QFETCH(QString, id);
-    QFETCH(QString, says);
-    const auto set = readBytes(bytes);
-    QCOMPARE(findingId(set), id.toStdString());
-    QVERIFY2(contains(sentence(set), says.toStdString()), sentence(set).c_str());
+    checkRefusal(readBytes);
 }
 
 void TestScopeBin::bombs_areRefusedAtOnce()

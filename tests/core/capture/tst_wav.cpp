@@ -139,14 +139,8 @@ private slots:
     void corpus_isReadOrRefused();
 
 private:
-    Result<CaptureSet> readBytes(const QByteArray &bytes)
-    {
-        const QString path = m_folder.filePath(QString("f%1.wav").arg(++m_files));
-        return readCapture(write(path, bytes), {});
-    }
-
+    BytesReader readBytes{"wav"};
     QTemporaryDir m_folder;
-    int m_files = 0;
 };
 
 void TestWav::integers_ofEveryWidth_keepTheirCounts_data()
@@ -378,12 +372,7 @@ void TestWav::unreadable_isRefusedBySentence_data()
 
 void TestWav::unreadable_isRefusedBySentence()
 {
-    QFETCH(QByteArray, bytes);
-    QFETCH(QString, id);
-    QFETCH(QString, says);
-    const auto set = readBytes(bytes);
-    QCOMPARE(findingId(set), id.toStdString());
-    QVERIFY2(contains(sentence(set), says.toStdString()), sentence(set).c_str());
+    checkRefusal(readBytes);
 }
 
 void TestWav::bombs_areRefusedAtOnce()

@@ -3,6 +3,7 @@
 
 #include "core/capture/format_registry.h"
 #include "core/capture/import_rules.h"
+#include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/event_loop_watchdog.h"
 #include "tests/ui/support/recording_files.h"
 #include "tests/ui/support/sample_results.h"
@@ -44,22 +45,11 @@ PipelineOutcome noComputation(const std::shared_ptr<const CaptureSet> &captures,
     return outcome;
 }
 
-struct Bench
+struct Bench : test::WindowBench
 {
-    QTemporaryDir folder;
-    Preferences preferences{folder.filePath("settings.ini")};
-    Prompts prompts;
-    Language language;
-    std::unique_ptr<MainWindow> window;
-
     Bench()
+        : WindowBench(noComputation)
     {
-        language.install("en");
-        prompts.setScripted();
-        preferences.setLastFolder(folder.path());
-        window = std::make_unique<MainWindow>(
-            noComputation, [] { return Result<std::string>("2026-01-31T12:00:00Z"); }, preferences,
-            prompts, language);
         window->show();
     }
 
@@ -67,14 +57,6 @@ struct Bench
     {
         writeFile(folder.filePath(name), bytes);
         return folder.filePath(name);
-    }
-    template <typename T>
-    T *find(const QString &name) const
-    {
-        T *found = window->findChild<T *>(name);
-        if (!found)
-            qFatal("no %s", qPrintable(name));
-        return found;
     }
     void drop(const QStringList &paths) const
     {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/capture/import_rules.h"
+#include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/sample_results.h"
 #include "ui/session/file_import.h"
 #include "ui/shell/finding_mends.h"
@@ -208,21 +209,11 @@ PipelineOutcome oneFinding(const std::shared_ptr<const CaptureSet> &captures, co
     return outcome;
 }
 
-struct Bench
+struct Bench : test::WindowBench
 {
-    QTemporaryDir folder;
-    Preferences preferences{folder.filePath("settings.ini")};
-    Prompts prompts;
-    Language language;
-    std::unique_ptr<MainWindow> window;
-
     Bench()
+        : WindowBench(oneFinding)
     {
-        language.install("en");
-        prompts.setScripted();
-        window = std::make_unique<MainWindow>(
-            oneFinding, [] { return Result<std::string>("2026-01-31T12:00:00Z"); }, preferences,
-            prompts, language);
         window->show();
         window->session().reset({std::make_shared<const CaptureSet>(threeFiles()), {}});
     }

@@ -3,6 +3,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/pipeline/results_json.h"
+#include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/sample_results.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/session/project_file.h"
@@ -37,22 +38,11 @@ constexpr int kWindowRow = 2;
 constexpr int kOrderRow = 6;
 
 /// A window over formula results, with scripted dialogs and its own settings file.
-struct Bench
+struct Bench : test::WindowBench
 {
-    QTemporaryDir folder;
-    Preferences preferences{folder.filePath("settings.ini")};
-    Prompts prompts;
-    Language language;
-    std::unique_ptr<MainWindow> window;
-
     explicit Bench(Session::Pipeline pipeline = test::samplePipeline)
+        : WindowBench(std::move(pipeline))
     {
-        language.install("en");
-        prompts.setScripted();
-        preferences.setLastFolder(folder.path());
-        const auto noon = [] { return Result<std::string>("2026-01-31T12:00:00Z"); };
-        window = std::make_unique<MainWindow>(
-            std::move(pipeline), noon, preferences, prompts, language);
         window->resize(1400, 900);
         window->show();
     }
@@ -63,14 +53,6 @@ struct Bench
         QTRY_VERIFY(!window->session().isComputing());
     }
 
-    template <typename T>
-    T *find(const QString &name) const
-    {
-        T *found = window->findChild<T *>(name);
-        if (!found)
-            qFatal("no %s", qPrintable(name));
-        return found;
-    }
     void show(int row) { window->showPage(row); }
     Index order() const { return window->session().results().model->order; }
     void waitComputed() { QTRY_VERIFY(!window->session().isComputing()); }
