@@ -31,15 +31,17 @@ Result<PreparedCaptures> prepareCaptures(const CaptureSet &captures, const Recip
 }
 
 /// When the DUTs felt the shock, as far as it can be known before the window is cut.
-std::vector<DutArrival> detectedArrivals(const CaptureSet &set, const JobControl &control)
+std::vector<DutArrival> detectedArrivals(
+    const CaptureSet &set, const CheckSettings &checks, const JobControl &control)
 {
     std::vector<DutArrival> arrivals;
     for (std::size_t i = 0; i < set.shots.size(); ++i) {
         const Channel *dut = set.shots[i].channelWithRole(ChannelRole::Dut);
         if (!set.shots[i].included || !dut)
             continue;
-        if (const auto start = detectStart(*dut, control))
-            arrivals.push_back({static_cast<Index>(i) + 1, start->time_s});
+        const Index number = static_cast<Index>(i) + 1;
+        if (const auto start = detectStart(*dut, control, number, checks.stepSigmas))
+            arrivals.push_back({number, start->time_s});
     }
     return arrivals;
 }
@@ -62,7 +64,7 @@ Result<WindowResult> window(const CaptureSet &set, const Recipe &recipe, const J
     context.plateau_s.resize(set.shots.size());
     Findings order;
     if (recipe.shock.enabled) {
-        const std::vector<DutArrival> arrivals = detectedArrivals(set, control);
+        const std::vector<DutArrival> arrivals = detectedArrivals(set, recipe.checks, control);
         context.plateau_s = expectedPlateaus(set, arrivals, recipe.shock);
         if (recipe.shock.dutPosition == kEndWall)
             order = checkChannelOrder(set, arrivals);

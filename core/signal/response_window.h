@@ -74,7 +74,7 @@ struct WindowContext
     ResponseTreatment treatment = ResponseTreatment::StepDeflated;
     bool remap = true;
     std::vector<std::optional<double>> plateau_s; ///< per shot of the set; for end "plateau"
-    CheckSettings checks; ///< limits of CAP-007 and CAP-014
+    CheckSettings checks; ///< limits of CAP-007, CAP-009 and CAP-014
 };
 
 /// Cuts the response of every included shot (thesis 3.7 step 2): start, baseline, window, settle
