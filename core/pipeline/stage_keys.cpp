@@ -64,11 +64,18 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
         part.import = recipe.import;
         part.checks = recipe.checks;
         break;
+    case StageId::Arrivals:
+        for (const ArrivalSensor &sensor : recipe.shock.arrivalSensors)
+            part.shock.arrivalSensors.push_back({sensor.channel});
+        break;
+    case StageId::Expected:
+        part.shock = recipe.shock;
+        part.window.start_s = recipe.window.start_s;
+        break;
     case StageId::Window:
         part.window = recipe.window;
         part.remap = recipe.remap;
         part.input.treatment = recipe.input.treatment;
-        part.shock = recipe.shock; // the plateau's end and the order of the channels
         break;
     case StageId::Spectrum:
         part.spectrum = recipe.spectrum;
@@ -89,10 +96,13 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
         part.realization.refine = recipe.realization.refine;
         break;
     case StageId::Shock:
-        part.uncertainty = recipe.uncertainty; // the rest is in the window's key already
+        part.uncertainty.budget = recipe.uncertainty.budget; // `shock` is in an earlier key
         break;
     case StageId::Response:
         part.response = recipe.response;
+        break;
+    case StageId::MonteCarlo:
+        part.uncertainty = recipe.uncertainty;
         break;
     }
     return recipeJson(part);
