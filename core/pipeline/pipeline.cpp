@@ -5,8 +5,10 @@
 
 #include "core/capture/capture_check.h"
 #include "core/capture/import_rules.h"
+#include "core/pipeline/nuisance_stage.h"
 #include "core/pipeline/shock_stage.h"
 #include "core/pipeline/stage_keys.h"
+#include "core/realization/nuisance_modes.h"
 #include "core/shock/channel_order.h"
 #include "core/shock/shock_velocity.h"
 #include "core/signal/start_detection.h"
@@ -143,19 +145,15 @@ void runStages(const CaptureSet &captures, const Recipe &recipe, Run &run, Calib
             [&] {
                 return analyseComponents(r.window->responses, recipe.pca, recipe.spectrum, control);
             })
-        .stage(StageId::ModelInput, &R::input,
-            [&] {
-                return prepareModelInput(
-                    r.window->responses, *r.spectrum, *r.components, recipe.input, control);
-            })
+        .stage(StageId::ModelInput, &R::input, [&] { return separatedInput(r, recipe, control); })
         .stage(StageId::Decomposition, &R::decomposition,
-            [&] { return decompose(*r.input, recipe.realization, control); })
+            [&] { return decompose(sensorOnly(*r.input), recipe.realization, control); })
         .stage(StageId::Model, &R::model,
             [&] {
                 const Index order
                     = recipe.realization.order.value.value_or(r.decomposition->suggestion.order);
                 return realizeModel(*r.input, r.decomposition->hankel, order, recipe.realization,
-                    *r.spectrum, control);
+                    sensorSpectrum(r, recipe), control);
             })
         .stage(StageId::Shock, &R::shock,
             [&] {

@@ -78,9 +78,11 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
         break;
     case StageId::ModelInput:
         part.input = recipe.input;
+        part.realization.nuisanceModes = recipe.realization.nuisanceModes;
         break;
     case StageId::Decomposition:
         part.realization = recipe.realization;
+        part.realization.nuisanceModes.clear();
         part.realization.order = {};
         part.realization.refine = true;
         break;
