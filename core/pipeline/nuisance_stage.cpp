@@ -12,6 +12,8 @@ namespace {
 std::vector<std::optional<double>> soundSpeeds_m_s(
     const CalibrationResults &results, const Recipe &recipe)
 {
+    if (results.input)
+        return results.input->soundSpeeds_m_s;
     std::vector<std::optional<double>> speeds(results.captures->set.shots.size());
     if (!recipe.shock.enabled || recipe.realization.nuisanceModes.empty())
         return speeds;

@@ -53,6 +53,8 @@ struct ModelInput
     std::optional<double> samplesPerPeriod; ///< of the main resonance
     std::optional<double> lostResponse_percent; ///< energy of the ringing before the input starts
     std::vector<NuisanceMode> nuisanceModes; ///< what NuisanceTerm::mode counts in
+    std::vector<std::optional<double>> soundSpeeds_m_s; ///< of region 5, per shot of the set: what
+                                                        ///< their frequencies were scaled by
     Findings findings; ///< MIN-001..006, CAP-004, NUI-001..004
 };
 

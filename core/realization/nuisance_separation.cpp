@@ -268,6 +268,7 @@ void separateNuisance(ModelInput &input, const std::vector<WindowedResponse> &re
     const std::vector<std::optional<double>> &soundSpeeds_m_s, const JobControl &control)
 {
     input.nuisanceModes = modes;
+    input.soundSpeeds_m_s = soundSpeeds_m_s;
     if (modes.empty())
         return;
     if (input.combine == CombineMethod::PcaAverage) {
