@@ -164,6 +164,17 @@ bool addBestTerm(const Tail &tail, const Candidate &candidate, bool startsWithSt
     return true;
 }
 
+/// Rates as well, from where the search left them; amplitudes at time 0.
+void polish(const Tail &tail, bool withConstant, std::vector<NuisanceTerm> &terms)
+{
+    const auto fit = refinePoles({{tail.y, 1.0 / tail.step_s, 1.0, terms}}, {}, withConstant);
+    if (!fit)
+        return;
+    terms = fit->nuisance.front();
+    for (NuisanceTerm &term : terms)
+        term.amplitude *= std::exp(-term.rate_rad_s * tail.begin_s);
+}
+
 Finding notThere(const NuisanceMode &mode, Index shot, double frequency_Hz)
 {
     return about("NUI-003", Severity::Info, shot,
@@ -219,44 +230,57 @@ void searchModes(ModelInput &input, ModelSeries &series, const WindowedResponse 
         if (!addBestTerm(tail, candidate, mode.isTube, terms))
             input.findings.push_back(notThere(mode, series.shot, candidate.frequency_Hz));
     }
+    polish(tail, isStepTreatment(input.treatment), terms);
     setTerms(input, series, std::move(terms));
 }
 
-/// Poles of the sensor as rates, from the response without the modes; empty if unusable.
-std::vector<std::complex<double>> sensorRates(const ModelInput &input, const JobControl &control)
+/// Poles of one order as rates, where all of them decay.
+std::vector<std::complex<double>> sensorRates(
+    const ModelInput &input, const HankelDecomposition &hankel, Index order)
 {
-    const ModelInput rest = sensorOnly(input);
-    const auto hankel = decomposeHankel(rest, {}, control);
-    if (!hankel)
-        return {};
-    const Index order = std::min(kMostStates, suggestOrder(rest, *hankel).order);
     std::vector<std::complex<double>> rates;
     for (const std::complex<double> &z :
-        withoutNuisancePoles(input, realizedPoles(*hankel, order))) {
-        const bool usable = std::abs(z) < 1.0 && !(z.imag() == 0.0 && z.real() <= 0.0);
-        if (usable)
-            rates.push_back(rateOf(z, sampleInterval_s(input)));
+        withoutNuisancePoles(input, realizedPoles(hankel, order))) {
+        if (!(std::abs(z) < 1.0) || (z.imag() == 0.0 && z.real() <= 0.0))
+            return {};
+        rates.push_back(rateOf(z, sampleInterval_s(input)));
     }
     return rates;
 }
 
-/// One joint fit of sensor and modes; the largest relative change of a mode's frequency, or
-/// nothing where the fit does not converge.
-std::optional<double> fitJointly(ModelInput &input, const JobControl &control)
+/// Sensor and modes together, with the suggested order of the response without the modes. What a
+/// first estimate of a mode has left of it may be taken for a state of the sensor; then the next
+/// lower order that converges serves, as the modes are better known behind it.
+std::optional<Refinement> jointFit(const ModelInput &input, const JobControl &control)
 {
-    const std::vector<std::complex<double>> rates = sensorRates(input, control);
-    const auto fit
-        = refinePoles(refinementRecords(input), rates, isStepTreatment(input.treatment), control);
-    if (!fit)
+    const ModelInput rest = sensorOnly(input);
+    const auto hankel = decomposeHankel(rest, {}, control);
+    if (!hankel)
         return std::nullopt;
+    Index order = std::min(kMostStates, suggestOrder(rest, *hankel).order);
+    for (; order >= 1 && !control.stopRequested(); --order) {
+        const auto rates = sensorRates(input, *hankel, order);
+        if (rates.empty())
+            continue;
+        if (auto fit = refinePoles(
+                refinementRecords(input), rates, isStepTreatment(input.treatment), control))
+            return fit;
+    }
+    return std::nullopt;
+}
+
+/// The modes as the joint fit has them; the largest relative change of a frequency.
+double takeTerms(ModelInput &input, const Refinement &fit)
+{
     double change = 0.0;
     for (std::size_t r = 0; r < input.series.size(); ++r) {
         ModelSeries &series = input.series[r];
-        for (std::size_t i = 0; i < series.nuisance.size(); ++i)
-            change = std::max(change,
-                std::abs(
-                    fit->nuisance[r][i].frequency_Hz() / series.nuisance[i].frequency_Hz() - 1.0));
-        setTerms(input, series, fit->nuisance[r]);
+        for (std::size_t i = 0; i < series.nuisance.size(); ++i) {
+            const double before_Hz = series.nuisance[i].frequency_Hz();
+            change
+                = std::max(change, std::abs(fit.nuisance[r][i].frequency_Hz() / before_Hz - 1.0));
+        }
+        setTerms(input, series, fit.nuisance[r]);
     }
     return change;
 }
@@ -290,8 +314,8 @@ void separateNuisance(ModelInput &input, const std::vector<WindowedResponse> &re
             searchModes(input, series, *response, candidates);
     }
     for (int round = 0; round < kRounds && hasCorrection(input); ++round) {
-        const auto change = fitJointly(input, control);
-        if (!change || *change < kSettled)
+        const auto fit = jointFit(input, control);
+        if (!fit || takeTerms(input, *fit) < kSettled)
             break;
     }
 }
