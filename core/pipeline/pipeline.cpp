@@ -6,7 +6,9 @@
 #include "core/capture/capture_check.h"
 #include "core/capture/import_rules.h"
 #include "core/pipeline/model_stages.h"
+#include "core/pipeline/nuisance_stage.h"
 #include "core/pipeline/stage_keys.h"
+#include "core/realization/nuisance_modes.h"
 #include "core/shock/shock_velocity.h"
 
 #include <algorithm>
@@ -121,13 +123,9 @@ void runStages(const CaptureSet &captures, const Recipe &recipe, Run &run, Calib
             [&] {
                 return analyseComponents(r.window->responses, recipe.pca, recipe.spectrum, control);
             })
-        .stage(StageId::ModelInput, &R::input,
-            [&] {
-                return prepareModelInput(
-                    r.window->responses, *r.spectrum, *r.components, recipe.input, control);
-            })
+        .stage(StageId::ModelInput, &R::input, [&] { return separatedInput(r, recipe, control); })
         .stage(StageId::Decomposition, &R::decomposition,
-            [&] { return decompose(*r.input, recipe.realization, control); })
+            [&] { return decompose(sensorOnly(*r.input), recipe.realization, control); })
         .stage(StageId::Model, &R::model,
             [&] { return modelStage(r, recipe, orderOf(r, recipe), control); })
         .stage(StageId::Shock, &R::shock, [&] { return shockOfModel(r, recipe, *r.model); })
@@ -135,7 +133,7 @@ void runStages(const CaptureSet &captures, const Recipe &recipe, Run &run, Calib
             [&] { return responseStage(r, recipe, *r.model, *r.shock); })
         .stage(StageId::Evidence, &R::evidence,
             [&] {
-                return gatherOrderEvidence(*r.input, r.decomposition->hankel,
+                return gatherOrderEvidence(sensorOnly(*r.input), r.decomposition->hankel,
                     r.decomposition->suggestion, recipe.realization, control);
             })
         .stage(StageId::MonteCarlo, &R::monteCarlo,

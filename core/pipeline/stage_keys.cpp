@@ -85,6 +85,7 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
         break;
     case StageId::ModelInput:
         part.input = recipe.input;
+        part.realization.nuisanceModes = recipe.realization.nuisanceModes;
         break;
     case StageId::Decomposition:
         part.realization.maxOrder = recipe.realization.maxOrder;

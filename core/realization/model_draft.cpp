@@ -83,27 +83,34 @@ ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<d
     for (const ModelSeries &series : input.series) {
         draft.series.push_back(atStart(series, draft.rates_rad_s,
             fitAmplitudes(series.y, sorted, isStepTreatment(input.treatment))));
+        draft.nuisance.push_back(series.nuisance);
     }
     return draft;
+}
+
+std::vector<RefinementRecord> refinementRecords(const ModelInput &input)
+{
+    std::vector<RefinementRecord> records;
+    for (const ModelSeries &series : input.series) {
+        constexpr double kNoiseFree = 1e-9; // of the record's range: keeps weights finite
+        const double range = series.fullRate.maxCoeff() - series.fullRate.minCoeff();
+        const double noise = std::max(series.fullRateNoiseSd, kNoiseFree * range);
+        records.push_back({series.fullRate, series.fullRate_Hz, 1.0 / noise, series.nuisance});
+    }
+    return records;
 }
 
 void refineDraft(const ModelInput &input, ModelDraft &draft, const JobControl &control)
 {
     if (!canRefine(input, discretePoles(draft.rates_rad_s, sampleInterval_s(input))))
         return;
-    std::vector<RefinementRecord> records;
-    for (const ModelSeries &series : input.series) {
-        constexpr double kNoiseFree = 1e-9; // of the record's range: keeps weights finite
-        const double range = series.fullRate.maxCoeff() - series.fullRate.minCoeff();
-        const double noise = std::max(series.fullRateNoiseSd, kNoiseFree * range);
-        records.push_back({series.fullRate, series.fullRate_Hz, 1.0 / noise});
-    }
-    draft.refinement
-        = refinePoles(records, draft.rates_rad_s, isStepTreatment(input.treatment), control);
+    draft.refinement = refinePoles(
+        refinementRecords(input), draft.rates_rad_s, isStepTreatment(input.treatment), control);
     if (!draft.refinement)
         return;
     draft.rates_rad_s = draft.refinement->rates_rad_s;
     draft.series = draft.refinement->records;
+    draft.nuisance = draft.refinement->nuisance;
 }
 
 std::vector<bool> standingOut(const ModelInput &input, const ModelDraft &draft)

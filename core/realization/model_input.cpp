@@ -110,6 +110,9 @@ ModelSeries makeSeries(
     series.first_s = static_cast<double>(first - source.lead) / source.rate_Hz;
     series.noise = filteredNoise(source, filter);
     series.fullRateNoiseSd = standardDeviation(source.noise);
+    if (source.noise.size() > 0)
+        series.u_baseline
+            = series.fullRateNoiseSd / std::sqrt(static_cast<double>(source.noise.size()));
     series.noiseSd = series.noise.size() ? standardDeviation(series.noise)
                                          : series.fullRateNoiseSd * filter.taps.norm();
     const Index last = first
