@@ -86,16 +86,19 @@ void refineDraft(const ModelInput &input, ModelDraft &draft, const JobControl &c
     if (!canRefine(input, discretePoles(draft.rates_rad_s, sampleInterval_s(input))))
         return;
     std::vector<RefinementRecord> records;
+    std::vector<NoiseCovariance> noiseOfRecord;
     for (const ModelSeries &series : input.series) {
         constexpr double kNoiseFree = 1e-9; // of the record's range: keeps weights finite
         const double range = series.fullRate.maxCoeff() - series.fullRate.minCoeff();
         const double noise = std::max(series.fullRateNoiseSd, kNoiseFree * range);
         records.push_back({series.fullRate, series.fullRate_Hz, 1.0 / noise});
+        noiseOfRecord.push_back(series.fullRateNoise);
     }
     draft.refinement
         = refinePoles(records, draft.rates_rad_s, isStepTreatment(input.treatment), control);
     if (!draft.refinement)
         return;
+    draft.noise = allowForColour(records, noiseOfRecord, *draft.refinement);
     draft.rates_rad_s = draft.refinement->rates_rad_s;
     draft.series = draft.refinement->records;
 }

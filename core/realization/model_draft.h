@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/realization/coloured_covariance.h"
 #include "core/realization/exponential_sum.h"
 #include "core/realization/model_input.h"
 #include "core/realization/pole_refinement.h"
@@ -19,6 +20,7 @@ struct ModelDraft
     std::vector<std::complex<double>> rates_rad_s; ///< without the step pole
     std::vector<ExponentialSum> series; ///< at time 0 = detected start
     std::optional<Refinement> refinement;
+    NoiseBasis noise; ///< what the refinement's covariance rests on
 };
 
 inline bool isThesisMode(const ModelInput &input)

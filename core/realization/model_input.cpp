@@ -110,6 +110,7 @@ ModelSeries makeSeries(
     series.first_s = static_cast<double>(first - source.lead) / source.rate_Hz;
     series.noise = filteredNoise(source, filter);
     series.fullRateNoiseSd = standardDeviation(source.noise);
+    series.fullRateNoise = noiseCovariance(source.noise, kLargestNoiseModelOrder);
     series.noiseSd = series.noise.size() ? standardDeviation(series.noise)
                                          : series.fullRateNoiseSd * filter.taps.norm();
     const Index last = first

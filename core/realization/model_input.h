@@ -7,6 +7,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/decomposition/principal_components.h"
+#include "core/realization/whitening.h"
 #include "core/signal/power_spectrum.h"
 #include "core/signal/resampler.h"
 #include "core/signal/response_window.h"
@@ -32,6 +33,7 @@ struct ModelSeries
     Eigen::VectorXd fullRate;
     double fullRate_Hz = 0.0;
     double fullRateNoiseSd = 0.0;
+    NoiseCovariance fullRateNoise; ///< of the pre-trigger noise at the shot's own rate
 };
 
 struct ModelInput
