@@ -17,7 +17,6 @@ namespace dyncal {
 namespace {
 
 constexpr Index kHighestTried = 20;
-constexpr Index kLargestNoiseModel = 8; ///< docs/method/order.md
 constexpr double kRoundingFloor = 1e-11; ///< of the largest value: nothing below is information
 
 /// What BIC is formed on, and whether it is no longer what the given decomposition was made of.

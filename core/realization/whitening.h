@@ -24,6 +24,9 @@ struct NoiseCovariance
 /// Lags 0 to `lags` at most, fewer where the record has fewer values.
 NoiseCovariance noiseCovariance(const Eigen::Ref<const Eigen::VectorXd> &noise, Index lags);
 
+/// Highest order tried for the noise of a model input (docs/method/order.md).
+inline constexpr Index kLargestNoiseModel = 8;
+
 /// Noise e_k = x_k + a_1 x_(k-1) + ... + a_p x_(k-p) with white e; no coefficients: x is white.
 struct AutoregressiveModel
 {
