@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace dyncal {
 namespace {
@@ -15,16 +16,36 @@ using Complex = std::complex<double>;
 constexpr double kSignificance = 0.01;
 constexpr double kDecayed = 1e-6; ///< of its largest value: the filter's memory before the record
 
-Eigen::VectorXd residualOf(const RefinementRecord &record, const ExponentialSum &sum)
+std::vector<SampleRange> usedRanges(const RefinementRecord &record)
 {
-    const ExponentialSampler sampler(sum, 1.0 / record.rate_Hz);
+    return record.used.empty() ? std::vector<SampleRange>{{0, record.y.size()}} : record.used;
+}
+
+/// What the model leaves of the samples that took part, one stretch after the other.
+Eigen::VectorXd residualOf(const RefinementRecord &record, const ExponentialSum &sum,
+    const std::vector<NuisanceTerm> &terms)
+{
+    ExponentialSum whole = sum;
+    for (const NuisanceTerm &term : terms) {
+        const Index n = whole.rates_rad_s.size();
+        whole.rates_rad_s.conservativeResize(n + 1);
+        whole.amplitudes.conservativeResize(n + 1);
+        whole.rates_rad_s[n] = term.rate_rad_s; // its real part alone is sampled
+        whole.amplitudes[n] = term.amplitude;
+    }
+    const ExponentialSampler sampler(whole, 1.0 / record.rate_Hz);
     Eigen::VectorXd residual = record.y;
     for (Index begin = 0; begin < residual.size(); begin += ExponentialSampler::kBlock) {
         const Index size = std::min(ExponentialSampler::kBlock, residual.size() - begin);
         residual.segment(begin, size)
             -= sampler.block(begin / ExponentialSampler::kBlock).head(size);
     }
-    return residual;
+    Index kept = 0;
+    for (const SampleRange &range : usedRanges(record)) {
+        residual.segment(kept, range.size()) = residual.segment(range.begin, range.size()).eval();
+        kept += range.size();
+    }
+    return residual.head(kept);
 }
 
 /// Whether the residual holds more than the noise: innovations of both by the noise's own model.
@@ -41,51 +62,83 @@ bool exceedsNoise(const Eigen::VectorXd &residual, const NoiseCovariance &noise,
         > normalQuantile(1.0 - kSignificance) * spread;
 }
 
-/// d model / d parameter of one record, a block of samples at a time: parameters of the poles, then
-/// of the amplitudes (2 Re, 2 Im of the upper half of a pair), then the constant.
+/// d model / d parameter of one record in the order of Refinement::covariance: poles, amplitudes
+/// (2 Re, 2 Im of the upper half of a pair), constant, nuisance terms. A block of samples at a
+/// time.
 class Sensitivities
 {
 public:
-    Sensitivities(const ExponentialSum &sum, double dt_s, bool withConstant)
-        : m_sum(sum)
-        , m_dt_s(dt_s)
-        , m_withConstant(withConstant)
+    Sensitivities(const Refinement &refinement, std::size_t record, const RefinementRecord &data)
+        : m_sum(refinement.records[record])
+        , m_terms(refinement.nuisance[record])
+        , m_used(usedRanges(data))
+        , m_dt_s(1.0 / data.rate_Hz)
+        , m_ownBegin(refinement.poleParameters)
+        , m_nuisanceBegin(2 * m_ownBegin + (refinement.withConstant ? 1 : 0))
     {
     }
 
-    Index parameters() const { return 2 * m_sum.rates_rad_s.size() + (m_withConstant ? 1 : 0); }
+    Index parameters() const { return m_nuisanceBegin + 4 * std::ssize(m_terms); }
 
-    /// Parameters x samples begin .. begin + count - 1.
+    /// Parameters x samples begin .. begin + count - 1; zero where a sample took no part.
     Eigen::MatrixXd block(Index begin, Index count) const
     {
-        const Index n = m_sum.rates_rad_s.size();
-        Eigen::MatrixXd J = Eigen::MatrixXd::Ones(parameters(), count);
-        for (Index i = 0; i < n; ++i) {
+        Eigen::MatrixXd J = Eigen::MatrixXd::Ones(parameters(), count); // the constant's row stays
+        for (Index i = 0; i < m_ownBegin; ++i) {
             const Complex s = m_sum.rates_rad_s[i];
-            if (s.imag() < 0.0)
-                continue; // with its upper half
-            const bool isPair = s.imag() > 0.0;
-            const Complex gain = m_sum.amplitudes[i] * (isPair ? 2.0 : 1.0);
-            const Complex first = std::exp(s * (static_cast<double>(begin) * m_dt_s));
-            const Eigen::MatrixX2d powers = powerTable(s * m_dt_s, count);
-            for (Index k = 0; k < count; ++k) {
-                const Complex e = first * Complex(powers(k, 0), powers(k, 1));
-                const Complex moved = gain * e * (static_cast<double>(begin + k) * m_dt_s);
-                J(i, k) = moved.real();
-                J(n + i, k) = e.real();
-                if (isPair) {
-                    J(i + 1, k) = -moved.imag();
-                    J(n + i + 1, k) = -e.imag();
-                }
-            }
+            if (s.imag() > 0.0)
+                fill(J, begin, {i, m_ownBegin + i, s, 2.0 * m_sum.amplitudes[i], true});
+            else if (s.imag() == 0.0)
+                fill(J, begin, {i, m_ownBegin + i, s, m_sum.amplitudes[i], false});
         }
+        Index own = m_nuisanceBegin;
+        for (const NuisanceTerm &term : m_terms) {
+            fill(J, begin, {own, own + 2, term.rate_rad_s, term.amplitude, true});
+            own += 4;
+        }
+        Index free = begin;
+        for (const SampleRange &range : m_used) {
+            const Index next = std::clamp(range.begin, free, begin + count);
+            J.middleCols(free - begin, next - free).setZero();
+            free = std::clamp(range.end, next, begin + count);
+        }
+        J.rightCols(begin + count - free).setZero();
         return J;
     }
 
 private:
+    /// Re(gain e^(rate t)) and where its parameters lie.
+    struct Mode
+    {
+        Index rateRow = 0;
+        Index gainRow = 0;
+        Complex rate_rad_s;
+        Complex gain;
+        bool isPair = false;
+    };
+
+    void fill(Eigen::MatrixXd &J, Index begin, const Mode &mode) const
+    {
+        const Complex first = std::exp(mode.rate_rad_s * (static_cast<double>(begin) * m_dt_s));
+        const Eigen::MatrixX2d powers = powerTable(mode.rate_rad_s * m_dt_s, J.cols());
+        for (Index k = 0; k < J.cols(); ++k) {
+            const Complex e = first * Complex(powers(k, 0), powers(k, 1));
+            const Complex moved = mode.gain * e * (static_cast<double>(begin + k) * m_dt_s);
+            J(mode.rateRow, k) = moved.real();
+            J(mode.gainRow, k) = e.real();
+            if (mode.isPair) {
+                J(mode.rateRow + 1, k) = -moved.imag();
+                J(mode.gainRow + 1, k) = -e.imag();
+            }
+        }
+    }
+
     const ExponentialSum &m_sum;
+    const std::vector<NuisanceTerm> &m_terms;
+    std::vector<SampleRange> m_used;
     double m_dt_s;
-    bool m_withConstant;
+    Index m_ownBegin;
+    Index m_nuisanceBegin;
 };
 
 /// The transposed filter 1/A run backwards over the sensitivities: with u its output, the product
@@ -133,8 +186,8 @@ Eigen::MatrixXd noiseProduct(const Sensitivities &sensitivities, const Eigen::Ve
     double largest = 0.0;
     for (Index end = samples; end > 0; end -= std::min(end, kBlock)) {
         const Index begin = std::max<Index>(0, end - kBlock);
-        largest = std::max(largest,
-            filter.add(scale.asDiagonal() * sensitivities.block(begin, end - begin)));
+        largest = std::max(
+            largest, filter.add(scale.asDiagonal() * sensitivities.block(begin, end - begin)));
     }
     // The filter's memory runs on before the record; a stable model ends it.
     for (Index before = 0; before < samples; before += kBlock) {
@@ -145,15 +198,12 @@ Eigen::MatrixXd noiseProduct(const Sensitivities &sensitivities, const Eigen::Ve
 }
 
 /// Rows of the joint covariance that belong to one record: poles, then its own.
-std::vector<Index> rowsOf(const Refinement &refinement, Index record)
+std::vector<Index> rowsOf(const Refinement &refinement, std::size_t record, Index count)
 {
     const Index n = refinement.poleParameters;
-    const Index m = n + (refinement.withConstant ? 1 : 0);
-    std::vector<Index> rows;
-    for (Index i = 0; i < n; ++i)
-        rows.push_back(i);
-    for (Index i = 0; i < m; ++i)
-        rows.push_back(n + m * record + i);
+    std::vector<Index> rows(static_cast<std::size_t>(count));
+    std::iota(rows.begin(), rows.begin() + n, Index(0));
+    std::iota(rows.begin() + n, rows.end(), refinement.offsets[record]);
     return rows;
 }
 
@@ -167,9 +217,8 @@ Eigen::MatrixXd sandwich(const std::vector<RefinementRecord> &records,
         = unit.unaryExpr([](double u) { return u > 0.0 ? 1.0 / u : 0.0; });
     Eigen::MatrixXd filling = Eigen::MatrixXd::Zero(bread.rows(), bread.cols());
     for (std::size_t r = 0; r < records.size(); ++r) {
-        const std::vector<Index> rows = rowsOf(refinement, static_cast<Index>(r));
-        const Sensitivities sensitivities(
-            refinement.records[r], 1.0 / records[r].rate_Hz, refinement.withConstant);
+        const Sensitivities sensitivities(refinement, r, records[r]);
+        const std::vector<Index> rows = rowsOf(refinement, r, sensitivities.parameters());
         filling(rows, rows) += std::pow(records[r].weight, 4)
             * noiseProduct(sensitivities, unit(rows), records[r].y.size(), models[r]);
     }
@@ -184,13 +233,14 @@ NoiseBasis allowForColour(const std::vector<RefinementRecord> &records,
 {
     NoiseBasis basis;
     const auto before = chooseAutoregressiveModels(noise, kLargestNoiseModelOrder);
-    const double lost = static_cast<double>(refinement.covariance.rows())
-        / static_cast<double>(records.size());
+    const double lost
+        = static_cast<double>(refinement.covariance.rows()) / static_cast<double>(records.size());
     std::vector<NoiseCovariance> used = noise;
     Index samples = 0;
     Index values = 0;
     for (std::size_t r = 0; r < records.size(); ++r) {
-        const Eigen::VectorXd residual = residualOf(records[r], refinement.records[r]);
+        const Eigen::VectorXd residual
+            = residualOf(records[r], refinement.records[r], refinement.nuisance[r]);
         if (exceedsNoise(residual, noise[r], before[r], lost)) {
             const double count = static_cast<double>(residual.size());
             used[r] = noiseCovariance(residual, kLargestNoiseModelOrder);
@@ -203,8 +253,7 @@ NoiseBasis allowForColour(const std::vector<RefinementRecord> &records,
     const auto models = chooseAutoregressiveModels(used, kLargestNoiseModelOrder);
     basis.order = models.front().order();
     if (basis.order == 0) {
-        basis.dof = static_cast<double>(
-            std::max<Index>(1, samples - refinement.covariance.rows()));
+        basis.dof = static_cast<double>(std::max<Index>(1, samples - refinement.covariance.rows()));
         return basis;
     }
     // The spectral density of an AR(p) model has a relative variance of 2 (p + 1)/values.
