@@ -87,24 +87,31 @@ ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<d
     return draft;
 }
 
-void refineDraft(const ModelInput &input, ModelDraft &draft, const JobControl &control)
+std::vector<RefinementRecord> refinementRecords(const ModelInput &input)
 {
-    if (!canRefine(input, discretePoles(draft.rates_rad_s, sampleInterval_s(input))))
-        return;
     std::vector<RefinementRecord> records;
-    std::vector<NoiseCovariance> noiseOfRecord;
     for (const ModelSeries &series : input.series) {
         constexpr double kNoiseFree = 1e-9; // of the record's range: keeps weights finite
         const double range = series.fullRate.maxCoeff() - series.fullRate.minCoeff();
         const double noise = std::max(series.fullRateNoiseSd, kNoiseFree * range);
         records.push_back({series.fullRate, series.fullRate_Hz, 1.0 / noise});
-        noiseOfRecord.push_back(series.fullRateNoise);
     }
+    return records;
+}
+
+void refineDraft(const ModelInput &input, ModelDraft &draft, const JobControl &control)
+{
+    if (!canRefine(input, discretePoles(draft.rates_rad_s, sampleInterval_s(input))))
+        return;
+    const std::vector<RefinementRecord> records = refinementRecords(input);
     draft.refinement
         = refinePoles(records, draft.rates_rad_s, isStepTreatment(input.treatment), control);
     if (!draft.refinement)
         return;
-    draft.noise = allowForColour(records, noiseOfRecord, *draft.refinement);
+    std::vector<NoiseCovariance> noise;
+    for (const ModelSeries &series : input.series)
+        noise.push_back(series.fullRateNoise);
+    draft.noise = allowForColour(records, noise, *draft.refinement);
     draft.rates_rad_s = draft.refinement->rates_rad_s;
     draft.series = draft.refinement->records;
 }

@@ -46,6 +46,9 @@ ExponentialSum atStart(const ModelSeries &series,
 /// brought back to time 0 and freed of the filter's gain. Rates sorted by |s|.
 ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<double>> &poles);
 
+/// What the refinement fits: the series at their own rate, weighted by their noise.
+std::vector<RefinementRecord> refinementRecords(const ModelInput &input);
+
 /// Refines poles and amplitudes on the records at their own rate from the start on, where no filter
 /// stands between onset and data. Leaves the draft alone in thesis mode, beyond order 12, for poles
 /// that do not decay, and where the refinement does not converge.

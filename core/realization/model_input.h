@@ -33,6 +33,8 @@ struct ModelSeries
     Eigen::VectorXd fullRate;
     double fullRate_Hz = 0.0;
     double fullRateNoiseSd = 0.0;
+    ShotLevel level = ShotLevel::None;
+    double step = 0.0; ///< of the shot, in the unit of its recording; 0 for the average
     NoiseCovariance fullRateNoise; ///< of the pre-trigger noise at the shot's own rate
 };
 

@@ -38,6 +38,7 @@ struct Pole
     double dampingRatio = 0.0; ///< -Re s/|s|
     double u_dampingRatio = kUnknown;
     double amplitude = 0.0; ///< |c_i| at the onset, pooled over the shots
+    double coverageFactor = kUnknown; ///< k: value +- k u is a 95 % interval of f0 and of zeta
 };
 
 /// How one series is described by the shared poles: y(t) = c0 + sum c_i e^(s_i (t - onset)).
@@ -53,6 +54,33 @@ struct SeriesFit
     Eigen::VectorXd error; ///< y - simulated
     double fit_percent = 0.0;
     double fitAttainable_percent = 0.0; ///< what the true model would score, from pre-trigger noise
+};
+
+/// The main resonance and the plateau of one shot, or of the shots of one level together, fitted to
+/// these alone: the trend with the step. Unknown where that fit does not converge.
+struct LevelPole
+{
+    std::vector<Index> shots; ///< numbers from 1
+    ShotLevel level = ShotLevel::None;
+    double step = kUnknown; ///< mean of the shots' steps, in the unit of the recording
+    double frequency_Hz = kUnknown;
+    double u_frequency_Hz = kUnknown;
+    double dampingRatio = kUnknown;
+    double u_dampingRatio = kUnknown;
+    double plateauGain = kUnknown; ///< c0, in the units of the series
+    double u_plateauGain = kUnknown;
+    double coverageFactor = kUnknown; ///< k of these u at 95 %
+};
+
+/// Test whether the shots share the model's poles, at 1 % (docs/method/model.md); of the pole on
+/// which they agree least.
+struct Homogeneity
+{
+    double frequency_Hz = 0.0;
+    double statistic = 0.0; ///< chi square
+    double dof = 0.0;
+    double probability = 1.0; ///< of so much scatter by chance, times the number of poles tested
+    bool passed = true;
 };
 
 /// The realised model of one order. Immutable; every number of the model views comes from here.
@@ -71,6 +99,12 @@ struct SensorModel
     std::optional<double> fitListing_percent; ///< thesis mode: as the listing computes it
     bool diverges = false; ///< a pole outside the unit circle makes the simulation run away
     bool refined = false;
+    /// Noise that the uncertainties rest on: "white", "AR(p)", with " of the residual" where that
+    /// exceeds the noise before the start; empty without refinement.
+    std::string uncertaintyMethod;
+    std::vector<LevelPole> perShot; ///< in shot order
+    std::vector<LevelPole> perLevel; ///< from low to high; only shots that carry a level
+    std::optional<Homogeneity> homogeneity; ///< empty with fewer than two shots fitted alone
     Findings findings; ///< ORD-001, ORD-003, MOD-001..008
 };
 

@@ -71,8 +71,9 @@ inline void addCoverageRun(const CoverageCase &test, std::uint64_t seed, PoleCov
     const double zeta = pole->dampingRatio - truth.zeta;
     sum.squaresF0 += std::pow(f0 / pole->u_frequency_Hz, 2);
     sum.squaresZeta += std::pow(zeta / pole->u_dampingRatio, 2);
-    sum.insideF0 += std::abs(f0) <= 1.96 * pole->u_frequency_Hz;
-    sum.insideZeta += std::abs(zeta) <= 1.96 * pole->u_dampingRatio;
+    sum.insideF0 += std::abs(f0) <= pole->coverageFactor * pole->u_frequency_Hz;
+    sum.insideZeta += std::abs(zeta) <= pole->coverageFactor * pole->u_dampingRatio;
+    sum.heterogeneous += model->homogeneity && !model->homogeneity->passed;
 }
 
 /// `runs` calibrations with seeds from `first` on.
