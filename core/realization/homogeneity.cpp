@@ -4,12 +4,14 @@
 #include "core/realization/homogeneity.h"
 
 #include "core/base/distributions.h"
+#include "core/base/number_text.h"
 #include "core/realization/pole_uncertainty.h"
 
 #include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 namespace dyncal {
@@ -261,6 +263,34 @@ void compareShots(
         shots.begin(), shots.end(), [](const PartFit &fit) { return fit.refinement.has_value(); });
     if (fitted > 1)
         judgeShared(shots, model);
+}
+
+Findings judgeShots(const SensorModel &model)
+{
+    if (!model.homogeneity || model.homogeneity->passed)
+        return {};
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = 0.0;
+    for (const LevelPole &shot : model.perShot) {
+        if (std::isfinite(shot.frequency_Hz)) {
+            lowest = std::min(lowest, shot.frequency_Hz);
+            highest = std::max(highest, shot.frequency_Hz);
+        }
+    }
+    const std::string probability = numberText(100.0 * model.homogeneity->probability, 2);
+    const std::string pole = numberWithUnit(model.homogeneity->frequency_Hz, "Hz", 4);
+    Message message{DYNCAL_TEXT("core",
+                        "The shots do not share the pole at %1 (homogeneity test: %2 %). Its "
+                        "uncertainty is the scatter between them; state one value per level."),
+        {pole, probability}};
+    if (highest > lowest)
+        message = {DYNCAL_TEXT("core",
+                       "The shots do not share the pole at %1 (homogeneity test: %2 %); their main "
+                       "resonances lie at %3 to %4. Its uncertainty is the scatter between them; "
+                       "state one value per level."),
+            {pole, probability, numberWithUnit(lowest, "Hz", 6), numberWithUnit(highest, "Hz", 6)}};
+    return {{"MOD-010", Severity::Caution, 0, {}, {}, std::move(message),
+        model.homogeneity->probability, kSignificance}};
 }
 
 } // namespace dyncal

@@ -15,4 +15,7 @@ namespace dyncal {
 void compareShots(const ModelInput &input, const ModelDraft &draft, SensorModel &model,
     const JobControl &control);
 
+/// MOD-010: the shots do not share the main resonance, or another pole of the sensor.
+Findings judgeShots(const SensorModel &model);
+
 } // namespace dyncal

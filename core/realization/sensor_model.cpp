@@ -94,7 +94,7 @@ void addUncertainties(const ModelDraft &draft, std::vector<Pole> &poles)
 std::string methodName(const NoiseBasis &noise)
 {
     const std::string name = noise.order == 0 ? "white" : "AR(" + std::to_string(noise.order) + ")";
-    return noise.fromResidual ? name + " of the residual" : name;
+    return noise.fromResidual && noise.order > 0 ? name + " of the residual" : name;
 }
 
 Pole makePole(std::complex<double> z, std::complex<double> s, PoleClass poleClass)
@@ -226,6 +226,8 @@ Result<SensorModel> realizeModel(const ModelInput &input, const HankelDecomposit
     model.zeros = transmissionZeros(model.stateSpace);
     model.diverges = runsAway(model, input);
     model.findings = judgeModel(model, input, decomposition, spectrum);
+    const Findings shots = judgeShots(model);
+    model.findings.insert(model.findings.end(), shots.begin(), shots.end());
     return model;
 }
 
