@@ -38,6 +38,8 @@ void addComponents(JsonRecord &root, const ResultsContext &context);
 void addModelInput(JsonRecord &root, const ResultsContext &context);
 void addRealization(JsonRecord &root, const ResultsContext &context);
 void addModel(JsonRecord &root, const ResultsContext &context);
+/// Uncertainty, shots and levels one by one; part of the section "model".
+void addShotPoles(JsonRecord &section, const ResultsContext &context);
 void addResponse(JsonRecord &root, const ResultsContext &context);
 void addBands(JsonRecord &root, const ResultsContext &context);
 void addBudget(JsonRecord &root);
