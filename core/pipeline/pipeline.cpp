@@ -7,6 +7,7 @@
 #include "core/capture/import_rules.h"
 #include "core/pipeline/model_stages.h"
 #include "core/pipeline/stage_keys.h"
+#include "core/realization/model_findings.h"
 #include "core/shock/channel_order.h"
 #include "core/shock/shock_velocity.h"
 #include "core/signal/start_detection.h"
@@ -214,13 +215,15 @@ const char *stageName(StageId stage)
 Findings CalibrationResults::findings() const
 {
     Findings all;
-    const auto add = [&all](const auto &result) {
+    const auto append = [&all](const Findings &findings) {
         const std::size_t earlier = all.size();
-        for (const Finding &finding : result ? result->findings : Findings()) {
+        for (const Finding &finding : findings) {
             if (!isTold(all, earlier, finding))
                 all.push_back(finding);
         }
     };
+    const auto add
+        = [&append](const auto &result) { append(result ? result->findings : Findings()); };
     add(captures);
     add(window);
     add(spectrum);
@@ -229,8 +232,20 @@ Findings CalibrationResults::findings() const
     add(model);
     add(shock);
     add(response);
-    add(evidence);
+    append(evidenceFindings());
     return all;
+}
+
+Findings CalibrationResults::evidenceFindings() const
+{
+    if (!evidence)
+        return {};
+    Findings findings = evidence->findings;
+    if (model) {
+        const Findings ofModel = judgeOtherShots(*model, *evidence);
+        findings.insert(findings.end(), ofModel.begin(), ofModel.end());
+    }
+    return findings;
 }
 
 PipelineOutcome runPipeline(const std::shared_ptr<const CaptureSet> &captures, const Recipe &recipe,

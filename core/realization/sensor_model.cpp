@@ -227,6 +227,7 @@ Result<SensorModel> realizeModel(const ModelInput &input, const HankelDecomposit
     else
         model.stateSpace = describeStateSpace(input, model);
     model.zeros = transmissionZeros(model.stateSpace);
+    flagPoles(model);
     model.diverges = runsAway(model, input);
     model.findings = judgeModel(model, input, decomposition, spectrum);
     return model;

@@ -60,7 +60,7 @@ Findings findingsOf(const CalibrationResults &results, StageId stage)
     case StageId::Response:
         return results.response->findings;
     case StageId::Evidence:
-        return results.evidence->findings;
+        return results.evidenceFindings();
     }
     return {};
 }

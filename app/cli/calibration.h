@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/pipeline/pipeline.h"
+
+#include <string>
+#include <vector>
+
+namespace dyncal {
+
+/// The recipe with --order put in ("" leaves it alone); checked as if it had been written there.
+Result<Recipe> withOrder(Recipe recipe, const std::string &order);
+
+/// Reads the files by the recipe, with progress on stderr.
+Result<CaptureSet> readForCalibration(const std::vector<std::string> &files, const Recipe &recipe);
+
+/// Runs the method up to `last`, with progress on stderr; stops on Ctrl-C.
+PipelineOutcome calibrate(const CaptureSet &set, const Recipe &recipe, StageId last = kLastStage);
+
+/// Reports the findings and, where they do not say it, the error that stopped the run; the exit
+/// code.
+int reportOutcome(const PipelineOutcome &outcome);
+
+} // namespace dyncal
