@@ -10,7 +10,7 @@
 namespace dyncal {
 
 /// A MAT file of version 5 with real and complex matrices of doubles, little endian, not
-/// compressed (docs/adr/0015-model-files.md). The same matrices give the same bytes.
+/// compressed (docs/adr/0012-mat-files.md). The same matrices give the same bytes.
 class MatWriter
 {
 public:

@@ -40,7 +40,7 @@ std::string headOf(Kind kind, const std::string &comment)
     return head;
 }
 
-const char *const kPythonLoad = R"(
+const char *const kPythonLoad = R"py(
 from pathlib import Path
 
 import numpy as np
@@ -66,16 +66,16 @@ def frequency_response(f):
 
 if __name__ == "__main__":
     n = m["y_model"].shape[0]
-)";
+)py";
 
-const char *const kMatlabLoad = R"(
+const char *const kMatlabLoad = R"m(
 m = load(fullfile(fileparts(mfilename('fullpath')), 'model.mat'));
 % With the Control System Toolbox: sys = ss(m.A, m.B, m.C, m.D, m.Ts);
 n = size(m.y_model, 1);
 exponentials = @(t) m.c0 + real(exp(t(:) * m.s.') * m.c);
 frequency_response = @(f) m.c0 + sum(m.c.' .* (2i * pi * f(:)) ./ (2i * pi * f(:) - m.s.'), 2);
 x = zeros(size(m.A, 1), 1);
-)";
+)m";
 
 std::string pythonCheck(Kind kind)
 {

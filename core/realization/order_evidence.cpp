@@ -21,7 +21,6 @@ namespace {
 
 constexpr Index kHighestOrder = 60;
 constexpr double kMostWork = 4e9; ///< samples x order^3 over all orders: about a second
-constexpr double kSamePole = 0.1; ///< relative distance of frequencies within which a pole is meant
 
 using Poles = std::vector<std::complex<double>>;
 
@@ -200,35 +199,6 @@ const OrderPole *mainPoleOf(const OrderEvidence &evidence, Index order)
     return main;
 }
 
-const OrderPole *nearestPole(const OrderEvidence &evidence, Index order, double frequency_Hz)
-{
-    const OrderPole *nearest = nullptr;
-    for (const OrderPole &pole : evidence.poles) {
-        if (pole.order == order && pole.stability != PoleStability::Unstable
-            && sameWithin(pole.frequency_Hz, frequency_Hz, kSamePole)
-            && (!nearest
-                || std::abs(pole.frequency_Hz - frequency_Hz)
-                    < std::abs(nearest->frequency_Hz - frequency_Hz)))
-            nearest = &pole;
-    }
-    return nearest;
-}
-
-/// Mean of one value over the poles; `spread` receives half its range.
-double meanOf(const std::vector<const OrderPole *> &poles, double OrderPole::*value, double &spread)
-{
-    double sum = 0.0;
-    double low = poles.front()->*value;
-    double high = low;
-    for (const OrderPole *pole : poles) {
-        sum += pole->*value;
-        low = std::min(low, pole->*value);
-        high = std::max(high, pole->*value);
-    }
-    spread = (high - low) / 2.0;
-    return sum / static_cast<double>(poles.size());
-}
-
 } // namespace
 
 const char *poleStabilityName(PoleStability stability)
@@ -244,35 +214,6 @@ const char *poleStabilityName(PoleStability stability)
         break;
     }
     return "unstable";
-}
-
-std::optional<OrderSpread> spreadAround(
-    const OrderEvidence &evidence, Index order, double frequency_Hz)
-{
-    const OrderPole *here = nearestPole(evidence, order, frequency_Hz);
-    if (!here)
-        return std::nullopt;
-    std::vector<const OrderPole *> chain{here};
-    const auto isStable = [](const OrderPole *p) {
-        return p && p->stability == PoleStability::FrequencyAndDamping;
-    };
-    for (const OrderPole *pole = here; isStable(pole);) {
-        pole = nearestPole(evidence, pole->order - 1, pole->frequency_Hz);
-        if (pole)
-            chain.insert(chain.begin(), pole);
-    }
-    for (const OrderPole *pole = here;;) {
-        pole = nearestPole(evidence, pole->order + 1, pole->frequency_Hz);
-        if (!isStable(pole))
-            break;
-        chain.push_back(pole);
-    }
-    OrderSpread spread;
-    spread.fromOrder = chain.front()->order;
-    spread.toOrder = chain.back()->order;
-    spread.frequency_Hz = meanOf(chain, &OrderPole::frequency_Hz, spread.frequencySpread_Hz);
-    spread.dampingRatio = meanOf(chain, &OrderPole::dampingRatio, spread.dampingSpread);
-    return spread;
 }
 
 Result<OrderEvidence> gatherOrderEvidence(const ModelInput &input,
