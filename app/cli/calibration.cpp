@@ -26,6 +26,16 @@ bool isSaid(const Error &error, const Findings &findings)
 
 } // namespace
 
+std::optional<Index> typedOrder(const std::string &text)
+{
+    constexpr double kReadable = 1e6;
+    const std::optional<double> value = parseNumber(text);
+    if (!value || !(*value >= 1.0 && *value <= kReadable))
+        return std::nullopt;
+    const auto whole = static_cast<Index>(*value);
+    return static_cast<double>(whole) == *value ? std::optional(whole) : std::nullopt;
+}
+
 Result<Recipe> withOrder(Recipe recipe, const std::string &order)
 {
     if (order.empty())
@@ -33,14 +43,12 @@ Result<Recipe> withOrder(Recipe recipe, const std::string &order)
     recipe.realization.order = {};
     if (order == "auto")
         return recipe;
-    const std::optional<double> value = parseNumber(order);
-    constexpr double kReadable = 1e6;
-    if (!value || !(*value >= 1.0 && *value <= kReadable)
-        || static_cast<double>(static_cast<Index>(*value)) != *value)
+    const std::optional<Index> value = typedOrder(order);
+    if (!value)
         return fail(ErrorKind::Usage,
             {DYNCAL_TEXT("core", "--order is \"%1\"; it needs \"auto\" or a whole number from 1."),
                 {order}});
-    recipe.realization.order = static_cast<Index>(*value);
+    recipe.realization.order = *value;
     return parseRecipe(recipeJson(recipe));
 }
 

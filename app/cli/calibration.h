@@ -10,6 +10,9 @@
 
 namespace dyncal {
 
+/// A model order as typed: a whole number from 1; empty if it is none.
+std::optional<Index> typedOrder(const std::string &text);
+
 /// The recipe with --order put in ("" leaves it alone); checked as if it had been written there.
 Result<Recipe> withOrder(Recipe recipe, const std::string &order);
 

@@ -30,14 +30,14 @@ Result<std::vector<Index>> parseOrders(const std::vector<std::string> &texts)
 {
     std::vector<Index> orders;
     for (const std::string &text : texts) {
-        const auto recipe = withOrder({}, text);
-        if (!recipe || recipe->realization.order.isAuto()) {
+        const std::optional<Index> order = typedOrder(text);
+        if (!order) {
             return fail(ErrorKind::Usage,
-                {DYNCAL_TEXT("core",
-                     "--orders holds \"%1\"; it needs whole numbers from 1 to 2000, as in 2,3,50."),
+                {DYNCAL_TEXT(
+                     "core", "--orders holds \"%1\"; it needs whole numbers from 1, as in 2,3,50."),
                     {text}});
         }
-        orders.push_back(*recipe->realization.order.value);
+        orders.push_back(*order);
     }
     return orders;
 }

@@ -146,6 +146,14 @@ private slots:
         QVERIFY(fits.front().fitted.allFinite() && fits.front().amplitudes.allFinite());
     }
 
+    void sharedFit_ofNothing_isZero()
+    {
+        const auto fits = fitSharedPoles(Eigen::MatrixXd::Ones(50, 2), {}, false);
+        QCOMPARE(fits.size(), std::size_t(2));
+        QVERIFY(fits[1].fitted == Eigen::VectorXd::Zero(50));
+        QCOMPARE(fits[1].amplitudes.size(), Index(0));
+    }
+
     void fit_equalsThatOfTheModelNotRefined()
     {
         const ModelInput input = threeShots(400, 0.01);
