@@ -58,7 +58,7 @@ Result<std::shared_ptr<const ResponseResult>> responseOf(const CalibrationResult
 {
     if (model == results.model && results.response)
         return results.response;
-    const Result<ShockConditionsSet> shock = shockOfModel(results, recipe, *model, control);
+    const Result<ShockConditionsSet> shock = shockOfModel(results, recipe, *model);
     if (!shock)
         return tl::unexpected(shock.error());
     Result<ResponseResult> response = responseStage(results, recipe, *model, *shock);
