@@ -8,6 +8,7 @@
 #include "core/pipeline/model_stages.h"
 #include "core/pipeline/nuisance_stage.h"
 #include "core/pipeline/stage_keys.h"
+#include "core/realization/model_findings.h"
 #include "core/realization/nuisance_modes.h"
 #include "core/shock/shock_velocity.h"
 
@@ -198,13 +199,15 @@ const char *stageName(StageId stage)
 Findings CalibrationResults::findings() const
 {
     Findings all;
-    const auto add = [&all](const auto &result) {
+    const auto append = [&all](const Findings &findings) {
         const std::size_t earlier = all.size();
-        for (const Finding &finding : result ? result->findings : Findings()) {
+        for (const Finding &finding : findings) {
             if (!isTold(all, earlier, finding))
                 all.push_back(finding);
         }
     };
+    const auto add
+        = [&append](const auto &result) { append(result ? result->findings : Findings()); };
     add(captures);
     add(window);
     add(spectrum);
@@ -213,9 +216,21 @@ Findings CalibrationResults::findings() const
     add(model);
     add(shock);
     add(response);
-    add(evidence);
+    append(evidenceFindings());
     add(monteCarlo);
     return all;
+}
+
+Findings CalibrationResults::evidenceFindings() const
+{
+    if (!evidence)
+        return {};
+    Findings findings = evidence->findings;
+    if (model) {
+        const Findings ofModel = judgeOtherShots(*model, *evidence);
+        findings.insert(findings.end(), ofModel.begin(), ofModel.end());
+    }
+    return findings;
 }
 
 PipelineOutcome runPipeline(const std::shared_ptr<const CaptureSet> &captures, const Recipe &recipe,

@@ -80,6 +80,9 @@ struct CalibrationResults
 
     /// Findings of all stages, in stage order.
     Findings findings() const;
+
+    /// Of the evidence stage: of all orders, and of the model's order in their light (MOD-007).
+    Findings evidenceFindings() const;
 };
 
 /// How far a run came: everything before the failing stage is there.

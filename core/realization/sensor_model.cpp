@@ -250,6 +250,7 @@ Result<SensorModel> realizeModel(const ModelInput &input, const HankelDecomposit
     else
         model.stateSpace = describeStateSpace(input, model);
     model.zeros = transmissionZeros(model.stateSpace);
+    flagPoles(model);
     model.diverges = runsAway(model, input);
     model.nuisance = nuisanceResults(input, draft, model.series);
     if (model.refined && hasCorrection(input))

@@ -32,7 +32,7 @@ struct Pole
     std::complex<double> z;
     std::complex<double> s_rad_s;
     PoleClass poleClass = PoleClass::Other;
-    std::vector<std::string> flags; ///< "near-cancelled", "below-noise", ...
+    std::vector<std::string> flags; ///< "below-noise" and those of flagPoles()
     double frequency_Hz = 0.0; ///< undamped, |s|/2pi, for real poles too
     double u_frequency_Hz = kUnknown;
     double dampingRatio = 0.0; ///< -Re s/|s|

@@ -69,7 +69,7 @@ Findings findingsOf(const CalibrationResults &results, StageId stage)
     case StageId::Response:
         return results.response->findings;
     case StageId::Evidence:
-        return results.evidence->findings;
+        return results.evidenceFindings();
     case StageId::MonteCarlo:
         return results.monteCarlo->findings;
     }
