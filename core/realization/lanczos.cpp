@@ -52,7 +52,7 @@ Index BlockLanczos::mostPairs(Index size)
 /// Basis vectors before a restart: twice what is wanted, and some that have not settled.
 Index BlockLanczos::capacity(Index count) const
 {
-    return std::min(m_A.size() - kBlock, 2 * count + 40) / kBlock * kBlock;
+    return std::min(m_A.size() - kBlock, 2 * count + 40);
 }
 
 void BlockLanczos::reserve(Index columns)
@@ -182,12 +182,13 @@ bool BlockLanczos::iterate(Index count, const JobControl &control)
         control.report(1.0
             - std::exp(-static_cast<double>(m_products) / (static_cast<double>(4 * count + 60))));
         grow();
-        if (m_dimension < nextLook && m_dimension < full)
+        const bool isFull = m_dimension + kBlock > full;
+        if (m_dimension < nextLook && !isFull)
             continue;
         decompose();
         if (convergedAmong(count) == count)
             break;
-        if (m_dimension >= full)
+        if (isFull)
             restart(keep);
         nextLook = m_dimension + (full - keep) / 2;
     }
