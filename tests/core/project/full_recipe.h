@@ -25,6 +25,7 @@ inline Recipe fullRecipe()
         .reference = "absolute",
         .skipRows = 3,
         .interpolateInvalid = 5,
+        .channelFiles = "apart",
         .levels = {"low", "high"},
         .exclude = {{2, "diaphragm leaked"}},
         .files = {{"low.csv",
@@ -45,6 +46,7 @@ inline Recipe fullRecipe()
     r.checks = {.saturationRun = 4,
         .flatCodes = 2.0,
         .leastCodes = 32.0,
+        .stepSigmas = 8.0,
         .rateMismatch_percent = 0.5,
         .readingFactor = 5.0};
     r.shock = {.enabled = false,
