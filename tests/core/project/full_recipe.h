@@ -97,6 +97,7 @@ inline Recipe fullRecipe()
     r.realization.maxOrder = 60;
     r.realization.rows = Index(499);
     r.realization.refine = false;
+    r.realization.nuisanceModes = {{{6.8e3, 6.1e3}, 2, false, "mount", "seen on the mount, too"}};
     r.response = {.frequencies_Hz = {1e3, 1e5}, .grid = "list", .reference = "unit-step"};
     r.uncertainty = {.budget = {{"t1_k", 0.3, "rectangular", 12.0}},
         .monteCarloTrials = 0,
