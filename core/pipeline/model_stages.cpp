@@ -20,11 +20,11 @@ Result<SensorModel> modelStage(
         sensorSpectrum(results, recipe), control);
 }
 
-Result<ShockConditionsSet> shockOfModel(const CalibrationResults &results, const Recipe &recipe,
-    const SensorModel &model, const JobControl &control)
+Result<ShockConditionsSet> shockOfModel(
+    const CalibrationResults &results, const Recipe &recipe, const SensorModel &model)
 {
-    return shockStage(
-        results.captures->set, *results.window, *results.spectrum, model, recipe, control);
+    return shockStage(results.captures->set, results.expected->conditions, *results.window,
+        *results.spectrum, model, recipe);
 }
 
 Result<ResponseResult> responseStage(const CalibrationResults &results, const Recipe &recipe,

@@ -9,20 +9,12 @@ namespace dyncal {
 namespace {
 
 /// Sound speed behind the reflected shock, per shot of the set where known.
-std::vector<std::optional<double>> soundSpeeds_m_s(
-    const CalibrationResults &results, const Recipe &recipe)
+std::vector<std::optional<double>> soundSpeeds_m_s(const CalibrationResults &results)
 {
-    if (results.input)
-        return results.input->soundSpeeds_m_s;
     std::vector<std::optional<double>> speeds(results.captures->set.shots.size());
-    if (!recipe.shock.enabled || recipe.realization.nuisanceModes.empty())
-        return speeds;
-    std::vector<DutArrival> arrivals;
-    for (const WindowedResponse &response : results.window->responses)
-        arrivals.push_back({response.shot, response.start_s});
-    const auto shock = estimateShockConditions(results.captures->set, arrivals, recipe.shock);
-    for (std::size_t i = 0; shock && i < speeds.size(); ++i) {
-        const ShockConditions *shot = shock->ofShot(static_cast<Index>(i) + 1);
+    for (std::size_t i = 0; i < speeds.size(); ++i) {
+        const ShockConditions *shot
+            = results.expected->conditions.ofShot(static_cast<Index>(i) + 1);
         if (shot && shot->states)
             speeds[i] = shot->states->reflected.soundSpeed_m_s;
     }
@@ -34,7 +26,7 @@ std::vector<std::optional<double>> soundSpeeds_m_s(
 SpectrumResult sensorSpectrum(const CalibrationResults &results, const Recipe &recipe)
 {
     return withoutNuisancePeaks(*results.spectrum, results.window->responses,
-        recipe.realization.nuisanceModes, soundSpeeds_m_s(results, recipe));
+        recipe.realization.nuisanceModes, soundSpeeds_m_s(results));
 }
 
 Result<ModelInput> separatedInput(
@@ -44,8 +36,8 @@ Result<ModelInput> separatedInput(
     auto input = prepareModelInput(
         responses, sensorSpectrum(results, recipe), *results.components, recipe.input, control);
     if (input)
-        separateNuisance(*input, responses, recipe.realization.nuisanceModes,
-            soundSpeeds_m_s(results, recipe), control);
+        separateNuisance(
+            *input, responses, recipe.realization.nuisanceModes, soundSpeeds_m_s(results), control);
     return input;
 }
 

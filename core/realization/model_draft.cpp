@@ -104,10 +104,15 @@ void refineDraft(const ModelInput &input, ModelDraft &draft, const JobControl &c
 {
     if (!canRefine(input, discretePoles(draft.rates_rad_s, sampleInterval_s(input))))
         return;
-    draft.refinement = refinePoles(
-        refinementRecords(input), draft.rates_rad_s, isStepTreatment(input.treatment), control);
+    const std::vector<RefinementRecord> records = refinementRecords(input);
+    draft.refinement
+        = refinePoles(records, draft.rates_rad_s, isStepTreatment(input.treatment), control);
     if (!draft.refinement)
         return;
+    std::vector<NoiseCovariance> noise;
+    for (const ModelSeries &series : input.series)
+        noise.push_back(series.fullRateNoise);
+    draft.noise = allowForColour(records, noise, *draft.refinement);
     draft.rates_rad_s = draft.refinement->rates_rad_s;
     draft.series = draft.refinement->records;
     draft.nuisance = draft.refinement->nuisance;

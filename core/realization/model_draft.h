@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/realization/coloured_covariance.h"
 #include "core/realization/exponential_sum.h"
 #include "core/realization/model_input.h"
 #include "core/realization/pole_refinement.h"
@@ -20,6 +21,7 @@ struct ModelDraft
     std::vector<ExponentialSum> series; ///< at time 0 = detected start
     std::vector<std::vector<NuisanceTerm>> nuisance; ///< per series, beside them
     std::optional<Refinement> refinement;
+    NoiseBasis noise; ///< what the refinement's covariance rests on
 };
 
 inline bool isThesisMode(const ModelInput &input)
@@ -45,7 +47,8 @@ ExponentialSum atStart(const ModelSeries &series,
 /// brought back to time 0 and freed of the filter's gain. Rates sorted by |s|.
 ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<double>> &poles);
 
-/// What the refinement fits: the series at their own rate, with their nuisance terms.
+/// What the refinement fits: the series at their own rate, weighted by their noise, with their
+/// nuisance terms.
 std::vector<RefinementRecord> refinementRecords(const ModelInput &input);
 
 /// Refines poles and amplitudes on the records at their own rate from the start on, where no filter

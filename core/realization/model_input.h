@@ -9,6 +9,7 @@
 #include "core/decomposition/principal_components.h"
 #include "core/realization/nuisance_term.h"
 #include "core/realization/realization_settings.h"
+#include "core/realization/whitening.h"
 #include "core/signal/power_spectrum.h"
 #include "core/signal/resampler.h"
 #include "core/signal/response_window.h"
@@ -34,6 +35,9 @@ struct ModelSeries
     Eigen::VectorXd fullRate;
     double fullRate_Hz = 0.0;
     double fullRateNoiseSd = 0.0;
+    ShotLevel level = ShotLevel::None;
+    double step = 0.0; ///< of the shot, in the unit of its recording; 0 for the average
+    NoiseCovariance fullRateNoise = {}; ///< of the pre-trigger noise at the shot's own rate
     double u_baseline = 0.0; ///< of the level that was subtracted
 
     /// Modes that are not the sensor's, as separateNuisance() found them; fullRate is then long

@@ -3,11 +3,13 @@
 
 #include "core/realization/sensor_model.h"
 
+#include "core/realization/homogeneity.h"
 #include "core/realization/model_draft.h"
 #include "core/realization/model_findings.h"
 #include "core/realization/nuisance_modes.h"
 #include "core/realization/nuisance_results.h"
 #include "core/realization/pole_classes.h"
+#include "core/realization/pole_uncertainty.h"
 #include "core/realization/realized_poles.h"
 #include "core/realization/series_fit.h"
 
@@ -82,27 +84,19 @@ void addUncertainties(const ModelDraft &draft, std::vector<Pole> &poles)
 {
     if (!draft.refinement)
         return;
-    const Eigen::MatrixXd &covariance = draft.refinement->covariance;
+    const double k = coverageFactor95(draft.noise.dof);
     for (std::size_t i = 0; i < poles.size(); ++i) {
-        const std::complex<double> s = poles[i].s_rad_s;
-        const double w = std::abs(s);
-        const Index at = static_cast<Index>(i);
-        if (isUpperOfPair(draft.rates_rad_s, i)) {
-            const Eigen::Vector2d frequency(s.real() / w, s.imag() / w);
-            const Eigen::Vector2d damping(
-                -s.imag() * s.imag() / (w * w * w), s.real() * s.imag() / (w * w * w));
-            const Eigen::Matrix2d block = covariance.block<2, 2>(at, at);
-            poles[i].u_frequency_Hz
-                = std::sqrt(frequency.dot(block * frequency)) / (2.0 * std::numbers::pi);
-            poles[i].u_dampingRatio = std::sqrt(damping.dot(block * damping));
-        } else if (s.imag() < 0.0) {
-            poles[i].u_frequency_Hz = poles[i - 1].u_frequency_Hz;
-            poles[i].u_dampingRatio = poles[i - 1].u_dampingRatio;
-        } else {
-            poles[i].u_frequency_Hz = std::sqrt(covariance(at, at)) / (2.0 * std::numbers::pi);
-            poles[i].u_dampingRatio = 0.0; // a real pole has damping ratio 1 by definition
-        }
+        const PoleFigures figures = poleFigures(*draft.refinement, static_cast<Index>(i));
+        poles[i].u_frequency_Hz = figures.u_frequency_Hz;
+        poles[i].u_dampingRatio = figures.u_dampingRatio;
+        poles[i].coverageFactor = k;
     }
+}
+
+std::string methodName(const NoiseBasis &noise)
+{
+    const std::string name = noise.order == 0 ? "white" : "AR(" + std::to_string(noise.order) + ")";
+    return noise.fromResidual && noise.order > 0 ? name + " of the residual" : name;
 }
 
 Pole makePole(std::complex<double> z, std::complex<double> s, PoleClass poleClass)
@@ -248,16 +242,22 @@ Result<SensorModel> realizeModel(const ModelInput &input, const HankelDecomposit
     if (isThesisMode(input))
         model.stateSpace = thesisRealization(decomposition, order, dt_s);
     describe(input, draft, stepPole, model);
+    if (model.refined)
+        model.uncertaintyMethod = methodName(draft.noise);
+    compareShots(input, draft, model, control);
     if (isThesisMode(input))
         model.fitListing_percent = listingFit(model.stateSpace, input.series.front().y);
     else
         model.stateSpace = describeStateSpace(input, model);
     model.zeros = transmissionZeros(model.stateSpace);
+    flagPoles(model);
     model.diverges = runsAway(model, input);
     model.nuisance = nuisanceResults(input, draft, model.series);
     if (model.refined && hasCorrection(input))
         model.nuisanceEffect = effectOfNuisance(input, realised, model, control);
     model.findings = judgeModel(model, input, decomposition, spectrum);
+    const Findings shots = judgeShots(model);
+    model.findings.insert(model.findings.end(), shots.begin(), shots.end());
     return model;
 }
 

@@ -98,6 +98,10 @@ inline Recipe fullRecipe()
     r.realization.rows = Index(499);
     r.realization.refine = false;
     r.realization.nuisanceModes = {{{6.8e3, 6.1e3}, 2, false, "mount", "seen on the mount, too"}};
+    r.realization.stableFrequency = 0.02;
+    r.realization.stableDamping = 0.1;
+    r.realization.candidates = {2, 3, 100};
+    r.realization.adoptedReason = "lowest order that fits";
     r.response = {.frequencies_Hz = {1e3, 1e5}, .grid = "list", .reference = "unit-step"};
     r.uncertainty = {.budget = {{"t1_k", 0.3, "rectangular", 12.0}},
         .monteCarloTrials = 0,
