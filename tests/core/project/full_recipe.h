@@ -99,6 +99,7 @@ inline Recipe fullRecipe()
     r.realization.maxOrder = 60;
     r.realization.rows = Index(499);
     r.realization.refine = false;
+    r.realization.nuisanceModes = {{{6.8e3, 6.1e3}, 2, false, "mount", "seen on the mount, too"}};
     r.realization.stableFrequency = 0.02;
     r.realization.stableDamping = 0.1;
     r.realization.candidates = {2, 3, 100};
