@@ -62,7 +62,7 @@ PipelineOutcome compute(const Recipe &recipe, const CaptureSet &set)
 {
     ProgressLine progress("Computing");
     ResultCache cache;
-    return runPipeline(std::make_shared<CaptureSet>(set), recipe, cache, StageId::Response,
+    return runPipeline(std::make_shared<CaptureSet>(set), recipe, cache, kLastStage,
         {interruptToken(), progress.sink()});
 }
 

@@ -5,7 +5,7 @@
 
 #include "core/capture/capture_check.h"
 #include "core/capture/import_rules.h"
-#include "core/pipeline/shock_stage.h"
+#include "core/pipeline/model_stages.h"
 #include "core/pipeline/stage_keys.h"
 #include "core/shock/channel_order.h"
 #include "core/shock/shock_velocity.h"
@@ -151,20 +151,14 @@ void runStages(const CaptureSet &captures, const Recipe &recipe, Run &run, Calib
         .stage(StageId::Decomposition, &R::decomposition,
             [&] { return decompose(*r.input, recipe.realization, control); })
         .stage(StageId::Model, &R::model,
-            [&] {
-                const Index order
-                    = recipe.realization.order.value.value_or(r.decomposition->suggestion.order);
-                return realizeModel(*r.input, r.decomposition->hankel, order, recipe.realization,
-                    *r.spectrum, control);
-            })
-        .stage(StageId::Shock, &R::shock,
-            [&] {
-                return shockStage(
-                    r.captures->set, *r.window, *r.spectrum, *r.model, recipe, control);
-            })
-        .stage(StageId::Response, &R::response, [&] {
-            return computeResponse(
-                r.window->responses, *r.input, *r.model, *r.shock, recipe.response);
+            [&] { return modelStage(r, recipe, orderOf(r, recipe), control); })
+        .stage(
+            StageId::Shock, &R::shock, [&] { return shockOfModel(r, recipe, *r.model, control); })
+        .stage(StageId::Response, &R::response,
+            [&] { return responseStage(r, recipe, *r.model, *r.shock); })
+        .stage(StageId::Evidence, &R::evidence, [&] {
+            return gatherOrderEvidence(*r.input, r.decomposition->hankel,
+                r.decomposition->suggestion, recipe.realization, control);
         });
 }
 
@@ -211,6 +205,8 @@ const char *stageName(StageId stage)
         return "shock";
     case StageId::Response:
         return "response";
+    case StageId::Evidence:
+        return "evidence";
     }
     return "";
 }
@@ -233,6 +229,7 @@ Findings CalibrationResults::findings() const
     add(model);
     add(shock);
     add(response);
+    add(evidence);
     return all;
 }
 

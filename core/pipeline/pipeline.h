@@ -12,6 +12,7 @@
 #include "core/project/recipe.h"
 #include "core/realization/hankel_decomposition.h"
 #include "core/realization/model_input.h"
+#include "core/realization/order_evidence.h"
 #include "core/realization/sensor_model.h"
 #include "core/shock/shock_conditions.h"
 #include "core/signal/power_spectrum.h"
@@ -34,8 +35,10 @@ enum class StageId {
     Model, ///< poles, fit
     Shock, ///< velocity, states, pressure step
     Response, ///< frequency response, characteristics, sensitivity
+    Evidence, ///< what all orders say; last, so that no result waits for it
 };
-inline constexpr int kStageCount = 9;
+inline constexpr int kStageCount = 10;
+inline constexpr StageId kLastStage = StageId::Evidence;
 
 const char *stageName(StageId stage);
 
@@ -64,6 +67,7 @@ struct CalibrationResults
     std::shared_ptr<const SensorModel> model;
     std::shared_ptr<const ShockConditionsSet> shock;
     std::shared_ptr<const ResponseResult> response;
+    std::shared_ptr<const OrderEvidence> evidence; ///< of the decomposition, not of one order
     std::array<std::string, kStageCount> keys; ///< hash of what each result was computed from
 
     /// Findings of all stages, in stage order.
@@ -82,6 +86,6 @@ struct PipelineOutcome
 /// command line both call this, so their numbers are the same. Results whose inputs have not
 /// changed come from the cache. Never throws; a lack of memory is an Error of kind Internal.
 PipelineOutcome runPipeline(const std::shared_ptr<const CaptureSet> &captures, const Recipe &recipe,
-    ResultCache &cache, StageId last = StageId::Response, const JobControl &control = {});
+    ResultCache &cache, StageId last = kLastStage, const JobControl &control = {});
 
 } // namespace dyncal

@@ -80,9 +80,8 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
         part.input = recipe.input;
         break;
     case StageId::Decomposition:
-        part.realization = recipe.realization;
-        part.realization.order = {};
-        part.realization.refine = true;
+        part.realization.maxOrder = recipe.realization.maxOrder;
+        part.realization.rows = recipe.realization.rows;
         break;
     case StageId::Model:
         part.realization.order = recipe.realization.order;
@@ -93,6 +92,10 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
         break;
     case StageId::Response:
         part.response = recipe.response;
+        break;
+    case StageId::Evidence:
+        part.realization.stableFrequency = recipe.realization.stableFrequency;
+        part.realization.stableDamping = recipe.realization.stableDamping;
         break;
     }
     return recipeJson(part);
@@ -106,6 +109,8 @@ std::array<std::string, kStageCount> stageKeys(const CaptureSet &captures, const
     std::string before = identityOf(captures);
     for (int i = 0; i < kStageCount; ++i) {
         const StageId stage = static_cast<StageId>(i);
+        if (stage == StageId::Evidence) // serves every order: model and response do not count
+            before = keys[static_cast<std::size_t>(StageId::Decomposition)];
         before = sha256Hex(before + stageName(stage) + sectionsOf(stage, recipe));
         keys[static_cast<std::size_t>(i)] = before;
     }

@@ -143,6 +143,10 @@ Codec<RealizationSettings> realizationCodec()
         field("max_order", &S::maxOrder, whole(1, kMostOrders)),
         field("rows", &S::rows, orAuto(whole(2, kMostSamples))),
         field("refine", &S::refine, boolean()),
+        field("stable_frequency", &S::stableFrequency, number(0.0, 1.0, Bound::Exclusive)),
+        field("stable_damping", &S::stableDamping, number(0.0, 1.0, Bound::Exclusive)),
+        field("candidates", &S::candidates, list(whole(1, kMostOrders))),
+        field("adopted_reason", &S::adoptedReason, anyText()),
     });
 }
 

@@ -58,6 +58,21 @@ std::vector<std::complex<double>> discretePoles(
     return poles;
 }
 
+ExponentialSum atStart(const ModelSeries &series,
+    const std::vector<std::complex<double>> &rates_rad_s, const AmplitudeFit &fit)
+{
+    ExponentialSum sum;
+    sum.constant = fit.constant;
+    sum.rates_rad_s = Eigen::Map<const Eigen::VectorXcd>(
+        rates_rad_s.data(), static_cast<Index>(rates_rad_s.size()));
+    sum.amplitudes = fit.amplitudes;
+    for (Index i = 0; i < sum.amplitudes.size(); ++i) {
+        const std::complex<double> s = sum.rates_rad_s[i];
+        sum.amplitudes[i] *= std::exp(-s * series.first_s) / series.filter.gain(s);
+    }
+    return sum;
+}
+
 ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<double>> &poles)
 {
     ModelDraft draft;
@@ -66,17 +81,8 @@ ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<d
     sortByFrequency(draft.rates_rad_s);
     const auto sorted = discretePoles(draft.rates_rad_s, sampleInterval_s(input));
     for (const ModelSeries &series : input.series) {
-        const AmplitudeFit fit = fitAmplitudes(series.y, sorted, isStepTreatment(input.treatment));
-        ExponentialSum sum;
-        sum.constant = fit.constant;
-        sum.rates_rad_s = Eigen::Map<const Eigen::VectorXcd>(
-            draft.rates_rad_s.data(), static_cast<Index>(draft.rates_rad_s.size()));
-        sum.amplitudes = fit.amplitudes;
-        for (Index i = 0; i < sum.amplitudes.size(); ++i) {
-            const std::complex<double> s = sum.rates_rad_s[i];
-            sum.amplitudes[i] *= std::exp(-s * series.first_s) / series.filter.gain(s);
-        }
-        draft.series.push_back(std::move(sum));
+        draft.series.push_back(atStart(series, draft.rates_rad_s,
+            fitAmplitudes(series.y, sorted, isStepTreatment(input.treatment))));
     }
     return draft;
 }

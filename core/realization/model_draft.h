@@ -36,6 +36,10 @@ std::complex<double> rateOf(std::complex<double> z, double dt_s);
 std::vector<std::complex<double>> discretePoles(
     const std::vector<std::complex<double>> &rates_rad_s, double dt_s);
 
+/// What was fitted to a series' samples, brought back to time 0 and freed of the filter's gain.
+ExponentialSum atStart(const ModelSeries &series,
+    const std::vector<std::complex<double>> &rates_rad_s, const AmplitudeFit &fit);
+
 /// Amplitudes by least squares at the model rate for the poles given (z plane, without the step's),
 /// brought back to time 0 and freed of the filter's gain. Rates sorted by |s|.
 ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<double>> &poles);

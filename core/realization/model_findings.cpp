@@ -30,8 +30,7 @@ void judgeOrder(const SensorModel &model, const HankelDecomposition &decompositi
     const Index n = model.order;
     const Eigen::VectorXd &sigma = decomposition.singularValues;
     const double floor = decomposition.noiseFloor_p95;
-    if (n < sigma.size() && sigma[n] > 0.0 && sigma[n] > floor
-        && sigma[n - 1] / sigma[n] < kPairRatio) {
+    if (splitsPair(decomposition, n)) {
         out.push_back(about("ORD-001", Severity::Caution,
             {DYNCAL_TEXT("core",
                  "Order %1 splits an oscillating pair (singular values %1 and %2 are %3 and %4). "
@@ -164,6 +163,14 @@ void judgeOnset(const SensorModel &model, const ModelInput &input, Findings &out
 }
 
 } // namespace
+
+bool splitsPair(const HankelDecomposition &decomposition, Index order)
+{
+    const Eigen::VectorXd &sigma = decomposition.singularValues;
+    return order >= 1 && order < sigma.size() && sigma[order] > 0.0
+        && sigma[order] > decomposition.noiseFloor_p95
+        && sigma[order - 1] / sigma[order] < kPairRatio;
+}
 
 Findings judgeModel(const SensorModel &model, const ModelInput &input,
     const HankelDecomposition &decomposition, const SpectrumResult &spectrum)

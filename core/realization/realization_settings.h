@@ -6,6 +6,9 @@
 #include "core/base/auto_value.h"
 #include "core/base/index.h"
 
+#include <string>
+#include <vector>
+
 namespace dyncal {
 
 /// Recipe section "realization".
@@ -15,6 +18,10 @@ struct RealizationSettings
     Index maxOrder = 120; ///< singular values and orders offered at most
     Auto<Index> rows; ///< block rows r of the Hankel matrix; auto = floor(N/2) - 1
     bool refine = true; ///< nonlinear least squares on the poles after the realisation
+    double stableFrequency = 0.01; ///< largest relative change of a stable pole's frequency
+    double stableDamping = 0.05; ///< largest relative change of its damping ratio
+    std::vector<Index> candidates; ///< orders pinned for comparison; no result depends on them
+    std::string adoptedReason; ///< why this order was adopted; printed, not computed with
 
     bool operator==(const RealizationSettings &) const = default;
 };

@@ -217,7 +217,15 @@ void Session::startComputation()
             if (!first.error)
                 JobRunner::post(this, control.stop, [=, this] { takePart(first.results, focus); });
         }
-        return pipeline(captures, recipe, *cache, StageId::Response, control);
+        const PipelineOutcome response
+            = pipeline(captures, recipe, *cache, StageId::Response, control);
+        const auto &evidence = response.results.keys[static_cast<std::size_t>(StageId::Evidence)];
+        if (response.error)
+            return response;
+        if (!cache->find<OrderEvidence>(evidence))
+            JobRunner::post(
+                this, control.stop, [=, this] { takePart(response.results, StageId::Response); });
+        return pipeline(captures, recipe, *cache, StageId::Evidence, control);
     };
     const auto deliver = [this](Result<PipelineOutcome> outcome) {
         if (!outcome)
@@ -259,6 +267,7 @@ void Session::takePart(const CalibrationResults &part, StageId upTo)
     keep(merged.model, old.model);
     keep(merged.shock, old.shock);
     keep(merged.response, old.response);
+    keep(merged.evidence, old.evidence);
     m_run.results = std::move(merged);
     if (!m_start.isActive())
         m_run.firstStale = std::max(m_run.firstStale, static_cast<int>(upTo) + 1);

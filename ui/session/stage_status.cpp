@@ -30,6 +30,8 @@ bool hasResult(const CalibrationResults &results, StageId stage)
         return results.shock != nullptr;
     case StageId::Response:
         return results.response != nullptr;
+    case StageId::Evidence:
+        return results.evidence != nullptr;
     }
     return false;
 }
@@ -57,6 +59,8 @@ Findings findingsOf(const CalibrationResults &results, StageId stage)
         return results.shock->findings;
     case StageId::Response:
         return results.response->findings;
+    case StageId::Evidence:
+        return results.evidence->findings;
     }
     return {};
 }

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/pipeline/model_stages.h"
+
+#include "core/pipeline/shock_stage.h"
+
+namespace dyncal {
+
+Index orderOf(const CalibrationResults &results, const Recipe &recipe)
+{
+    return recipe.realization.order.value.value_or(results.decomposition->suggestion.order);
+}
+
+Result<SensorModel> modelStage(
+    const CalibrationResults &results, const Recipe &recipe, Index order, const JobControl &control)
+{
+    return realizeModel(*results.input, results.decomposition->hankel, order, recipe.realization,
+        *results.spectrum, control);
+}
+
+Result<ShockConditionsSet> shockOfModel(const CalibrationResults &results, const Recipe &recipe,
+    const SensorModel &model, const JobControl &control)
+{
+    return shockStage(
+        results.captures->set, *results.window, *results.spectrum, model, recipe, control);
+}
+
+Result<ResponseResult> responseStage(const CalibrationResults &results, const Recipe &recipe,
+    const SensorModel &model, const ShockConditionsSet &shock)
+{
+    return computeResponse(
+        results.window->responses, *results.input, model, shock, recipe.response);
+}
+
+} // namespace dyncal
