@@ -82,8 +82,7 @@ Eigen::VectorXd simulate(const ModelSeries &series, const ExponentialSum &sum, d
         const std::complex<double> s = sum.rates_rad_s[i];
         const std::complex<double> first
             = sum.amplitudes[i] * series.filter.gain(s) * std::exp(s * series.first_s);
-        for (Index k = 0; k < y.size(); ++k)
-            y[k] += (first * std::exp(s * (static_cast<double>(k) * dt_s))).real();
+        y += exponentials(s * dt_s, y.size()) * Eigen::Vector2d(first.real(), -first.imag());
     }
     return y;
 }
