@@ -18,16 +18,18 @@ namespace {
 constexpr std::size_t kMostOrders = 50;
 constexpr Index kReferenceOrder = 100; ///< the thesis's high order
 constexpr Index kWhitenessLags = 20;
-constexpr Index kNoiseModelOrder = 4; ///< as for BIC (docs/method/order.md)
 
-/// The smallest p value of the series, times their number: what is left of each is made white by
-/// its own noise, so that coloured noise is no fault of the model.
+/// What is left of each series is made white by its own noise, so that coloured noise is no fault
+/// of the model. Of several series: how probable a smallest p value as small as theirs is.
 double whitenessOf(const ModelInput &input, const SensorModel &model)
 {
+    std::vector<NoiseCovariance> noise;
+    for (const ModelSeries &series : input.series)
+        noise.push_back(noiseCovariance(series.noise, kLargestNoiseModel));
+    const auto noiseModels = chooseAutoregressiveModels(noise, kLargestNoiseModel);
     double smallest = kUnknown;
     for (std::size_t r = 0; r < model.series.size() && !model.diverges; ++r) {
-        const Eigen::VectorXd left = whitened(
-            model.series[r].error, autoregressiveModel(input.series[r].noise, kNoiseModelOrder));
+        const Eigen::VectorXd left = whitened(model.series[r].error, noiseModels[r].coefficients);
         const Index lags = std::min(kWhitenessLags, left.size() / 4);
         if (lags < 1)
             continue;
@@ -35,7 +37,7 @@ double whitenessOf(const ModelInput &input, const SensorModel &model)
             autocovariance((left.array() - left.mean()).matrix(), lags), left.size(), lags);
         smallest = std::isnan(smallest) ? p : std::min(smallest, p);
     }
-    return std::min(1.0, smallest * static_cast<double>(model.series.size()));
+    return -std::expm1(static_cast<double>(model.series.size()) * std::log1p(-smallest));
 }
 
 /// The model a run has made already, or a new one.
@@ -56,7 +58,7 @@ Result<std::shared_ptr<const ResponseResult>> responseOf(const CalibrationResult
 {
     if (model == results.model && results.response)
         return results.response;
-    const Result<ShockConditionsSet> shock = shockOfModel(results, recipe, *model, control);
+    const Result<ShockConditionsSet> shock = shockOfModel(results, recipe, *model);
     if (!shock)
         return tl::unexpected(shock.error());
     Result<ResponseResult> response = responseStage(results, recipe, *model, *shock);

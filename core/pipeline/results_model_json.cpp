@@ -23,6 +23,7 @@ Json poleJson(const Pole &pole)
     record.number("u_frequency_hz", pole.u_frequency_Hz, kNoUncertainty);
     record.number("damping_ratio", pole.dampingRatio, noFrequency);
     record.number("u_damping_ratio", pole.u_dampingRatio, kNoUncertainty);
+    record.number("coverage_factor", pole.coverageFactor, kNoUncertainty);
     record.number("amplitude", pole.amplitude, "The amplitude could not be fitted.");
     return record.take();
 }
@@ -111,6 +112,7 @@ void addModel(JsonRecord &root, const ResultsContext &context)
     addFits(section, *model);
     section.number("plateau_gain", model->plateauGain, "The plateau could not be fitted.");
     section.text("gain_unit", gainUnit(context), "The recordings state no unit.");
+    addShotPoles(section, context);
     root.set("model", section.take());
 }
 

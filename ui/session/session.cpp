@@ -85,6 +85,8 @@ Findings Session::findings() const
         results.response = nullptr;
     if (!isOfThisRun(StageId::Evidence))
         results.evidence = nullptr;
+    if (!isOfThisRun(StageId::MonteCarlo))
+        results.monteCarlo = nullptr;
     Findings all = allFindings({results, m_run.error, m_run.failedStage});
     // The list of results.json leaves out errors that are not of the catalogue; people see them.
     if (m_run.error && m_run.error->findingId.empty()
@@ -240,7 +242,7 @@ void Session::startComputation()
     }
     m_rest.stop();
     m_isRest = false;
-    const StageId focus = m_focusOfRun = m_focus;
+    const StageId focus = m_focusOfRun = std::min(m_focus, StageId::Response);
     const auto job = [pipeline = m_pipeline, cache = m_cache, captures = m_state.captures,
                          recipe = m_state.recipe, focus](const JobControl &control) {
         return Result<PipelineOutcome>(pipeline(captures, recipe, *cache, focus, control));
@@ -248,7 +250,7 @@ void Session::startComputation()
     const auto deliver = [this, focus](Result<PipelineOutcome> outcome) {
         if (!outcome)
             outcome = PipelineOutcome{{}, outcome.error(), StageId::Captures};
-        if (focus == kLastStage || outcome->error)
+        if (outcome->error)
             take(*outcome);
         else
             takePart(outcome->results, focus);
@@ -263,15 +265,17 @@ void Session::startRest()
     const auto job = [this, pipeline = m_pipeline, cache = m_cache, captures = m_state.captures,
                          recipe = m_state.recipe, focus = m_focusOfRun](
                          const JobControl &control) -> Result<PipelineOutcome> {
-        const PipelineOutcome response
-            = pipeline(captures, recipe, *cache, StageId::Response, control);
-        if (response.error)
-            return response;
-        const auto &evidence = response.results.keys[static_cast<std::size_t>(StageId::Evidence)];
-        if (focus < StageId::Response && !cache->find<OrderEvidence>(evidence))
-            JobRunner::post(
-                this, control.stop, [=, this] { takePart(response.results, StageId::Response); });
-        return pipeline(captures, recipe, *cache, StageId::Evidence, control);
+        for (const StageId upTo : {StageId::Response, StageId::Evidence}) {
+            if (upTo == focus)
+                continue;
+            const PipelineOutcome part = pipeline(captures, recipe, *cache, upTo, control);
+            if (part.error)
+                return part;
+            const auto &next = part.results.keys[static_cast<std::size_t>(upTo) + 1];
+            if (!cache->find<void>(next)) // else it is here at once
+                JobRunner::post(this, control.stop, [=, this] { takePart(part.results, upTo); });
+        }
+        return pipeline(captures, recipe, *cache, kLastStage, control);
     };
     const auto deliver = [this](Result<PipelineOutcome> outcome) {
         if (!outcome)
@@ -320,6 +324,8 @@ void Session::takePart(const CalibrationResults &part, StageId upTo)
         if (!now)
             now = before;
     };
+    keep(merged.starts, old.starts);
+    keep(merged.expected, old.expected);
     keep(merged.window, old.window);
     keep(merged.spectrum, old.spectrum);
     keep(merged.components, old.components);
@@ -329,6 +335,7 @@ void Session::takePart(const CalibrationResults &part, StageId upTo)
     keep(merged.shock, old.shock);
     keep(merged.response, old.response);
     keep(merged.evidence, old.evidence);
+    keep(merged.monteCarlo, old.monteCarlo);
     m_run.results = std::move(merged);
     if (!newerWaits)
         m_run.firstStale = std::max(m_run.firstStale, static_cast<int>(upTo) + 1);
