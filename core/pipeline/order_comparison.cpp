@@ -53,8 +53,7 @@ Result<std::shared_ptr<const SensorModel>> modelOf(
 }
 
 Result<std::shared_ptr<const ResponseResult>> responseOf(const CalibrationResults &results,
-    const Recipe &recipe, const std::shared_ptr<const SensorModel> &model,
-    const JobControl &control)
+    const Recipe &recipe, const std::shared_ptr<const SensorModel> &model)
 {
     if (model == results.model && results.response)
         return results.response;
@@ -82,7 +81,7 @@ ComparedOrder compareOne(
     }
     compared.model = std::move(*model);
     compared.whiteness_p = whitenessOf(*results.input, *compared.model);
-    auto response = responseOf(results, recipe, compared.model, control);
+    auto response = responseOf(results, recipe, compared.model);
     if (response)
         compared.response = std::move(*response);
     else

@@ -68,6 +68,7 @@ struct OneOrder
 {
     std::vector<OrderPole> poles;
     double fit_percent = kUnknown;
+    bool diverges = false;
     Index unstable = 0;
     Index nyquist = 0;
 };
@@ -89,12 +90,11 @@ public:
     OneOrder order(Index n) const
     {
         OneOrder result;
-        Poles poles = sensorPoles(n, result);
-        const bool diverges = dropRunaways(poles, m_input.samples);
+        const Poles poles = fittedPoles(n, result);
         const auto fits = fitSharedPoles(m_records, poles, isStepTreatment(m_input.treatment));
-        if (!diverges)
+        if (!result.diverges)
             result.fit_percent = fitPercent(errorSquares(fits, n), m_spread);
-        addSizes(poles, fits, result.poles);
+        describe(n, poles, fits, result.poles);
         std::stable_sort(result.poles.begin(), result.poles.end(),
             [](const OrderPole &a, const OrderPole &b) { return a.frequency_Hz < b.frequency_Hz; });
         return result;
@@ -113,8 +113,9 @@ public:
     }
 
 private:
-    /// All but the step's own pole (thesis mode), counted and the oscillating ones described.
-    Poles sensorPoles(Index n, OneOrder &result) const
+    /// All but the step's own pole (thesis mode), counted. Those with which the order diverges are
+    /// described here, without a size, and left out.
+    Poles fittedPoles(Index n, OneOrder &result) const
     {
         const Poles all = realizedPoles(m_decomposition, n);
         const auto classes
@@ -123,11 +124,13 @@ private:
         for (std::size_t i = 0; i < all.size(); ++i) {
             if (classes[i] == PoleClass::Step)
                 continue;
-            poles.push_back(all[i]);
             result.unstable += classes[i] == PoleClass::Unstable;
             result.nyquist += classes[i] == PoleClass::Nyquist;
-            if (all[i].imag() > 0.0)
+            if (!isRunaway(all[i], m_input.samples))
+                poles.push_back(all[i]);
+            else if (all[i].imag() > 0.0)
                 result.poles.push_back(describePole(all[i], n, sampleInterval_s(m_input)));
+            result.diverges = result.diverges || isRunaway(all[i], m_input.samples);
         }
         return poles;
     }
@@ -147,24 +150,22 @@ private:
         return sum;
     }
 
-    void addSizes(const Poles &poles, const std::vector<AmplitudeFit> &fits,
+    void describe(Index order, const Poles &poles, const std::vector<AmplitudeFit> &fits,
         std::vector<OrderPole> &described) const
     {
+        const double dt_s = sampleInterval_s(m_input);
         ModelDraft draft;
         for (const std::complex<double> &z : poles)
-            draft.rates_rad_s.push_back(rateOf(z, sampleInterval_s(m_input)));
+            draft.rates_rad_s.push_back(rateOf(z, dt_s));
         for (std::size_t r = 0; r < fits.size(); ++r)
             draft.series.push_back(atStart(m_input.series[r], draft.rates_rad_s, fits[r]));
         const std::vector<bool> standsOut = standingOut(m_input, draft);
-        std::size_t at = 0; // runaways were dropped from `poles`, not from `described`
         for (std::size_t i = 0; i < poles.size(); ++i) {
-            if (poles[i].imag() <= 0.0)
+            if (!isUpperOfPair(poles, i))
                 continue;
-            const double frequency_Hz = std::abs(draft.rates_rad_s[i]) / (2.0 * std::numbers::pi);
-            while (described[at].frequency_Hz != frequency_Hz)
-                ++at;
-            described[at].standsOut = standsOut[i];
-            described[at].amplitude = relativeSize(fits, static_cast<Index>(i));
+            described.push_back(describePole(poles[i], order, dt_s));
+            described.back().standsOut = standsOut[i];
+            described.back().amplitude = relativeSize(fits, static_cast<Index>(i));
         }
     }
 

@@ -74,9 +74,7 @@ bool runsAway(const SensorModel &model, const ModelInput &input)
             return true;
     }
     return std::any_of(model.poles.begin(), model.poles.end(), [&](const Pole &pole) {
-        return pole.poleClass == PoleClass::Unstable
-            && static_cast<double>(input.samples) * std::log(std::abs(pole.z))
-            > std::log(kTooLarge);
+        return pole.poleClass == PoleClass::Unstable && isRunaway(pole.z, input.samples);
     });
 }
 

@@ -91,72 +91,73 @@ struct NuisanceEffect
     };
     Side before;
     Side after;
-    /// The main resonance and the plateau of one shot, or of the shots of one level together,
-    /// fitted to these alone: the trend with the step. Unknown where that fit does not converge.
-    struct LevelPole
-    {
-        std::vector<Index> shots; ///< numbers from 1
-        ShotLevel level = ShotLevel::None;
-        double step = kUnknown; ///< mean of the shots' steps, in the unit of the recording
-        double frequency_Hz = kUnknown;
-        double u_frequency_Hz = kUnknown;
-        double dampingRatio = kUnknown;
-        double u_dampingRatio = kUnknown;
-        double plateauGain = kUnknown; ///< c0, in the units of the series
-        double u_plateauGain = kUnknown;
-        double coverageFactor = kUnknown; ///< k of these u at 95 %
-    };
+};
 
-    /// Test whether the shots share the model's poles, at 1 % (docs/method/model.md); of the pole
-    /// on which they agree least.
-    struct Homogeneity
-    {
-        double frequency_Hz = 0.0;
-        double statistic = 0.0; ///< chi square
-        double dof = 0.0;
-        double probability
-            = 1.0; ///< of so much scatter by chance, times the number of poles tested
-        bool passed = true;
-    };
+/// The main resonance and the plateau of one shot, or of the shots of one level together,
+/// fitted to these alone: the trend with the step. Unknown where that fit does not converge.
+struct LevelPole
+{
+    std::vector<Index> shots; ///< numbers from 1
+    ShotLevel level = ShotLevel::None;
+    double step = kUnknown; ///< mean of the shots' steps, in the unit of the recording
+    double frequency_Hz = kUnknown;
+    double u_frequency_Hz = kUnknown;
+    double dampingRatio = kUnknown;
+    double u_dampingRatio = kUnknown;
+    double plateauGain = kUnknown; ///< c0, in the units of the series
+    double u_plateauGain = kUnknown;
+    double coverageFactor = kUnknown; ///< k of these u at 95 %
+};
 
-    /// The realised model of one order. Immutable; every number of the model views comes from here.
-    struct SensorModel
-    {
-        Index order = 0;
-        StateSpaceModel stateSpace;
-        std::vector<Pole> poles; ///< by frequency, upper half first; the step's own pole last
-        std::vector<std::complex<double>> zeros;
-        std::vector<SeriesFit> series;
-        double plateauGain = 0.0; ///< pooled c0
-        Eigen::VectorXcd
-            amplitudes; ///< pooled c_i at the onset, order of `poles` without the step pole
-        double fit_percent = 0.0; ///< aligned, pooled over the shots
-        double fitAttainable_percent = 0.0;
-        std::optional<double> fitListing_percent; ///< thesis mode: as the listing computes it
-        bool diverges = false; ///< a pole outside the unit circle makes the simulation run away
-        bool refined = false;
-        std::vector<NuisanceResult> nuisance; ///< left out of everything above but `simulated`
-        std::optional<NuisanceEffect> nuisanceEffect; ///< where both sides could be refined
-        /// Noise that the uncertainties rest on: "white", "AR(p)", with " of the residual" where
-        /// that exceeds the noise before the start; empty without refinement.
-        std::string uncertaintyMethod;
-        std::vector<LevelPole> perShot; ///< in shot order
-        std::vector<LevelPole> perLevel; ///< from low to high; only shots that carry a level
-        std::optional<Homogeneity> homogeneity; ///< empty with fewer than two shots fitted alone
-        Findings findings; ///< ORD-001, ORD-003, MOD-001..008
-    };
+/// Test whether the shots share the model's poles, at 1 % (docs/method/model.md); of the pole
+/// on which they agree least.
+struct Homogeneity
+{
+    double frequency_Hz = 0.0;
+    double statistic = 0.0; ///< chi square
+    double dof = 0.0;
+    double probability = 1.0; ///< of so much scatter by chance, times the number of poles tested
+    bool passed = true;
+};
 
-    /// The sensor's main resonance, which results and certificate speak of as f0 and zeta: the
-    /// oscillating sensor pole (upper half) whose ringing holds most energy, |c|^2 / |Re s| (the
-    /// largest amplitude would be a well-damped spurious pole at high orders); null if nothing
-    /// oscillates.
-    const Pole *mainPole(const SensorModel &model);
+/// The realised model of one order. Immutable; every number of the model views comes from here.
+struct SensorModel
+{
+    Index order = 0;
+    StateSpaceModel stateSpace;
+    std::vector<Pole> poles; ///< by frequency, upper half first; the step's own pole last
+    std::vector<std::complex<double>> zeros;
+    std::vector<SeriesFit> series;
+    double plateauGain = 0.0; ///< pooled c0
+    Eigen::VectorXcd
+        amplitudes; ///< pooled c_i at the onset, order of `poles` without the step pole
+    double fit_percent = 0.0; ///< aligned, pooled over the shots
+    double fitAttainable_percent = 0.0;
+    std::optional<double> fitListing_percent; ///< thesis mode: as the listing computes it
+    bool diverges = false; ///< a pole outside the unit circle makes the simulation run away
+    bool refined = false;
+    std::vector<NuisanceResult> nuisance; ///< left out of everything above but `simulated`
+    std::optional<NuisanceEffect> nuisanceEffect; ///< where both sides could be refined
+    /// Noise that the uncertainties rest on: "white", "AR(p)", with " of the residual" where
+    /// that exceeds the noise before the start; empty without refinement.
+    std::string uncertaintyMethod;
+    std::vector<LevelPole> perShot; ///< in shot order
+    std::vector<LevelPole> perLevel; ///< from low to high; only shots that carry a level
+    std::optional<Homogeneity> homogeneity; ///< empty with fewer than two shots fitted alone
+    Findings findings; ///< ORD-001, ORD-003, MOD-001..008
+};
 
-    /// Realises the model of one order from the decomposition (eq 3.22 or shift invariance, least
-    /// squares amplitudes, optional refinement). Fails (Usage) if order < 1 or larger than the data
-    /// allow, naming the largest.
-    Result<SensorModel> realizeModel(const ModelInput &input,
-        const HankelDecomposition &decomposition, Index order, const RealizationSettings &settings,
-        const SpectrumResult &spectrum, const JobControl &control = {});
+/// The sensor's main resonance, which results and certificate speak of as f0 and zeta: the
+/// oscillating sensor pole (upper half) whose ringing holds most energy, |c|^2 / |Re s| (the
+/// largest amplitude would be a well-damped spurious pole at high orders); null if nothing
+/// oscillates.
+const Pole *mainPole(const SensorModel &model);
+
+/// Realises the model of one order from the decomposition (eq 3.22 or shift invariance, least
+/// squares amplitudes, optional refinement). Fails (Usage) if order < 1 or larger than the data
+/// allow, naming the largest.
+Result<SensorModel> realizeModel(const ModelInput &input, const HankelDecomposition &decomposition,
+    Index order, const RealizationSettings &settings, const SpectrumResult &spectrum,
+    const JobControl &control = {});
 
 } // namespace dyncal

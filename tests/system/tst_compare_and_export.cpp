@@ -3,6 +3,7 @@
 
 #include "tests/system/dyncal_process.h"
 
+#include <QCryptographicHash>
 #include <QDir>
 #include <QJsonArray>
 #include <QTemporaryDir>
@@ -153,6 +154,22 @@ private slots:
         for (const QString &name : names)
             QCOMPARE(fileBytes(out + "/" + name), fileBytes(run + "/model/" + name));
         QCOMPARE(answer.out.trimmed().split('\n').size(), names.size());
+    }
+
+    void export_ofAProject_takesItsRecipe()
+    {
+        const QByteArray sha256
+            = QCryptographicHash::hash(fileBytes(m_capture), QCryptographicHash::Sha256).toHex();
+        QVERIFY(writeBytes(path("job.dyncal"),
+            R"({"format": "dyncal-project", "version": 1, "recipe": {"realization": {"order": 4}},
+                "captures": [{"path": "example.h5", "sha256": ")"
+                + sha256 + R"("}]})"));
+        const QString out = path("of-project");
+        const Answer answer = dyncal({"export", path("job.dyncal"), "--format", "json", "-o", out});
+        QVERIFY2(answer.exitCode <= 1, answer.err);
+        QCOMPARE(fileJson(out + "/model.json")["order"].toInt(), 4);
+        QVERIFY(writeBytes(path("no.dyncal"), "{}"));
+        QCOMPARE(dyncal({"export", path("no.dyncal"), "-o", out}).exitCode, 3);
     }
 
     void export_someFormats_andWrongOnes()
