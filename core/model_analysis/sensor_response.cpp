@@ -261,7 +261,35 @@ void describeShots(const std::vector<WindowedResponse> &responses, const SensorM
     }
 }
 
+/// From the model's unit (remapped, c0 at f -> 0) to that of the response.
+double scaleOf(
+    const SensorModel &model, bool isStep, bool isAbsolute, const ResponseResult &response)
+{
+    if (!isStep || model.plateauGain == 0.0)
+        return 1.0;
+    return isAbsolute && response.sensitivity ? *response.sensitivity / model.plateauGain
+                                              : 1.0 / model.plateauGain;
+}
+
 } // namespace
+
+ResponseResult computeModelResponse(const std::vector<WindowedResponse> &responses,
+    const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,
+    const ResponseSettings &settings, double from_Hz, double to_Hz)
+{
+    ResponseResult result;
+    result.fLow_Hz = from_Hz;
+    result.fHigh_Hz = to_Hz;
+    const bool isStep = isStepTreatment(input.treatment);
+    bool isAbsolute = false;
+    views(responses, model, shock, settings, isAbsolute);
+    if (isStep)
+        describeShots(responses, model, shock, result);
+    result.unit = isStep && isAbsolute ? result.sensitivityUnit : "1";
+    if (!model.diverges)
+        describeModel(model, input.treatment, scaleOf(model, isStep, isAbsolute, result), result);
+    return result;
+}
 
 Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &responses,
     const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,
@@ -283,13 +311,8 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
     }
     result.unit = isStep && isAbsolute ? result.sensitivityUnit : "1";
     result.frequency_Hz = frequencyGrid(settings, result.fLow_Hz, result.fHigh_Hz);
-    double scale = 1.0;
-    if (isStep && model.plateauGain != 0.0) {
-        scale = isAbsolute && result.sensitivity ? *result.sensitivity / model.plateauGain
-                                                 : 1.0 / model.plateauGain;
-    }
     if (!model.diverges)
-        describeModel(model, input.treatment, scale, result);
+        describeModel(model, input.treatment, scaleOf(model, isStep, isAbsolute, result), result);
     if (isStep && !model.diverges) {
         measure(shots, span_s, result);
         compareAnswers(result);

@@ -80,10 +80,13 @@ ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<d
         draft.rates_rad_s.push_back(rateOf(z, sampleInterval_s(input)));
     sortByFrequency(draft.rates_rad_s);
     const auto sorted = discretePoles(draft.rates_rad_s, sampleInterval_s(input));
-    for (const ModelSeries &series : input.series) {
-        draft.series.push_back(atStart(series, draft.rates_rad_s,
-            fitAmplitudes(series.y, sorted, isStepTreatment(input.treatment))));
-        draft.nuisance.push_back(series.nuisance);
+    Eigen::MatrixXd records(input.samples, static_cast<Index>(input.series.size()));
+    for (Index r = 0; r < records.cols(); ++r)
+        records.col(r) = input.series[static_cast<std::size_t>(r)].y;
+    const auto fits = fitAmplitudes(records, sorted, isStepTreatment(input.treatment));
+    for (std::size_t r = 0; r < fits.size(); ++r) {
+        draft.series.push_back(atStart(input.series[r], draft.rates_rad_s, fits[r]));
+        draft.nuisance.push_back(input.series[r].nuisance);
     }
     return draft;
 }
