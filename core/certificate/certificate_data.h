@@ -40,6 +40,7 @@ struct CertificateSources
     const SensorModel *model = nullptr;
     const ResponseResult *response = nullptr;
     Auto<Index> order; ///< as asked for
+    double coverage = 0.95; ///< probability for which the step's U is stated
     Findings findings;
     std::vector<CertificateAcknowledgement> acknowledgements;
     std::map<std::string, std::string> fields; ///< typed: keys in docs/certificate.md

@@ -21,6 +21,7 @@ CertificateSources certificateSources(
     sources.model = results.model.get();
     sources.response = results.response.get();
     sources.order = recipe.realization.order;
+    sources.coverage = recipe.uncertainty.coverage;
     sources.findings = results.findings();
     for (const Acknowledgement &seen : recipe.acknowledge)
         sources.acknowledgements.push_back({seen.finding, seen.shot, seen.reason});

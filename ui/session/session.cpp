@@ -269,6 +269,8 @@ void Session::takePart(const CalibrationResults &part, StageId upTo)
     keep(merged.monteCarlo, old.monteCarlo);
     m_run.results = std::move(merged);
     m_showsAll = upTo == StageId::Response;
+    if (m_run.error && m_run.failedStage <= upTo)
+        m_run.error.reset();
     if (!m_start.isActive())
         m_run.firstStale = std::max(m_run.firstStale, static_cast<int>(upTo) + 1);
     emit resultsChanged();

@@ -225,8 +225,9 @@ const QHash<QString, QStringList> &contract()
                 "fit_attainable_percent", "fit_listing_percent", "fit_per_shot_percent",
                 "plateau_gain", "gain_unit"}},
         {"response",
-            {"frequency_hz", "magnitude", "u_magnitude", "k_magnitude", "phase_rad", "u_phase_rad",
-                "k_phase", "model_magnitude", "model_phase_rad", "f_low_hz", "f_high_hz", "unit"}},
+            {"frequency_hz", "magnitude", "u_magnitude", "k_magnitude", "u_contains_step",
+                "phase_rad", "u_phase_rad", "k_phase", "model_magnitude", "model_phase_rad",
+                "f_low_hz", "f_high_hz", "unit"}},
         {"bands", {"within_5_percent_hz", "within_10_percent_hz", "minus_3_db_hz", "source"}},
         {"findings", {"id", "severity", "shot", "channel", "time_s", "message", "value", "limit"}},
     };
