@@ -16,6 +16,8 @@ namespace {
 
 constexpr double kMargin = 0.06; ///< of the tube's length, beside it
 constexpr int kStrokes = 12; ///< of the hatched plateau
+constexpr int kPointsPerWay = 600; ///< few points are drawn as samples, with dots; these are none
+constexpr int kLabelledModes = 6; ///< across the tube; the next ones lie too close for labels
 constexpr double kRiseTimesShown = 60.0;
 constexpr double kLeastSamplesShown = 400.0;
 
@@ -31,39 +33,52 @@ LineLook lookOf(TubeLine line)
     case TubeLine::Shock:
         return {Plots::tr("shock"), CurveRole::ShotHigh};
     case TubeLine::ReflectedShock:
-        return {Plots::tr("reflected shock"), CurveRole::ShotMedium};
+        return {Plots::tr("reflected"), CurveRole::ShotMedium};
     case TubeLine::ContactSurface:
-        return {Plots::tr("contact surface"), CurveRole::ShotLow};
+        return {Plots::tr("contact"), CurveRole::ShotLow};
     case TubeLine::ContactReflection:
-        return {Plots::tr("back from the contact surface"), CurveRole::ShotOther};
+        return {Plots::tr("its echo"), CurveRole::ShotOther};
     case TubeLine::RarefactionHead:
-        return {Plots::tr("rarefaction, head"), CurveRole::Model};
+        return {Plots::tr("expansion head"), CurveRole::Model};
     case TubeLine::RarefactionTail:
-        return {Plots::tr("rarefaction, tail"), CurveRole::Noise};
+        return {Plots::tr("expansion tail"), CurveRole::Noise};
     }
     return {};
+}
+
+/// A way through corners, as a line without dots.
+void addWay(PlotContent &content, PlotCurve look, const std::vector<TubePoint> &corners)
+{
+    const auto pieces = static_cast<int>(corners.size()) - 1;
+    for (int i = 0; i <= kPointsPerWay && pieces > 0; ++i) {
+        const double at = static_cast<double>(i) * pieces / kPointsPerWay;
+        const auto piece = static_cast<std::size_t>(std::min(static_cast<int>(at), pieces - 1));
+        const double share = at - static_cast<double>(piece);
+        const TubePoint &from = corners[piece], &to = corners[piece + 1];
+        look.x.push_back(from.x_m + share * (to.x_m - from.x_m));
+        look.y.push_back(from.time_s + share * (to.time_s - from.time_s));
+    }
+    content.curves.push_back(std::move(look));
 }
 
 /// Graphs run over x: a way that turns round becomes two.
 void addPath(const TubePath &path, double burst_s, PlotContent &content)
 {
-    const LineLook look = lookOf(path.line);
-    PlotCurve curve{look.name, look.role, CurveStyle::Line, {}, {}, true};
+    const LineLook name = lookOf(path.line);
+    PlotCurve look{name.name, name.role, CurveStyle::Line, {}, {}, true};
+    std::vector<TubePoint> corners;
     for (std::size_t i = 0; i < path.points.size(); ++i) {
-        curve.x.push_back(path.points[i].x_m);
-        curve.y.push_back(burst_s + path.points[i].time_s);
-        const bool turns = i > 0 && i + 1 < path.points.size()
-            && (path.points[i].x_m - path.points[i - 1].x_m)
-                    * (path.points[i + 1].x_m - path.points[i].x_m)
-                < 0.0;
+        const auto &p = path.points;
+        corners.push_back({p[i].x_m, burst_s + p[i].time_s});
+        const bool turns = i > 0 && i + 1 < p.size()
+            && (p[i].x_m - p[i - 1].x_m) * (p[i + 1].x_m - p[i].x_m) < 0.0;
         if (!turns)
             continue;
-        content.curves.push_back(curve);
-        curve.inLegend = false;
-        curve.x.erase(curve.x.begin(), curve.x.end() - 1);
-        curve.y.erase(curve.y.begin(), curve.y.end() - 1);
+        addWay(content, look, corners);
+        look.inLegend = false;
+        corners.erase(corners.begin(), corners.end() - 1);
     }
-    content.curves.push_back(std::move(curve));
+    addWay(content, look, corners);
 }
 
 /// Hatched beside the end wall.
@@ -72,22 +87,19 @@ void addPlateau(const TubeDiagram &diagram, PlotContent &content)
     const double wall_m = diagram.waves.geometry.drivenLength_m;
     const double width_m = 0.6 * kMargin * wall_m;
     const Interval plateau = diagram.plateau_s;
-    PlotCurve edge{Plots::tr("usable plateau"), CurveRole::Suggestion, CurveStyle::Line,
-        {wall_m, wall_m}, {plateau.begin, plateau.end}, true};
-    content.curves.push_back(edge);
-    edge.inLegend = false;
+    PlotCurve look{Plots::tr("plateau"), CurveRole::Suggestion, CurveStyle::Line, {}, {}, true};
+    addWay(content, look, {{wall_m, plateau.begin}, {wall_m, plateau.end}});
+    look.inLegend = false;
     for (int i = 0; i < kStrokes; ++i) {
         const double from_s = plateau.begin + plateau.length() * i / kStrokes;
-        edge.x = {wall_m, wall_m + width_m};
-        edge.y = {from_s, from_s + plateau.length() / kStrokes};
-        content.curves.push_back(edge);
+        addWay(content, look,
+            {{wall_m, from_s}, {wall_m + width_m, from_s + plateau.length() / kStrokes}});
     }
 }
 
 void addSensors(const TubeDiagram &diagram, PlotContent &content)
 {
-    PlotCurve seen{
-        Plots::tr("seen by a sensor"), CurveRole::Measured, CurveStyle::Markers, {}, {}, true};
+    PlotCurve seen{Plots::tr("seen"), CurveRole::Measured, CurveStyle::Markers, {}, {}, true};
     const double wall_m = diagram.waves.geometry.drivenLength_m;
     for (const TubeSensor &sensor : diagram.sensors) {
         const double x_m = wall_m - sensor.distance_m;
@@ -259,15 +271,18 @@ void addTubeModes(PlotContent &content, const ShockConditions &shot)
 {
     const double first_Hz = firstFrequency_Hz(content);
     bool any = false;
-    for (const TubeResonance &mode : shot.resonances) {
+    int across = 0;
+    for (const TubeResonance &mode : shot.resonances) { // by frequency
         if (mode.frequency_Hz < first_Hz)
             continue;
-        content.marks.push_back({mode.frequency_Hz, modeLabel(mode), CurveRole::Reference});
+        across += mode.kind == ResonanceKind::Transverse ? 1 : 0;
+        const bool labelled = mode.kind != ResonanceKind::Transverse || across <= kLabelledModes;
+        content.marks.push_back(
+            {mode.frequency_Hz, labelled ? modeLabel(mode) : QString(), CurveRole::Reference});
         any = true;
     }
     if (any)
-        content.title
-            += Plots::tr(" – tube modes of shot %1: computed, not identified").arg(shot.shot);
+        content.title += Plots::tr(" – tube modes computed");
 }
 
 } // namespace dyncal

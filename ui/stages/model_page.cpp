@@ -63,7 +63,7 @@ void ModelPage::buildInspector()
     m_within10 = form->addReadout(tr("Flat ±10 % to"), "modelWithin10");
     m_minus3 = form->addReadout(tr("−3 dB at"), "modelMinus3");
     m_band = form->addReadout(tr("Usable band"), "usableBand");
-    m_tubeModes = new TubeModeChoice(*form, this);
+    m_tubeModes = new TubeModeChoice(*form, this, false);
     connect(m_tubeModes, &TubeModeChoice::changed, this, &ModelPage::showResults);
 }
 

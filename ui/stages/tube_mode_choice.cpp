@@ -10,10 +10,11 @@
 
 namespace dyncal {
 
-TubeModeChoice::TubeModeChoice(InspectorForm &form, QObject *parent)
+TubeModeChoice::TubeModeChoice(InspectorForm &form, QObject *parent, bool shown)
     : QObject(parent)
+    , m_isShown(shown)
 {
-    form.addSection(tr("Tube modes, computed"));
+    form.addSection(tr("Tube modes: computed, not identified"));
     m_shot = form.addChoice(tr("Ticks"), "tubeModes", {});
     m_shot->setToolTip(tr("Where the tube may ring by its dimensions and the gas: computed, not "
                           "identified. (m,n) across the tube, 5.1 its wall, 5.2 its gas before the "
@@ -37,7 +38,8 @@ void TubeModeChoice::set(const CalibrationResults &results)
         }
     }
     const int again = m_shot->findData(chosen);
-    m_shot->setCurrentIndex(!m_isChosen || again < 0 ? m_shot->count() - 1 : again);
+    const int first = m_isShown ? m_shot->count() - 1 : 0;
+    m_shot->setCurrentIndex(!m_isChosen || again < 0 ? first : again);
 }
 
 PlotContent TubeModeChoice::with(PlotContent content) const

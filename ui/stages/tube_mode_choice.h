@@ -21,7 +21,8 @@ class TubeModeChoice : public QObject
     Q_OBJECT
 
 public:
-    TubeModeChoice(InspectorForm &form, QObject *parent);
+    /// `shown`: whether the last shot's are ticked before anything is chosen.
+    TubeModeChoice(InspectorForm &form, QObject *parent, bool shown = true);
 
     /// Takes over what is known of the shots.
     void set(const CalibrationResults &results);
@@ -34,7 +35,8 @@ signals:
 private:
     std::shared_ptr<const ExpectedShock> m_expected;
     QComboBox *m_shot;
-    bool m_isChosen = false; ///< by the operator; the last shot's are shown until then
+    bool m_isShown;
+    bool m_isChosen = false; ///< by the operator
 };
 
 } // namespace dyncal

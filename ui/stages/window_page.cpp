@@ -27,6 +27,8 @@ const QString kEnd = QStringLiteral("end");
 const QString kGuard = QStringLiteral("guard");
 const ShownUnit kMicroseconds{"µs", 1e-6};
 constexpr double kLongest_s = 100.0;
+constexpr double kRoom
+    = 0.15; ///< of the view, behind the window's end: to drag it, to see the guard
 
 } // namespace
 
@@ -174,7 +176,7 @@ PlotContent contentWithRoom(const WindowResult &window)
         last_s = std::max(last_s, response.end_s);
     }
     content.xMin = first_s;
-    content.xMax = last_s + 0.08 * (last_s - first_s);
+    content.xMax = last_s + kRoom * (last_s - first_s);
     return content;
 }
 

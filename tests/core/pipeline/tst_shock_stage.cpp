@@ -177,7 +177,8 @@ private slots:
         };
         const double transit_s = first.distance_m / velocity(found, 0);
         QVERIFY(std::abs(velocity(moved, 0) / velocity(found, 0) - 1.0 - 1e-6 / transit_s) < 1e-5);
-        QVERIFY(std::abs(velocity(moved, 1) / velocity(found, 1) - 1.0) < 1e-12);
+        // The first shot's window ends elsewhere now, and the model is of all shots.
+        QVERIFY(std::abs(velocity(moved, 1) / velocity(found, 1) - 1.0) < 1e-7);
         // A cursor sees no better than the search, and the sensor is as slow.
         QCOMPARE(moved.shock->shots[0].sightings[0].u_time_s, first.sightings[0].u_time_s);
         QCOMPARE(moved.shock->shots[0].sightings[0].u_delay_s, first.sightings[0].u_delay_s);

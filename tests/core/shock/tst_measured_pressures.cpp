@@ -210,10 +210,10 @@ private slots:
     {
         QTest::addColumn<double>("factor");
         QTest::addColumn<bool>("said");
-        QTest::addRow("right") << 1.0 << false;
-        QTest::addRow("4.9 % low") << 0.951 << false;
-        QTest::addRow("7.1 % low") << 0.929 << true;
-        QTest::addRow("6 % high") << 1.06 << true;
+        QTest::newRow("right") << 1.0 << false;
+        QTest::newRow("4.9 % low") << 0.951 << false;
+        QTest::newRow("7.1 % low") << 0.929 << true;
+        QTest::newRow("6 % high") << 1.06 << true;
     }
 
     void shk002_onlyBeyondFivePercent()

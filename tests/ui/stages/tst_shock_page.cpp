@@ -208,7 +208,7 @@ private slots:
         Bench<SpectrumPage> bench(m_set);
         auto *plot = bench.control<PlotWidget>("spectrumPlot");
         const std::size_t ticked = plot->content().marks.size();
-        QVERIFY(plot->content().title.contains("computed, not identified"));
+        QVERIFY(plot->content().title.contains("tube modes computed"));
         bench.choose("tubeModes", 0);
         QVERIFY(plot->content().marks.size() + 10 < ticked);
         QVERIFY(!plot->content().title.contains("computed"));
