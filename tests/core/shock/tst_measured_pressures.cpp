@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/shock/pressure_units.h"
 #include "core/shock/shock_conditions.h"
 
 #include <QtTest>
@@ -115,7 +116,7 @@ private slots:
         QTest::addColumn<QString>("unit");
         QTest::addRow("Pa") << 1.0 << "Pa";
         QTest::addRow("bar") << 1e5 << "bar";
-        QTest::addRow("psi") << 6894.757293168361 << "psi";
+        QTest::addRow("psi") << pascalsPer("psi").value() << "psi";
     }
 
     void sideSensor_absolute_readsP1P2P5()

@@ -95,7 +95,7 @@ private slots:
     void burstOfChanges_endsWithTheNewest();
     void drag_slowPipeline_stillShowsResults();
     void cancel_leavesStale();
-    void affected_shock_startsAtWindow();
+    void affected_shock_startsAtExpected();
     void removeShot_movesNumbersAndIsUndoable();
     void join_movesNumbersOfFindings();
     void findingIds_leadToStages();
@@ -303,7 +303,7 @@ void TestSession::drag_slowPipeline_stillShowsResults()
 }
 
 /// The automatic end of the window depends on the computed plateau.
-void TestSession::affected_shock_startsAtWindow()
+void TestSession::affected_shock_startsAtExpected()
 {
     const Recipe before;
     Recipe after = before;
@@ -313,7 +313,7 @@ void TestSession::affected_shock_startsAtWindow()
     after.response.reference = "unit-step";
     QCOMPARE(dyncal::firstAffectedStage(before, after).value(), StageId::Response);
     after.shock.enabled = !before.shock.enabled;
-    QCOMPARE(dyncal::firstAffectedStage(before, after).value(), StageId::Window);
+    QCOMPARE(dyncal::firstAffectedStage(before, after).value(), StageId::Expected);
 }
 
 void TestSession::cancel_leavesStale()

@@ -37,11 +37,14 @@ std::shared_ptr<const CaptureSet> example()
 template <typename Page>
 struct Bench
 {
-    Session session{Session::Pipeline(runPipeline)};
-    Page page{session};
-    std::unique_ptr<InspectorForm> inspector{page.inspector()};
+    Session session;
+    Page page;
+    std::unique_ptr<InspectorForm> inspector;
 
     explicit Bench(const std::shared_ptr<const CaptureSet> &set)
+        : session(Session::Pipeline(runPipeline))
+        , page(session)
+        , inspector(page.inspector())
     {
         session.setFocus(StageId::Shock);
         session.reset({set, {}});
