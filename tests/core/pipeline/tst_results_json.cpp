@@ -239,8 +239,9 @@ const QHash<QString, QStringList> &contract()
                 "plateau_gain", "gain_unit", "uncertainty_method", "homogeneity", "per_shot",
                 "per_level", "nuisance", "nuisance_effect"}},
         {"response",
-            {"frequency_hz", "magnitude", "u_magnitude", "k_magnitude", "phase_rad", "u_phase_rad",
-                "k_phase", "model_magnitude", "model_phase_rad", "f_low_hz", "f_high_hz", "unit"}},
+            {"frequency_hz", "magnitude", "u_magnitude", "k_magnitude", "u_contains_step",
+                "phase_rad", "u_phase_rad", "k_phase", "model_magnitude", "model_phase_rad",
+                "f_low_hz", "f_high_hz", "unit"}},
         {"bands", {"within_5_percent_hz", "within_10_percent_hz", "minus_3_db_hz", "source"}},
         {"findings", {"id", "severity", "shot", "channel", "time_s", "message", "value", "limit"}},
     };
