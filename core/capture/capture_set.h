@@ -58,6 +58,9 @@ struct Shot
 
     /// The first channel of that role, or null.
     const Channel *channelWithRole(ChannelRole role) const;
+
+    /// The channel of that name, else the first of the role of that name, or null.
+    const Channel *channelCalled(const std::string &nameOrRole) const;
 };
 
 /// All shots of one sensor, in order. Shot numbers shown to people count from 1 in this order.

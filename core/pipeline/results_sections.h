@@ -28,6 +28,8 @@ struct ResultsContext
 inline constexpr const char *kNoUncertainty
     = "Not evaluated: this version computes no uncertainty for it.";
 
+/// What all orders say: keys of the section "realization".
+void addOrderEvidence(JsonRecord &section, const ResultsContext &context);
 void addInputs(JsonRecord &root, const ResultsContext &context);
 void addShots(JsonRecord &root, const ResultsContext &context);
 void addShock(JsonRecord &root, const ResultsContext &context);

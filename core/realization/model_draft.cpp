@@ -83,6 +83,7 @@ ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<d
     for (const ModelSeries &series : input.series) {
         draft.series.push_back(atStart(series, draft.rates_rad_s,
             fitAmplitudes(series.y, sorted, isStepTreatment(input.treatment))));
+        draft.nuisance.push_back(series.nuisance);
     }
     return draft;
 }
@@ -94,7 +95,7 @@ std::vector<RefinementRecord> refinementRecords(const ModelInput &input)
         constexpr double kNoiseFree = 1e-9; // of the record's range: keeps weights finite
         const double range = series.fullRate.maxCoeff() - series.fullRate.minCoeff();
         const double noise = std::max(series.fullRateNoiseSd, kNoiseFree * range);
-        records.push_back({series.fullRate, series.fullRate_Hz, 1.0 / noise});
+        records.push_back({series.fullRate, series.fullRate_Hz, 1.0 / noise, series.nuisance});
     }
     return records;
 }
@@ -114,6 +115,7 @@ void refineDraft(const ModelInput &input, ModelDraft &draft, const JobControl &c
     draft.noise = allowForColour(records, noise, *draft.refinement);
     draft.rates_rad_s = draft.refinement->rates_rad_s;
     draft.series = draft.refinement->records;
+    draft.nuisance = draft.refinement->nuisance;
 }
 
 std::vector<bool> standingOut(const ModelInput &input, const ModelDraft &draft)

@@ -19,6 +19,7 @@ struct ModelDraft
 {
     std::vector<std::complex<double>> rates_rad_s; ///< without the step pole
     std::vector<ExponentialSum> series; ///< at time 0 = detected start
+    std::vector<std::vector<NuisanceTerm>> nuisance; ///< per series, beside them
     std::optional<Refinement> refinement;
     NoiseBasis noise; ///< what the refinement's covariance rests on
 };
@@ -46,7 +47,8 @@ ExponentialSum atStart(const ModelSeries &series,
 /// brought back to time 0 and freed of the filter's gain. Rates sorted by |s|.
 ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<double>> &poles);
 
-/// What the refinement fits: the series at their own rate, weighted by their noise.
+/// What the refinement fits: the series at their own rate, weighted by their noise, with their
+/// nuisance terms.
 std::vector<RefinementRecord> refinementRecords(const ModelInput &input);
 
 /// Refines poles and amplitudes on the records at their own rate from the start on, where no filter

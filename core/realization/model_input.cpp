@@ -122,6 +122,9 @@ ModelSeries makeSeries(
     series.first_s = static_cast<double>(first - source.lead) / source.rate_Hz;
     series.noise = filteredNoise(source, filter);
     series.fullRateNoiseSd = standardDeviation(source.noise);
+    if (source.noise.size() > 0)
+        series.u_baseline
+            = series.fullRateNoiseSd / std::sqrt(static_cast<double>(source.noise.size()));
     series.fullRateNoise = noiseCovariance(source.noise, kLargestNoiseModelOrder);
     series.noiseSd = series.noise.size() ? standardDeviation(series.noise)
                                          : series.fullRateNoiseSd * filter.taps.norm();

@@ -6,6 +6,8 @@
 #include "core/realization/homogeneity.h"
 #include "core/realization/model_draft.h"
 #include "core/realization/model_findings.h"
+#include "core/realization/nuisance_modes.h"
+#include "core/realization/nuisance_results.h"
 #include "core/realization/pole_classes.h"
 #include "core/realization/pole_uncertainty.h"
 #include "core/realization/realized_poles.h"
@@ -74,9 +76,7 @@ bool runsAway(const SensorModel &model, const ModelInput &input)
             return true;
     }
     return std::any_of(model.poles.begin(), model.poles.end(), [&](const Pole &pole) {
-        return pole.poleClass == PoleClass::Unstable
-            && static_cast<double>(input.samples) * std::log(std::abs(pole.z))
-            > std::log(kTooLarge);
+        return pole.poleClass == PoleClass::Unstable && isRunaway(pole.z, input.samples);
     });
 }
 
@@ -129,6 +129,33 @@ void describeAmplitudes(SensorModel &model)
     // model.amplitudes follow the sensor's poles, which are listed before the step's.
     for (Index i = 0; i < model.amplitudes.size(); ++i)
         model.poles[static_cast<std::size_t>(i)].amplitude = std::abs(model.amplitudes[i]);
+}
+
+/// Poles, series and what is pooled over them.
+void describe(const ModelInput &input, const ModelDraft &draft,
+    std::optional<std::complex<double>> stepPole, SensorModel &model)
+{
+    const std::vector<bool> standsOut = standingOut(input, draft);
+    model.poles = listPoles(input, draft, standsOut, stepPole);
+    for (std::size_t r = 0; r < input.series.size(); ++r)
+        model.series.push_back(describeSeries(input, draft, r, standsOut, model.stateSpace));
+    poolFits(input, model);
+    describeAmplitudes(model);
+}
+
+/// The same poles refined with the nuisance modes left in the response, beside the model.
+std::optional<NuisanceEffect> effectOfNuisance(const ModelInput &input,
+    const std::vector<std::complex<double>> &realised_rad_s, const SensorModel &model,
+    const JobControl &control)
+{
+    const ModelInput plain = withModesLeftIn(input);
+    ModelDraft draft = linearDraft(plain, discretePoles(realised_rad_s, sampleInterval_s(plain)));
+    refineDraft(plain, draft, control);
+    if (!draft.refinement)
+        return std::nullopt;
+    SensorModel before;
+    describe(plain, draft, std::nullopt, before);
+    return NuisanceEffect{effectSide(before), effectSide(model)};
 }
 
 /// ZOH-equivalent G(z) = c0 + sum c_i (z - 1)/(z - p_i); of a free decay F(z) = sum c_i/(z - p_i).
@@ -200,7 +227,9 @@ Result<SensorModel> realizeModel(const ModelInput &input, const HankelDecomposit
     const double dt_s = sampleInterval_s(input);
     std::vector<std::complex<double>> poles = realizedPoles(decomposition, order);
     const auto stepPole = takeStepPole(input, poles);
-    ModelDraft draft = linearDraft(input, poles);
+    poles = withoutNuisancePoles(input, poles);
+    ModelDraft draft = linearDraft(sensorOnly(input), poles);
+    const std::vector<std::complex<double>> realised = draft.rates_rad_s;
     if (settings.refine)
         refineDraft(input, draft, control);
     if (control.stopRequested())
@@ -211,12 +240,7 @@ Result<SensorModel> realizeModel(const ModelInput &input, const HankelDecomposit
     model.refined = draft.refinement.has_value();
     if (isThesisMode(input))
         model.stateSpace = thesisRealization(decomposition, order, dt_s);
-    const std::vector<bool> standsOut = standingOut(input, draft);
-    model.poles = listPoles(input, draft, standsOut, stepPole);
-    for (std::size_t r = 0; r < input.series.size(); ++r)
-        model.series.push_back(describeSeries(input, draft, r, standsOut, model.stateSpace));
-    poolFits(input, model);
-    describeAmplitudes(model);
+    describe(input, draft, stepPole, model);
     if (model.refined)
         model.uncertaintyMethod = noiseName(draft.noise);
     compareShots(input, draft, model, control);
@@ -225,7 +249,11 @@ Result<SensorModel> realizeModel(const ModelInput &input, const HankelDecomposit
     else
         model.stateSpace = describeStateSpace(input, model);
     model.zeros = transmissionZeros(model.stateSpace);
+    flagPoles(model);
     model.diverges = runsAway(model, input);
+    model.nuisance = nuisanceResults(input, draft, model.series);
+    if (model.refined && hasCorrection(input))
+        model.nuisanceEffect = effectOfNuisance(input, realised, model, control);
     if (settings.refine)
         fitSecondOrderBeside(input, draft, model, control);
     model.findings = judgeModel(model, input, decomposition, spectrum);

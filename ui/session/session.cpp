@@ -203,29 +203,26 @@ void Session::startComputation()
             seal();
         return;
     }
-    if (m_jobs.isRunning() && m_jobs.age_ms() < kGrace_ms) {
+    if (m_jobs.isRunning() && m_jobs.age_ms() < kGrace_ms && !m_showsAll) {
         m_start.start();
         return;
     }
     const auto captures = m_state.captures;
     const Recipe recipe = m_state.recipe;
-    const StageId focus = m_focus;
+    const StageId focus = std::min(m_focus, StageId::Response);
+    m_showsAll = false;
     const auto job = [this, pipeline = m_pipeline, cache = m_cache, captures, recipe, focus](
                          const JobControl &control) -> Result<PipelineOutcome> {
-        if (focus < StageId::Response) {
-            const PipelineOutcome first = pipeline(captures, recipe, *cache, focus, control);
-            if (!first.error)
-                JobRunner::post(this, control.stop, [=, this] { takePart(first.results, focus); });
+        for (const StageId upTo : {focus, StageId::Response}) {
+            const PipelineOutcome part = pipeline(captures, recipe, *cache, upTo, control);
+            if (part.error && upTo == StageId::Response)
+                return part;
+            if (!part.error)
+                JobRunner::post(this, control.stop, [=, this] { takePart(part.results, upTo); });
+            if (focus == StageId::Response)
+                break;
         }
-        const PipelineOutcome response
-            = pipeline(captures, recipe, *cache, StageId::Response, control);
-        const auto &evidence = response.results.keys[static_cast<std::size_t>(StageId::Evidence)];
-        if (response.error)
-            return response;
-        if (!cache->find<OrderEvidence>(evidence))
-            JobRunner::post(
-                this, control.stop, [=, this] { takePart(response.results, StageId::Response); });
-        return pipeline(captures, recipe, *cache, StageId::Evidence, control);
+        return pipeline(captures, recipe, *cache, kLastStage, control);
     };
     const auto deliver = [this](Result<PipelineOutcome> outcome) {
         if (!outcome)
@@ -259,6 +256,8 @@ void Session::takePart(const CalibrationResults &part, StageId upTo)
         if (!now)
             now = before;
     };
+    keep(merged.starts, old.starts);
+    keep(merged.expected, old.expected);
     keep(merged.window, old.window);
     keep(merged.spectrum, old.spectrum);
     keep(merged.components, old.components);
@@ -268,7 +267,9 @@ void Session::takePart(const CalibrationResults &part, StageId upTo)
     keep(merged.shock, old.shock);
     keep(merged.response, old.response);
     keep(merged.evidence, old.evidence);
+    keep(merged.monteCarlo, old.monteCarlo);
     m_run.results = std::move(merged);
+    m_showsAll = upTo == StageId::Response;
     if (!m_start.isActive())
         m_run.firstStale = std::max(m_run.firstStale, static_cast<int>(upTo) + 1);
     emit resultsChanged();

@@ -93,6 +93,9 @@ private:
     QUndoStack m_undo;
     int m_mergeEpoch = 0;
     QTimer m_start;
+    /// The run under way has delivered all that anything waits for: a newer one may stop it at
+    /// once.
+    bool m_showsAll = false;
     EnvelopeStore m_envelopes;
     /// Opened -> sealed: the undo steps made meanwhile know the opened ones.
     std::map<std::shared_ptr<const CaptureSet>, std::shared_ptr<const CaptureSet>> m_sealed;

@@ -97,6 +97,10 @@ inline Recipe fullRecipe()
     r.realization.maxOrder = 60;
     r.realization.rows = Index(499);
     r.realization.refine = false;
+    r.realization.stableFrequency = 0.02;
+    r.realization.stableDamping = 0.1;
+    r.realization.candidates = {2, 3, 100};
+    r.realization.adoptedReason = "lowest order that fits";
     r.response = {.frequencies_Hz = {1e3, 1e5}, .grid = "list", .reference = "unit-step"};
     r.uncertainty = {.budget = {{"t1_k", 0.3, "rectangular", 12.0}},
         .monteCarloTrials = 0,
