@@ -36,7 +36,7 @@ ShockPage::ShockPage(Session &session)
         {"shockPage", tr("Reference step"),
             tr("Gas state and shock velocity, or a typed step, give the pressure that the sensor "
                "saw.")},
-        {StageId::Shock})
+        {StageId::Shock, StageId::MonteCarlo})
 {
     m_side = makePlot("sidePlot", tr("Arrival of the shock at the side sensor"));
     connect(&session.envelopes(), &EnvelopeStore::changed, this, [this] {
