@@ -37,16 +37,11 @@ Result<CaptureSet> readFiles(const CheckOptions &options, const Recipe &recipe)
 /// What the shock relations say of the shots, from the detected starts: no model is computed.
 Findings shockFindings(const CalibrationResults &results, const Recipe &recipe)
 {
-    if (!recipe.shock.enabled || !results.captures || !results.window)
+    if (!recipe.shock.enabled || !results.window)
         return {};
-    std::vector<DutArrival> arrivals;
-    for (const WindowedResponse &response : results.window->responses)
-        arrivals.push_back({response.shot, response.start_s});
-    const auto shock = estimateShockConditions(results.captures->set, arrivals, recipe.shock);
-    if (!shock)
-        return {};
-    Findings findings = shock->findings;
-    const Findings misread = checkReadings(results.window->responses, *shock, recipe.checks);
+    const ShockConditionsSet &shock = results.expected->conditions;
+    Findings findings = shock.findings;
+    const Findings misread = checkReadings(results.window->responses, shock, recipe.checks);
     findings.insert(findings.end(), misread.begin(), misread.end());
     return findings;
 }
@@ -62,8 +57,7 @@ void sort(Findings &findings)
 void print(const Findings &findings, std::size_t shots)
 {
     for (const Finding &finding : findings)
-        std::cout << finding.id << " (" << severityName(finding.severity)
-                  << "): " << english(finding.message) << '\n';
+        std::cout << lineOf(finding) << '\n';
     const auto count = [&](Severity severity) {
         return std::count_if(findings.begin(), findings.end(),
             [&](const Finding &finding) { return finding.severity == severity; });

@@ -58,6 +58,16 @@ const Channel *Shot::channelWithRole(ChannelRole role) const
     return found != channels.end() ? &*found : nullptr;
 }
 
+const Channel *Shot::channelCalled(const std::string &nameOrRole) const
+{
+    const auto named = std::find_if(channels.begin(), channels.end(),
+        [&](const Channel &channel) { return channel.name == nameOrRole; });
+    if (named != channels.end())
+        return &*named;
+    const ChannelRole role = channelRoleFromName(nameOrRole);
+    return role == ChannelRole::Other ? nullptr : channelWithRole(role);
+}
+
 bool comesFrom(const Shot &shot, Index input)
 {
     return shot.input == input

@@ -59,6 +59,9 @@ struct Shot
 
     /// The first channel of that role, or null.
     const Channel *channelWithRole(ChannelRole role) const;
+
+    /// The channel of that name, else the first of the role of that name, or null.
+    const Channel *channelCalled(const std::string &nameOrRole) const;
 };
 
 /// Position in CaptureSet::inputs of the file that this channel of the shot came from.

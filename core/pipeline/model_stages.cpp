@@ -3,6 +3,7 @@
 
 #include "core/pipeline/model_stages.h"
 
+#include "core/pipeline/nuisance_stage.h"
 #include "core/pipeline/shock_stage.h"
 
 namespace dyncal {
@@ -16,14 +17,14 @@ Result<SensorModel> modelStage(
     const CalibrationResults &results, const Recipe &recipe, Index order, const JobControl &control)
 {
     return realizeModel(*results.input, results.decomposition->hankel, order, recipe.realization,
-        *results.spectrum, control);
+        sensorSpectrum(results, recipe), control);
 }
 
-Result<ShockConditionsSet> shockOfModel(const CalibrationResults &results, const Recipe &recipe,
-    const SensorModel &model, const JobControl &control)
+Result<ShockConditionsSet> shockOfModel(
+    const CalibrationResults &results, const Recipe &recipe, const SensorModel &model)
 {
-    return shockStage(
-        results.captures->set, *results.window, *results.spectrum, model, recipe, control);
+    return shockStage(results.captures->set, results.expected->conditions, *results.window,
+        *results.spectrum, model, recipe);
 }
 
 Result<ResponseResult> responseStage(const CalibrationResults &results, const Recipe &recipe,

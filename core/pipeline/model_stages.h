@@ -11,8 +11,8 @@ namespace dyncal {
 /// must hold everything before.
 Result<SensorModel> modelStage(const CalibrationResults &results, const Recipe &recipe, Index order,
     const JobControl &control);
-Result<ShockConditionsSet> shockOfModel(const CalibrationResults &results, const Recipe &recipe,
-    const SensorModel &model, const JobControl &control);
+Result<ShockConditionsSet> shockOfModel(
+    const CalibrationResults &results, const Recipe &recipe, const SensorModel &model);
 Result<ResponseResult> responseStage(const CalibrationResults &results, const Recipe &recipe,
     const SensorModel &model, const ShockConditionsSet &shock);
 

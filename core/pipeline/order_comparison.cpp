@@ -19,8 +19,8 @@ constexpr std::size_t kMostOrders = 50;
 constexpr Index kReferenceOrder = 100; ///< the thesis's high order
 constexpr Index kWhitenessLags = 20;
 
-/// The smallest p value of the series, times their number: what is left of each is made white by
-/// its own noise, so that coloured noise is no fault of the model.
+/// What is left of each series is made white by its own noise, so that coloured noise is no fault
+/// of the model. Of several series: how probable a smallest p value as small as theirs is.
 double whitenessOf(const ModelInput &input, const SensorModel &model)
 {
     std::vector<NoiseCovariance> noise;
@@ -37,7 +37,7 @@ double whitenessOf(const ModelInput &input, const SensorModel &model)
             autocovariance((left.array() - left.mean()).matrix(), lags), left.size(), lags);
         smallest = std::isnan(smallest) ? p : std::min(smallest, p);
     }
-    return std::min(1.0, smallest * static_cast<double>(model.series.size()));
+    return -std::expm1(static_cast<double>(model.series.size()) * std::log1p(-smallest));
 }
 
 /// The model a run has made already, or a new one.
@@ -53,12 +53,11 @@ Result<std::shared_ptr<const SensorModel>> modelOf(
 }
 
 Result<std::shared_ptr<const ResponseResult>> responseOf(const CalibrationResults &results,
-    const Recipe &recipe, const std::shared_ptr<const SensorModel> &model,
-    const JobControl &control)
+    const Recipe &recipe, const std::shared_ptr<const SensorModel> &model)
 {
     if (model == results.model && results.response)
         return results.response;
-    const Result<ShockConditionsSet> shock = shockOfModel(results, recipe, *model, control);
+    const Result<ShockConditionsSet> shock = shockOfModel(results, recipe, *model);
     if (!shock)
         return tl::unexpected(shock.error());
     Result<ResponseResult> response = responseStage(results, recipe, *model, *shock);
@@ -82,7 +81,7 @@ ComparedOrder compareOne(
     }
     compared.model = std::move(*model);
     compared.whiteness_p = whitenessOf(*results.input, *compared.model);
-    auto response = responseOf(results, recipe, compared.model, control);
+    auto response = responseOf(results, recipe, compared.model);
     if (response)
         compared.response = std::move(*response);
     else

@@ -6,10 +6,11 @@
 #include "core/capture/capture_check.h"
 #include "core/capture/import_rules.h"
 #include "core/pipeline/model_stages.h"
+#include "core/pipeline/nuisance_stage.h"
 #include "core/pipeline/stage_keys.h"
-#include "core/shock/channel_order.h"
+#include "core/realization/model_findings.h"
+#include "core/realization/nuisance_modes.h"
 #include "core/shock/shock_velocity.h"
-#include "core/signal/start_detection.h"
 
 #include <algorithm>
 #include <exception>
@@ -30,48 +31,23 @@ Result<PreparedCaptures> prepareCaptures(const CaptureSet &captures, const Recip
     return prepared;
 }
 
-/// When the DUTs felt the shock, as far as it can be known before the window is cut.
-std::vector<DutArrival> detectedArrivals(
-    const CaptureSet &set, const CheckSettings &checks, const JobControl &control)
+Result<WindowResult> window(
+    const CalibrationResults &r, const Recipe &recipe, const JobControl &control)
 {
-    std::vector<DutArrival> arrivals;
-    for (std::size_t i = 0; i < set.shots.size(); ++i) {
-        const Channel *dut = set.shots[i].channelWithRole(ChannelRole::Dut);
-        if (!set.shots[i].included || !dut)
-            continue;
-        const Index number = static_cast<Index>(i) + 1;
-        if (const auto start = detectStart(*dut, control, number, checks.stepSigmas))
-            arrivals.push_back({number, start->time_s});
-    }
-    return arrivals;
-}
-
-std::vector<std::optional<double>> expectedPlateaus(
-    const CaptureSet &set, const std::vector<DutArrival> &arrivals, const ShockSettings &settings)
-{
-    std::vector<std::optional<double>> plateaus(set.shots.size());
-    const auto shock = estimateShockConditions(set, arrivals, settings);
-    for (std::size_t i = 0; shock && i < plateaus.size(); ++i) {
-        if (const ShockConditions *conditions = shock->ofShot(static_cast<Index>(i) + 1))
-            plateaus[i] = conditions->plateau_s;
-    }
-    return plateaus;
-}
-
-Result<WindowResult> window(const CaptureSet &set, const Recipe &recipe, const JobControl &control)
-{
-    WindowContext context{recipe.input.treatment, recipe.remap, {}, recipe.checks};
-    context.plateau_s.resize(set.shots.size());
-    Findings order;
-    if (recipe.shock.enabled) {
-        const std::vector<DutArrival> arrivals = detectedArrivals(set, recipe.checks, control);
-        context.plateau_s = expectedPlateaus(set, arrivals, recipe.shock);
-        if (recipe.shock.dutPosition == kEndWall)
-            order = checkChannelOrder(set, arrivals);
+    const CaptureSet &set = r.captures->set;
+    WindowContext context{recipe.input.treatment, recipe.remap, {}, recipe.checks, {}};
+    for (Index shot = 1; shot <= std::ssize(set.shots); ++shot) {
+        const ShockConditions *conditions = r.expected->conditions.ofShot(shot);
+        context.plateau_s.push_back(conditions ? conditions->plateau_s : std::nullopt);
+        const Channel *dut
+            = set.shots[static_cast<std::size_t>(shot - 1)].channelWithRole(ChannelRole::Dut);
+        const DetectedStart *start = r.starts->of(set, shot, dut);
+        context.starts.push_back(start ? std::optional(*start) : std::nullopt);
     }
     Result<WindowResult> result = cutWindows(set, recipe.window, context, control);
     if (result)
-        result->findings.insert(result->findings.begin(), order.begin(), order.end());
+        result->findings.insert(
+            result->findings.begin(), r.expected->findings.begin(), r.expected->findings.end());
     return result;
 }
 
@@ -137,31 +113,35 @@ void runStages(const CaptureSet &captures, const Recipe &recipe, Run &run, Calib
 {
     using R = CalibrationResults;
     run.stage(StageId::Captures, &R::captures, [&] { return prepareCaptures(captures, recipe); })
-        .stage(
-            StageId::Window, &R::window, [&] { return window(r.captures->set, recipe, control); })
+        .stage(StageId::Arrivals, &R::starts,
+            [&] {
+                return detectStarts(r.captures->set, arrivalChannels(recipe.shock), control,
+                    recipe.checks.stepSigmas);
+            })
+        .stage(StageId::Expected, &R::expected,
+            [&] { return expectedShock(r.captures->set, *r.starts, recipe); })
+        .stage(StageId::Window, &R::window, [&] { return window(r, recipe, control); })
         .stage(StageId::Spectrum, &R::spectrum,
             [&] { return analyseSpectra(r.window->responses, recipe.spectrum, control); })
         .stage(StageId::Components, &R::components,
             [&] {
                 return analyseComponents(r.window->responses, recipe.pca, recipe.spectrum, control);
             })
-        .stage(StageId::ModelInput, &R::input,
-            [&] {
-                return prepareModelInput(
-                    r.window->responses, *r.spectrum, *r.components, recipe.input, control);
-            })
+        .stage(StageId::ModelInput, &R::input, [&] { return separatedInput(r, recipe, control); })
         .stage(StageId::Decomposition, &R::decomposition,
-            [&] { return decompose(*r.input, recipe.realization, control); })
+            [&] { return decompose(sensorOnly(*r.input), recipe.realization, control); })
         .stage(StageId::Model, &R::model,
             [&] { return modelStage(r, recipe, orderOf(r, recipe), control); })
-        .stage(
-            StageId::Shock, &R::shock, [&] { return shockOfModel(r, recipe, *r.model, control); })
+        .stage(StageId::Shock, &R::shock, [&] { return shockOfModel(r, recipe, *r.model); })
         .stage(StageId::Response, &R::response,
             [&] { return responseStage(r, recipe, *r.model, *r.shock); })
-        .stage(StageId::Evidence, &R::evidence, [&] {
-            return gatherOrderEvidence(*r.input, r.decomposition->hankel,
-                r.decomposition->suggestion, recipe.realization, control);
-        });
+        .stage(StageId::Evidence, &R::evidence,
+            [&] {
+                return gatherOrderEvidence(sensorOnly(*r.input), r.decomposition->hankel,
+                    r.decomposition->suggestion, recipe.realization, control);
+            })
+        .stage(StageId::MonteCarlo, &R::monteCarlo,
+            [&] { return stepMonteCarlo(*r.shock, recipe.uncertainty, control); });
 }
 
 Error outOfMemory()
@@ -191,6 +171,10 @@ const char *stageName(StageId stage)
     switch (stage) {
     case StageId::Captures:
         return "captures";
+    case StageId::Arrivals:
+        return "arrivals";
+    case StageId::Expected:
+        return "expected shock";
     case StageId::Window:
         return "window";
     case StageId::Spectrum:
@@ -209,6 +193,8 @@ const char *stageName(StageId stage)
         return "response";
     case StageId::Evidence:
         return "evidence";
+    case StageId::MonteCarlo:
+        return "Monte Carlo";
     }
     return "";
 }
@@ -216,13 +202,15 @@ const char *stageName(StageId stage)
 Findings CalibrationResults::findings() const
 {
     Findings all;
-    const auto add = [&all](const auto &result) {
+    const auto append = [&all](const Findings &findings) {
         const std::size_t earlier = all.size();
-        for (const Finding &finding : result ? result->findings : Findings()) {
+        for (const Finding &finding : findings) {
             if (!isTold(all, earlier, finding))
                 all.push_back(finding);
         }
     };
+    const auto add
+        = [&append](const auto &result) { append(result ? result->findings : Findings()); };
     add(captures);
     add(window);
     add(spectrum);
@@ -231,8 +219,21 @@ Findings CalibrationResults::findings() const
     add(model);
     add(shock);
     add(response);
-    add(evidence);
+    append(evidenceFindings());
+    add(monteCarlo);
     return all;
+}
+
+Findings CalibrationResults::evidenceFindings() const
+{
+    if (!evidence)
+        return {};
+    Findings findings = evidence->findings;
+    if (model) {
+        const Findings ofModel = judgeOtherShots(*model, *evidence);
+        findings.insert(findings.end(), ofModel.begin(), ofModel.end());
+    }
+    return findings;
 }
 
 PipelineOutcome runPipeline(const std::shared_ptr<const CaptureSet> &captures, const Recipe &recipe,

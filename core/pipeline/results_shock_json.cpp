@@ -114,25 +114,26 @@ Json budgetJson(const GumBudget &budget)
     return lines;
 }
 
-void addMonteCarlo(JsonRecord &record, const StepUncertainty &uncertainty)
+void addMonteCarlo(JsonRecord &record, const ShotMonteCarlo *shot)
 {
-    if (!uncertainty.monteCarlo) {
-        record.missing("monte_carlo", "Not run.");
+    if (shot == nullptr || !shot->outcome) {
+        record.missing("monte_carlo", shot ? shot->missing : "Not run.");
         return;
     }
     constexpr auto kStep = static_cast<Index>(StepResult::Step);
-    const MonteCarloResult &mc = *uncertainty.monteCarlo;
+    const MonteCarloResult &mc = shot->outcome->result;
     JsonRecord part;
     part.set("trials", mc.trials);
     part.number("step_pa", mc.mean[kStep], "Not finite.");
     part.number("u_step_pa", mc.u[kStep], "Not finite.");
     part.number("low_pa", mc.low[kStep], "Not finite.");
     part.number("high_pa", mc.high[kStep], "Not finite.");
-    part.set("gum_validated", uncertainty.validated);
+    part.set("gum_validated", shot->outcome->validated);
     record.set("monte_carlo", part.take());
 }
 
-void addUncertainty(JsonRecord &record, const ShockConditions &shock)
+void addUncertainty(
+    JsonRecord &record, const ShockConditions &shock, const ShotMonteCarlo *monteCarlo)
 {
     const std::string reason = !shock.uncertaintyMissing.empty() ? shock.uncertaintyMissing
         : shock.states                                           ? std::string(kNoUncertainty)
@@ -156,7 +157,7 @@ void addUncertainty(JsonRecord &record, const ShockConditions &shock)
     record.number("step_dof", shock.uncertainty->budget.dof[static_cast<Index>(StepResult::Step)],
         "Infinite.");
     record.set("step_budget", budgetJson(shock.uncertainty->budget));
-    addMonteCarlo(record, *shock.uncertainty);
+    addMonteCarlo(record, monteCarlo);
 }
 
 void addPlateau(JsonRecord &record, const ShockConditions &shock, const std::string &noVelocity)
@@ -193,7 +194,7 @@ Json measuredJson(const ShockConditions &shock)
     return list;
 }
 
-Json shockJson(const ShockConditions &shock)
+Json shockJson(const ShockConditions &shock, const ShotMonteCarlo *monteCarlo)
 {
     const std::string noVelocity = "The shock's velocity is neither given nor measured.";
     JsonRecord record;
@@ -203,7 +204,7 @@ Json shockJson(const ShockConditions &shock)
     addModelOf(record, "driver_gas", shock.driverGas, "The driver's temperature is not known.");
     addVelocity(record, shock);
     record.number("step_pa", shock.step_Pa, "Not determined; see the findings.");
-    addUncertainty(record, shock);
+    addUncertainty(record, shock, monteCarlo);
     addPlateau(record, shock, noVelocity);
     record.set("measured", measuredJson(shock));
     return record.take();
@@ -222,8 +223,9 @@ void addShock(JsonRecord &root, const ResultsContext &context)
         return;
     }
     Json list = Json::array();
+    const auto &drawn = context.results().monteCarlo;
     for (const ShockConditions &shock : context.results().shock->shots)
-        list.push_back(shockJson(shock));
+        list.push_back(shockJson(shock, drawn ? drawn->ofShot(shock.shot) : nullptr));
     root.set("shock", std::move(list));
 }
 

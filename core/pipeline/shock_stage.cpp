@@ -4,8 +4,8 @@
 #include "core/pipeline/shock_stage.h"
 
 #include "core/base/number_text.h"
+#include "core/shock/channel_order.h"
 #include "core/shock/reading_check.h"
-#include "core/signal/resonance_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,6 +20,7 @@ struct ShotSpectrum
 {
     Index shot;
     const PowerSpectrum *spectrum;
+    const std::vector<SpectralPeak> *peaks;
     double a5_m_s;
     const ShockConditions *conditions;
 };
@@ -29,12 +30,12 @@ std::vector<ShotSpectrum> usableShots(
     const SpectrumResult &spectrum, const WindowResult &window, const ShockConditionsSet &shock)
 {
     std::vector<ShotSpectrum> list;
-    const std::size_t count = std::min(spectrum.perShot.size(), window.responses.size());
+    const std::size_t count = std::min(spectrum.peaks.size(), window.responses.size());
     for (std::size_t i = 0; i < count; ++i) {
         const Index shot = window.responses[i].shot;
         const ShockConditions *conditions = shock.ofShot(shot);
         if (conditions && conditions->states && spectrum.perShot[i].frequency_Hz.size() > 8)
-            list.push_back({shot, &spectrum.perShot[i],
+            list.push_back({shot, &spectrum.perShot[i], &spectrum.peaks[i],
                 conditions->states->reflected.soundSpeed_m_s, conditions});
     }
     return list;
@@ -102,13 +103,54 @@ UncertaintyRequest requestOf(const UncertaintySettings &settings)
                                                  : Distribution::Normal;
         request.stated.push_back({entry.quantity, entry.u, distribution, entry.dof});
     }
-    request.monteCarlo.trials = settings.monteCarloTrials;
-    request.monteCarlo.seed = static_cast<std::uint64_t>(settings.seed);
-    request.monteCarlo.coverage = settings.coverage;
     return request;
 }
 
+/// When the DUTs felt the shock, as far as it can be known before the window is cut.
+std::vector<DutArrival> startsOfDuts(
+    const CaptureSet &set, const RecordStarts &starts, const std::vector<double> &typed_s)
+{
+    std::vector<DutArrival> arrivals;
+    for (Index shot = 1; shot <= std::ssize(set.shots); ++shot) {
+        const auto at = static_cast<std::size_t>(shot - 1);
+        const Channel *dut = set.shots[at].channelWithRole(ChannelRole::Dut);
+        const DetectedStart *start = starts.of(set, shot, dut);
+        if (!set.shots[at].included || dut == nullptr)
+            continue;
+        if (!typed_s.empty())
+            arrivals.push_back({shot, typed_s[std::min(at, typed_s.size() - 1)]});
+        else if (start != nullptr)
+            arrivals.push_back({shot, start->time_s});
+    }
+    return arrivals;
+}
+
+Finding monteCarloFailed(Index shot, const Error &error)
+{
+    return {"SHK-012", Severity::Caution, shot, {}, {},
+        {DYNCAL_TEXT("core",
+             "Shot %1: the uncertainty of the step could not be checked by Monte Carlo (%2); what "
+             "the law of propagation gives may be wrong."),
+            {std::to_string(shot), english(error.message)}},
+        {}, {}};
+}
+
 } // namespace
+
+Result<ExpectedShock> expectedShock(
+    const CaptureSet &set, const RecordStarts &starts, const Recipe &recipe)
+{
+    ExpectedShock expected;
+    if (!recipe.shock.enabled)
+        return expected;
+    const std::vector<DutArrival> arrivals = startsOfDuts(set, starts, recipe.window.start_s);
+    auto conditions = estimateShockConditions(set, arrivals, recipe.shock, {}, {}, {&starts});
+    if (conditions)
+        expected.conditions = std::move(*conditions);
+    if (recipe.shock.dutPosition == kEndWall)
+        expected.findings = checkChannelOrder(set, arrivals, starts);
+    return expected;
+}
 
 std::vector<DutArrival> dutArrivals(const WindowResult &window, const SensorModel &model)
 {
@@ -134,14 +176,11 @@ std::vector<FollowedPeak> followPeaks(
     std::vector<FollowedPeak> followed;
     if (shots.size() < 2)
         return followed;
-    std::vector<std::vector<SpectralPeak>> peaks;
-    for (const ShotSpectrum &shot : shots)
-        peaks.push_back(ResonanceSearch(*shot.spectrum, 1.0).prominentPeaks(std::nullopt));
-    for (const SpectralPeak &first : peaks.front()) {
+    for (const SpectralPeak &first : *shots.front().peaks) {
         FollowedPeak peak;
         for (std::size_t i = 0; i < shots.size(); ++i) {
             const double atGas_Hz = first.frequency_Hz * shots[i].a5_m_s / shots.front().a5_m_s;
-            const auto found_Hz = peakBetween(peaks[i], first.frequency_Hz, atGas_Hz);
+            const auto found_Hz = peakBetween(*shots[i].peaks, first.frequency_Hz, atGas_Hz);
             if (!found_Hz)
                 break;
             peak.shots.push_back(shots[i].shot);
@@ -159,14 +198,14 @@ std::vector<FollowedPeak> followPeaks(
     return followed;
 }
 
-Result<ShockConditionsSet> shockStage(const CaptureSet &set, const WindowResult &window,
-    const SpectrumResult &spectrum, const SensorModel &model, const Recipe &recipe,
-    const JobControl &control)
+Result<ShockConditionsSet> shockStage(const CaptureSet &set, const ShockConditionsSet &expected,
+    const WindowResult &window, const SpectrumResult &spectrum, const SensorModel &model,
+    const Recipe &recipe)
 {
     if (!recipe.shock.enabled)
         return ShockConditionsSet{};
-    auto shock = estimateShockConditions(
-        set, dutArrivals(window, model), recipe.shock, requestOf(recipe.uncertainty), control);
+    auto shock = estimateShockConditions(set, dutArrivals(window, model), recipe.shock,
+        requestOf(recipe.uncertainty), {}, {nullptr, &expected});
     if (!shock)
         return shock;
     const Findings misread = checkReadings(window.responses, *shock, recipe.checks);
@@ -177,6 +216,38 @@ Result<ShockConditionsSet> shockStage(const CaptureSet &set, const WindowResult 
             shock->findings.push_back(movingPeak(peak));
     }
     return shock;
+}
+
+const ShotMonteCarlo *StepMonteCarloSet::ofShot(Index shot) const
+{
+    const auto found = std::find_if(
+        shots.begin(), shots.end(), [&](const ShotMonteCarlo &s) { return s.shot == shot; });
+    return found != shots.end() ? &*found : nullptr;
+}
+
+Result<StepMonteCarloSet> stepMonteCarlo(
+    const ShockConditionsSet &shock, const UncertaintySettings &settings, const JobControl &control)
+{
+    const UncertaintyRequest request = requestOf(settings);
+    StepMonteCarloSet set;
+    for (const ShockConditions &shot : shock.shots) {
+        if (!shot.measurement || !shot.uncertainty || !shot.uncertainty->u(StepResult::Step))
+            continue;
+        auto outcome = simulateStep(*shot.measurement, request, shot.uncertainty->budget,
+            {settings.monteCarloTrials, static_cast<std::uint64_t>(settings.seed), shot.shot,
+                settings.coverage},
+            control);
+        if (!outcome && outcome.error().kind != ErrorKind::DataBlocked)
+            return tl::unexpected(outcome.error());
+        set.shots.push_back({shot.shot, {}, {}});
+        if (outcome) {
+            set.shots.back().outcome = std::move(*outcome);
+        } else {
+            set.shots.back().missing = english(outcome.error().message);
+            set.findings.push_back(monteCarloFailed(shot.shot, outcome.error()));
+        }
+    }
+    return set;
 }
 
 } // namespace dyncal

@@ -64,11 +64,18 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
         part.import = recipe.import;
         part.checks = recipe.checks;
         break;
+    case StageId::Arrivals:
+        for (const ArrivalSensor &sensor : recipe.shock.arrivalSensors)
+            part.shock.arrivalSensors.push_back({sensor.channel});
+        break;
+    case StageId::Expected:
+        part.shock = recipe.shock;
+        part.window.start_s = recipe.window.start_s;
+        break;
     case StageId::Window:
         part.window = recipe.window;
         part.remap = recipe.remap;
         part.input.treatment = recipe.input.treatment;
-        part.shock = recipe.shock; // the plateau's end and the order of the channels
         break;
     case StageId::Spectrum:
         part.spectrum = recipe.spectrum;
@@ -78,6 +85,7 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
         break;
     case StageId::ModelInput:
         part.input = recipe.input;
+        part.realization.nuisanceModes = recipe.realization.nuisanceModes;
         break;
     case StageId::Decomposition:
         part.realization.maxOrder = recipe.realization.maxOrder;
@@ -88,7 +96,7 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
         part.realization.refine = recipe.realization.refine;
         break;
     case StageId::Shock:
-        part.uncertainty = recipe.uncertainty; // the rest is in the window's key already
+        part.uncertainty.budget = recipe.uncertainty.budget; // `shock` is in an earlier key
         break;
     case StageId::Response:
         part.response = recipe.response;
@@ -96,6 +104,9 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
     case StageId::Evidence:
         part.realization.stableFrequency = recipe.realization.stableFrequency;
         part.realization.stableDamping = recipe.realization.stableDamping;
+        break;
+    case StageId::MonteCarlo:
+        part.uncertainty = recipe.uncertainty;
         break;
     }
     return recipeJson(part);
@@ -111,6 +122,8 @@ std::array<std::string, kStageCount> stageKeys(const CaptureSet &captures, const
         const StageId stage = static_cast<StageId>(i);
         if (stage == StageId::Evidence) // serves every order: model and response do not count
             before = keys[static_cast<std::size_t>(StageId::Decomposition)];
+        if (stage == StageId::MonteCarlo)
+            before = keys[static_cast<std::size_t>(StageId::Shock)];
         before = sha256Hex(before + stageName(stage) + sectionsOf(stage, recipe));
         keys[static_cast<std::size_t>(i)] = before;
     }

@@ -5,6 +5,7 @@
 
 #include "core/realization/cross_shot.h"
 #include "core/realization/model_draft.h"
+#include "core/realization/model_findings.h"
 #include "core/realization/order_words.h"
 #include "core/realization/pole_classes.h"
 #include "core/realization/realized_poles.h"
@@ -20,7 +21,6 @@ namespace {
 
 constexpr Index kHighestOrder = 60;
 constexpr double kMostWork = 4e9; ///< samples x order^3 over all orders: about a second
-constexpr double kSamePole = 0.1; ///< relative distance of frequencies within which a pole is meant
 
 using Poles = std::vector<std::complex<double>>;
 
@@ -29,17 +29,6 @@ Index highestOrder(const ModelInput &input, const HankelDecomposition &decomposi
     const double affordable = std::cbrt(kMostWork / static_cast<double>(input.samples));
     return std::clamp<Index>(static_cast<Index>(affordable), 1,
         std::min({kHighestOrder, largestOrder(decomposition), input.samples / 2}));
-}
-
-/// The step's own pole (thesis mode) is no pole of the sensor.
-void dropStepPole(const ModelInput &input, Poles &poles)
-{
-    const auto classes
-        = classifyPoles(poles, input.treatment, std::vector<bool>(poles.size(), true));
-    for (std::size_t i = poles.size(); i-- > 0;) {
-        if (classes[i] == PoleClass::Step)
-            poles.erase(poles.begin() + static_cast<std::ptrdiff_t>(i));
-    }
 }
 
 OrderPole describePole(std::complex<double> z, Index order, double dt_s)
@@ -79,6 +68,9 @@ struct OneOrder
 {
     std::vector<OrderPole> poles;
     double fit_percent = kUnknown;
+    bool diverges = false;
+    Index unstable = 0;
+    Index nyquist = 0;
 };
 
 class OrderScan
@@ -97,24 +89,52 @@ public:
 
     OneOrder order(Index n) const
     {
-        Poles poles = realizedPoles(m_decomposition, n);
-        dropStepPole(m_input, poles);
         OneOrder result;
-        for (const std::complex<double> &z : poles) {
-            if (z.imag() > 0.0)
-                result.poles.push_back(describePole(z, n, sampleInterval_s(m_input)));
-        }
-        const bool diverges = dropRunaways(poles, m_input.samples);
+        const Poles poles = fittedPoles(n, result);
         const auto fits = fitSharedPoles(m_records, poles, isStepTreatment(m_input.treatment));
-        if (!diverges)
+        if (!result.diverges)
             result.fit_percent = fitPercent(errorSquares(fits, n), m_spread);
-        addSizes(poles, fits, result.poles);
+        describe(n, poles, fits, result.poles);
         std::stable_sort(result.poles.begin(), result.poles.end(),
             [](const OrderPole &a, const OrderPole &b) { return a.frequency_Hz < b.frequency_Hz; });
         return result;
     }
 
+    /// What the true model would score; unknown where the noise is.
+    double attainable_percent() const
+    {
+        double noise = 0.0;
+        for (const ModelSeries &series : m_input.series) {
+            if (series.noise.size() == 0)
+                return kUnknown;
+            noise += series.noiseSd * series.noiseSd * static_cast<double>(series.y.size());
+        }
+        return fitPercent(noise, m_spread);
+    }
+
 private:
+    /// All but the step's own pole (thesis mode), counted. Those with which the order diverges are
+    /// described here, without a size, and left out.
+    Poles fittedPoles(Index n, OneOrder &result) const
+    {
+        const Poles all = realizedPoles(m_decomposition, n);
+        const auto classes
+            = classifyPoles(all, m_input.treatment, std::vector<bool>(all.size(), true));
+        Poles poles;
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (classes[i] == PoleClass::Step)
+                continue;
+            result.unstable += classes[i] == PoleClass::Unstable;
+            result.nyquist += classes[i] == PoleClass::Nyquist;
+            if (!isRunaway(all[i], m_input.samples))
+                poles.push_back(all[i]);
+            else if (all[i].imag() > 0.0)
+                result.poles.push_back(describePole(all[i], n, sampleInterval_s(m_input)));
+            result.diverges = result.diverges || isRunaway(all[i], m_input.samples);
+        }
+        return poles;
+    }
+
     double errorSquares(const std::vector<AmplitudeFit> &fits, Index order) const
     {
         if (isThesisMode(m_input)) {
@@ -130,24 +150,22 @@ private:
         return sum;
     }
 
-    void addSizes(const Poles &poles, const std::vector<AmplitudeFit> &fits,
+    void describe(Index order, const Poles &poles, const std::vector<AmplitudeFit> &fits,
         std::vector<OrderPole> &described) const
     {
+        const double dt_s = sampleInterval_s(m_input);
         ModelDraft draft;
         for (const std::complex<double> &z : poles)
-            draft.rates_rad_s.push_back(rateOf(z, sampleInterval_s(m_input)));
+            draft.rates_rad_s.push_back(rateOf(z, dt_s));
         for (std::size_t r = 0; r < fits.size(); ++r)
             draft.series.push_back(atStart(m_input.series[r], draft.rates_rad_s, fits[r]));
         const std::vector<bool> standsOut = standingOut(m_input, draft);
-        std::size_t at = 0; // runaways were dropped from `poles`, not from `described`
         for (std::size_t i = 0; i < poles.size(); ++i) {
-            if (poles[i].imag() <= 0.0)
+            if (!isUpperOfPair(poles, i))
                 continue;
-            const double frequency_Hz = std::abs(draft.rates_rad_s[i]) / (2.0 * std::numbers::pi);
-            while (described[at].frequency_Hz != frequency_Hz)
-                ++at;
-            described[at].standsOut = standsOut[i];
-            described[at].amplitude = relativeSize(fits, static_cast<Index>(i));
+            described.push_back(describePole(poles[i], order, dt_s));
+            described.back().standsOut = standsOut[i];
+            described.back().amplitude = relativeSize(fits, static_cast<Index>(i));
         }
     }
 
@@ -182,64 +200,21 @@ const OrderPole *mainPoleOf(const OrderEvidence &evidence, Index order)
     return main;
 }
 
-const OrderPole *nearestPole(const OrderEvidence &evidence, Index order, double frequency_Hz)
-{
-    const OrderPole *nearest = nullptr;
-    for (const OrderPole &pole : evidence.poles) {
-        if (pole.order == order && pole.stability != PoleStability::Unstable
-            && sameWithin(pole.frequency_Hz, frequency_Hz, kSamePole)
-            && (!nearest
-                || std::abs(pole.frequency_Hz - frequency_Hz)
-                    < std::abs(nearest->frequency_Hz - frequency_Hz)))
-            nearest = &pole;
-    }
-    return nearest;
-}
-
-/// Mean of one value over the poles; `spread` receives half its range.
-double meanOf(const std::vector<const OrderPole *> &poles, double OrderPole::*value, double &spread)
-{
-    double sum = 0.0;
-    double low = poles.front()->*value;
-    double high = low;
-    for (const OrderPole *pole : poles) {
-        sum += pole->*value;
-        low = std::min(low, pole->*value);
-        high = std::max(high, pole->*value);
-    }
-    spread = (high - low) / 2.0;
-    return sum / static_cast<double>(poles.size());
-}
-
 } // namespace
 
-std::optional<OrderSpread> spreadAround(
-    const OrderEvidence &evidence, Index order, double frequency_Hz)
+const char *poleStabilityName(PoleStability stability)
 {
-    const OrderPole *here = nearestPole(evidence, order, frequency_Hz);
-    if (!here)
-        return std::nullopt;
-    std::vector<const OrderPole *> chain{here};
-    const auto isStable = [](const OrderPole *p) {
-        return p && p->stability == PoleStability::FrequencyAndDamping;
-    };
-    for (const OrderPole *pole = here; isStable(pole);) {
-        pole = nearestPole(evidence, pole->order - 1, pole->frequency_Hz);
-        if (pole)
-            chain.insert(chain.begin(), pole);
+    switch (stability) {
+    case PoleStability::New:
+        return "new";
+    case PoleStability::Frequency:
+        return "frequency";
+    case PoleStability::FrequencyAndDamping:
+        return "frequency-and-damping";
+    case PoleStability::Unstable:
+        break;
     }
-    for (const OrderPole *pole = here;;) {
-        pole = nearestPole(evidence, pole->order + 1, pole->frequency_Hz);
-        if (!isStable(pole))
-            break;
-        chain.push_back(pole);
-    }
-    OrderSpread spread;
-    spread.fromOrder = chain.front()->order;
-    spread.toOrder = chain.back()->order;
-    spread.frequency_Hz = meanOf(chain, &OrderPole::frequency_Hz, spread.frequencySpread_Hz);
-    spread.dampingRatio = meanOf(chain, &OrderPole::dampingRatio, spread.dampingSpread);
-    return spread;
+    return "unstable";
 }
 
 Result<OrderEvidence> gatherOrderEvidence(const ModelInput &input,
@@ -253,6 +228,8 @@ Result<OrderEvidence> gatherOrderEvidence(const ModelInput &input,
     for (Index n = 1; n <= evidence.fit_percent.size(); ++n) {
         OneOrder one = scan.order(n);
         evidence.fit_percent[n - 1] = one.fit_percent;
+        evidence.unstable.push_back(one.unstable);
+        evidence.nyquist.push_back(one.nyquist);
         for (OrderPole &pole : one.poles) {
             if (pole.stability != PoleStability::Unstable)
                 pole.stability = stabilityOf(pole, before, settings);
@@ -271,7 +248,9 @@ Result<OrderEvidence> gatherOrderEvidence(const ModelInput &input,
         evidence.crossShots.push_back(input.series[static_cast<std::size_t>(r)].shot);
     if (const OrderPole *main = mainPoleOf(evidence, suggestion.order))
         evidence.spread = spreadAround(evidence, suggestion.order, main->frequency_Hz);
-    evidence.words = wordsFor(input, decomposition, suggestion, evidence);
+    evidence.fitAttainable_percent = scan.attainable_percent();
+    evidence.findings = judgeGap(decomposition);
+    evidence.words = wordsFor(decomposition, suggestion, evidence);
     return evidence;
 }
 

@@ -9,6 +9,7 @@
 #include "core/realization/hankel_decomposition.h"
 #include "core/realization/model_input.h"
 #include "core/realization/realization_settings.h"
+#include "core/realization/sensor_model.h"
 
 #include <Eigen/Core>
 
@@ -24,6 +25,8 @@ enum class PoleStability {
     FrequencyAndDamping, ///< frequency and damping ratio were there
     Unstable, ///< outside the unit circle
 };
+
+const char *poleStabilityName(PoleStability stability); ///< "new", "frequency", ...
 
 /// One oscillating pole (the upper half of a pair) of one order, as realised, without refinement.
 struct OrderPole
@@ -54,6 +57,9 @@ struct OrderEvidence
 {
     std::vector<OrderPole> poles; ///< by order, then frequency; the step's pole never
     Eigen::VectorXd fit_percent; ///< aligned, orders 1.., poles not refined; NaN where it diverges
+    double fitAttainable_percent = kUnknown; ///< what the true model would score
+    std::vector<Index> unstable; ///< poles outside the unit circle, orders 1..
+    std::vector<Index> nyquist; ///< poles at the Nyquist frequency, orders 1..
     Eigen::VectorXd crossShot_percent; ///< leave-one-shot-out NRMSE, orders 1..; may be empty
     /// FIT of each shot by the others' poles, orders x shots; empty as crossShot_percent.
     Eigen::MatrixXd crossShotFit_percent;

@@ -8,8 +8,13 @@
 namespace dyncal {
 
 /// Why the suggested order, sentence by sentence: BIC, singular values against the noise, stable
-/// poles, leave-one-shot-out, pairs, FIT.
-std::vector<Message> wordsFor(const ModelInput &input, const HankelDecomposition &decomposition,
+/// poles with their spread, leave-one-shot-out, pairs, and the lowest order that reaches 98 % of
+/// the attainable FIT without a pole at the Nyquist frequency.
+std::vector<Message> wordsFor(const HankelDecomposition &decomposition,
     const OrderSuggestion &suggestion, const OrderEvidence &evidence);
+
+/// The lowest order whose FIT is at least 98 % of the attainable one and which has neither unstable
+/// nor Nyquist poles; empty if there is none, or the attainable FIT says nothing (10 % or less).
+std::optional<Index> lowestSufficientOrder(const OrderEvidence &evidence);
 
 } // namespace dyncal

@@ -34,11 +34,14 @@ const char *poleClassName(PoleClass poleClass)
     return "other";
 }
 
+bool isRunaway(std::complex<double> z, Index samples)
+{
+    return static_cast<double>(samples) * std::log(std::abs(z)) > std::log(kRunaway);
+}
+
 bool dropRunaways(std::vector<std::complex<double>> &poles, Index samples)
 {
-    return std::erase_if(poles, [samples](const std::complex<double> &z) {
-        return static_cast<double>(samples) * std::log(std::abs(z)) > std::log(kRunaway);
-    }) > 0;
+    return std::erase_if(poles, [samples](auto z) { return isRunaway(z, samples); }) > 0;
 }
 
 std::vector<PoleClass> classifyPoles(const std::vector<std::complex<double>> &poles,

@@ -12,8 +12,10 @@ namespace dyncal {
 
 inline constexpr double kUnstableMargin = 1e-6; ///< of |z| beyond 1
 
-/// Takes out the poles that grow beyond ten times their beginning over `samples`, with which a
-/// model diverges; true if there were any.
+/// Whether a pole grows beyond ten times its beginning over `samples`: with it a model diverges.
+bool isRunaway(std::complex<double> z, Index samples);
+
+/// Takes such poles out; true if there were any.
 bool dropRunaways(std::vector<std::complex<double>> &poles, Index samples);
 
 /// Class of every pole: `step` is the real pole nearest 1 within 1e-3 when the treatment feeds the

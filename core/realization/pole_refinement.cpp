@@ -336,11 +336,14 @@ std::optional<Refinement> refinePoles(const std::vector<RefinementRecord> &recor
         if (problem.isPair.back())
             ++i;
     }
-    if (problem.isPair.empty() || !(fastest > 0.0))
+    for (const RefinementRecord &record : records) {
+        problem.regressions.emplace_back(record.y, record.used);
+        if (start_rad_s.empty() && !record.nuisance.empty())
+            fastest = std::max(fastest, std::abs(record.nuisance.front().rate_rad_s));
+    }
+    if (!(fastest > 0.0))
         return std::nullopt;
     problem.unit_s = 1.0 / fastest;
-    for (const RefinementRecord &record : records)
-        problem.regressions.emplace_back(record.y, record.used);
 
     const Eigen::VectorXd start = startOf(problem, start_rad_s);
     Eigen::VectorXd theta = start;

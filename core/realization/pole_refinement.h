@@ -56,6 +56,7 @@ Eigen::Matrix4d nuisanceCovariance(const Refinement &refinement, Index record, I
 /// (J^T J)^-1 times the larger of 1 and the reduced chi square. Empty when it does not converge to
 /// decaying poles within a factor of 1.5 in frequency of the start: the realisation then stands.
 /// Nuisance terms are each record's own, rate and all; they too must stay within that factor.
+/// Without any pole only they are fitted; with neither there is no result.
 /// Assumes white noise within each record.
 std::optional<Refinement> refinePoles(const std::vector<RefinementRecord> &records,
     const std::vector<std::complex<double>> &start_rad_s, bool withConstant,

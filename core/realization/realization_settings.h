@@ -11,6 +11,18 @@
 
 namespace dyncal {
 
+/// A mode that is not the sensor's: fitted to each shot by itself and left out of the model.
+struct NuisanceMode
+{
+    std::vector<double> frequency_Hz; ///< one, or one per shot of the capture set
+    Index shot = 0; ///< where the one frequency was read; 0 = the first shot used
+    bool isTube = true; ///< set off by the step, and moves with the sound speed of the gas
+    std::string label; ///< "transverse (1,1)"
+    std::string reason;
+
+    bool operator==(const NuisanceMode &) const = default;
+};
+
 /// Recipe section "realization".
 struct RealizationSettings
 {
@@ -22,6 +34,8 @@ struct RealizationSettings
     double stableDamping = 0.05; ///< largest relative change of its damping ratio
     std::vector<Index> candidates; ///< orders pinned for comparison; no result depends on them
     std::string adoptedReason; ///< why this order was adopted; printed, not computed with
+
+    std::vector<NuisanceMode> nuisanceModes;
 
     bool operator==(const RealizationSettings &) const = default;
 };

@@ -56,7 +56,9 @@ std::vector<AmplitudeFit> fitSharedPoles(const Eigen::MatrixXd &records,
     Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(basis.cols(), basis.cols());
     gram.selfadjointView<Eigen::Lower>().rankUpdate(basis.transpose());
     gram.triangularView<Eigen::StrictlyUpper>() = gram.transpose();
-    const Eigen::MatrixXd scaled = leastSquares(gram, Eigen::MatrixXd(basis.transpose() * records));
+    Eigen::MatrixXd scaled = basis.transpose() * records;
+    if (scaled.rows() > 0) // without poles and constant nothing is fitted
+        scaled = leastSquares(gram, scaled);
     const Eigen::MatrixXd fitted = basis * scaled;
 
     std::vector<AmplitudeFit> fits(static_cast<std::size_t>(records.cols()));

@@ -13,7 +13,6 @@ namespace dyncal {
 namespace {
 
 constexpr Index kFewestNoise = 50;
-constexpr Index kLargestNoiseModel = 8;
 constexpr double kSignificance = 0.01;
 
 bool canCombine(const ModelInput &input)

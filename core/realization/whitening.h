@@ -11,6 +11,9 @@
 
 namespace dyncal {
 
+/// Largest order of a model of the noise in a record; its autocovariance is kept for as many lags.
+inline constexpr Index kLargestNoiseModelOrder = 20;
+
 /// Autocovariance of a noise record about its mean, lag 0 first: sum of products over `count`.
 struct NoiseCovariance
 {

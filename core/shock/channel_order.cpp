@@ -26,7 +26,8 @@ Finding swapped(Index shot, const Channel &dut, const Channel &side, double lead
 
 } // namespace
 
-Findings checkChannelOrder(const CaptureSet &set, const std::vector<DutArrival> &arrivals)
+Findings checkChannelOrder(
+    const CaptureSet &set, const std::vector<DutArrival> &arrivals, const RecordStarts &starts)
 {
     Findings findings;
     for (const DutArrival &arrival : arrivals) {
@@ -35,10 +36,11 @@ Findings checkChannelOrder(const CaptureSet &set, const std::vector<DutArrival> 
         const Channel *side = shot.channelWithRole(ChannelRole::DrivenSide);
         if (!shot.included || !dut || !side)
             continue;
-        const auto sideTime_s = sideArrival_s(*side, arrival.time_s);
+        const DetectedStart *start = starts.of(set, arrival.shot, side);
+        const auto seen = start ? sideArrival(*side, *start, arrival.time_s) : std::nullopt;
         const double slower_Hz = std::min(dut->sampleRate_Hz, side->sampleRate_Hz);
-        if (sideTime_s && *sideTime_s - arrival.time_s > kLeastLead_samples / slower_Hz)
-            findings.push_back(swapped(arrival.shot, *dut, *side, *sideTime_s - arrival.time_s));
+        if (seen && seen->time_s - arrival.time_s > kLeastLead_samples / slower_Hz)
+            findings.push_back(swapped(arrival.shot, *dut, *side, seen->time_s - arrival.time_s));
     }
     return findings;
 }

@@ -13,7 +13,9 @@ namespace dyncal {
 
 /// CAP-010 for every shot whose DUT in the end wall feels the shock before a sensor in the driven
 /// section's wall does, which the shock passes first: the two channels look swapped. `arrivals` are
-/// the detected starts of the DUTs. Nothing is said of shots where either has no arrival.
-Findings checkChannelOrder(const CaptureSet &set, const std::vector<DutArrival> &arrivals);
+/// the starts of the DUTs, `starts` those of all records. Nothing is said of shots where either has
+/// no arrival.
+Findings checkChannelOrder(
+    const CaptureSet &set, const std::vector<DutArrival> &arrivals, const RecordStarts &starts);
 
 } // namespace dyncal

@@ -54,17 +54,6 @@ private:
     std::vector<MeasuredPressure> &m_list;
 };
 
-const Channel *channelNamed(const Shot &shot, const Sighting &sighting)
-{
-    const ChannelRole role = channelRoleFromName(sighting.channel);
-    for (const Channel &channel : shot.channels) {
-        if (channel.name == sighting.channel
-            || (role != ChannelRole::Other && channel.role == role))
-            return &channel;
-    }
-    return nullptr;
-}
-
 } // namespace
 
 std::vector<MeasuredPressure> measuredPressures(const Shot &shot, const ShockStates &states,
@@ -78,7 +67,7 @@ std::vector<MeasuredPressure> measuredPressures(const Shot &shot, const ShockSta
         : p1_Pa;
     const double p5_Pa = states.reflected.pressure_Pa;
     for (const Sighting &sighting : sightings) {
-        const Channel *channel = channelNamed(shot, sighting);
+        const Channel *channel = shot.channelCalled(sighting.channel);
         const auto pascals = channel ? pascalsPer(channel->unit) : std::nullopt;
         if (!pascals)
             continue;
@@ -101,6 +90,22 @@ std::vector<MeasuredPressure> measuredPressures(const Shot &shot, const ShockSta
     if (pascals && p4_Pa && burst_s)
         PressureReader(*driver, *pascals, ambient_Pa, list).addBefore("p4", *burst_s, *p4_Pa);
     return list;
+}
+
+std::vector<MeasuredPressure> besides(std::vector<MeasuredPressure> measured,
+    const ShockStates &states, const std::optional<double> &p4_Pa)
+{
+    for (MeasuredPressure &m : measured) {
+        if (m.region == "p1")
+            m.predicted_Pa = states.driven.pressure_Pa;
+        else if (m.region == "p2")
+            m.predicted_Pa = states.shocked.pressure_Pa;
+        else if (m.region == "p5")
+            m.predicted_Pa = states.reflected.pressure_Pa;
+        else
+            m.predicted_Pa = p4_Pa.value_or(m.predicted_Pa);
+    }
+    return measured;
 }
 
 } // namespace dyncal

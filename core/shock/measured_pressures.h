@@ -34,4 +34,8 @@ std::vector<MeasuredPressure> measuredPressures(const Shot &shot, const ShockSta
     const std::vector<Sighting> &sightings, double arrivalAtWall_s, double plateau_s,
     const std::optional<double> &burst_s, const std::optional<double> &p4_Pa);
 
+/// The same readings beside what other states predict.
+std::vector<MeasuredPressure> besides(std::vector<MeasuredPressure> measured,
+    const ShockStates &states, const std::optional<double> &p4_Pa);
+
 } // namespace dyncal

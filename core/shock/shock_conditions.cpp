@@ -74,8 +74,11 @@ void addDiagram(
         sensors.push_back({"end wall", 0.0, std::nullopt, 0.0, 0.0});
     c.diagram = tubeDiagram(
         waves, *c.states, atWall_s, std::move(sensors), c.plateau_s.value_or(waves.plateau_s));
-    c.measured = measuredPressures(work.shot, *c.states, c.sightings, atWall_s, waves.plateau_s,
-        c.diagram->burst_s, c.driver ? std::optional(c.driver->pressure_Pa) : std::nullopt);
+    const auto p4_Pa = c.driver ? std::optional(c.driver->pressure_Pa) : std::nullopt;
+    c.measured = work.before != nullptr && work.before->diagram
+        ? besides(work.before->measured, *c.states, p4_Pa)
+        : measuredPressures(work.shot, *c.states, c.sightings, atWall_s, waves.plateau_s,
+            c.diagram->burst_s, p4_Pa);
 }
 
 /// Plateau, x-t diagram, resonances and pressures read from the records.
@@ -172,19 +175,17 @@ void addUncertainty(ShockWork &work, const SectionState &state, const VelocityEs
         around.u_p1_Pa, around.u_T1_K};
     if (estimate.fit && estimate.sightings.empty())
         measurement.counters = work.settings.counters;
-    UncertaintyRequest request = work.request;
-    request.monteCarlo.shot = c.shot;
-    auto uncertainty = evaluateStep(measurement, request, work.control);
+    auto uncertainty = evaluateStep(measurement, work.request);
     if (!uncertainty) {
         c.uncertaintyMissing = english(uncertainty.error().message);
-        const ErrorKind kind = uncertainty.error().kind;
-        if (kind == ErrorKind::Cancelled || kind == ErrorKind::Usage)
+        if (uncertainty.error().kind == ErrorKind::Usage)
             work.done = tl::unexpected(uncertainty.error());
         return;
     }
     if (uncertainty->stepMissing)
         c.uncertaintyMissing = english(*uncertainty->stepMissing);
     c.uncertainty = std::move(*uncertainty);
+    c.measurement = std::move(measurement);
 }
 
 /// The driven gas at p1, T1; without one, the finding says what it needs. `state` gets the
@@ -245,14 +246,26 @@ void addShockedStates(ShockWork &work, const VelocityEstimate &estimate, const S
     judgeMeasured(work);
 }
 
+void readArrivals(ShockWork &work, const std::optional<DutArrival> &dutArrival)
+{
+    if (work.before != nullptr)
+        work.conditions.seen = work.before->seen;
+    else
+        work.conditions.seen = seenArrivals(work.set, work.conditions.shot, work.settings,
+            work.starts, dutArrival ? std::optional(dutArrival->time_s) : std::nullopt);
+}
+
 void addStates(ShockWork &work, const std::optional<DutArrival> &dutArrival)
 {
     const auto p1_Pa = firstKnown(work.settings.p1_Pa, work.shot.environment.p1_Pa);
     const auto T1_K = firstKnown(work.settings.T1_K, work.shot.environment.T1_K);
     const bool fromVelocity = work.settings.stateFrom == "velocity";
     VelocityEstimate estimate;
-    if (fromVelocity)
-        estimate = estimateVelocity(work.set, work.shot, dutArrival, work.settings);
+    if (fromVelocity) {
+        readArrivals(work, dutArrival);
+        estimate = estimateVelocity(
+            work.set, work.conditions.shot, dutArrival, work.conditions.seen, work.settings);
+    }
     reportMissingPressureAndTemperature(work, p1_Pa.has_value(), T1_K.has_value());
     if (estimate.missing)
         work.reportMissing(*estimate.missing);
@@ -282,7 +295,7 @@ void addStates(ShockWork &work, const std::optional<DutArrival> &dutArrival)
     addShockedStates(work, estimate, state, dutArrival);
 }
 
-Result<void> checkSettings(const ShockSettings &settings)
+Result<void> checkSettings(const ShockSettings &settings, std::size_t shots)
 {
     if (settings.dutPosition != kEndWall && settings.dutPosition != kSideWall)
         return fail(ErrorKind::Usage,
@@ -301,6 +314,13 @@ Result<void> checkSettings(const ShockSettings &settings)
                             "The arrival sensor '%1' has a distance to the end wall of %2 m; it "
                             "must be above 0."),
                     {sensor.channel, numberText(sensor.distanceToEndWall_m)}});
+        if (!sensor.shotArrival_s.empty() && sensor.shotArrival_s.size() != shots)
+            return fail(ErrorKind::Usage,
+                Message{DYNCAL_TEXT("core",
+                            "The arrival sensor '%1' lists %2 arrivals for %3 shots; give one time "
+                            "or null per shot (shock.arrival_sensors[].arrival_s)."),
+                    {sensor.channel, std::to_string(sensor.shotArrival_s.size()),
+                        std::to_string(shots)}});
     }
     return {};
 }
@@ -343,16 +363,25 @@ const ShockConditions *ShockConditionsSet::ofShot(Index shot) const
 
 Result<ShockConditionsSet> estimateShockConditions(const CaptureSet &set,
     const std::vector<DutArrival> &arrivals, const ShockSettings &settings,
-    const UncertaintyRequest &request, const JobControl &control)
+    const UncertaintyRequest &request, const JobControl &control, const KnownReadings &known)
 {
-    if (auto checked = checkSettings(settings); !checked)
+    if (auto checked = checkSettings(settings, set.shots.size()); !checked)
         return tl::unexpected(checked.error());
+    RecordStarts found;
+    if (settings.enabled && known.starts == nullptr && known.before == nullptr) {
+        auto starts = detectStarts(set, arrivalChannels(settings), control);
+        if (!starts)
+            return tl::unexpected(starts.error());
+        found = std::move(*starts);
+    }
     ShockConditionsSet result;
     for (Index i = 0; i < std::ssize(set.shots); ++i) {
         const Shot &shot = set.shots[static_cast<std::size_t>(i)];
         if (!shot.included)
             continue;
-        ShockWork work{set, shot, settings, request, control, {}, {}, {}};
+        const ShockConditions *before = known.before ? known.before->ofShot(i + 1) : nullptr;
+        ShockWork work{
+            set, shot, settings, request, known.starts ? *known.starts : found, before, {}, {}, {}};
         work.conditions.shot = i + 1;
         if (settings.enabled) {
             work.conditions.step_Pa = settings.step_Pa;

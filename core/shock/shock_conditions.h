@@ -35,9 +35,11 @@ struct ShockConditions
     std::optional<GasModel> drivenGas; ///< as used, with its source
     std::optional<GasModel> driverGas;
     std::optional<GasState> expandedDriver; ///< region 3
+    std::vector<SeenArrival> seen; ///< what the records of the arrival sensors show
     std::vector<Sighting> sightings; ///< what the velocity was fitted to, farthest first
     std::optional<VelocityFit> velocityFit; ///< empty where the velocity was typed
     std::optional<StepUncertainty> uncertainty; ///< where it was asked for and can be worked out
+    std::optional<StepMeasurement> measurement; ///< what that is the uncertainty of
     std::string uncertaintyMissing; ///< why there is none, in English
     std::vector<MeasuredPressure> measured; ///< from the records, beside the relations
     std::optional<PlateauEnd> plateauEnd; ///< of the usable plateau `plateau_s` (guard taken off)
@@ -65,17 +67,27 @@ struct ShockConditionsSet
     const ShockConditions *ofShot(Index shot) const;
 };
 
+/// What is known of the records already, so that it is not looked for again. Null = not known.
+struct KnownReadings
+{
+    const RecordStarts *starts = nullptr;
+    /// An estimate with the same set and settings: its arrivals and pressures read from the
+    /// records stand, whatever the DUT's arrival is by now.
+    const ShockConditionsSet *before = nullptr;
+};
+
 /// Pressure step per shot: typed, or computed from the velocity (typed, or distance over time
 /// between one arrival sensor and the DUT) with the relations 3.1-3.9. Missing inputs leave the
 /// step "not determined" with a finding that says what is missing (SHK-007); never a guess.
 /// Inputs that contradict each other (SHK-001, SHK-004) leave it undetermined for that shot too,
-/// as a finding that blocks (a caution where the step is typed, which then stands).
-/// Recipe values win over the capture's environment and tube attributes. End wall: step = p5 - p1;
-/// side wall: p2 - p1. Uncertainties only where `request` asks for them; a velocity whose
-/// uncertainty nobody states, a Monte Carlo that fails and the like leave them out with the reason.
-/// Fails (Usage) on settings that make no sense.
+/// as a finding that blocks (a caution where the step is typed, which then stands). Where nothing
+/// is `known` the records are read here. Recipe values win over the capture's environment and tube
+/// attributes. End wall: step = p5 - p1; side wall: p2 - p1. Uncertainties only where `request`
+/// asks for them; a velocity whose uncertainty nobody states and the like leave them out with the
+/// reason. Fails (Usage) on settings that make no sense.
 Result<ShockConditionsSet> estimateShockConditions(const CaptureSet &set,
     const std::vector<DutArrival> &arrivals, const ShockSettings &settings,
-    const UncertaintyRequest &request = {}, const JobControl &control = {});
+    const UncertaintyRequest &request = {}, const JobControl &control = {},
+    const KnownReadings &known = {});
 
 } // namespace dyncal

@@ -264,8 +264,8 @@ std::optional<double> StepUncertainty::u(StepResult result) const
     return missing ? std::nullopt : std::optional(budget.u[static_cast<Index>(result)]);
 }
 
-Result<StepUncertainty> evaluateStep(const StepMeasurement &measurement,
-    const UncertaintyRequest &request, const JobControl &control)
+Result<StepUncertainty> evaluateStep(
+    const StepMeasurement &measurement, const UncertaintyRequest &request)
 {
     const InputList list(measurement, request.stated);
     auto budget = propagateGum(list.inputs(), list.measurement());
@@ -275,16 +275,20 @@ Result<StepUncertainty> evaluateStep(const StepMeasurement &measurement,
     result.budget = std::move(*budget);
     result.velocityMissing = list.velocityMissing();
     result.stepMissing = list.velocityMissing() ? list.velocityMissing() : list.stepMissing();
-    if (result.stepMissing || !request.withMonteCarlo)
-        return result;
-    auto monteCarlo
-        = propagateMonteCarlo(list.inputs(), list.measurement(), request.monteCarlo, control);
-    if (!monteCarlo)
-        return tl::unexpected(monteCarlo.error());
-    result.monteCarlo = std::move(*monteCarlo);
-    result.validated = isValidated(result.budget, *result.monteCarlo,
-        static_cast<Index>(StepResult::Step), request.monteCarlo.coverage);
     return result;
+}
+
+Result<StepMonteCarlo> simulateStep(const StepMeasurement &measurement,
+    const UncertaintyRequest &request, const GumBudget &budget, const MonteCarloSettings &settings,
+    const JobControl &control)
+{
+    const InputList list(measurement, request.stated);
+    auto result = propagateMonteCarlo(list.inputs(), list.measurement(), settings, control);
+    if (!result)
+        return tl::unexpected(result.error());
+    const bool validated
+        = isValidated(budget, *result, static_cast<Index>(StepResult::Step), settings.coverage);
+    return StepMonteCarlo{std::move(*result), validated};
 }
 
 } // namespace dyncal

@@ -43,8 +43,6 @@ struct StepMeasurement
 struct StepUncertainty
 {
     GumBudget budget;
-    std::optional<MonteCarloResult> monteCarlo;
-    bool validated = false; ///< the step: GUM and Monte Carlo agree (JCGM 101, clause 8)
     std::optional<Message> velocityMissing; ///< an uncertainty that nobody states; then no u(W)
     std::optional<Message> stepMissing; ///< the same for everything that follows
 
@@ -56,17 +54,28 @@ struct UncertaintyRequest
 {
     bool evaluate = false;
     std::vector<StatedUncertainty> stated;
-    MonteCarloSettings monteCarlo; ///< `shot` is set per shot
-    bool withMonteCarlo = true;
 };
 
-/// GUM and Monte Carlo over the whole way from arrivals to step, refitting the velocity each time.
+/// GUM over the whole way from arrivals to step, refitting the velocity each time.
 /// p1, T1, gas constants, distances and delays are common to all shots, arrival times and an
 /// estimated scatter are each shot's own. Stated uncertainties win over recorded ones, and those
 /// over the gases' usual ones. Quantities: p1_pa, t1_k, gamma, molar_mass_kg_mol,
 /// relative_humidity, carbon_dioxide_fraction, velocity_m_s (typed), distance_m, arrival_s, delay_s
 /// (each sensor), and step_relative (what the relations leave out, of the step).
-Result<StepUncertainty> evaluateStep(const StepMeasurement &measurement,
-    const UncertaintyRequest &request, const JobControl &control = {});
+Result<StepUncertainty> evaluateStep(
+    const StepMeasurement &measurement, const UncertaintyRequest &request);
+
+/// The same by Monte Carlo.
+struct StepMonteCarlo
+{
+    MonteCarloResult result; ///< in the order of StepResult
+    bool validated = false; ///< the step: GUM and Monte Carlo agree (JCGM 101, clause 8)
+};
+
+/// The distributions behind evaluateStep(), drawn; `budget` is what that gave. `settings.shot` must
+/// be the shot's number, so that what is each shot's own is drawn on its own.
+Result<StepMonteCarlo> simulateStep(const StepMeasurement &measurement,
+    const UncertaintyRequest &request, const GumBudget &budget, const MonteCarloSettings &settings,
+    const JobControl &control = {});
 
 } // namespace dyncal

@@ -4,7 +4,6 @@
 #include "core/shock/shock_velocity.h"
 
 #include "core/base/number_text.h"
-#include "core/shock/side_arrival.h"
 
 #include <nlohmann/json.hpp>
 
@@ -20,30 +19,6 @@ VelocityEstimate missing(Message message)
     VelocityEstimate estimate;
     estimate.missing = std::move(message);
     return estimate;
-}
-
-const Channel *channelOf(const Shot &shot, const std::string &nameOrRole)
-{
-    const auto named = std::find_if(shot.channels.begin(), shot.channels.end(),
-        [&](const Channel &channel) { return channel.name == nameOrRole; });
-    if (named != shot.channels.end())
-        return &*named;
-    const ChannelRole role = channelRoleFromName(nameOrRole);
-    return role == ChannelRole::Other ? nullptr : shot.channelWithRole(role);
-}
-
-/// The recipe's sensors, or the one the tube's description stands for.
-std::vector<ArrivalSensor> arrivalSensors(
-    const CaptureSet &set, const Shot &shot, const ShockSettings &settings)
-{
-    if (!settings.arrivalSensors.empty())
-        return settings.arrivalSensors;
-    const Channel *side = shot.channelWithRole(ChannelRole::DrivenSide);
-    const auto distance_m = set.tubeNumber("endflange_to_sensor2_m");
-    if (side == nullptr || !distance_m || !(*distance_m > 0.0))
-        return {};
-    const double u_m = set.tubeNumber("u_endflange_to_sensor2_m").value_or(0.0);
-    return {{side->name, *distance_m, u_m > 0.0 ? u_m : 0.0}};
 }
 
 Message noSensorMessage(const Shot &shot)
@@ -76,23 +51,26 @@ std::string dutName(const Shot &shot)
 
 /// Typed, or found in the record.
 std::optional<Sighting> sightingOf(
-    const Shot &shot, const ArrivalSensor &sensor, const std::optional<double> &reflectionFree_s)
+    const ArrivalSensor &sensor, const std::vector<SeenArrival> &arrivals)
 {
+    const auto known = std::find_if(arrivals.begin(), arrivals.end(),
+        [&](const SeenArrival &arrival) { return arrival.channel == sensor.channel; });
+    const SideArrival *found = known != arrivals.end() && known->found ? &*known->found : nullptr;
+    if (found == nullptr && !sensor.arrival_s)
+        return std::nullopt;
+    const bool typed = sensor.arrival_s.has_value();
     Sighting seen;
     seen.channel = sensor.channel;
     seen.distance_m = sensor.distanceToEndWall_m;
     seen.u_distance_m = sensor.u_distance_m;
-    const Channel *channel = channelOf(shot, sensor.channel);
-    const auto found = channel != nullptr ? sideArrival(*channel, reflectionFree_s) : std::nullopt;
-    if (!found && !sensor.arrival_s)
-        return std::nullopt;
-    const double raw_s = sensor.arrival_s ? *sensor.arrival_s : found->time_s;
-    seen.time_s = raw_s - sensor.delay_s.value_or(0.0);
-    seen.u_time_s = sensor.arrival_s ? sensor.u_arrival_s : found->u_time_s;
+    seen.time_s = (typed ? *sensor.arrival_s : found->time_s) - sensor.delay_s.value_or(0.0);
+    // A cursor on the record sees no better than the search does, and the same delay.
+    const bool stated = typed && sensor.u_arrival_s > 0.0;
+    seen.u_time_s = stated || found == nullptr ? sensor.u_arrival_s : found->u_time_s;
     // Between 0 (a diaphragm that the front sweeps) and the rise time (a sensor that rings).
-    seen.u_delay_s = sensor.delay_s  ? sensor.u_delay_s
-        : found && !sensor.arrival_s ? found->rise_s / std::sqrt(3.0)
-                                     : 0.0;
+    seen.u_delay_s = sensor.delay_s ? sensor.u_delay_s
+        : found != nullptr          ? found->rise_s / std::sqrt(3.0)
+                                    : 0.0;
     return seen;
 }
 
@@ -110,22 +88,23 @@ Sighting dutSighting(const Shot &shot, const DutArrival &arrival)
 }
 
 /// One sighting per sensor, or the sentence that says which one is missing.
-tl::expected<std::vector<Sighting>, Message> sightings(const CaptureSet &set, const Shot &shot,
-    const std::optional<DutArrival> &dutArrival, const ShockSettings &settings)
+tl::expected<std::vector<Sighting>, Message> sightings(const CaptureSet &set, Index number,
+    const std::optional<DutArrival> &dutArrival, const std::vector<SeenArrival> &arrivals,
+    const ShockSettings &settings)
 {
-    const std::vector<ArrivalSensor> sensors = arrivalSensors(set, shot, settings);
+    const Shot &shot = set.shots.at(static_cast<std::size_t>(number - 1));
+    const std::vector<ArrivalSensor> sensors = arrivalSensors(set, number, settings);
     if (sensors.empty())
         return tl::unexpected(noSensorMessage(shot));
     std::vector<Sighting> seen;
-    const bool atWall = settings.dutPosition == kEndWall && dutArrival;
     for (const ArrivalSensor &sensor : sensors) {
-        auto sighting = sightingOf(
-            shot, sensor, atWall ? std::optional<double>(dutArrival->time_s) : std::nullopt);
+        auto sighting = sightingOf(sensor, arrivals);
         if (!sighting)
             return tl::unexpected(noArrivalMessage(sensor.channel));
         seen.push_back(std::move(*sighting));
     }
-    if (atWall && settings.useDutArrival && std::isfinite(dutArrival->time_s))
+    if (settings.dutPosition == kEndWall && dutArrival && settings.useDutArrival
+        && std::isfinite(dutArrival->time_s))
         seen.push_back(dutSighting(shot, *dutArrival));
     return seen;
 }
@@ -175,7 +154,7 @@ Error wrongOrder(const Sighting &farthest, const Sighting &nearest)
 std::optional<Mend> exchangeRoles(
     const Shot &shot, const Sighting &farthest, const Sighting &nearest)
 {
-    const Channel *side = channelOf(shot, farthest.channel);
+    const Channel *side = shot.channelCalled(farthest.channel);
     const Channel *dut = shot.channelWithRole(ChannelRole::Dut);
     if (side == nullptr || dut == nullptr || !nearest.isDut)
         return std::nullopt;
@@ -205,8 +184,53 @@ VelocityEstimate withFit(VelocityEstimate estimate, Result<VelocityFit> fit)
 
 } // namespace
 
-VelocityEstimate estimateVelocity(const CaptureSet &set, const Shot &shot,
-    const std::optional<DutArrival> &dutArrival, const ShockSettings &settings)
+std::vector<ArrivalSensor> arrivalSensors(
+    const CaptureSet &set, Index shot, const ShockSettings &settings)
+{
+    const auto at = static_cast<std::size_t>(shot - 1);
+    if (!settings.arrivalSensors.empty()) {
+        std::vector<ArrivalSensor> sensors = settings.arrivalSensors;
+        for (ArrivalSensor &sensor : sensors) {
+            if (at < sensor.shotArrival_s.size())
+                sensor.arrival_s = sensor.shotArrival_s[at];
+        }
+        return sensors;
+    }
+    const Channel *side = set.shots.at(at).channelWithRole(ChannelRole::DrivenSide);
+    const auto distance_m = set.tubeNumber("endflange_to_sensor2_m");
+    if (side == nullptr || !distance_m || !(*distance_m > 0.0))
+        return {};
+    const double u_m = set.tubeNumber("u_endflange_to_sensor2_m").value_or(0.0);
+    return {{side->name, *distance_m, u_m > 0.0 ? u_m : 0.0}};
+}
+
+std::vector<std::string> arrivalChannels(const ShockSettings &settings)
+{
+    std::vector<std::string> names;
+    for (const ArrivalSensor &sensor : settings.arrivalSensors)
+        names.push_back(sensor.channel);
+    return names;
+}
+
+std::vector<SeenArrival> seenArrivals(const CaptureSet &set, Index shot,
+    const ShockSettings &settings, const RecordStarts &starts,
+    const std::optional<double> &dutStart_s)
+{
+    const Shot &records = set.shots.at(static_cast<std::size_t>(shot - 1));
+    const auto reflectionFree_s = settings.dutPosition == kEndWall ? dutStart_s : std::nullopt;
+    std::vector<SeenArrival> arrivals;
+    for (const ArrivalSensor &sensor : arrivalSensors(set, shot, settings)) {
+        const Channel *channel = records.channelCalled(sensor.channel);
+        const DetectedStart *start = starts.of(set, shot, channel);
+        arrivals.push_back({sensor.channel,
+            start != nullptr ? sideArrival(*channel, *start, reflectionFree_s) : std::nullopt});
+    }
+    return arrivals;
+}
+
+VelocityEstimate estimateVelocity(const CaptureSet &set, Index shot,
+    const std::optional<DutArrival> &dutArrival, const std::vector<SeenArrival> &seen,
+    const ShockSettings &settings)
 {
     VelocityEstimate estimate;
     if (settings.velocity_m_s) {
@@ -216,7 +240,7 @@ VelocityEstimate estimateVelocity(const CaptureSet &set, const Shot &shot,
     const Attenuation attenuation = attenuationOf(settings.attenuation);
     if (!settings.counters.empty())
         return withFit({}, fitCounters(settings.counters, attenuation));
-    auto found = sightings(set, shot, dutArrival, settings);
+    auto found = sightings(set, shot, dutArrival, seen, settings);
     if (!found)
         return missing(std::move(found.error()));
     std::stable_sort(found->begin(), found->end(),
@@ -232,7 +256,8 @@ VelocityEstimate estimateVelocity(const CaptureSet &set, const Shot &shot,
     }
     if (farthest.time_s >= nearest.time_s) {
         estimate.problem = wrongOrder(farthest, nearest);
-        estimate.mend = exchangeRoles(shot, farthest, nearest);
+        estimate.mend
+            = exchangeRoles(set.shots.at(static_cast<std::size_t>(shot - 1)), farthest, nearest);
         return estimate;
     }
     estimate.relativeDistanceUncertainty = relativeDistanceUncertainty(estimate.sightings);

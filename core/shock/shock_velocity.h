@@ -9,6 +9,7 @@
 #include "core/shock/shock_settings.h"
 #include "core/shock/side_arrival.h"
 #include "core/shock/velocity_fit.h"
+#include "core/signal/record_starts.h"
 
 #include <optional>
 #include <vector>
@@ -27,6 +28,28 @@ struct DutArrival
     bool delayCorrected = true; ///< false: a detected start, late by the sensor's own delay
 };
 
+/// What the record of one arrival sensor shows of one shot.
+struct SeenArrival
+{
+    std::string channel; ///< as the sensor is called
+    std::optional<SideArrival> found;
+};
+
+/// The sensors that mark the passing of the shock: the recipe's, or the one the tube's description
+/// stands for (the first driven-side channel at "endflange_to_sensor2_m"), with what is typed for
+/// shot `shot` (from 1) as their arrival.
+std::vector<ArrivalSensor> arrivalSensors(
+    const CaptureSet &set, Index shot, const ShockSettings &settings);
+
+/// What the recipe calls their channels.
+std::vector<std::string> arrivalChannels(const ShockSettings &settings);
+
+/// Reads the arrivals of shot `shot` (from 1) from the records. `dutStart_s`: when the DUT in the
+/// end wall began to move (its detected or typed start, so that no model changes what is read).
+std::vector<SeenArrival> seenArrivals(const CaptureSet &set, Index shot,
+    const ShockSettings &settings, const RecordStarts &starts,
+    const std::optional<double> &dutStart_s);
+
 /// Shock velocity of one shot, or why there is none.
 struct VelocityEstimate
 {
@@ -43,12 +66,12 @@ struct VelocityEstimate
 };
 
 /// The typed velocity; else the straight line through where and when the shock was seen: the
-/// arrival sensors (of the recipe; else the first driven-side channel at the tube's
-/// "endflange_to_sensor2_m") and, for a DUT in the end wall, the DUT itself. Two places are
-/// needed (fitVelocity()). Counters of the recipe come before all arrivals. A sensor's typed delay
-/// is taken off its arrival; where none is typed, its rise time is the half width of what is
-/// unknown.
-VelocityEstimate estimateVelocity(const CaptureSet &set, const Shot &shot,
-    const std::optional<DutArrival> &dutArrival, const ShockSettings &settings);
+/// arrivalSensors(), as far as `seen` has them, and, for a DUT in the end wall, the DUT itself. Two
+/// places are needed (fitVelocity()). Counters of the recipe come before all arrivals. A sensor's
+/// typed delay is taken off its arrival; where none is typed, its rise time is the half width of
+/// what is unknown.
+VelocityEstimate estimateVelocity(const CaptureSet &set, Index shot,
+    const std::optional<DutArrival> &dutArrival, const std::vector<SeenArrival> &seen,
+    const ShockSettings &settings);
 
 } // namespace dyncal

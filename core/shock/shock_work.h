@@ -16,7 +16,8 @@ struct ShockWork
     const Shot &shot;
     const ShockSettings &settings;
     const UncertaintyRequest &request;
-    const JobControl &control;
+    const RecordStarts &starts;
+    const ShockConditions *before; ///< null where nothing was read from the records before
     ShockConditions conditions;
     Findings findings;
     Result<void> done{}; ///< an error that stops everything

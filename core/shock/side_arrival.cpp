@@ -3,8 +3,6 @@
 
 #include "core/shock/side_arrival.h"
 
-#include "core/signal/start_detection.h"
-
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -62,29 +60,24 @@ std::optional<double> medianBetween(const Channel &channel, double begin_s, doub
     return medianLevel(channel, sampleAt(begin_s), sampleAt(end_s));
 }
 
-std::optional<SideArrival> sideArrival(
-    const Channel &channel, const std::optional<double> &reflectionFree_s)
+std::optional<SideArrival> sideArrival(const Channel &channel, const DetectedStart &start,
+    const std::optional<double> &reflectionFree_s)
 {
-    if (!(channel.sampleRate_Hz > 0.0))
-        return std::nullopt;
-    const auto start = detectStart(channel);
-    if (!start)
-        return std::nullopt;
     const double untilReflection_s
-        = reflectionFree_s ? *reflectionFree_s - start->time_s : kFallbackSpan_s;
+        = reflectionFree_s ? *reflectionFree_s - start.time_s : kFallbackSpan_s;
     const double span_s = untilReflection_s > 0.0 ? untilReflection_s : kFallbackSpan_s;
     const double spanInRecord
         = std::min(span_s * channel.sampleRate_Hz, static_cast<double>(channel.samples.size()));
-    const Index begin = start->sample + static_cast<Index>(kLevelBegin * spanInRecord);
-    const Index end = start->sample + static_cast<Index>(kLevelEnd * spanInRecord) + 1;
+    const Index begin = start.sample + static_cast<Index>(kLevelBegin * spanInRecord);
+    const Index end = start.sample + static_cast<Index>(kLevelEnd * spanInRecord) + 1;
     const auto level = medianLevel(channel, begin, end);
     if (!level)
         return std::nullopt;
     SideArrival arrival;
-    arrival.before = start->baseline;
+    arrival.before = start.baseline;
     arrival.behind = *level;
-    arrival.noiseSd = start->noiseSd;
-    const Index from = std::max<Index>(start->sample - 1, 0);
+    arrival.noiseSd = start.noiseSd;
+    const Index from = std::max<Index>(start.sample - 1, 0);
     const auto crossing = [&](double share) {
         return crossingTime_s(
             channel, arrival.before + share * (arrival.behind - arrival.before), from);
@@ -97,13 +90,6 @@ std::optional<SideArrival> sideArrival(
         crossing(kRiseEnd).value_or(*time_s) - crossing(kRiseBegin).value_or(*time_s), 0.0);
     arrival.u_time_s = crossingUncertainty_s(channel, arrival, from);
     return arrival;
-}
-
-std::optional<double> sideArrival_s(
-    const Channel &channel, const std::optional<double> &reflectionFree_s)
-{
-    const auto arrival = sideArrival(channel, reflectionFree_s);
-    return arrival ? std::optional<double>(arrival->time_s) : std::nullopt;
 }
 
 } // namespace dyncal

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/capture/channel.h"
+#include "core/signal/start_detection.h"
 
 #include <optional>
 
@@ -20,16 +21,12 @@ struct SideArrival
     double noiseSd = 0.0;
 };
 
-/// Level before from the detected start, level behind as the median of the second and third quarter
-/// between the start and `reflectionFree_s` (a time until which the reflected shock cannot be back,
-/// such as the arrival at the end wall). Where that is unknown or not after the start, the half
-/// millisecond behind the start serves. Empty where no arrival is found.
-std::optional<SideArrival> sideArrival(
-    const Channel &channel, const std::optional<double> &reflectionFree_s);
-
-/// Its time alone.
-std::optional<double> sideArrival_s(
-    const Channel &channel, const std::optional<double> &reflectionFree_s);
+/// Level before from `start`, as detectStart() found it; level behind as the median of the second
+/// and third quarter between the start and `reflectionFree_s` (a time until which the reflected
+/// shock cannot be back, such as the arrival at the end wall). Where that is unknown or not after
+/// the start, the half millisecond behind the start serves. Empty where no arrival is found.
+std::optional<SideArrival> sideArrival(const Channel &channel, const DetectedStart &start,
+    const std::optional<double> &reflectionFree_s);
 
 /// Median of the finite physical values between two times of the record; empty if there is none.
 std::optional<double> medianBetween(const Channel &channel, double begin_s, double end_s);

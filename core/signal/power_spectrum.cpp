@@ -74,7 +74,8 @@ double independentAverages(const Segments &segments)
 /// What one shot shows: peaks of the search, or the maxima nearest to the operator's frequencies.
 struct ShotPeaks
 {
-    std::vector<SpectralPeak> found;
+    std::vector<SpectralPeak> all;
+    std::vector<SpectralPeak> found; ///< those that may be a resonance of the sensor
     std::vector<std::optional<SpectralPeak>> nearest;
 };
 
@@ -84,10 +85,12 @@ ShotPeaks peaksOf(const PowerSpectrum &spectrum, const Eigen::Ref<const Eigen::V
     const Segments segments = segmentsOf(values.size(), settings);
     const ResonanceSearch search(spectrum, independentAverages(segments));
     ShotPeaks peaks;
+    peaks.all = search.prominentPeaks(std::nullopt);
     for (const double frequency_Hz : settings.resonances_Hz)
         peaks.nearest.push_back(search.nearestPeak(frequency_Hz));
     if (settings.resonances_Hz.empty() && settings.searchResonance)
-        peaks.found = search.prominentPeaks(settings.resonanceBand_Hz);
+        peaks.found = settings.resonanceBand_Hz ? search.prominentPeaks(settings.resonanceBand_Hz)
+                                                : peaks.all;
     peaks.found.resize(std::min(peaks.found.size(), kMostPeaks));
     if (segments.count == 1) {
         const Eigen::VectorXd analysed
@@ -289,6 +292,7 @@ Result<SpectrumResult> analyseSpectra(const std::vector<WindowedResponse> &respo
         }
         peaks.push_back(peaksOf(*spectrum, response.window(), response.sampleRate_Hz, settings));
         result.perShot.push_back(std::move(*spectrum));
+        result.peaks.push_back(std::move(peaks.back().all));
         control.report(static_cast<double>(peaks.size()) / static_cast<double>(responses.size()));
     }
     result.resonances = settings.resonances_Hz.empty()

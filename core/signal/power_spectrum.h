@@ -24,6 +24,14 @@ struct PowerSpectrum
     Eigen::VectorXd psd;
 };
 
+/// A maximum of one spectrum.
+struct SpectralPeak
+{
+    double frequency_Hz = 0.0;
+    double prominence_dB = 0.0; ///< over the local background
+    double q = 0.0; ///< frequency over half-power width
+};
+
 /// A peak that stands out of the spectrum of the shots.
 struct Resonance
 {
@@ -36,6 +44,7 @@ struct Resonance
 struct SpectrumResult
 {
     std::vector<PowerSpectrum> perShot; ///< same order as the responses
+    std::vector<std::vector<SpectralPeak>> peaks; ///< of each, all that stand out
     std::vector<Resonance> resonances; ///< most prominent first
     Findings findings; ///< SPC-001, SPC-002
 };

@@ -13,14 +13,6 @@
 
 namespace dyncal {
 
-/// A maximum of one spectrum.
-struct SpectralPeak
-{
-    double frequency_Hz = 0.0;
-    double prominence_dB = 0.0; ///< over the local background
-    double q = 0.0; ///< frequency over half-power width
-};
-
 /// Frequency within 3/4 of a bin of `frequency_Hz` where the continuous spectrum of `values` is
 /// largest: for peaks as narrow as a bin, where a parabola through three bins is off by 0.15 bins.
 double refinedFrequency_Hz(const Eigen::Ref<const Eigen::VectorXd> &values, double rate_Hz,

@@ -131,12 +131,20 @@ private:
         return std::nullopt;
     }
 
+    Result<DetectedStart> detectedStart() const
+    {
+        const auto at = static_cast<std::size_t>(m_response.shot - 1);
+        if (at < m_context.starts.size() && m_context.starts[at])
+            return *m_context.starts[at];
+        return detectStart(
+            *m_channel, {m_control.stop, {}}, m_response.shot, m_context.checks.stepSigmas);
+    }
+
     std::optional<Error> findStart()
     {
         m_response.startDetected = m_settings.start_s.empty();
         if (m_response.startDetected) {
-            const Result<DetectedStart> start = detectStart(
-                *m_channel, {m_control.stop, {}}, m_response.shot, m_context.checks.stepSigmas);
+            const Result<DetectedStart> start = detectedStart();
             if (!start)
                 return start.error();
             m_response.startSample = start->sample;

@@ -10,6 +10,7 @@
 #include "core/capture/capture_set.h"
 #include "core/capture/check_settings.h"
 #include "core/signal/signal_settings.h"
+#include "core/signal/start_detection.h"
 
 #include <Eigen/Core>
 
@@ -75,6 +76,8 @@ struct WindowContext
     bool remap = true;
     std::vector<std::optional<double>> plateau_s; ///< per shot of the set; for end "plateau"
     CheckSettings checks; ///< limits of CAP-007, CAP-009 and CAP-014
+    /// Of the DUTs, per shot of the set, as detectStart() found them; where empty it is asked.
+    std::vector<std::optional<DetectedStart>> starts = {};
 };
 
 /// Cuts the response of every included shot (thesis 3.7 step 2): start, baseline, window, settle

@@ -52,9 +52,7 @@ inline Coverage velocityCoverage(const std::vector<double> &distances_m, bool st
             continue;
         m.velocity.velocity_m_s = fit->velocity_m_s;
         m.velocity.fit = std::move(*fit);
-        UncertaintyRequest request;
-        request.withMonteCarlo = false;
-        const auto evaluated = evaluateStep(m, request);
+        const auto evaluated = evaluateStep(m, {});
         if (!evaluated)
             continue;
         const GumBudget &budget = evaluated->budget;

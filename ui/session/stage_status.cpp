@@ -14,6 +14,10 @@ bool hasResult(const CalibrationResults &results, StageId stage)
     switch (stage) {
     case StageId::Captures:
         return results.captures != nullptr;
+    case StageId::Arrivals:
+        return results.starts != nullptr;
+    case StageId::Expected:
+        return results.expected != nullptr;
     case StageId::Window:
         return results.window != nullptr;
     case StageId::Spectrum:
@@ -32,6 +36,8 @@ bool hasResult(const CalibrationResults &results, StageId stage)
         return results.response != nullptr;
     case StageId::Evidence:
         return results.evidence != nullptr;
+    case StageId::MonteCarlo:
+        return results.monteCarlo != nullptr;
     }
     return false;
 }
@@ -43,6 +49,9 @@ Findings findingsOf(const CalibrationResults &results, StageId stage)
     switch (stage) {
     case StageId::Captures:
         return results.captures->findings;
+    case StageId::Arrivals:
+    case StageId::Expected:
+        return {}; // said by the stages that use them
     case StageId::Window:
         return results.window->findings;
     case StageId::Spectrum:
@@ -60,7 +69,9 @@ Findings findingsOf(const CalibrationResults &results, StageId stage)
     case StageId::Response:
         return results.response->findings;
     case StageId::Evidence:
-        return results.evidence->findings;
+        return results.evidenceFindings();
+    case StageId::MonteCarlo:
+        return results.monteCarlo->findings;
     }
     return {};
 }

@@ -5,6 +5,7 @@
 
 #include "ui/plot/model_curves.h"
 #include "ui/stages/model_text.h"
+#include "ui/stages/tube_mode_choice.h"
 #include "ui/stages/value_table.h"
 #include "ui/text/quantity_format.h"
 
@@ -62,6 +63,8 @@ void ModelPage::buildInspector()
     m_within10 = form->addReadout(tr("Flat ±10 % to"), "modelWithin10");
     m_minus3 = form->addReadout(tr("−3 dB at"), "modelMinus3");
     m_band = form->addReadout(tr("Usable band"), "usableBand");
+    m_tubeModes = new TubeModeChoice(*form, this, false);
+    connect(m_tubeModes, &TubeModeChoice::changed, this, &ModelPage::showResults);
 }
 
 void ModelPage::showResults()
@@ -73,7 +76,9 @@ void ModelPage::showResults()
     const bool drawn = model && input && window;
     m_fit->setContent(drawn ? simulationCurves(*input, *model, *window) : nothingYet());
     m_error->setContent(drawn ? errorCurves(*input, *model, *window) : nothingYet());
-    m_magnitude->setContent(response ? bodeMagnitudeCurves(*response) : nothingYet());
+    m_tubeModes->set(results());
+    m_magnitude->setContent(
+        response ? m_tubeModes->with(bodeMagnitudeCurves(*response)) : nothingYet());
     m_phase->setContent(response ? bodePhaseCurves(*response) : nothingYet());
     m_poles->setContent(model ? poleZeroCurves(*model) : nothingYet());
     m_table->setValues(poleHeaders(PoleColumns::All), poleRows(model.get(), PoleColumns::All));

@@ -7,6 +7,7 @@
 
 namespace dyncal {
 
+class TubeModeChoice;
 class ValueTable;
 
 /// Stage 8: how well the model describes the data, and what it says about the sensor.
@@ -43,6 +44,7 @@ private:
     QLabel *m_within10;
     QLabel *m_minus3;
     QLabel *m_band;
+    TubeModeChoice *m_tubeModes;
 };
 
 } // namespace dyncal

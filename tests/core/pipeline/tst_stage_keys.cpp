@@ -111,7 +111,7 @@ void TestStageKeys::recipeChange_movesTheStageThatReadsItAndAllLater_data()
     row("import.exclude", import, [](Recipe &r) { r.import.exclude = {{1, "leak"}}; });
 
     const auto window = StageId::Window;
-    row("window.start", window, [](Recipe &r) { r.window.start_s = {0.001}; });
+    row("window.start", StageId::Expected, [](Recipe &r) { r.window.start_s = {0.001}; });
     row("window.baseline off", window, [](Recipe &r) { r.window.subtractBaseline = false; });
     row("window.baseline", window, [](Recipe &r) { r.window.baseline_s = Interval{-2e-3, -1e-3}; });
     row("window.end", window, [](Recipe &r) { r.window.end_s = 1e-3; });
@@ -122,22 +122,26 @@ void TestStageKeys::recipeChange_movesTheStageThatReadsItAndAllLater_data()
         [](Recipe &r) { r.input.treatment = ResponseTreatment::StepAsImpulse; });
 
     // the plateau's end, which the window may end at, follows from the shock
-    row("shock.enabled", window, [](Recipe &r) { r.shock.enabled = false; });
-    row("shock.p1", window, [](Recipe &r) { r.shock.p1_Pa = 1e5; });
-    row("shock.t1", window, [](Recipe &r) { r.shock.T1_K = 300.0; });
-    row("shock.t4", window, [](Recipe &r) { r.shock.T4_K = 300.0; });
-    row("shock.driven gas", window, [](Recipe &r) { r.shock.drivenGas.gamma = 1.4; });
-    row("shock.driver gas", window, [](Recipe &r) { r.shock.driverGas.molarMass_kg_mol = 0.004; });
-    row("shock.humidity", window, [](Recipe &r) { r.shock.relativeHumidity = 0.4; });
-    row("shock.velocity", window, [](Recipe &r) { r.shock.velocity_m_s = 500.0; });
-    row("shock.step", window, [](Recipe &r) { r.shock.step_Pa = 4e5; });
-    row("shock.sensors", window, [](Recipe &r) { r.shock.arrivalSensors = {{"side", 0.5, 1e-3}}; });
-    row("shock.driver length", window, [](Recipe &r) { r.shock.driverLength_m = 1.0; });
-    row("shock.driven length", window, [](Recipe &r) { r.shock.drivenLength_m = 1.0; });
-    row("shock.diameter", window, [](Recipe &r) { r.shock.innerDiameter_m = 0.1; });
-    row("shock.position", window, [](Recipe &r) { r.shock.dutPosition = "side-wall"; });
-    row("shock.front", window, [](Recipe &r) { r.shock.frontDuration_s = 1e-8; });
-    row("shock.u front", window, [](Recipe &r) { r.shock.u_frontDuration_s = 1e-8; });
+    const auto expected = StageId::Expected;
+    row("shock.enabled", expected, [](Recipe &r) { r.shock.enabled = false; });
+    row("shock.p1", expected, [](Recipe &r) { r.shock.p1_Pa = 1e5; });
+    row("shock.t1", expected, [](Recipe &r) { r.shock.T1_K = 300.0; });
+    row("shock.t4", expected, [](Recipe &r) { r.shock.T4_K = 300.0; });
+    row("shock.driven gas", expected, [](Recipe &r) { r.shock.drivenGas.gamma = 1.4; });
+    row("shock.driver gas", expected,
+        [](Recipe &r) { r.shock.driverGas.molarMass_kg_mol = 0.004; });
+    row("shock.humidity", expected, [](Recipe &r) { r.shock.relativeHumidity = 0.4; });
+    row("shock.velocity", expected, [](Recipe &r) { r.shock.velocity_m_s = 500.0; });
+    row("shock.step", expected, [](Recipe &r) { r.shock.step_Pa = 4e5; });
+    row("shock.sensors", StageId::Arrivals, [](Recipe &r) {
+        r.shock.arrivalSensors = {{"side", 0.5, 1e-3}};
+    });
+    row("shock.driver length", expected, [](Recipe &r) { r.shock.driverLength_m = 1.0; });
+    row("shock.driven length", expected, [](Recipe &r) { r.shock.drivenLength_m = 1.0; });
+    row("shock.diameter", expected, [](Recipe &r) { r.shock.innerDiameter_m = 0.1; });
+    row("shock.position", expected, [](Recipe &r) { r.shock.dutPosition = "side-wall"; });
+    row("shock.front", expected, [](Recipe &r) { r.shock.frontDuration_s = 1e-8; });
+    row("shock.u front", expected, [](Recipe &r) { r.shock.u_frontDuration_s = 1e-8; });
 
     const auto spectrum = StageId::Spectrum;
     row("spectrum.taper", spectrum, [](Recipe &r) { r.spectrum.taper = Taper::Hann; });
@@ -164,6 +168,10 @@ void TestStageKeys::recipeChange_movesTheStageThatReadsItAndAllLater_data()
     row("input.samples", input, [](Recipe &r) { r.input.samples = Index(500); });
     row("input.offset", input, [](Recipe &r) { r.input.offset_s = 1e-6; });
     row("input.combine", input, [](Recipe &r) { r.input.combine = CombineMethod::PcaAverage; });
+
+    row("realization.nuisance", input, [](Recipe &r) {
+        r.realization.nuisanceModes = {{{6.8e3}, 0, true, "", "tube"}};
+    });
 
     row("realization.max order", StageId::Decomposition,
         [](Recipe &r) { r.realization.maxOrder = 50; });
@@ -195,7 +203,10 @@ void TestStageKeys::recipeChange_movesTheStageThatReadsItAndAllLater_data()
     none("response.count unused", [](Recipe &r) { r.response.linearCount = 20; });
     none("nothing", [](Recipe &) {});
     const auto shock = StageId::Shock;
-    row("uncertainty", shock, [](Recipe &r) { r.uncertainty.coverage = 0.99; });
+    row("uncertainty", StageId::MonteCarlo, [](Recipe &r) { r.uncertainty.coverage = 0.99; });
+    row("uncertainty.trials", StageId::MonteCarlo,
+        [](Recipe &r) { r.uncertainty.monteCarloTrials = 0; });
+    row("uncertainty.seed", StageId::MonteCarlo, [](Recipe &r) { r.uncertainty.seed = 2; });
     row("uncertainty.budget", shock, [](Recipe &r) {
         r.uncertainty.budget = {{"p1_pa", 50.0, "normal", {}}};
     });

@@ -58,7 +58,8 @@ inline Recipe fullRecipe()
         .relativeHumidity = 0.4,
         .velocity_m_s = 512.8,
         .step_Pa = 4.3e5,
-        .arrivalSensors = {{"side", 0.8, 0.0002, 1e-3, 1e-7, 4e-7, 2e-7}},
+        .arrivalSensors = {{"side", 0.8, 0.0002, 1e-3, 1e-7, 4e-7, 2e-7, {}},
+            {"far", 0.9, 0.0, {}, 0.0, {}, 0.0, {1e-3, std::nullopt}}},
         .driverLength_m = 0.97,
         .drivenLength_m = 0.96,
         .innerDiameter_m = 0.1,
@@ -99,6 +100,11 @@ inline Recipe fullRecipe()
     r.realization.maxOrder = 60;
     r.realization.rows = Index(499);
     r.realization.refine = false;
+    r.realization.nuisanceModes = {{{6.8e3, 6.1e3}, 2, false, "mount", "seen on the mount, too"}};
+    r.realization.stableFrequency = 0.02;
+    r.realization.stableDamping = 0.1;
+    r.realization.candidates = {2, 3, 100};
+    r.realization.adoptedReason = "lowest order that fits";
     r.response = {.frequencies_Hz = {1e3, 1e5}, .grid = "list", .reference = "unit-step"};
     r.uncertainty = {.budget = {{"t1_k", 0.3, "rectangular", 12.0}},
         .monteCarloTrials = 0,

@@ -95,8 +95,9 @@ private slots:
     void certificateText_computesNothing();
     void burstOfChanges_endsWithTheNewest();
     void drag_slowPipeline_stillShowsResults();
+    void drag_rest_waitsForTheHand();
     void cancel_leavesStale();
-    void affected_shock_startsAtWindow();
+    void affected_shock_startsAtExpected();
     void removeShot_movesNumbersAndIsUndoable();
     void join_movesNumbersOfFindings();
     void findingIds_leadToStages();
@@ -291,6 +292,7 @@ void TestSession::drag_slowPipeline_stillShowsResults()
     Session session(pipeline);
     session.reset(threeShots());
     QTRY_VERIFY(!session.isComputing());
+    session.setFocus(StageId::Model);
     pipeline.log->delay_ms = 60; // slower than the steps of the drag
     QSet<Index> seen;
     connect(&session, &Session::resultsChanged, this, [&] { seen << shownOrder(session); });
@@ -303,8 +305,28 @@ void TestSession::drag_slowPipeline_stillShowsResults()
     QVERIFY2(seen.size() >= 3, qPrintable(QString::number(seen.size())));
 }
 
+void TestSession::drag_rest_waitsForTheHand()
+{
+    FakePipeline pipeline;
+    Session session(pipeline);
+    session.setFocus(StageId::Model);
+    session.reset(threeShots());
+    QTRY_VERIFY(!session.isComputing());
+    const int before = pipeline.log->runs;
+    for (Index order = 3; order < 9; ++order) {
+        session.apply(withOrder(session.recipe(), order), "Order", "drag");
+        QTRY_COMPARE(shownOrder(session), order);
+        QVERIFY(session.isOfThisRun(StageId::Model));
+    }
+    QCOMPARE(pipeline.log->runs - before, 6); // the focus each time, nothing behind it
+    QVERIFY(session.isComputing());
+    session.endMerge();
+    QTRY_VERIFY(!session.isComputing());
+    QVERIFY(session.isUpToDate());
+}
+
 /// The automatic end of the window depends on the computed plateau.
-void TestSession::affected_shock_startsAtWindow()
+void TestSession::affected_shock_startsAtExpected()
 {
     const Recipe before;
     Recipe after = before;
@@ -314,7 +336,7 @@ void TestSession::affected_shock_startsAtWindow()
     after.response.reference = "unit-step";
     QCOMPARE(dyncal::firstAffectedStage(before, after).value(), StageId::Response);
     after.shock.enabled = !before.shock.enabled;
-    QCOMPARE(dyncal::firstAffectedStage(before, after).value(), StageId::Window);
+    QCOMPARE(dyncal::firstAffectedStage(before, after).value(), StageId::Expected);
 }
 
 void TestSession::cancel_leavesStale()
