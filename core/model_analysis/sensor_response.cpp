@@ -4,6 +4,7 @@
 #include "core/model_analysis/sensor_response.h"
 
 #include "core/base/number_text.h"
+#include "core/model_analysis/sensor_record.h"
 #include "core/model_analysis/step_transform.h"
 
 #include <algorithm>
@@ -26,6 +27,7 @@ struct ShotView
     const WindowedResponse *response = nullptr;
     const SeriesFit *fit = nullptr; ///< null with the averaged input
     double perPressure = 1.0; ///< physical units of a remapped value, per pascal if known
+    SensorRecord record; ///< the window without the modes that are not the sensor's
 };
 
 double inputSpan_s(const ModelInput &input)
@@ -60,7 +62,8 @@ std::vector<ShotView> views(const std::vector<WindowedResponse> &responses,
     }
     isAbsolute = isAbsolute && shareOneUnit(responses);
     for (const WindowedResponse &response : responses) {
-        ShotView view{&response, fitOfShot(model, response.shot)};
+        ShotView view{&response, fitOfShot(model, response.shot), 1.0, {}};
+        view.record = sensorRecord(response, model, view.fit);
         if (isAbsolute)
             view.perPressure = response.valueScale / *shock.ofShot(response.shot)->step_Pa;
         else if (view.fit && view.fit->plateauGain != 0.0)
@@ -92,9 +95,9 @@ Point measuredAt(const std::vector<ShotView> &shots, double span_s, double frequ
         const WindowedResponse &response = *shot.response;
         const Index count = samplesUsed(response, span_s, frequency_Hz);
         const double plateau = shot.fit ? shot.fit->plateauGain : 1.0;
-        mean.S += shot.perPressure
-            * stepTransform(response.values.segment(response.lead, count), response.sampleRate_Hz,
-                plateau, shot.fit ? shot.fit->onset_s : 0.0, frequency_Hz);
+        const std::complex<double> transform = stepTransform(shot.record.values.head(count),
+            response.sampleRate_Hz, plateau, shot.fit ? shot.fit->onset_s : 0.0, frequency_Hz);
+        mean.S += shot.perPressure * shot.record.ofStep(transform, frequency_Hz);
         const double u = std::abs(shot.perPressure)
             * stepTransformNoise(count, response.sampleRate_Hz,
                 response.noiseSd / std::abs(response.valueScale), frequency_Hz);
