@@ -136,8 +136,8 @@ void CandidateCards::setRows(const std::vector<CandidateRow> &rows)
         m_cards.back()->hide();
         m_cards.pop_back();
     }
-    const auto overlaid
-        = std::ranges::count_if(rows, [](const CandidateRow &row) { return row.overlaid; });
+    const auto overlaid = std::ranges::count_if(
+        rows, [](const CandidateRow &row) { return row.overlaid.has_value(); });
     for (std::size_t i = 0; i < rows.size(); ++i)
         m_cards[i]->set(rows[i], static_cast<std::size_t>(overlaid) < kMostOverlaid);
     m_hint->setVisible(rows.empty());
