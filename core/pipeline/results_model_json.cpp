@@ -121,6 +121,7 @@ void addCurves(JsonRecord &section, const ResponseResult &response)
     section.numbers("magnitude", response.magnitude, none);
     section.numbers("u_magnitude", response.u_magnitude, kNoUncertainty);
     section.missing("k_magnitude", kNoUncertainty);
+    section.set("u_contains_step", false); // what the noise of the recordings gives, no more
     section.numbers("phase_rad", response.phase_rad, none);
     section.numbers("u_phase_rad", response.u_phase_rad, kNoUncertainty);
     section.missing("k_phase", kNoUncertainty);

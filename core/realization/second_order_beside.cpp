@@ -3,6 +3,7 @@
 
 #include "core/realization/second_order_beside.h"
 
+#include "core/realization/nuisance_modes.h"
 #include "core/realization/second_order_fit.h"
 
 #include <algorithm>
@@ -67,8 +68,10 @@ void fitSecondOrderBeside(
         start.plateau.push_back(series.plateauGain);
         start.onset_s.push_back(series.onset_s);
     }
-    model.secondOrder
-        = fitSecondOrder(input, sensorRecords(input, draft), start, model.fit_percent, control);
+    const std::vector<RefinementRecord> records = sensorRecords(input, draft);
+    model.secondOrder = hasCorrection(input)
+        ? fitSecondOrder(sensorOnly(input), records, start, model.fit_percent, control)
+        : fitSecondOrder(input, records, start, model.fit_percent, control);
 }
 
 } // namespace dyncal

@@ -36,7 +36,8 @@ public:
     const PlotContent &content() const;
     void fit();
 
-    /// A draggable band over x with two edges; `id` names it in signals. Drawn behind the curves.
+    /// A draggable band over x with two edges; `id` names it in signals. Drawn behind the curves,
+    /// hatched where it cannot be moved.
     void setBand(const QString &id, const QString &label, Interval x, bool movable = true);
     void removeBand(const QString &id);
     /// A draggable vertical line. With `snapToIntegers` it stops between whole numbers

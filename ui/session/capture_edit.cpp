@@ -99,6 +99,8 @@ ProjectState withoutShot(const ProjectState &state, Index number)
     removeNumbered(next.recipe.acknowledge, number);
     if (next.recipe.window.start_s.size() > 1)
         removePosition(next.recipe.window.start_s, position);
+    for (ArrivalSensor &sensor : next.recipe.shock.arrivalSensors)
+        removePosition(sensor.shotArrival_s, position);
     return next;
 }
 

@@ -339,6 +339,8 @@ void Session::takePart(const CalibrationResults &part, StageId upTo)
     keep(merged.evidence, old.evidence);
     keep(merged.monteCarlo, old.monteCarlo);
     m_run.results = std::move(merged);
+    if (m_run.error && m_run.failedStage <= upTo)
+        m_run.error.reset();
     if (!newerWaits)
         m_run.firstStale = std::max(m_run.firstStale, static_cast<int>(upTo) + 1);
     emit resultsChanged();

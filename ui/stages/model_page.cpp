@@ -8,6 +8,7 @@
 #include "ui/session/order_candidates.h"
 #include "ui/stages/candidate_rows.h"
 #include "ui/stages/model_text.h"
+#include "ui/stages/tube_mode_choice.h"
 #include "ui/stages/value_table.h"
 #include "ui/text/quantity_format.h"
 
@@ -105,6 +106,8 @@ void ModelPage::buildInspector()
     m_within10 = form->addReadout(tr("Flat ±10 % to"), "modelWithin10");
     m_minus3 = form->addReadout(tr("−3 dB at"), "modelMinus3");
     m_band = form->addReadout(tr("Usable band"), "usableBand");
+    m_tubeModes = new TubeModeChoice(*form, this, false);
+    connect(m_tubeModes, &TubeModeChoice::changed, this, &ModelPage::showResults);
 }
 
 std::optional<std::size_t> ModelPage::series() const
@@ -174,7 +177,8 @@ void ModelPage::showResponse()
         if (model && m_drawSecondOrder->isChecked())
             addSecondOrder(magnitude, *model, *response);
     }
-    m_magnitude->setContent(magnitude);
+    m_tubeModes->set(results());
+    m_magnitude->setContent(response ? m_tubeModes->with(magnitude) : magnitude);
     m_phase->setContent(phase);
     PlotContent poles = model ? poleZeroCurves(*model) : nothingYet();
     if (model)

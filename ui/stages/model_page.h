@@ -12,6 +12,7 @@ class QTabWidget;
 
 namespace dyncal {
 
+class TubeModeChoice;
 class ValueTable;
 
 /// Stage 8: how well the model describes the data, shot by shot, and what it says about the sensor.
@@ -66,6 +67,7 @@ private:
     QLabel *m_within10;
     QLabel *m_minus3;
     QLabel *m_band;
+    TubeModeChoice *m_tubeModes;
 };
 
 } // namespace dyncal

@@ -5,6 +5,7 @@
 
 #include "ui/plot/signal_curves.h"
 #include "ui/stages/quantity_edit.h"
+#include "ui/stages/tube_mode_choice.h"
 #include "ui/stages/value_table.h"
 #include "ui/text/quantity_format.h"
 
@@ -88,6 +89,8 @@ void SpectrumPage::buildInspector()
         change(tr("Change what is taken away"),
             [&](Recipe &r) { r.spectrum.detrend = static_cast<Detrend>(choice); });
     });
+    m_tubeModes = new TubeModeChoice(*form, this);
+    connect(m_tubeModes, &TubeModeChoice::changed, this, &SpectrumPage::showPlot);
 }
 
 void SpectrumPage::setSource(int choice)
@@ -138,11 +141,19 @@ void SpectrumPage::showRecipe()
     m_detrend->setCurrentIndex(static_cast<int>(settings.detrend));
 }
 
+void SpectrumPage::showPlot()
+{
+    const auto &spectrum = results().spectrum;
+    m_plot->setContent(spectrum && results().window
+            ? m_tubeModes->with(spectrumCurves(*spectrum, *results().window))
+            : nothingYet());
+}
+
 void SpectrumPage::showResults()
 {
     const auto &spectrum = results().spectrum;
-    m_plot->setContent(
-        spectrum && results().window ? spectrumCurves(*spectrum, *results().window) : nothingYet());
+    m_tubeModes->set(results());
+    showPlot();
     QStringList headers{tr("Resonance"), tr("Above background"), tr("Q")};
     QVector<QStringList> rows;
     if (spectrum) {

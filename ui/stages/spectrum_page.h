@@ -12,6 +12,7 @@ namespace dyncal {
 
 class OptionalEdit;
 class QuantityEdit;
+class TubeModeChoice;
 class ValueTable;
 
 /// Stage 4: power spectra of the shots and the resonances they share.
@@ -31,6 +32,7 @@ private:
     void setSource(int choice);
     void setBand(bool begin, const std::optional<double> &frequency_Hz);
     void giveResonance(double frequency_Hz);
+    void showPlot();
 
     PlotWidget *m_plot;
     ValueTable *m_table;
@@ -41,6 +43,7 @@ private:
     QComboBox *m_taper;
     QComboBox *m_method;
     QComboBox *m_detrend;
+    TubeModeChoice *m_tubeModes;
 };
 
 } // namespace dyncal
