@@ -20,7 +20,8 @@
 namespace dyncal {
 namespace {
 
-constexpr std::array<std::string_view, 5> kVerbs{"simulate", "info", "import", "check", "run"};
+constexpr std::array<std::string_view, 7> kVerbs{
+    "simulate", "info", "import", "check", "run", "compare", "export"};
 /// Further apart than this, a word is not taken for a misspelt subcommand.
 constexpr Index kMostMisspelt = 2;
 
@@ -56,6 +57,8 @@ int parseAndAct(int argc, char **argv)
     addImport(program, action);
     addCheck(program, action);
     addRun(program, action);
+    addCompare(program, action);
+    addExport(program, action);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError &e) {

@@ -1,18 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "app/cli/calibration.h"
 #include "app/cli/console.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/run_output.h"
 #include "app/cli/run_summary.h"
 #include "app/cli/verbs.h"
 #include "app/clock.h"
 
-#include "core/base/number_text.h"
-#include "core/capture/format_registry.h"
-
-#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -27,25 +23,6 @@ struct RunOptions
     std::string output;
 };
 
-/// The recipe with --order put in; checked as if it had been written there.
-Result<Recipe> withOrder(Recipe recipe, const std::string &order)
-{
-    if (order.empty())
-        return recipe;
-    recipe.realization.order = {};
-    if (order == "auto")
-        return recipe;
-    const std::optional<double> value = parseNumber(order);
-    constexpr double kReadable = 1e6;
-    if (!value || !(*value >= 1.0 && *value <= kReadable)
-        || static_cast<double>(static_cast<Index>(*value)) != *value)
-        return fail(ErrorKind::Usage,
-            {DYNCAL_TEXT("core", "--order is \"%1\"; it needs \"auto\" or a whole number from 1."),
-                {order}});
-    recipe.realization.order = static_cast<Index>(*value);
-    return parseRecipe(recipeJson(recipe));
-}
-
 Result<Recipe> recipeOf(const RunOptions &options)
 {
     const Result<Recipe> recipe = options.recipe.read();
@@ -58,29 +35,6 @@ bool keepsResults(const Error &error)
     return error.kind == ErrorKind::DataBlocked;
 }
 
-PipelineOutcome compute(const Recipe &recipe, const CaptureSet &set)
-{
-    ProgressLine progress("Computing");
-    ResultCache cache;
-    return runPipeline(std::make_shared<CaptureSet>(set), recipe, cache, StageId::MonteCarlo,
-        {interruptToken(), progress.sink()});
-}
-
-Result<CaptureSet> readFiles(const RunOptions &options, const Recipe &recipe)
-{
-    ProgressLine progress("Reading");
-    return readCaptures(options.files, recipe.import, {interruptToken(), progress.sink()});
-}
-
-/// Whether a blocking finding has said already what stopped the run.
-bool isSaid(const Error &error, const Findings &findings)
-{
-    return std::any_of(findings.begin(), findings.end(), [&](const Finding &finding) {
-        return finding.severity == Severity::Block && finding.id == error.findingId
-            && finding.shot == error.shot;
-    });
-}
-
 /// Prints the answer and says how it went.
 int conclude(
     const PipelineOutcome &outcome, const Recipe &recipe, const std::vector<std::string> &paths)
@@ -88,12 +42,7 @@ int conclude(
     std::cout << runSummary(outcome, recipe) << "Written:\n";
     for (const std::string &path : paths)
         std::cout << "  " << path << '\n';
-    const Findings findings = outcome.results.findings();
-    reportFindings(findings);
-    if (outcome.error)
-        return isSaid(*outcome.error, findings) ? static_cast<int>(exitCodeOf(*outcome.error))
-                                                : report(*outcome.error);
-    return static_cast<int>(exitCodeOf(findings));
+    return reportOutcome(outcome);
 }
 
 int run(const RunOptions &options)
@@ -104,12 +53,12 @@ int run(const RunOptions &options)
     const Result<Recipe> recipe = recipeOf(options);
     if (!recipe)
         return report(recipe.error());
-    const Result<CaptureSet> set = readFiles(options, *recipe);
+    const Result<CaptureSet> set = readForCalibration(options.files, *recipe);
     if (!set)
         return report(set.error());
     if (const Result<void> made = makeFolder(options.output); !made)
         return report(made.error());
-    const PipelineOutcome outcome = compute(*recipe, *set);
+    const PipelineOutcome outcome = calibrate(*set, *recipe);
     if (outcome.error && !keepsResults(*outcome.error))
         return report(*outcome.error);
     const Result<std::vector<std::string>> paths

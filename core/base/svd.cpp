@@ -26,6 +26,12 @@ ThinSvd thinSvd(const Eigen::MatrixXd &matrix)
     return {svd.matrixU(), svd.singularValues(), svd.matrixV()};
 }
 
+SymmetricEigen symmetricEigen(const Eigen::MatrixXd &matrix)
+{
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
+    return {solver.eigenvalues(), solver.eigenvectors()};
+}
+
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd &matrix)
 {
     return matrix.eigenvalues();

@@ -21,6 +21,14 @@ struct ThinSvd
 /// of the Eigen templates costs up to a minute of compile time.
 ThinSvd thinSvd(const Eigen::MatrixXd &matrix);
 
+/// X = V diag(t) V^T of a symmetric matrix, t ascending.
+struct SymmetricEigen
+{
+    Eigen::VectorXd values;
+    Eigen::MatrixXd vectors;
+};
+SymmetricEigen symmetricEigen(const Eigen::MatrixXd &matrix);
+
 /// Eigenvalues of a real square matrix.
 Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd &matrix);
 

@@ -10,6 +10,7 @@
 #include "core/model_analysis/sensor_response.h"
 #include "core/realization/hankel_decomposition.h"
 #include "core/realization/model_input.h"
+#include "core/realization/order_evidence.h"
 #include "core/realization/sensor_model.h"
 #include "core/shock/shock_conditions.h"
 #include "core/signal/response_window.h"
@@ -37,10 +38,12 @@ struct CertificateSources
     const ShockConditionsSet *shock = nullptr;
     const ModelInput *input = nullptr;
     const OrderSuggestion *suggestion = nullptr;
+    const OrderEvidence *evidence = nullptr;
     const SensorModel *model = nullptr;
     const ResponseResult *response = nullptr;
     Auto<Index> order; ///< as asked for
     double coverage = 0.95; ///< probability for which the step's U is stated
+    std::string orderReason; ///< typed: why this order was adopted
     Findings findings;
     std::vector<CertificateAcknowledgement> acknowledgements;
     std::map<std::string, std::string> fields; ///< typed: keys in docs/certificate.md

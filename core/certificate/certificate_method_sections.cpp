@@ -6,6 +6,7 @@
 #include "core/certificate/rounding.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace dyncal {
 
@@ -121,6 +122,39 @@ std::vector<Message> conditionsRow(const CertificateSources &sources, const Shoc
         cells.expanded, cells.k, printed(shot.plateau_s, "s", dash())};
 }
 
+/// How much the sensor's resonance depends on the choice of the order.
+std::optional<Message> orderSpread(const CertificateSources &sources)
+{
+    const Pole *main = sources.model ? mainPole(*sources.model) : nullptr;
+    if (!main || !sources.evidence)
+        return std::nullopt;
+    const auto spread = spreadAround(*sources.evidence, sources.model->order, main->frequency_Hz);
+    if (!spread || spread->fromOrder == spread->toOrder)
+        return std::nullopt;
+    const auto percent = [](double part, double whole) {
+        return "\xC2\xB1" + numberText(100.0 * part / std::abs(whole), 2);
+    };
+    return Message{DYNCAL_TEXT("core",
+                       "orders %1 to %2: frequency %3 %, damping ratio %4 % (half of the range)"),
+        {std::to_string(spread->fromOrder), std::to_string(spread->toOrder),
+            percent(spread->frequencySpread_Hz, spread->frequency_Hz),
+            percent(spread->dampingSpread, spread->dampingRatio)}};
+}
+
+void addChoiceOfOrder(CertificateSection &section, const CertificateSources &sources)
+{
+    if (!sources.orderReason.empty()) {
+        section.fields.push_back(
+            {"order_reason", {DYNCAL_TEXT("core", "Reason for the model order"), {}},
+                verbatim(sources.orderReason), false});
+    }
+    if (const auto spread = orderSpread(sources)) {
+        section.fields.push_back({"order_spread",
+            {DYNCAL_TEXT("core", "Variation of the resonance over the orders"), {}}, *spread,
+            false});
+    }
+}
+
 } // namespace
 
 CertificateSection methodSection(const CertificateSources &sources)
@@ -155,6 +189,7 @@ CertificateSection methodSection(const CertificateSources &sources)
     section.fields.push_back(
         {"model_offset", {DYNCAL_TEXT("core", "Start of the model input after the onset"), {}},
             verbatim(roundedText(input.offset_s, kUnknown, "s")), false});
+    addChoiceOfOrder(section, sources);
     return section;
 }
 

@@ -5,7 +5,11 @@
 
 #include "core/capture/capture_check.h"
 #include "core/capture/import_rules.h"
+#include "core/pipeline/model_stages.h"
+#include "core/pipeline/nuisance_stage.h"
 #include "core/pipeline/stage_keys.h"
+#include "core/realization/model_findings.h"
+#include "core/realization/nuisance_modes.h"
 #include "core/shock/shock_velocity.h"
 
 #include <algorithm>
@@ -110,7 +114,10 @@ void runStages(const CaptureSet &captures, const Recipe &recipe, Run &run, Calib
     using R = CalibrationResults;
     run.stage(StageId::Captures, &R::captures, [&] { return prepareCaptures(captures, recipe); })
         .stage(StageId::Arrivals, &R::starts,
-            [&] { return detectStarts(r.captures->set, arrivalChannels(recipe.shock), control); })
+            [&] {
+                return detectStarts(r.captures->set, arrivalChannels(recipe.shock), control,
+                    recipe.checks.stepSigmas);
+            })
         .stage(StageId::Expected, &R::expected,
             [&] { return expectedShock(r.captures->set, *r.starts, recipe); })
         .stage(StageId::Window, &R::window, [&] { return window(r, recipe, control); })
@@ -120,29 +127,18 @@ void runStages(const CaptureSet &captures, const Recipe &recipe, Run &run, Calib
             [&] {
                 return analyseComponents(r.window->responses, recipe.pca, recipe.spectrum, control);
             })
-        .stage(StageId::ModelInput, &R::input,
-            [&] {
-                return prepareModelInput(
-                    r.window->responses, *r.spectrum, *r.components, recipe.input, control);
-            })
+        .stage(StageId::ModelInput, &R::input, [&] { return separatedInput(r, recipe, control); })
         .stage(StageId::Decomposition, &R::decomposition,
-            [&] { return decompose(*r.input, recipe.realization, control); })
+            [&] { return decompose(sensorOnly(*r.input), recipe.realization, control); })
         .stage(StageId::Model, &R::model,
-            [&] {
-                const Index order
-                    = recipe.realization.order.value.value_or(r.decomposition->suggestion.order);
-                return realizeModel(*r.input, r.decomposition->hankel, order, recipe.realization,
-                    *r.spectrum, control);
-            })
-        .stage(StageId::Shock, &R::shock,
-            [&] {
-                return shockStage(r.captures->set, r.expected->conditions, *r.window, *r.spectrum,
-                    *r.model, recipe);
-            })
+            [&] { return modelStage(r, recipe, orderOf(r, recipe), control); })
+        .stage(StageId::Shock, &R::shock, [&] { return shockOfModel(r, recipe, *r.model); })
         .stage(StageId::Response, &R::response,
+            [&] { return responseStage(r, recipe, *r.model, *r.shock); })
+        .stage(StageId::Evidence, &R::evidence,
             [&] {
-                return computeResponse(
-                    r.window->responses, *r.input, *r.model, *r.shock, recipe.response);
+                return gatherOrderEvidence(sensorOnly(*r.input), r.decomposition->hankel,
+                    r.decomposition->suggestion, recipe.realization, control);
             })
         .stage(StageId::MonteCarlo, &R::monteCarlo,
             [&] { return stepMonteCarlo(*r.shock, recipe.uncertainty, control); });
@@ -195,6 +191,8 @@ const char *stageName(StageId stage)
         return "shock";
     case StageId::Response:
         return "response";
+    case StageId::Evidence:
+        return "evidence";
     case StageId::MonteCarlo:
         return "Monte Carlo";
     }
@@ -204,13 +202,15 @@ const char *stageName(StageId stage)
 Findings CalibrationResults::findings() const
 {
     Findings all;
-    const auto add = [&all](const auto &result) {
+    const auto append = [&all](const Findings &findings) {
         const std::size_t earlier = all.size();
-        for (const Finding &finding : result ? result->findings : Findings()) {
+        for (const Finding &finding : findings) {
             if (!isTold(all, earlier, finding))
                 all.push_back(finding);
         }
     };
+    const auto add
+        = [&append](const auto &result) { append(result ? result->findings : Findings()); };
     add(captures);
     add(window);
     add(spectrum);
@@ -219,8 +219,21 @@ Findings CalibrationResults::findings() const
     add(model);
     add(shock);
     add(response);
+    append(evidenceFindings());
     add(monteCarlo);
     return all;
+}
+
+Findings CalibrationResults::evidenceFindings() const
+{
+    if (!evidence)
+        return {};
+    Findings findings = evidence->findings;
+    if (model) {
+        const Findings ofModel = judgeOtherShots(*model, *evidence);
+        findings.insert(findings.end(), ofModel.begin(), ofModel.end());
+    }
+    return findings;
 }
 
 PipelineOutcome runPipeline(const std::shared_ptr<const CaptureSet> &captures, const Recipe &recipe,

@@ -13,6 +13,7 @@
 #include "core/project/recipe.h"
 #include "core/realization/hankel_decomposition.h"
 #include "core/realization/model_input.h"
+#include "core/realization/order_evidence.h"
 #include "core/realization/sensor_model.h"
 #include "core/shock/shock_conditions.h"
 #include "core/signal/power_spectrum.h"
@@ -38,9 +39,11 @@ enum class StageId {
     Model, ///< poles, fit
     Shock, ///< velocity, states, pressure step
     Response, ///< frequency response, characteristics, sensitivity
+    Evidence, ///< what all orders say; no result waits for it
     MonteCarlo, ///< of the pressure step; nothing waits for it
 };
-inline constexpr int kStageCount = 12;
+inline constexpr int kStageCount = 13;
+inline constexpr StageId kLastStage = StageId::MonteCarlo;
 
 const char *stageName(StageId stage);
 
@@ -71,11 +74,15 @@ struct CalibrationResults
     std::shared_ptr<const SensorModel> model;
     std::shared_ptr<const ShockConditionsSet> shock;
     std::shared_ptr<const ResponseResult> response;
+    std::shared_ptr<const OrderEvidence> evidence; ///< of the decomposition, not of one order
     std::shared_ptr<const StepMonteCarloSet> monteCarlo;
     std::array<std::string, kStageCount> keys; ///< hash of what each result was computed from
 
     /// Findings of all stages, in stage order.
     Findings findings() const;
+
+    /// Of the evidence stage: of all orders, and of the model's order in their light (MOD-007).
+    Findings evidenceFindings() const;
 };
 
 /// How far a run came: everything before the failing stage is there.
@@ -90,6 +97,6 @@ struct PipelineOutcome
 /// command line both call this, so their numbers are the same. Results whose inputs have not
 /// changed come from the cache. Never throws; a lack of memory is an Error of kind Internal.
 PipelineOutcome runPipeline(const std::shared_ptr<const CaptureSet> &captures, const Recipe &recipe,
-    ResultCache &cache, StageId last = StageId::MonteCarlo, const JobControl &control = {});
+    ResultCache &cache, StageId last = kLastStage, const JobControl &control = {});
 
 } // namespace dyncal

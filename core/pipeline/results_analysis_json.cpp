@@ -152,6 +152,7 @@ void addRealization(JsonRecord &root, const ResultsContext &context)
     else
         section.missing("suggested_order", english(result->suggestion.reason));
     section.set("suggestion_reason", english(result->suggestion.reason));
+    addOrderEvidence(section, context);
     root.set("realization", section.take());
 }
 

@@ -92,6 +92,31 @@ void addSingularValues(std::vector<CsvFile> &files, const HankelDecomposition &h
     files.push_back({"singular_values.csv", table.text()});
 }
 
+/// What every order says, row by row; what an order has not is an empty cell.
+void addOrders(std::vector<CsvFile> &files, const OrderEvidence &evidence)
+{
+    const Index count = evidence.fit_percent.size();
+    CsvTable table;
+    table.add("order", Eigen::VectorXd::LinSpaced(count, 1.0, static_cast<double>(count)));
+    table.add("fit_percent", evidence.fit_percent);
+    table.add("leave_one_out_percent", evidence.crossShot_percent);
+    files.push_back({"orders.csv", table.text()});
+
+    const auto poles = static_cast<Index>(evidence.poles.size());
+    const auto column = [&](auto value) {
+        return Eigen::VectorXd(Eigen::VectorXd::NullaryExpr(
+            poles, [&](Index i) { return value(evidence.poles[static_cast<std::size_t>(i)]); }));
+    };
+    CsvTable stability;
+    stability.add("order", column([](const OrderPole &p) { return static_cast<double>(p.order); }));
+    stability.add("frequency_hz", column([](const OrderPole &p) { return p.frequency_Hz; }));
+    stability.add("damping_ratio", column([](const OrderPole &p) { return p.dampingRatio; }));
+    stability.add(
+        "stability", column([](const OrderPole &p) { return static_cast<double>(p.stability); }));
+    stability.add("stands_out", column([](const OrderPole &p) { return p.standsOut ? 1.0 : 0.0; }));
+    files.push_back({"stability.csv", stability.text()});
+}
+
 void addFits(std::vector<CsvFile> &files, const SensorModel &model, const ModelInput &input)
 {
     const std::size_t count = std::min(model.series.size(), input.series.size());
@@ -159,6 +184,8 @@ std::vector<CsvFile> resultsCsv(const CalibrationResults &results)
         addFits(files, *results.model, *results.input);
     if (results.model)
         addPoles(files, *results.model);
+    if (results.evidence)
+        addOrders(files, *results.evidence);
     if (results.response)
         addFrequencyResponse(files, *results.response);
     return files;

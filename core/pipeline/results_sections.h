@@ -28,6 +28,8 @@ struct ResultsContext
 inline constexpr const char *kNoUncertainty
     = "Not evaluated: this version computes no uncertainty for it.";
 
+/// What all orders say: keys of the section "realization".
+void addOrderEvidence(JsonRecord &section, const ResultsContext &context);
 void addInputs(JsonRecord &root, const ResultsContext &context);
 void addShots(JsonRecord &root, const ResultsContext &context);
 void addShock(JsonRecord &root, const ResultsContext &context);
@@ -38,6 +40,8 @@ void addComponents(JsonRecord &root, const ResultsContext &context);
 void addModelInput(JsonRecord &root, const ResultsContext &context);
 void addRealization(JsonRecord &root, const ResultsContext &context);
 void addModel(JsonRecord &root, const ResultsContext &context);
+/// Uncertainty, shots and levels one by one; part of the section "model".
+void addShotPoles(JsonRecord &section, const ResultsContext &context);
 void addResponse(JsonRecord &root, const ResultsContext &context);
 void addBands(JsonRecord &root, const ResultsContext &context);
 void addBudget(JsonRecord &root);

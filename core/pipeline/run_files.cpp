@@ -4,6 +4,7 @@
 #include "core/pipeline/run_files.h"
 
 #include "core/base/atomic_file.h"
+#include "core/pipeline/model_export.h"
 #include "core/pipeline/results_csv.h"
 #include "core/pipeline/results_json.h"
 
@@ -31,6 +32,8 @@ void removeEarlierRun(const fs::path &folder)
         return;
     for (const char *name : {"results.json", "certificate.pdf", "dcc.xml", "recipe.json"})
         fs::remove(folder / name, ignored);
+    for (const std::string &name : modelFileNames())
+        fs::remove(folder / "model" / name, ignored);
     removeFilesIn(folder / "csv", ".csv");
     removeFilesIn(folder / "plots", ".svg");
 }
@@ -75,7 +78,8 @@ private:
 };
 
 /// Documents are shown one by one, plots and tables as their folders.
-std::vector<std::string> shownPaths(const RunFiles &run, const fs::path &folder, bool tables)
+std::vector<std::string> shownPaths(
+    const RunFiles &run, const fs::path &folder, bool tables, bool model)
 {
     std::vector<std::string> paths{
         (folder / "results.json").string(), (folder / "recipe.json").string()};
@@ -87,6 +91,8 @@ std::vector<std::string> shownPaths(const RunFiles &run, const fs::path &folder,
     }
     if (tables)
         paths.push_back((folder / "csv" / "").string());
+    if (model)
+        paths.push_back((folder / "model" / "").string());
     return paths;
 }
 
@@ -107,19 +113,22 @@ Result<std::vector<std::string>> writeRunFiles(
     const RunFiles &run, const std::string &folder, const JobControl &control)
 {
     const std::vector<CsvFile> tables = resultsCsv(run.outcome.results);
+    const std::vector<ModelFile> model = modelFiles(run.outcome.results);
     const std::string json = resultsJson(run.outcome, run.recipe, run.createdUtc);
     if (!control.stopRequested())
         removeEarlierRun(folder);
-    RunWriter writer(folder, tables.size() + run.drawn.size() + 2, control);
+    RunWriter writer(folder, tables.size() + model.size() + run.drawn.size() + 2, control);
     writer.write("recipe.json", recipeJson(run.recipe));
     for (const CsvFile &table : tables)
         writer.write("csv/" + table.name, table.text);
+    for (const ModelFile &file : model)
+        writer.write("model/" + file.name, file.bytes);
     for (const DrawnFile &file : run.drawn)
         writer.write(file.name, file.bytes);
     writer.write("results.json", json);
     if (writer.problem())
         return tl::unexpected<Error>(*writer.problem());
-    return shownPaths(run, folder, !tables.empty());
+    return shownPaths(run, folder, !tables.empty(), !model.empty());
 }
 
 } // namespace dyncal

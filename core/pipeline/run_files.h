@@ -29,8 +29,8 @@ struct RunFiles
 /// Makes the folder (Usage if it cannot be made).
 Result<void> makeFolder(const std::string &folder);
 
-/// Writes what `dyncal run` promises into an existing folder: recipe.json, csv/*.csv, the drawn
-/// documents, and results.json last, so that a folder with results.json is complete. What an
+/// Writes what `dyncal run` promises into an existing folder: recipe.json, csv/*.csv, model/*, the
+/// drawn documents, and results.json last, so that a folder with results.json is complete. What an
 /// earlier run left there goes first: no certificate of other data stays beside new results.
 /// Returns the paths to show, results.json first. Asked to stop between two files it leaves a
 /// folder without results.json (Cancelled).

@@ -85,11 +85,11 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
         break;
     case StageId::ModelInput:
         part.input = recipe.input;
+        part.realization.nuisanceModes = recipe.realization.nuisanceModes;
         break;
     case StageId::Decomposition:
-        part.realization = recipe.realization;
-        part.realization.order = {};
-        part.realization.refine = true;
+        part.realization.maxOrder = recipe.realization.maxOrder;
+        part.realization.rows = recipe.realization.rows;
         break;
     case StageId::Model:
         part.realization.order = recipe.realization.order;
@@ -100,6 +100,10 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
         break;
     case StageId::Response:
         part.response = recipe.response;
+        break;
+    case StageId::Evidence:
+        part.realization.stableFrequency = recipe.realization.stableFrequency;
+        part.realization.stableDamping = recipe.realization.stableDamping;
         break;
     case StageId::MonteCarlo:
         part.uncertainty = recipe.uncertainty;
@@ -116,6 +120,10 @@ std::array<std::string, kStageCount> stageKeys(const CaptureSet &captures, const
     std::string before = identityOf(captures);
     for (int i = 0; i < kStageCount; ++i) {
         const StageId stage = static_cast<StageId>(i);
+        if (stage == StageId::Evidence) // serves every order: model and response do not count
+            before = keys[static_cast<std::size_t>(StageId::Decomposition)];
+        if (stage == StageId::MonteCarlo)
+            before = keys[static_cast<std::size_t>(StageId::Shock)];
         before = sha256Hex(before + stageName(stage) + sectionsOf(stage, recipe));
         keys[static_cast<std::size_t>(i)] = before;
     }

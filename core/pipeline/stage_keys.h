@@ -13,8 +13,8 @@
 namespace dyncal {
 
 /// For every stage the hash of all it is computed from: the recordings and the recipe sections of
-/// the stage and of those before it. Equal keys mean equal results: the one table behind caching,
-/// stale marks and instant undo.
+/// the stage and of those before it (for Evidence: before the model). Equal keys mean equal
+/// results: the one table behind caching, stale marks and instant undo.
 std::array<std::string, kStageCount> stageKeys(const CaptureSet &captures, const Recipe &recipe);
 
 } // namespace dyncal

@@ -84,6 +84,37 @@ Field<ResponseSettings> frequencies()
         }};
 }
 
+/// One number, or one per shot.
+Codec<std::vector<double>> frequencyOrList()
+{
+    const std::string needs = "a frequency in hertz or a list of one per shot";
+    const Codec<double> one = positiveNumber();
+    const Codec<std::vector<double>> several = list(one, 1);
+    const auto read = [=](const JsonAt &at) -> Result<std::vector<double>> {
+        if (at.value.is_array())
+            return several.read(at);
+        if (!at.value.is_number())
+            return mismatch(at, needs);
+        return one.read(at).map([](double value) { return std::vector<double>{value}; });
+    };
+    const auto write = [=](const std::vector<double> &values) {
+        return values.size() == 1 ? one.write(values.front()) : several.write(values);
+    };
+    return {needs, read, write};
+}
+
+Codec<NuisanceMode> nuisanceMode()
+{
+    using S = NuisanceMode;
+    return object<S>({
+        field("frequency_hz", &S::frequency_Hz, frequencyOrList(), true),
+        field("shot", &S::shot, whole(0, kMostShots)),
+        field("kind", &S::isTube, choice<bool>({{"tube", true}, {"other", false}})),
+        field("label", &S::label, anyText()),
+        field("reason", &S::reason, nonEmptyText(), true),
+    });
+}
+
 Codec<BudgetEntry> budgetEntry()
 {
     using S = BudgetEntry;
@@ -143,6 +174,11 @@ Codec<RealizationSettings> realizationCodec()
         field("max_order", &S::maxOrder, whole(1, kMostOrders)),
         field("rows", &S::rows, orAuto(whole(2, kMostSamples))),
         field("refine", &S::refine, boolean()),
+        field("nuisance_modes", &S::nuisanceModes, list(nuisanceMode())),
+        field("stable_frequency", &S::stableFrequency, number(0.0, 1.0, Bound::Exclusive)),
+        field("stable_damping", &S::stableDamping, number(0.0, 1.0, Bound::Exclusive)),
+        field("candidates", &S::candidates, list(whole(1, kMostOrders))),
+        field("adopted_reason", &S::adoptedReason, anyText()),
     });
 }
 

@@ -42,19 +42,34 @@ std::vector<Column> columnsOf(const std::vector<RegressionMode> &modes)
     return columns;
 }
 
+/// Sums of k^a e^(exponent k) over the samples of all ranges.
+std::array<Complex, 3> powerSumsOver(Complex exponent, const std::vector<SampleRange> &ranges)
+{
+    std::array<Complex, 3> total{};
+    for (const SampleRange &range : ranges) {
+        const auto b = static_cast<double>(range.begin);
+        const auto [s0, s1, s2] = powerSums(std::exp(exponent), range.size());
+        const Complex begin = std::exp(exponent * b);
+        total[0] += begin * s0;
+        total[1] += begin * (s1 + b * s0);
+        total[2] += begin * (s2 + 2.0 * b * s1 + b * b * s0);
+    }
+    return total;
+}
+
 /// Sum over k of the product of two columns: Re(a) Re(b) = (Re(a b) + Re(a conj b)) / 2.
 class GramTable
 {
 public:
-    GramTable(const std::vector<RegressionMode> &modes, Index count)
+    GramTable(const std::vector<RegressionMode> &modes, const std::vector<SampleRange> &ranges)
         : m_modes(modes.size())
         , m_sums(m_modes * m_modes)
     {
         for (std::size_t a = 0; a < m_modes; ++a) {
             for (std::size_t b = 0; b <= a; ++b)
-                m_sums[a * m_modes + b] = {
-                    powerSums(std::exp(modes[a].exponent + modes[b].exponent), count),
-                    powerSums(std::exp(modes[a].exponent + std::conj(modes[b].exponent)), count)};
+                m_sums[a * m_modes + b]
+                    = {powerSumsOver(modes[a].exponent + modes[b].exponent, ranges),
+                        powerSumsOver(modes[a].exponent + std::conj(modes[b].exponent), ranges)};
         }
     }
 
@@ -165,11 +180,22 @@ std::array<Complex, 3> powerSums(Complex q, Index count)
     return {s0, s1, s2};
 }
 
-ExponentialRegression::ExponentialRegression(const Eigen::VectorXd &y)
+ExponentialRegression::ExponentialRegression(
+    const Eigen::VectorXd &y, const std::vector<SampleRange> &used)
     : m_columns(Eigen::MatrixXd::Zero(kBlock, (y.size() + kBlock - 1) / kBlock))
-    , m_size(y.size())
+    , m_used(used)
 {
+    if (m_used.empty())
+        m_used.push_back({0, y.size()});
     m_columns.reshaped().head(y.size()) = y;
+}
+
+Index ExponentialRegression::count() const
+{
+    Index count = 0;
+    for (const SampleRange &range : m_used)
+        count += range.size();
+    return count;
 }
 
 RegressionEquations ExponentialRegression::equations(
@@ -177,9 +203,14 @@ RegressionEquations ExponentialRegression::equations(
 {
     const Powers powers = powersOf(modes, m_columns.cols());
     Eigen::MatrixXd residual = m_columns - modelOf(modes, powers);
-    residual.reshaped().tail(residual.size() - m_size).setZero();
+    Index free = 0;
+    for (const SampleRange &range : m_used) {
+        residual.reshaped().segment(free, range.begin - free).setZero();
+        free = range.end;
+    }
+    residual.reshaped().tail(residual.size() - free).setZero();
     const Eigen::MatrixX2cd moments = momentsOf(residual, powers);
-    const GramTable gram(modes, m_size);
+    const GramTable gram(modes, m_used);
 
     const std::vector<Column> columns = columnsOf(modes);
     const Index count = std::ssize(columns);

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/index.h"
+#include "core/signal/window_bands.h"
 
 #include <Eigen/Core>
 
@@ -42,13 +43,18 @@ struct RegressionEquations
 class ExponentialRegression
 {
 public:
-    explicit ExponentialRegression(const Eigen::VectorXd &y);
+    /// Only the samples of `used` take part, in order and apart from each other; without any, all.
+    explicit ExponentialRegression(
+        const Eigen::VectorXd &y, const std::vector<SampleRange> &used = {});
 
     RegressionEquations equations(const std::vector<RegressionMode> &modes, double dt) const;
 
+    /// Samples that take part.
+    Index count() const;
+
 private:
     Eigen::MatrixXd m_columns; ///< y, kBlock rows, the last column filled with zeros
-    Index m_size;
+    std::vector<SampleRange> m_used;
 };
 
 } // namespace dyncal

@@ -5,8 +5,9 @@
 
 #include "core/base/number_text.h"
 #include "core/base/svd.h"
+#include "core/base/tall_matrix.h"
 #include "core/realization/hankel_operator.h"
-#include "core/realization/lanczos.h"
+#include "core/realization/hankel_triplets.h"
 
 #include <algorithm>
 #include <cmath>
@@ -82,27 +83,25 @@ void keepThesisParts(const Eigen::VectorXd &y, const Shape &shape, const Eigen::
 Eigen::MatrixXd decomposeDense(
     const std::vector<HankelOperator> &blocks, const Shape &shape, HankelDecomposition &result)
 {
-    Eigen::MatrixXd matrix(shape.rows, result.columns);
-    Index column = 0;
-    for (const HankelOperator &block : blocks) {
-        matrix.middleCols(column, block.columns()) = block.dense();
-        column += block.columns();
-    }
-    const ThinSvd svd = thinSvd(matrix);
+    const ThinSvd svd = thinSvd(denseHankel(blocks));
     result.singularValues = svd.singularValues.head(shape.kept);
     result.leftVectors = svd.left.leftCols(shape.kept);
+    result.converged = shape.kept;
     result.method = "dense";
     return svd.right.leftCols(shape.kept);
 }
 
-Result<Eigen::MatrixXd> decomposeLanczos(const std::vector<HankelOperator> &blocks,
+Result<Eigen::MatrixXd> decomposeLanczos(const std::vector<HankelOperator> &blocks, bool needsRight,
     const Shape &shape, HankelDecomposition &result, const JobControl &control)
 {
-    auto triplets = leadingTriplets(blocks, shape.kept, control);
+    using Right = HankelTriplets::Right;
+    auto triplets = HankelTriplets(blocks).leading(
+        shape.kept, needsRight ? Right::Wanted : Right::NotWanted, control);
     if (!triplets)
         return tl::unexpected(triplets.error());
-    result.singularValues = triplets->singularValues;
+    result.singularValues = std::move(triplets->singularValues);
     result.leftVectors = std::move(triplets->left);
+    result.converged = triplets->converged;
     result.method = "lanczos";
     return std::move(triplets->right);
 }
@@ -178,10 +177,10 @@ Result<HankelDecomposition> decomposeHankel(
     const std::vector<HankelOperator> blocks
         = operators(input, *shape, result.seriesWeights, result.onesProjected);
     Eigen::MatrixXd right;
-    if (shape->rows <= kDenseRows) {
+    if (shape->rows <= kDenseRows || shape->kept > BlockLanczos::mostPairs(shape->rows)) {
         right = decomposeDense(blocks, *shape, result);
     } else {
-        auto vectors = decomposeLanczos(blocks, *shape, result, control);
+        auto vectors = decomposeLanczos(blocks, isThesis(input), *shape, result, control);
         if (!vectors)
             return tl::unexpected(vectors.error());
         right = std::move(*vectors);
@@ -191,7 +190,7 @@ Result<HankelDecomposition> decomposeHankel(
 
     const Index r = result.rows;
     result.shiftGram
-        = result.leftVectors.topRows(r - 1).transpose() * result.leftVectors.bottomRows(r - 1);
+        = innerProducts(result.leftVectors.topRows(r - 1), result.leftVectors.bottomRows(r - 1));
     if (isThesis(input)) {
         keepThesisParts(
             hankelSequence(input.series.front(), input.treatment, 1.0), *shape, right, result);

@@ -24,6 +24,7 @@ struct HankelDecomposition
     Index columns = 0; ///< s, summed over the stacked series
     bool onesProjected = false; ///< right projection that removes the step's pole at 1
     Eigen::VectorXd singularValues; ///< largest first, at most maxOrder
+    Index converged = 0; ///< the first so many are exact to rounding; the rest err by 1 % at most
     Eigen::MatrixXd leftVectors; ///< U, r x k
     Eigen::MatrixXd shiftGram; ///< U(0..r-2)^T U(1..r-1), k x k: all that shift invariance needs
     Eigen::MatrixXd shiftedCore; ///< U^T H1 V, k x k; only with step-as-impulse

@@ -3,6 +3,8 @@
 
 #include "core/realization/hankel_operator.h"
 
+#include "core/base/parallel.h"
+
 namespace dyncal {
 
 HankelOperator::HankelOperator(
@@ -47,6 +49,80 @@ Eigen::MatrixXd HankelOperator::dense() const
     if (m_projectOnes)
         matrix.colwise() -= matrix.rowwise().mean().eval();
     return matrix;
+}
+
+namespace {
+
+constexpr Index kThreadLength
+    = 20'000; ///< an FFT of this length takes longer than a thread's start
+
+} // namespace
+
+HankelGram::HankelGram(const std::vector<HankelOperator> &blocks)
+    : m_blocks(blocks)
+{
+}
+
+void HankelGram::apply(const Eigen::Ref<const Eigen::MatrixXd> &X, Eigen::Ref<Eigen::MatrixXd> Y)
+{
+    if (static_cast<Index>(m_buffers.size()) < X.cols())
+        m_buffers.resize(static_cast<std::size_t>(X.cols()));
+    forEachPart(X.cols(), m_blocks.front().m_fft.length() > kThreadLength, [&](Index j) {
+        applyToColumn(X.col(j).data(), Y.col(j).data(), m_buffers[static_cast<std::size_t>(j)]);
+    });
+}
+
+void HankelGram::applyToColumn(const double *x, double *y, Buffers &buffers) const
+{
+    const Index rows = size();
+    const RealFft &fft = m_blocks.front().m_fft; // all blocks have one length
+    const Index length = fft.length();
+    buffers.time.resize(length);
+    buffers.input.resize(length / 2 + 1);
+    buffers.middle.resize(length / 2 + 1);
+    buffers.sum.setZero(length / 2 + 1);
+
+    buffers.time.head(rows) = Eigen::Map<const Eigen::VectorXd>(x, rows);
+    buffers.time.tail(length - rows).setZero();
+    fft.forward(buffers.time, buffers.input);
+    const double scale = 1.0 / static_cast<double>(length);
+    for (const HankelOperator &block : m_blocks) {
+        buffers.middle = block.m_spectrum.cwiseProduct(buffers.input.conjugate());
+        fft.inverseUnscaled(buffers.middle, buffers.time);
+        const double mean = block.m_projectOnes ? buffers.time.head(block.columns()).mean() : 0.0;
+        buffers.time.head(block.columns()).array() -= mean;
+        buffers.time.tail(length - block.columns()).setZero();
+        fft.forward(buffers.time, buffers.middle);
+        buffers.sum += block.m_spectrum.cwiseProduct(buffers.middle.conjugate());
+    }
+    fft.inverseUnscaled(buffers.sum, buffers.time);
+    Eigen::Map<Eigen::VectorXd>(y, rows) = buffers.time.head(rows) * (scale * scale);
+}
+
+SymmetricHankel::SymmetricHankel(const HankelOperator &H)
+    : m_H(H)
+{
+    eigen_assert(H.isSymmetric());
+}
+
+void SymmetricHankel::apply(
+    const Eigen::Ref<const Eigen::MatrixXd> &X, Eigen::Ref<Eigen::MatrixXd> Y)
+{
+    if (static_cast<Index>(m_buffers.size()) < X.cols())
+        m_buffers.resize(static_cast<std::size_t>(X.cols()));
+    const RealFft &fft = m_H.m_fft;
+    const Index length = fft.length();
+    forEachPart(X.cols(), length > kThreadLength, [&](Index j) {
+        Buffers &buffers = m_buffers[static_cast<std::size_t>(j)];
+        buffers.time.resize(length);
+        buffers.spectrum.resize(length / 2 + 1);
+        buffers.time.head(size()) = X.col(j);
+        buffers.time.tail(length - size()).setZero();
+        fft.forward(buffers.time, buffers.spectrum);
+        buffers.spectrum = m_H.m_spectrum.cwiseProduct(buffers.spectrum.conjugate());
+        fft.inverseUnscaled(buffers.spectrum, buffers.time);
+        Y.col(j) = buffers.time.head(size()) / static_cast<double>(length);
+    });
 }
 
 } // namespace dyncal

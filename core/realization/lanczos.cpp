@@ -3,121 +3,204 @@
 
 #include "core/realization/lanczos.h"
 
-#include <Spectra/SymEigsSolver.h>
+#include "core/base/portable_random.h"
+#include "core/base/svd.h"
+#include "core/base/tall_matrix.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <vector>
 
 namespace dyncal {
 namespace {
 
-/// Thrown inside Spectra, which has no way to stop; caught below and never seen outside.
-struct Stopped
+/// Two: a double eigenvalue is found with both its vectors, two threads have a product each, and
+/// hardly more products are needed than with one.
+constexpr Index kBlock = 2;
+constexpr double kRounding = 1e-14; ///< of A's products, relative to the largest
+/// What is left of a vector after a subtraction, below which rounding shows: subtract again.
+constexpr double kMuchRemoved = 0.05;
+
+/// Fixed numbers without any structure that a record could share.
+void fillRandom(Eigen::Ref<Eigen::VectorXd> x, Index stream)
 {
-};
-
-Eigen::VectorXd timesItsTranspose(
-    const std::vector<HankelOperator> &blocks, const Eigen::Ref<const Eigen::VectorXd> &x)
-{
-    Eigen::VectorXd sum = Eigen::VectorXd::Zero(x.size());
-    for (const HankelOperator &block : blocks)
-        sum += block.times(block.transposedTimes(x));
-    return sum;
-}
-
-/// What Spectra wants of an operator.
-class GramProduct
-{
-public:
-    using Scalar = double;
-
-    GramProduct(const std::vector<HankelOperator> &blocks, const JobControl &control)
-        : m_blocks(blocks)
-        , m_control(control)
-    {
-    }
-
-    Index rows() const { return m_blocks.front().rows(); }
-    Index cols() const { return rows(); }
-    void perform_op(const double *in, double *out) const
-    {
-        if (m_control.stopRequested())
-            throw Stopped();
-        const Eigen::Map<const Eigen::VectorXd> x(in, rows());
-        Eigen::Map<Eigen::VectorXd>(out, rows()) = timesItsTranspose(m_blocks, x);
-    }
-
-private:
-    const std::vector<HankelOperator> &m_blocks;
-    const JobControl &m_control;
-};
-
-Eigen::VectorXd transposedTimes(
-    const std::vector<HankelOperator> &blocks, const Eigen::Ref<const Eigen::VectorXd> &x)
-{
-    Index total = 0;
-    for (const HankelOperator &block : blocks)
-        total += block.columns();
-    Eigen::VectorXd result(total);
-    Index at = 0;
-    for (const HankelOperator &block : blocks) {
-        result.segment(at, block.columns()) = block.transposedTimes(x);
-        at += block.columns();
-    }
-    return result;
+    RandomStream random(20260101, 0, stream);
+    for (double &value : x)
+        value = random.nextUniform() - 0.5;
 }
 
 } // namespace
 
-Result<SingularTriplets> leadingTriplets(
-    const std::vector<HankelOperator> &blocks, Index count, const JobControl &control)
+BlockLanczos::BlockLanczos(SymmetricOperator &A, double tolerance)
+    : m_A(A)
+    , m_tolerance(tolerance)
 {
-    const Index rows = blocks.front().rows();
-    const GramProduct product(blocks, control);
-    const Index basis = std::min(rows, 2 * count + 20);
-    const Index wanted = std::min(count, basis - 1);
-    constexpr int kRestarts = 300;
-    constexpr double kResidual = 1e-10;
-    constexpr Index kFewest = 8; ///< enough to judge an order by
-    try {
-        Spectra::SymEigsSolver<GramProduct> solver(
-            const_cast<GramProduct &>(product), wanted, basis); // takes a reference, does not write
-        solver.init();
-        const Index found = solver.compute(
-            Spectra::SortRule::LargestMagn, kRestarts, kResidual, Spectra::SortRule::LargestMagn);
-        if (found < std::min<Index>(wanted, kFewest)) {
-            return fail(ErrorKind::Internal,
-                Message{DYNCAL_TEXT("core",
-                            "Hankel decomposition: %1 of %2 singular values converged; shorten the "
-                            "model input or ask for fewer."),
-                    {std::to_string(found), std::to_string(wanted)}});
-        }
-        SingularTriplets triplets;
-        triplets.left = solver.eigenvectors(found);
-        triplets.singularValues.resize(found);
-        Eigen::MatrixXd right;
-        for (Index k = 0; k < found; ++k) {
-            const Eigen::VectorXd v = transposedTimes(blocks, triplets.left.col(k));
-            if (k == 0)
-                right.resize(v.size(), found);
-            const double sigma = v.norm(); // more accurate than the square root of the eigenvalue
-            triplets.singularValues[k] = sigma;
-            right.col(k) = sigma > 0.0 ? Eigen::VectorXd(v / sigma) : v;
-        }
-        triplets.right = std::move(right);
-        return triplets;
-    } catch (const Stopped &) {
-        return fail(ErrorKind::Cancelled, {});
-    }
+    eigen_assert(mostPairs(A.size()) > 0);
+    Eigen::MatrixXd start(A.size(), kBlock);
+    for (Index j = 0; j < kBlock; ++j)
+        fillRandom(start.col(j), j);
+    reserve(kBlock);
+    appendOrthonormal(start);
 }
 
-double largestSingularValue(const std::vector<HankelOperator> &blocks)
+Index BlockLanczos::mostPairs(Index size)
 {
-    // Spectra refuses a zero matrix: records without any noise have one.
-    const Eigen::VectorXd probe = Eigen::VectorXd::Ones(blocks.front().rows());
-    if (timesItsTranspose(blocks, probe).norm() == 0.0)
-        return 0.0;
-    const auto triplets = leadingTriplets(blocks, 1, {});
-    return triplets ? triplets->singularValues[0] : 0.0;
+    return std::max<Index>(size / 3 - 2 * kBlock, 0);
+}
+
+/// Basis vectors before a restart: twice what is wanted, and some that have not settled.
+Index BlockLanczos::capacity(Index count) const
+{
+    return std::min(m_A.size() - kBlock, 2 * count + 40);
+}
+
+void BlockLanczos::reserve(Index columns)
+{
+    if (m_Q.cols() < columns)
+        m_Q.conservativeResize(m_A.size(), columns);
+}
+
+void BlockLanczos::removeBasis(Eigen::Ref<Eigen::MatrixXd> W, Index columns) const
+{
+    subtractProducts(m_Q.leftCols(columns), innerProducts(m_Q.leftCols(columns), W), W);
+}
+
+/// A times the next block joins the basis; what is orthogonal to it becomes the block after.
+void BlockLanczos::grow()
+{
+    const Index d = m_dimension + kBlock;
+    Eigen::MatrixXd W(m_A.size(), kBlock);
+    m_A.apply(m_Q.middleCols(m_dimension, kBlock), W);
+    m_products += kBlock;
+    const Eigen::ArrayXd before = W.colwise().norm();
+    m_scale = std::max(m_scale, before.maxCoeff());
+
+    // What the recurrence knows goes first, so that the pass over the whole basis removes rounding
+    // only: a single such pass loses orthogonality step by step when it removes more.
+    const Index coupled = m_restarted ? m_dimension : std::min(m_dimension, kBlock);
+    subtractProducts(m_Q.middleCols(m_dimension - coupled, coupled),
+        m_coupling.rightCols(coupled).transpose(), W);
+    const auto last = m_Q.middleCols(m_dimension, kBlock);
+    Eigen::MatrixXd corner = innerProducts(last, W);
+    subtractProducts(last, corner, W);
+    const Eigen::MatrixXd C = innerProducts(m_Q.leftCols(d), W);
+    subtractProducts(m_Q.leftCols(d), C, W);
+    corner += C.bottomRows(kBlock);
+    extendProjection(corner);
+    m_restarted = false;
+    const Eigen::ArrayXd after = W.colwise().norm();
+    if ((after < kMuchRemoved * before).any())
+        removeBasis(W, d);
+    appendOrthonormal(W);
+}
+
+void BlockLanczos::extendProjection(const Eigen::MatrixXd &corner)
+{
+    const Index old = m_dimension;
+    m_dimension += kBlock;
+    m_T.conservativeResize(m_dimension, m_dimension);
+    m_T.topRightCorner(old, kBlock) = m_coupling.transpose();
+    m_T.bottomLeftCorner(kBlock, old) = m_coupling;
+    m_T.bottomRightCorner(kBlock, kBlock) = 0.5 * (corner + corner.transpose());
+}
+
+/// W = next * R with W orthogonal to the basis: `next` goes behind the basis, R is what couples it
+/// to the last block; earlier blocks have no coupling.
+void BlockLanczos::appendOrthonormal(Eigen::MatrixXd &W)
+{
+    Eigen::MatrixXd R = Eigen::MatrixXd::Zero(kBlock, kBlock);
+    for (Index j = 0; j < kBlock; ++j) {
+        const Index known = m_dimension + j;
+        const double before = W.col(j).norm();
+        for (Index i = 0; i < j; ++i) {
+            R(i, j) = m_Q.col(m_dimension + i).dot(W.col(j));
+            W.col(j) -= R(i, j) * m_Q.col(m_dimension + i);
+        }
+        const double norm = W.col(j).norm();
+        if (norm > kRounding * m_scale) {
+            R(j, j) = norm;
+        } else { // the subspace is exhausted: any other direction will do, uncoupled
+            fillRandom(W.col(j), kBlock + m_products + j);
+            removeBasis(W.col(j), known);
+        }
+        W.col(j).normalize();
+        if (norm < kMuchRemoved * before || norm < 1e-6 * m_scale) {
+            removeBasis(W.col(j), known);
+            W.col(j).normalize();
+        }
+        m_Q.col(known) = W.col(j);
+    }
+    m_coupling.setZero(kBlock, m_dimension);
+    if (m_dimension > 0)
+        m_coupling.rightCols(kBlock) = R;
+}
+
+void BlockLanczos::decompose()
+{
+    const SymmetricEigen eigen = symmetricEigen(m_T);
+    std::vector<Index> order(static_cast<std::size_t>(m_dimension));
+    std::iota(order.begin(), order.end(), Index(0));
+    std::stable_sort(order.begin(), order.end(),
+        [&](Index a, Index b) { return std::abs(eigen.values[a]) > std::abs(eigen.values[b]); });
+    m_values = eigen.values(order);
+    m_rotation = eigen.vectors(Eigen::all, order);
+    m_residuals = (m_coupling * m_rotation).colwise().norm();
+}
+
+Index BlockLanczos::convergedAmong(Index count) const
+{
+    for (Index k = 0; k < count; ++k) {
+        const double bound = std::max(m_tolerance * std::abs(m_values[k]), kRounding * m_scale);
+        if (m_residuals[k] > bound)
+            return k;
+    }
+    return count;
+}
+
+/// The leading Ritz vectors become the basis; the next block stays what it is.
+void BlockLanczos::restart(Index keep)
+{
+    rotateColumns(m_Q.leftCols(m_dimension), m_rotation.leftCols(keep));
+    m_Q.middleCols(keep, kBlock) = m_Q.middleCols(m_dimension, kBlock).eval();
+    m_coupling = (m_coupling * m_rotation.leftCols(keep)).eval();
+    m_T = m_values.head(keep).asDiagonal();
+    m_dimension = keep;
+    m_restarted = true;
+}
+
+bool BlockLanczos::iterate(Index count, const JobControl &control)
+{
+    const Index full = capacity(count);
+    const Index keep = count + (full - count) / 3;
+    const Index limit = m_products + 100 * count + 1000;
+    reserve(full + kBlock);
+    Index nextLook = count + (full - count) / 2;
+    while (m_products < limit) {
+        if (control.stopRequested())
+            return false;
+        control.report(1.0
+            - std::exp(-static_cast<double>(m_products) / (static_cast<double>(4 * count + 60))));
+        grow();
+        const bool isFull = m_dimension + kBlock > full;
+        if (m_dimension < nextLook && !isFull)
+            continue;
+        decompose();
+        if (convergedAmong(count) == count)
+            break;
+        if (isFull)
+            restart(keep);
+        nextLook = m_dimension + (full - keep) / 2;
+    }
+    return true;
+}
+
+EigenPairs BlockLanczos::leading(Index count)
+{
+    decompose();
+    return {m_values.head(count),
+        combineColumns(m_Q.leftCols(m_dimension), m_rotation.leftCols(count)),
+        convergedAmong(count)};
 }
 
 } // namespace dyncal

@@ -3,32 +3,78 @@
 
 #pragma once
 
+#include "core/base/index.h"
 #include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/realization/hankel_operator.h"
 
 #include <Eigen/Core>
 
-#include <vector>
-
 namespace dyncal {
 
-/// Leading singular triplets of [H_1 H_2 ...].
-struct SingularTriplets
+/// A symmetric matrix known by its products only.
+class SymmetricOperator
 {
-    Eigen::VectorXd singularValues;
-    Eigen::MatrixXd left; ///< r x k
-    Eigen::MatrixXd right; ///< s x k, s summed over the blocks
+public:
+    virtual ~SymmetricOperator() = default;
+    virtual Index size() const = 0;
+    /// Y = A X, column by column; Y has the size of X.
+    virtual void apply(const Eigen::Ref<const Eigen::MatrixXd> &X, Eigen::Ref<Eigen::MatrixXd> Y)
+        = 0;
 };
 
-/// The `count` leading triplets by implicitly restarted Lanczos on x -> sum H_i H_i^T x (Spectra),
-/// residuals below 1e-10. Values below about 1e-8 of the first are noise of the squaring. The start
-/// vector is fixed, so results repeat. Fails (Cancelled) on request, (Internal) without
-/// convergence.
-Result<SingularTriplets> leadingTriplets(
-    const std::vector<HankelOperator> &blocks, Index count, const JobControl &control);
+/// Leading eigenpairs, largest magnitude first.
+struct EigenPairs
+{
+    Eigen::VectorXd values;
+    Eigen::MatrixXd vectors; ///< orthonormal columns
+    Index converged = 0; ///< the first so many have a residual below the tolerance
+};
 
-/// Largest singular value alone; 0 if it does not converge.
-double largestSingularValue(const std::vector<HankelOperator> &blocks);
+/// Block Lanczos with full reorthogonalisation and thick restarts (Wu and Simon 2000) for the
+/// eigenvalues of largest magnitude. The start block is fixed and sums have a fixed order, so that
+/// results repeat, with one thread or two. An exhausted subspace (a matrix of low rank) goes on
+/// with a fresh random direction. docs/method/hankel.md.
+class BlockLanczos
+{
+public:
+    /// `A` is referred to. A pair counts as converged at ||A v - t v|| <= tolerance |t|, or at the
+    /// rounding of A's products.
+    explicit BlockLanczos(SymmetricOperator &A, double tolerance = 1e-8);
+
+    /// Largest number of pairs a matrix of this size can be asked for.
+    static Index mostPairs(Index size);
+
+    /// Iterates until the `count` leading pairs have converged, or until 100 products per pair are
+    /// spent; goes on from what an earlier call has found. False when asked to stop.
+    bool iterate(Index count, const JobControl &control);
+
+    /// The `count` leading pairs as the last iterate(), of at least as many, left them.
+    EigenPairs leading(Index count);
+
+    Index products() const { return m_products; } ///< A x so far
+
+private:
+    void grow();
+    void extendProjection(const Eigen::MatrixXd &corner);
+    void appendOrthonormal(Eigen::MatrixXd &W);
+    void removeBasis(Eigen::Ref<Eigen::MatrixXd> W, Index columns) const;
+    void decompose();
+    void restart(Index keep);
+    Index convergedAmong(Index count) const;
+    Index capacity(Index count) const;
+    void reserve(Index columns);
+
+    SymmetricOperator &m_A;
+    double m_tolerance;
+    Eigen::MatrixXd m_Q; ///< basis, then the next block
+    Eigen::MatrixXd m_T; ///< projected matrix: Q^T A Q
+    Eigen::MatrixXd m_coupling; ///< A Q = Q T + next * coupling
+    Index m_dimension = 0; ///< columns of the basis
+    bool m_restarted = false; ///< the next block couples to the whole basis, not to its last block
+    double m_scale = 0.0; ///< largest norm of A q so far: what rounding is relative to
+    Index m_products = 0;
+    Eigen::VectorXd m_values; ///< of T, largest magnitude first
+    Eigen::MatrixXd m_rotation; ///< eigenvectors of T
+    Eigen::VectorXd m_residuals;
+};
 
 } // namespace dyncal

@@ -58,6 +58,21 @@ std::vector<std::complex<double>> discretePoles(
     return poles;
 }
 
+ExponentialSum atStart(const ModelSeries &series,
+    const std::vector<std::complex<double>> &rates_rad_s, const AmplitudeFit &fit)
+{
+    ExponentialSum sum;
+    sum.constant = fit.constant;
+    sum.rates_rad_s = Eigen::Map<const Eigen::VectorXcd>(
+        rates_rad_s.data(), static_cast<Index>(rates_rad_s.size()));
+    sum.amplitudes = fit.amplitudes;
+    for (Index i = 0; i < sum.amplitudes.size(); ++i) {
+        const std::complex<double> s = sum.rates_rad_s[i];
+        sum.amplitudes[i] *= std::exp(-s * series.first_s) / series.filter.gain(s);
+    }
+    return sum;
+}
+
 ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<double>> &poles)
 {
     ModelDraft draft;
@@ -65,39 +80,45 @@ ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<d
         draft.rates_rad_s.push_back(rateOf(z, sampleInterval_s(input)));
     sortByFrequency(draft.rates_rad_s);
     const auto sorted = discretePoles(draft.rates_rad_s, sampleInterval_s(input));
-    for (const ModelSeries &series : input.series) {
-        const AmplitudeFit fit = fitAmplitudes(series.y, sorted, isStepTreatment(input.treatment));
-        ExponentialSum sum;
-        sum.constant = fit.constant;
-        sum.rates_rad_s = Eigen::Map<const Eigen::VectorXcd>(
-            draft.rates_rad_s.data(), static_cast<Index>(draft.rates_rad_s.size()));
-        sum.amplitudes = fit.amplitudes;
-        for (Index i = 0; i < sum.amplitudes.size(); ++i) {
-            const std::complex<double> s = sum.rates_rad_s[i];
-            sum.amplitudes[i] *= std::exp(-s * series.first_s) / series.filter.gain(s);
-        }
-        draft.series.push_back(std::move(sum));
+    Eigen::MatrixXd records(input.samples, static_cast<Index>(input.series.size()));
+    for (Index r = 0; r < records.cols(); ++r)
+        records.col(r) = input.series[static_cast<std::size_t>(r)].y;
+    const auto fits = fitAmplitudes(records, sorted, isStepTreatment(input.treatment));
+    for (std::size_t r = 0; r < fits.size(); ++r) {
+        draft.series.push_back(atStart(input.series[r], draft.rates_rad_s, fits[r]));
+        draft.nuisance.push_back(input.series[r].nuisance);
     }
     return draft;
+}
+
+std::vector<RefinementRecord> refinementRecords(const ModelInput &input)
+{
+    std::vector<RefinementRecord> records;
+    for (const ModelSeries &series : input.series) {
+        constexpr double kNoiseFree = 1e-9; // of the record's range: keeps weights finite
+        const double range = series.fullRate.maxCoeff() - series.fullRate.minCoeff();
+        const double noise = std::max(series.fullRateNoiseSd, kNoiseFree * range);
+        records.push_back({series.fullRate, series.fullRate_Hz, 1.0 / noise, series.nuisance});
+    }
+    return records;
 }
 
 void refineDraft(const ModelInput &input, ModelDraft &draft, const JobControl &control)
 {
     if (!canRefine(input, discretePoles(draft.rates_rad_s, sampleInterval_s(input))))
         return;
-    std::vector<RefinementRecord> records;
-    for (const ModelSeries &series : input.series) {
-        constexpr double kNoiseFree = 1e-9; // of the record's range: keeps weights finite
-        const double range = series.fullRate.maxCoeff() - series.fullRate.minCoeff();
-        const double noise = std::max(series.fullRateNoiseSd, kNoiseFree * range);
-        records.push_back({series.fullRate, series.fullRate_Hz, 1.0 / noise});
-    }
+    const std::vector<RefinementRecord> records = refinementRecords(input);
     draft.refinement
         = refinePoles(records, draft.rates_rad_s, isStepTreatment(input.treatment), control);
     if (!draft.refinement)
         return;
+    std::vector<NoiseCovariance> noise;
+    for (const ModelSeries &series : input.series)
+        noise.push_back(series.fullRateNoise);
+    draft.noise = allowForColour(records, noise, *draft.refinement);
     draft.rates_rad_s = draft.refinement->rates_rad_s;
     draft.series = draft.refinement->records;
+    draft.nuisance = draft.refinement->nuisance;
 }
 
 std::vector<bool> standingOut(const ModelInput &input, const ModelDraft &draft)

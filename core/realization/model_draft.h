@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/realization/coloured_covariance.h"
 #include "core/realization/exponential_sum.h"
 #include "core/realization/model_input.h"
 #include "core/realization/pole_refinement.h"
@@ -18,7 +19,9 @@ struct ModelDraft
 {
     std::vector<std::complex<double>> rates_rad_s; ///< without the step pole
     std::vector<ExponentialSum> series; ///< at time 0 = detected start
+    std::vector<std::vector<NuisanceTerm>> nuisance; ///< per series, beside them
     std::optional<Refinement> refinement;
+    NoiseBasis noise; ///< what the refinement's covariance rests on
 };
 
 inline bool isThesisMode(const ModelInput &input)
@@ -36,9 +39,17 @@ std::complex<double> rateOf(std::complex<double> z, double dt_s);
 std::vector<std::complex<double>> discretePoles(
     const std::vector<std::complex<double>> &rates_rad_s, double dt_s);
 
+/// What was fitted to a series' samples, brought back to time 0 and freed of the filter's gain.
+ExponentialSum atStart(const ModelSeries &series,
+    const std::vector<std::complex<double>> &rates_rad_s, const AmplitudeFit &fit);
+
 /// Amplitudes by least squares at the model rate for the poles given (z plane, without the step's),
 /// brought back to time 0 and freed of the filter's gain. Rates sorted by |s|.
 ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<double>> &poles);
+
+/// What the refinement fits: the series at their own rate, weighted by their noise, with their
+/// nuisance terms.
+std::vector<RefinementRecord> refinementRecords(const ModelInput &input);
 
 /// Refines poles and amplitudes on the records at their own rate from the start on, where no filter
 /// stands between onset and data. Leaves the draft alone in thesis mode, beyond order 12, for poles

@@ -4,6 +4,7 @@
 #include "core/realization/model_findings.h"
 
 #include "core/base/number_text.h"
+#include "core/realization/order_evidence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,6 +18,9 @@ constexpr double kOverFit_points = 2.0;
 constexpr double kNoiseLimit_percent = 10.0; ///< below, FIT says nothing
 constexpr double kSameFrequency = 0.02;
 constexpr double kCancelling = 1e-3;
+constexpr double kClearGap = 3.0;
+constexpr double kOtherShots_points = 15.0;
+constexpr std::size_t kMostNamed = 4; ///< poles in one sentence
 constexpr double kMissingFast = 0.1; ///< of the plateau, at the onset
 
 Finding about(const char *id, Severity severity, Message message, std::optional<double> value = {},
@@ -30,8 +34,7 @@ void judgeOrder(const SensorModel &model, const HankelDecomposition &decompositi
     const Index n = model.order;
     const Eigen::VectorXd &sigma = decomposition.singularValues;
     const double floor = decomposition.noiseFloor_p95;
-    if (n < sigma.size() && sigma[n] > 0.0 && sigma[n] > floor
-        && sigma[n - 1] / sigma[n] < kPairRatio) {
+    if (splitsPair(decomposition, n)) {
         out.push_back(about("ORD-001", Severity::Caution,
             {DYNCAL_TEXT("core",
                  "Order %1 splits an oscillating pair (singular values %1 and %2 are %3 and %4). "
@@ -39,6 +42,8 @@ void judgeOrder(const SensorModel &model, const HankelDecomposition &decompositi
                 {std::to_string(n), std::to_string(n + 1), numberText(sigma[n - 1], 4),
                     numberText(sigma[n], 4)}},
             sigma[n - 1] / sigma[n], kPairRatio));
+        out.back().mend = Mend{{DYNCAL_TEXT("core", "Use order %1"), {std::to_string(n + 1)}},
+            "realization.order", std::to_string(n + 1)};
     }
     if (n <= sigma.size() && floor > 0.0 && sigma[n - 1] < floor) {
         const Index above = (sigma.array() > floor).count();
@@ -83,17 +88,32 @@ void judgePoles(const SensorModel &model, Findings &out)
             break;
         }
     }
-    Index cancelling = 0;
+}
+
+bool isCancelled(const Pole &pole, const std::vector<std::complex<double>> &zeros)
+{
+    return std::any_of(zeros.begin(), zeros.end(),
+        [&](const auto &zero) { return std::abs(zero - pole.z) < kCancelling; });
+}
+
+/// A pair counts once: "2 (1.2 MHz, 3.4 MHz)".
+void judgeCancelling(const SensorModel &model, Findings &out)
+{
+    std::vector<std::string> named;
     for (const Pole &pole : model.poles) {
-        cancelling += std::any_of(model.zeros.begin(), model.zeros.end(),
-            [&](const auto &zero) { return std::abs(zero - pole.z) < kCancelling; });
+        if (pole.z.imag() >= 0.0 && isCancelled(pole, model.zeros))
+            named.push_back(numberWithUnit(pole.frequency_Hz, "Hz", 4));
     }
-    if (cancelling > 0) {
-        out.push_back(about("MOD-005", Severity::Info,
-            {DYNCAL_TEXT("core", "Poles nearly cancelled by zeros: %1. A lower order may do."),
-                {std::to_string(cancelling)}},
-            static_cast<double>(cancelling)));
-    }
+    if (named.empty())
+        return;
+    const std::string count = std::to_string(named.size());
+    std::string list;
+    for (std::size_t i = 0; i < std::min(named.size(), kMostNamed); ++i)
+        list += (i > 0 ? ", " : "") + named[i];
+    out.push_back(about("MOD-005", Severity::Info,
+        {DYNCAL_TEXT("core", "Poles nearly cancelled by zeros: %1 (%2). A lower order may do."),
+            {count, named.size() > kMostNamed ? list + ", \xE2\x80\xA6" : list}},
+        static_cast<double>(named.size())));
 }
 
 void judgeFit(const SensorModel &model, Findings &out)
@@ -165,12 +185,74 @@ void judgeOnset(const SensorModel &model, const ModelInput &input, Findings &out
 
 } // namespace
 
+bool splitsPair(const HankelDecomposition &decomposition, Index order)
+{
+    const Eigen::VectorXd &sigma = decomposition.singularValues;
+    return order >= 1 && order < sigma.size() && sigma[order] > 0.0
+        && sigma[order] > decomposition.noiseFloor_p95
+        && sigma[order - 1] / sigma[order] < kPairRatio;
+}
+
+Findings judgeGap(const HankelDecomposition &decomposition)
+{
+    const Eigen::VectorXd &sigma = decomposition.singularValues;
+    double widest = 0.0;
+    for (Index n = 1; n < sigma.size() && sigma[n - 1] > decomposition.noiseFloor_p95; ++n)
+        widest = std::max(widest, sigma[n - 1] / sigma[n]);
+    if (sigma.size() < 2 || widest > kClearGap)
+        return {};
+    return {about("ORD-002", Severity::Info,
+        {DYNCAL_TEXT("core",
+             "No clear gap between the singular values: none above the noise is more than %1 times "
+             "the next. Compare candidates."),
+            {numberText(kClearGap, 2)}},
+        widest, kClearGap)};
+}
+
+Findings judgeOtherShots(const SensorModel &model, const OrderEvidence &evidence)
+{
+    Findings findings;
+    if (model.diverges || model.order > evidence.crossShotFit_percent.rows())
+        return findings;
+    for (std::size_t i = 0; i < evidence.crossShots.size(); ++i) {
+        const Index shot = evidence.crossShots[i];
+        const auto own = std::find_if(model.series.begin(), model.series.end(),
+            [shot](const SeriesFit &fit) { return fit.shot == shot; });
+        const double others = evidence.crossShotFit_percent(model.order - 1, static_cast<Index>(i));
+        if (own == model.series.end() || !(own->fit_percent - others > kOtherShots_points))
+            continue;
+        findings.push_back(about("MOD-007", Severity::Caution,
+            {DYNCAL_TEXT("core",
+                 "Shot %1: FIT is %2 % with the model, but %3 % with the poles of the other shots "
+                 "alone. The shots do not share their poles: is the sensor not linear?"),
+                {std::to_string(shot), numberText(own->fit_percent, 3), numberText(others, 3)}},
+            own->fit_percent - others, kOtherShots_points));
+        findings.back().shot = shot;
+    }
+    return findings;
+}
+
+void flagPoles(SensorModel &model)
+{
+    for (Pole &pole : model.poles) {
+        if (pole.poleClass == PoleClass::Step || pole.poleClass == PoleClass::Nyquist
+            || pole.poleClass == PoleClass::Unstable)
+            pole.flags.push_back(poleClassName(pole.poleClass));
+        if (isCancelled(pole, model.zeros))
+            pole.flags.push_back("near-cancelled");
+        if (pole.poleClass != PoleClass::Step && pole.z.imag() == 0.0
+            && pole.frequency_Hz <= pole.u_frequency_Hz)
+            pole.flags.push_back("integrator");
+    }
+}
+
 Findings judgeModel(const SensorModel &model, const ModelInput &input,
     const HankelDecomposition &decomposition, const SpectrumResult &spectrum)
 {
     Findings findings;
     judgeOrder(model, decomposition, findings);
     judgePoles(model, findings);
+    judgeCancelling(model, findings);
     judgeFit(model, findings);
     judgeAgainstSpectrum(model, spectrum, findings);
     judgeOnset(model, input, findings);

@@ -94,6 +94,18 @@ Eigen::VectorXd filteredNoise(const Source &source, const AntiAliasFilter &filte
     return count >= 8 ? decimate(source.noise, filter, half, count) : Eigen::VectorXd();
 }
 
+void nameLevels(const std::vector<WindowedResponse> &responses, std::vector<ModelSeries> &series)
+{
+    for (ModelSeries &one : series) {
+        for (const WindowedResponse &response : responses) {
+            if (response.shot == one.shot) {
+                one.level = response.level;
+                one.step = response.step;
+            }
+        }
+    }
+}
+
 struct Cut
 {
     double offset_s = 0.0;
@@ -110,6 +122,10 @@ ModelSeries makeSeries(
     series.first_s = static_cast<double>(first - source.lead) / source.rate_Hz;
     series.noise = filteredNoise(source, filter);
     series.fullRateNoiseSd = standardDeviation(source.noise);
+    if (source.noise.size() > 0)
+        series.u_baseline
+            = series.fullRateNoiseSd / std::sqrt(static_cast<double>(source.noise.size()));
+    series.fullRateNoise = noiseCovariance(source.noise, kLargestNoiseModelOrder);
     series.noiseSd = series.noise.size() ? standardDeviation(series.noise)
                                          : series.fullRateNoiseSd * filter.taps.norm();
     const Index last = first
@@ -228,6 +244,7 @@ Result<ModelInput> prepareModelInput(const std::vector<WindowedResponse> &respon
             return fail(ErrorKind::Cancelled, {});
         input.series.push_back(makeSeries(list[i], filters[i], firsts[i], cut));
     }
+    nameLevels(responses, input.series);
     input.offset_s = input.series.front().first_s;
     input.samples = cut.samples;
     input.lostResponse_percent = lostResponse_percent(input);

@@ -7,6 +7,9 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/decomposition/principal_components.h"
+#include "core/realization/nuisance_term.h"
+#include "core/realization/realization_settings.h"
+#include "core/realization/whitening.h"
 #include "core/signal/power_spectrum.h"
 #include "core/signal/resampler.h"
 #include "core/signal/response_window.h"
@@ -32,6 +35,15 @@ struct ModelSeries
     Eigen::VectorXd fullRate;
     double fullRate_Hz = 0.0;
     double fullRateNoiseSd = 0.0;
+    ShotLevel level = ShotLevel::None;
+    double step = 0.0; ///< of the shot, in the unit of its recording; 0 for the average
+    NoiseCovariance fullRateNoise = {}; ///< of the pre-trigger noise at the shot's own rate
+    double u_baseline = 0.0; ///< of the level that was subtracted
+
+    /// Modes that are not the sensor's, as separateNuisance() found them; fullRate is then long
+    /// enough to tell them from the plateau.
+    std::vector<NuisanceTerm> nuisance = {};
+    Eigen::VectorXd correction = {}; ///< added to y it leaves the sensor alone; empty = none
 };
 
 struct ModelInput
@@ -44,7 +56,10 @@ struct ModelInput
     std::vector<ModelSeries> series;
     std::optional<double> samplesPerPeriod; ///< of the main resonance
     std::optional<double> lostResponse_percent; ///< energy of the ringing before the input starts
-    Findings findings; ///< MIN-001..005, CAP-004
+    std::vector<NuisanceMode> nuisanceModes; ///< what NuisanceTerm::mode counts in
+    std::vector<std::optional<double>> soundSpeeds_m_s; ///< of region 5, per shot of the set: what
+                                                        ///< their frequencies were scaled by
+    Findings findings; ///< MIN-001..006, CAP-004, NUI-001..004
 };
 
 /// Resamples to the model rate, cuts the model input and says what was lost (thesis 3.7 4d-5).

@@ -4,34 +4,77 @@
 #include "core/base/number_text.h"
 #include "core/realization/exponential_sum.h"
 #include "core/realization/hankel_decomposition.h"
+#include "core/realization/model_draft.h"
 #include "core/realization/realized_poles.h"
+#include "core/realization/shot_combination.h"
 #include "core/realization/whitening.h"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace dyncal {
 namespace {
 
 constexpr Index kHighestTried = 20;
-constexpr Index kNoiseModelOrder = 4; ///< docs/method/order.md
 constexpr double kRoundingFloor = 1e-11; ///< of the largest value: nothing below is information
 
-/// Response of one series made ready for BIC: whitened, with the variance left to its noise.
-std::vector<Eigen::VectorXd> whitenedSeries(const ModelInput &input)
+/// What BIC is formed on, and whether it is no longer what the given decomposition was made of.
+struct WhitenedInput
 {
-    std::vector<Eigen::VectorXd> list;
-    for (const ModelSeries &series : input.series)
-        list.push_back(whitened(series.y, autoregressiveModel(series.noise, kNoiseModelOrder)));
-    return list;
+    ModelInput input;
+    bool isOther = false;
+};
+
+WhitenedInput whitenedInput(const ModelInput &input)
+{
+    WhitenedInput result;
+    result.input.treatment = input.treatment;
+    result.input.sampleRate_Hz = input.sampleRate_Hz;
+    if (auto combined = isThesisMode(input) ? std::nullopt : combineShots(input)) {
+        result.input.series = {std::move(*combined)};
+        result.isOther = true;
+    } else {
+        for (const ModelSeries &series : input.series) {
+            result.input.series.emplace_back();
+            result.input.series.back().y = series.y;
+            result.input.series.back().noise = series.noise;
+        }
+    }
+    std::vector<NoiseCovariance> noise;
+    for (const ModelSeries &series : result.input.series)
+        noise.push_back(noiseCovariance(series.noise, kLargestNoiseModel));
+    const auto models = chooseAutoregressiveModels(noise, kLargestNoiseModel);
+    for (std::size_t i = 0; i < models.size(); ++i) {
+        ModelSeries &series = result.input.series[i];
+        series.y = whitened(series.y, models[i].coefficients);
+        series.noiseSd = std::sqrt(models[i].innovationVariance);
+        series.noise.resize(0); // nobody asks for the noise floor of this decomposition
+    }
+    result.input.samples = result.input.series.front().y.size();
+    result.isOther = result.isOther || models.front().order() > 0;
+    return result;
 }
 
-double bicOf(const std::vector<Eigen::VectorXd> &series,
-    const std::vector<std::complex<double>> &poles, bool withConstant)
+/// Coloured noise displaces the poles of weak modes: they are realised anew from what is whitened.
+/// Thesis mode keeps the poles of the listing.
+std::optional<HankelDecomposition> decomposeAnew(const WhitenedInput &whitened)
+{
+    if (!whitened.isOther || isThesisMode(whitened.input))
+        return std::nullopt;
+    RealizationSettings settings;
+    settings.maxOrder = kHighestTried;
+    auto hankel = decomposeHankel(whitened.input, settings);
+    return hankel ? std::optional(std::move(*hankel)) : std::nullopt;
+}
+
+double bicOf(const std::vector<ModelSeries> &series, const std::vector<std::complex<double>> &poles,
+    bool withConstant)
 {
     double bic = 0.0;
     double samples = 0.0;
-    for (const Eigen::VectorXd &y : series) {
+    for (const ModelSeries &one : series) {
+        const Eigen::VectorXd &y = one.y;
         const double n = static_cast<double>(y.size());
         const double floor = kRoundingFloor * y.cwiseAbs().maxCoeff();
         const double meanSquare
@@ -65,11 +108,12 @@ Message reasonFor(const Eigen::VectorXd &bic, Index order)
 
 OrderSuggestion suggestOrder(const ModelInput &input, const HankelDecomposition &decomposition)
 {
-    const std::vector<Eigen::VectorXd> series = whitenedSeries(input);
-    Index shortest = series.front().size();
-    for (const Eigen::VectorXd &y : series)
-        shortest = std::min(shortest, y.size());
-    const Index highest = std::min({kHighestTried, largestOrder(decomposition), shortest / 4});
+    const WhitenedInput whitened = whitenedInput(input);
+    const std::optional<HankelDecomposition> anew = decomposeAnew(whitened);
+    const HankelDecomposition &realized = anew ? *anew : decomposition;
+    const std::vector<ModelSeries> &series = whitened.input.series;
+    const Index highest
+        = std::min({kHighestTried, largestOrder(realized), whitened.input.samples / 4});
 
     // In thesis mode the step is one of the poles; in impulse mode there is none.
     const bool withConstant = input.treatment == ResponseTreatment::StepDeflated
@@ -77,7 +121,7 @@ OrderSuggestion suggestOrder(const ModelInput &input, const HankelDecomposition 
     OrderSuggestion suggestion;
     suggestion.bic.resize(std::max<Index>(highest, 1));
     for (Index n = 1; n <= suggestion.bic.size(); ++n)
-        suggestion.bic[n - 1] = bicOf(series, realizedPoles(decomposition, n), withConstant);
+        suggestion.bic[n - 1] = bicOf(series, realizedPoles(realized, n), withConstant);
     Index best = 0;
     suggestion.bic.minCoeff(&best);
     suggestion.order = best + 1;

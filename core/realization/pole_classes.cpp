@@ -11,7 +11,7 @@ namespace dyncal {
 namespace {
 
 constexpr double kStepDistance = 1e-3;
-constexpr double kUnstableMargin = 1e-6;
+constexpr double kRunaway = 10.0;
 constexpr double kNyquistReal = -0.5;
 constexpr double kNyquistAngle = 0.95 * std::numbers::pi;
 
@@ -32,6 +32,16 @@ const char *poleClassName(PoleClass poleClass)
         break;
     }
     return "other";
+}
+
+bool isRunaway(std::complex<double> z, Index samples)
+{
+    return static_cast<double>(samples) * std::log(std::abs(z)) > std::log(kRunaway);
+}
+
+bool dropRunaways(std::vector<std::complex<double>> &poles, Index samples)
+{
+    return std::erase_if(poles, [samples](auto z) { return isRunaway(z, samples); }) > 0;
 }
 
 std::vector<PoleClass> classifyPoles(const std::vector<std::complex<double>> &poles,

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace dyncal {
 namespace {
@@ -18,8 +19,9 @@ constexpr double kConverged = 1e-12; ///< relative decrease of the cost
 constexpr double kFrequencyFactor = 1.5;
 constexpr double kLargestDamping = 1e8;
 
-/// Layout of the parameter vector: poles first, then per record n amplitudes and maybe c0.
-/// Times are scaled by `unit_s`, so that all parameters are of order one.
+/// Layout of the parameter vector: poles first, then per record n amplitudes, maybe c0, and per
+/// nuisance term Re and Im of rate and amplitude. Times are scaled by `unit_s`, so that all
+/// parameters of the sensor are of order one.
 struct Problem
 {
     const std::vector<RefinementRecord> &records;
@@ -36,15 +38,22 @@ struct Problem
         return n;
     }
     Index perRecord() const { return poles() + (withConstant ? 1 : 0); }
-    Index parameters() const { return poles() + perRecord() * static_cast<Index>(records.size()); }
     Index offset(std::size_t record) const
     {
-        return poles() + perRecord() * static_cast<Index>(record);
+        Index at = poles();
+        for (std::size_t r = 0; r < record; ++r)
+            at += perRecord() + 4 * std::ssize(records[r].nuisance);
+        return at;
     }
+    Index nuisanceOffset(std::size_t record, std::size_t term) const
+    {
+        return offset(record) + perRecord() + 4 * static_cast<Index>(term);
+    }
+    Index parameters() const { return offset(records.size()); }
     double step(std::size_t record) const { return 1.0 / records[record].rate_Hz / unit_s; }
 };
 
-/// The modes of one record at `theta`.
+/// The modes of one record at `theta`: the sensor's, its nuisance terms, c0.
 std::vector<RegressionMode> modesOf(
     const Problem &problem, const Eigen::VectorXd &theta, std::size_t record)
 {
@@ -57,43 +66,77 @@ std::vector<RegressionMode> modesOf(
             {theta[offset + at], pair ? theta[offset + at + 1] : 0.0}, pair, false});
         at += pair ? 2 : 1;
     }
+    for (std::size_t i = 0; i < problem.records[record].nuisance.size(); ++i) {
+        const Index own = problem.nuisanceOffset(record, i);
+        modes.push_back({{theta[own] * dt, theta[own + 1] * dt}, {theta[own + 2], theta[own + 3]},
+            true, false});
+    }
     if (problem.withConstant)
         modes.push_back({0.0, theta[offset + at], false, true});
     return modes;
 }
 
+/// Where the record's amplitudes lie, in the order of modesOf().
+std::vector<Index> amplitudePlaces(const Problem &problem, std::size_t record)
+{
+    const Index n = problem.poles();
+    const Index offset = problem.offset(record);
+    std::vector<Index> places;
+    for (Index i = 0; i < n; ++i)
+        places.push_back(offset + i);
+    for (std::size_t i = 0; i < problem.records[record].nuisance.size(); ++i) {
+        places.push_back(problem.nuisanceOffset(record, i) + 2);
+        places.push_back(problem.nuisanceOffset(record, i) + 3);
+    }
+    if (problem.withConstant)
+        places.push_back(offset + n);
+    return places;
+}
+
+/// Where the parameters of the record's regression lie in the whole: rates, then amplitudes.
+std::vector<Index> places(const Problem &problem, std::size_t record)
+{
+    std::vector<Index> list(static_cast<std::size_t>(problem.poles()));
+    std::iota(list.begin(), list.end(), Index(0));
+    for (std::size_t i = 0; i < problem.records[record].nuisance.size(); ++i) {
+        list.push_back(problem.nuisanceOffset(record, i));
+        list.push_back(problem.nuisanceOffset(record, i) + 1);
+    }
+    const std::vector<Index> amplitudes = amplitudePlaces(problem, record);
+    list.insert(list.end(), amplitudes.begin(), amplitudes.end());
+    return list;
+}
+
 /// J^T J, J^T r and r^T r of all records, weighted.
 RegressionEquations normalEquations(const Problem &problem, const Eigen::VectorXd &theta)
 {
-    const Index n = problem.poles();
-    const Index m = problem.perRecord();
-    RegressionEquations sum{Eigen::MatrixXd::Zero(problem.parameters(), problem.parameters()),
-        Eigen::VectorXd::Zero(problem.parameters()), 0.0};
+    const Index count = problem.parameters();
+    RegressionEquations sum{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count), 0.0};
     for (std::size_t r = 0; r < problem.records.size(); ++r) {
         const RegressionEquations local
             = problem.regressions[r].equations(modesOf(problem, theta, r), problem.step(r));
         const double weight = problem.records[r].weight * problem.records[r].weight;
-        const Index offset = problem.offset(r);
-        sum.matrix.topLeftCorner(n, n) += weight * local.matrix.topLeftCorner(n, n);
-        sum.matrix.block(offset, offset, m, m) = weight * local.matrix.bottomRightCorner(m, m);
-        sum.matrix.block(offset, 0, m, n) = weight * local.matrix.bottomLeftCorner(m, n);
-        sum.matrix.block(0, offset, n, m) = weight * local.matrix.topRightCorner(n, m);
-        sum.gradient.head(n) += weight * local.gradient.head(n);
-        sum.gradient.segment(offset, m) = weight * local.gradient.tail(m);
+        const std::vector<Index> at = places(problem, r);
+        sum.matrix(at, at) += weight * local.matrix;
+        sum.gradient(at) += weight * local.gradient;
         sum.cost += weight * local.cost;
     }
     return sum;
 }
 
-/// Best amplitudes for fixed poles: one Gauss-Newton step in them alone is exact.
+/// Best amplitudes for fixed rates: one Gauss-Newton step in them alone is exact.
 void solveAmplitudes(const Problem &problem, Eigen::VectorXd &theta)
 {
-    const Index n = problem.poles();
-    theta.tail(theta.size() - n).setZero();
+    for (std::size_t r = 0; r < problem.records.size(); ++r)
+        theta(amplitudePlaces(problem, r)).setZero();
     const RegressionEquations equations = normalEquations(problem, theta);
-    const Index m = theta.size() - n;
-    theta.tail(m)
-        = equations.matrix.bottomRightCorner(m, m).ldlt().solve(equations.gradient.tail(m));
+    for (std::size_t r = 0; r < problem.records.size(); ++r) {
+        const std::vector<Index> at = amplitudePlaces(problem, r);
+        const Eigen::MatrixXd own = equations.matrix(at, at);
+        const Eigen::VectorXd gradient = equations.gradient(at);
+        const Eigen::VectorXd best = own.ldlt().solve(gradient);
+        theta(at) = best;
+    }
 }
 
 /// Parameters at the realised poles, amplitudes still zero.
@@ -109,7 +152,19 @@ Eigen::VectorXd startOf(
             ++i;
         }
     }
+    for (std::size_t r = 0; r < problem.records.size(); ++r) {
+        for (std::size_t i = 0; i < problem.records[r].nuisance.size(); ++i) {
+            const std::complex<double> rate = problem.records[r].nuisance[i].rate_rad_s;
+            theta[problem.nuisanceOffset(r, i)] = rate.real() * problem.unit_s;
+            theta[problem.nuisanceOffset(r, i) + 1] = rate.imag() * problem.unit_s;
+        }
+    }
     return theta;
+}
+
+bool isNear(double before, double now)
+{
+    return now < kFrequencyFactor * before && now > before / kFrequencyFactor;
 }
 
 bool staysNearStart(
@@ -121,18 +176,25 @@ bool staysNearStart(
             return false;
         const double before = pair ? std::hypot(start[at], start[at + 1]) : std::abs(start[at]);
         const double now = pair ? std::hypot(theta[at], theta[at + 1]) : std::abs(theta[at]);
-        if (!(now < kFrequencyFactor * before && now > before / kFrequencyFactor))
+        if (!isNear(before, now))
             return false;
         at += pair ? 2 : 1;
+    }
+    for (std::size_t r = 0; r < problem.records.size(); ++r) {
+        for (std::size_t i = 0; i < problem.records[r].nuisance.size(); ++i) {
+            const Index own = problem.nuisanceOffset(r, i) + 1;
+            if (!isNear(start[own], theta[own]))
+                return false;
+        }
     }
     return true;
 }
 
 ExponentialSum recordSum(const Problem &problem, const Eigen::VectorXd &theta,
-    const std::vector<std::complex<double>> &rates, Index record)
+    const std::vector<std::complex<double>> &rates, std::size_t record)
 {
     const Index n = problem.poles();
-    const Index offset = n + problem.perRecord() * record;
+    const Index offset = problem.offset(record);
     ExponentialSum sum;
     sum.rates_rad_s = Eigen::Map<const Eigen::VectorXcd>(rates.data(), n);
     sum.amplitudes.resize(n);
@@ -152,6 +214,40 @@ ExponentialSum recordSum(const Problem &problem, const Eigen::VectorXd &theta,
     return sum;
 }
 
+std::vector<NuisanceTerm> recordNuisance(
+    const Problem &problem, const Eigen::VectorXd &theta, std::size_t record)
+{
+    std::vector<NuisanceTerm> terms = problem.records[record].nuisance;
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+        const Index own = problem.nuisanceOffset(record, i);
+        terms[i].rate_rad_s = std::complex<double>(theta[own], theta[own + 1]) / problem.unit_s;
+        terms[i].amplitude = {theta[own + 2], theta[own + 3]};
+    }
+    return terms;
+}
+
+/// 1 / unit of time for rates, 1 for everything else.
+Eigen::VectorXd unitsOf(const Problem &problem)
+{
+    Eigen::VectorXd units = Eigen::VectorXd::Ones(problem.parameters());
+    units.head(problem.poles()).setConstant(1.0 / problem.unit_s);
+    for (std::size_t r = 0; r < problem.records.size(); ++r) {
+        for (std::size_t i = 0; i < problem.records[r].nuisance.size(); ++i)
+            units.segment(problem.nuisanceOffset(r, i), 2).setConstant(1.0 / problem.unit_s);
+    }
+    return units;
+}
+
+Eigen::MatrixXd covarianceOf(
+    const Problem &problem, const RegressionEquations &last, double chiSquare)
+{
+    const Index count = problem.parameters();
+    const Eigen::VectorXd units = unitsOf(problem);
+    const Eigen::MatrixXd inverse
+        = last.matrix.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
+    return std::max(1.0, chiSquare) * (units.asDiagonal() * inverse * units.asDiagonal());
+}
+
 Refinement unpack(
     const Problem &problem, const Eigen::VectorXd &theta, const RegressionEquations &last)
 {
@@ -167,20 +263,17 @@ Refinement unpack(
             result.rates_rad_s.push_back(std::conj(s));
         at += pair ? 2 : 1;
     }
-    for (std::size_t r = 0; r < problem.records.size(); ++r)
-        result.records.push_back(
-            recordSum(problem, theta, result.rates_rad_s, static_cast<Index>(r)));
     Index samples = 0;
-    for (const RefinementRecord &record : problem.records)
-        samples += record.y.size();
+    for (std::size_t r = 0; r < problem.records.size(); ++r) {
+        result.records.push_back(recordSum(problem, theta, result.rates_rad_s, r));
+        result.nuisance.push_back(recordNuisance(problem, theta, r));
+        result.offsets.push_back(problem.offset(r));
+        samples += problem.regressions[r].count();
+    }
     const double freedom = static_cast<double>(std::max<Index>(1, samples - theta.size()));
     const double chiSquare = last.cost / freedom;
     result.residualToNoise = std::sqrt(chiSquare);
-    result.covariance
-        = last.matrix.ldlt().solve(Eigen::MatrixXd::Identity(theta.size(), theta.size()));
-    result.covariance *= std::max(1.0, chiSquare);
-    result.covariance.topRows(result.poleParameters) /= problem.unit_s;
-    result.covariance.leftCols(result.poleParameters) /= problem.unit_s;
+    result.covariance = covarianceOf(problem, last, chiSquare);
     return result;
 }
 
@@ -215,13 +308,20 @@ Eigen::MatrixXd recordCovariance(const Refinement &refinement, Index record)
 {
     const Index n = refinement.poleParameters;
     const Index m = n + (refinement.withConstant ? 1 : 0);
-    const Index offset = n + m * record;
+    const Index offset = refinement.offsets[static_cast<std::size_t>(record)];
     Eigen::MatrixXd covariance(n + m, n + m);
     covariance.topLeftCorner(n, n) = refinement.covariance.topLeftCorner(n, n);
     covariance.topRightCorner(n, m) = refinement.covariance.block(0, offset, n, m);
     covariance.bottomLeftCorner(m, n) = refinement.covariance.block(offset, 0, m, n);
     covariance.bottomRightCorner(m, m) = refinement.covariance.block(offset, offset, m, m);
     return covariance;
+}
+
+Eigen::Matrix4d nuisanceCovariance(const Refinement &refinement, Index record, Index term)
+{
+    const Index own = refinement.poleParameters + (refinement.withConstant ? 1 : 0);
+    const Index at = refinement.offsets[static_cast<std::size_t>(record)] + own + 4 * term;
+    return refinement.covariance.block<4, 4>(at, at);
 }
 
 std::optional<Refinement> refinePoles(const std::vector<RefinementRecord> &records,
@@ -236,11 +336,14 @@ std::optional<Refinement> refinePoles(const std::vector<RefinementRecord> &recor
         if (problem.isPair.back())
             ++i;
     }
-    if (problem.isPair.empty() || !(fastest > 0.0))
+    for (const RefinementRecord &record : records) {
+        problem.regressions.emplace_back(record.y, record.used);
+        if (start_rad_s.empty() && !record.nuisance.empty())
+            fastest = std::max(fastest, std::abs(record.nuisance.front().rate_rad_s));
+    }
+    if (!(fastest > 0.0))
         return std::nullopt;
     problem.unit_s = 1.0 / fastest;
-    for (const RefinementRecord &record : records)
-        problem.regressions.emplace_back(record.y);
 
     const Eigen::VectorXd start = startOf(problem, start_rad_s);
     Eigen::VectorXd theta = start;

@@ -5,6 +5,8 @@
 
 #include "core/base/progress.h"
 #include "core/realization/exponential_sum.h"
+#include "core/realization/nuisance_term.h"
+#include "core/signal/window_bands.h"
 
 #include <Eigen/Core>
 
@@ -14,21 +16,26 @@
 
 namespace dyncal {
 
-/// One record that the refinement fits: y(t) = c0 + sum c_i e^(s_i t), t = index / rate.
+/// One record that the refinement fits: y(t) = c0 + sum c_i e^(s_i t) + its nuisance terms,
+/// t = index / rate.
 struct RefinementRecord
 {
     Eigen::VectorXd y;
     double rate_Hz = 0.0;
     double weight = 1.0; ///< 1 / noise sd
+    std::vector<NuisanceTerm> nuisance = {}; ///< rates to start from; amplitudes are fitted
+    std::vector<SampleRange> used = {}; ///< samples that take part, in order; empty = all
 };
 
 /// Outcome of the joint fit: poles shared by all records, amplitudes of each its own.
 struct Refinement
 {
     std::vector<std::complex<double>> rates_rad_s; ///< s_i, paired as given
-    std::vector<ExponentialSum> records; ///< amplitudes at t = 0
-    Eigen::MatrixXd
-        covariance; ///< of (real parameters of the poles, then per record of amplitudes, c0)
+    std::vector<ExponentialSum> records; ///< amplitudes at t = 0, without the nuisance terms
+    std::vector<std::vector<NuisanceTerm>> nuisance; ///< per record, as fitted
+    Eigen::MatrixXd covariance; ///< of (real parameters of the poles, then per record of
+                                ///< amplitudes, c0, nuisance terms)
+    std::vector<Index> offsets; ///< where each record's own parameters begin in it
     Index poleParameters = 0; ///< n: per pair (Re s, Im s), per real pole Re s
     bool withConstant = false;
     double residualToNoise = 1.0; ///< rms of the weighted residual: 1 where the noise explains it
@@ -41,10 +48,15 @@ ExponentialSum perturbed(const Refinement &refinement, Index record, Index index
 /// Covariance of the poles' and one record's parameters, in the order of perturbed().
 Eigen::MatrixXd recordCovariance(const Refinement &refinement, Index record);
 
+/// Covariance of (Re rate, Im rate, Re amplitude, Im amplitude) of one nuisance term of a record.
+Eigen::Matrix4d nuisanceCovariance(const Refinement &refinement, Index record, Index term);
+
 /// Nonlinear least squares (Levenberg-Marquardt) on all records at their own rate, started from
 /// the realised poles (docs/method/model.md). Minimises sum w^2 |y - model|^2; the covariance is
 /// (J^T J)^-1 times the larger of 1 and the reduced chi square. Empty when it does not converge to
 /// decaying poles within a factor of 1.5 in frequency of the start: the realisation then stands.
+/// Nuisance terms are each record's own, rate and all; they too must stay within that factor.
+/// Without any pole only they are fitted; with neither there is no result.
 /// Assumes white noise within each record.
 std::optional<Refinement> refinePoles(const std::vector<RefinementRecord> &records,
     const std::vector<std::complex<double>> &start_rad_s, bool withConstant,

@@ -3,9 +3,13 @@
 
 #include "core/realization/sensor_model.h"
 
+#include "core/realization/homogeneity.h"
 #include "core/realization/model_draft.h"
 #include "core/realization/model_findings.h"
+#include "core/realization/nuisance_modes.h"
+#include "core/realization/nuisance_results.h"
 #include "core/realization/pole_classes.h"
+#include "core/realization/pole_uncertainty.h"
 #include "core/realization/realized_poles.h"
 #include "core/realization/series_fit.h"
 
@@ -70,9 +74,7 @@ bool runsAway(const SensorModel &model, const ModelInput &input)
             return true;
     }
     return std::any_of(model.poles.begin(), model.poles.end(), [&](const Pole &pole) {
-        return pole.poleClass == PoleClass::Unstable
-            && static_cast<double>(input.samples) * std::log(std::abs(pole.z))
-            > std::log(kTooLarge);
+        return pole.poleClass == PoleClass::Unstable && isRunaway(pole.z, input.samples);
     });
 }
 
@@ -80,27 +82,19 @@ void addUncertainties(const ModelDraft &draft, std::vector<Pole> &poles)
 {
     if (!draft.refinement)
         return;
-    const Eigen::MatrixXd &covariance = draft.refinement->covariance;
+    const double k = coverageFactor95(draft.noise.dof);
     for (std::size_t i = 0; i < poles.size(); ++i) {
-        const std::complex<double> s = poles[i].s_rad_s;
-        const double w = std::abs(s);
-        const Index at = static_cast<Index>(i);
-        if (isUpperOfPair(draft.rates_rad_s, i)) {
-            const Eigen::Vector2d frequency(s.real() / w, s.imag() / w);
-            const Eigen::Vector2d damping(
-                -s.imag() * s.imag() / (w * w * w), s.real() * s.imag() / (w * w * w));
-            const Eigen::Matrix2d block = covariance.block<2, 2>(at, at);
-            poles[i].u_frequency_Hz
-                = std::sqrt(frequency.dot(block * frequency)) / (2.0 * std::numbers::pi);
-            poles[i].u_dampingRatio = std::sqrt(damping.dot(block * damping));
-        } else if (s.imag() < 0.0) {
-            poles[i].u_frequency_Hz = poles[i - 1].u_frequency_Hz;
-            poles[i].u_dampingRatio = poles[i - 1].u_dampingRatio;
-        } else {
-            poles[i].u_frequency_Hz = std::sqrt(covariance(at, at)) / (2.0 * std::numbers::pi);
-            poles[i].u_dampingRatio = 0.0; // a real pole has damping ratio 1 by definition
-        }
+        const PoleFigures figures = poleFigures(*draft.refinement, static_cast<Index>(i));
+        poles[i].u_frequency_Hz = figures.u_frequency_Hz;
+        poles[i].u_dampingRatio = figures.u_dampingRatio;
+        poles[i].coverageFactor = k;
     }
+}
+
+std::string methodName(const NoiseBasis &noise)
+{
+    const std::string name = noise.order == 0 ? "white" : "AR(" + std::to_string(noise.order) + ")";
+    return noise.fromResidual && noise.order > 0 ? name + " of the residual" : name;
 }
 
 Pole makePole(std::complex<double> z, std::complex<double> s, PoleClass poleClass)
@@ -139,6 +133,33 @@ void describeAmplitudes(SensorModel &model)
     // model.amplitudes follow the sensor's poles, which are listed before the step's.
     for (Index i = 0; i < model.amplitudes.size(); ++i)
         model.poles[static_cast<std::size_t>(i)].amplitude = std::abs(model.amplitudes[i]);
+}
+
+/// Poles, series and what is pooled over them.
+void describe(const ModelInput &input, const ModelDraft &draft,
+    std::optional<std::complex<double>> stepPole, SensorModel &model)
+{
+    const std::vector<bool> standsOut = standingOut(input, draft);
+    model.poles = listPoles(input, draft, standsOut, stepPole);
+    for (std::size_t r = 0; r < input.series.size(); ++r)
+        model.series.push_back(describeSeries(input, draft, r, standsOut, model.stateSpace));
+    poolFits(input, model);
+    describeAmplitudes(model);
+}
+
+/// The same poles refined with the nuisance modes left in the response, beside the model.
+std::optional<NuisanceEffect> effectOfNuisance(const ModelInput &input,
+    const std::vector<std::complex<double>> &realised_rad_s, const SensorModel &model,
+    const JobControl &control)
+{
+    const ModelInput plain = withModesLeftIn(input);
+    ModelDraft draft = linearDraft(plain, discretePoles(realised_rad_s, sampleInterval_s(plain)));
+    refineDraft(plain, draft, control);
+    if (!draft.refinement)
+        return std::nullopt;
+    SensorModel before;
+    describe(plain, draft, std::nullopt, before);
+    return NuisanceEffect{effectSide(before), effectSide(model)};
 }
 
 /// ZOH-equivalent G(z) = c0 + sum c_i (z - 1)/(z - p_i); of a free decay F(z) = sum c_i/(z - p_i).
@@ -205,7 +226,9 @@ Result<SensorModel> realizeModel(const ModelInput &input, const HankelDecomposit
     const double dt_s = sampleInterval_s(input);
     std::vector<std::complex<double>> poles = realizedPoles(decomposition, order);
     const auto stepPole = takeStepPole(input, poles);
-    ModelDraft draft = linearDraft(input, poles);
+    poles = withoutNuisancePoles(input, poles);
+    ModelDraft draft = linearDraft(sensorOnly(input), poles);
+    const std::vector<std::complex<double>> realised = draft.rates_rad_s;
     if (settings.refine)
         refineDraft(input, draft, control);
     if (control.stopRequested())
@@ -216,19 +239,23 @@ Result<SensorModel> realizeModel(const ModelInput &input, const HankelDecomposit
     model.refined = draft.refinement.has_value();
     if (isThesisMode(input))
         model.stateSpace = thesisRealization(decomposition, order, dt_s);
-    const std::vector<bool> standsOut = standingOut(input, draft);
-    model.poles = listPoles(input, draft, standsOut, stepPole);
-    for (std::size_t r = 0; r < input.series.size(); ++r)
-        model.series.push_back(describeSeries(input, draft, r, standsOut, model.stateSpace));
-    poolFits(input, model);
-    describeAmplitudes(model);
+    describe(input, draft, stepPole, model);
+    if (model.refined)
+        model.uncertaintyMethod = methodName(draft.noise);
+    compareShots(input, draft, model, control);
     if (isThesisMode(input))
         model.fitListing_percent = listingFit(model.stateSpace, input.series.front().y);
     else
         model.stateSpace = describeStateSpace(input, model);
     model.zeros = transmissionZeros(model.stateSpace);
+    flagPoles(model);
     model.diverges = runsAway(model, input);
+    model.nuisance = nuisanceResults(input, draft, model.series);
+    if (model.refined && hasCorrection(input))
+        model.nuisanceEffect = effectOfNuisance(input, realised, model, control);
     model.findings = judgeModel(model, input, decomposition, spectrum);
+    const Findings shots = judgeShots(model);
+    model.findings.insert(model.findings.end(), shots.begin(), shots.end());
     return model;
 }
 

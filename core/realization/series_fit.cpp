@@ -3,6 +3,7 @@
 
 #include "core/realization/series_fit.h"
 
+#include "core/realization/nuisance_modes.h"
 #include "core/realization/onset.h"
 
 #include <algorithm>
@@ -30,6 +31,23 @@ ExponentialSum sensorPart(const ExponentialSum &sum, const std::vector<bool> &is
     return part;
 }
 
+/// The sensor's response with the tube's modes that the step set off: what vanishes at the onset.
+ExponentialSum drivenPart(const ExponentialSum &sum, const std::vector<bool> &isSensor,
+    const std::vector<NuisanceTerm> &terms)
+{
+    ExponentialSum part = sensorPart(sum, isSensor);
+    for (const NuisanceTerm &term : terms) {
+        if (!term.startsWithStep)
+            continue;
+        const Index n = part.rates_rad_s.size();
+        part.rates_rad_s.conservativeResize(n + 2);
+        part.amplitudes.conservativeResize(n + 2);
+        part.rates_rad_s.tail(2) << term.rate_rad_s, std::conj(term.rate_rad_s);
+        part.amplitudes.tail(2) << 0.5 * term.amplitude, 0.5 * std::conj(term.amplitude);
+    }
+    return part;
+}
+
 /// Search range for the onset: six tenths of the period (or time constant) of the fastest part.
 double onsetSearch_s(const ExponentialSum &part)
 {
@@ -49,7 +67,10 @@ Onset locateOnset(const ModelDraft &draft, std::size_t series, const std::vector
     if (part.rates_rad_s.size() == 0)
         return {};
     const double search_s = onsetSearch_s(part);
-    const auto found = findOnset_s(part, search_s);
+    const auto onsetOf = [&](const ExponentialSum &sum) {
+        return findOnset_s(drivenPart(sum, isSensor, draft.nuisance[series]), search_s);
+    };
+    const auto found = onsetOf(draft.series[series]);
     if (!found)
         return {};
     Onset onset{*found, kUnknown};
@@ -63,10 +84,8 @@ Onset locateOnset(const ModelDraft &draft, std::size_t series, const std::vector
         const double step = 0.1 * std::sqrt(std::max(0.0, covariance(i, i)));
         if (!(step > 0.0))
             continue;
-        const auto above = findOnset_s(
-            sensorPart(perturbed(*draft.refinement, record, i, step), isSensor), search_s);
-        const auto below = findOnset_s(
-            sensorPart(perturbed(*draft.refinement, record, i, -step), isSensor), search_s);
+        const auto above = onsetOf(perturbed(*draft.refinement, record, i, step));
+        const auto below = onsetOf(perturbed(*draft.refinement, record, i, -step));
         if (!above || !below)
             return onset;
         gradient[i] = (*above - *below) / (2.0 * step);
@@ -75,16 +94,19 @@ Onset locateOnset(const ModelDraft &draft, std::size_t series, const std::vector
     return onset;
 }
 
-Eigen::VectorXd simulate(const ModelSeries &series, const ExponentialSum &sum, double dt_s)
+Eigen::VectorXd simulate(const ModelSeries &series, const ExponentialSum &sum,
+    const std::vector<NuisanceTerm> &terms, double dt_s)
 {
     Eigen::VectorXd y = Eigen::VectorXd::Constant(series.y.size(), sum.constant);
-    for (Index i = 0; i < sum.rates_rad_s.size(); ++i) {
-        const std::complex<double> s = sum.rates_rad_s[i];
+    const auto add = [&](std::complex<double> s, std::complex<double> amplitude) {
         const std::complex<double> first
-            = sum.amplitudes[i] * series.filter.gain(s) * std::exp(s * series.first_s);
-        for (Index k = 0; k < y.size(); ++k)
-            y[k] += (first * std::exp(s * (static_cast<double>(k) * dt_s))).real();
-    }
+            = amplitude * series.filter.gain(s) * std::exp(s * series.first_s);
+        y += exponentials(s * dt_s, y.size()) * Eigen::Vector2d(first.real(), -first.imag());
+    };
+    for (Index i = 0; i < sum.rates_rad_s.size(); ++i)
+        add(sum.rates_rad_s[i], sum.amplitudes[i]);
+    for (const NuisanceTerm &term : terms)
+        add(term.rate_rad_s, term.amplitude);
     return y;
 }
 
@@ -111,7 +133,9 @@ SeriesFit describeSeries(const ModelInput &input, const ModelDraft &draft, std::
     if (draft.refinement && draft.refinement->withConstant) {
         const Eigen::MatrixXd covariance
             = recordCovariance(*draft.refinement, static_cast<Index>(r));
-        fit.u_plateauGain = std::sqrt(covariance(covariance.rows() - 1, covariance.rows() - 1));
+        // The baseline that was subtracted moves the whole record.
+        fit.u_plateauGain = std::hypot(
+            std::sqrt(covariance(covariance.rows() - 1, covariance.rows() - 1)), series.u_baseline);
     }
     if (isStepTreatment(input.treatment)) {
         const Onset onset = locateOnset(draft, r, isSensor);
@@ -119,9 +143,12 @@ SeriesFit describeSeries(const ModelInput &input, const ModelDraft &draft, std::
         fit.u_onset_s = onset.u_s;
     }
     fit.amplitudes = sum.amplitudes.array() * (sum.rates_rad_s.array() * fit.onset_s).exp();
+    if (isStepTreatment(input.treatment))
+        fit.amplitudes = amplitudesOfStep(
+            sum.rates_rad_s, fit.amplitudes, sum.constant, termsAt(draft.nuisance[r], fit.onset_s));
     fit.simulated = isThesisMode(input)
         ? Eigen::VectorXd(impulseResponse(stateSpace, series.y.size() + 1).tail(series.y.size()))
-        : simulate(series, sum, sampleInterval_s(input));
+        : simulate(series, sum, draft.nuisance[r], sampleInterval_s(input));
     fit.error = series.y - fit.simulated;
     fit.fit_percent = fitPercent(fit.error.squaredNorm(), spreadSquares(series.y));
     // Without a quiet stretch nobody knows the noise; a record without any noise has one of 0.

@@ -111,6 +111,19 @@ Eigen::VectorXd RealFft::inverse(const Eigen::Ref<const Eigen::VectorXcd> &spect
     return time;
 }
 
+void RealFft::forward(const Eigen::VectorXd &time, Eigen::VectorXcd &spectrum) const
+{
+    eigen_assert(time.size() == length() && spectrum.size() == length() / 2 + 1);
+    fftw_execute_dft_r2c(
+        m_plans->forward, const_cast<double *>(time.data()), fftwData(spectrum.data()));
+}
+
+void RealFft::inverseUnscaled(Eigen::VectorXcd &spectrum, Eigen::VectorXd &time) const
+{
+    eigen_assert(time.size() == length() && spectrum.size() == length() / 2 + 1);
+    fftw_execute_dft_c2r(m_plans->inverse, fftwData(spectrum.data()), time.data());
+}
+
 Index fastFftLength(Index n)
 {
     Index best = 1;

@@ -29,6 +29,11 @@ public:
     /// Inverse including the factor 1/n: inverse(forward(x)) == x.
     Eigen::VectorXd inverse(const Eigen::Ref<const Eigen::VectorXcd> &spectrum) const;
 
+    /// The same in buffers of the caller, which have the full sizes already: nothing is copied or
+    /// allocated. The inverse lacks the factor 1/n and destroys `spectrum`.
+    void forward(const Eigen::VectorXd &time, Eigen::VectorXcd &spectrum) const;
+    void inverseUnscaled(Eigen::VectorXcd &spectrum, Eigen::VectorXd &time) const;
+
 private:
     struct Plans;
     std::unique_ptr<Plans> m_plans;

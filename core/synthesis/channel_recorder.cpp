@@ -3,8 +3,6 @@
 
 #include "core/synthesis/channel_recorder.h"
 
-#include "core/synthesis/step_response.h"
-
 #include <algorithm>
 #include <cstdint>
 
@@ -29,7 +27,9 @@ public:
         , m_axis(axis)
     {
         for (const PressureEvent &event : plan.events)
-            m_responses.emplace_back(plan.sensor, event.relaxation_s);
+            m_responses.push_back(event.oscillation
+                    ? StepResponse(plan.sensor, *event.oscillation)
+                    : StepResponse(plan.sensor, event.relaxation_s));
     }
 
     void evaluate(std::span<double> volts, Index firstSample) const

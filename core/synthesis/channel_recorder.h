@@ -8,17 +8,20 @@
 #include "core/base/result.h"
 #include "core/capture/channel.h"
 #include "core/synthesis/sensor_simulator.h"
+#include "core/synthesis/step_response.h"
 
+#include <optional>
 #include <vector>
 
 namespace dyncal {
 
-/// A change of pressure at the sensor's face: at once, or with a time constant.
+/// A change of pressure at the sensor's face: at once, with a time constant, or an oscillation.
 struct PressureEvent
 {
     double time_s = 0.0; ///< on the record's axis
-    double change_Pa = 0.0;
+    double change_Pa = 0.0; ///< amplitude of an oscillation
     double relaxation_s = 0.0; ///< 0 = at once
+    std::optional<Oscillation> oscillation = {};
 };
 
 /// What one sensor is exposed to and what spoils its signal.

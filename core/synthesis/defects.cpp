@@ -4,12 +4,14 @@
 #include "core/synthesis/defects.h"
 
 #include "core/base/number_text.h"
+#include "core/base/portable_random.h"
 
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace dyncal {
 namespace {
@@ -19,11 +21,16 @@ constexpr double kMountFrequencyRatio = 1.0 / 25.0;
 constexpr double kMountDamping = 1e-4;
 constexpr double kMountWeight = 0.9;
 constexpr Index kInvalidSamples = 3;
+constexpr double kTubeMode_Hz = 6.8e3; ///< thesis, chapter 5
+constexpr double kTubeModeSoundSpeed_m_s = 444.4; ///< its High shot
+constexpr double kTubeModeAmplitude = 0.03;
+constexpr Index kTubeModeStream = 4; ///< behind scene and channels
 
-constexpr std::array<std::pair<const char *, DefectKind>, 9> kKinds{
+constexpr std::array<std::pair<const char *, DefectKind>, 10> kKinds{
     {{"clip", DefectKind::Clip}, {"nan", DefectKind::Nan}, {"swap", DefectKind::Swap},
         {"nostep", DefectKind::NoStep}, {"short", DefectKind::Short}, {"fs50", DefectKind::Fs50},
-        {"drift", DefectKind::Drift}, {"psi", DefectKind::Psi}, {"ringvar", DefectKind::RingVar}}};
+        {"drift", DefectKind::Drift}, {"psi", DefectKind::Psi}, {"ringvar", DefectKind::RingVar},
+        {"tubemode", DefectKind::TubeMode}}};
 
 std::string kindNames()
 {
@@ -98,6 +105,17 @@ SensorSpec looselyMounted(const SensorSpec &sensor)
     loose.modes.push_back({first.f0_Hz * kMountFrequencyRatio, kMountDamping, kMountWeight});
     loose.modes.front().zeta *= 2.0;
     return loose;
+}
+
+TubeModeOfShot drawTubeMode(std::uint64_t seed, Index shot, double a5_m_s)
+{
+    RandomStream random(seed, shot, kTubeModeStream);
+    TubeModeOfShot mode;
+    mode.oscillation.frequency_Hz = kTubeMode_Hz * a5_m_s / kTubeModeSoundSpeed_m_s;
+    mode.oscillation.zeta = 0.005 + 0.015 * random.nextUniform();
+    mode.oscillation.phase_rad = std::numbers::pi * (2.0 * random.nextUniform() - 1.0);
+    mode.amplitude = kTubeModeAmplitude * (0.7 + 0.6 * random.nextUniform());
+    return mode;
 }
 
 void spoilWithInvalidSamples(Channel &channel, double time_s)

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/synthesis/shot_generator.h"
+#include "core/synthesis/step_response.h"
 
 namespace dyncal {
 
@@ -19,6 +20,17 @@ Result<void> checkDefects(const SimulationSettings &settings);
 /// The sensor with damping doubled in its first mode, most of its response passing through a
 /// slow, hardly damped resonance of its mount instead (docs/simulator.md).
 SensorSpec looselyMounted(const SensorSpec &sensor);
+
+/// A mode of the gas that the reflected shock sets off.
+struct TubeModeOfShot
+{
+    double amplitude = 0.0; ///< of the pressure, relative to the step
+    Oscillation oscillation; ///< from the step on
+};
+
+/// Frequency proportional to the sound speed of region 5; damping, phase and amplitude as drawn
+/// for that shot (docs/simulator.md).
+TubeModeOfShot drawTubeMode(std::uint64_t seed, Index shot, double a5_m_s);
 
 /// Volts as floating point numbers, three of them invalid from `time_s` on.
 void spoilWithInvalidSamples(Channel &channel, double time_s);

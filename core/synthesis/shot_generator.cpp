@@ -47,6 +47,7 @@ struct ShotPlan
     double driftPerSecond_V = 0.0;
     double overshoot = 0.0; ///< of the DUT's step response, relative
     bool burst = true;
+    std::optional<TubeModeOfShot> tubeMode;
 
     double plateau_V() const { return std::abs(dut.sensitivity_V_Pa) * scene.step_Pa(); }
 };
@@ -92,6 +93,8 @@ ShotPlan planShot(const SimulationSettings &settings, const ShotScene &scene, In
         plan.driftPerSecond_V = kDriftPerSecond * plan.dut.sensitivity_V_Pa * scene.step_Pa();
     plan.overshoot = overshootOf(plan.dut);
     plan.burst = !hasDefect(settings, DefectKind::NoStep, shot);
+    if (plan.burst && hasDefect(settings, DefectKind::TubeMode, shot))
+        plan.tubeMode = drawTubeMode(settings.seed, shot, scene.states.reflected.soundSpeed_m_s);
     return plan;
 }
 
@@ -103,7 +106,9 @@ double needed_V(const ShotPlan &plan)
     const double duration_s = static_cast<double>(plan.axis.count) / plan.axis.sampleRate_Hz;
     const double early_V = (1.0 + plan.overshoot) * plan.plateau_V() + drift_V * untilStep_s;
     const double late_V = plan.plateau_V() + drift_V * duration_s;
-    return kHeadroom * std::max(early_V, late_V) + kNoiseHeadroom * plan.noise_V;
+    // The mode starts with a jump, which rings like the step.
+    const double mode = plan.tubeMode ? 2.0 * plan.tubeMode->amplitude : 0.0;
+    return kHeadroom * (1.0 + mode) * std::max(early_V, late_V) + kNoiseHeadroom * plan.noise_V;
 }
 
 /// The smallest range of the 1-2-5 series that takes all shots, as one would set it.
@@ -139,6 +144,9 @@ SignalPlan dutSignal(const ShotPlan &plan)
     signal.events = {{plan.scene.wallArrival_s, step_Pa, 0.0},
         {plan.scene.wallArrival_s + plan.scene.plateau_s, kDisturbance * step_Pa,
             kDisturbanceTime_s}};
+    if (plan.tubeMode)
+        signal.events.push_back({plan.scene.wallArrival_s, plan.tubeMode->amplitude * step_Pa, 0.0,
+            plan.tubeMode->oscillation});
     return signal;
 }
 
@@ -210,8 +218,15 @@ ShotTruth truthOf(const ShotPlan &plan, const Digitizer &digitizer)
         {"side_arrival_s", plan.scene.sideArrival_s}, {"plateau_s", plan.scene.plateau_s},
         {"velocity_m_s", plan.scene.states.velocity_m_s}, {"mach", plan.scene.states.mach},
         {"p2_Pa", plan.scene.states.shocked.pressure_Pa},
-        {"p5_Pa", plan.scene.states.reflected.pressure_Pa}};
+        {"p5_Pa", plan.scene.states.reflected.pressure_Pa},
+        {"a5_m_s", plan.scene.states.reflected.soundSpeed_m_s}};
     truth.insert(shock.begin(), shock.end());
+    if (plan.tubeMode) {
+        truth["tube_mode_Hz"] = plan.tubeMode->oscillation.frequency_Hz;
+        truth["tube_mode_zeta"] = plan.tubeMode->oscillation.zeta;
+        truth["tube_mode_phase_rad"] = plan.tubeMode->oscillation.phase_rad;
+        truth["tube_mode_amplitude"] = plan.tubeMode->amplitude;
+    }
     truth["step_Pa"] = plan.scene.step_Pa();
     return truth;
 }

@@ -16,7 +16,7 @@
 
 namespace dyncal {
 
-enum class DefectKind { Clip, Nan, Swap, NoStep, Short, Fs50, Drift, Psi, RingVar };
+enum class DefectKind { Clip, Nan, Swap, NoStep, Short, Fs50, Drift, Psi, RingVar, TubeMode };
 
 /// A fault put into a simulated shot on purpose.
 struct Defect

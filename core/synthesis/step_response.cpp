@@ -20,26 +20,52 @@ constexpr double kVanished = 60.0; ///< decay times after which a term is below 
 
 StepResponse::StepResponse(const SensorSpec &sensor, double relaxation_s)
 {
-    for (const SensorMode &mode : sensor.modes)
-        addMode(sensor, mode, relaxation_s);
+    for (const SensorMode &mode : sensor.modes) {
+        Fraction fraction = modeOf(sensor, mode);
+        if (relaxation_s > 0.0) {
+            fraction.poles.emplace_back(-1.0 / relaxation_s, 0.0);
+            fraction.gain /= relaxation_s;
+        }
+        // The step's pole at 0, or AC coupling's: its zero at 0 cancels that of the step.
+        fraction.poles.emplace_back(sensor.acCoupling_s ? -1.0 / *sensor.acCoupling_s : 0.0, 0.0);
+        addTerms(fraction);
+    }
 }
 
-void StepResponse::addMode(const SensorSpec &sensor, const SensorMode &mode, double relaxation_s)
+StepResponse::StepResponse(const SensorSpec &sensor, const Oscillation &oscillation)
 {
-    std::vector<std::complex<double>> poles = modePoles(mode);
-    const double omega0 = kTwoPi * mode.f0_Hz;
-    double gain = mode.weight * omega0 * omega0;
-    if (sensor.realPole_Hz) {
-        poles.emplace_back(-kTwoPi * *sensor.realPole_Hz, 0.0);
-        gain *= kTwoPi * *sensor.realPole_Hz;
+    const std::vector<std::complex<double>> pair
+        = modePoles({oscillation.frequency_Hz, oscillation.zeta, 1.0});
+    const SineCosine phase = portableSineCosine(oscillation.phase_rad);
+    const double constant = -pair[0].real() * phase.cosine - pair[0].imag() * phase.sine;
+    for (const SensorMode &mode : sensor.modes) {
+        Fraction fraction = modeOf(sensor, mode);
+        fraction.poles.insert(fraction.poles.end(), pair.begin(), pair.end());
+        fraction.numerator = {constant, phase.cosine, 0.0};
+        if (sensor.acCoupling_s) {
+            fraction.poles.emplace_back(-1.0 / *sensor.acCoupling_s, 0.0);
+            fraction.numerator = {0.0, constant, phase.cosine};
+        }
+        addTerms(fraction);
     }
-    if (relaxation_s > 0.0) {
-        poles.emplace_back(-1.0 / relaxation_s, 0.0);
-        gain /= relaxation_s;
-    }
-    // The step's pole at 0, or AC coupling's: its zero at 0 cancels that of the step.
-    poles.emplace_back(sensor.acCoupling_s ? -1.0 / *sensor.acCoupling_s : 0.0, 0.0);
+}
 
+StepResponse::Fraction StepResponse::modeOf(const SensorSpec &sensor, const SensorMode &mode)
+{
+    const double omega0 = kTwoPi * mode.f0_Hz;
+    Fraction fraction;
+    fraction.poles = modePoles(mode);
+    fraction.gain = mode.weight * omega0 * omega0;
+    if (sensor.realPole_Hz) {
+        fraction.poles.emplace_back(-kTwoPi * *sensor.realPole_Hz, 0.0);
+        fraction.gain *= kTwoPi * *sensor.realPole_Hz;
+    }
+    return fraction;
+}
+
+void StepResponse::addTerms(const Fraction &fraction)
+{
+    const std::vector<std::complex<double>> &poles = fraction.poles;
     for (std::size_t i = 0; i < poles.size(); ++i) {
         if (poles[i].imag() < 0.0)
             continue; // half of a pair: in its partner's real part
@@ -48,9 +74,13 @@ void StepResponse::addMode(const SensorSpec &sensor, const SensorMode &mode, dou
             if (j != i)
                 product *= poles[i] - poles[j];
         }
-        const double scale = (poles[i].imag() > 0.0 ? 2.0 : 1.0) * gain / std::norm(product);
+        const auto &[n0, n1, n2] = fraction.numerator;
+        const std::complex<double> residue
+            = std::conj(product) * (n0 + poles[i] * (n1 + poles[i] * n2));
+        const double scale
+            = (poles[i].imag() > 0.0 ? 2.0 : 1.0) * fraction.gain / std::norm(product);
         const Term term{
-            -poles[i].real(), poles[i].imag(), scale * product.real(), -scale * product.imag()};
+            -poles[i].real(), poles[i].imag(), scale * residue.real(), scale * residue.imag()};
         if (term.decay_per_s == 0.0)
             m_constant += term.re;
         else

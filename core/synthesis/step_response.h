@@ -5,10 +5,21 @@
 
 #include "core/synthesis/sensor_simulator.h"
 
+#include <array>
+#include <complex>
 #include <span>
 #include <vector>
 
 namespace dyncal {
+
+/// exp(-decay t) cos(omega t + phase) from t = 0 on; decay and omega from the undamped frequency
+/// and zeta, above 0 and below 1.
+struct Oscillation
+{
+    double frequency_Hz = 0.0; ///< undamped
+    double zeta = 0.0;
+    double phase_rad = 0.0;
+};
 
 /// Response of a sensor of sensitivity 1 to a unit step, in closed form: a constant and decaying
 /// exponentials from the poles and residues of G(s)/s. With `relaxation_s` > 0 the input is
@@ -19,6 +30,9 @@ class StepResponse
 public:
     /// The sensor must pass checkSensor, and no real pole of it may be at -1/relaxation_s.
     explicit StepResponse(const SensorSpec &sensor, double relaxation_s = 0.0);
+
+    /// Response to an oscillation instead of the step. No pole of the sensor may be one of it.
+    StepResponse(const SensorSpec &sensor, const Oscillation &oscillation);
 
     /// Value at a time after the step; 0 before.
     double at(double time_s) const;
@@ -38,7 +52,17 @@ private:
         double im = 0.0;
     };
 
-    void addMode(const SensorSpec &sensor, const SensorMode &mode, double relaxation_s);
+    /// Laplace transform: gain (numerator[0] + numerator[1] s + numerator[2] s^2) / product of
+    /// (s - pole).
+    struct Fraction
+    {
+        double gain = 1.0;
+        std::array<double, 3> numerator{1.0, 0.0, 0.0};
+        std::vector<std::complex<double>> poles;
+    };
+
+    static Fraction modeOf(const SensorSpec &sensor, const SensorMode &mode);
+    void addTerms(const Fraction &fraction);
 
     double m_constant = 0.0;
     std::vector<Term> m_terms;

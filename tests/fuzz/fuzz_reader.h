@@ -45,20 +45,25 @@ inline void touch(const Channel &channel)
 using Reader = Result<CaptureSet> (*)(
     const std::string &path, const ImportSettings &settings, const JobControl &control);
 
-inline int readBytes(Reader reader, const std::uint8_t *data, std::size_t size)
+/// What a reader makes of a file: a refusal in words, or shots whose samples can be read.
+inline void requireSound(const Result<CaptureSet> &set)
 {
-    const testing::MemoryFile file(data, size);
-    const Result<CaptureSet> set = reader(file.path(), {}, {});
     if (!set) {
         require(
             set.error().kind == ErrorKind::FileUnreadable && !english(set.error().message).empty());
-        return 0;
+        return;
     }
     require(!set->shots.empty());
     for (const Shot &shot : set->shots) {
         for (const Channel &channel : shot.channels)
             touch(channel);
     }
+}
+
+inline int readBytes(Reader reader, const std::uint8_t *data, std::size_t size)
+{
+    const testing::MemoryFile file(data, size);
+    requireSound(reader(file.path(), {}, {}));
     return 0;
 }
 

@@ -73,6 +73,7 @@ inline ModelSeries makeSeries(
     series.fullRate = y;
     series.fullRate_Hz = rate_Hz;
     series.fullRateNoiseSd = series.noiseSd;
+    series.fullRateNoise = noiseCovariance(noise, kLargestNoiseModelOrder);
     return series;
 }
 

@@ -20,8 +20,10 @@ CertificateSources certificateSources(
         sources.suggestion = &results.decomposition->suggestion;
     sources.model = results.model.get();
     sources.response = results.response.get();
+    sources.evidence = results.evidence.get();
     sources.order = recipe.realization.order;
     sources.coverage = recipe.uncertainty.coverage;
+    sources.orderReason = recipe.realization.adoptedReason;
     sources.findings = results.findings();
     for (const Acknowledgement &seen : recipe.acknowledge)
         sources.acknowledgements.push_back({seen.finding, seen.shot, seen.reason});

@@ -34,6 +34,8 @@ bool hasResult(const CalibrationResults &results, StageId stage)
         return results.shock != nullptr;
     case StageId::Response:
         return results.response != nullptr;
+    case StageId::Evidence:
+        return results.evidence != nullptr;
     case StageId::MonteCarlo:
         return results.monteCarlo != nullptr;
     }
@@ -66,6 +68,8 @@ Findings findingsOf(const CalibrationResults &results, StageId stage)
         return results.shock->findings;
     case StageId::Response:
         return results.response->findings;
+    case StageId::Evidence:
+        return results.evidenceFindings();
     case StageId::MonteCarlo:
         return results.monteCarlo->findings;
     }

@@ -359,18 +359,24 @@ Result<CaptureSet> readForeignHdf5(
     const Result<Hdf5File> file = openHdf5(path, control);
     if (!file)
         return tl::unexpected(file.error());
-    const std::vector<ForeignDataset> all = datasetsOf(file->tree);
+    return readForeignHdf5(*file, settings, control);
+}
+
+Result<CaptureSet> readForeignHdf5(
+    const Hdf5File &file, const ImportSettings &settings, const JobControl &control)
+{
+    const std::vector<ForeignDataset> all = datasetsOf(file.tree);
     std::vector<ChannelCandidate> candidates;
     for (const ForeignDataset &dataset : all)
-        candidates.push_back(candidateOf(dataset, channelsOf(dataset, path)));
-    Result<CaptureSet> set = readCandidates(*file, all, candidates, settings, control);
-    const Index lost = linksNotFollowed(file->tree);
+        candidates.push_back(candidateOf(dataset, channelsOf(dataset, file.path)));
+    Result<CaptureSet> set = readCandidates(file, all, candidates, settings, control);
+    const Index lost = linksNotFollowed(file.tree);
     if (set && lost > 0)
         set->findings.push_back({"CAP-026", Severity::Info, 0, {}, {},
             {DYNCAL_TEXT("core",
                  "%1: %2 links that lead to other files or places, or cannot be opened, were not "
                  "followed."),
-                {path, std::to_string(lost)}},
+                {file.path, std::to_string(lost)}},
             static_cast<double>(lost), {}});
     return set;
 }

@@ -26,6 +26,10 @@ int recogniseForeignHdf5(const std::string &path, std::string_view head);
 Result<CaptureSet> readForeignHdf5(
     const std::string &path, const ImportSettings &settings, const JobControl &control);
 
+/// The same for a file that is described already; nothing it claims is believed.
+Result<CaptureSet> readForeignHdf5(
+    const Hdf5File &file, const ImportSettings &settings, const JobControl &control);
+
 /// A dataset that can be channels, or cannot (then it has no names).
 struct ChannelCandidate
 {

@@ -15,6 +15,8 @@
 
 namespace dyncal {
 
+struct Hdf5File;
+
 /// How sure it is that the file is a capture in our HDF5 layout (docs/method/captures.md), 0..100.
 int recogniseHdf5Capture(const std::string &path, std::string_view head);
 
@@ -22,6 +24,9 @@ int recogniseHdf5Capture(const std::string &path, std::string_view head);
 /// counts that claim more than the file holds: FileUnreadable with the sentence that says which.
 Result<CaptureSet> readHdf5Capture(
     const std::string &path, const ImportSettings &settings, const JobControl &control);
+
+/// The same for a file that is described already (hdf5_open.h); nothing it claims is believed.
+Result<CaptureSet> readHdf5Capture(const Hdf5File &file, const JobControl &control);
 
 /// True parameters of one simulated shot, written to /truth/shot_NNN as attributes. No analysis
 /// reads them.

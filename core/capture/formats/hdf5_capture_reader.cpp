@@ -346,7 +346,12 @@ Result<CaptureSet> readHdf5Capture(
     const Result<Hdf5File> file = openHdf5(path, control);
     if (!file)
         return tl::unexpected(file.error());
-    return CaptureReader(*file, control).read();
+    return readHdf5Capture(*file, control);
+}
+
+Result<CaptureSet> readHdf5Capture(const Hdf5File &file, const JobControl &control)
+{
+    return CaptureReader(file, control).read();
 }
 
 } // namespace dyncal

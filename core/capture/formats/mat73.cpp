@@ -106,19 +106,25 @@ Result<CaptureSet> readMat73(
     const Result<Hdf5File> file = openHdf5(path, control);
     if (!file)
         return tl::unexpected(file.error());
-    std::vector<ForeignDataset> variables = datasetsOf(file->tree);
+    return readMat73(*file, settings, control);
+}
+
+Result<CaptureSet> readMat73(
+    const Hdf5File &file, const ImportSettings &settings, const JobControl &control)
+{
+    std::vector<ForeignDataset> variables = datasetsOf(file.tree);
     std::erase_if(variables, [](const ForeignDataset &dataset) { return !isVariable(dataset); });
     std::vector<ChannelCandidate> candidates;
     for (const ForeignDataset &variable : variables)
-        candidates.push_back(candidateOf(variable, mat73ChannelsOf(variable, path)));
-    Result<CaptureSet> set = readCandidates(*file, variables, candidates, settings, control);
-    const std::string others = otherVariables(*file);
+        candidates.push_back(candidateOf(variable, mat73ChannelsOf(variable, file.path)));
+    Result<CaptureSet> set = readCandidates(file, variables, candidates, settings, control);
+    const std::string others = otherVariables(file);
     if (set && !others.empty())
         set->findings.push_back({"CAP-026", Severity::Info, 0, {}, {},
             {DYNCAL_TEXT("core",
                  "%1: %2 is no matrix of numbers (a structure, cell, text or the like) and was "
                  "left out."),
-                {path, others}},
+                {file.path, others}},
             {}, {}});
     return set;
 }

@@ -29,6 +29,10 @@ bool isMat73(const std::string &path);
 Result<CaptureSet> readMat73(
     const std::string &path, const ImportSettings &settings, const JobControl &control);
 
+/// The same for a file that is described already; nothing it claims is believed.
+Result<CaptureSet> readMat73(
+    const Hdf5File &file, const ImportSettings &settings, const JobControl &control);
+
 /// What a variable can be as channels; names without the slash, columns counted from 1.
 ForeignChannels mat73ChannelsOf(const ForeignDataset &variable, const std::string &file);
 

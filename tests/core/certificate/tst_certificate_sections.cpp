@@ -43,6 +43,7 @@ private slots:
     void levelWord_everyLevel();
     void method_everyTreatment_hasItsSentence();
     void method_average_isSaid();
+    void method_choiceOfTheOrder_isPrintedWhenGiven();
     void environment_shotsDiffer_isARangeOfTheIncluded();
     void conditions_statedStep_isSaid();
     void conditions_stepWithBudget_printsUAndK();
@@ -111,6 +112,32 @@ void TestCertificateSections::method_average_isSaid()
     QVERIFY(valueOf(section, "series").starts_with("average"));
     QCOMPARE(valueOf(section, "model_rate"), std::string("10.000 MHz"));
     QCOMPARE(valueOf(section, "model_samples"), std::string("1000"));
+}
+
+void TestCertificateSections::method_choiceOfTheOrder_isPrintedWhenGiven()
+{
+    ModelInput input;
+    const auto model = example::model(*example::modelInput({}));
+    OrderEvidence evidence;
+    evidence.poles = {{2, example::kF0_Hz, example::kZeta, PoleStability::New, true, 1.0},
+        {3, example::kF0_Hz * 1.002, example::kZeta, PoleStability::FrequencyAndDamping, true,
+            1.0}};
+    CertificateSources sources;
+    sources.input = &input;
+    sources.model = model.get();
+    QCOMPARE(valueOf(methodSection(sources), "order_reason"), std::string("no field"));
+    QCOMPARE(valueOf(methodSection(sources), "order_spread"), std::string("no field"));
+    sources.evidence = &evidence;
+    sources.orderReason = "lowest order that fits";
+    const CertificateSection section = methodSection(sources);
+    QCOMPARE(valueOf(section, "order_reason"), std::string("lowest order that fits"));
+    QCOMPARE(valueOf(section, "order_spread"),
+        std::string("orders 2 to 3: frequency \xC2\xB1"
+                    "0.1 %, damping ratio \xC2\xB1"
+                    "0 % (half of "
+                    "the range)"));
+    evidence.poles.pop_back(); // one order alone says nothing of a spread
+    QCOMPARE(valueOf(methodSection(sources), "order_spread"), std::string("no field"));
 }
 
 void TestCertificateSections::environment_shotsDiffer_isARangeOfTheIncluded()

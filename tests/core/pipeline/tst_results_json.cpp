@@ -103,6 +103,17 @@ std::shared_ptr<const DecompositionResult> decomposition()
     return std::make_shared<DecompositionResult>(result);
 }
 
+std::shared_ptr<const OrderEvidence> evidence()
+{
+    OrderEvidence result;
+    result.poles = {{2, 2.33e6, 0.02, PoleStability::New, true, 5.0},
+        {3, 2.34e6, 0.021, PoleStability::FrequencyAndDamping, false, 4.0}};
+    result.fit_percent = Eigen::Vector3d(3.0, 89.0, kNan);
+    result.spread = OrderSpread{2, 3, 2.335e6, 5e3, 0.0205, 0.0005};
+    result.words = {{"Order 2.", {}}, {"The pole is stable from order %1.", {"2"}}};
+    return std::make_shared<OrderEvidence>(result);
+}
+
 std::shared_ptr<const SensorModel> model()
 {
     SensorModel result;
@@ -179,6 +190,7 @@ PipelineOutcome complete()
     outcome.results.components = components();
     outcome.results.input = modelInput();
     outcome.results.decomposition = decomposition();
+    outcome.results.evidence = evidence();
     outcome.results.model = model();
     outcome.results.shock = shock();
     outcome.results.response = response();
@@ -219,11 +231,13 @@ const QHash<QString, QStringList> &contract()
                 "lost_response_percent"}},
         {"realization",
             {"rows", "columns", "singular_values", "noise_floor_p95", "suggested_order",
-                "suggestion_reason"}},
+                "suggestion_reason", "adopted_reason", "why", "stability", "fit_by_order_percent",
+                "leave_one_out_percent", "spread"}},
         {"model",
             {"order", "dt_s", "A", "B", "C", "D", "poles", "zeros", "fit_percent",
                 "fit_attainable_percent", "fit_listing_percent", "fit_per_shot_percent",
-                "plateau_gain", "gain_unit"}},
+                "plateau_gain", "gain_unit", "uncertainty_method", "homogeneity", "per_shot",
+                "per_level", "nuisance", "nuisance_effect"}},
         {"response",
             {"frequency_hz", "magnitude", "u_magnitude", "k_magnitude", "u_contains_step",
                 "phase_rad", "u_phase_rad", "k_phase", "model_magnitude", "model_phase_rad",
@@ -317,6 +331,33 @@ private slots:
         QCOMPARE(root["bands"]["minus_3_db_hz"].toDouble(), 3.5e6);
         QCOMPARE(
             root["findings"][0]["message"].toString(), QStringLiteral("One shot: PCA is skipped"));
+    }
+
+    void evidence_isWrittenOrExplained()
+    {
+        PipelineOutcome outcome = complete();
+        Recipe recipe;
+        recipe.realization.adoptedReason = "lowest order that fits";
+        QJsonObject section = written(outcome, recipe)["realization"].toObject();
+        QCOMPARE(section["adopted_reason"].toString(), QStringLiteral("lowest order that fits"));
+        QCOMPARE(section["why"][1].toString(), QStringLiteral("The pole is stable from order 2."));
+        const QJsonObject stability = section["stability"].toObject();
+        QCOMPARE(stability["order"], QJsonValue(QJsonArray{2, 3}));
+        QCOMPARE(stability["stability"], QJsonValue(QJsonArray{"new", "frequency-and-damping"}));
+        QCOMPARE(stability["stands_out"], QJsonValue(QJsonArray{true, false}));
+        QCOMPARE(stability["frequency_hz"][1].toDouble(), 2.34e6);
+        QVERIFY(section["fit_by_order_percent"][2].isNull()); // diverges
+        QVERIFY(section["fit_by_order_percent_reason"].toString().contains("diverges"));
+        QVERIFY(section["leave_one_out_percent"].isNull());
+        QCOMPARE(section["spread"]["to_order"].toInt(), 3);
+        QCOMPARE(section["spread"]["frequency_spread_hz"].toDouble(), 5e3);
+
+        outcome.results.evidence = nullptr;
+        section = written(outcome)["realization"].toObject();
+        for (const char *key : {"why", "stability", "spread", "adopted_reason"}) {
+            QVERIFY2(section[QLatin1String(key)].isNull(), key);
+            QVERIFY2(section.contains(QString(key) + "_reason"), key);
+        }
     }
 
     void spectrum_isThinnedAndKeepsThePeak()

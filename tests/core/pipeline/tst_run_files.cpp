@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/base/atomic_file.h"
+#include "core/pipeline/model_export.h"
 #include "core/pipeline/results_csv.h"
 #include "core/pipeline/results_json.h"
 #include "core/pipeline/run_files.h"
@@ -61,7 +62,8 @@ void TestRunFiles::write_completeRun_givesEveryFile()
         (std::vector<std::string>{folder.filePath("results.json").toStdString(),
             folder.filePath("recipe.json").toStdString(),
             folder.filePath("certificate.pdf").toStdString(),
-            folder.filePath("plots/").toStdString(), folder.filePath("csv/").toStdString()}));
+            folder.filePath("plots/").toStdString(), folder.filePath("csv/").toStdString(),
+            folder.filePath("model/").toStdString()}));
     QCOMPARE(bytesOf(folder.filePath("results.json")).toStdString(),
         resultsJson(run.outcome, run.recipe, kCreated));
     QCOMPARE(bytesOf(folder.filePath("recipe.json")).toStdString(), recipeJson(run.recipe));
@@ -73,6 +75,9 @@ void TestRunFiles::write_completeRun_givesEveryFile()
     for (const CsvFile &table : tables)
         QCOMPARE(bytesOf(folder.filePath("csv/" + QString::fromStdString(table.name))),
             QByteArray::fromStdString(table.text));
+    for (const ModelFile &file : modelFiles(run.outcome.results))
+        QCOMPARE(bytesOf(folder.filePath("model/" + QString::fromStdString(file.name))),
+            QByteArray::fromStdString(file.bytes));
 }
 
 void TestRunFiles::write_runWithoutResults_givesRecipeAndResultsOnly()
@@ -97,17 +102,19 @@ void TestRunFiles::write_overAnEarlierRun_removesItsFilesOnly()
         QVERIFY(writeFileAtomically(path.toStdString(), "old"));
     };
     for (const char *name : {"dcc.xml", "certificate.pdf", "csv/old.csv", "plots/99-old.svg",
-             "notes.txt", "csv/notes.txt", "plots/photo.png"})
+             "model/model.mat", "notes.txt", "csv/notes.txt", "plots/photo.png", "model/my.m"})
         put(name);
     RunFiles run = exampleRun();
     run.drawn.clear();
+    run.outcome.results.model = nullptr; // nor does its model stay
     QVERIFY(writeRunFiles(run, folder.path().toStdString())); // no recipe.json: not ours
     QVERIFY(QFile::exists(folder.filePath("dcc.xml")));
     QVERIFY(QFile::exists(folder.filePath("csv/old.csv")));
     QVERIFY(writeRunFiles(run, folder.path().toStdString()));
-    for (const char *gone : {"dcc.xml", "certificate.pdf", "csv/old.csv", "plots/99-old.svg"})
+    for (const char *gone :
+        {"dcc.xml", "certificate.pdf", "csv/old.csv", "plots/99-old.svg", "model/model.mat"})
         QVERIFY2(!QFile::exists(folder.filePath(gone)), gone);
-    for (const char *kept : {"notes.txt", "csv/notes.txt", "plots/photo.png"})
+    for (const char *kept : {"notes.txt", "csv/notes.txt", "plots/photo.png", "model/my.m"})
         QCOMPARE(bytesOf(folder.filePath(kept)), QByteArray("old"));
 }
 
@@ -128,7 +135,9 @@ void TestRunFiles::write_resultsJson_isTheLast()
 
 void TestRunFiles::write_stoppedAtAnyFile_leavesNoResultsJson()
 {
-    const auto files = static_cast<int>(resultsCsv(exampleRun().outcome.results).size() + 3 + 2);
+    const CalibrationResults results = exampleRun().outcome.results;
+    const auto files
+        = static_cast<int>(resultsCsv(results).size() + modelFiles(results).size() + 3 + 2);
     for (int stopAfter = 1; stopAfter < files; ++stopAfter) {
         const QTemporaryDir folder;
         std::stop_source stop;

@@ -42,7 +42,8 @@ CaptureSet captures()
     return set;
 }
 
-/// The first stage whose key differs; all later ones must differ too. -1 if they do not.
+/// The first stage whose key differs; all later ones must differ too, but for the evidence, which
+/// serves all orders and follows the decomposition only. -1 if they do not.
 int firstMoved(
     const std::array<std::string, kStageCount> &a, const std::array<std::string, kStageCount> &b)
 {
@@ -50,8 +51,11 @@ int firstMoved(
     std::size_t first = 0;
     while (first < count && a[first] == b[first])
         ++first;
+    const auto evidence = static_cast<std::size_t>(StageId::Evidence);
     for (std::size_t i = first; i < count; ++i) {
-        if (a[i] == b[i])
+        const bool follows = i != evidence || first == evidence
+            || first <= static_cast<std::size_t>(StageId::Decomposition);
+        if ((a[i] != b[i]) != follows)
             return -1;
     }
     return static_cast<int>(first);
@@ -165,12 +169,20 @@ void TestStageKeys::recipeChange_movesTheStageThatReadsItAndAllLater_data()
     row("input.offset", input, [](Recipe &r) { r.input.offset_s = 1e-6; });
     row("input.combine", input, [](Recipe &r) { r.input.combine = CombineMethod::PcaAverage; });
 
+    row("realization.nuisance", input, [](Recipe &r) {
+        r.realization.nuisanceModes = {{{6.8e3}, 0, true, "", "tube"}};
+    });
+
     row("realization.max order", StageId::Decomposition,
         [](Recipe &r) { r.realization.maxOrder = 50; });
     row("realization.rows", StageId::Decomposition,
         [](Recipe &r) { r.realization.rows = Index(99); });
     row("realization.order", StageId::Model, [](Recipe &r) { r.realization.order = Index(3); });
     row("realization.refine", StageId::Model, [](Recipe &r) { r.realization.refine = false; });
+    row("realization.stable frequency", StageId::Evidence,
+        [](Recipe &r) { r.realization.stableFrequency = 0.02; });
+    row("realization.stable damping", StageId::Evidence,
+        [](Recipe &r) { r.realization.stableDamping = 0.1; });
 
     const auto response = StageId::Response;
     row("response.grid", response, [](Recipe &r) { r.response.grid = "linear"; });
@@ -199,6 +211,8 @@ void TestStageKeys::recipeChange_movesTheStageThatReadsItAndAllLater_data()
         r.uncertainty.budget = {{"p1_pa", 50.0, "normal", {}}};
     });
     none("acknowledge", [](Recipe &r) { r.acknowledge = {{"CAP-014", 1, "seen"}}; });
+    none("realization.candidates", [](Recipe &r) { r.realization.candidates = {2, 3}; });
+    none("realization.adopted reason", [](Recipe &r) { r.realization.adoptedReason = "seen"; });
     none("certificate", [](Recipe &r) { r.certificate.fields["customer"] = "somebody"; });
 }
 

@@ -4,7 +4,6 @@
 #include "core/realization/exponential_sum.h"
 #include "core/realization/onset.h"
 #include "core/realization/state_space_model.h"
-#include "core/realization/whitening.h"
 #include "tests/support/model_inputs.h"
 
 #include <QTest>
@@ -145,30 +144,6 @@ private slots:
                 QVERIFY(std::abs(values[j] - sum.value(t_s)) < kRounding);
             }
         }
-    }
-
-    void whitening_makesAutoregressiveNoiseWhite()
-    {
-        testing::Noise noise(11);
-        const Eigen::VectorXd e = noise.series(20000, 1.0);
-        Eigen::VectorXd x = e;
-        for (Index k = 2; k < x.size(); ++k)
-            x[k] += 1.2 * x[k - 1] - 0.5 * x[k - 2];
-        const Eigen::VectorXd a = autoregressiveModel(x, 2);
-        // 1/sqrt(N) is 0.007: five times that
-        QVERIFY(std::abs(a[0] + 1.2) < 0.035);
-        QVERIFY(std::abs(a[1] - 0.5) < 0.035);
-        const Eigen::VectorXd w = whitened(x, a);
-        const double lag1 = w.head(w.size() - 1).dot(w.tail(w.size() - 1)) / w.squaredNorm();
-        QVERIFY(std::abs(lag1) < 0.035);
-    }
-
-    void whitening_ofTooShortOrFlatNoise_isNone()
-    {
-        QCOMPARE(autoregressiveModel(Eigen::VectorXd::Random(20), 4).size(), Index(0));
-        QCOMPARE(autoregressiveModel(Eigen::VectorXd::Constant(500, 3.0), 4).size(), Index(0));
-        const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(9, 0.0, 8.0);
-        QCOMPARE(whitened(x, {}), x);
     }
 };
 

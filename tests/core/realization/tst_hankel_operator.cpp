@@ -3,7 +3,7 @@
 
 #include "core/base/svd.h"
 #include "core/realization/hankel_operator.h"
-#include "core/realization/lanczos.h"
+#include "core/realization/hankel_triplets.h"
 #include "tests/support/model_inputs.h"
 
 #include <QTest>
@@ -76,7 +76,7 @@ private slots:
             all.rightCols(151) = blocks.back().dense();
         }
         const ThinSvd dense = thinSvd(all);
-        const auto triplets = leadingTriplets(blocks, 20, {});
+        const auto triplets = HankelTriplets(blocks).leading(20, HankelTriplets::Right::Wanted, {});
         QVERIFY(triplets.has_value());
         for (Index k = 0; k < 20; ++k) {
             QVERIFY2(
@@ -97,7 +97,8 @@ private slots:
         blocks.emplace_back(noise.series(2000, 1.0), 1000, 1001, false);
         std::stop_source source;
         source.request_stop();
-        const auto triplets = leadingTriplets(blocks, 40, {source.get_token(), {}});
+        const auto triplets = HankelTriplets(blocks).leading(
+            40, HankelTriplets::Right::NotWanted, {source.get_token(), {}});
         QVERIFY(!triplets.has_value());
         QCOMPARE(triplets.error().kind, ErrorKind::Cancelled);
     }

@@ -150,6 +150,66 @@ private slots:
         }
     }
 
+    void splitPair_offersTheNextOrder()
+    {
+        Scene scene;
+        scene.hankel.singularValues << 20, 8, 7.9, 0.8;
+        const Findings findings = scene.judge();
+        const auto split = std::find_if(findings.begin(), findings.end(),
+            [](const Finding &finding) { return finding.id == "ORD-001"; });
+        QVERIFY(split->mend.has_value());
+        QCOMPARE(split->mend->key, std::string("realization.order"));
+        QCOMPARE(split->mend->value, std::string("3"));
+        QCOMPARE(english(split->mend->label), std::string("Use order 3"));
+    }
+
+    void cancelledPoles_areNamedOncePerPair()
+    {
+        Scene scene;
+        scene.model.zeros = {scene.model.poles[0].z + 5e-4, scene.model.poles[1].z + 5e-4};
+        const Findings findings = scene.judge();
+        const auto found = std::find_if(findings.begin(), findings.end(),
+            [](const Finding &finding) { return finding.id == "MOD-005"; });
+        QCOMPARE(*found->value, 1.0);
+        QVERIFY(english(found->message).find("100 kHz") != std::string::npos);
+    }
+
+    void flags_sayWhatEachPoleIs()
+    {
+        Scene scene;
+        scene.model.zeros = {scene.model.poles[0].z + 5e-4};
+        Pole real;
+        real.z = {0.99999, 0.0};
+        real.frequency_Hz = 5.0;
+        real.u_frequency_Hz = 6.0;
+        real.poleClass = PoleClass::Sensor;
+        real.flags = {"below-noise"};
+        scene.model.poles.push_back(real);
+        real.u_frequency_Hz = 4.0; // known well enough to differ from 0
+        real.flags.clear();
+        scene.model.poles.push_back(real);
+        for (const PoleClass kind : {PoleClass::Step, PoleClass::Nyquist, PoleClass::Unstable}) {
+            real.poleClass = kind;
+            scene.model.poles.push_back(real);
+        }
+        flagPoles(scene.model);
+        const std::vector<std::vector<std::string>> expected{{"near-cancelled"}, {},
+            {"below-noise", "integrator"}, {}, {"step"}, {"nyquist"}, {"unstable"}};
+        for (std::size_t i = 0; i < expected.size(); ++i)
+            QVERIFY2(scene.model.poles[i].flags == expected[i], qPrintable(QString::number(i)));
+    }
+
+    void runaways_areThosePolesThatGrowTenfold()
+    {
+        const double slow = std::pow(9.9, 0.01);
+        const double fast = std::pow(10.1, 0.01);
+        std::vector<std::complex<double>> poles{
+            {0.5, 0.0}, {slow, 0.0}, {fast, 0.0}, {0.0, fast}, {0.0, -fast}};
+        QVERIFY(dropRunaways(poles, 100));
+        QCOMPARE(poles.size(), std::size_t(2));
+        QVERIFY(!dropRunaways(poles, 100));
+    }
+
     void onlyAnUnstableModel_blocks()
     {
         for (const Case &c : cases()) {

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/cli/calibration.h"
+
+#include "app/cli/console.h"
+#include "app/cli/interrupt.h"
+
+#include "core/base/number_text.h"
+#include "core/capture/format_registry.h"
+
+#include <algorithm>
+#include <memory>
+
+namespace dyncal {
+namespace {
+
+/// Whether a blocking finding has said already what stopped the run.
+bool isSaid(const Error &error, const Findings &findings)
+{
+    return std::any_of(findings.begin(), findings.end(), [&](const Finding &finding) {
+        return finding.severity == Severity::Block && finding.id == error.findingId
+            && finding.shot == error.shot;
+    });
+}
+
+} // namespace
+
+std::optional<Index> typedOrder(const std::string &text)
+{
+    constexpr double kReadable = 1e6;
+    const std::optional<double> value = parseNumber(text);
+    if (!value || !(*value >= 1.0 && *value <= kReadable))
+        return std::nullopt;
+    const auto whole = static_cast<Index>(*value);
+    return static_cast<double>(whole) == *value ? std::optional(whole) : std::nullopt;
+}
+
+Result<Recipe> withOrder(Recipe recipe, const std::string &order)
+{
+    if (order.empty())
+        return recipe;
+    recipe.realization.order = {};
+    if (order == "auto")
+        return recipe;
+    const std::optional<Index> value = typedOrder(order);
+    if (!value)
+        return fail(ErrorKind::Usage,
+            {DYNCAL_TEXT("core", "--order is \"%1\"; it needs \"auto\" or a whole number from 1."),
+                {order}});
+    recipe.realization.order = *value;
+    return parseRecipe(recipeJson(recipe));
+}
+
+Result<CaptureSet> readForCalibration(const std::vector<std::string> &files, const Recipe &recipe)
+{
+    ProgressLine progress("Reading");
+    return readCaptures(files, recipe.import, {interruptToken(), progress.sink()});
+}
+
+PipelineOutcome calibrate(const CaptureSet &set, const Recipe &recipe, StageId last)
+{
+    ProgressLine progress("Computing");
+    ResultCache cache;
+    return runPipeline(std::make_shared<CaptureSet>(set), recipe, cache, last,
+        {interruptToken(), progress.sink()});
+}
+
+int reportOutcome(const PipelineOutcome &outcome)
+{
+    const Findings findings = outcome.results.findings();
+    reportFindings(findings);
+    if (outcome.error)
+        return isSaid(*outcome.error, findings) ? static_cast<int>(exitCodeOf(*outcome.error))
+                                                : report(*outcome.error);
+    return static_cast<int>(exitCodeOf(findings));
+}
+
+} // namespace dyncal

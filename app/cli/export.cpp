@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "app/cli/calibration.h"
+#include "app/cli/console.h"
+#include "app/cli/interrupt.h"
+#include "app/cli/recipe_options.h"
+#include "app/cli/verbs.h"
+
+#include "core/base/atomic_file.h"
+#include "core/pipeline/model_export.h"
+#include "core/pipeline/run_files.h"
+#include "ui/session/project_file.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+
+namespace dyncal {
+namespace {
+
+struct ExportOptions
+{
+    std::vector<std::string> files;
+    RecipeOptions recipe;
+    std::string order;
+    std::vector<std::string> what{"model"};
+    std::vector<std::string> formats = modelFormats();
+    std::string output;
+};
+
+bool isProject(const std::vector<std::string> &files)
+{
+    return files.size() == 1 && std::filesystem::path(files.front()).extension() == ".dyncal";
+}
+
+/// A project brings its own recipe; recordings take that of --recipe.
+Result<ProjectState> readJob(const ExportOptions &options)
+{
+    if (isProject(options.files)) {
+        ProgressLine progress("Reading");
+        return openProject(
+            QString::fromStdString(options.files.front()), {interruptToken(), progress.sink()});
+    }
+    ProjectState state;
+    Result<Recipe> recipe = options.recipe.read();
+    if (!recipe)
+        return tl::unexpected<Error>(recipe.error());
+    Result<CaptureSet> set = readForCalibration(options.files, *recipe);
+    if (!set)
+        return tl::unexpected<Error>(set.error());
+    state.captures = std::make_shared<const CaptureSet>(std::move(*set));
+    state.recipe = std::move(*recipe);
+    return state;
+}
+
+Result<void> writeModel(const CalibrationResults &results, const ExportOptions &options)
+{
+    const std::vector<ModelFile> files = modelFiles(results);
+    if (files.empty()) {
+        return fail(ErrorKind::DataBlocked,
+            {DYNCAL_TEXT("core",
+                 "The model of order %1 diverges, so there is nothing to export; choose another "
+                 "order."),
+                {std::to_string(results.model->order)}},
+            "MOD-001");
+    }
+    if (const Result<void> made = makeFolder(options.output); !made)
+        return made;
+    for (const ModelFile &file : files) {
+        if (std::ranges::find(options.formats, file.format) == options.formats.end())
+            continue;
+        const std::string path = (std::filesystem::path(options.output) / file.name).string();
+        if (const Result<void> written = writeFileAtomically(path, file.bytes); !written)
+            return written;
+        std::cout << path << '\n';
+    }
+    return {};
+}
+
+int exportJob(const ExportOptions &options)
+{
+    const Result<ProjectState> job = readJob(options);
+    if (!job)
+        return report(job.error());
+    const Result<Recipe> recipe = withOrder(job->recipe, options.order);
+    if (!recipe)
+        return report(recipe.error());
+    const PipelineOutcome outcome = calibrate(*job->captures, *recipe, StageId::Response);
+    if (outcome.error)
+        return reportOutcome(outcome);
+    if (const Result<void> written = writeModel(outcome.results, options); !written)
+        return report(written.error());
+    return reportOutcome(outcome);
+}
+
+} // namespace
+
+void addExport(CLI::App &program, VerbAction &action)
+{
+    const auto options = std::make_shared<ExportOptions>();
+    CLI::App *verb = program.add_subcommand(
+        "export", "Write the model for use elsewhere: MAT, JSON, CSV, MATLAB and Python scripts");
+    verb->add_option("files", options->files, "A project, or captures of one sensor")
+        ->required()
+        ->type_name("PROJECT|FILE");
+    options->recipe.declare(*verb);
+    verb->add_option("--order", options->order, "Model order: auto or a number")
+        ->type_name("auto|N");
+    verb->add_option("--what", options->what, "What to write")
+        ->delimiter(',')
+        ->check(CLI::IsMember({"model"}))
+        ->type_name("model");
+    verb->add_option("--format", options->formats, "All of them where none is named")
+        ->delimiter(',')
+        ->check(CLI::IsMember(modelFormats()))
+        ->type_name("mat,json,csv,m,py");
+    verb->add_option("-o,--output", options->output, "Folder to write to")
+        ->required()
+        ->type_name("DIR");
+    verb->footer("Example:\n  dyncal export job.dyncal --what model -o out\n"
+                 "  dyncal export example.h5 --order 3 --format mat,py -o out");
+    verb->callback([options, &action] { action = [options] { return exportJob(*options); }; });
+}
+
+} // namespace dyncal

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/index.h"
+
+#include <atomic>
+#include <exception>
+#include <thread>
+
+namespace dyncal {
+
+/// Calls f(0) .. f(parts - 1), each once, on one thread or on two. The caller cuts the work into
+/// parts that do not depend on the number of threads, so neither does the result. Starting a thread
+/// costs some 50 us: set `worthAThread` only for work of a millisecond or more. An exception of a
+/// part is thrown again here once all have ended.
+template <typename Function>
+void forEachPart(Index parts, bool worthAThread, const Function &f)
+{
+    if (!worthAThread || parts < 2 || std::thread::hardware_concurrency() < 2) {
+        for (Index part = 0; part < parts; ++part)
+            f(part);
+        return;
+    }
+    std::atomic<Index> next = 0;
+    std::exception_ptr problems[2];
+    const auto work = [&](std::exception_ptr &problem) {
+        try {
+            for (Index part = next++; part < parts; part = next++)
+                f(part);
+        } catch (...) {
+            problem = std::current_exception();
+        }
+    };
+    {
+        const std::jthread second([&] { work(problems[1]); });
+        work(problems[0]);
+    }
+    for (const std::exception_ptr &problem : problems) {
+        if (problem)
+            std::rethrow_exception(problem);
+    }
+}
+
+} // namespace dyncal

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/pipeline/model_stages.h"
+
+#include "core/pipeline/nuisance_stage.h"
+#include "core/pipeline/shock_stage.h"
+
+namespace dyncal {
+
+Index orderOf(const CalibrationResults &results, const Recipe &recipe)
+{
+    return recipe.realization.order.value.value_or(results.decomposition->suggestion.order);
+}
+
+Result<SensorModel> modelStage(
+    const CalibrationResults &results, const Recipe &recipe, Index order, const JobControl &control)
+{
+    return realizeModel(*results.input, results.decomposition->hankel, order, recipe.realization,
+        sensorSpectrum(results, recipe), control);
+}
+
+Result<ShockConditionsSet> shockOfModel(
+    const CalibrationResults &results, const Recipe &recipe, const SensorModel &model)
+{
+    return shockStage(results.captures->set, results.expected->conditions, *results.window,
+        *results.spectrum, model, recipe);
+}
+
+Result<ResponseResult> responseStage(const CalibrationResults &results, const Recipe &recipe,
+    const SensorModel &model, const ShockConditionsSet &shock)
+{
+    return computeResponse(
+        results.window->responses, *results.input, model, shock, recipe.response);
+}
+
+} // namespace dyncal

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/pipeline/pipeline.h"
+
+namespace dyncal {
+
+/// The stages behind the decomposition, for a run and for the comparison of orders alike. `results`
+/// must hold everything before.
+Result<SensorModel> modelStage(const CalibrationResults &results, const Recipe &recipe, Index order,
+    const JobControl &control);
+Result<ShockConditionsSet> shockOfModel(
+    const CalibrationResults &results, const Recipe &recipe, const SensorModel &model);
+Result<ResponseResult> responseStage(const CalibrationResults &results, const Recipe &recipe,
+    const SensorModel &model, const ShockConditionsSet &shock);
+
+/// The order a run takes: the recipe's, or the suggested one.
+Index orderOf(const CalibrationResults &results, const Recipe &recipe);
+
+} // namespace dyncal

@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/pipeline/pipeline.h"
+
+namespace dyncal {
+
+/// Spectra and resonances without the recipe's nuisance modes. Needs window and spectrum.
+SpectrumResult sensorSpectrum(const CalibrationResults &results, const Recipe &recipe);
+
+/// The model input with the recipe's nuisance modes found in it. Needs captures, window, spectrum
+/// and components.
+Result<ModelInput> separatedInput(
+    const CalibrationResults &results, const Recipe &recipe, const JobControl &control);
+
+} // namespace dyncal

@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/pipeline/order_comparison.h"
+
+#include "core/decomposition/residual_analysis.h"
+#include "core/pipeline/model_stages.h"
+#include "core/realization/model_findings.h"
+#include "core/realization/realized_poles.h"
+#include "core/realization/whitening.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+namespace {
+
+constexpr std::size_t kMostOrders = 50;
+constexpr Index kReferenceOrder = 100; ///< the thesis's high order
+constexpr Index kWhitenessLags = 20;
+
+/// What is left of each series is made white by its own noise, so that coloured noise is no fault
+/// of the model. Of several series: how probable a smallest p value as small as theirs is.
+double whitenessOf(const ModelInput &input, const SensorModel &model)
+{
+    std::vector<NoiseCovariance> noise;
+    for (const ModelSeries &series : input.series)
+        noise.push_back(noiseCovariance(series.noise, kLargestNoiseModel));
+    const auto noiseModels = chooseAutoregressiveModels(noise, kLargestNoiseModel);
+    double smallest = kUnknown;
+    for (std::size_t r = 0; r < model.series.size() && !model.diverges; ++r) {
+        const Eigen::VectorXd left = whitened(model.series[r].error, noiseModels[r].coefficients);
+        const Index lags = std::min(kWhitenessLags, left.size() / 4);
+        if (lags < 1)
+            continue;
+        const double p = ljungBox_p(
+            autocovariance((left.array() - left.mean()).matrix(), lags), left.size(), lags);
+        smallest = std::isnan(smallest) ? p : std::min(smallest, p);
+    }
+    return -std::expm1(static_cast<double>(model.series.size()) * std::log1p(-smallest));
+}
+
+/// The model a run has made already, or a new one.
+Result<std::shared_ptr<const SensorModel>> modelOf(
+    const CalibrationResults &results, const Recipe &recipe, Index order, const JobControl &control)
+{
+    if (results.model && results.model->order == order)
+        return results.model;
+    Result<SensorModel> model = modelStage(results, recipe, order, control);
+    if (!model)
+        return tl::unexpected(std::move(model.error()));
+    return std::make_shared<const SensorModel>(std::move(*model));
+}
+
+Result<std::shared_ptr<const ResponseResult>> responseOf(const CalibrationResults &results,
+    const Recipe &recipe, const std::shared_ptr<const SensorModel> &model)
+{
+    if (model == results.model && results.response)
+        return results.response;
+    const Result<ShockConditionsSet> shock = shockOfModel(results, recipe, *model);
+    if (!shock)
+        return tl::unexpected(shock.error());
+    Result<ResponseResult> response = responseStage(results, recipe, *model, *shock);
+    if (!response)
+        return tl::unexpected(std::move(response.error()));
+    return std::make_shared<const ResponseResult>(std::move(*response));
+}
+
+ComparedOrder compareOne(
+    const CalibrationResults &results, const Recipe &recipe, Index order, const JobControl &control)
+{
+    ComparedOrder compared;
+    compared.order = order;
+    const Eigen::VectorXd &bic = results.decomposition->suggestion.bic;
+    if (order >= 1 && order <= bic.size())
+        compared.bic = bic[order - 1];
+    auto model = modelOf(results, recipe, order, control);
+    if (!model) {
+        compared.error = std::move(model.error());
+        return compared;
+    }
+    compared.model = std::move(*model);
+    compared.whiteness_p = whitenessOf(*results.input, *compared.model);
+    auto response = responseOf(results, recipe, compared.model);
+    if (response)
+        compared.response = std::move(*response);
+    else
+        compared.error = std::move(response.error());
+    return compared;
+}
+
+} // namespace
+
+Result<std::vector<ComparedOrder>> compareOrders(const CalibrationResults &results,
+    const Recipe &recipe, const std::vector<Index> &orders, const JobControl &control)
+{
+    if (!results.decomposition) {
+        return fail(ErrorKind::Usage,
+            {DYNCAL_TEXT("core", "There is no decomposition yet that orders could be taken from."),
+                {}});
+    }
+    if (orders.size() > kMostOrders) {
+        return fail(ErrorKind::Usage,
+            {DYNCAL_TEXT("core", "%1 orders were asked for; compare at most %2 at once."),
+                {std::to_string(orders.size()), std::to_string(kMostOrders)}});
+    }
+    std::vector<ComparedOrder> list;
+    for (std::size_t i = 0; i < orders.size(); ++i) {
+        list.push_back(compareOne(results, recipe, orders[i], control));
+        if (control.stopRequested())
+            return fail(ErrorKind::Cancelled, {});
+        control.report(static_cast<double>(i + 1) / static_cast<double>(orders.size()));
+    }
+    return list;
+}
+
+std::vector<Index> defaultCandidates(const CalibrationResults &results, const Recipe &recipe)
+{
+    std::vector<Index> orders = recipe.realization.candidates;
+    if (results.decomposition) {
+        const Index suggested = results.decomposition->suggestion.order;
+        const HankelDecomposition &hankel = results.decomposition->hankel;
+        orders.push_back(suggested);
+        if (splitsPair(hankel, suggested))
+            orders.push_back(suggested + 1);
+        orders.push_back(std::min(kReferenceOrder, largestOrder(hankel)));
+    }
+    std::sort(orders.begin(), orders.end());
+    orders.erase(std::unique(orders.begin(), orders.end()), orders.end());
+    return orders;
+}
+
+} // namespace dyncal

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/pipeline/pipeline.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace dyncal {
+
+/// One order as a run of it gives it, or why it cannot be had.
+struct ComparedOrder
+{
+    Index order = 0;
+    std::shared_ptr<const SensorModel> model; ///< null with an error
+    std::shared_ptr<const ResponseResult> response; ///< null with an error and where it diverges
+    /// Ljung-Box p value of what the model leaves, over all series; NaN where it diverges.
+    double whiteness_p = kUnknown;
+    std::optional<double> bic; ///< of the orders that the suggestion looked at
+    std::optional<Error> error;
+};
+
+/// Models of several orders from one decomposition, by the functions of the pipeline, so that each
+/// number is that of a run with `realization.order` of this order to the last bit. An order that
+/// the data do not allow has an error in its place. Fails (Usage) without a decomposition and with
+/// more than 50 orders, (Cancelled) on request.
+Result<std::vector<ComparedOrder>> compareOrders(const CalibrationResults &results,
+    const Recipe &recipe, const std::vector<Index> &orders, const JobControl &control = {});
+
+/// Orders worth a look beside each other, ascending: the suggested one, the one above it where it
+/// splits a pair, a high one (100 as in the thesis, or the largest possible), and those pinned.
+std::vector<Index> defaultCandidates(const CalibrationResults &results, const Recipe &recipe);
+
+} // namespace dyncal

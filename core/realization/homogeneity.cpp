@@ -1,0 +1,296 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/realization/homogeneity.h"
+
+#include "core/base/distributions.h"
+#include "core/base/number_text.h"
+#include "core/realization/pole_uncertainty.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace dyncal {
+namespace {
+
+constexpr double kSignificance = 0.01;
+
+/// The poles of the model fitted to some of the shots alone.
+struct PartFit
+{
+    std::vector<std::size_t> series; ///< positions in the input
+    std::optional<Refinement> refinement;
+    NoiseBasis noise;
+};
+
+PartFit fitPart(const ModelInput &input, const ModelDraft &draft,
+    const std::vector<std::size_t> &series, const JobControl &control)
+{
+    PartFit part{series, {}, {}};
+    const std::vector<RefinementRecord> all = refinementRecords(input);
+    std::vector<RefinementRecord> records;
+    std::vector<NoiseCovariance> noise;
+    for (const std::size_t r : series) {
+        records.push_back(all[r]);
+        noise.push_back(input.series[r].fullRateNoise);
+    }
+    part.refinement
+        = refinePoles(records, draft.rates_rad_s, isStepTreatment(input.treatment), control);
+    if (part.refinement)
+        part.noise = allowForColour(records, noise, *part.refinement);
+    return part;
+}
+
+std::vector<PartFit> fitShots(
+    const ModelInput &input, const ModelDraft &draft, const JobControl &control)
+{
+    std::vector<PartFit> fits;
+    for (std::size_t r = 0; r < input.series.size(); ++r)
+        fits.push_back(fitPart(input, draft, {r}, control));
+    return fits;
+}
+
+/// Shots that carry a level are taken together with those of the same one, from low to high.
+std::vector<PartFit> fitLevels(const ModelInput &input, const ModelDraft &draft,
+    const std::vector<PartFit> &shots, const JobControl &control)
+{
+    std::map<ShotLevel, std::vector<std::size_t>> levels;
+    for (std::size_t r = 0; r < input.series.size(); ++r) {
+        if (input.series[r].level != ShotLevel::None)
+            levels[input.series[r].level].push_back(r);
+    }
+    std::vector<PartFit> fits;
+    for (const auto &[level, series] : levels)
+        fits.push_back(
+            series.size() == 1 ? shots[series.front()] : fitPart(input, draft, series, control));
+    return fits;
+}
+
+/// Plateau over the shots of a part, weighted by their uncertainties.
+void describePlateau(const PartFit &part, LevelPole &result)
+{
+    double weights = 0.0;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < part.series.size(); ++i) {
+        const Eigen::MatrixXd covariance
+            = recordCovariance(*part.refinement, static_cast<Index>(i));
+        const double variance = covariance(covariance.rows() - 1, covariance.rows() - 1);
+        const double weight = variance > 0.0 ? 1.0 / variance : 1.0;
+        weights += weight;
+        sum += weight * part.refinement->records[i].constant;
+    }
+    result.plateauGain = sum / weights;
+    result.u_plateauGain = 1.0 / std::sqrt(weights);
+}
+
+LevelPole describePart(const ModelInput &input, const PartFit &part, std::optional<Index> main)
+{
+    LevelPole result;
+    result.level = input.series[part.series.front()].level;
+    double step = 0.0;
+    for (const std::size_t r : part.series) {
+        result.shots.push_back(input.series[r].shot);
+        step += input.series[r].step / static_cast<double>(part.series.size());
+    }
+    result.step = step;
+    if (!part.refinement)
+        return result;
+    if (main) {
+        const PoleFigures figures = poleFigures(*part.refinement, *main);
+        result.frequency_Hz = figures.frequency_Hz;
+        result.u_frequency_Hz = figures.u_frequency_Hz;
+        result.dampingRatio = figures.dampingRatio;
+        result.u_dampingRatio = figures.u_dampingRatio;
+    }
+    result.coverageFactor = coverageFactor95(part.noise.dof);
+    if (part.refinement->withConstant)
+        describePlateau(part, result);
+    return result;
+}
+
+std::optional<Index> mainPlace(const SensorModel &model)
+{
+    const Pole *main = mainPole(model);
+    if (!main)
+        return std::nullopt;
+    return static_cast<Index>(main - model.poles.data());
+}
+
+/// Sum of (theta_j - mean)^T V_j^-1 (theta_j - mean) over the shots, theta the real parameters of
+/// one pole in each shot, V_j their covariance, the mean weighted with V_j^-1.
+double disagreement(const std::vector<PartFit> &fits, Index at, Index size, Index *dof)
+{
+    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(size, size);
+    Eigen::VectorXd weighted = Eigen::VectorXd::Zero(size);
+    double squares = 0.0;
+    Index shots = 0;
+    for (const PartFit &fit : fits) {
+        if (!fit.refinement)
+            continue;
+        const std::complex<double> s = fit.refinement->rates_rad_s[static_cast<std::size_t>(at)];
+        const Eigen::VectorXd theta = Eigen::Vector2d(s.real(), s.imag()).head(size);
+        const Eigen::MatrixXd V = fit.refinement->covariance.block(at, at, size, size);
+        const Eigen::LDLT<Eigen::MatrixXd> solver(V);
+        const Eigen::VectorXd share = solver.solve(theta);
+        information += solver.solve(Eigen::MatrixXd::Identity(size, size));
+        weighted += share;
+        squares += theta.dot(share);
+        ++shots;
+    }
+    *dof = (shots - 1) * size;
+    return squares - weighted.dot(information.ldlt().solve(weighted));
+}
+
+/// The scatter of one quantity over the shots, carried to their mean weighted by 1/u^2.
+double betweenShots(const std::vector<double> &values, const std::vector<double> &u)
+{
+    const double count = static_cast<double>(values.size());
+    double mean = 0.0;
+    for (const double value : values)
+        mean += value / count;
+    double squares = 0.0;
+    double weights = 0.0;
+    double weightSquares = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        squares += (values[i] - mean) * (values[i] - mean);
+        const double weight = 1.0 / (u[i] * u[i]);
+        weights += weight;
+        weightSquares += weight * weight;
+    }
+    return std::sqrt(squares / (count - 1.0) * weightSquares) / weights;
+}
+
+/// What the shots themselves say of a pole they do not share.
+void useScatter(const std::vector<PartFit> &fits, Index at, Pole &pole)
+{
+    std::vector<double> frequency;
+    std::vector<double> u_frequency;
+    std::vector<double> damping;
+    std::vector<double> u_damping;
+    for (const PartFit &fit : fits) {
+        if (!fit.refinement)
+            continue;
+        const PoleFigures figures = poleFigures(*fit.refinement, at);
+        frequency.push_back(figures.frequency_Hz);
+        u_frequency.push_back(figures.u_frequency_Hz);
+        damping.push_back(figures.dampingRatio);
+        u_damping.push_back(figures.u_dampingRatio);
+    }
+    const double k = coverageFactor95(static_cast<double>(frequency.size() - 1));
+    // Never narrower than the noise alone makes the interval.
+    const double noise = pole.coverageFactor / k;
+    pole.u_frequency_Hz
+        = std::max(noise * pole.u_frequency_Hz, betweenShots(frequency, u_frequency));
+    if (pole.s_rad_s.imag() != 0.0)
+        pole.u_dampingRatio
+            = std::max(noise * pole.u_dampingRatio, betweenShots(damping, u_damping));
+    pole.coverageFactor = k;
+    pole.flags.push_back("shots-disagree");
+}
+
+struct PoleTest
+{
+    std::size_t pole = 0;
+    double statistic = 0.0;
+    double dof = 0.0;
+    double probability = 1.0;
+};
+
+std::vector<PoleTest> testPoles(const std::vector<PartFit> &fits, const SensorModel &model)
+{
+    std::vector<PoleTest> tests;
+    for (std::size_t i = 0; i < model.poles.size(); ++i) {
+        const Pole &pole = model.poles[i];
+        if (pole.poleClass != PoleClass::Sensor || pole.s_rad_s.imag() < 0.0)
+            continue;
+        const Index size = pole.s_rad_s.imag() > 0.0 ? 2 : 1;
+        Index dof = 0;
+        const double statistic
+            = std::max(0.0, disagreement(fits, static_cast<Index>(i), size, &dof));
+        if (!std::isfinite(statistic))
+            continue;
+        const double degrees = static_cast<double>(dof);
+        tests.push_back({i, statistic, degrees, chiSquareSurvival(statistic, degrees)});
+    }
+    return tests;
+}
+
+void judgeShared(const std::vector<PartFit> &fits, SensorModel &model)
+{
+    const std::vector<PoleTest> tests = testPoles(fits, model);
+    if (tests.empty())
+        return;
+    // Several poles are several chances to fail: each is tested at its share of 1 %.
+    const double share = static_cast<double>(tests.size());
+    const PoleTest &worst = *std::min_element(tests.begin(), tests.end(),
+        [](const PoleTest &a, const PoleTest &b) { return a.probability < b.probability; });
+    model.homogeneity = Homogeneity{model.poles[worst.pole].frequency_Hz, worst.statistic,
+        worst.dof, std::min(1.0, share * worst.probability), true};
+    model.homogeneity->passed = model.homogeneity->probability >= kSignificance;
+    for (const PoleTest &test : tests) {
+        if (share * test.probability >= kSignificance)
+            continue;
+        Pole &upper = model.poles[test.pole];
+        useScatter(fits, static_cast<Index>(test.pole), upper);
+        if (upper.s_rad_s.imag() > 0.0) {
+            Pole &lower = model.poles[test.pole + 1];
+            lower.u_frequency_Hz = upper.u_frequency_Hz;
+            lower.u_dampingRatio = upper.u_dampingRatio;
+            lower.coverageFactor = upper.coverageFactor;
+            lower.flags.push_back("shots-disagree");
+        }
+    }
+}
+
+} // namespace
+
+void compareShots(
+    const ModelInput &input, const ModelDraft &draft, SensorModel &model, const JobControl &control)
+{
+    if (!draft.refinement || input.series.front().shot == 0)
+        return;
+    const std::vector<PartFit> shots = fitShots(input, draft, control);
+    const auto main = mainPlace(model);
+    for (const PartFit &fit : shots)
+        model.perShot.push_back(describePart(input, fit, main));
+    for (const PartFit &fit : fitLevels(input, draft, shots, control))
+        model.perLevel.push_back(describePart(input, fit, main));
+    const auto fitted = std::count_if(
+        shots.begin(), shots.end(), [](const PartFit &fit) { return fit.refinement.has_value(); });
+    if (fitted > 1)
+        judgeShared(shots, model);
+}
+
+Findings judgeShots(const SensorModel &model)
+{
+    if (!model.homogeneity || model.homogeneity->passed)
+        return {};
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = 0.0;
+    for (const LevelPole &shot : model.perShot) {
+        if (std::isfinite(shot.frequency_Hz)) {
+            lowest = std::min(lowest, shot.frequency_Hz);
+            highest = std::max(highest, shot.frequency_Hz);
+        }
+    }
+    const std::string probability = numberText(100.0 * model.homogeneity->probability, 2);
+    const std::string pole = numberWithUnit(model.homogeneity->frequency_Hz, "Hz", 4);
+    Message message{DYNCAL_TEXT("core",
+                        "The shots do not share the pole at %1 (homogeneity test: %2 %). Its "
+                        "uncertainty is the scatter between them; state one value per level."),
+        {pole, probability}};
+    if (highest > lowest)
+        message = {DYNCAL_TEXT("core",
+                       "The shots do not share the pole at %1 (homogeneity test: %2 %); their main "
+                       "resonances lie at %3 to %4. Its uncertainty is the scatter between them; "
+                       "state one value per level."),
+            {pole, probability, numberWithUnit(lowest, "Hz", 6), numberWithUnit(highest, "Hz", 6)}};
+    return {{"MOD-010", Severity::Caution, 0, {}, {}, std::move(message),
+        model.homogeneity->probability, kSignificance}};
+}
+
+} // namespace dyncal

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/realization/pole_refinement.h"
+
+#include <Eigen/Core>
+
+namespace dyncal {
+
+/// A pole as frequency and damping, with what the covariance of the fit says of them.
+struct PoleFigures
+{
+    double frequency_Hz = 0.0; ///< |s|/2pi
+    double u_frequency_Hz = 0.0;
+    double dampingRatio = 0.0; ///< -Re s/|s|
+    double u_dampingRatio = 0.0; ///< 0 for a real pole, whose damping ratio is 1 by definition
+};
+
+/// Figures of pole `i` of the fit (of a pair either half), first-order propagation (GUM 5.1).
+PoleFigures poleFigures(const Refinement &refinement, Index i);
+
+/// Student's factor of a two-sided 95 % interval.
+double coverageFactor95(double dof);
+
+} // namespace dyncal

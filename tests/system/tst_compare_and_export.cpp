@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tests/system/dyncal_process.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QJsonArray>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <cmath>
+
+namespace {
+
+constexpr double kTwelveDigits = 1e-12;
+
+bool isSame(const QJsonValue &a, const QJsonValue &b)
+{
+    if (a.isNull() || b.isNull())
+        return a.isNull() && b.isNull();
+    return std::abs(a.toDouble() - b.toDouble()) <= kTwelveDigits * std::abs(b.toDouble());
+}
+
+/// The pole of results.json that compare speaks of: the upper half with that frequency.
+QJsonObject poleAt(const QJsonObject &results, double frequency_Hz)
+{
+    for (const QJsonValue &pole : results["model"]["poles"].toArray()) {
+        if (pole["im"].toDouble() > 0.0 && pole["class"].toString() == "sensor"
+            && std::abs(pole["frequency_hz"].toDouble() / frequency_Hz - 1.0) < kTwelveDigits)
+            return pole.toObject();
+    }
+    return {};
+}
+
+int countOf(const QJsonObject &results, const char *poleClass)
+{
+    int count = 0;
+    for (const QJsonValue &pole : results["model"]["poles"].toArray())
+        count += pole["class"].toString() == QLatin1String(poleClass) ? 1 : 0;
+    return count;
+}
+
+} // namespace
+
+/// `dyncal compare` and `dyncal export` as a laboratory uses them.
+class TestCompareAndExport : public QObject
+{
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+    QString m_capture;
+    QString path(const QString &name) const { return m_folder.filePath(name); }
+
+private slots:
+    void initTestCase()
+    {
+        m_capture = path("example.h5");
+        QCOMPARE(
+            dyncal({"simulate", "-o", m_capture, "--duration-s", "0.004", "--seed", "3"}).exitCode,
+            0);
+    }
+
+    void compare_everyOrder_isThatOfARun()
+    {
+        const Answer answer = dyncal({"compare", m_capture, "--orders", "2,3,50", "--json"});
+        QVERIFY2(answer.exitCode == 0 || answer.exitCode == 1, answer.err);
+        const QJsonObject compared = answer.json();
+        QCOMPARE(compared["schema"].toString(), QString("dyncal-compare/1"));
+        QCOMPARE(compared["orders"].toArray().size(), 3);
+        for (const QJsonValue &one : compared["orders"].toArray()) {
+            const QString order = QString::number(one["order"].toInt());
+            const QString out = path("run-" + order);
+            const Answer run = dyncal({"run", m_capture, "--order", order, "-o", out});
+            QVERIFY2(run.exitCode <= 2, run.err);
+            const QJsonObject results = fileJson(out + "/results.json");
+            QVERIFY(isSame(one["fit_percent"], results["model"]["fit_percent"]));
+            QVERIFY(
+                isSame(one["fit_attainable_percent"], results["model"]["fit_attainable_percent"]));
+            QCOMPARE(one["unstable_poles"].toInt(), countOf(results, "unstable"));
+            QCOMPARE(one["nyquist_poles"].toInt(), countOf(results, "nyquist"));
+            if (one["frequency_hz"].isNull())
+                continue;
+            const QJsonObject pole = poleAt(results, one["frequency_hz"].toDouble());
+            QVERIFY(!pole.isEmpty());
+            for (const char *key : {"u_frequency_hz", "damping_ratio", "u_damping_ratio"})
+                QVERIFY2(isSame(one[QLatin1String(key)], pole[QLatin1String(key)]), key);
+        }
+    }
+
+    void compare_table_hasALinePerOrder()
+    {
+        const Answer answer = dyncal({"compare", m_capture, "--orders", "2,3,100"});
+        const QList<QByteArray> lines = answer.out.trimmed().split('\n');
+        QCOMPARE(lines.size(), 5); // heading, three orders, the suggestion's reason
+        QVERIFY(lines[0].contains("attainable") && lines[0].contains("whiteness p"));
+        QVERIFY(lines[1].contains("MHz (u "));
+        QVERIFY(lines[4].startsWith("Order 2 has the smallest BIC"));
+        for (const char *nonsense : {"nan", "inf", "e+"})
+            QVERIFY2(!answer.out.contains(nonsense), answer.out);
+    }
+
+    void compare_withoutOrders_takesTheRecipesAndItsOwn()
+    {
+        QVERIFY(writeBytes(path("recipe.json"), R"({"realization": {"candidates": [5]}})"));
+        const Answer answer
+            = dyncal({"compare", m_capture, "--recipe", path("recipe.json"), "--json"});
+        QList<int> orders;
+        for (const QJsonValue &one : answer.json()["orders"].toArray())
+            orders << one["order"].toInt();
+        QCOMPARE(orders.mid(0, 2), QList<int>({2, 5}));
+        QVERIFY(orders.last() > 5);
+    }
+
+    void compare_wrongUsage_isSaid_data()
+    {
+        QTest::addColumn<QString>("orders");
+        QTest::addColumn<QByteArray>("named");
+        QTest::newRow("a word") << "2,auto" << QByteArray("auto");
+        QTest::newRow("zero") << "0" << QByteArray("0");
+        QTest::newRow("a fraction") << "2.5" << QByteArray("2.5");
+        QTest::newRow("more than the data allow") << "2,1999" << QByteArray("1999");
+    }
+
+    void compare_wrongUsage_isSaid()
+    {
+        QFETCH(QString, orders);
+        QFETCH(QByteArray, named);
+        const Answer answer = dyncal({"compare", m_capture, "--orders", orders});
+        QCOMPARE(answer.exitCode, 4);
+        QVERIFY2(answer.complaints().last().contains(named), answer.err);
+    }
+
+    void compare_unreadableFile_isThree()
+    {
+        QVERIFY(writeBytes(path("broken.h5"), "no capture"));
+        QCOMPARE(dyncal({"compare", path("broken.h5")}).exitCode, 3);
+        const Answer help = dyncal({"compare", "--help"});
+        QCOMPARE(help.exitCode, 0);
+        QVERIFY(help.out.contains("Example:"));
+    }
+
+    void export_givesTheFilesOfARun()
+    {
+        const QString out = path("exported");
+        const Answer answer = dyncal({"export", m_capture, "--order", "3", "-o", out});
+        QVERIFY2(answer.exitCode <= 1, answer.err);
+        const QString run = path("run-export");
+        dyncal({"run", m_capture, "--order", "3", "-o", run});
+        const QStringList names = QDir(out).entryList(QDir::Files);
+        QCOMPARE(names, QDir(run + "/model").entryList(QDir::Files));
+        QVERIFY(names.contains("model.mat") && names.contains("model.py"));
+        for (const QString &name : names)
+            QCOMPARE(fileBytes(out + "/" + name), fileBytes(run + "/model/" + name));
+        QCOMPARE(answer.out.trimmed().split('\n').size(), names.size());
+    }
+
+    void export_ofAProject_takesItsRecipe()
+    {
+        const QByteArray sha256
+            = QCryptographicHash::hash(fileBytes(m_capture), QCryptographicHash::Sha256).toHex();
+        QVERIFY(writeBytes(path("job.dyncal"),
+            R"({"format": "dyncal-project", "version": 1, "recipe": {"realization": {"order": 4}},
+                "captures": [{"path": "example.h5", "sha256": ")"
+                + sha256 + R"("}]})"));
+        const QString out = path("of-project");
+        const Answer answer = dyncal({"export", path("job.dyncal"), "--format", "json", "-o", out});
+        QVERIFY2(answer.exitCode <= 1, answer.err);
+        QCOMPARE(fileJson(out + "/model.json")["order"].toInt(), 4);
+        QVERIFY(writeBytes(path("no.dyncal"), "{}"));
+        QCOMPARE(dyncal({"export", path("no.dyncal"), "-o", out}).exitCode, 3);
+    }
+
+    void export_someFormats_andWrongOnes()
+    {
+        const QString out = path("some");
+        QVERIFY(dyncal({"export", m_capture, "--format", "json,m", "-o", out}).exitCode <= 1);
+        QCOMPARE(QDir(out).entryList(QDir::Files), QStringList({"model.json", "model.m"}));
+        QCOMPARE(dyncal({"export", m_capture, "--format", "xls", "-o", out}).exitCode, 4);
+        QCOMPARE(dyncal({"export", m_capture, "--what", "plots", "-o", out}).exitCode, 4);
+        QCOMPARE(dyncal({"export", m_capture}).exitCode, 4);
+        QVERIFY(dyncal({"export", "--help"}).out.contains("Example:"));
+    }
+
+    void run_tellsWhyThisOrder()
+    {
+        QVERIFY(writeBytes(path("reason.json"),
+            R"({"realization": {"order": 2, "adopted_reason": "lowest that fits"}})"));
+        const QString out = path("why");
+        dyncal({"run", m_capture, "--recipe", path("reason.json"), "-o", out});
+        const QJsonValue section = fileJson(out + "/results.json")["realization"];
+        QCOMPARE(section["adopted_reason"].toString(), QString("lowest that fits"));
+        QVERIFY(section["why"].toArray().size() >= 5);
+        QVERIFY(section["why"][0].toString().startsWith("Order 2 has the smallest BIC"));
+        QVERIFY(section["leave_one_out_percent"].toArray().size() >= 10);
+        QCOMPARE(section["spread"]["from_order"].toInt(), 2);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCompareAndExport)
+#include "tst_compare_and_export.moc"
