@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/capture/capture_seal.h"
+#include "core/capture/channel_files.h"
 #include "core/capture/format_registry.h"
 #include "core/capture/natural_order.h"
 
@@ -57,7 +58,7 @@ void append(CaptureSet &all, CaptureSet part)
 {
     const Index offset = static_cast<Index>(all.inputs.size());
     for (Shot &shot : part.shots)
-        shot.input += offset;
+        moveInputs(shot, [&](Index input) { return input + offset; });
     const Index shotOffset = static_cast<Index>(all.shots.size());
     for (Finding &finding : part.findings)
         finding.shot += finding.shot > 0 ? shotOffset : 0;
@@ -86,12 +87,14 @@ public:
 
     void addProblem(const Error &error) { m_problems.push_back(error); }
 
-    Result<CaptureSet> finish()
+    Result<CaptureSet> finish(const ImportSettings &settings)
     {
         if (!m_problems.empty())
             return tl::unexpected(joinedProblem());
         if (m_set.shots.empty())
             return tl::unexpected(nothingRead());
+        if (settings.channelFiles == kJoinChannelFiles)
+            joinChannelFiles(m_set);
         return std::move(m_set);
     }
 
@@ -158,7 +161,7 @@ Result<CaptureSet> joinCaptures(const std::vector<std::string> &paths,
             return part;
         joiner.add(files[i], std::move(part));
     }
-    return joiner.finish();
+    return joiner.finish(settings);
 }
 
 } // namespace

@@ -89,7 +89,7 @@ private:
                  "%1 is damaged: the samples of shot %2, channel '%3' are not those that were "
                  "recorded (their SHA-256 differs from the one in the file); take an unchanged "
                  "copy."),
-                {pathOf(shot), std::to_string(shot), channel.name}},
+                {pathOf(shot, channel), std::to_string(shot), channel.name}},
             "CAP-018", shot);
     }
 
@@ -128,29 +128,29 @@ private:
         return {};
     }
 
-    const InputFile *inputOf(Index shot) const
+    const InputFile *fileOf(Index shot, const Channel &channel) const
     {
-        const auto input
-            = static_cast<std::size_t>(m_set.shots[static_cast<std::size_t>(shot - 1)].input);
+        const auto input = static_cast<std::size_t>(
+            inputOf(m_set.shots[static_cast<std::size_t>(shot - 1)], channel));
         return input < m_set.inputs.size() ? &m_set.inputs[input] : nullptr;
     }
 
-    std::string pathOf(Index shot) const
+    std::string pathOf(Index shot, const Channel &channel) const
     {
-        const InputFile *input = inputOf(shot);
+        const InputFile *input = fileOf(shot, channel);
         return input ? input->path : std::string("The capture");
     }
 
     Error unreadable(Index shot, const Channel &channel) const
     {
-        const InputFile *input = inputOf(shot);
+        const InputFile *input = fileOf(shot, channel);
         if (input && !isUnchanged(*input))
             return changedFile(*input);
         return {ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
                  "%1: the samples of shot %2, channel '%3' cannot be read any more; check the "
                  "drive or the network, or copy the file again."),
-                {pathOf(shot), std::to_string(shot), channel.name}},
+                {pathOf(shot, channel), std::to_string(shot), channel.name}},
             "CAP-018", shot};
     }
 
@@ -172,7 +172,7 @@ Findings equalInputs(const CaptureSet &set)
         if (twin == end)
             continue;
         const auto shot = std::find_if(set.shots.begin(), set.shots.end(),
-            [&](const Shot &s) { return s.input == static_cast<Index>(i); });
+            [&](const Shot &s) { return comesFrom(s, static_cast<Index>(i)); });
         const Index number = shot != set.shots.end() ? shot - set.shots.begin() + 1 : 0;
         findings.push_back({"CAP-011", Severity::Caution, number, {}, {},
             {DYNCAL_TEXT("core",

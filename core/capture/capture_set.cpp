@@ -68,6 +68,22 @@ const Channel *Shot::channelCalled(const std::string &nameOrRole) const
     return role == ChannelRole::Other ? nullptr : channelWithRole(role);
 }
 
+bool comesFrom(const Shot &shot, Index input)
+{
+    return shot.input == input
+        || std::any_of(shot.channels.begin(), shot.channels.end(),
+            [&](const Channel &channel) { return channel.input == input; });
+}
+
+void moveInputs(Shot &shot, const std::function<Index(Index)> &newPosition)
+{
+    shot.input = newPosition(shot.input);
+    for (Channel &channel : shot.channels) {
+        if (channel.input)
+            channel.input = newPosition(*channel.input);
+    }
+}
+
 std::optional<double> CaptureSet::tubeNumber(const std::string &key) const
 {
     const auto found = tube.find(key);

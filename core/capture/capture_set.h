@@ -7,6 +7,7 @@
 #include "core/capture/channel.h"
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -62,6 +63,18 @@ struct Shot
     /// The channel of that name, else the first of the role of that name, or null.
     const Channel *channelCalled(const std::string &nameOrRole) const;
 };
+
+/// Position in CaptureSet::inputs of the file that this channel of the shot came from.
+inline Index inputOf(const Shot &shot, const Channel &channel)
+{
+    return channel.input.value_or(shot.input);
+}
+
+/// Whether the shot, or a channel of it, came from this input.
+bool comesFrom(const Shot &shot, Index input);
+
+/// Says where the shot's files are, once each position p in CaptureSet::inputs is `newPosition(p)`.
+void moveInputs(Shot &shot, const std::function<Index(Index)> &newPosition);
 
 /// All shots of one sensor, in order. Shot numbers shown to people count from 1 in this order.
 struct CaptureSet

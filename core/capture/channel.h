@@ -49,6 +49,7 @@ struct Channel
     std::optional<double> adcMax;
     int adcBits = 0; ///< 0 = unknown
     std::string sensorId;
+    std::optional<Index> input; ///< position in CaptureSet::inputs if it is not the shot's file
     std::string sha256; ///< of the samples (sha256OfSamples); empty until sealed
     std::string statedSha256; ///< what the file says it is; empty if it says nothing
 

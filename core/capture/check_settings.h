@@ -14,6 +14,7 @@ struct CheckSettings
     Index saturationRun = 3; ///< equal samples in a row at an extreme that count as saturation
     double flatCodes = 1.0; ///< standard deviation in codes below which a channel is flat
     double leastCodes = 64.0; ///< codes that a step should use at least
+    double stepSigmas = 6.0; ///< standard deviations of the noise by which a step must stand out
     double rateMismatch_percent = 0.1; ///< between a stated and a typed sample rate
     double readingFactor = 3.0; ///< between the step that is read and the computed one
 

@@ -21,21 +21,14 @@ constexpr double kResolved = 3.0; ///< codes of noise
 constexpr double kNormal = 1.4826; ///< standard deviation over median of a normal distribution
 
 /// Noise and smallest step of the values, from the quiet beginning of a record.
-struct Quiet
+FlatTopScale scaleOf(const RawSamples &samples, const RecordSurvey &survey)
 {
-    double noise = 0.0;
-    double code = 0.0;
-    bool isNoisy() const { return noise > 0.5 * code; }
-    bool neverRepeats() const { return noise > kResolved * code; }
-};
-
-Quiet quietBeginning(const RawSamples &samples)
-{
-    Quiet quiet;
-    quiet.code = samples.isInteger() ? 1.0 : 0.0;
+    FlatTopScale scale;
+    scale.range = survey.highest - survey.lowest;
+    scale.codeSize = samples.isInteger() ? 1.0 : 0.0;
     const Index span = std::min(kNoiseSpan, samples.size() / 8);
     if (span < kLeastSpan)
-        return quiet;
+        return scale;
     std::vector<double> steps;
     std::vector<double> bends; // second differences: no slow movement is taken for noise
     double before = samples.at(0);
@@ -51,39 +44,47 @@ Quiet quietBeginning(const RawSamples &samples)
         }
     });
     if (steps.empty())
-        return quiet;
+        return scale;
     std::sort(steps.begin(), steps.end());
     std::sort(bends.begin(), bends.end());
-    quiet.noise = kNormal * bends[bends.size() / 2] / std::sqrt(6.0);
+    scale.noiseSd = kNormal * bends[bends.size() / 2] / std::sqrt(6.0);
     if (const auto moved = std::upper_bound(steps.begin(), steps.end(), 0.0);
         !samples.isInteger() && moved != steps.end())
-        quiet.code = *moved;
-    return quiet;
+        scale.codeSize = *moved;
+    return scale;
 }
 
 } // namespace
 
-bool isCutOff(const RawSamples &samples, const RecordSurvey &survey, const EqualRun &run)
+bool isCutOff(const std::function<double(Index)> &valueAt, Index size, const EqualRun &run,
+    const FlatTopScale &scale)
 {
-    const Quiet quiet = quietBeginning(samples);
-    const double level = samples.at(run.begin);
-    const double leastJump = std::max({kJumpShare * (survey.highest - survey.lowest),
-        kJumpSigmas * quiet.noise, kJumpCodes * quiet.code});
-    const auto exists = [&](Index i) { return i >= 0 && i < samples.size(); };
-    /// `step` leads away from the run.
+    const double level = valueAt(run.begin);
+    const double leastJump = std::max(
+        {kJumpShare * scale.range, kJumpSigmas * scale.noiseSd, kJumpCodes * scale.codeSize});
+    const auto exists = [&](Index i) { return i >= 0 && i < size; };
     const auto jumps = [&](Index beside) {
-        return exists(beside) && std::abs(samples.at(beside) - level) > leastJump;
+        return exists(beside) && std::abs(valueAt(beside) - level) > leastJump;
     };
+    /// `step` leads away from the run.
     const auto moves = [&](Index beside, Index step) {
-        return exists(beside + step) && samples.at(beside + step) != samples.at(beside);
+        return exists(beside + step) && valueAt(beside + step) != valueAt(beside);
     };
     const Index before = run.begin - 1;
     const Index after = run.begin + run.count;
-    if (quiet.neverRepeats())
+    const bool neverRepeats = scale.noiseSd > kResolved * scale.codeSize;
+    if (neverRepeats)
         return true;
-    if (quiet.isNoisy())
+    const bool isNoisy = scale.noiseSd > 0.5 * scale.codeSize;
+    if (isNoisy)
         return jumps(before) || jumps(after) || run.count >= kLongRun;
     return jumps(before) && jumps(after) && moves(before, -1) && moves(after, 1);
+}
+
+bool isCutOff(const RawSamples &samples, const RecordSurvey &survey, const EqualRun &run)
+{
+    return isCutOff(
+        [&](Index i) { return samples.at(i); }, samples.size(), run, scaleOf(samples, survey));
 }
 
 } // namespace dyncal

@@ -21,7 +21,8 @@ struct DatasetEntry
     std::vector<std::uint64_t> shape; ///< empty = one value
     Attributes attributes; ///< numbers and texts that are one value
     /// Names of the channels it becomes, the keys of ImportSettings::channels: its path, or
-    /// "path[:,0]", "path[:,1]" for the columns of a table. Empty if it becomes none.
+    /// "path[:,0]", "path[:,1]" for the columns of a table. Empty if it becomes none, or has too
+    /// few values to be a recording.
     std::vector<std::string> channels;
     Message whyNot; ///< what keeps it from being channels; no text if nothing does
 };

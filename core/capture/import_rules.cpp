@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 namespace dyncal {
@@ -21,15 +22,12 @@ std::string quotedList(const std::set<std::string> &words)
     return text;
 }
 
-/// The settings of every shot: those of its file.
-std::vector<ImportSettings> settingsOfShots(const CaptureSet &set, const ImportSettings &settings)
+/// The settings of every input.
+std::vector<ImportSettings> settingsOfInputs(const CaptureSet &set, const ImportSettings &settings)
 {
     std::vector<ImportSettings> own;
-    for (const Shot &shot : set.shots) {
-        const auto input = static_cast<std::size_t>(shot.input);
-        own.push_back(input < set.inputs.size() ? settingsOfFile(settings, set.inputs[input].file)
-                                                : settings);
-    }
+    for (const InputFile &input : set.inputs)
+        own.push_back(settingsOfFile(settings, input.file));
     return own;
 }
 
@@ -50,11 +48,11 @@ std::set<std::string> channelsOf(const CaptureSet &set, const std::string &file 
 {
     std::set<std::string> names;
     for (const Shot &shot : set.shots) {
-        const auto input = static_cast<std::size_t>(shot.input);
-        if (!file.empty() && (input >= set.inputs.size() || set.inputs[input].file != file))
-            continue;
-        for (const Channel &channel : shot.channels)
-            names.insert(channel.name);
+        for (const Channel &channel : shot.channels) {
+            const auto input = static_cast<std::size_t>(inputOf(shot, channel));
+            if (file.empty() || (input < set.inputs.size() && set.inputs[input].file == file))
+                names.insert(channel.name);
+        }
     }
     return names;
 }
@@ -98,17 +96,24 @@ Result<void> checkNames(const CaptureSet &set, const ImportSettings &settings)
     return {};
 }
 
-void assignRoles(Shot &shot, const std::map<std::string, std::string> &roles)
+/// `own`: what is said of each channel's file.
+using OwnSettings = std::function<const ImportSettings &(const Channel &)>;
+
+void assignRoles(Shot &shot, const OwnSettings &own)
 {
+    const auto roleOf = [&](const Channel &channel) -> const std::string * {
+        const std::map<std::string, std::string> &roles = own(channel).channels;
+        const auto role = roles.find(channel.name);
+        return role != roles.end() ? &role->second : nullptr;
+    };
     const bool namesDutHere
         = std::any_of(shot.channels.begin(), shot.channels.end(), [&](const Channel &channel) {
-              const auto role = roles.find(channel.name);
-              return role != roles.end() && role->second == "dut";
+              const std::string *role = roleOf(channel);
+              return role != nullptr && *role == "dut";
           });
     for (Channel &channel : shot.channels) {
-        const auto role = roles.find(channel.name);
-        if (role != roles.end())
-            channel.role = channelRoleFromName(role->second);
+        if (const std::string *role = roleOf(channel))
+            channel.role = channelRoleFromName(*role);
         else if (namesDutHere && channel.role == ChannelRole::Dut)
             channel.role = ChannelRole::Other; // the recipe's DUT replaces the file's
     }
@@ -119,14 +124,19 @@ void assignRoles(Shot &shot, const std::map<std::string, std::string> &roles)
 Result<void> applyToShots(
     CaptureSet &set, const ImportSettings &settings, const CheckSettings &checks)
 {
-    const std::vector<ImportSettings> own = settingsOfShots(set, settings);
-    for (std::size_t i = 0; i < set.shots.size(); ++i) {
-        const Index number = static_cast<Index>(i) + 1;
-        assignRoles(set.shots[i], own[i].channels);
-        for (Channel &channel : set.shots[i].channels) {
+    const std::vector<ImportSettings> ofInputs = settingsOfInputs(set, settings);
+    Index number = 0;
+    for (Shot &shot : set.shots) {
+        ++number;
+        const auto own = [&](const Channel &channel) -> const ImportSettings & {
+            const auto input = static_cast<std::size_t>(inputOf(shot, channel));
+            return input < ofInputs.size() ? ofInputs[input] : settings;
+        };
+        assignRoles(shot, own);
+        for (Channel &channel : shot.channels) {
             const auto done
-                = setSampleRate(channel, number, own[i], checks, set.findings).and_then([&] {
-                      return shapeChannel(channel, number, own[i], set.findings);
+                = setSampleRate(channel, number, own(channel), checks, set.findings).and_then([&] {
+                      return shapeChannel(channel, number, own(channel), set.findings);
                   });
             if (!done)
                 return done;

@@ -12,6 +12,9 @@
 
 namespace dyncal {
 
+/// ImportSettings::channelFiles: files of one recording become one shot.
+inline constexpr const char *kJoinChannelFiles = "join";
+
 /// A shot taken out of the calibration, by number from 1, with the reason that the certificate
 /// prints.
 struct ExcludedShot
@@ -72,6 +75,7 @@ struct ImportSettings
     std::string reference; ///< "", "gauge" or "absolute": the DUT's pressures
     std::optional<Index> skipRows; ///< text files: rows before the data
     Index interpolateInvalid = 0; ///< fill gaps of at most this many invalid samples
+    std::string channelFiles = kJoinChannelFiles; ///< or "apart": see channel_files.h
     std::vector<std::string> levels; ///< one per shot: "low", "medium", "high" or ""
     std::vector<ExcludedShot> exclude;
     std::map<std::string, FileImport> files; ///< base name -> what that file has of its own

@@ -266,6 +266,7 @@ CertificateSection modelSection(const CertificateSources &sources)
                  "core", "The model has a pole outside the unit circle: its simulation diverges."),
                 {}});
     section.tables.push_back(poleTable(model));
+    addNuisance(model, section);
     return section;
 }
 

@@ -24,6 +24,10 @@ CertificateSection recordsSection(const CertificateSources &sources);
 CertificateSection statementsSection(const CertificateSources &sources);
 CertificateSection figuresSection(const CertificateSources &sources);
 
+/// Tables of the modes that were left out of the model, and of what that changed; nothing without
+/// any.
+void addNuisance(const SensorModel &model, CertificateSection &section);
+
 /// Coverage factor of every expanded uncertainty on the certificate.
 inline constexpr double kCoverageFactor = 2.0;
 

@@ -4,6 +4,7 @@
 #include "core/model_analysis/sensor_response.h"
 
 #include "core/base/number_text.h"
+#include "core/model_analysis/sensor_record.h"
 #include "core/model_analysis/step_transform.h"
 
 #include <algorithm>
@@ -26,6 +27,7 @@ struct ShotView
     const WindowedResponse *response = nullptr;
     const SeriesFit *fit = nullptr; ///< null with the averaged input
     double perPressure = 1.0; ///< physical units of a remapped value, per pascal if known
+    SensorRecord record; ///< the window without the modes that are not the sensor's
 };
 
 double inputSpan_s(const ModelInput &input)
@@ -60,7 +62,8 @@ std::vector<ShotView> views(const std::vector<WindowedResponse> &responses,
     }
     isAbsolute = isAbsolute && shareOneUnit(responses);
     for (const WindowedResponse &response : responses) {
-        ShotView view{&response, fitOfShot(model, response.shot)};
+        ShotView view{&response, fitOfShot(model, response.shot), 1.0, {}};
+        view.record = sensorRecord(response, model, view.fit);
         if (isAbsolute)
             view.perPressure = response.valueScale / *shock.ofShot(response.shot)->step_Pa;
         else if (view.fit && view.fit->plateauGain != 0.0)
@@ -92,9 +95,9 @@ Point measuredAt(const std::vector<ShotView> &shots, double span_s, double frequ
         const WindowedResponse &response = *shot.response;
         const Index count = samplesUsed(response, span_s, frequency_Hz);
         const double plateau = shot.fit ? shot.fit->plateauGain : 1.0;
-        mean.S += shot.perPressure
-            * stepTransform(response.values.segment(response.lead, count), response.sampleRate_Hz,
-                plateau, shot.fit ? shot.fit->onset_s : 0.0, frequency_Hz);
+        const std::complex<double> transform = stepTransform(shot.record.values.head(count),
+            response.sampleRate_Hz, plateau, shot.fit ? shot.fit->onset_s : 0.0, frequency_Hz);
+        mean.S += shot.perPressure * shot.record.ofStep(transform, frequency_Hz);
         const double u = std::abs(shot.perPressure)
             * stepTransformNoise(count, response.sampleRate_Hz,
                 response.noiseSd / std::abs(response.valueScale), frequency_Hz);
@@ -258,7 +261,35 @@ void describeShots(const std::vector<WindowedResponse> &responses, const SensorM
     }
 }
 
+/// From the model's unit (remapped, c0 at f -> 0) to that of the response.
+double scaleOf(
+    const SensorModel &model, bool isStep, bool isAbsolute, const ResponseResult &response)
+{
+    if (!isStep || model.plateauGain == 0.0)
+        return 1.0;
+    return isAbsolute && response.sensitivity ? *response.sensitivity / model.plateauGain
+                                              : 1.0 / model.plateauGain;
+}
+
 } // namespace
+
+ResponseResult computeModelResponse(const std::vector<WindowedResponse> &responses,
+    const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,
+    const ResponseSettings &settings, double from_Hz, double to_Hz)
+{
+    ResponseResult result;
+    result.fLow_Hz = from_Hz;
+    result.fHigh_Hz = to_Hz;
+    const bool isStep = isStepTreatment(input.treatment);
+    bool isAbsolute = false;
+    views(responses, model, shock, settings, isAbsolute);
+    if (isStep)
+        describeShots(responses, model, shock, result);
+    result.unit = isStep && isAbsolute ? result.sensitivityUnit : "1";
+    if (!model.diverges)
+        describeModel(model, input.treatment, scaleOf(model, isStep, isAbsolute, result), result);
+    return result;
+}
 
 Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &responses,
     const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,
@@ -280,13 +311,8 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
     }
     result.unit = isStep && isAbsolute ? result.sensitivityUnit : "1";
     result.frequency_Hz = frequencyGrid(settings, result.fLow_Hz, result.fHigh_Hz);
-    double scale = 1.0;
-    if (isStep && model.plateauGain != 0.0) {
-        scale = isAbsolute && result.sensitivity ? *result.sensitivity / model.plateauGain
-                                                 : 1.0 / model.plateauGain;
-    }
     if (!model.diverges)
-        describeModel(model, input.treatment, scale, result);
+        describeModel(model, input.treatment, scaleOf(model, isStep, isAbsolute, result), result);
     if (isStep && !model.diverges) {
         measure(shots, span_s, result);
         compareAnswers(result);

@@ -81,4 +81,10 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
     const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,
     const ResponseSettings &settings);
 
+/// What of the response needs the model only, in a moment: its curve, unit and sensitivities, as
+/// computeResponse has them. The band is the caller's; nothing is taken from the records.
+ResponseResult computeModelResponse(const std::vector<WindowedResponse> &responses,
+    const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,
+    const ResponseSettings &settings, double from_Hz, double to_Hz);
+
 } // namespace dyncal

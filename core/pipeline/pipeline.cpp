@@ -114,7 +114,10 @@ void runStages(const CaptureSet &captures, const Recipe &recipe, Run &run, Calib
     using R = CalibrationResults;
     run.stage(StageId::Captures, &R::captures, [&] { return prepareCaptures(captures, recipe); })
         .stage(StageId::Arrivals, &R::starts,
-            [&] { return detectStarts(r.captures->set, arrivalChannels(recipe.shock), control); })
+            [&] {
+                return detectStarts(r.captures->set, arrivalChannels(recipe.shock), control,
+                    recipe.checks.stepSigmas);
+            })
         .stage(StageId::Expected, &R::expected,
             [&] { return expectedShock(r.captures->set, *r.starts, recipe); })
         .stage(StageId::Window, &R::window, [&] { return window(r, recipe, control); })

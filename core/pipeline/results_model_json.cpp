@@ -62,6 +62,47 @@ void addFits(JsonRecord &section, const SensorModel &model)
         ofAverage ? "The model describes the average of the shots." : diverges);
 }
 
+Json nuisanceOfShotJson(const NuisanceOfShot &shot)
+{
+    JsonRecord record;
+    record.set("shot", shot.shot);
+    record.number("frequency_hz", shot.term.frequency_Hz(), "Not determined.");
+    record.number("u_frequency_hz", shot.u_frequency_Hz, kNoUncertainty);
+    record.number("damping_ratio", shot.term.dampingRatio(), "Not determined.");
+    record.number("u_damping_ratio", shot.u_dampingRatio, kNoUncertainty);
+    record.number("amplitude", shot.relativeAmplitude, "Not determined.");
+    record.number("phase_rad", shot.phase_rad, "Not determined.");
+    return record.take();
+}
+
+Json effectSideJson(const NuisanceEffect::Side &side)
+{
+    const char *noResonance = "The model does not oscillate.";
+    JsonRecord record;
+    record.number("residual_rms", side.residualRms, "Not determined.");
+    record.number("fit_percent", side.fit_percent, "Not determined.");
+    record.number("f0_hz", side.f0_Hz, noResonance);
+    record.number("u_f0_hz", side.u_f0_Hz, kNoUncertainty);
+    record.number("damping_ratio", side.zeta, noResonance);
+    record.number("u_damping_ratio", side.u_zeta, kNoUncertainty);
+    record.number("plateau_gain", side.plateauGain, "Not determined.");
+    return record.take();
+}
+
+/// Modes of the recipe that were fitted beside the sensor and left out of the model.
+Json nuisanceJson(const SensorModel &model)
+{
+    Json modes = Json::array();
+    for (const NuisanceResult &mode : model.nuisance) {
+        Json shots = Json::array();
+        for (const NuisanceOfShot &shot : mode.perShot)
+            shots.push_back(nuisanceOfShotJson(shot));
+        modes.push_back({{"kind", mode.mode.isTube ? "tube" : "other"}, {"label", mode.mode.label},
+            {"reason", mode.mode.reason}, {"per_shot", std::move(shots)}});
+    }
+    return modes;
+}
+
 /// Unit of c0: 1 for a response remapped to 0..1, else that of the recordings.
 std::string gainUnit(const ResultsContext &context)
 {
@@ -112,6 +153,14 @@ void addModel(JsonRecord &root, const ResultsContext &context)
     addFits(section, *model);
     section.number("plateau_gain", model->plateauGain, "The plateau could not be fitted.");
     section.text("gain_unit", gainUnit(context), "The recordings state no unit.");
+    section.set("nuisance", nuisanceJson(*model));
+    if (model->nuisanceEffect)
+        section.set("nuisance_effect",
+            Json{{"before", effectSideJson(model->nuisanceEffect->before)},
+                {"after", effectSideJson(model->nuisanceEffect->after)}});
+    else
+        section.missing("nuisance_effect",
+            "No oscillation was left out, or the model without it could not be refined.");
     addShotPoles(section, context);
     root.set("model", section.take());
 }

@@ -14,6 +14,8 @@ constexpr Index kMostRows = 1000000000;
 constexpr Index kLongestGap = 1000;
 constexpr double kFastestRate_Hz = 1e12;
 constexpr double kMostReadingFactor = 1e6;
+constexpr double kLeastStepSigmas = 4.0; ///< below, noise alone is found to be a step
+constexpr double kMostStepSigmas = 1e6;
 
 /// The words for a role; with "" for null where none need be given.
 std::vector<std::string> roleWords(bool mayBeNull)
@@ -226,6 +228,7 @@ Codec<ImportSettings> importCodec()
         field("reference", &S::reference, reference()),
         field("skip_rows", &S::skipRows, orNull(whole(0, kMostRows))),
         field("interpolate_invalid", &S::interpolateInvalid, whole(0, kLongestGap)),
+        field("channel_files", &S::channelFiles, oneOf({kJoinChannelFiles, "apart"})),
         field("levels", &S::levels, listOrNull(oneOf({"low", "medium", "high", ""}))),
         field("exclude", &S::exclude, list(excludedShot())),
         field("files", &S::files, dictionary(fileImport(), "a file's name")),
@@ -239,6 +242,7 @@ Codec<CheckSettings> checksCodec()
         field("saturation_run", &S::saturationRun, whole(2, kMostRows)),
         field("flat_codes", &S::flatCodes, nonNegativeNumber()),
         field("min_codes", &S::leastCodes, nonNegativeNumber()),
+        field("step_sigma", &S::stepSigmas, number(kLeastStepSigmas, kMostStepSigmas)),
         field("rate_mismatch_percent", &S::rateMismatch_percent, nonNegativeNumber()),
         field(
             "reading_factor", &S::readingFactor, number(1.0, kMostReadingFactor, Bound::Exclusive)),

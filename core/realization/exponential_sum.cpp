@@ -48,6 +48,31 @@ bool isUpperOfPair(const std::vector<std::complex<double>> &poles, std::size_t i
     return poles[i].imag() > 0.0;
 }
 
+Eigen::MatrixX2d exponentials(std::complex<double> exponent, Index count, Index origin)
+{
+    constexpr Index kStep = 64;
+    constexpr double kSafe = 600.0; // e^kSafe and its inverse are finite
+    const bool isSteep = std::abs(exponent.real()) * static_cast<double>(kStep) > kSafe;
+    const Index step = isSteep ? 1 : kStep;
+    Eigen::ArrayX2d near(step, 2);
+    for (Index j = 0; j < step; ++j) {
+        const std::complex<double> power = std::exp(exponent * static_cast<double>(j));
+        near.row(j) << power.real(), power.imag();
+    }
+    Eigen::MatrixX2d all(count, 2);
+    for (Index from = 0; from < count; from += step) {
+        const std::complex<double> head
+            = std::polar(std::exp(exponent.real() * static_cast<double>(from - origin)),
+                exponent.imag() * static_cast<double>(from));
+        const Index rows = std::min(step, count - from);
+        const auto re = near.col(0).head(rows);
+        const auto im = near.col(1).head(rows);
+        all.col(0).segment(from, rows) = head.real() * re - head.imag() * im;
+        all.col(1).segment(from, rows) = head.imag() * re + head.real() * im;
+    }
+    return all;
+}
+
 Eigen::MatrixXd exponentialBasis(const std::vector<std::complex<double>> &poles, Index count,
     bool withConstant, Eigen::VectorXd *scales)
 {
@@ -62,16 +87,12 @@ Eigen::MatrixXd exponentialBasis(const std::vector<std::complex<double>> &poles,
         const double log_p = magnitude > 0.0 ? std::log(magnitude) : 0.0;
         if (grows)
             divisors[i] = std::exp(std::min(700.0, log_p * static_cast<double>(count - 1)));
-        for (Index k = 0; k < count; ++k) {
-            const double power = static_cast<double>(grows ? k - (count - 1) : k);
-            const double envelope
-                = magnitude > 0.0 ? std::exp(log_p * power) : (k == 0 ? 1.0 : 0.0);
-            const double angle = std::arg(p) * static_cast<double>(k);
-            if (p.imag() >= 0.0)
-                basis(k, i) = envelope * std::cos(angle);
-            else
-                basis(k, i) = -envelope * std::sin(-angle);
-        }
+        if (magnitude == 0.0)
+            basis.col(i) = Eigen::VectorXd::Unit(count, 0) * (p.imag() >= 0.0 ? 1.0 : 0.0);
+        else if (p.imag() >= 0.0)
+            basis.col(i) = exponentials({log_p, std::arg(p)}, count, grows ? count - 1 : 0).col(0);
+        else
+            basis.col(i) = exponentials({log_p, std::arg(p)}, count, grows ? count - 1 : 0).col(1);
     }
     if (withConstant)
         basis.rightCols(1).setOnes();
@@ -83,27 +104,36 @@ Eigen::MatrixXd exponentialBasis(const std::vector<std::complex<double>> &poles,
 AmplitudeFit fitAmplitudes(
     const Eigen::VectorXd &y, const std::vector<std::complex<double>> &poles, bool withConstant)
 {
-    Eigen::VectorXd scales;
-    const Eigen::MatrixXd basis = exponentialBasis(poles, y.size(), withConstant, &scales);
-    const Eigen::VectorXd x = leastSquares(basis, y);
+    return fitAmplitudes(Eigen::MatrixXd(y), poles, withConstant).front();
+}
 
-    AmplitudeFit fit;
-    fit.fitted = basis * x;
-    const Index n = static_cast<Index>(poles.size());
-    fit.constant = withConstant ? x[n] : 0.0;
-    fit.amplitudes.resize(n);
-    for (Index i = 0; i < n; ++i) {
-        if (isUpperOfPair(poles, static_cast<std::size_t>(i))) {
-            // a cos + b (-sin) = 2 Re(c e^(j angle)) with c = (a + j b) / 2
-            const std::complex<double> c(x[i] / scales[i] / 2.0, x[i + 1] / scales[i + 1] / 2.0);
-            fit.amplitudes[i] = c;
-            fit.amplitudes[i + 1] = std::conj(c);
-            ++i;
-        } else {
-            fit.amplitudes[i] = x[i] / scales[i];
+std::vector<AmplitudeFit> fitAmplitudes(const Eigen::MatrixXd &records,
+    const std::vector<std::complex<double>> &poles, bool withConstant)
+{
+    Eigen::VectorXd scales;
+    const Eigen::MatrixXd basis = exponentialBasis(poles, records.rows(), withConstant, &scales);
+    const Eigen::MatrixXd solutions = leastSquares(basis, records);
+    std::vector<AmplitudeFit> fits;
+    for (const auto &x : solutions.colwise()) {
+        AmplitudeFit &fit = fits.emplace_back();
+        fit.fitted = basis * x;
+        const Index n = static_cast<Index>(poles.size());
+        fit.constant = withConstant ? x[n] : 0.0;
+        fit.amplitudes.resize(n);
+        for (Index i = 0; i < n; ++i) {
+            if (isUpperOfPair(poles, static_cast<std::size_t>(i))) {
+                // a cos + b (-sin) = 2 Re(c e^(j angle)) with c = (a + j b) / 2
+                const std::complex<double> c(
+                    x[i] / scales[i] / 2.0, x[i + 1] / scales[i + 1] / 2.0);
+                fit.amplitudes[i] = c;
+                fit.amplitudes[i + 1] = std::conj(c);
+                ++i;
+            } else {
+                fit.amplitudes[i] = x[i] / scales[i];
+            }
         }
     }
-    return fit;
+    return fits;
 }
 
 Eigen::MatrixX2d powerTable(std::complex<double> exponent, Index rows)

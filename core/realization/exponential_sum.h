@@ -29,6 +29,11 @@ struct ExponentialSum
 /// hundred, over which rounding does not add up.
 Eigen::MatrixX2d powerTable(std::complex<double> exponent, Index rows);
 
+/// Re and Im of e^(k exponent), k = 0 .. count - 1, over any length: products of two tables of
+/// direct exponentials, so that rounding does not add up. The magnitude is 1 at k = `origin`
+/// instead of 0: growing exponentials are written backwards from their last sample.
+Eigen::MatrixX2d exponentials(std::complex<double> exponent, Index count, Index origin = 0);
+
 /// Values of a sum at t = k dt, block by block: one exponential per block and mode instead of one
 /// per sample.
 class ExponentialSampler
@@ -69,5 +74,8 @@ struct AmplitudeFit
 };
 AmplitudeFit fitAmplitudes(
     const Eigen::VectorXd &y, const std::vector<std::complex<double>> &poles, bool withConstant);
+/// The same for records in columns, which share poles and length: one decomposition for all.
+std::vector<AmplitudeFit> fitAmplitudes(const Eigen::MatrixXd &records,
+    const std::vector<std::complex<double>> &poles, bool withConstant);
 
 } // namespace dyncal

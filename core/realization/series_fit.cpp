@@ -101,8 +101,7 @@ Eigen::VectorXd simulate(const ModelSeries &series, const ExponentialSum &sum,
     const auto add = [&](std::complex<double> s, std::complex<double> amplitude) {
         const std::complex<double> first
             = amplitude * series.filter.gain(s) * std::exp(s * series.first_s);
-        for (Index k = 0; k < y.size(); ++k)
-            y[k] += (first * std::exp(s * (static_cast<double>(k) * dt_s))).real();
+        y += exponentials(s * dt_s, y.size()) * Eigen::Vector2d(first.real(), -first.imag());
     };
     for (Index i = 0; i < sum.rates_rad_s.size(); ++i)
         add(sum.rates_rad_s[i], sum.amplitudes[i]);

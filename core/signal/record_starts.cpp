@@ -36,11 +36,12 @@ const DetectedStart *RecordStarts::of(
     return nullptr;
 }
 
-Result<RecordStarts> detectStarts(
-    const CaptureSet &set, const std::vector<std::string> &others, const JobControl &control)
+Result<RecordStarts> detectStarts(const CaptureSet &set, const std::vector<std::string> &others,
+    const JobControl &control, double stepSigmas)
 {
     RecordStarts starts;
     for (const Shot &shot : set.shots) {
+        const Index number = std::ssize(starts.shots) + 1;
         const auto wanted = channelsOf(shot, others);
         starts.shots.emplace_back();
         for (const Channel &channel : shot.channels) {
@@ -49,7 +50,7 @@ Result<RecordStarts> detectStarts(
             auto &start = starts.shots.back().emplace_back();
             if (!wanted.contains(&channel) || !(channel.sampleRate_Hz > 0.0))
                 continue;
-            if (const auto found = detectStart(channel, {control.stop, {}}))
+            if (const auto found = detectStart(channel, {control.stop, {}}, number, stepSigmas))
                 start = *found;
         }
     }

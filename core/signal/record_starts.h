@@ -24,8 +24,8 @@ struct RecordStarts
 };
 
 /// Looks at the DUT and the first driven-side channel of every included shot, and at the channels
-/// called by `others` (names or roles). Fails only when stopped.
-Result<RecordStarts> detectStarts(
-    const CaptureSet &set, const std::vector<std::string> &others, const JobControl &control = {});
+/// called by `others` (names or roles). `stepSigmas` as in detectStart(). Fails only when stopped.
+Result<RecordStarts> detectStarts(const CaptureSet &set, const std::vector<std::string> &others,
+    const JobControl &control = {}, double stepSigmas = kEventSigmas);
 
 } // namespace dyncal

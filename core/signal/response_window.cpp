@@ -18,7 +18,6 @@ namespace dyncal {
 namespace {
 
 constexpr Index kMargin = 4096; ///< samples kept beside the bands, for filters
-constexpr double kLevelSigmas = 6.0; ///< a step must be this many uncertainties of its two levels
 
 std::optional<Error> checkSettings(const CaptureSet &set, const WindowSettings &settings)
 {
@@ -137,7 +136,8 @@ private:
         const auto at = static_cast<std::size_t>(m_response.shot - 1);
         if (at < m_context.starts.size() && m_context.starts[at])
             return *m_context.starts[at];
-        return detectStart(*m_channel, {m_control.stop, {}}, m_response.shot);
+        return detectStart(
+            *m_channel, {m_control.stop, {}}, m_response.shot, m_context.checks.stepSigmas);
     }
 
     std::optional<Error> findStart()
@@ -235,7 +235,8 @@ private:
         if (isStep())
             uncertainty *= std::sqrt(1.0 / static_cast<double>(m_bands.settle.size())
                 + 1.0 / static_cast<double>(std::max<Index>(m_bands.baseline.size(), 1)));
-        if (std::abs(m_response.step) > kLevelSigmas * uncertainty)
+        const double needed = m_context.checks.stepSigmas * uncertainty;
+        if (std::abs(m_response.step) > needed)
             return std::nullopt;
         return error({DYNCAL_TEXT("core",
                           "Shot %1: no step between baseline and settle band; it is %2, and %3 "
@@ -243,7 +244,7 @@ private:
                           "the shot."),
                          {std::to_string(m_response.shot),
                              numberWithUnit(m_response.step, m_response.unit, 3),
-                             numberWithUnit(kLevelSigmas * uncertainty, m_response.unit, 3)}},
+                             numberWithUnit(needed, m_response.unit, 3)}},
             "CAP-009");
     }
 

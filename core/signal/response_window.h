@@ -75,7 +75,7 @@ struct WindowContext
     ResponseTreatment treatment = ResponseTreatment::StepDeflated;
     bool remap = true;
     std::vector<std::optional<double>> plateau_s; ///< per shot of the set; for end "plateau"
-    CheckSettings checks; ///< limits of CAP-007 and CAP-014
+    CheckSettings checks; ///< limits of CAP-007, CAP-009 and CAP-014
     /// Of the DUTs, per shot of the set, as detectStart() found them; where empty it is asked.
     std::vector<std::optional<DetectedStart>> starts = {};
 };

@@ -130,7 +130,8 @@ Index firstHalfHeight(const Channel &channel, Index begin, Index end, const Cros
     return end - 1;
 }
 
-Error noStep(const Channel &channel, Index shot, double height, double noiseSd)
+Error noStepFound(
+    const Channel &channel, Index shot, double height, double noiseSd, double eventSigmas)
 {
     return {ErrorKind::DataBlocked,
         {DYNCAL_TEXT("core",
@@ -138,7 +139,7 @@ Error noStep(const Channel &channel, Index shot, double height, double noiseSd)
              "more than %5 times the noise is needed: set window.start by hand or exclude the "
              "shot."),
             {std::to_string(shot), channel.name, numberWithUnit(height, channel.unit, 3),
-                numberWithUnit(noiseSd, channel.unit, 3), numberText(kEventSigmas)}},
+                numberWithUnit(noiseSd, channel.unit, 3), numberText(eventSigmas)}},
         "CAP-009", shot};
 }
 
@@ -175,10 +176,11 @@ Index guardBefore(Index start)
 class StartSearch
 {
 public:
-    StartSearch(const Channel &channel, const BlockScan &scan, Index shot)
+    StartSearch(const Channel &channel, const BlockScan &scan, Index shot, double eventSigmas)
         : m_channel(channel)
         , m_scan(scan)
         , m_shot(shot)
+        , m_eventSigmas(eventSigmas)
         , m_event(findEvent(scan))
         , m_begin(std::max<Index>(m_event.block - 2, 0) * scan.blockSize)
         , m_end(std::min((m_event.block + 2) * scan.blockSize, channel.samples.size()))
@@ -195,7 +197,7 @@ public:
             return tl::unexpected(noQuiet(m_channel, m_shot, m_begin));
         m_height = height();
         if (!isEvent(quietEnd))
-            return tl::unexpected(noStep(m_channel, m_shot, m_height, m_quiet.noiseSd));
+            return tl::unexpected(noStep());
         narrow(kFirstThreshold * m_height);
         for (int pass = 0; pass < kPasses; ++pass) {
             quietEnd = m_start - guardBefore(m_start);
@@ -210,11 +212,16 @@ public:
                 break;
         }
         if (!isEvent(quietEnd))
-            return tl::unexpected(noStep(m_channel, m_shot, m_height, m_quiet.noiseSd));
+            return tl::unexpected(noStep());
         return found(quietEnd);
     }
 
 private:
+    Error noStep() const
+    {
+        return noStepFound(m_channel, m_shot, m_height, m_quiet.noiseSd, m_eventSigmas);
+    }
+
     double height() const
     {
         const Eigen::VectorXd values
@@ -232,7 +239,7 @@ private:
         if (m_event.isSignificant)
             return m_height > kLeastSigmas * m_quiet.noiseSd;
         const double drift = m_quiet.drift * static_cast<double>(m_end - quietEnd + m_quiet.age);
-        return m_height > std::max(kEventSigmas * m_quiet.noiseSd, kBurstRatio * drift);
+        return m_height > std::max(m_eventSigmas * m_quiet.noiseSd, kBurstRatio * drift);
     }
 
     void narrow(double leastThreshold)
@@ -268,6 +275,7 @@ private:
     const Channel &m_channel;
     const BlockScan &m_scan;
     Index m_shot;
+    double m_eventSigmas;
     Event m_event;
     Index m_begin, m_end; ///< samples within which the event happens
     Index m_start = 0;
@@ -278,14 +286,15 @@ private:
 
 } // namespace
 
-Result<DetectedStart> detectStart(const Channel &channel, const JobControl &control, Index shot)
+Result<DetectedStart> detectStart(
+    const Channel &channel, const JobControl &control, Index shot, double eventSigmas)
 {
     if (channel.samples.size() < kLeastSamples)
         return tl::unexpected(tooShort(channel, shot));
     const Result<BlockScan> scan = scanBlocks(channel, control);
     if (!scan)
         return tl::unexpected(scan.error());
-    return StartSearch(channel, *scan, shot).run();
+    return StartSearch(channel, *scan, shot, eventSigmas).run();
 }
 
 std::optional<double> crossingTime_s(const Channel &channel, double level, Index from)

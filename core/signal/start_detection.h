@@ -7,10 +7,14 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/capture/channel.h"
+#include "core/capture/check_settings.h"
 
 #include <optional>
 
 namespace dyncal {
+
+inline constexpr double kStartSigmas = 5.0;
+inline constexpr double kEventSigmas = CheckSettings{}.stepSigmas;
 
 /// Where the response begins in one record.
 struct DetectedStart
@@ -29,15 +33,12 @@ struct DetectedStart
 /// from there to the first sample beyond `kStartSigmas` noise deviations of the baseline (of means
 /// of several samples where single ones are too noisy), but at least 0.5 % of the event's height.
 /// Rules: docs/method/window.md.
-/// A lone spike before the event does not count. `event` needs more than `kEventSigmas`: the
+/// A lone spike before the event does not count. An event needs more than `eventSigmas`: the
 /// largest excursion over the noise, else CAP-009 (DataBlocked); so does a record that moves from
 /// its first samples on. Invalid samples are skipped. Needs at least 64 samples. Works on counts
 /// block by block; never converts the whole record. `shot` is the number that messages name.
-Result<DetectedStart> detectStart(
-    const Channel &channel, const JobControl &control = {}, Index shot = 0);
-
-inline constexpr double kStartSigmas = 5.0;
-inline constexpr double kEventSigmas = 6.0;
+Result<DetectedStart> detectStart(const Channel &channel, const JobControl &control = {},
+    Index shot = 0, double eventSigmas = kEventSigmas);
 
 /// First crossing of `level` (physical units) at or after sample `from`, interpolated linearly
 /// between the two samples around it. Time on the record's own axis.

@@ -4,6 +4,7 @@
 #include "core/signal/window_checks.h"
 
 #include "core/base/number_text.h"
+#include "core/capture/flat_top.h"
 #include "core/signal/level_statistics.h"
 
 #include <algorithm>
@@ -13,9 +14,6 @@
 namespace dyncal {
 namespace {
 
-constexpr Index kLongRun = 16;
-constexpr double kJumpShare = 0.01; ///< of the range of the window
-constexpr double kJumpSigmas = 6.0;
 constexpr double kSettleDrift_per_ms = 0.01; ///< of the step
 constexpr double kBaselineDrift_per_ms = 0.005;
 constexpr double kSlopeSigmas = 3.0; ///< a slope that noise alone explains is none
@@ -176,16 +174,13 @@ std::optional<SaturatedRun> runAtExtreme(const Eigen::Ref<const Eigen::VectorXd>
     if (values.size() == 0)
         return result;
     const double highest = values.maxCoeff(), lowest = values.minCoeff();
-    const double leastJump = std::max(kJumpShare * (highest - lowest), kJumpSigmas * noiseSd);
+    const FlatTopScale scale{highest - lowest, noiseSd, codeSize};
+    const auto valueAt = [&](Index i) { return values[i]; };
     for (const double extreme : {highest, lowest}) {
         const auto isAt = [&](Index i) { return values[i] == extreme; };
         forEachRun(values.size(), leastRun, isAt, [&](Index begin, Index count) {
-            const Index end = begin + count;
-            const double in = begin > 0 ? std::abs(values[begin - 1] - extreme) : 0.0;
-            const double out = end < values.size() ? std::abs(values[end] - extreme) : 0.0;
-            const bool jumps = std::max(in, out) > leastJump;
-            const bool tooStill = count >= kLongRun && noiseSd > 0.5 * codeSize;
-            if ((jumps || tooStill) && (!result || count > result->count))
+            const bool longest = !result || count > result->count;
+            if (longest && isCutOff(valueAt, values.size(), {begin, count}, scale))
                 result = SaturatedRun{begin, count};
             return false;
         });

@@ -31,9 +31,8 @@ struct SaturatedRun
 std::optional<SaturatedRun> runAtRail(const Channel &channel, const SampleRange &range,
     Index leastRun = CheckSettings().saturationRun);
 
-/// The longest run of equal samples at an extreme of `values` that a signal with this noise would
-/// not make: `leastRun` or more with a jump of 1 % of the range (and 6 deviations) beside it, or
-/// sixteen while the noise is larger than half a code.
+/// The longest run of at least `leastRun` equal samples at an extreme of `values` that was cut off
+/// there (isCutOff).
 std::optional<SaturatedRun> runAtExtreme(const Eigen::Ref<const Eigen::VectorXd> &values,
     double noiseSd, double codeSize, Index leastRun = CheckSettings().saturationRun);
 

@@ -24,7 +24,7 @@ public:
         const auto base = std::filesystem::is_directory(memory)
             ? memory
             : std::filesystem::temp_directory_path();
-        std::string pattern = (base / "dyncal-test-XXXXXX").string();
+        std::string pattern = (base / "scratch-XXXXXX").string();
         if (::mkdtemp(pattern.data()) == nullptr)
             std::abort();
         m_path = pattern;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "ui/plot/curve_envelope.h"
+#include "ui/plot/dashes.h"
 #include "ui/plot/qcp_scene.h"
 
 #include <algorithm>
@@ -13,7 +14,7 @@ namespace dyncal {
 
 namespace {
 
-constexpr std::size_t kDensePoints = 20000;
+constexpr std::size_t kDensePoints = 4000;
 constexpr int kPixelsPerDot = 4; ///< samples get dots when they are at least this far apart
 constexpr int kPixelsPerDash = 2; ///< least distance of samples for a dashed line
 constexpr double kLongestDashed
@@ -87,6 +88,27 @@ void RoleGraph::drawLegendIcon(QCPPainter *painter, const QRectF &rect) const
     applyScattersAntialiasingHint(painter);
     m_legendMarker.applyTo(painter, pen());
     m_legendMarker.drawShape(painter, rect.center());
+}
+
+void RoleGraph::drawLinePlot(QCPPainter *painter, const QVector<QPointF> &lines) const
+{
+    const QPen pen = painter->pen();
+    if (pen.style() == Qt::SolidLine || pen.style() == Qt::NoPen
+        || painter->modes().testFlag(QCPPainter::pmVectorized)) {
+        QCPGraph::drawLinePlot(painter, lines);
+        return;
+    }
+    applyDefaultAntialiasingHint(painter);
+    QVector<qreal> pattern = pen.dashPattern();
+    for (qreal &length : pattern)
+        length *= std::max(1.0, pen.widthF());
+    painter->setPen(QPen(pen.color(), pen.widthF(), Qt::SolidLine, Qt::FlatCap));
+    Dashes dashes(std::move(pattern));
+    QVector<QLineF> parts;
+    for (int i = 1; i < lines.size(); ++i)
+        dashes.add(lines[i - 1], lines[i], clipRect(), parts);
+    painter->drawLines(parts);
+    painter->setPen(pen);
 }
 
 QCPAbstractPlottable *DrawnCurve::plottable() const
@@ -273,16 +295,17 @@ void PlotScene::drawCurve(DrawnCurve &drawn, const std::vector<double> &edges) c
     }
     if (!drawn.markers)
         return;
-    // Dashes need room: on an envelope or on noise they are unreadable, and slow.
+    // Dashes and width need room: on an envelope or on noise they are unreadable, and slow.
     const QCPRange range = m_plot.xAxis->range();
     const Index count
         = drawn.samples->firstBeyond(range.upper) - drawn.samples->firstFrom(range.lower);
     const bool crowded
         = (isShot(drawn.curve->role) && count > m_plot.axisRect()->width() / kPixelsPerDash)
         || isEntangled(*drawn.graph);
+    const RoleStyle style = m_theme.style(drawn.curve->role);
     QPen pen = drawn.graph->pen();
-    pen.setStyle(
-        drawn.enveloped || crowded ? Qt::SolidLine : m_theme.style(drawn.curve->role).dash);
+    pen.setStyle(drawn.enveloped || crowded ? Qt::SolidLine : style.dash);
+    pen.setWidthF(drawn.enveloped || crowded ? 1.0 : style.width);
     drawn.graph->setPen(pen);
     drawMarkers(drawn);
 }

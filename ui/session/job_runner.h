@@ -17,18 +17,19 @@
 namespace dyncal {
 
 /// Runs one background job at a time; the newest request wins. A new start asks the running job to
-/// stop and drops its result. Results arrive on the thread of `receiver` by a queued call, never
-/// after a newer start, a cancel() or the runner's death. Jobs must capture values only.
+/// stop and drops its result; with two threads the new one does not wait until the old one obeys.
+/// Results arrive on the thread of `receiver` by a queued call, never after a newer start, a
+/// cancel() or the runner's death. Jobs must capture values only.
 ///
 /// No QFuture is kept: in Qt 6.4 QFuture::takeResult resets the shared state and a second copy's
 /// waitForFinished() then never returns.
 class JobRunner
 {
 public:
-    explicit JobRunner(QObject *receiver)
+    explicit JobRunner(QObject *receiver, int threads = 1)
         : m_receiver(receiver)
     {
-        m_pool.setMaxThreadCount(1);
+        m_pool.setMaxThreadCount(threads);
     }
     ~JobRunner()
     {

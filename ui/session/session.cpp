@@ -14,8 +14,8 @@ namespace dyncal {
 
 namespace {
 
-/// Changes within this time are computed once; also the shortest time between two runs of a drag.
-constexpr int kDebounce_ms = 15;
+/// A hand that rests this long within a drag wants to see everything.
+constexpr int kRest_ms = 150;
 /// A run younger than this is let finish although a newer request waits: otherwise a drag whose
 /// steps come faster than results would never show one.
 constexpr qint64 kGrace_ms = 700;
@@ -63,19 +63,31 @@ Session::Session(Pipeline pipeline, QObject *parent)
     : QObject(parent)
     , m_pipeline(std::move(pipeline))
     , m_sealing(this)
-    , m_jobs(this)
+    , m_jobs(this, 2)
 {
     m_undo.setUndoLimit(kUndoSteps);
     m_start.setSingleShot(true);
-    m_start.setInterval(kDebounce_ms);
+    m_rest.setSingleShot(true);
     connect(&m_start, &QTimer::timeout, this, &Session::startComputation);
+    connect(&m_rest, &QTimer::timeout, this, &Session::startRest);
 }
 
 Session::~Session() = default;
 
 Findings Session::findings() const
 {
-    Findings all = allFindings({m_run.results, m_run.error, m_run.failedStage});
+    CalibrationResults results = m_run.results;
+    if (!isOfThisRun(StageId::Model))
+        results.model = nullptr;
+    if (!isOfThisRun(StageId::Shock))
+        results.shock = nullptr;
+    if (!isOfThisRun(StageId::Response))
+        results.response = nullptr;
+    if (!isOfThisRun(StageId::Evidence))
+        results.evidence = nullptr;
+    if (!isOfThisRun(StageId::MonteCarlo))
+        results.monteCarlo = nullptr;
+    Findings all = allFindings({results, m_run.error, m_run.failedStage});
     // The list of results.json leaves out errors that are not of the catalogue; people see them.
     if (m_run.error && m_run.error->findingId.empty()
         && m_run.error->kind != ErrorKind::Cancelled) {
@@ -92,7 +104,22 @@ void Session::apply(const Recipe &next, const QString &label, const QString &mer
 {
     if (next == m_state.recipe)
         return;
+    m_isMerging = !mergeKey.isEmpty();
     m_undo.push(new ReplaceState(*this, {m_state.captures, next}, label, mergeKey));
+}
+
+void Session::endMerge()
+{
+    ++m_mergeEpoch;
+    m_isMerging = false;
+    if (m_rest.isActive())
+        m_rest.start(0);
+}
+
+bool Session::isOfThisRun(StageId stage) const
+{
+    const auto position = static_cast<std::size_t>(stage);
+    return m_keysOfResults[position] == m_run.results.keys[position];
 }
 
 void Session::applyState(const ProjectState &next, const QString &label)
@@ -107,7 +134,10 @@ void Session::reset(const ProjectState &state)
     m_jobs.cancel();
     m_sealing.cancel();
     m_sealed.clear();
+    m_rest.stop();
+    m_isMerging = false;
     m_run = {};
+    m_keysOfResults = {};
     m_state = {};
     setState(state);
     m_undo.clear();
@@ -144,10 +174,12 @@ void Session::markStaleFrom(StageId stage)
         m_jobs.cancel();
         m_sealing.cancel();
         m_start.stop();
+        m_rest.stop();
         m_run = {};
+        m_keysOfResults = {};
         emit resultsChanged();
     } else if (!m_start.isActive()) {
-        m_start.start();
+        m_start.start(0); // after everything that happens at once
     }
     emit stageStatusChanged();
 }
@@ -160,6 +192,7 @@ void Session::recompute()
 void Session::cancelComputation()
 {
     m_start.stop();
+    m_rest.stop();
     m_jobs.cancel();
     m_sealing.cancel();
     m_run.computing = false;
@@ -203,24 +236,44 @@ void Session::startComputation()
             seal();
         return;
     }
-    if (m_jobs.isRunning() && m_jobs.age_ms() < kGrace_ms && !m_showsAll) {
-        m_start.start();
+    if (m_jobs.isRunning() && !m_isRest && m_jobs.age_ms() < kGrace_ms) {
+        m_start.start(static_cast<int>(kGrace_ms - m_jobs.age_ms())); // or when it is done
         return;
     }
-    const auto captures = m_state.captures;
-    const Recipe recipe = m_state.recipe;
-    const StageId focus = std::min(m_focus, StageId::Response);
-    m_showsAll = false;
-    const auto job = [this, pipeline = m_pipeline, cache = m_cache, captures, recipe, focus](
+    m_rest.stop();
+    m_isRest = false;
+    const StageId focus = m_focusOfRun = std::min(m_focus, StageId::Response);
+    const auto job = [pipeline = m_pipeline, cache = m_cache, captures = m_state.captures,
+                         recipe = m_state.recipe, focus](const JobControl &control) {
+        return Result<PipelineOutcome>(pipeline(captures, recipe, *cache, focus, control));
+    };
+    const auto deliver = [this, focus](Result<PipelineOutcome> outcome) {
+        if (!outcome)
+            outcome = PipelineOutcome{{}, outcome.error(), StageId::Captures};
+        if (outcome->error)
+            take(*outcome);
+        else
+            takePart(outcome->results, focus);
+    };
+    m_jobs.start<PipelineOutcome>(job, deliver, [this](double done) { emit progress(done); });
+}
+
+/// The stages behind the focus, of the recipe whose first part was delivered last.
+void Session::startRest()
+{
+    m_isRest = true;
+    const auto job = [this, pipeline = m_pipeline, cache = m_cache, captures = m_state.captures,
+                         recipe = m_state.recipe, focus = m_focusOfRun](
                          const JobControl &control) -> Result<PipelineOutcome> {
-        for (const StageId upTo : {focus, StageId::Response}) {
+        for (const StageId upTo : {StageId::Response, StageId::Evidence}) {
+            if (upTo == focus)
+                continue;
             const PipelineOutcome part = pipeline(captures, recipe, *cache, upTo, control);
-            if (part.error && upTo == StageId::Response)
+            if (part.error)
                 return part;
-            if (!part.error)
+            const auto &next = part.results.keys[static_cast<std::size_t>(upTo) + 1];
+            if (!cache->find<void>(next)) // else it is here at once
                 JobRunner::post(this, control.stop, [=, this] { takePart(part.results, upTo); });
-            if (focus == StageId::Response)
-                break;
         }
         return pipeline(captures, recipe, *cache, kLastStage, control);
     };
@@ -232,12 +285,23 @@ void Session::startComputation()
     m_jobs.start<PipelineOutcome>(job, deliver, [this](double done) { emit progress(done); });
 }
 
+/// Starts what waits before anybody draws: drawing and the next run then share the time.
+bool Session::startNewer()
+{
+    if (!m_start.isActive())
+        return false;
+    m_start.stop();
+    startComputation();
+    return true;
+}
+
 void Session::take(const PipelineOutcome &outcome)
 {
+    const bool newerWaits = startNewer();
     m_run.results = outcome.results;
     m_run.error = outcome.error;
     m_run.failedStage = outcome.failedStage;
-    const bool newerWaits = m_start.isActive();
+    m_keysOfResults = outcome.results.keys;
     m_run.computing = newerWaits;
     if (!newerWaits)
         m_run.firstStale = kStageCount;
@@ -247,9 +311,13 @@ void Session::take(const PipelineOutcome &outcome)
         emit failed(*outcome.error);
 }
 
-/// The stage on show came first: later stages keep their old results, marked stale.
+/// The stages up to `upTo` came first: later ones keep their old results, marked stale.
 void Session::takePart(const CalibrationResults &part, StageId upTo)
 {
+    const bool newerWaits = startNewer();
+    if (!newerWaits && !m_isRest)
+        m_rest.start(m_isMerging ? kRest_ms : 0);
+    std::copy_n(part.keys.begin(), static_cast<std::size_t>(upTo) + 1, m_keysOfResults.begin());
     CalibrationResults merged = part;
     const CalibrationResults &old = m_run.results;
     const auto keep = [](auto &now, const auto &before) {
@@ -269,8 +337,7 @@ void Session::takePart(const CalibrationResults &part, StageId upTo)
     keep(merged.evidence, old.evidence);
     keep(merged.monteCarlo, old.monteCarlo);
     m_run.results = std::move(merged);
-    m_showsAll = upTo == StageId::Response;
-    if (!m_start.isActive())
+    if (!newerWaits)
         m_run.firstStale = std::max(m_run.firstStale, static_cast<int>(upTo) + 1);
     emit resultsChanged();
     emit stageStatusChanged();

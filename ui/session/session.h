@@ -12,7 +12,9 @@
 #include <QTimer>
 #include <QUndoStack>
 
+#include <array>
 #include <map>
+#include <string>
 
 namespace dyncal {
 
@@ -52,7 +54,7 @@ public:
     /// Replaces the recipe as one undo step. Changes with the same non-empty `mergeKey` become one
     /// step until endMerge(): a drag, or a run of key presses.
     void apply(const Recipe &next, const QString &label, const QString &mergeKey = {});
-    void endMerge() { ++m_mergeEpoch; }
+    void endMerge();
     /// Adds or removes recordings (and adjusts the recipe with them), as one undo step.
     void applyState(const ProjectState &next, const QString &label);
 
@@ -62,7 +64,14 @@ public:
     /// Starts over with another job: no undo across, clean.
     void reset(const ProjectState &state);
 
-    /// The stage on show is computed and delivered first.
+    /// Whether the result of a stage is of the same recipe as those before it. While a run is under
+    /// way, later stages keep what an earlier run gave: good for their own pages, which say that it
+    /// is stale, and not to be shown beside newer numbers.
+    bool isOfThisRun(StageId stage) const;
+
+    /// The stage on show is computed and delivered first. The rest follows at once, or within a
+    /// series of changes that merge (a drag, keys) as soon as the hand rests or endMerge() is
+    /// called: moves never wait for what they do not show.
     void setFocus(StageId stage) { m_focus = stage; }
     void cancelComputation();
     /// Computes again after a cancel, or when a caller wants to be sure.
@@ -81,6 +90,8 @@ private:
     void setState(const ProjectState &state);
     void markStaleFrom(StageId stage);
     void startComputation();
+    void startRest();
+    bool startNewer();
     void seal();
     void takeSealed(const std::shared_ptr<const CaptureSet> &opened, Result<CaptureSet> sealed);
     void take(const PipelineOutcome &outcome);
@@ -90,12 +101,14 @@ private:
     ProjectState m_state;
     RunState m_run;
     StageId m_focus = StageId::Captures;
+    StageId m_focusOfRun = StageId::Captures;
     QUndoStack m_undo;
     int m_mergeEpoch = 0;
-    QTimer m_start;
-    /// The run under way has delivered all that anything waits for: a newer one may stop it at
-    /// once.
-    bool m_showsAll = false;
+    QTimer m_start; ///< active: a newer recipe waits to be computed
+    QTimer m_rest; ///< active: the stages behind the focus wait to be computed
+    bool m_isMerging = false; ///< the last change may be one of a series
+    bool m_isRest = false; ///< what runs is the stages behind the focus
+    std::array<std::string, kStageCount> m_keysOfResults; ///< each result's own
     EnvelopeStore m_envelopes;
     /// Opened -> sealed: the undo steps made meanwhile know the opened ones.
     std::map<std::shared_ptr<const CaptureSet>, std::shared_ptr<const CaptureSet>> m_sealed;

@@ -395,7 +395,7 @@ void MainWindow::showPage(int row)
     if (row < 0 || row >= static_cast<int>(m_pages.size()))
         return;
     StagePage *page = m_pages[static_cast<std::size_t>(row)];
-    m_session.setFocus(*std::ranges::max_element(page->stages()));
+    m_session.setFocus(page->focus());
     if (m_centre->currentWidget() == m_start)
         showInspector();
     m_centre->setCurrentWidget(page);

@@ -206,6 +206,19 @@ void OrderPage::showRecipe()
         m_values->setLine(kCut, tr("order"), static_cast<double>(shownOrder()), true);
 }
 
+/// Of the model on show: the whole response once there is one, until then the model's own curve.
+std::shared_ptr<const ResponseResult> OrderPage::shownResponse() const
+{
+    const CalibrationResults &r = results();
+    if (session().isOfThisRun(StageId::Response) || !r.response)
+        return r.response;
+    if (!r.model || !r.input || !r.window || !r.shock || !session().isOfThisRun(StageId::Shock))
+        return nullptr;
+    return std::make_shared<const ResponseResult>(
+        computeModelResponse(r.window->responses, *r.input, *r.model, *r.shock, recipe().response,
+            r.response->fLow_Hz, r.response->fHigh_Hz));
+}
+
 void OrderPage::showResults()
 {
     const auto &decomposition = results().decomposition;
@@ -219,7 +232,7 @@ void OrderPage::showResults()
         m_values->removeLine(kCut);
     const auto &model = results().model;
     const auto &window = results().window;
-    const auto &response = results().response;
+    const auto response = shownResponse();
     m_fit->setContent(
         model && input && window ? simulationCurves(*input, *model, *window) : nothingYet());
     m_bode->setContent(response ? bodeMagnitudeCurves(*response) : nothingYet());

@@ -23,6 +23,9 @@ class OrderPage : public StagePage
 public:
     explicit OrderPage(Session &session);
 
+    /// What follows the cut at once; the measured response comes when the hand rests.
+    StageId focus() const override { return StageId::Shock; }
+
 protected:
     void showRecipe() override;
     void showResults() override;
@@ -38,6 +41,7 @@ private:
     Index shownOrder() const;
     Index largestOrder() const;
     void showReadouts();
+    std::shared_ptr<const ResponseResult> shownResponse() const;
 
     PlotWidget *m_values;
     PlotWidget *m_bic;

@@ -8,6 +8,8 @@
 
 #include <QLabel>
 
+#include <algorithm>
+
 namespace dyncal {
 
 StagePage::StagePage(Session &session, const PageText &text, std::vector<StageId> stages)
@@ -66,6 +68,11 @@ StageStatus StagePage::status() const
             if (m_session.status(stage) == urgent)
                 return urgent;
     return StageStatus::Done;
+}
+
+StageId StagePage::focus() const
+{
+    return *std::ranges::max_element(m_stages);
 }
 
 void StagePage::showEvent(QShowEvent *event)

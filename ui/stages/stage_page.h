@@ -36,6 +36,8 @@ public:
     /// The stages shown here; the first is the one that the page is opened for.
     const std::vector<StageId> &stages() const { return m_stages; }
     StageStatus status() const; ///< the most urgent of its stages
+    /// What is computed first while this page is on show.
+    virtual StageId focus() const;
     InspectorForm *inspector() { return m_inspector; }
 
 protected:

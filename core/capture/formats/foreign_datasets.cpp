@@ -6,6 +6,22 @@
 #include "core/capture/formats/mat73.h"
 
 namespace dyncal {
+namespace {
+
+/// With fewer no start can be found (core/signal/start_detection.h).
+constexpr Index kLeastOfWaveform = 64;
+
+/// Readers take what is named; nobody is offered what cannot be a recording.
+void withholdShort(ForeignChannels &channels, const std::string &path)
+{
+    if (channels.names.empty() || channels.samples >= kLeastOfWaveform)
+        return;
+    channels.names.clear();
+    channels.whyNot = {DYNCAL_TEXT("core", "Dataset %1 has %2 values - not a waveform."),
+        {path, std::to_string(channels.samples)}};
+}
+
+} // namespace
 
 Result<std::vector<DatasetEntry>> listDatasets(const std::string &path, const JobControl &control)
 {
@@ -17,6 +33,7 @@ Result<std::vector<DatasetEntry>> listDatasets(const std::string &path, const Jo
     for (const ForeignDataset &dataset : datasetsOf(file->tree)) {
         ForeignChannels channels
             = matlab ? mat73ChannelsOf(dataset, path) : channelsOf(dataset, path);
+        withholdShort(channels, dataset.path);
         const Hdf5Dataset &data = dataset.object->dataset;
         entries.push_back({dataset.path, data.typeText, data.shape, attributeTexts(*dataset.object),
             std::move(channels.names), std::move(channels.whyNot)});

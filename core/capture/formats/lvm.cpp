@@ -118,7 +118,7 @@ private:
             if (const Result<void> row = rows.add(m_path, line, lines.number()); !row)
                 return row;
             for (const char *behind = nullptr; (behind = rows.addPlain(lines.rest())) != nullptr;) {
-                lines.take(behind);
+                lines.take(behind, 1);
                 if (const Result<void> going = pause(lines, begin, rows); !going)
                     return going;
             }

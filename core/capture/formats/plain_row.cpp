@@ -23,6 +23,16 @@ constexpr int kExactExponent = 22; ///< 10^22 is the last exact power of ten
 constexpr std::array<double, kExactExponent + 1> kPowers{1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7,
     1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 
+__extension__ using Wide = unsigned __int128;
+
+constexpr int kLastPowerOf5 = 27; ///< the last that fits 64 bits
+constexpr std::array<std::uint64_t, kLastPowerOf5 + 1> kPowersOf5 = [] {
+    std::array<std::uint64_t, kLastPowerOf5 + 1> powers{1};
+    for (std::size_t k = 1; k < powers.size(); ++k)
+        powers[k] = powers[k - 1] * 5;
+    return powers;
+}();
+
 bool isDigit(char c)
 {
     return static_cast<unsigned char>(c - '0') < 10;
@@ -115,19 +125,46 @@ const char *behindNumber(const char *at, const char *end, char decimal, Digits &
     return at;
 }
 
-/// Mantissa times power of ten in one correctly rounded operation, as both are exact (Clinger
-/// 1990).
+/// A branch would be guessed wrong every second time.
+double signOf(const Digits &number)
+{
+    constexpr std::array<double, 2> kSign{1.0, -1.0};
+    return kSign[number.negative ? 1 : 0];
+}
+
+/// Mantissa / 10^k for all 64 bits of it, correctly rounded: w / 5^k to at least 63 bits by
+/// integers of 128, one more bit for a remainder (so that ties are told), and a power of two.
+double longQuotient(std::uint64_t mantissa, std::size_t k)
+{
+    const std::uint64_t power = kPowersOf5[k];
+    const int up = std::countl_zero(mantissa);
+    const int powerUp = std::countl_zero(power);
+    const Wide dividend = static_cast<Wide>(mantissa << up) << 63;
+    const std::uint64_t divisor = power << powerUp;
+    const auto quotient = static_cast<std::uint64_t>(dividend / divisor); // < 2^64: both >= 2^63
+    const bool rest = static_cast<Wide>(quotient) * divisor != dividend;
+    const int twos = powerUp - up - 63 - static_cast<int>(k);
+    const auto scale = static_cast<std::uint64_t>(1023 + twos) << 52; // of a normal number
+    return static_cast<double>(quotient | (rest ? 1 : 0)) * std::bit_cast<double>(scale);
+}
+
+/// Mantissa times power of ten with one rounding: in one operation where both are exact (Clinger
+/// 1990), otherwise by integers.
 bool compose(const Digits &number, double &value)
 {
-    const int exponent = std::abs(number.exponent);
-    if (number.count > kDigits || number.mantissa > kExactMantissa || exponent > kExactExponent)
+    if (number.count > kDigits)
         return false;
-    const double power = kPowers[static_cast<std::size_t>(exponent)];
-    constexpr std::array<double, 2> kSign{
-        1.0, -1.0}; // a branch would be guessed wrong every second time
-    const double digits = kSign[number.negative ? 1 : 0]
-        * static_cast<double>(static_cast<std::int64_t>(number.mantissa));
-    value = number.exponent < 0 ? digits / power : digits * power;
+    const int exponent = std::abs(number.exponent);
+    if (number.mantissa <= kExactMantissa && exponent <= kExactExponent) {
+        const double power = kPowers[static_cast<std::size_t>(exponent)];
+        const double digits
+            = signOf(number) * static_cast<double>(static_cast<std::int64_t>(number.mantissa));
+        value = number.exponent < 0 ? digits / power : digits * power;
+        return true;
+    }
+    if (number.mantissa == 0 || number.exponent > 0 || exponent > kLastPowerOf5)
+        return false;
+    value = signOf(number) * longQuotient(number.mantissa, static_cast<std::size_t>(exponent));
     return true;
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/capture/formats/large_pages.h"
 #include "core/capture/formats/plain_row.h"
+#include "core/capture/formats/plain_rows_ahead.h"
 #include "core/capture/formats/table_end.h"
 #include "core/capture/formats/text_table.h"
 
@@ -36,13 +37,15 @@ public:
         LineCursor &lines = m_lines;
         std::string_view line;
         while (lines.number() < m_dialect.headerLines() && lines.next(line)) { }
+        PlainRowsAhead ahead(m_plain, lines.rest(), m_row.size(), control.stop);
         for (;;) {
             if (const Result<void> going = pause(control); !going)
                 return tl::unexpected(going.error());
             const bool plain = m_commentLine == 0 && m_blankRows == 0;
+            takeRowsAhead(ahead, plain);
             if (const char *behind = plain ? m_plain.read(lines.rest(), m_row) : nullptr) {
                 append();
-                lines.take(behind);
+                lines.take(behind, 1);
                 continue;
             }
             if (!lines.next(line) || (!lines.terminated() && isCut(line, lines.number())))
@@ -55,17 +58,36 @@ public:
     }
 
 private:
+    /// Takes over what another thread read from here on, if these lines can be plain rows here.
+    void takeRowsAhead(PlainRowsAhead &ahead, bool plain)
+    {
+        while (ahead.nextBegin() != nullptr && ahead.nextBegin() == m_lines.rest().data()) {
+            if (!plain)
+                return ahead.skip();
+            PlainRows part = ahead.take();
+            const std::size_t rows
+                = m_table.columns[0].size() + static_cast<std::size_t>(part.rows());
+            if (rows > m_table.columns[0].capacity())
+                makeRoom(static_cast<std::size_t>(part.rows()));
+            for (std::size_t i = 0; i < part.columns.size(); ++i) {
+                const std::vector<double> values = std::move(part.columns[i]);
+                m_table.columns[i].insert(m_table.columns[i].end(), values.begin(), values.end());
+            }
+            m_lines.take(part.behind, part.rows());
+        }
+    }
+
     void append()
     {
         if (m_table.columns[0].size() == m_table.columns[0].capacity())
-            makeRoom();
+            makeRoom(1);
         for (std::size_t i = 0; i < m_row.size(); ++i)
             m_table.columns[i].push_back(m_row[i]);
     }
 
     /// For as many rows as the text will have if all are as long as those so far, and some more:
     /// doubling would hold up to three times the values at the end.
-    void makeRoom()
+    void makeRoom(std::size_t more)
     {
         constexpr std::size_t kFirstRows = 1024;
         constexpr double kSpare = 1.02;
@@ -76,7 +98,7 @@ private:
             + (rows < kFirstRows ? 0 : static_cast<std::size_t>(all * kSpare) - rows);
         const std::size_t most = rows + m_text.size() / m_row.size() + 1; // a cell takes a byte
         for (std::vector<double> &column : m_table.columns) {
-            column.reserve(std::min(room, most));
+            column.reserve(std::max(std::min(room, most), rows + more));
             preferLargePages(column.data() + rows, (column.capacity() - rows) * sizeof(double));
         }
     }

@@ -73,11 +73,11 @@ bool LineCursor::next(std::string_view &line)
     return true;
 }
 
-void LineCursor::take(const char *behind)
+void LineCursor::take(const char *behind, Index lines)
 {
     m_rest.remove_prefix(static_cast<std::size_t>(behind - m_rest.data()));
     m_terminated = true;
-    ++m_number;
+    m_number += lines;
 }
 
 CellCursor::CellCursor(std::string_view line, char separator)

@@ -36,8 +36,8 @@ public:
     /// What is behind the line just read.
     std::string_view rest() const { return m_rest; }
 
-    /// Counts the next line as read by someone else, up to `behind` its end in rest().
-    void take(const char *behind);
+    /// Counts the next lines as read by someone else, up to `behind` the last one's end in rest().
+    void take(const char *behind, Index lines);
 
     Index number() const { return m_number; } ///< of the line just read, from 1
     bool terminated() const { return m_terminated; } ///< whether that line had an end

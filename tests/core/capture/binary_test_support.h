@@ -248,4 +248,29 @@ inline QStringList corpusFiles(const QString &sub, const QStringList &endings)
     return files;
 }
 
+/// Reads every file: `check(path, set)` looks at what reads; a refusal must be one of these
+/// findings and is printed. Returns how many read.
+template <typename Check>
+int readCorpus(const char *title, const QStringList &files,
+    const std::vector<std::string> &refusals, const Check &check)
+{
+    int read = 0;
+    int refused = 0;
+    for (const QString &path : files) {
+        const auto set = readCapture(path.toStdString(), {});
+        if (set) {
+            ++read;
+            check(path, *set);
+            continue;
+        }
+        ++refused;
+        const std::string id = findingId(set);
+        if (std::find(refusals.begin(), refusals.end(), id) == refusals.end())
+            QTest::qFail((id + ": " + sentence(set)).c_str(), __FILE__, __LINE__);
+        qInfo("refused (%s): %s", id.c_str(), sentence(set).c_str());
+    }
+    qInfo("%s: %d files, %d read, %d refused", title, int(files.size()), read, refused);
+    return read;
+}
+
 } // namespace dyncal::testing

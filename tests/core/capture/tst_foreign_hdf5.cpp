@@ -588,8 +588,8 @@ private slots:
             ramp(file, "/entry/data", 100);
             file.text("/entry/data", "units", "bar");
             file.number("/entry/data", "fs", 1e6);
-            file.dataset("/entry/table", {50, 2}, {H5T_STD_U16BE, {10, 2}}, H5T_NATIVE_DOUBLE,
-                valuesOf(false, 16, 100).data());
+            file.dataset("/entry/table", {80, 2}, {H5T_STD_U16BE, {10, 2}}, H5T_NATIVE_DOUBLE,
+                valuesOf(false, 16, 160).data());
             file.claim("/entry/never", {10}, {H5T_STD_I32LE, {}});
             const hid_t text = H5Tcopy(H5T_C_S1);
             H5Tset_size(text, 8);
@@ -613,6 +613,21 @@ private slots:
         QVERIFY(list->at(2).channels == (Names{"/entry/table[:,0]", "/entry/table[:,1]"}));
         QCOMPARE(list->at(3).type, std::string("text"));
         QVERIFY(list->at(3).channels.empty() && !english(list->at(3).whyNot).empty());
+    }
+
+    void list_fewValues_areNoWaveform()
+    {
+        {
+            const Hdf5TestFile file(path());
+            ramp(file, "/a", 64);
+            ramp(file, "/c", 3);
+        }
+        const auto list = listDatasets(path());
+        QVERIFY2(list, sentence(list).c_str());
+        QVERIFY(list->at(0).channels == Names{"/a"});
+        QVERIFY(list->at(1).channels.empty());
+        QCOMPARE(
+            english(list->at(1).whyNot), std::string("Dataset /c has 3 values - not a waveform."));
     }
 
     void list_noHdf5_fails()

@@ -10,6 +10,7 @@
 
 #include <QTest>
 
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <random>
@@ -19,7 +20,8 @@ using namespace dyncal;
 namespace {
 
 constexpr unsigned kSeed = 7;
-constexpr int kNumbers = 200000;
+constexpr int kNumbers = 1000000;
+constexpr int kLines = 200000;
 
 bool sameBits(double a, double b)
 {
@@ -33,7 +35,11 @@ QByteArray printed(std::mt19937_64 &random)
     const double value
         = uniform(random) * std::pow(10.0, static_cast<double>(random() % 40) - 20.0);
     const int digits = static_cast<int>(random() % 19);
-    switch (random() % 5) {
+    switch (random() % 6) {
+    case 5: { // any double, as programs print them that lose nothing
+        const double any = std::bit_cast<double>(random());
+        return QByteArray::number(std::isfinite(any) ? any : value, 'e', 16 + digits % 3);
+    }
     case 0:
         return QByteArray::number(value, 'f', digits);
     case 1:
@@ -94,6 +100,29 @@ private slots:
         QVERIFY(plain > kNumbers * 99 / 100);
     }
 
+    void read_halfwayBetweenTwoDoubles_roundsToEven()
+    {
+        // (2^53 + 2k + 1) / 2^j has no double; its decimals are exact and fit 19 digits for j <= 3.
+        std::mt19937_64 random(kSeed);
+        const PlainRowReader reader(';', '.');
+        for (int i = 0; i < kLines; ++i) {
+            const std::uint64_t odd = (std::uint64_t(1) << 53) + (random() >> 12) * 2 + 1;
+            const int j = i % 4;
+            const std::uint64_t thousandths = (odd & ((1U << j) - 1)) * (1000U >> j);
+            const std::string decimals = std::to_string(1000 + thousandths).substr(1);
+            const std::string tie = std::to_string(odd >> j) + (j > 0 ? "." + decimals : "");
+            std::string beside = tie;
+            beside.back() = static_cast<char>(beside.back() == '9' ? '8' : beside.back() + 1);
+            for (const std::string &cell : {tie, beside}) {
+                std::vector<double> row(1);
+                double expected = 0.0;
+                QCOMPARE(readCell(cell, '.', expected), CellKind::Number);
+                QVERIFY(reader.read(cell + "\n", row) != nullptr);
+                QVERIFY2(sameBits(row[0], expected), cell.c_str());
+            }
+        }
+    }
+
     void read_hardCases_areTheLibrarysToTheLastBit()
     {
         for (const char *cell : {"0", "-0", "0.0", "9007199254740992", "9007199254740993",
@@ -117,7 +146,7 @@ private slots:
         const char kBytes[] = "0123456789..,,--++eE;;\t\t  \"#nx";
         std::mt19937_64 random(kSeed);
         int plain = 0;
-        for (int i = 0; i < kNumbers; ++i) {
+        for (int i = 0; i < kLines; ++i) {
             std::string line;
             for (std::uint64_t k = random() % 14; k > 0; --k)
                 line += kBytes[random() % (sizeof kBytes - 1)];

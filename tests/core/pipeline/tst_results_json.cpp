@@ -237,7 +237,7 @@ const QHash<QString, QStringList> &contract()
             {"order", "dt_s", "A", "B", "C", "D", "poles", "zeros", "fit_percent",
                 "fit_attainable_percent", "fit_listing_percent", "fit_per_shot_percent",
                 "plateau_gain", "gain_unit", "uncertainty_method", "homogeneity", "per_shot",
-                "per_level", "second_order"}},
+                "per_level", "second_order", "nuisance", "nuisance_effect"}},
         {"response",
             {"frequency_hz", "magnitude", "u_magnitude", "k_magnitude", "phase_rad", "u_phase_rad",
                 "k_phase", "model_magnitude", "model_phase_rad", "f_low_hz", "f_high_hz", "unit"}},

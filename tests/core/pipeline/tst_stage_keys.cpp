@@ -169,6 +169,10 @@ void TestStageKeys::recipeChange_movesTheStageThatReadsItAndAllLater_data()
     row("input.offset", input, [](Recipe &r) { r.input.offset_s = 1e-6; });
     row("input.combine", input, [](Recipe &r) { r.input.combine = CombineMethod::PcaAverage; });
 
+    row("realization.nuisance", input, [](Recipe &r) {
+        r.realization.nuisanceModes = {{{6.8e3}, 0, true, "", "tube"}};
+    });
+
     row("realization.max order", StageId::Decomposition,
         [](Recipe &r) { r.realization.maxOrder = 50; });
     row("realization.rows", StageId::Decomposition,

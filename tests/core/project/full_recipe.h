@@ -25,6 +25,7 @@ inline Recipe fullRecipe()
         .reference = "absolute",
         .skipRows = 3,
         .interpolateInvalid = 5,
+        .channelFiles = "apart",
         .levels = {"low", "high"},
         .exclude = {{2, "diaphragm leaked"}},
         .files = {{"low.csv",
@@ -45,6 +46,7 @@ inline Recipe fullRecipe()
     r.checks = {.saturationRun = 4,
         .flatCodes = 2.0,
         .leastCodes = 32.0,
+        .stepSigmas = 8.0,
         .rateMismatch_percent = 0.5,
         .readingFactor = 5.0};
     r.shock = {.enabled = false,
@@ -97,6 +99,7 @@ inline Recipe fullRecipe()
     r.realization.maxOrder = 60;
     r.realization.rows = Index(499);
     r.realization.refine = false;
+    r.realization.nuisanceModes = {{{6.8e3, 6.1e3}, 2, false, "mount", "seen on the mount, too"}};
     r.realization.stableFrequency = 0.02;
     r.realization.stableDamping = 0.1;
     r.realization.candidates = {2, 3, 100};

@@ -123,6 +123,8 @@ private slots:
                     "arrival_s": null, "u_arrival_s": 0, "delay_s": null, "u_delay_s": 0})"},
             {"shock.counters",
                 R"({"far_m": 1, "near_m": 0, "time_s": 1, "u_distance_m": 0, "u_time_s": 0})"},
+            {"realization.nuisance_modes",
+                R"({"frequency_hz": 1, "shot": 0, "kind": "tube", "label": "", "reason": "x"})"},
             {"uncertainty.budget",
                 R"({"quantity": "a", "u": 1, "distribution": "normal", "dof": null})"},
             {"acknowledge", R"({"finding": "a", "shot": 0, "reason": "x"})"},
@@ -144,7 +146,7 @@ private slots:
             QVERIFY2(accepted == (row.defaultText != "needed"), qPrintable(row.key));
             ++checked;
         }
-        QCOMPARE(checked, 21);
+        QCOMPARE(checked, 26);
     }
 
     void example_isARecipe()

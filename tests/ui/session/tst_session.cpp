@@ -95,6 +95,7 @@ private slots:
     void certificateText_computesNothing();
     void burstOfChanges_endsWithTheNewest();
     void drag_slowPipeline_stillShowsResults();
+    void drag_rest_waitsForTheHand();
     void cancel_leavesStale();
     void affected_shock_startsAtWindow();
     void removeShot_movesNumbersAndIsUndoable();
@@ -291,6 +292,7 @@ void TestSession::drag_slowPipeline_stillShowsResults()
     Session session(pipeline);
     session.reset(threeShots());
     QTRY_VERIFY(!session.isComputing());
+    session.setFocus(StageId::Model);
     pipeline.log->delay_ms = 60; // slower than the steps of the drag
     QSet<Index> seen;
     connect(&session, &Session::resultsChanged, this, [&] { seen << shownOrder(session); });
@@ -301,6 +303,26 @@ void TestSession::drag_slowPipeline_stillShowsResults()
     QTRY_VERIFY(!session.isComputing());
     QCOMPARE(shownOrder(session), Index(42));
     QVERIFY2(seen.size() >= 3, qPrintable(QString::number(seen.size())));
+}
+
+void TestSession::drag_rest_waitsForTheHand()
+{
+    FakePipeline pipeline;
+    Session session(pipeline);
+    session.setFocus(StageId::Model);
+    session.reset(threeShots());
+    QTRY_VERIFY(!session.isComputing());
+    const int before = pipeline.log->runs;
+    for (Index order = 3; order < 9; ++order) {
+        session.apply(withOrder(session.recipe(), order), "Order", "drag");
+        QTRY_COMPARE(shownOrder(session), order);
+        QVERIFY(session.isOfThisRun(StageId::Model));
+    }
+    QCOMPARE(pipeline.log->runs - before, 6); // the focus each time, nothing behind it
+    QVERIFY(session.isComputing());
+    session.endMerge();
+    QTRY_VERIFY(!session.isComputing());
+    QVERIFY(session.isUpToDate());
 }
 
 /// The automatic end of the window depends on the computed plateau.

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/certificate/certificate_sections.h"
+#include "core/certificate/rounding.h"
+
+namespace dyncal {
+namespace {
+
+std::vector<Message> modeRow(const NuisanceMode &mode, const NuisanceOfShot &shot)
+{
+    const Message kind = mode.isTube ? Message{DYNCAL_TEXT("core", "gas in the tube"), {}}
+                                     : Message{DYNCAL_TEXT("core", "other"), {}};
+    return {mode.label.empty() ? kind : verbatim(mode.label), verbatim(std::to_string(shot.shot)),
+        printedWithUncertainty(shot.term.frequency_Hz(), shot.u_frequency_Hz, "Hz"),
+        printedWithUncertainty(shot.term.dampingRatio(), shot.u_dampingRatio, ""),
+        verbatim(roundedText(100.0 * shot.relativeAmplitude, kUnknown, "%")),
+        verbatim(mode.reason)};
+}
+
+CertificateTable modeTable(const SensorModel &model)
+{
+    CertificateTable table;
+    table.id = "nuisance-modes";
+    table.caption = {
+        DYNCAL_TEXT("core", "Oscillations that are not the sensor's, left out of the model"), {}};
+    table.columns
+        = {{{DYNCAL_TEXT("core", "Mode"), {}}, false}, {{DYNCAL_TEXT("core", "Shot"), {}}, true},
+            {{DYNCAL_TEXT("core", "Undamped frequency"), {}}, true},
+            {{DYNCAL_TEXT("core", "Damping ratio"), {}}, true},
+            {{DYNCAL_TEXT("core", "Size, of the plateau"), {}}, true},
+            {{DYNCAL_TEXT("core", "Reason"), {}}, false}};
+    for (const NuisanceResult &mode : model.nuisance) {
+        for (const NuisanceOfShot &shot : mode.perShot)
+            table.rows.push_back(modeRow(mode.mode, shot));
+    }
+    return table;
+}
+
+std::vector<Message> sideRow(Message name, const NuisanceEffect::Side &side)
+{
+    return {std::move(name), verbatim(roundedText(100.0 * side.residualRms, kUnknown, "%")),
+        verbatim(fixedText(side.fit_percent, 2) + " %"),
+        printedWithUncertainty(side.f0_Hz, side.u_f0_Hz, "Hz"),
+        printedWithUncertainty(side.zeta, side.u_zeta, ""), printed(side.plateauGain, "", dash())};
+}
+
+CertificateTable effectTable(const NuisanceEffect &effect)
+{
+    CertificateTable table;
+    table.id = "nuisance-effect";
+    table.caption
+        = {DYNCAL_TEXT("core", "What leaving them out has changed, at the same order"), {}};
+    table.columns = {{{DYNCAL_TEXT("core", "Oscillations"), {}}, false},
+        {{DYNCAL_TEXT("core", "Residual, rms of the plateau"), {}}, true},
+        {{DYNCAL_TEXT("core", "Fit"), {}}, true},
+        {{DYNCAL_TEXT("core", "Undamped frequency"), {}}, true},
+        {{DYNCAL_TEXT("core", "Damping ratio"), {}}, true},
+        {{DYNCAL_TEXT("core", "Plateau gain"), {}}, true}};
+    table.rows = {sideRow({DYNCAL_TEXT("core", "left in"), {}}, effect.before),
+        sideRow({DYNCAL_TEXT("core", "left out"), {}}, effect.after)};
+    return table;
+}
+
+} // namespace
+
+void addNuisance(const SensorModel &model, CertificateSection &section)
+{
+    CertificateTable modes = modeTable(model);
+    if (modes.rows.empty())
+        return;
+    section.tables.push_back(std::move(modes));
+    section.notes.push_back(
+        {DYNCAL_TEXT("core",
+             "The oscillations above were fitted in each shot together with the sensor. Poles, "
+             "sensitivity and frequency response are those of the sensor without them; the fit "
+             "counts them."),
+            {}});
+    if (model.nuisanceEffect)
+        section.tables.push_back(effectTable(*model.nuisanceEffect));
+}
+
+} // namespace dyncal

@@ -1,0 +1,82 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/model_analysis/sensor_record.h"
+
+#include "core/realization/exponential_sum.h"
+#include "core/realization/nuisance_modes.h"
+
+#include <numbers>
+
+namespace dyncal {
+namespace {
+
+std::vector<NuisanceTerm> termsOfShot(const SensorModel &model, Index shot)
+{
+    std::vector<NuisanceTerm> terms;
+    for (const NuisanceResult &mode : model.nuisance) {
+        for (const NuisanceOfShot &found : mode.perShot) {
+            if (found.shot == shot)
+                terms.push_back(found.term);
+        }
+    }
+    return terms;
+}
+
+void takeOff(const NuisanceTerm &term, double rate_Hz, Eigen::VectorXd &values)
+{
+    ExponentialSum sum{0.0, Eigen::VectorXcd(2), Eigen::VectorXcd(2)};
+    sum.rates_rad_s << term.rate_rad_s, std::conj(term.rate_rad_s);
+    sum.amplitudes << 0.5 * term.amplitude, 0.5 * std::conj(term.amplitude);
+    const ExponentialSampler sampler(sum, 1.0 / rate_Hz);
+    constexpr Index kBlock = ExponentialSampler::kBlock;
+    for (Index begin = 0; begin < values.size(); begin += kBlock) {
+        const Index count = std::min(kBlock, values.size() - begin);
+        values.segment(begin, count) -= sampler.block(begin / kBlock).head(count);
+    }
+}
+
+/// jw/(jw - s) of Re(amplitude e^(s t)).
+std::complex<double> stepTransformOf(
+    std::complex<double> amplitude, std::complex<double> s, double frequency_Hz)
+{
+    const std::complex<double> jw(0.0, 2.0 * std::numbers::pi * frequency_Hz);
+    return 0.5 * jw * (amplitude / (jw - s) + std::conj(amplitude) / (jw - std::conj(s)));
+}
+
+} // namespace
+
+std::complex<double> SensorRecord::ofStep(std::complex<double> transform, double frequency_Hz) const
+{
+    std::complex<double> input = 1.0;
+    for (const Driven &mode : driven) {
+        transform += stepTransformOf(mode.response, mode.rate_rad_s, frequency_Hz);
+        input += stepTransformOf(mode.pressure, mode.rate_rad_s, frequency_Hz);
+    }
+    return transform / input;
+}
+
+SensorRecord sensorRecord(
+    const WindowedResponse &response, const SensorModel &model, const SeriesFit *fit)
+{
+    SensorRecord record{response.window(), {}};
+    if (!fit)
+        return record;
+    const std::vector<NuisanceTerm> terms = termsOfShot(model, response.shot);
+    for (const NuisanceTerm &term : terms)
+        takeOff(term, response.sampleRate_Hz, record.values);
+    Eigen::ArrayXcd rates(fit->amplitudes.size());
+    for (Index i = 0; i < rates.size(); ++i)
+        rates[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;
+    for (const NuisanceTerm &term : termsAt(terms, fit->onset_s)) {
+        if (!term.startsWithStep)
+            continue;
+        const std::complex<double> s = term.rate_rad_s;
+        const std::complex<double> gain
+            = fit->plateauGain + (fit->amplitudes.array() * s / (s - rates)).sum();
+        record.driven.push_back({s, term.amplitude, term.amplitude / gain});
+    }
+    return record;
+}
+
+} // namespace dyncal

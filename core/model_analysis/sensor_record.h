@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/realization/sensor_model.h"
+#include "core/signal/response_window.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <vector>
+
+namespace dyncal {
+
+/// One shot's window as the sensor alone would have recorded it: the terms of nuisance modes as the
+/// model found them taken off (docs/method/nuisance-modes.md).
+struct SensorRecord
+{
+    /// A mode that the step set off: its part of the record, and of the pressure relative to the
+    /// step, both at the onset.
+    struct Driven
+    {
+        std::complex<double> rate_rad_s;
+        std::complex<double> response;
+        std::complex<double> pressure;
+    };
+
+    Eigen::VectorXd values;
+    std::vector<Driven> driven;
+
+    /// Response to the step alone from `transform`, that of `values`: (transform + the modes' part
+    /// of the record) over (1 + their part of the pressure). Without such modes `transform`.
+    std::complex<double> ofStep(std::complex<double> transform, double frequency_Hz) const;
+};
+
+/// `fit` describes the shot; null = no model of it, then nothing is taken off.
+SensorRecord sensorRecord(
+    const WindowedResponse &response, const SensorModel &model, const SeriesFit *fit);
+
+} // namespace dyncal
