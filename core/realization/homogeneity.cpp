@@ -40,53 +40,78 @@ double energyOf(const ModelInput &input, const ModelDraft &draft, std::size_t r,
     return energyOverNoise(input.series[r], draft.series[r], pole, sampleInterval_s(input));
 }
 
-PartFit fitPart(const ModelInput &input, const ModelDraft &draft,
-    const std::vector<std::size_t> &series, const JobControl &control)
+/// What every part is fitted from.
+struct Source
+{
+    const ModelInput &input;
+    const ModelDraft &draft;
+    std::vector<RefinementRecord> records;
+    std::optional<Index> main; ///< place of the main resonance in the draft
+};
+
+/// Poles that stand out in any of the series, or the main resonance alone.
+std::vector<bool> wantedPoles(
+    const Source &source, const std::vector<std::size_t> &series, bool mainOnly)
+{
+    std::vector<bool> wanted;
+    for (Index i = 0; i < std::ssize(source.draft.rates_rad_s); ++i) {
+        const bool isMain = source.main && (i == *source.main || i == *source.main + 1);
+        const bool standsOut = std::any_of(series.begin(), series.end(),
+            [&](std::size_t r) { return energyOf(source.input, source.draft, r, i) > kStandsOut; });
+        wanted.push_back(mainOnly ? isMain : standsOut);
+    }
+    return wanted;
+}
+
+PartFit fitPoles(const Source &source, const std::vector<std::size_t> &series,
+    const std::vector<bool> &wanted, const JobControl &control)
 {
     PartFit part{series, {}, {}, {}};
     std::vector<std::complex<double>> start_rad_s;
-    for (Index i = 0; i < std::ssize(draft.rates_rad_s); ++i) {
-        const bool standsOut = std::any_of(series.begin(), series.end(),
-            [&](std::size_t r) { return energyOf(input, draft, r, i) > kStandsOut; });
-        part.place.push_back(standsOut ? std::optional(std::ssize(start_rad_s)) : std::nullopt);
-        if (standsOut)
-            start_rad_s.push_back(draft.rates_rad_s[static_cast<std::size_t>(i)]);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        part.place.emplace_back();
+        if (wanted[i]) {
+            part.place.back() = std::ssize(start_rad_s);
+            start_rad_s.push_back(source.draft.rates_rad_s[i]);
+        }
     }
-    const std::vector<RefinementRecord> all = refinementRecords(input);
     std::vector<RefinementRecord> records;
     std::vector<NoiseCovariance> noise;
     for (const std::size_t r : series) {
-        records.push_back(all[r]);
-        noise.push_back(input.series[r].fullRateNoise);
+        records.push_back(source.records[r]);
+        noise.push_back(source.input.series[r].fullRateNoise);
     }
-    part.refinement = refinePoles(records, start_rad_s, isStepTreatment(input.treatment), control);
+    part.refinement
+        = refinePoles(records, start_rad_s, isStepTreatment(source.input.treatment), control);
     if (part.refinement)
         part.noise = allowForColour(records, noise, *part.refinement);
     return part;
 }
 
-std::vector<PartFit> fitShots(
-    const ModelInput &input, const ModelDraft &draft, const JobControl &control)
+/// Poles that only the shots together tell apart cannot be fitted to one: then the main one alone,
+/// with what it leaves over in its uncertainty.
+PartFit fitPart(
+    const Source &source, const std::vector<std::size_t> &series, const JobControl &control)
 {
-    std::vector<PartFit> fits;
-    for (std::size_t r = 0; r < input.series.size(); ++r)
-        fits.push_back(fitPart(input, draft, {r}, control));
-    return fits;
+    PartFit part = fitPoles(source, series, wantedPoles(source, series, false), control);
+    if (!part.refinement && source.main)
+        part = fitPoles(source, series, wantedPoles(source, series, true), control);
+    return part;
 }
 
 /// Shots that carry a level are taken together with those of the same one, from low to high.
-std::vector<PartFit> fitLevels(const ModelInput &input, const ModelDraft &draft,
-    const std::vector<PartFit> &shots, const JobControl &control)
+std::vector<PartFit> fitLevels(
+    const Source &source, const std::vector<PartFit> &shots, const JobControl &control)
 {
     std::map<ShotLevel, std::vector<std::size_t>> levels;
-    for (std::size_t r = 0; r < input.series.size(); ++r) {
-        if (input.series[r].level != ShotLevel::None)
-            levels[input.series[r].level].push_back(r);
+    for (std::size_t r = 0; r < source.input.series.size(); ++r) {
+        if (source.input.series[r].level != ShotLevel::None)
+            levels[source.input.series[r].level].push_back(r);
     }
     std::vector<PartFit> fits;
     for (const auto &[level, series] : levels)
         fits.push_back(
-            series.size() == 1 ? shots[series.front()] : fitPart(input, draft, series, control));
+            series.size() == 1 ? shots[series.front()] : fitPart(source, series, control));
     return fits;
 }
 
@@ -310,12 +335,14 @@ void compareShots(
 {
     if (!draft.refinement || input.series.front().shot == 0)
         return;
-    const std::vector<PartFit> shots = fitShots(input, draft, control);
-    const auto main = mainPlace(model);
+    const Source source{input, draft, refinementRecords(input), mainPlace(model)};
+    std::vector<PartFit> shots;
+    for (std::size_t r = 0; r < input.series.size(); ++r)
+        shots.push_back(fitPart(source, {r}, control));
     for (const PartFit &fit : shots)
-        model.perShot.push_back(describePart(input, fit, main));
-    for (const PartFit &fit : fitLevels(input, draft, shots, control))
-        model.perLevel.push_back(describePart(input, fit, main));
+        model.perShot.push_back(describePart(input, fit, source.main));
+    for (const PartFit &fit : fitLevels(source, shots, control))
+        model.perLevel.push_back(describePart(input, fit, source.main));
     const auto fitted = std::count_if(
         shots.begin(), shots.end(), [](const PartFit &fit) { return fit.refinement.has_value(); });
     if (fitted > 1)
