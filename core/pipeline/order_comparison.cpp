@@ -3,7 +3,8 @@
 
 #include "core/pipeline/order_comparison.h"
 
-#include "core/decomposition/residual_analysis.h"
+#include "core/base/distributions.h"
+#include "core/decomposition/principal_components.h"
 #include "core/pipeline/model_stages.h"
 #include "core/realization/model_findings.h"
 #include "core/realization/realized_poles.h"
@@ -19,28 +20,54 @@ constexpr std::size_t kMostOrders = 50;
 constexpr Index kReferenceOrder = 100; ///< the thesis's high order
 constexpr Index kWhitenessLags = 20;
 
-/// What is left of each series is made white by its own noise, so that coloured noise is no fault
-/// of the model. Of several series: how probable a smallest p value as small as theirs is.
+/// Autocorrelation at lags 1 .. of a record, with its variance under white noise (Ljung and Box).
+struct Correlogram
+{
+    Eigen::ArrayXd values;
+    Eigen::ArrayXd variances;
+};
+
+std::optional<Correlogram> correlogramOf(const Eigen::VectorXd &record)
+{
+    const auto n = static_cast<double>(record.size());
+    if (record.size() <= 4 * kWhitenessLags)
+        return std::nullopt;
+    const Eigen::VectorXd covariance
+        = autocovariance((record.array() - record.mean()).matrix(), kWhitenessLags);
+    if (!(covariance[0] > 0.0))
+        return std::nullopt;
+    const Eigen::ArrayXd lags
+        = Eigen::ArrayXd::LinSpaced(kWhitenessLags, 1.0, static_cast<double>(kWhitenessLags));
+    return Correlogram{
+        covariance.tail(kWhitenessLags).array() / covariance[0], (n - lags) / (n * (n + 2.0))};
+}
+
+/// Whether what is left of the series has the colour of their pre-trigger noise: both are made
+/// white by the noise's model, and their autocorrelations compared (docs/method/order.md).
 double whitenessOf(const ModelInput &input, const SensorModel &model)
 {
     std::vector<NoiseCovariance> noise;
     for (const ModelSeries &series : input.series)
         noise.push_back(noiseCovariance(series.noise, kLargestNoiseModel));
     const auto noiseModels = chooseAutoregressiveModels(noise, kLargestNoiseModel);
-    double smallest = kUnknown;
+    double statistic = 0.0;
+    Index lags = 0;
     for (std::size_t r = 0; r < model.series.size() && !model.diverges; ++r) {
-        const Eigen::VectorXd left = whitened(model.series[r].error, noiseModels[r].coefficients);
-        const Index lags = std::min(kWhitenessLags, left.size() / 4);
-        if (lags < 1)
+        const Eigen::VectorXd &a = noiseModels[r].coefficients;
+        const auto left = correlogramOf(whitened(model.series[r].error, a));
+        if (!left)
             continue;
-        const Eigen::VectorXd covariance
-            = autocovariance((left.array() - left.mean()).matrix(), lags);
-        if (!(covariance[0] > 0.0)) // nothing is left
-            continue;
-        const double p = ljungBox_p(covariance / covariance[0], left.size(), lags);
-        smallest = std::isnan(smallest) ? p : std::min(smallest, p);
+        const Eigen::VectorXd &before = input.series[r].noise;
+        const auto quiet = before.size() > a.size() ? correlogramOf(whitened(before, a))
+                                                    : std::optional<Correlogram>();
+        const Eigen::ArrayXd difference
+            = quiet ? Eigen::ArrayXd(left->values - quiet->values) : left->values;
+        const Eigen::ArrayXd variance
+            = quiet ? Eigen::ArrayXd(left->variances + quiet->variances) : left->variances;
+        statistic += (difference.square() / variance).sum();
+        lags += kWhitenessLags;
     }
-    return -std::expm1(static_cast<double>(model.series.size()) * std::log1p(-smallest));
+    return lags > 0 ? chiSquareSurvival(statistic, static_cast<double>(lags)) : kUnknown;
 }
 
 /// The model a run has made already, or a new one.

@@ -17,7 +17,7 @@ struct ComparedOrder
     Index order = 0;
     std::shared_ptr<const SensorModel> model; ///< null with an error
     std::shared_ptr<const ResponseResult> response; ///< null with an error and where it diverges
-    /// Ljung-Box p value of what the model leaves, over all series; NaN where it diverges.
+    /// p value of the residuals being nothing but noise, over all series; NaN where it diverges.
     double whiteness_p = kUnknown;
     std::optional<double> bic; ///< of the orders that the suggestion looked at
     std::optional<Error> error;
