@@ -20,19 +20,19 @@ public:
     using QObject::QObject;
 
     const std::array<std::optional<double>, 2> &positions_Hz() const { return m_positions_Hz; }
-    void place(int which, double frequency_Hz)
+    void place(int which, double frequency_Hz, const QObject *source)
     {
         m_positions_Hz[static_cast<std::size_t>(which)] = frequency_Hz;
-        emit moved();
+        emit moved(source);
     }
-    void clear()
+    void clear(const QObject *source)
     {
         m_positions_Hz = {};
-        emit moved();
+        emit moved(source);
     }
 
 signals:
-    void moved();
+    void moved(const QObject *source); ///< by the view `source`, whose own cursors stand already
 
 private:
     std::array<std::optional<double>, 2> m_positions_Hz;

@@ -335,8 +335,10 @@ void OrderPage::showModel()
     m_poles->setContent(poles);
     const bool isCurrent
         = model && model->order == shownOrder() && session().isOfThisRun(StageId::Model);
-    m_controls->showResults(
-        results(), isCurrent, isCurrent && adoptedOrder(session()) == modelOrder());
+    CalibrationResults shown = results();
+    if (!session().isOfThisRun(StageId::Evidence))
+        shown.evidence = nullptr;
+    m_controls->showResults(shown, isCurrent, isCurrent && adoptedOrder(session()) == modelOrder());
     showCandidates();
 }
 

@@ -118,10 +118,12 @@ void StagePage::shareFrequencyCursors(const std::vector<PlotWidget *> &plots)
 {
     FrequencyCursors *cursors = &m_session.frequencyCursors();
     for (PlotWidget *plot : plots) {
-        connect(plot, &PlotWidget::cursorPlaced, cursors, &FrequencyCursors::place);
-        connect(plot, &PlotWidget::cursorsCleared, cursors, &FrequencyCursors::clear);
-        connect(cursors, &FrequencyCursors::moved, plot, [plot, cursors] {
-            if (plot->hasFocus()) // placed here: it stands on a value
+        connect(plot, &PlotWidget::cursorPlaced, cursors,
+            [cursors, plot](int which, double f_Hz) { cursors->place(which, f_Hz, plot); });
+        connect(
+            plot, &PlotWidget::cursorsCleared, cursors, [cursors, plot] { cursors->clear(plot); });
+        connect(cursors, &FrequencyCursors::moved, plot, [plot, cursors](const QObject *source) {
+            if (source == plot)
                 return;
             const auto &at_Hz = cursors->positions_Hz();
             if (!at_Hz[0] && !at_Hz[1])

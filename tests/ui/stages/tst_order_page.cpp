@@ -16,6 +16,9 @@
 #include <QToolButton>
 #include <QtTest>
 
+#include <algorithm>
+#include <memory>
+
 using namespace dyncal;
 
 namespace {
@@ -223,9 +226,10 @@ void TestOrderPage::overlays_areFourAtMostInFourStyles()
 {
     pin({3, 4, 5, 6, 7, 8});
     QTRY_VERIFY_WITH_TIMEOUT(m_session.candidates().find(8), kPatience_ms);
+    const QStringList plots{"orderBodePlot", "orderFitPlot", "orderPolePlot"};
     for (const CurveRole role : {CurveRole::Candidate1, CurveRole::Candidate2,
              CurveRole::Candidate3, CurveRole::Candidate4})
-        for (const QString &name : {"orderBodePlot", "orderFitPlot", "orderPolePlot"})
+        for (const QString &name : plots)
             QCOMPARE(curvesOfRole(name, role), std::size_t(1));
     auto *box = m_page->findChildren<CandidateCard *>().first()->findChild<QCheckBox *>(
         "candidateOverlay");
@@ -302,8 +306,6 @@ void TestOrderPage::adopt_unstable_isDisabledAndSaysWhy()
 
 void TestOrderPage::tolerances_changeTheRecipe()
 {
-    auto *edit = control<QLineEdit>("qt_spinbox_lineedit");
-    QVERIFY(edit);
     const auto model = m_session.results().model;
     Recipe recipe = m_session.recipe();
     recipe.realization.stableFrequency = 1e-6;
