@@ -104,10 +104,10 @@ Eigen::MatrixXd exponentialBasis(const std::vector<std::complex<double>> &poles,
 AmplitudeFit fitAmplitudes(
     const Eigen::VectorXd &y, const std::vector<std::complex<double>> &poles, bool withConstant)
 {
-    return fitAmplitudes(Eigen::MatrixXd(y), poles, withConstant).front();
+    return fitAmplitudesTogether(Eigen::MatrixXd(y), poles, withConstant).front();
 }
 
-std::vector<AmplitudeFit> fitAmplitudes(const Eigen::MatrixXd &records,
+std::vector<AmplitudeFit> fitAmplitudesTogether(const Eigen::MatrixXd &records,
     const std::vector<std::complex<double>> &poles, bool withConstant)
 {
     Eigen::VectorXd scales;

@@ -75,7 +75,7 @@ struct AmplitudeFit
 AmplitudeFit fitAmplitudes(
     const Eigen::VectorXd &y, const std::vector<std::complex<double>> &poles, bool withConstant);
 /// The same for records in columns, which share poles and length: one decomposition for all.
-std::vector<AmplitudeFit> fitAmplitudes(const Eigen::MatrixXd &records,
+std::vector<AmplitudeFit> fitAmplitudesTogether(const Eigen::MatrixXd &records,
     const std::vector<std::complex<double>> &poles, bool withConstant);
 
 } // namespace dyncal

@@ -83,7 +83,7 @@ ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<d
     Eigen::MatrixXd records(input.samples, static_cast<Index>(input.series.size()));
     for (Index r = 0; r < records.cols(); ++r)
         records.col(r) = input.series[static_cast<std::size_t>(r)].y;
-    const auto fits = fitAmplitudes(records, sorted, isStepTreatment(input.treatment));
+    const auto fits = fitAmplitudesTogether(records, sorted, isStepTreatment(input.treatment));
     for (std::size_t r = 0; r < fits.size(); ++r) {
         draft.series.push_back(atStart(input.series[r], draft.rates_rad_s, fits[r]));
         draft.nuisance.push_back(input.series[r].nuisance);
