@@ -33,10 +33,15 @@ std::shared_ptr<const CaptureSet> example()
     return set;
 }
 
-/// Outside a template, where the compiler does not fall over it.
+// Outside the template below, in which the compiler falls over them.
 Session::Pipeline realPipeline()
 {
     return runPipeline;
+}
+
+void open(Session &session, const std::shared_ptr<const CaptureSet> &set)
+{
+    session.reset({set, {}});
 }
 
 /// The page over the real pipeline: what a technician's hand does to the numbers.
@@ -53,7 +58,7 @@ struct Bench
         , inspector(page.inspector())
     {
         session.setFocus(StageId::Shock);
-        session.reset({set, {}});
+        open(session, set);
         page.resize(1000, 800);
         page.show();
         inspector->show();
