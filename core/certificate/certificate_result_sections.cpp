@@ -34,6 +34,13 @@ void addSensitivity(const CertificateSources &sources, CertificateSection &secti
             false});
 }
 
+/// Where the scatter of few shots decides, k is Student's: U then is that k u, so that the interval
+/// printed holds 95 % there too.
+double withStudent(const Pole &pole, double u)
+{
+    return pole.coverageFactor > kCoverageFactor ? u * pole.coverageFactor / kCoverageFactor : u;
+}
+
 void addResonance(const CertificateSources &sources, CertificateSection &section)
 {
     const Pole *pole = sources.model ? mainPole(*sources.model) : nullptr;
@@ -42,10 +49,15 @@ void addResonance(const CertificateSources &sources, CertificateSection &section
         : noModel();
     section.fields.push_back(
         {"natural_frequency", {DYNCAL_TEXT("core", "Undamped natural frequency"), {}},
-            pole ? printedWithUncertainty(pole->frequency_Hz, pole->u_frequency_Hz, "Hz") : none,
+            pole ? printedWithUncertainty(
+                pole->frequency_Hz, withStudent(*pole, pole->u_frequency_Hz), "Hz")
+                 : none,
             false});
     section.fields.push_back({"damping_ratio", {DYNCAL_TEXT("core", "Damping ratio"), {}},
-        pole ? printedWithUncertainty(pole->dampingRatio, pole->u_dampingRatio, "") : none, false});
+        pole ? printedWithUncertainty(
+            pole->dampingRatio, withStudent(*pole, pole->u_dampingRatio), "")
+             : none,
+        false});
 }
 
 void addCharacteristics(const CertificateSources &sources, CertificateSection &section)
@@ -141,11 +153,12 @@ CertificateTable poleTable(const SensorModel &model)
     for (const Pole &pole : model.poles) {
         if (pole.z.imag() < 0.0)
             continue;
+        const double u_Hz = withStudent(pole, pole.u_frequency_Hz);
+        const double u_damping = withStudent(pole, pole.u_dampingRatio);
         table.rows.push_back({poleWord(pole.poleClass), verbatim(complexText(pole.z)),
-            withRounding(pole.frequency_Hz, pole.u_frequency_Hz, "Hz"),
-            expanded(pole.frequency_Hz, pole.u_frequency_Hz, "Hz"),
-            withRounding(pole.dampingRatio, pole.u_dampingRatio, ""),
-            expanded(pole.dampingRatio, pole.u_dampingRatio, ""),
+            withRounding(pole.frequency_Hz, u_Hz, "Hz"), expanded(pole.frequency_Hz, u_Hz, "Hz"),
+            withRounding(pole.dampingRatio, u_damping, ""),
+            expanded(pole.dampingRatio, u_damping, ""),
             verbatim(roundedText(pole.amplitude, kUnknown, ""))});
     }
     return table;
