@@ -21,6 +21,14 @@ struct ThinSvd
 /// of the Eigen templates costs up to a minute of compile time.
 ThinSvd thinSvd(const Eigen::MatrixXd &matrix);
 
+/// The same without V, which is much less work for a wide X: of X^T = Q R only R is decomposed.
+struct LeftSvd
+{
+    Eigen::MatrixXd left;
+    Eigen::VectorXd singularValues;
+};
+LeftSvd leftSvd(const Eigen::MatrixXd &matrix);
+
 /// X = V diag(t) V^T of a symmetric matrix, t ascending.
 struct SymmetricEigen
 {

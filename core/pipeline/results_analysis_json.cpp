@@ -145,6 +145,7 @@ void addRealization(JsonRecord &root, const ResultsContext &context)
     section.set("columns", hankel.columns);
     section.numbers(
         "singular_values", hankel.singularValues.head(shown), "The decomposition is empty.");
+    section.set("converged", std::min(hankel.converged, shown));
     section.number("noise_floor_p95", hankel.noiseFloor_p95,
         "There is too little record before the start to know the noise.");
     if (result->suggestion.order > 0)

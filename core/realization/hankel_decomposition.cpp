@@ -11,12 +11,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dyncal {
 namespace {
 
-/// Beyond this many rows the dense decomposition takes more than about 0.2 s.
-constexpr Index kDenseRows = 260;
+/// Beyond this many rows Lanczos is faster for 120 triplets (70 ms for three shots), before that
+/// for fewer only.
+constexpr Index kDenseRows = 350;
 
 struct Shape
 {
@@ -80,54 +82,72 @@ void keepThesisParts(const Eigen::VectorXd &y, const Shape &shape, const Eigen::
     result.firstRightRow = right.row(0);
 }
 
-Eigen::MatrixXd decomposeDense(
-    const std::vector<HankelOperator> &blocks, const Shape &shape, HankelDecomposition &result)
+SingularTriplets denseTriplets(
+    const std::vector<HankelOperator> &blocks, bool needsRight, Index count)
 {
+    if (!needsRight) {
+        const LeftSvd svd = leftSvd(denseHankel(blocks));
+        return {svd.singularValues.head(count), svd.left.leftCols(count), {}, count};
+    }
     const ThinSvd svd = thinSvd(denseHankel(blocks));
-    result.singularValues = svd.singularValues.head(shape.kept);
-    result.leftVectors = svd.left.leftCols(shape.kept);
-    result.converged = shape.kept;
-    result.method = "dense";
-    return svd.right.leftCols(shape.kept);
+    return {
+        svd.singularValues.head(count), svd.left.leftCols(count), svd.right.leftCols(count), count};
 }
 
-Result<Eigen::MatrixXd> decomposeLanczos(const std::vector<HankelOperator> &blocks, bool needsRight,
-    const Shape &shape, HankelDecomposition &result, const JobControl &control)
+void keep(SingularTriplets &&triplets, HankelDecomposition &result)
 {
+    const Index r = result.rows;
+    result.singularValues = std::move(triplets.singularValues);
+    result.leftVectors = std::move(triplets.left);
+    result.converged = triplets.converged;
+    result.shiftGram
+        = innerProducts(result.leftVectors.topRows(r - 1), result.leftVectors.bottomRows(r - 1));
+}
+
+/// All triplets that are kept; where that takes long, `first` gets the leading ones before.
+Result<SingularTriplets> lanczosTriplets(const std::vector<HankelOperator> &blocks, bool needsRight,
+    const HankelDecomposition &outline, Index count, const JobControl &control,
+    const FirstTriplets &first)
+{
+    constexpr Index kFirst = 40;
+    constexpr double kLong = 1e6; ///< rows times triplets: some tenths of a second
     using Right = HankelTriplets::Right;
-    auto triplets = HankelTriplets(blocks).leading(
-        shape.kept, needsRight ? Right::Wanted : Right::NotWanted, control);
-    if (!triplets)
-        return tl::unexpected(triplets.error());
-    result.singularValues = std::move(triplets->singularValues);
-    result.leftVectors = std::move(triplets->left);
-    result.converged = triplets->converged;
-    result.method = "lanczos";
-    return std::move(triplets->right);
+    HankelTriplets engine(blocks);
+    if (first && count > 3 * kFirst / 2
+        && static_cast<double>(outline.rows) * static_cast<double>(count) > kLong) {
+        auto leading = engine.leading(kFirst, Right::NotWanted, control);
+        if (!leading)
+            return tl::unexpected(leading.error());
+        HankelDecomposition early = outline;
+        keep(std::move(*leading), early);
+        first(early);
+    }
+    return engine.leading(count, needsRight ? Right::Wanted : Right::NotWanted, control);
 }
 
 /// Largest singular value of matrices of the same shape built from the pre-trigger noise: the 95 %
 /// point of the draws the noise record allows; with too short a record 0.75 sqrt(2 m ln m) of unit
 /// noise (docs/method/hankel.md; the Marchenko-Pastur edge does not hold for Hankel matrices).
-double noiseFloor(const ModelInput &input, const Shape &shape, const HankelDecomposition &result)
+double noiseFloor(const ModelInput &input, const Shape &shape, const HankelDecomposition &result,
+    const JobControl &control)
 {
     constexpr Index kDraws = 12;
     const Index length = shape.rows + shape.columns.front() - 1;
+    Index longest = std::numeric_limits<Index>::max();
+    for (const ModelSeries &series : input.series)
+        longest = std::min(longest, series.noise.size());
     std::vector<double> tops;
-    for (Index draw = 0; draw < kDraws; ++draw) {
+    for (Index draw = 0; draw < std::min(kDraws, (longest - 1) / length); ++draw) {
+        if (control.stopRequested())
+            break;
         std::vector<HankelOperator> blocks;
         for (std::size_t i = 0; i < input.series.size(); ++i) {
-            ModelSeries noise = input.series[i];
-            const Index begin = draw * length;
-            if (begin + length + 1 > noise.noise.size())
-                break;
-            noise.y = noise.noise.segment(begin, length + 1);
+            ModelSeries noise;
+            noise.y = input.series[i].noise.segment(draw * length, length + 1);
             blocks.emplace_back(
                 hankelSequence(noise, input.treatment, result.seriesWeights[i]).head(length),
                 shape.rows, shape.columns[i], result.onesProjected);
         }
-        if (blocks.size() != input.series.size())
-            break;
         tops.push_back(largestSingularValue(blocks));
     }
     if (tops.size() < 3) {
@@ -156,8 +176,8 @@ Eigen::VectorXd hankelSequence(
     return series.y / weight;
 }
 
-Result<HankelDecomposition> decomposeHankel(
-    const ModelInput &input, const RealizationSettings &settings, const JobControl &control)
+Result<HankelDecomposition> decomposeHankel(const ModelInput &input,
+    const RealizationSettings &settings, const JobControl &control, const FirstTriplets &first)
 {
     const auto shape = chooseShape(input, settings);
     if (!shape)
@@ -173,29 +193,26 @@ Result<HankelDecomposition> decomposeHankel(
         result.seriesWeights.push_back(
             input.series.size() > 1 && series.noiseSd > 0.0 ? series.noiseSd : 1.0);
     }
+    const bool isDense
+        = shape->rows <= kDenseRows || shape->kept > BlockLanczos::mostPairs(shape->rows);
+    result.method = isDense ? "dense" : "lanczos";
+    result.noiseFloor_p95 = noiseFloor(input, *shape, result, control);
 
     const std::vector<HankelOperator> blocks
         = operators(input, *shape, result.seriesWeights, result.onesProjected);
-    Eigen::MatrixXd right;
-    if (shape->rows <= kDenseRows || shape->kept > BlockLanczos::mostPairs(shape->rows)) {
-        right = decomposeDense(blocks, *shape, result);
-    } else {
-        auto vectors = decomposeLanczos(blocks, isThesis(input), *shape, result, control);
-        if (!vectors)
-            return tl::unexpected(vectors.error());
-        right = std::move(*vectors);
-    }
+    Result<SingularTriplets> triplets = isDense
+        ? denseTriplets(blocks, isThesis(input), shape->kept)
+        : lanczosTriplets(blocks, isThesis(input), result, shape->kept, control, first);
+    if (!triplets)
+        return tl::unexpected(triplets.error());
     if (control.stopRequested())
         return fail(ErrorKind::Cancelled, {});
-
-    const Index r = result.rows;
-    result.shiftGram
-        = innerProducts(result.leftVectors.topRows(r - 1), result.leftVectors.bottomRows(r - 1));
+    const Eigen::MatrixXd right = std::move(triplets->right);
+    keep(std::move(*triplets), result);
     if (isThesis(input)) {
         keepThesisParts(
             hankelSequence(input.series.front(), input.treatment, 1.0), *shape, right, result);
     }
-    result.noiseFloor_p95 = noiseFloor(input, *shape, result);
     return result;
 }
 

@@ -123,10 +123,11 @@ Eigen::MatrixXd denseHankel(const std::vector<HankelOperator> &blocks)
 double largestSingularValue(const std::vector<HankelOperator> &blocks)
 {
     if (BlockLanczos::mostPairs(blocks.front().rows()) < 1)
-        return thinSvd(denseHankel(blocks)).singularValues[0];
-    constexpr double kSixDigits = 1e-3; // of the residual: the value errs by its square
+        return leftSvd(denseHankel(blocks)).singularValues[0];
+    // A value errs by its residual at most, and by the square of it where others are not so near.
+    constexpr double kResidual = 0.01;
     const auto product = productOf(blocks);
-    BlockLanczos lanczos(*product, kSixDigits);
+    BlockLanczos lanczos(*product, kResidual);
     lanczos.iterate(1, {});
     const double value = std::abs(lanczos.leading(1).values[0]);
     return isSymmetric(blocks) ? value : std::sqrt(value);

@@ -50,7 +50,7 @@ private:
 /// [H_1 H_2 ...] written out.
 Eigen::MatrixXd denseHankel(const std::vector<HankelOperator> &blocks);
 
-/// Largest singular value alone, to 1e-6 of it.
+/// Largest singular value alone, to 1 % of it at least (0.01 % as a rule).
 double largestSingularValue(const std::vector<HankelOperator> &blocks);
 
 } // namespace dyncal

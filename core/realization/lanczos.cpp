@@ -36,6 +36,10 @@ void fillRandom(Eigen::Ref<Eigen::VectorXd> x, Index stream)
 class Convergence
 {
 public:
+    explicit Convergence(Index firstLook)
+        : m_nextLook(firstLook)
+    {
+    }
     void add(Index products, double excess)
     {
         const double logarithm = std::log(excess);
@@ -53,7 +57,7 @@ public:
 private:
     Index m_products = 0;
     double m_logarithm = 0.0;
-    Index m_nextLook = std::numeric_limits<Index>::max();
+    Index m_nextLook;
 };
 
 } // namespace
@@ -225,7 +229,7 @@ bool BlockLanczos::iterate(Index count, const JobControl &control)
     const Index keep = count + (full - count) / 3;
     const Index limit = m_products + 100 * count + 1000;
     reserve(full + kBlock);
-    Convergence convergence;
+    Convergence convergence(m_products + 3 * count + 20);
     while (m_products < limit) {
         if (control.stopRequested())
             return false;

@@ -1,0 +1,218 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Prints the tables "Methods" and "Several shots" of docs/accuracy.md: method_table [TRIALS]
+// Three shots (0.33, 0.6 and 0.9 of the range, 14 bits, 400 samples): bias and standard deviation
+// of fn, zeta and the plateau, in per cent of the truth, by method.
+
+#include "core/realization/hankel_decomposition.h"
+#include "core/realization/realized_poles.h"
+#include "core/realization/sensor_model.h"
+#include "tests/support/model_inputs.h"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <numbers>
+#include <optional>
+#include <string>
+
+using namespace dyncal;
+
+namespace {
+
+constexpr std::array<double, 3> kSteps{0.33, 0.6, 0.9};
+constexpr Index kSamples = 400;
+
+struct Case
+{
+    const char *name;
+    double f0_Hz, zeta, rate_Hz, snr_dB;
+};
+
+struct Estimate
+{
+    double frequency_Hz = 0.0;
+    double zeta = 0.0;
+    double plateau = kUnknown; ///< over the true one
+};
+
+/// Bias and standard deviation over the trials, and how many gave no oscillating pole.
+class Statistics
+{
+public:
+    void add(const std::optional<Estimate> &estimate, const Case &c)
+    {
+        if (!estimate) {
+            ++m_failed;
+            return;
+        }
+        ++m_count;
+        const std::array<double, 3> errors{100.0 * (estimate->frequency_Hz / c.f0_Hz - 1.0),
+            100.0 * (estimate->zeta / c.zeta - 1.0), 100.0 * (estimate->plateau - 1.0)};
+        for (std::size_t i = 0; i < 3; ++i) {
+            m_sums[i] += errors[i];
+            m_squares[i] += errors[i] * errors[i];
+        }
+    }
+    std::string cells() const
+    {
+        if (m_count == 0)
+            return " no oscillating pole | | |";
+        std::string text;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double mean = m_sums[i] / m_count;
+            const double sd = std::sqrt(std::max(0.0, m_squares[i] / m_count - mean * mean));
+            char cell[64];
+            std::snprintf(cell, sizeof cell, " %+.4f +- %.4f |", mean, sd);
+            text += std::isnan(mean) ? " |" : cell;
+        }
+        return m_failed > 0 ? text + " none in " + std::to_string(m_failed) : text;
+    }
+
+private:
+    std::array<double, 3> m_sums{};
+    std::array<double, 3> m_squares{};
+    int m_count = 0;
+    int m_failed = 0;
+};
+
+/// Shots in units of the range, rounded to 14 bits, each with its pre-trigger noise.
+std::vector<ModelSeries> simulate(const Case &c, const std::array<double, 3> &noise,
+    const std::array<double, 3> &start, std::uint64_t seed)
+{
+    testing::Noise source(seed);
+    std::vector<ModelSeries> shots;
+    for (std::size_t i = 0; i < kSteps.size(); ++i) {
+        const auto rounded = [](const Eigen::VectorXd &x) {
+            return ((x * 8192.0).array().round() / 8192.0).eval();
+        };
+        const Eigen::VectorXd y = rounded(
+            testing::sampledStep(c.f0_Hz, c.zeta, c.rate_Hz, kSamples, start[i]) * kSteps[i]
+            + source.series(kSamples, noise[i]));
+        shots.push_back(testing::makeSeries(
+            static_cast<Index>(i) + 1, y, c.rate_Hz, rounded(source.series(2000, noise[i]))));
+    }
+    return shots;
+}
+
+/// The shots over their steps, averaged with equal weights: what the thesis decomposes.
+std::vector<ModelSeries> averaged(const std::vector<ModelSeries> &shots, double rate_Hz)
+{
+    Eigen::VectorXd y = Eigen::VectorXd::Zero(kSamples);
+    Eigen::VectorXd noise = Eigen::VectorXd::Zero(shots.front().noise.size());
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        y += shots[i].y / (3.0 * kSteps[i]);
+        noise += shots[i].noise / (3.0 * kSteps[i]);
+    }
+    return {testing::makeSeries(0, y, rate_Hz, noise)};
+}
+
+/// The oscillating pole of the raw realisation; the thesis has no plateau gain.
+std::optional<Estimate> fromPoles(
+    std::vector<ModelSeries> series, const Case &c, ResponseTreatment treatment, Index order)
+{
+    const auto hankel
+        = decomposeHankel(testing::makeInput(treatment, c.rate_Hz, std::move(series)), {});
+    for (const std::complex<double> &z : realizedPoles(*hankel, order)) {
+        if (z.imag() <= 0.0)
+            continue;
+        const std::complex<double> s = std::log(z) * c.rate_Hz;
+        return Estimate{std::abs(s) / (2.0 * std::numbers::pi), -s.real() / std::abs(s), kUnknown};
+    }
+    return std::nullopt;
+}
+
+std::optional<Estimate> fromModel(
+    const std::vector<ModelSeries> &series, const Case &c, ResponseTreatment treatment, bool refine)
+{
+    const ModelInput input = testing::makeInput(treatment, c.rate_Hz, series);
+    RealizationSettings settings;
+    settings.refine = refine;
+    const auto model = realizeModel(input, *decomposeHankel(input, {}), 2, settings, {});
+    const Pole *pole = model ? mainPole(*model) : nullptr;
+    if (!pole || pole->z.imag() == 0.0)
+        return std::nullopt;
+    double plateau = 0.0;
+    for (const SeriesFit &fit : model->series) {
+        const double step = fit.shot > 0 ? kSteps[static_cast<std::size_t>(fit.shot) - 1] : 1.0;
+        plateau += fit.plateauGain / step / static_cast<double>(model->series.size());
+    }
+    return Estimate{pole->frequency_Hz, pole->dampingRatio, plateau};
+}
+
+void printRow(const std::string &name, const std::string &method, const Statistics &statistics)
+{
+    std::printf("| %s | %s |%s\n", name.c_str(), method.c_str(), statistics.cells().c_str());
+    std::fflush(stdout);
+}
+
+void printMethods(const Case &c, int trials)
+{
+    using T = ResponseTreatment;
+    std::array<Statistics, 5> methods;
+    const double relative = std::pow(10.0, -c.snr_dB / 20.0);
+    std::array<double, 3> noise{};
+    for (std::size_t i = 0; i < 3; ++i)
+        noise[i] = relative * kSteps[i];
+    for (int trial = 1; trial <= trials; ++trial) {
+        const auto shots = simulate(c, noise, {1.0, 1.0, 1.0}, static_cast<std::uint64_t>(trial));
+        const auto average = averaged(shots, c.rate_Hz);
+        methods[0].add(fromPoles(average, c, T::StepAsImpulse, 2), c);
+        methods[1].add(fromPoles(average, c, T::StepAsImpulse, 3), c);
+        methods[2].add(fromModel(shots, c, T::Differenced, false), c);
+        methods[3].add(fromModel(shots, c, T::StepDeflated, false), c);
+        methods[4].add(fromModel(shots, c, T::StepDeflated, true), c);
+    }
+    const std::array<const char *, 5> names{"(a) thesis, order 2", "(a+) thesis, order 3",
+        "(b) differenced", "(c) step deflated", "(e) deflated, refined"};
+    for (std::size_t i = 0; i < methods.size(); ++i)
+        printRow(c.name, names[i], methods[i]);
+}
+
+/// Equal noise in all shots, so that the smallest has the worst record.
+void printShots(const Case &c, bool jitter, int trials)
+{
+    Statistics equal, best, stacked, refined;
+    const double noise = std::pow(10.0, -c.snr_dB / 20.0);
+    for (int trial = 1; trial <= trials; ++trial) {
+        const auto seed = static_cast<std::uint64_t>(trial);
+        testing::Noise source(seed + 1'000'000);
+        std::array<double, 3> start{1.0, 1.0, 1.0};
+        for (double &first : start) {
+            const double uniform = 0.5 * std::erfc(-source.next() / std::numbers::sqrt2);
+            first = jitter ? uniform : 1.0;
+        }
+        const auto shots = simulate(c, {noise, noise, noise}, start, seed);
+        const auto deflated = ResponseTreatment::StepDeflated;
+        equal.add(fromModel(averaged(shots, c.rate_Hz), c, deflated, false), c);
+        best.add(fromPoles({shots.back()}, c, deflated, 2), c);
+        stacked.add(fromModel(shots, c, deflated, false), c);
+        refined.add(fromModel(shots, c, deflated, true), c);
+    }
+    const std::string name = std::string(c.name) + (jitter ? ", starts within a sample" : "");
+    printRow(name, "average, equal weights", equal);
+    printRow(name, "largest shot alone", best);
+    printRow(name, "stacked", stacked);
+    printRow(name, "stacked, refined", refined);
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    const int trials = argc > 1 ? std::atoi(argv[1]) : 400;
+    const Case cases[]{{"30 kHz, zeta 0.05, 1 MHz, 40 dB", 30e3, 0.05, 1e6, 40.0},
+        {"318 kHz, zeta 0.02, 1 MHz, 40 dB", 318e3, 0.02, 1e6, 40.0},
+        {"200 kHz, zeta 0.02, 10 MHz, 40 dB", 200e3, 0.02, 10e6, 40.0},
+        {"30 kHz, zeta 0.05, 1 MHz, 20 dB", 30e3, 0.05, 1e6, 20.0},
+        {"30 kHz, zeta 0.5, 1 MHz, 40 dB", 30e3, 0.5, 1e6, 40.0}};
+    std::printf("| case | method | fn, %% | zeta, %% | plateau, %% |\n|---|---|---|---|---|\n");
+    for (const Case &c : cases)
+        printMethods(c, trials);
+    std::printf("\n| case | shots | fn, %% | zeta, %% | plateau, %% |\n|---|---|---|---|---|\n");
+    printShots(cases[0], false, trials);
+    printShots(cases[1], true, trials);
+    return 0;
+}
