@@ -200,9 +200,10 @@ void addBands(JsonRecord &root, const ResultsContext &context)
 
 void addBudget(JsonRecord &root)
 {
-    root.missing("budget", "Not evaluated: this version computes no uncertainty budget.");
-    root.missing(
-        "gum_validated_by_monte_carlo", "Not evaluated: this version computes no Monte Carlo.");
+    root.missing("budget",
+        "Not evaluated for the frequency response; that of each pressure step is in shock.");
+    root.missing("gum_validated_by_monte_carlo",
+        "Not evaluated for the frequency response; that of each pressure step is in shock.");
 }
 
 } // namespace dyncal

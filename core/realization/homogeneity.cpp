@@ -19,54 +19,99 @@ namespace {
 
 constexpr double kSignificance = 0.01;
 
-/// The poles of the model fitted to some of the shots alone.
+/// The poles of the model fitted to some of the shots alone: those that stand out there.
 struct PartFit
 {
     std::vector<std::size_t> series; ///< positions in the input
+    std::vector<std::optional<Index>> place; ///< of every pole of the draft among those fitted
     std::optional<Refinement> refinement;
     NoiseBasis noise;
+
+    bool has(Index pole) const
+    {
+        return refinement && place[static_cast<std::size_t>(pole)].has_value();
+    }
+    Index at(Index pole) const { return *place[static_cast<std::size_t>(pole)]; }
 };
 
-PartFit fitPart(const ModelInput &input, const ModelDraft &draft,
-    const std::vector<std::size_t> &series, const JobControl &control)
+/// Energy over noise of a pole in one series, as the joint fit has it.
+double energyOf(const ModelInput &input, const ModelDraft &draft, std::size_t r, Index pole)
 {
-    PartFit part{series, {}, {}};
-    const std::vector<RefinementRecord> all = refinementRecords(input);
+    return energyOverNoise(input.series[r], draft.series[r], pole, sampleInterval_s(input));
+}
+
+/// What every part is fitted from.
+struct Source
+{
+    const ModelInput &input;
+    const ModelDraft &draft;
+    std::vector<RefinementRecord> records;
+    std::optional<Index> main; ///< place of the main resonance in the draft
+};
+
+/// Poles that stand out in any of the series, or the main resonance alone.
+std::vector<bool> wantedPoles(
+    const Source &source, const std::vector<std::size_t> &series, bool mainOnly)
+{
+    std::vector<bool> wanted;
+    for (Index i = 0; i < std::ssize(source.draft.rates_rad_s); ++i) {
+        const bool isMain = source.main && (i == *source.main || i == *source.main + 1);
+        const bool standsOut = std::any_of(series.begin(), series.end(),
+            [&](std::size_t r) { return energyOf(source.input, source.draft, r, i) > kStandsOut; });
+        wanted.push_back(mainOnly ? isMain : standsOut);
+    }
+    return wanted;
+}
+
+PartFit fitPoles(const Source &source, const std::vector<std::size_t> &series,
+    const std::vector<bool> &wanted, const JobControl &control)
+{
+    PartFit part{series, {}, {}, {}};
+    std::vector<std::complex<double>> start_rad_s;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        part.place.emplace_back();
+        if (wanted[i]) {
+            part.place.back() = std::ssize(start_rad_s);
+            start_rad_s.push_back(source.draft.rates_rad_s[i]);
+        }
+    }
     std::vector<RefinementRecord> records;
     std::vector<NoiseCovariance> noise;
     for (const std::size_t r : series) {
-        records.push_back(all[r]);
-        noise.push_back(input.series[r].fullRateNoise);
+        records.push_back(source.records[r]);
+        noise.push_back(source.input.series[r].fullRateNoise);
     }
     part.refinement
-        = refinePoles(records, draft.rates_rad_s, isStepTreatment(input.treatment), control);
+        = refinePoles(records, start_rad_s, isStepTreatment(source.input.treatment), control);
     if (part.refinement)
         part.noise = allowForColour(records, noise, *part.refinement);
     return part;
 }
 
-std::vector<PartFit> fitShots(
-    const ModelInput &input, const ModelDraft &draft, const JobControl &control)
+/// Poles that only the shots together tell apart cannot be fitted to one: then the main one alone,
+/// with what it leaves over in its uncertainty.
+PartFit fitPart(
+    const Source &source, const std::vector<std::size_t> &series, const JobControl &control)
 {
-    std::vector<PartFit> fits;
-    for (std::size_t r = 0; r < input.series.size(); ++r)
-        fits.push_back(fitPart(input, draft, {r}, control));
-    return fits;
+    PartFit part = fitPoles(source, series, wantedPoles(source, series, false), control);
+    if (!part.refinement && source.main)
+        part = fitPoles(source, series, wantedPoles(source, series, true), control);
+    return part;
 }
 
 /// Shots that carry a level are taken together with those of the same one, from low to high.
-std::vector<PartFit> fitLevels(const ModelInput &input, const ModelDraft &draft,
-    const std::vector<PartFit> &shots, const JobControl &control)
+std::vector<PartFit> fitLevels(
+    const Source &source, const std::vector<PartFit> &shots, const JobControl &control)
 {
     std::map<ShotLevel, std::vector<std::size_t>> levels;
-    for (std::size_t r = 0; r < input.series.size(); ++r) {
-        if (input.series[r].level != ShotLevel::None)
-            levels[input.series[r].level].push_back(r);
+    for (std::size_t r = 0; r < source.input.series.size(); ++r) {
+        if (source.input.series[r].level != ShotLevel::None)
+            levels[source.input.series[r].level].push_back(r);
     }
     std::vector<PartFit> fits;
     for (const auto &[level, series] : levels)
         fits.push_back(
-            series.size() == 1 ? shots[series.front()] : fitPart(input, draft, series, control));
+            series.size() == 1 ? shots[series.front()] : fitPart(source, series, control));
     return fits;
 }
 
@@ -99,8 +144,8 @@ LevelPole describePart(const ModelInput &input, const PartFit &part, std::option
     result.step = step;
     if (!part.refinement)
         return result;
-    if (main) {
-        const PoleFigures figures = poleFigures(*part.refinement, *main);
+    if (main && part.has(*main)) {
+        const PoleFigures figures = poleFigures(*part.refinement, part.at(*main));
         result.frequency_Hz = figures.frequency_Hz;
         result.u_frequency_Hz = figures.u_frequency_Hz;
         result.dampingRatio = figures.dampingRatio;
@@ -122,15 +167,16 @@ std::optional<Index> mainPlace(const SensorModel &model)
 
 /// Sum of (theta_j - mean)^T V_j^-1 (theta_j - mean) over the shots, theta the real parameters of
 /// one pole in each shot, V_j their covariance, the mean weighted with V_j^-1.
-double disagreement(const std::vector<PartFit> &fits, Index at, Index size, Index *dof)
+double disagreement(const std::vector<PartFit> &fits, Index pole, Index size, Index *dof)
 {
     Eigen::MatrixXd information = Eigen::MatrixXd::Zero(size, size);
     Eigen::VectorXd weighted = Eigen::VectorXd::Zero(size);
     double squares = 0.0;
     Index shots = 0;
     for (const PartFit &fit : fits) {
-        if (!fit.refinement)
+        if (!fit.has(pole))
             continue;
+        const Index at = fit.at(pole);
         const std::complex<double> s = fit.refinement->rates_rad_s[static_cast<std::size_t>(at)];
         const Eigen::VectorXd theta = Eigen::Vector2d(s.real(), s.imag()).head(size);
         const Eigen::MatrixXd V = fit.refinement->covariance.block(at, at, size, size);
@@ -141,8 +187,8 @@ double disagreement(const std::vector<PartFit> &fits, Index at, Index size, Inde
         squares += theta.dot(share);
         ++shots;
     }
-    *dof = (shots - 1) * size;
-    return squares - weighted.dot(information.ldlt().solve(weighted));
+    *dof = std::max<Index>(0, (shots - 1) * size);
+    return *dof == 0 ? 0.0 : squares - weighted.dot(information.ldlt().solve(weighted));
 }
 
 /// The scatter of one quantity over the shots, carried to their mean weighted by 1/u^2.
@@ -172,13 +218,20 @@ void useScatter(const std::vector<PartFit> &fits, Index at, Pole &pole)
     std::vector<double> damping;
     std::vector<double> u_damping;
     for (const PartFit &fit : fits) {
-        if (!fit.refinement)
+        if (!fit.has(at))
             continue;
-        const PoleFigures figures = poleFigures(*fit.refinement, at);
+        const PoleFigures figures = poleFigures(*fit.refinement, fit.at(at));
         frequency.push_back(figures.frequency_Hz);
         u_frequency.push_back(figures.u_frequency_Hz);
         damping.push_back(figures.dampingRatio);
         u_damping.push_back(figures.u_dampingRatio);
+    }
+    pole.flags.push_back("shots-disagree");
+    if (frequency.size() < 2) { // one shot says nothing of the others
+        pole.u_frequency_Hz = kUnknown;
+        pole.u_dampingRatio = kUnknown;
+        pole.coverageFactor = kUnknown;
+        return;
     }
     const double k = coverageFactor95(static_cast<double>(frequency.size() - 1));
     // Never narrower than the noise alone makes the interval.
@@ -189,7 +242,6 @@ void useScatter(const std::vector<PartFit> &fits, Index at, Pole &pole)
         pole.u_dampingRatio
             = std::max(noise * pole.u_dampingRatio, betweenShots(damping, u_damping));
     pole.coverageFactor = k;
-    pole.flags.push_back("shots-disagree");
 }
 
 struct PoleTest
@@ -200,7 +252,32 @@ struct PoleTest
     double probability = 1.0;
 };
 
-std::vector<PoleTest> testPoles(const std::vector<PartFit> &fits, const SensorModel &model)
+/// A pole that rings in one shot and is missing in another, where it would ring ten times above
+/// what stands out if the shots had one shape. The statistic: what is missing, as energy over
+/// noise.
+double missing(const ModelInput &input, const ModelDraft &draft, Index pole)
+{
+    constexpr double kClear = 10.0;
+    const auto clarity = [&](std::size_t r) { // of the step
+        return std::pow(draft.series[r].constant / input.series[r].noiseSd, 2);
+    };
+    double largest = 0.0; // of the energy, for a step as clear as 1
+    for (std::size_t r = 0; r < input.series.size(); ++r) {
+        if (clarity(r) > 0.0)
+            largest = std::max(largest, energyOf(input, draft, r, pole) / clarity(r));
+    }
+    double statistic = 0.0;
+    for (std::size_t r = 0; r < input.series.size(); ++r) {
+        const double expected = largest * clarity(r);
+        const double found = energyOf(input, draft, r, pole);
+        if (found <= kStandsOut && expected > kClear * kStandsOut && std::isfinite(expected))
+            statistic = std::max(statistic, std::pow(std::sqrt(expected) - std::sqrt(found), 2));
+    }
+    return statistic;
+}
+
+std::vector<PoleTest> testPoles(const ModelInput &input, const ModelDraft &draft,
+    const std::vector<PartFit> &fits, const SensorModel &model)
 {
     std::vector<PoleTest> tests;
     for (std::size_t i = 0; i < model.poles.size(); ++i) {
@@ -214,14 +291,19 @@ std::vector<PoleTest> testPoles(const std::vector<PartFit> &fits, const SensorMo
         if (!std::isfinite(statistic))
             continue;
         const double degrees = static_cast<double>(dof);
-        tests.push_back({i, statistic, degrees, chiSquareSurvival(statistic, degrees)});
+        PoleTest test{i, statistic, degrees, dof > 0 ? chiSquareSurvival(statistic, degrees) : 1.0};
+        if (const double absent = missing(input, draft, static_cast<Index>(i)); absent > statistic)
+            test = {i, absent, 2.0, chiSquareSurvival(absent, 2.0)};
+        if (test.dof > 0.0)
+            tests.push_back(test);
     }
     return tests;
 }
 
-void judgeShared(const std::vector<PartFit> &fits, SensorModel &model)
+void judgeShared(const ModelInput &input, const ModelDraft &draft, const std::vector<PartFit> &fits,
+    SensorModel &model)
 {
-    const std::vector<PoleTest> tests = testPoles(fits, model);
+    const std::vector<PoleTest> tests = testPoles(input, draft, fits, model);
     if (tests.empty())
         return;
     // Several poles are several chances to fail: each is tested at its share of 1 %.
@@ -253,16 +335,18 @@ void compareShots(
 {
     if (!draft.refinement || input.series.front().shot == 0)
         return;
-    const std::vector<PartFit> shots = fitShots(input, draft, control);
-    const auto main = mainPlace(model);
+    const Source source{input, draft, refinementRecords(input), mainPlace(model)};
+    std::vector<PartFit> shots;
+    for (std::size_t r = 0; r < input.series.size(); ++r)
+        shots.push_back(fitPart(source, {r}, control));
     for (const PartFit &fit : shots)
-        model.perShot.push_back(describePart(input, fit, main));
-    for (const PartFit &fit : fitLevels(input, draft, shots, control))
-        model.perLevel.push_back(describePart(input, fit, main));
+        model.perShot.push_back(describePart(input, fit, source.main));
+    for (const PartFit &fit : fitLevels(source, shots, control))
+        model.perLevel.push_back(describePart(input, fit, source.main));
     const auto fitted = std::count_if(
         shots.begin(), shots.end(), [](const PartFit &fit) { return fit.refinement.has_value(); });
     if (fitted > 1)
-        judgeShared(shots, model);
+        judgeShared(input, draft, shots, model);
 }
 
 Findings judgeShots(const SensorModel &model)

@@ -166,7 +166,8 @@ QString contentCsv(const PlotContent &content)
             headings += csvHeading(name, content.xAxis);
             columns.push_back(&curves[i].x);
         }
-        headings += csvHeading(curves[i].name, content.yAxis);
+        const bool second = curves[i].onSecondAxis && content.yAxis2;
+        headings += csvHeading(curves[i].name, second ? *content.yAxis2 : content.yAxis);
         columns.push_back(&curves[i].y);
     }
     std::size_t rows = 0;

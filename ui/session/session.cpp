@@ -5,6 +5,7 @@
 
 #include "core/capture/capture_seal.h"
 #include "core/pipeline/results_json.h"
+#include "ui/session/order_candidates.h"
 
 #include <QUndoCommand>
 
@@ -63,6 +64,7 @@ Session::Session(Pipeline pipeline, QObject *parent)
     : QObject(parent)
     , m_pipeline(std::move(pipeline))
     , m_sealing(this)
+    , m_candidates(std::make_unique<OrderCandidates>(*this))
     , m_jobs(this, 2)
 {
     m_undo.setUndoLimit(kUndoSteps);

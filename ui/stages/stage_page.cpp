@@ -114,6 +114,27 @@ PlotWidget *StagePage::makePlot(const QString &objectName, const QString &access
     return plot;
 }
 
+void StagePage::shareFrequencyCursors(const std::vector<PlotWidget *> &plots)
+{
+    FrequencyCursors *cursors = &m_session.frequencyCursors();
+    for (PlotWidget *plot : plots) {
+        connect(plot, &PlotWidget::cursorPlaced, cursors,
+            [cursors, plot](int which, double f_Hz) { cursors->place(which, f_Hz, plot); });
+        connect(
+            plot, &PlotWidget::cursorsCleared, cursors, [cursors, plot] { cursors->clear(plot); });
+        connect(cursors, &FrequencyCursors::moved, plot, [plot, cursors](const QObject *source) {
+            if (source == plot)
+                return;
+            const auto &at_Hz = cursors->positions_Hz();
+            if (!at_Hz[0] && !at_Hz[1])
+                plot->followCursor(0, std::nullopt);
+            for (std::size_t i = 0; i < at_Hz.size(); ++i)
+                if (at_Hz[i])
+                    plot->followCursor(static_cast<int>(i), at_Hz[i]);
+        });
+    }
+}
+
 void StagePage::change(
     const QString &label, const std::function<void(Recipe &)> &edit, const QString &mergeKey)
 {

@@ -7,6 +7,7 @@
 
 #include "core/capture/formats/plain_rows_ahead.h"
 #include "core/capture/formats/text_table.h"
+#include "tests/support/scratch_folder.h"
 
 #include <QTest>
 
@@ -121,6 +122,69 @@ private slots:
         for (std::size_t i = 0; i < expected.size(); ++i)
             QVERIFY(sameBits(parsed->columns.at(i), expected[i]));
         QVERIFY(parsed->findings.empty());
+
+        const testing::ScratchFolder folder; // the same, a block at a time
+        for (const std::string &mark : {std::string(), std::string("\xEF\xBB\xBF")}) {
+            const std::string bytes = mark + text;
+            const auto source = openText(folder.write("table.csv", bytes.data(), bytes.size()));
+            QVERIFY(source.has_value() && !source->inMemory() && source->size() == text.size());
+            const Result<TableColumns> inBlocks = parseTable(kPath, *source, dialect(2), {});
+            QVERIFY(inBlocks.has_value());
+            for (std::size_t i = 0; i < expected.size(); ++i)
+                QVERIFY(sameBits(inBlocks->columns.at(i), expected[i]));
+        }
+    }
+
+    void parseTable_headerOverSeveralBlocks_isPassedOver()
+    {
+        std::mt19937_64 random(kSeed);
+        const std::string rows = table(random, 1ULL << 62, "\n");
+        std::string text;
+        std::vector<std::string> header;
+        for (const std::size_t length : {3U, 300000U, 5U, 1200000U}) // longer than a block, too
+            header.emplace_back(length, 'x');
+        TextDialect withHeader = dialect(2);
+        for (const std::string &line : header) {
+            text += line + "\n";
+            withHeader.header.emplace_back(line);
+        }
+        text += rows;
+        const testing::ScratchFolder folder;
+        const auto source = openText(folder.write("table.csv", text.data(), text.size()));
+        const Result<TableColumns> parsed = parseTable(kPath, *source, withHeader, {});
+        QVERIFY2(parsed.has_value(), parsed ? "" : english(parsed.error().message).c_str());
+        QVERIFY(sameBits(parsed->columns.at(0), lineByLine(rows).at(0)));
+    }
+
+    void parseTable_lastLineWithoutEnd_isJudgedByTheRowsAbove()
+    {
+        std::mt19937_64 random(kSeed);
+        const std::string rows = table(random, 1ULL << 62, "\n");
+        const testing::ScratchFolder folder;
+        for (const char *last : {"1.25e+00;2.5e+00", "1.25e+00;2.5e+0", "1.25e+00"}) {
+            const std::string text = rows + last;
+            const auto source = openText(folder.write("table.csv", text.data(), text.size()));
+            const Result<TableColumns> inBlocks = parseTable(kPath, *source, dialect(2), {});
+            const Result<TableColumns> whole = parseTable(kPath, TextSource(text), dialect(2), {});
+            QVERIFY(inBlocks.has_value() && whole.has_value());
+            QCOMPARE(inBlocks->columns.at(0).size(), whole->columns.at(0).size());
+            QVERIFY(inBlocks->findings == whole->findings && !whole->findings.empty());
+        }
+    }
+
+    void parseTable_fileThatShrinksMeanwhile_isRefused()
+    {
+        std::mt19937_64 random(kSeed);
+        std::string text = table(random, 1ULL << 62, "\n");
+        text += text;
+        const testing::ScratchFolder folder;
+        const std::string path = folder.write("table.csv", text.data(), text.size());
+        const auto source = openText(path);
+        QVERIFY(source.has_value());
+        folder.write("table.csv", text.data(), text.size() / 3);
+        const Result<TableColumns> parsed = parseTable(path, *source, dialect(2), {});
+        QVERIFY(!parsed);
+        QCOMPARE(parsed.error().findingId, std::string("CAP-018"));
     }
 
     void parseTable_badCellFarBehind_isNamedByItsLine()

@@ -77,6 +77,12 @@ private slots:
         for (const char *preset : {"optic3", "piezo"}) {
             const PipelineOutcome outcome = calibrated(preset, {{DefectKind::RingVar, shot}});
             QVERIFY(!outcome.error);
+            const SensorModel &model = *outcome.results.model;
+            qInfo("%s: order %td, probability %g", preset, model.order,
+                model.homogeneity ? model.homogeneity->probability : -1.0);
+            for (const LevelPole &each : model.perShot)
+                qInfo("  %.6g Hz (%.2g), zeta %.4g (%.2g)", each.frequency_Hz, each.u_frequency_Hz,
+                    each.dampingRatio, each.u_dampingRatio);
             QVERIFY2(isTold(outcome, "MOD-010"), preset);
         }
     }

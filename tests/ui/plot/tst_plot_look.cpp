@@ -21,10 +21,12 @@ using dyncal::valueWithUnit;
 
 namespace {
 
-constexpr std::array<CurveRole, 15> kRoles{CurveRole::ShotLow, CurveRole::ShotMedium,
+constexpr std::array<CurveRole, 22> kRoles{CurveRole::ShotLow, CurveRole::ShotMedium,
     CurveRole::ShotHigh, CurveRole::ShotOther, CurveRole::Mean, CurveRole::Measured,
     CurveRole::Model, CurveRole::Error, CurveRole::Noise, CurveRole::Reference, CurveRole::Pole,
-    CurveRole::Zero, CurveRole::StepPole, CurveRole::UnstablePole, CurveRole::Suggestion};
+    CurveRole::Zero, CurveRole::StepPole, CurveRole::UnstablePole, CurveRole::Suggestion,
+    CurveRole::Candidate1, CurveRole::Candidate2, CurveRole::Candidate3, CurveRole::Candidate4,
+    CurveRole::StablePole, CurveRole::HalfStablePole, CurveRole::NewPole};
 
 PlotTheme darkTheme()
 {
@@ -49,6 +51,8 @@ private slots:
     void theme_everyRole_contrastsAtLeastThreeToOne();
     void theme_textAndFocus_contrastEnough();
     void theme_shots_differInDashAndMarker();
+    void theme_candidates_differInDashAndMarker();
+    void theme_stability_differsInMarker();
     void contrast_blackOnWhite_isTwentyOne();
 };
 
@@ -150,6 +154,33 @@ void TestPlotLook::theme_shots_differInDashAndMarker()
             QVERIFY(theme.style(kRoles[i]).dash != theme.style(kRoles[j]).dash);
             QVERIFY(theme.style(kRoles[i]).marker != theme.style(kRoles[j]).marker);
         }
+}
+
+void TestPlotLook::theme_candidates_differInDashAndMarker()
+{
+    const PlotTheme theme = dyncal::printTheme();
+    const CurveRole candidates[] = {
+        CurveRole::Candidate1, CurveRole::Candidate2, CurveRole::Candidate3, CurveRole::Candidate4};
+    for (const CurveRole a : candidates) {
+        QVERIFY(theme.style(a).dash != theme.style(CurveRole::Model).dash);
+        for (const CurveRole b : candidates) {
+            if (a == b)
+                continue;
+            QVERIFY(theme.style(a).dash != theme.style(b).dash);
+            QVERIFY(theme.style(a).marker != theme.style(b).marker);
+        }
+    }
+}
+
+/// Of the stabilisation strip, also without any colour.
+void TestPlotLook::theme_stability_differsInMarker()
+{
+    const PlotTheme theme = dyncal::printTheme();
+    const CurveRole classes[] = {CurveRole::StablePole, CurveRole::HalfStablePole,
+        CurveRole::NewPole, CurveRole::UnstablePole};
+    for (const CurveRole a : classes)
+        for (const CurveRole b : classes)
+            QVERIFY(a == b || theme.style(a).marker != theme.style(b).marker);
 }
 
 void TestPlotLook::contrast_blackOnWhite_isTwentyOne()

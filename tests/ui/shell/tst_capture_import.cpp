@@ -241,6 +241,7 @@ void TestCaptureImport::drop_onlyBadFiles_leavesTheJobAlone()
     const Bench bench;
     bench.drop({bench.write("good.csv", oneChannel())});
     QTRY_COMPARE(bench.shots(), std::size_t(1));
+    bench.settle(); // sealing replaces the captures
     const ProjectState before = bench.window->session().state();
     bench.drop({bench.write("letter.h5", "%PDF-1.7"), bench.write("empty.csv", "")});
     QTRY_VERIFY(bench.panelShown());

@@ -33,6 +33,12 @@ std::shared_ptr<const CaptureSet> example()
     return set;
 }
 
+/// Outside a template, where the compiler does not fall over it.
+Session::Pipeline realPipeline()
+{
+    return runPipeline;
+}
+
 /// The page over the real pipeline: what a technician's hand does to the numbers.
 template <typename Page>
 struct Bench
@@ -42,7 +48,7 @@ struct Bench
     std::unique_ptr<InspectorForm> inspector;
 
     explicit Bench(const std::shared_ptr<const CaptureSet> &set)
-        : session(Session::Pipeline(runPipeline))
+        : session(realPipeline())
         , page(session)
         , inspector(page.inspector())
     {
