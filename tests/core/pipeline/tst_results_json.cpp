@@ -349,8 +349,9 @@ private slots:
         QVERIFY(section["fit_by_order_percent"][2].isNull()); // diverges
         QVERIFY(section["fit_by_order_percent_reason"].toString().contains("diverges"));
         QVERIFY(section["leave_one_out_percent"].isNull());
-        QCOMPARE(section["spread"].toObject()["to_order"].toInt(), 3);
-        QCOMPARE(section["spread"].toObject()["frequency_spread_hz"].toDouble(), 5e3);
+        const QJsonObject spread = section["spread"].toObject();
+        QCOMPARE(spread["to_order"].toInt(), 3);
+        QCOMPARE(spread["frequency_spread_hz"].toDouble(), 5e3);
 
         outcome.results.evidence = nullptr;
         section = written(outcome)["realization"].toObject();
