@@ -103,7 +103,8 @@ void addShotPoles(JsonRecord &section, const ResultsContext &context)
     if (model.homogeneity)
         section.set("homogeneity", homogeneityJson(*model.homogeneity));
     else
-        section.missing("homogeneity", "Fewer than two shots could be fitted alone.");
+        section.missing("homogeneity",
+            "Fewer than two shots, or no pole that could be fitted to two of them alone.");
     section.set("per_shot", levelsJson(model.perShot, context));
     section.set("per_level", levelsJson(model.perLevel, context));
     if (model.secondOrder)

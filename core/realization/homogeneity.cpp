@@ -343,9 +343,7 @@ void compareShots(
         model.perShot.push_back(describePart(input, fit, source.main));
     for (const PartFit &fit : fitLevels(source, shots, control))
         model.perLevel.push_back(describePart(input, fit, source.main));
-    const auto fitted = std::count_if(
-        shots.begin(), shots.end(), [](const PartFit &fit) { return fit.refinement.has_value(); });
-    if (fitted > 1)
+    if (shots.size() > 1)
         judgeShared(input, draft, shots, model);
 }
 

@@ -144,7 +144,8 @@ struct SensorModel
     std::string uncertaintyMethod;
     std::vector<LevelPole> perShot; ///< in shot order
     std::vector<LevelPole> perLevel; ///< from low to high; only shots that carry a level
-    std::optional<Homogeneity> homogeneity; ///< empty with fewer than two shots fitted alone
+    std::optional<Homogeneity> homogeneity; ///< empty with fewer than two shots, or where no pole
+                                            ///< of them could be compared
     std::optional<SecondOrderModel> secondOrder; ///< the 2nd-order sensor fitted beside it
     Findings findings; ///< ORD-001, ORD-003, MOD-001..011
 };
