@@ -69,6 +69,9 @@ void PlotWidget::Private::fitView()
 void PlotWidget::Private::fitContent(const PlotContent &before)
 {
     const PlotContent &now = scene.content();
+    if (hasView && !scene.hasData() && sameAxis(now.xAxis, before.xAxis)
+        && sameAxis(now.yAxis, before.yAxis))
+        return; // a moment without curves (a model that diverges): the view waits for the next
     const View shown = view();
     const auto isFirst = [&](bool moved) { return before.growing ? !moved : !hasView; };
     if (isFirst(shown.x != fitted.x) || !sameAxis(now.xAxis, before.xAxis)) {

@@ -153,7 +153,7 @@ void TestOrderPage::strip_click_picksTheOrder()
 void TestOrderPage::order_changed_zoomStays()
 {
     const QStringList names{"singularValuePlot", "stabilisationPlot", "orderEvidencePlot",
-        "orderFitPlot", "orderBodePlot", "orderPolePlot"};
+        "orderFitPlot", "orderBodePlot"}; // the pole map keeps equal scales instead
     plot("orderBodePlot")->setXRange({1e6, 3e6});
     plot("orderFitPlot")->setXRange({1e-6, 3e-6});
     plot("singularValuePlot")->setXRange({0.5, 12.5});
@@ -165,7 +165,8 @@ void TestOrderPage::order_changed_zoomStays()
         choose(order);
         QTest::qWait(20);
         for (int i = 0; i < names.size(); ++i)
-            QCOMPARE(plot(names[i])->xRange(), before[static_cast<std::size_t>(i)]);
+            QVERIFY2(plot(names[i])->xRange() == before[static_cast<std::size_t>(i)],
+                qPrintable(QString("%1 at order %2").arg(names[i]).arg(order)));
     }
 }
 
@@ -190,7 +191,7 @@ void TestOrderPage::space_pinsAndUnpins()
     QTest::keyClick(plot("singularValuePlot"), Qt::Key_Space);
     QCOMPARE(m_session.recipe().realization.candidates, std::vector<Index>{2});
     QTRY_VERIFY_WITH_TIMEOUT(m_session.candidates().find(2), kPatience_ms);
-    QCOMPARE(m_page->findChildren<CandidateCard *>().size(), 1);
+    QVERIFY(m_page->findChild<CandidateCard *>());
     QTest::keyClick(plot("orderBodePlot"), Qt::Key_Space);
     QVERIFY(m_session.recipe().realization.candidates.empty());
 }
@@ -231,11 +232,13 @@ void TestOrderPage::overlays_areFourAtMostInFourStyles()
              CurveRole::Candidate3, CurveRole::Candidate4})
         for (const QString &name : plots)
             QCOMPARE(curvesOfRole(name, role), std::size_t(1));
-    auto *box = m_page->findChildren<CandidateCard *>().first()->findChild<QCheckBox *>(
-        "candidateOverlay");
-    box->click();
+    const auto cards = m_page->findChildren<CandidateCard *>();
+    const auto card = std::ranges::find_if(
+        cards, [](const CandidateCard *each) { return !each->isHidden() && each->order() == 3; });
+    QVERIFY(card != cards.end());
+    (*card)->findChild<QCheckBox *>("candidateOverlay")->click();
     QVERIFY(!m_session.candidates().isDrawn(3));
-    QCOMPARE(m_page->findChildren<CandidateCard *>().size(), 6);
+    QCOMPARE(curvesOfRole("orderBodePlot", CurveRole::Candidate4), std::size_t(1)); // the next one
     m_session.candidates().setDrawn(3, true);
 }
 
