@@ -2,6 +2,49 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv">
 <context>
+    <name>CandidateText</name>
+    <message>
+        <source>suggested</source>
+        <translation>föreslagen</translation>
+    </message>
+    <message>
+        <source>splits a pair</source>
+        <translation>delar ett par</translation>
+    </message>
+    <message>
+        <source>diverges</source>
+        <translation>divergerar</translation>
+    </message>
+    <message>
+        <source>computing...</source>
+        <translation>beräknas ...</translation>
+    </message>
+    <message>
+        <source>FIT %1 of %2 %</source>
+        <translation>FIT %1 av %2 %</translation>
+    </message>
+    <message>
+        <source>no resonance</source>
+        <translation>ingen resonans</translation>
+    </message>
+    <message>
+        <source>unstable %1, Nyquist %2, p %3</source>
+        <translation>instabila %1, Nyquist %2, p %3</translation>
+    </message>
+    <message>
+        <source>lowest order with FIT ≥ 98 % of attainable and no Nyquist pole</source>
+        <translation>lägsta ordning med FIT ≥ 98 % av det uppnåeliga och utan pol vid Nyquist</translation>
+    </message>
+    <message>
+        <source>FIT %1 % of attainable %2 %</source>
+        <translation>FIT %1 % av uppnåeliga %2 %</translation>
+    </message>
+    <message>
+        <source>order suggested by the information criterion; </source>
+        <translation>ordning föreslagen av informationskriteriet; </translation>
+    </message>
+</context>
+<context>
     <name>CaptureText</name>
     <message>
         <source>Low</source>
@@ -266,6 +309,105 @@
     </message>
 </context>
 <context>
+    <name>ModelTables</name>
+    <message>
+        <source>Shot %1</source>
+        <translation>Skott %1</translation>
+    </message>
+    <message>
+        <source>Average</source>
+        <translation>Medelvärde</translation>
+    </message>
+    <message>
+        <source>%1 (shots %2)</source>
+        <translation>%1 (skott %2)</translation>
+    </message>
+    <message>
+        <source>Fitted to</source>
+        <translation>Anpassat till</translation>
+    </message>
+    <message>
+        <source>f₀ ± u</source>
+        <translation>f₀ ± u</translation>
+    </message>
+    <message>
+        <source>ζ ± u</source>
+        <translation>ζ ± u</translation>
+    </message>
+    <message>
+        <source>Plateau ± u</source>
+        <translation>Platå ± u</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Mod</translation>
+    </message>
+    <message>
+        <source>Shot</source>
+        <translation>Skott</translation>
+    </message>
+    <message>
+        <source>f ± u</source>
+        <translation>f ± u</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitud</translation>
+    </message>
+    <message>
+        <source>FIT %1 %</source>
+        <translation>FIT %1 %</translation>
+    </message>
+    <message>
+        <source>plateau %1</source>
+        <translation>platå %1</translation>
+    </message>
+    <message>
+        <source>Sensor, modes left in</source>
+        <translation>Givaren, moderna kvar</translation>
+    </message>
+    <message>
+        <source>Sensor, modes taken out</source>
+        <translation>Givaren, moderna borttagna</translation>
+    </message>
+    <message>
+        <source>2nd order</source>
+        <translation>2:a ordningen</translation>
+    </message>
+    <message>
+        <source>Value ± u</source>
+        <translation>Värde ± u</translation>
+    </message>
+    <message>
+        <source>f₀</source>
+        <translation>f₀</translation>
+    </message>
+    <message>
+        <source>ζ</source>
+        <translation>ζ</translation>
+    </message>
+    <message>
+        <source>FIT</source>
+        <translation>FIT</translation>
+    </message>
+    <message>
+        <source>Plateau, %1</source>
+        <translation>Platå, %1</translation>
+    </message>
+    <message>
+        <source>The shots share their poles (p %1).</source>
+        <translation>Skotten har gemensamma poler (p %1).</translation>
+    </message>
+    <message>
+        <source>The shots do not share the pole at %1 (p %2); the uncertainty is their scatter.</source>
+        <translation>Skotten har inte polen vid %1 gemensam (p %2); osäkerheten är deras spridning.</translation>
+    </message>
+</context>
+<context>
     <name>ModelText</name>
     <message>
         <source>sensor</source>
@@ -330,6 +472,14 @@
     <message>
         <source> (pair)</source>
         <translation> (par)</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+    <message>
+        <source>Amplitude</source>
+        <translation>Amplitud</translation>
     </message>
 </context>
 <context>
@@ -678,6 +828,175 @@
         <source>All values</source>
         <translation>Alla värden</translation>
     </message>
+    <message>
+        <source>Order %1</source>
+        <translation>Ordning %1</translation>
+    </message>
+    <message>
+        <source>Residual autocorrelation; dotted: white noise</source>
+        <translation>Residualens autokorrelation; prickat: vitt brus</translation>
+    </message>
+    <message>
+        <source>Autocorrelation</source>
+        <translation>Autokorrelation</translation>
+    </message>
+    <message>
+        <source>Autocorrelation of data minus model with the bounds of white noise.</source>
+        <translation>Autokorrelation för data minus modell med gränserna för vitt brus.</translation>
+    </message>
+    <message>
+        <source>2nd-order sensor</source>
+        <translation>Givare av 2:a ordningen</translation>
+    </message>
+    <message>
+        <source>New</source>
+        <translation>Ny</translation>
+    </message>
+    <message>
+        <source>Frequency stable</source>
+        <translation>Stabil frekvens</translation>
+    </message>
+    <message>
+        <source>Frequency and damping stable</source>
+        <translation>Stabil frekvens och dämpning</translation>
+    </message>
+    <message>
+        <source>Unstable</source>
+        <translation>Instabil</translation>
+    </message>
+    <message>
+        <source>Mean spectrum</source>
+        <translation>Medelspektrum</translation>
+    </message>
+    <message>
+        <source>order %1</source>
+        <translation>ordning %1</translation>
+    </message>
+    <message>
+        <source>Stabilisation: poles of all orders</source>
+        <translation>Stabilisering: poler för alla ordningar</translation>
+    </message>
+    <message>
+        <source>No order has an oscillating pole.</source>
+        <translation>Ingen ordning har en svängande pol.</translation>
+    </message>
+    <message>
+        <source>Spectrum</source>
+        <translation>Spektrum</translation>
+    </message>
+    <message>
+        <source>Poles of orders 1 to %1: %2, of which stable: %3.</source>
+        <translation>Poler för ordning 1 till %1: %2, varav stabila: %3.</translation>
+    </message>
+    <message>
+        <source>FIT and criteria over the order</source>
+        <translation>FIT och kriterier över ordningen</translation>
+    </message>
+    <message>
+        <source>FIT</source>
+        <translation>FIT</translation>
+    </message>
+    <message>
+        <source>Error, one shot left out</source>
+        <translation>Fel, ett skott utelämnat</translation>
+    </message>
+    <message>
+        <source>attainable %1 %</source>
+        <translation>uppnåeligt %1 %</translation>
+    </message>
+    <message>
+        <source>FIT, leave-one-shot-out error and information criterion of every order; order %1 is chosen.</source>
+        <translation>FIT, fel med ett skott utelämnat och informationskriterium för varje ordning; ordning %1 är vald.</translation>
+    </message>
+    <message>
+        <source>shock</source>
+        <translation>chockvåg</translation>
+    </message>
+    <message>
+        <source>reflected</source>
+        <translation>reflekterad</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>kontaktyta</translation>
+    </message>
+    <message>
+        <source>its echo</source>
+        <translation>dess eko</translation>
+    </message>
+    <message>
+        <source>expansion head</source>
+        <translation>expansionens front</translation>
+    </message>
+    <message>
+        <source>expansion tail</source>
+        <translation>expansionens slut</translation>
+    </message>
+    <message>
+        <source>plateau</source>
+        <translation>platå</translation>
+    </message>
+    <message>
+        <source>seen</source>
+        <translation>sedd</translation>
+    </message>
+    <message>
+        <source>end wall</source>
+        <translation>ändvägg</translation>
+    </message>
+    <message>
+        <source>mix</source>
+        <comment>tube mode</comment>
+        <translation>bland.</translation>
+    </message>
+    <message>
+        <source>Waves in the tube, shot %1</source>
+        <translation>Vågor i röret, skott %1</translation>
+    </message>
+    <message>
+        <source>Distance from the diaphragm</source>
+        <translation>Avstånd från membranet</translation>
+    </message>
+    <message>
+        <source>No diagram: the tube&apos;s lengths or the velocity are unknown.</source>
+        <translation>Inget diagram: rörets längder eller hastigheten är okända.</translation>
+    </message>
+    <message>
+        <source>diaphragm</source>
+        <translation>membran</translation>
+    </message>
+    <message>
+        <source>Waves in the tube; the plateau at the end wall lasts %1.</source>
+        <translation>Vågor i röret; platån vid ändväggen varar %1.</translation>
+    </message>
+    <message>
+        <source>Arrival at %1, shot %2</source>
+        <translation>Ankomst vid %1, skott %2</translation>
+    </message>
+    <message>
+        <source>before</source>
+        <translation>före</translation>
+    </message>
+    <message>
+        <source>50 %</source>
+        <translation>50 %</translation>
+    </message>
+    <message>
+        <source>behind the shock</source>
+        <translation>bakom chockvågen</translation>
+    </message>
+    <message>
+        <source>driver gas (computed)</source>
+        <translation>drivgas (beräknad)</translation>
+    </message>
+    <message>
+        <source>plateau ends (computed)</source>
+        <translation>platån slutar (beräknat)</translation>
+    </message>
+    <message>
+        <source> – tube modes computed</source>
+        <translation> – beräknade rörmoder</translation>
+    </message>
 </context>
 <context>
     <name>Prompts</name>
@@ -692,6 +1011,13 @@
     <message>
         <source>Dyncal</source>
         <translation>Dyncal</translation>
+    </message>
+</context>
+<context>
+    <name>QObject</name>
+    <message>
+        <source>diverges</source>
+        <translation>divergerar</translation>
     </message>
 </context>
 <context>
@@ -731,6 +1057,269 @@
     <message>
         <source>DRAFT</source>
         <translation>UTKAST</translation>
+    </message>
+</context>
+<context>
+    <name>ShockTables</name>
+    <message>
+        <source>Shot %1</source>
+        <translation>Skott %1</translation>
+    </message>
+    <message>
+        <source>%1, u %2</source>
+        <translation>%1, u %2</translation>
+    </message>
+    <message>
+        <source>not determined</source>
+        <translation>inte bestämt</translation>
+    </message>
+    <message>
+        <source>%1 (typed)</source>
+        <translation>%1 (angiven)</translation>
+    </message>
+    <message>
+        <source>%1 %/m</source>
+        <translation>%1 %/m</translation>
+    </message>
+    <message>
+        <source>%1 (not applied)</source>
+        <translation>%1 (används inte)</translation>
+    </message>
+    <message>
+        <source>p1</source>
+        <translation>p1</translation>
+    </message>
+    <message>
+        <source>p2</source>
+        <translation>p2</translation>
+    </message>
+    <message>
+        <source>p5</source>
+        <translation>p5</translation>
+    </message>
+    <message>
+        <source>p4 (eq. 3.10)</source>
+        <translation>p4 (ekv. 3.10)</translation>
+    </message>
+    <message>
+        <source>T1</source>
+        <translation>T1</translation>
+    </message>
+    <message>
+        <source>T2</source>
+        <translation>T2</translation>
+    </message>
+    <message>
+        <source>T5</source>
+        <translation>T5</translation>
+    </message>
+    <message>
+        <source>T4</source>
+        <translation>T4</translation>
+    </message>
+    <message>
+        <source>Density ρ5</source>
+        <translation>Densitet ρ5</translation>
+    </message>
+    <message>
+        <source>Sound speed a1</source>
+        <translation>Ljudhastighet a1</translation>
+    </message>
+    <message>
+        <source>Sound speed a5</source>
+        <translation>Ljudhastighet a5</translation>
+    </message>
+    <message>
+        <source>Gas velocity u2</source>
+        <translation>Gashastighet u2</translation>
+    </message>
+    <message>
+        <source>Reflected shock</source>
+        <translation>Reflekterad chockvåg</translation>
+    </message>
+    <message>
+        <source>follows the gas: a mode of the tube</source>
+        <translation>följer gasen: en rörmod</translation>
+    </message>
+    <message>
+        <source>stays: not a mode of the gas</source>
+        <translation>ligger still: ingen mod i gasen</translation>
+    </message>
+    <message>
+        <source>undecided</source>
+        <translation>ej avgjort</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Storhet</translation>
+    </message>
+    <message>
+        <source>Pressure step</source>
+        <translation>Trycksteg</translation>
+    </message>
+    <message>
+        <source>Velocity W</source>
+        <translation>Hastighet W</translation>
+    </message>
+    <message>
+        <source>Mach number</source>
+        <translation>Machtal</translation>
+    </message>
+    <message>
+        <source>W along the tube</source>
+        <translation>W längs röret</translation>
+    </message>
+    <message>
+        <source>Plateau lasts</source>
+        <translation>Platåns längd</translation>
+    </message>
+    <message>
+        <source>Lowest frequency</source>
+        <translation>Lägsta frekvens</translation>
+    </message>
+    <message>
+        <source>Arrival at the side</source>
+        <translation>Ankomst vid sidan</translation>
+    </message>
+    <message>
+        <source>Shot</source>
+        <translation>Skott</translation>
+    </message>
+    <message>
+        <source>Pressure</source>
+        <translation>Tryck</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Measured, absolute</source>
+        <translation>Uppmätt, absolut</translation>
+    </message>
+    <message>
+        <source>Predicted</source>
+        <translation>Förväntat</translation>
+    </message>
+    <message>
+        <source>Deviation</source>
+        <translation>Avvikelse</translation>
+    </message>
+    <message>
+        <source>Reads</source>
+        <translation>Visar</translation>
+    </message>
+    <message>
+        <source>gauge</source>
+        <translation>övertryck</translation>
+    </message>
+    <message>
+        <source>absolute</source>
+        <translation>absolut</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Läge</translation>
+    </message>
+    <message>
+        <source>To the end wall</source>
+        <translation>Till ändväggen</translation>
+    </message>
+    <message>
+        <source>u (place)</source>
+        <translation>u (läge)</translation>
+    </message>
+    <message>
+        <source>Arrival</source>
+        <translation>Ankomst</translation>
+    </message>
+    <message>
+        <source>u (arrival)</source>
+        <translation>u (ankomst)</translation>
+    </message>
+    <message>
+        <source>u (delay)</source>
+        <translation>u (fördröjning)</translation>
+    </message>
+    <message>
+        <source>Seen – fitted</source>
+        <translation>Sedd – anpassad</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Värde</translation>
+    </message>
+    <message>
+        <source>u (propagation)</source>
+        <translation>u (fortplantning)</translation>
+    </message>
+    <message>
+        <source>Relative</source>
+        <translation>Relativt</translation>
+    </message>
+    <message>
+        <source>u (Monte Carlo)</source>
+        <translation>u (Monte Carlo)</translation>
+    </message>
+    <message>
+        <source>Interval (Monte Carlo)</source>
+        <translation>Intervall (Monte Carlo)</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 till %2</translation>
+    </message>
+    <message>
+        <source>u</source>
+        <translation>u</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Fördelning</translation>
+    </message>
+    <message>
+        <source>Degrees of freedom</source>
+        <translation>Frihetsgrader</translation>
+    </message>
+    <message>
+        <source>To the step</source>
+        <translation>Till steget</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Andel</translation>
+    </message>
+    <message>
+        <source>Common to all shots</source>
+        <translation>Gemensam för alla skott</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nej</translation>
+    </message>
+    <message>
+        <source>Peak</source>
+        <translation>Topp</translation>
+    </message>
+    <message>
+        <source>Slope of ln f on ln a5</source>
+        <translation>Lutning för ln f mot ln a5</translation>
+    </message>
+    <message>
+        <source>u (slope)</source>
+        <translation>u (lutning)</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Slutsats</translation>
+    </message>
+    <message>
+        <source>Nearest tube mode (computed)</source>
+        <translation>Närmaste rörmod (beräknad)</translation>
     </message>
 </context>
 <context>
@@ -1412,10 +2001,6 @@
         <translation>Resultat</translation>
     </message>
     <message>
-        <source>Uncertainties marked U are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes. A complete uncertainty budget was not evaluated; where no uncertainty stands beside a value, none is stated. Rise time, overshoot, settling time and band edges are those of the model.</source>
-        <translation>Osäkerheter märkta U är utvidgade mätosäkerheter med täckningsfaktorn k = 2 och innehåller endast bidraget från registreringarnas brus. Någon fullständig osäkerhetsbudget har inte utvärderats; där ingen osäkerhet står bredvid ett värde anges ingen. Stigtid, översväng, insvängningstid och bandgränser är modellens.</translation>
-    </message>
-    <message>
         <source>Shots</source>
         <translation>Skott</translation>
     </message>
@@ -1640,10 +2225,6 @@
         <translation>Hankelmatris: %1 rader passar inte modellindata med %2 sampel; välj 2 till %3.</translation>
     </message>
     <message>
-        <source>Hankel decomposition: %1 of %2 singular values converged; shorten the model input or ask for fewer.</source>
-        <translation>Hankelmatrisens uppdelning: %1 av %2 singulärvärden konvergerade; förkorta modellindata eller begär färre.</translation>
-    </message>
-    <message>
         <source>Order %1 splits an oscillating pair (singular values %1 and %2 are %3 and %4). Order %2 keeps it.</source>
         <translation>Ordning %1 delar ett svängande par (singulärvärde %1 och %2 är %3 och %4). Ordning %2 behåller det.</translation>
     </message>
@@ -1662,10 +2243,6 @@
     <message>
         <source>The pole at z = %1 is the step itself.</source>
         <translation>Polen vid z = %1 är själva steget.</translation>
-    </message>
-    <message>
-        <source>Poles nearly cancelled by zeros: %1. A lower order may do.</source>
-        <translation>Poler som nästan tas ut av nollställen: %1. En lägre ordning kan räcka.</translation>
     </message>
     <message>
         <source>FIT is %1 % of an attainable %2 %: the model misses part of the response.</source>
@@ -2771,6 +3348,198 @@
         <source>There is no counter reading.</source>
         <translation>Det finns ingen räknaravläsning.</translation>
     </message>
+    <message>
+        <source>--orders holds &quot;%1&quot;; it needs whole numbers from 1, as in 2,3,50.</source>
+        <translation>--orders innehåller &quot;%1&quot;; det krävs heltal från 1, som i 2,3,50.</translation>
+    </message>
+    <message>
+        <source>The model of order %1 diverges, so there is nothing to export; choose another order.</source>
+        <translation>Modellen av ordning %1 divergerar, så det finns inget att exportera; välj en annan ordning.</translation>
+    </message>
+    <message>
+        <source>%1 were taken as the channels of one recording, as name, time, rate and length agree. Set channel_files to &quot;apart&quot; in the recipe&apos;s import section if they are not.</source>
+        <translation>%1 togs som kanaler i en och samma registrering, eftersom namn, tid, frekvens och längd stämmer överens. Sätt channel_files till &quot;apart&quot; i receptets avsnitt import om de inte är det.</translation>
+    </message>
+    <message>
+        <source>Dataset %1 has %2 values - not a waveform.</source>
+        <translation>Dataset %1 har %2 värden - ingen vågform.</translation>
+    </message>
+    <message>
+        <source>orders %1 to %2: frequency %3 %, damping ratio %4 % (half of the range)</source>
+        <translation>ordning %1 till %2: frekvens %3 %, dämpning %4 % (halva vidden)</translation>
+    </message>
+    <message>
+        <source>Reason for the model order</source>
+        <translation>Skäl för modellordningen</translation>
+    </message>
+    <message>
+        <source>Variation of the resonance over the orders</source>
+        <translation>Resonansens variation över ordningarna</translation>
+    </message>
+    <message>
+        <source>U of the step</source>
+        <translation>U för steget</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+    <message>
+        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is not contained in the uncertainties of the sensitivity and of the frequency response.</source>
+        <translation>U för steget är dess utvidgade osäkerhet med täckningsfaktorn k på samma rad, för täckningssannolikheten %1 %. Den följer av osäkerheterna för chockvågens hastighet, begynnelsetrycket, begynnelsetemperaturen och gasen och gäller för ett idealt chockrör. Den ingår inte i osäkerheterna för känsligheten och frekvenssvaret.</translation>
+    </message>
+    <message>
+        <source>gas in the tube</source>
+        <translation>gas i röret</translation>
+    </message>
+    <message>
+        <source>Oscillations that are not the sensor&apos;s, left out of the model</source>
+        <translation>Svängningar som inte är givarens, utelämnade ur modellen</translation>
+    </message>
+    <message>
+        <source>Mode</source>
+        <translation>Mod</translation>
+    </message>
+    <message>
+        <source>Size, of the plateau</source>
+        <translation>Storlek, del av platån</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Skäl</translation>
+    </message>
+    <message>
+        <source>What leaving them out has changed, at the same order</source>
+        <translation>Vad utelämnandet har ändrat, vid samma ordning</translation>
+    </message>
+    <message>
+        <source>Oscillations</source>
+        <translation>Svängningar</translation>
+    </message>
+    <message>
+        <source>Residual, rms of the plateau</source>
+        <translation>Residual, effektivvärde i delar av platån</translation>
+    </message>
+    <message>
+        <source>Plateau gain</source>
+        <translation>Platåförstärkning</translation>
+    </message>
+    <message>
+        <source>left in</source>
+        <translation>kvar</translation>
+    </message>
+    <message>
+        <source>left out</source>
+        <translation>utelämnade</translation>
+    </message>
+    <message>
+        <source>The oscillations above were fitted in each shot together with the sensor. Poles, sensitivity and frequency response are those of the sensor without them; the fit counts them.</source>
+        <translation>Svängningarna ovan anpassades i varje skott tillsammans med givaren. Poler, känslighet och frekvenssvar är givarens utan dem; anpassningsgraden räknar med dem.</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes, not the uncertainty of the pressure step. A complete uncertainty budget was not evaluated; where no uncertainty stands beside a value, none is stated. Rise time, overshoot, settling time and band edges are those of the model.</source>
+        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2 och innehåller bara bidraget från registreringarnas brus, inte tryckstegets osäkerhet. Någon fullständig osäkerhetsbudget har inte beräknats; där ingen osäkerhet står bredvid ett värde är ingen angiven. Stigtid, översläng, insvängningstid och bandgränser är modellens.</translation>
+    </message>
+    <message>
+        <source>There is no decomposition yet that orders could be taken from.</source>
+        <translation>Det finns ännu ingen uppdelning att hämta ordningar ur.</translation>
+    </message>
+    <message>
+        <source>%1 orders were asked for; compare at most %2 at once.</source>
+        <translation>%1 ordningar begärdes; jämför högst %2 åt gången.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the uncertainty of the step could not be checked by Monte Carlo (%2); what the law of propagation gives may be wrong.</source>
+        <translation>Skott %1: stegets osäkerhet kunde inte kontrolleras med Monte Carlo (%2); vad fortplantningslagen ger kan vara fel.</translation>
+    </message>
+    <message>
+        <source>The shots do not share the pole at %1 (homogeneity test: %2 %). Its uncertainty is the scatter between them; state one value per level.</source>
+        <translation>Skotten har inte polen vid %1 gemensam (homogenitetstest: %2 %). Dess osäkerhet är spridningen mellan dem; ange ett värde per nivå.</translation>
+    </message>
+    <message>
+        <source>The shots do not share the pole at %1 (homogeneity test: %2 %); their main resonances lie at %3 to %4. Its uncertainty is the scatter between them; state one value per level.</source>
+        <translation>Skotten har inte polen vid %1 gemensam (homogenitetstest: %2 %); deras huvudresonanser ligger vid %3 till %4. Dess osäkerhet är spridningen mellan dem; ange ett värde per nivå.</translation>
+    </message>
+    <message>
+        <source>Use order %1</source>
+        <translation>Använd ordning %1</translation>
+    </message>
+    <message>
+        <source>Poles nearly cancelled by zeros: %1 (%2). A lower order may do.</source>
+        <translation>Poler som nästan tas ut av nollställen: %1 (%2). En lägre ordning kan räcka.</translation>
+    </message>
+    <message>
+        <source>No clear gap between the singular values: none above the noise is more than %1 times the next. Compare candidates.</source>
+        <translation>Inget tydligt språng mellan singulärvärdena: inget över bruset är mer än %1 gånger nästa. Jämför kandidater.</translation>
+    </message>
+    <message>
+        <source>Shot %1: FIT is %2 % with the model, but %3 % with the poles of the other shots alone. The shots do not share their poles: is the sensor not linear?</source>
+        <translation>Skott %1: FIT är %2 % med modellen, men %3 % med enbart de andra skottens poler. Skotten har inte gemensamma poler: är givaren olinjär?</translation>
+    </message>
+    <message>
+        <source>Shot %1: the window of %2 holds %3 periods of the mode %4; below 2 it cannot be told from the plateau and stays in the response.</source>
+        <translation>Skott %1: fönstret på %2 rymmer %3 perioder av moden %4; under 2 kan den inte skiljas från platån och blir kvar i svaret.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the mode %2 lies above 0.4 of the sample rate of %3; it stays in the response.</source>
+        <translation>Skott %1: moden %2 ligger över 0,4 av samplingsfrekvensen %3; den blir kvar i svaret.</translation>
+    </message>
+    <message>
+        <source>Shot %1: no oscillation near %2 stands out of the noise; nothing is taken out there.</source>
+        <translation>Skott %1: ingen svängning nära %2 höjer sig över bruset; där tas inget bort.</translation>
+    </message>
+    <message>
+        <source>The average of the shots has no tube modes of its own, as each shot has its own sound speed: nothing is taken out. Combine the shots as &quot;stacked&quot;.</source>
+        <translation>Skottens medelvärde har inga egna rörmoder, eftersom varje skott har sin egen ljudhastighet: inget tas bort. Kombinera skotten som &quot;stacked&quot;.</translation>
+    </message>
+    <message>
+        <source>Singular values above the noise floor: %1.</source>
+        <translation>Singulärvärden över brusgolvet: %1.</translation>
+    </message>
+    <message>
+        <source>Singular value %1 is %2 times the next one; above the noise floor lie %3.</source>
+        <translation>Singulärvärde %1 är %2 gånger nästa; över brusgolvet ligger %3.</translation>
+    </message>
+    <message>
+        <source>Order %1 splits an oscillating pair; order %2 keeps it.</source>
+        <translation>Ordning %1 delar ett svängande par; ordning %2 behåller det.</translation>
+    </message>
+    <message>
+        <source>Order %1 splits no oscillating pair.</source>
+        <translation>Ordning %1 delar inget svängande par.</translation>
+    </message>
+    <message>
+        <source>The pole at %1 is stable from order %2 to %3; over these its frequency varies by %4 % and its damping ratio %5 by %6 %.</source>
+        <translation>Polen vid %1 är stabil från ordning %2 till %3; över dessa varierar frekvensen med %4 % och dämpningen %5 med %6 %.</translation>
+    </message>
+    <message>
+        <source>Poles of the other shots describe a shot best at order %1: they leave %2 % of it.</source>
+        <translation>De andra skottens poler beskriver ett skott bäst vid ordning %1: de lämnar %2 % av det.</translation>
+    </message>
+    <message>
+        <source>Poles of the other shots leave %1 % of a shot at order %2; the least, %3 %, at order %4.</source>
+        <translation>De andra skottens poler lämnar %1 % av ett skott vid ordning %2; minst, %3 %, vid ordning %4.</translation>
+    </message>
+    <message>
+        <source>Order %1 is the lowest whose FIT (%2 %) reaches 98 % of the attainable %3 % with neither an unstable nor a Nyquist pole.</source>
+        <translation>Ordning %1 är den lägsta vars FIT (%2 %) når 98 % av uppnåeliga %3 % utan någon instabil pol eller pol vid Nyquist.</translation>
+    </message>
+    <message>
+        <source>No order up to %1 reaches 98 % of the attainable FIT of %2 % with neither an unstable nor a Nyquist pole.</source>
+        <translation>Ingen ordning till och med %1 når 98 % av uppnåelig FIT på %2 % utan någon instabil pol eller pol vid Nyquist.</translation>
+    </message>
+    <message>
+        <source>A second-order sensor (%1, damping %2) does not describe the response: FIT %3 % against %4 % of the model.</source>
+        <translation>En givare av andra ordningen (%1, dämpning %2) beskriver inte svaret: FIT %3 % mot modellens %4 %.</translation>
+    </message>
+    <message>
+        <source>The arrival sensor &apos;%1&apos; lists %2 arrivals for %3 shots; give one time or null per shot (shock.arrival_sensors[].arrival_s).</source>
+        <translation>Ankomstgivaren &apos;%1&apos; anger %2 ankomster för %3 skott; ange en tid eller null per skott (shock.arrival_sensors[].arrival_s).</translation>
+    </message>
+    <message>
+        <source>Move the end to %1</source>
+        <translation>Flytta slutet till %1</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::AutoEdit</name>
@@ -2785,6 +3554,111 @@
     <message>
         <source>Ticked: the program&apos;s rule decides</source>
         <translation>Markerad: programmets regel bestämmer</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::CandidateCard</name>
+    <message>
+        <source>Choose this order</source>
+        <translation>Välj denna ordning</translation>
+    </message>
+    <message>
+        <source>n = %1</source>
+        <translation>n = %1</translation>
+    </message>
+    <message>
+        <source>, adopted</source>
+        <translation>, antagen</translation>
+    </message>
+    <message>
+        <source>, chosen</source>
+        <translation>, vald</translation>
+    </message>
+    <message>
+        <source>Choose order %1</source>
+        <translation>Välj ordning %1</translation>
+    </message>
+    <message>
+        <source>Take order %1 out of the comparison</source>
+        <translation>Ta ordning %1 ur jämförelsen</translation>
+    </message>
+    <message>
+        <source>Draw order %1 in the plots</source>
+        <translation>Rita ordning %1 i diagrammen</translation>
+    </message>
+    <message>
+        <source>draw</source>
+        <translation>rita</translation>
+    </message>
+    <message>
+        <source>At most %1 are drawn at once.</source>
+        <translation>Högst %1 ritas samtidigt.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::CandidateCards</name>
+    <message>
+        <source>Pinned orders</source>
+        <translation>Fästa ordningar</translation>
+    </message>
+    <message>
+        <source>Space pins the order on show, to compare it with others; Enter adopts it.</source>
+        <translation>Blanksteg fäster den visade ordningen för jämförelse med andra; Retur antar den.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::CandidateTable</name>
+    <message>
+        <source>Comparison of the pinned orders</source>
+        <translation>Jämförelse av de fästa ordningarna</translation>
+    </message>
+    <message>
+        <source>Order</source>
+        <translation>Ordning</translation>
+    </message>
+    <message>
+        <source>FIT</source>
+        <translation>FIT</translation>
+    </message>
+    <message>
+        <source>Attainable</source>
+        <translation>Uppnåeligt</translation>
+    </message>
+    <message>
+        <source>f₀</source>
+        <translation>f₀</translation>
+    </message>
+    <message>
+        <source>ζ</source>
+        <translation>ζ</translation>
+    </message>
+    <message>
+        <source>Unstable</source>
+        <translation>Instabila</translation>
+    </message>
+    <message>
+        <source>Nyquist</source>
+        <translation>Nyquist</translation>
+    </message>
+    <message>
+        <source>White, p</source>
+        <translation>Vit, p</translation>
+    </message>
+    <message>
+        <source>BIC</source>
+        <translation>BIC</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Anmärkning</translation>
+    </message>
+    <message>
+        <source>adopted</source>
+        <translation>antagen</translation>
+    </message>
+    <message>
+        <source>adopted, </source>
+        <translation>antagen, </translation>
     </message>
 </context>
 <context>
@@ -2974,6 +3848,18 @@
     <message>
         <source>Why is the rate in the file wrong? The results record the reason.</source>
         <translation>Varför är filens frekvens fel? Skälet följer med resultaten.</translation>
+    </message>
+    <message>
+        <source>Tag by step height</source>
+        <translation>Märk efter steghöjd</translation>
+    </message>
+    <message>
+        <source>Low, medium and high by the step that each shot&apos;s sensor read.</source>
+        <translation>Låg, medel och hög efter det steg som varje skotts givare visade.</translation>
+    </message>
+    <message>
+        <source>Tag shots by step height</source>
+        <translation>Märk skotten efter steghöjd</translation>
     </message>
 </context>
 <context>
@@ -3245,6 +4131,18 @@
         <source>The example is open</source>
         <translation>Exemplet är öppnat</translation>
     </message>
+    <message>
+        <source>The model of order %1 diverges, so there is nothing to export; choose another order.</source>
+        <translation>Modellen av ordning %1 divergerar, så det finns inget att exportera; välj en annan ordning.</translation>
+    </message>
+    <message>
+        <source>Export the model into a folder</source>
+        <translation>Exportera modellen till en mapp</translation>
+    </message>
+    <message>
+        <source>Model written to %1</source>
+        <translation>Modellen skrevs till %1</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::FindingsPanel</name>
@@ -3271,6 +4169,33 @@
     <message>
         <source>Give a reason...</source>
         <translation>Ange ett skäl...</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::GasEdit</name>
+    <message>
+        <source>dry air</source>
+        <translation>torr luft</translation>
+    </message>
+    <message>
+        <source>humid air</source>
+        <translation>fuktig luft</translation>
+    </message>
+    <message>
+        <source>other, typed</source>
+        <translation>annan, angiven</translation>
+    </message>
+    <message>
+        <source>γ</source>
+        <translation>γ</translation>
+    </message>
+    <message>
+        <source>Molar mass</source>
+        <translation>Molmassa</translation>
+    </message>
+    <message>
+        <source>Source of the constants: %1</source>
+        <translation>Konstanternas källa: %1</translation>
     </message>
 </context>
 <context>
@@ -3354,6 +4279,49 @@
     <message>
         <source>Gauge or absolute, channel %1</source>
         <translation>Övertryck eller absolut, kanal %1</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::ImportDatasetTree</name>
+    <message>
+        <source>one value</source>
+        <translation>ett värde</translation>
+    </message>
+    <message>
+        <source>Datasets of the file</source>
+        <translation>Filens dataset</translation>
+    </message>
+    <message>
+        <source>Dataset</source>
+        <translation>Dataset</translation>
+    </message>
+    <message>
+        <source>Read as</source>
+        <translation>Läses som</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Attributes</source>
+        <translation>Attribut</translation>
+    </message>
+    <message>
+        <source>group</source>
+        <translation>grupp</translation>
+    </message>
+    <message>
+        <source>What %1 is read as</source>
+        <translation>Vad %1 läses som</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>läses inte</translation>
     </message>
 </context>
 <context>
@@ -3734,6 +4702,10 @@
         <source>Files that could not be read</source>
         <translation>Filer som inte kunde läsas</translation>
     </message>
+    <message>
+        <source>Export &amp;model...</source>
+        <translation>Exportera &amp;modell...</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ModelInputPage</name>
@@ -3960,6 +4932,74 @@
         <source>%1 to %2</source>
         <translation>%1 till %2</translation>
     </message>
+    <message>
+        <source>Residual autocorrelation</source>
+        <translation>Residualens autokorrelation</translation>
+    </message>
+    <message>
+        <source>Resonance and plateau of each shot and level</source>
+        <translation>Resonans och platå för varje skott och nivå</translation>
+    </message>
+    <message>
+        <source>Second-order sensor</source>
+        <translation>Givare av andra ordningen</translation>
+    </message>
+    <message>
+        <source>Modes taken out of the model</source>
+        <translation>Moder borttagna ur modellen</translation>
+    </message>
+    <message>
+        <source>Poles, trend and other tables</source>
+        <translation>Poler, trend och andra tabeller</translation>
+    </message>
+    <message>
+        <source>Pole map</source>
+        <translation>Polkarta</translation>
+    </message>
+    <message>
+        <source>Shots, levels</source>
+        <translation>Skott, nivåer</translation>
+    </message>
+    <message>
+        <source>2nd order</source>
+        <translation>2:a ordningen</translation>
+    </message>
+    <message>
+        <source>Not the sensor</source>
+        <translation>Inte givaren</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Visas</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alla</translation>
+    </message>
+    <message>
+        <source>Draw the pinned orders</source>
+        <translation>Rita de fästa ordningarna</translation>
+    </message>
+    <message>
+        <source>Draw the 2nd-order sensor</source>
+        <translation>Rita givaren av 2:a ordningen</translation>
+    </message>
+    <message>
+        <source>Noise in u</source>
+        <translation>Brus i u</translation>
+    </message>
+    <message>
+        <source>%1, ζ %2, FIT %3 %%4</source>
+        <translation>%1, ζ %2, FIT %3 %%4</translation>
+    </message>
+    <message>
+        <source>: does not describe the data</source>
+        <translation>: beskriver inte data</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::OptionalEdit</name>
@@ -3973,38 +5013,10 @@
     </message>
 </context>
 <context>
-    <name>dyncal::OrderPage</name>
+    <name>dyncal::OrderInspector</name>
     <message>
         <source>Order</source>
-        <translation>Modellordning</translation>
-    </message>
-    <message>
-        <source>Drag the cut, click a value or use the arrow keys. Everything follows.</source>
-        <translation>Dra i snittet, klicka på ett värde eller använd piltangenterna. Allt följer med.</translation>
-    </message>
-    <message>
-        <source>Singular values</source>
-        <translation>Singulärvärden</translation>
-    </message>
-    <message>
-        <source>Information criterion over the order</source>
-        <translation>Informationskriterium över ordningen</translation>
-    </message>
-    <message>
-        <source>Data and model</source>
-        <translation>Data och modell</translation>
-    </message>
-    <message>
-        <source>Frequency response of the model</source>
-        <translation>Modellens frekvenssvar</translation>
-    </message>
-    <message>
-        <source>Poles and zeros</source>
-        <translation>Poler och nollställen</translation>
-    </message>
-    <message>
-        <source>Poles</source>
-        <translation>Poler</translation>
+        <translation>Ordning</translation>
     </message>
     <message>
         <source>Order: automatic</source>
@@ -4015,8 +5027,8 @@
         <translation>Använd förslaget</translation>
     </message>
     <message>
-        <source>This order</source>
-        <translation>Denna ordning</translation>
+        <source>Model on show</source>
+        <translation>Visad modell</translation>
     </message>
     <message>
         <source>FIT</source>
@@ -4029,6 +5041,46 @@
     <message>
         <source>Resonance</source>
         <translation>Resonans</translation>
+    </message>
+    <message>
+        <source>Over orders</source>
+        <translation>Över ordningarna</translation>
+    </message>
+    <message>
+        <source>Poles</source>
+        <translation>Poler</translation>
+    </message>
+    <message>
+        <source>Adopt</source>
+        <translation>Anta</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Skäl</translation>
+    </message>
+    <message>
+        <source>Why the suggested order</source>
+        <translation>Varför den föreslagna ordningen</translation>
+    </message>
+    <message>
+        <source>Stable within</source>
+        <translation>Stabil inom</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frekvens</translation>
+    </message>
+    <message>
+        <source>Damping</source>
+        <translation>Dämpning</translation>
+    </message>
+    <message>
+        <source>Change the tolerance of stable frequencies</source>
+        <translation>Ändra toleransen för stabila frekvenser</translation>
+    </message>
+    <message>
+        <source>Change the tolerance of stable damping</source>
+        <translation>Ändra toleransen för stabil dämpning</translation>
     </message>
     <message>
         <source>Decomposition</source>
@@ -4059,20 +5111,16 @@
         <translation>Förfina polerna</translation>
     </message>
     <message>
-        <source>Order %1</source>
-        <translation>Ordning %1</translation>
-    </message>
-    <message>
-        <source>order</source>
-        <translation>ordning</translation>
-    </message>
-    <message>
         <source>Suggested: order %1. %2</source>
         <translation>Föreslagen: ordning %1. %2</translation>
     </message>
     <message>
         <source>No suggestion yet.</source>
         <translation>Inget förslag ännu.</translation>
+    </message>
+    <message>
+        <source>Being gathered.</source>
+        <translation>Samlas in.</translation>
     </message>
     <message>
         <source>%1, damping %2</source>
@@ -4085,6 +5133,113 @@
     <message>
         <source>factor %1 to the next</source>
         <translation>faktor %1 till nästa</translation>
+    </message>
+    <message>
+        <source>%1 ± %2, ζ %3 ± %4 (orders %5 to %6)</source>
+        <translation>%1 ± %2, ζ %3 ± %4 (ordning %5 till %6)</translation>
+    </message>
+    <message>
+        <source>There is no model yet.</source>
+        <translation>Det finns ännu ingen modell.</translation>
+    </message>
+    <message>
+        <source>Adopt order %1 (Enter)</source>
+        <translation>Anta ordning %1 (Retur)</translation>
+    </message>
+    <message>
+        <source>This order is adopted.</source>
+        <translation>Denna ordning är antagen.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::OrderPage</name>
+    <message>
+        <source>Order</source>
+        <translation>Modellordning</translation>
+    </message>
+    <message>
+        <source>Drag the cut, click a value or use the arrow keys. Everything follows.</source>
+        <translation>Dra i snittet, klicka på ett värde eller använd piltangenterna. Allt följer med.</translation>
+    </message>
+    <message>
+        <source>Singular values</source>
+        <translation>Singulärvärden</translation>
+    </message>
+    <message>
+        <source>Data and model</source>
+        <translation>Data och modell</translation>
+    </message>
+    <message>
+        <source>Frequency response of the model</source>
+        <translation>Modellens frekvenssvar</translation>
+    </message>
+    <message>
+        <source>Poles and zeros</source>
+        <translation>Poler och nollställen</translation>
+    </message>
+    <message>
+        <source>Order %1</source>
+        <translation>Ordning %1</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>ordning</translation>
+    </message>
+    <message>
+        <source>Stabilisation of poles over the order</source>
+        <translation>Polernas stabilisering över ordningen</translation>
+    </message>
+    <message>
+        <source>FIT and criteria over the order</source>
+        <translation>FIT och kriterier över ordningen</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Fäst</translation>
+    </message>
+    <message>
+        <source>Pin or unpin the order on show (Space)</source>
+        <translation>Fäst eller lossa den visade ordningen (blanksteg)</translation>
+    </message>
+    <message>
+        <source>Propose</source>
+        <translation>Föreslå</translation>
+    </message>
+    <message>
+        <source>Pin the suggested order, the one that keeps its pairs, and a high one</source>
+        <translation>Fäst den föreslagna ordningen, den som behåller sina par och en hög</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabell</translation>
+    </message>
+    <message>
+        <source>Compare the pinned orders in a table</source>
+        <translation>Jämför de fästa ordningarna i en tabell</translation>
+    </message>
+    <message>
+        <source>Difference to adopted</source>
+        <translation>Skillnad mot den antagna</translation>
+    </message>
+    <message>
+        <source>Adopt order %1</source>
+        <translation>Anta ordning %1</translation>
+    </message>
+    <message>
+        <source>Unpin order %1</source>
+        <translation>Lossa ordning %1</translation>
+    </message>
+    <message>
+        <source>Pin order %1</source>
+        <translation>Fäst ordning %1</translation>
+    </message>
+    <message>
+        <source>Pin the proposed orders</source>
+        <translation>Fäst de föreslagna ordningarna</translation>
+    </message>
+    <message>
+        <source>Unpin</source>
+        <translation>Lossa</translation>
     </message>
 </context>
 <context>
@@ -4182,18 +5337,6 @@
         <translation>Gastillstånd och chockvågens hastighet, eller ett inmatat steg, ger det tryck som givaren utsattes för.</translation>
     </message>
     <message>
-        <source>Arrival of the shock at the side sensor</source>
-        <translation>Chockvågens ankomst till sidogivaren</translation>
-    </message>
-    <message>
-        <source>States of the gas per shot</source>
-        <translation>Gasens tillstånd per skott</translation>
-    </message>
-    <message>
-        <source>Sensitivity per shot</source>
-        <translation>Känslighet per skott</translation>
-    </message>
-    <message>
         <source>Change %1</source>
         <translation>Ändra %1</translation>
     </message>
@@ -4222,10 +5365,6 @@
         <translation>uppmätt</translation>
     </message>
     <message>
-        <source>Arrival at</source>
-        <translation>Ankomst vid</translation>
-    </message>
-    <message>
         <source>Distance to end wall</source>
         <translation>Avstånd till ändvägg</translation>
     </message>
@@ -4250,18 +5389,6 @@
         <translation>Relativ fuktighet</translation>
     </message>
     <message>
-        <source>Driven gas: γ</source>
-        <translation>Lågtrycksgas: γ</translation>
-    </message>
-    <message>
-        <source>Change the gas</source>
-        <translation>Ändra gasen</translation>
-    </message>
-    <message>
-        <source>Molar mass</source>
-        <translation>Molmassa</translation>
-    </message>
-    <message>
         <source>Tube</source>
         <translation>Rör</translation>
     </message>
@@ -4278,60 +5405,8 @@
         <translation>Ändra ankomstgivaren</translation>
     </message>
     <message>
-        <source>Pressure step</source>
-        <translation>Trycksteg</translation>
-    </message>
-    <message>
-        <source> (typed)</source>
-        <translation> (inmatat)</translation>
-    </message>
-    <message>
         <source>not determined</source>
         <translation>inte bestämt</translation>
-    </message>
-    <message>
-        <source>Velocity W</source>
-        <translation>Hastighet W</translation>
-    </message>
-    <message>
-        <source>Mach number</source>
-        <translation>Machtal</translation>
-    </message>
-    <message>
-        <source>p1</source>
-        <translation>p1</translation>
-    </message>
-    <message>
-        <source>p2</source>
-        <translation>p2</translation>
-    </message>
-    <message>
-        <source>p5</source>
-        <translation>p5</translation>
-    </message>
-    <message>
-        <source>T2</source>
-        <translation>T2</translation>
-    </message>
-    <message>
-        <source>T5</source>
-        <translation>T5</translation>
-    </message>
-    <message>
-        <source>Gas velocity u2</source>
-        <translation>Gashastighet u2</translation>
-    </message>
-    <message>
-        <source>Reflected shock</source>
-        <translation>Reflekterad chockvåg</translation>
-    </message>
-    <message>
-        <source>Plateau lasts</source>
-        <translation>Platåns längd</translation>
-    </message>
-    <message>
-        <source>Arrival at the side</source>
-        <translation>Ankomst vid sidan</translation>
     </message>
     <message>
         <source>Quantity</source>
@@ -4340,10 +5415,6 @@
     <message>
         <source>Shot %1</source>
         <translation>Skott %1</translation>
-    </message>
-    <message>
-        <source>arrival %1</source>
-        <translation>ankomst %1</translation>
     </message>
     <message>
         <source>Shot</source>
@@ -4360,6 +5431,170 @@
     <message>
         <source>Sensitivity: &lt;b&gt;not determined&lt;/b&gt;. %1</source>
         <translation>Känslighet: &lt;b&gt;inte bestämd&lt;/b&gt;. %1</translation>
+    </message>
+    <message>
+        <source>Waves in the tube over distance and time</source>
+        <translation>Vågor i röret över avstånd och tid</translation>
+    </message>
+    <message>
+        <source>Arrival of the shock at a sensor</source>
+        <translation>Chockvågens ankomst till en givare</translation>
+    </message>
+    <message>
+        <source>States</source>
+        <translation>Tillstånd</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Uppmätt</translation>
+    </message>
+    <message>
+        <source>Arrivals</source>
+        <translation>Ankomster</translation>
+    </message>
+    <message>
+        <source>Uncertainty</source>
+        <translation>Osäkerhet</translation>
+    </message>
+    <message>
+        <source>Budget of the shot</source>
+        <translation>Skottets budget</translation>
+    </message>
+    <message>
+        <source>Peaks and gas</source>
+        <translation>Toppar och gas</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Visa</translation>
+    </message>
+    <message>
+        <source>Arrival of the shock</source>
+        <translation>Chockvågens ankomst</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Givare</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>u (distance)</source>
+        <translation>u (avstånd)</translation>
+    </message>
+    <message>
+        <source>Change u of the distance</source>
+        <translation>Ändra u för avståndet</translation>
+    </message>
+    <message>
+        <source>Arrival</source>
+        <translation>Ankomst</translation>
+    </message>
+    <message>
+        <source>u (arrival)</source>
+        <translation>u (ankomst)</translation>
+    </message>
+    <message>
+        <source>Delay of the sensor</source>
+        <translation>Givarens fördröjning</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>okänd</translation>
+    </message>
+    <message>
+        <source>Change the delay</source>
+        <translation>Ändra fördröjningen</translation>
+    </message>
+    <message>
+        <source>Add a sensor</source>
+        <translation>Lägg till en givare</translation>
+    </message>
+    <message>
+        <source>Remove this sensor</source>
+        <translation>Ta bort denna givare</translation>
+    </message>
+    <message>
+        <source>Driven gas</source>
+        <translation>Gas i lågtrycksdelen</translation>
+    </message>
+    <message>
+        <source>Change the driven gas</source>
+        <translation>Ändra gasen i lågtrycksdelen</translation>
+    </message>
+    <message>
+        <source>Heat capacity varies with temperature</source>
+        <translation>Värmekapaciteten varierar med temperaturen</translation>
+    </message>
+    <message>
+        <source>Change the heat capacity</source>
+        <translation>Ändra värmekapaciteten</translation>
+    </message>
+    <message>
+        <source>CO₂</source>
+        <translation>CO₂</translation>
+    </message>
+    <message>
+        <source>Change the CO₂ of the air</source>
+        <translation>Ändra luftens CO₂</translation>
+    </message>
+    <message>
+        <source>Driver gas</source>
+        <translation>Drivgas</translation>
+    </message>
+    <message>
+        <source>Change the driver gas</source>
+        <translation>Ändra drivgasen</translation>
+    </message>
+    <message>
+        <source>Inner diameter</source>
+        <translation>Innerdiameter</translation>
+    </message>
+    <message>
+        <source>Guard before the plateau&apos;s end</source>
+        <translation>Marginal före platåns slut</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>Change the guard</source>
+        <translation>Ändra marginalen</translation>
+    </message>
+    <message>
+        <source>Add an arrival sensor</source>
+        <translation>Lägg till en ankomstgivare</translation>
+    </message>
+    <message>
+        <source>Remove an arrival sensor</source>
+        <translation>Ta bort en ankomstgivare</translation>
+    </message>
+    <message>
+        <source>Move an arrival</source>
+        <translation>Flytta en ankomst</translation>
+    </message>
+    <message>
+        <source>Find the arrival</source>
+        <translation>Sök ankomsten</translation>
+    </message>
+    <message>
+        <source>Shot %1 %2</source>
+        <translation>Skott %1 %2</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1; delay %2</source>
+        <translation>%1; fördröjning %2</translation>
+    </message>
+    <message>
+        <source>arrival</source>
+        <translation>ankomst</translation>
     </message>
 </context>
 <context>
@@ -4562,6 +5797,29 @@
     </message>
 </context>
 <context>
+    <name>dyncal::TubeModeChoice</name>
+    <message>
+        <source>Tube modes: computed, not identified</source>
+        <translation>Rörmoder: beräknade, inte identifierade</translation>
+    </message>
+    <message>
+        <source>Ticks</source>
+        <translation>Märken</translation>
+    </message>
+    <message>
+        <source>Where the tube may ring by its dimensions and the gas: computed, not identified. (m,n) across the tube, 5.1 its wall, 5.2 its gas before the burst, a5 and mix along it behind the shocks.</source>
+        <translation>Där röret kan svänga enligt sina mått och gasen: beräknat, inte identifierat. (m,n) tvärs röret, 5.1 dess vägg, 5.2 dess gas före membranbrottet, a5 och bland. längs det bakom chockvågorna.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>of shot %1</source>
+        <translation>för skott %1</translation>
+    </message>
+</context>
+<context>
     <name>dyncal::WindowPage</name>
     <message>
         <source>Window</source>
@@ -4738,6 +5996,10 @@
     <message>
         <source>Settling ±5 %</source>
         <translation>Insvängning ±5 %</translation>
+    </message>
+    <message>
+        <source>plateau over (computed)</source>
+        <translation>platån slut (beräknat)</translation>
     </message>
 </context>
 </TS>
