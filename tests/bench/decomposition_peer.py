@@ -64,10 +64,13 @@ def build(folder: pathlib.Path, program: pathlib.Path) -> None:
          folder / "core/libdyncal_core.a", "-lfftw3", "-lpthread"], check=True)
 
 
-def run(command: list) -> list[float]:
-    environment = dict(os.environ, OMP_NUM_THREADS="2", OPENBLAS_NUM_THREADS="2")
-    words = subprocess.run(command, check=True, capture_output=True, text=True, env=environment).stdout.split()
-    return [float(word) for word in words]
+def run(command: list) -> list[float] | str:
+    """The numbers it prints, or the last line of what it complains about."""
+    environment = dict(os.environ, SCIPY_USE_PROPACK="1")
+    done = subprocess.run(command, capture_output=True, text=True, env=environment)
+    if done.returncode != 0:
+        return (done.stderr.strip().splitlines() or [f"exit code {done.returncode}"])[-1]
+    return [float(word) for word in done.stdout.split()]
 
 
 def compare(name: str, commands: dict, rounds: int) -> None:
@@ -75,7 +78,11 @@ def compare(name: str, commands: dict, rounds: int) -> None:
     results = {candidate: [] for candidate in commands}
     for _ in range(rounds):
         for candidate, command in commands.items():
-            results[candidate].append(run(command))
+            outcome = run(command)
+            if isinstance(outcome, str):
+                print(f"{name}, {candidate}: {outcome}")
+                return compare(name, {c: words for c, words in commands.items() if c != candidate}, rounds)
+            results[candidate].append(outcome)
     medians = {candidate: [statistics.median(r[i] for r in runs) for i in range(3)]
                for candidate, runs in results.items()}
     own = next(iter(commands))
