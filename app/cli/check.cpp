@@ -57,8 +57,7 @@ void sort(Findings &findings)
 void print(const Findings &findings, std::size_t shots)
 {
     for (const Finding &finding : findings)
-        std::cout << finding.id << " (" << severityName(finding.severity)
-                  << "): " << english(finding.message) << '\n';
+        std::cout << lineOf(finding) << '\n';
     const auto count = [&](Severity severity) {
         return std::count_if(findings.begin(), findings.end(),
             [&](const Finding &finding) { return finding.severity == severity; });

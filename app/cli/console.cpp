@@ -51,12 +51,19 @@ int report(const Error &error)
     return static_cast<int>(exitCodeOf(error));
 }
 
+std::string lineOf(const Finding &finding)
+{
+    const std::string message = english(finding.message);
+    const bool namesShot = finding.shot == 0 || message.starts_with("Shot ");
+    return finding.id + " (" + severityName(finding.severity)
+        + (namesShot ? "" : ", shot " + std::to_string(finding.shot)) + "): " + message;
+}
+
 void reportFindings(const Findings &findings)
 {
     for (const Finding &finding : findings) {
         if (finding.severity != Severity::Info)
-            std::cerr << finding.id << " (" << severityName(finding.severity)
-                      << "): " << english(finding.message) << '\n';
+            std::cerr << lineOf(finding) << '\n';
     }
 }
 

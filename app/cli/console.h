@@ -27,6 +27,9 @@ ExitCode exitCodeOf(const Findings &findings);
 /// Writes the error to stderr as one plain sentence and returns its exit code.
 int report(const Error &error);
 
+/// "SHK-005 (info, shot 3): ...": the shot is named unless the sentence begins with it.
+std::string lineOf(const Finding &finding);
+
 /// Writes cautions and blocks to stderr, one line each with its id.
 void reportFindings(const Findings &findings);
 

@@ -59,10 +59,24 @@ void addModel(std::string &text, const SensorModel &model)
     }
 }
 
-void addSensitivity(std::string &text, const ResponseResult &response)
+/// Why there is no pressure step, and what a certificate cannot state without one.
+void addMissingStep(std::string &text, const CalibrationResults &results)
+{
+    addLine(text, "Plateau sensitivity", "not determined (no pressure step)");
+    for (const Finding &finding : results.shock ? results.shock->findings : Findings()) {
+        if (finding.id == "SHK-007")
+            addLine(text, "", english(finding.message));
+    }
+    addLine(text, "Cannot be certified",
+        "sensitivity and magnitude per unit of pressure; frequencies, damping and the response "
+        "relative to the plateau need no pressure");
+}
+
+void addSensitivity(
+    std::string &text, const ResponseResult &response, const CalibrationResults &results)
 {
     if (!response.sensitivity) {
-        addLine(text, "Plateau sensitivity", "not determined (no pressure step)");
+        addMissingStep(text, results);
         return;
     }
     // The prefix belongs to the numerator, so "V/Pa" becomes "uV/Pa".
@@ -130,7 +144,7 @@ std::string runSummary(const PipelineOutcome &outcome, const Recipe &recipe)
     if (results.model)
         addModel(text, *results.model);
     if (results.response)
-        addSensitivity(text, *results.response);
+        addSensitivity(text, *results.response, results);
     if (results.model) {
         addFit(text, *results.model);
         addOrder(text, *results.model, results, recipe);

@@ -43,6 +43,7 @@ struct CertificateSources
     const ResponseResult *response = nullptr;
     Auto<Index> order; ///< as asked for
     std::string orderReason; ///< typed: why this order was adopted
+    double coverage = 0.95; ///< probability for which the step's U is stated
     Findings findings;
     std::vector<CertificateAcknowledgement> acknowledgements;
     std::map<std::string, std::string> fields; ///< typed: keys in docs/certificate.md

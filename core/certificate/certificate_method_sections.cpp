@@ -75,8 +75,38 @@ ShotLevel levelOf(const CertificateSources &sources, Index shot)
     return sources.captures->shots[position].level;
 }
 
+/// The step, its U and the k that this was expanded with.
+struct StepCells
+{
+    Message step;
+    Message expanded{DYNCAL_TEXT("core", "not determined"), {}};
+    Message k = dash();
+};
+
+std::optional<double> stepUncertainty_Pa(const ShockConditions &shot)
+{
+    const bool computed = shot.uncertainty && shot.step_Pa && !shot.stepTyped;
+    return computed ? shot.uncertainty->u(StepResult::Step) : std::nullopt;
+}
+
+StepCells stepCells(const ShockConditions &shot, double coverage)
+{
+    StepCells cells{printed(shot.step_Pa, "Pa", {DYNCAL_TEXT("core", "not determined"), {}})};
+    const auto u_Pa = stepUncertainty_Pa(shot);
+    if (!u_Pa)
+        return cells;
+    const double k = coverageFactor(
+        shot.uncertainty->budget.dof[static_cast<Index>(StepResult::Step)], coverage);
+    const RoundedValue rounded = roundedValue(*shot.step_Pa, k * *u_Pa, "Pa");
+    cells.step = verbatim(rounded.value + " " + rounded.unit);
+    cells.expanded = verbatim(rounded.u + " " + rounded.unit);
+    cells.k = verbatim(fixedText(k, 2));
+    return cells;
+}
+
 std::vector<Message> conditionsRow(const CertificateSources &sources, const ShockConditions &shot)
 {
+    const StepCells cells = stepCells(shot, sources.coverage);
     const bool known = shot.states.has_value();
     const auto ofStates = [&](auto pick) {
         return known ? std::optional<double>(pick(*shot.states)) : std::nullopt;
@@ -85,12 +115,11 @@ std::vector<Message> conditionsRow(const CertificateSources &sources, const Shoc
         printed(ofStates([](const ShockStates &s) { return s.driven.pressure_Pa; }), "Pa", dash()),
         printed(ofStates([](const ShockStates &s) { return s.driven.temperature_K; }), "K", dash()),
         printed(ofStates([](const ShockStates &s) { return s.velocity_m_s; }), "m/s", dash()),
-        printed(ofStates([](const ShockStates &s) { return s.mach; }), "", dash()),
-        printed(shot.step_Pa, "Pa", {DYNCAL_TEXT("core", "not determined"), {}}),
+        printed(ofStates([](const ShockStates &s) { return s.mach; }), "", dash()), cells.step,
         shot.step_Pa ? (shot.stepTyped ? Message{DYNCAL_TEXT("core", "stated"), {}}
                                        : Message{DYNCAL_TEXT("core", "computed"), {}})
                      : dash(),
-        printed(shot.plateau_s, "s", dash())};
+        cells.expanded, cells.k, printed(shot.plateau_s, "s", dash())};
 }
 
 /// How much the sensor's resonance depends on the choice of the order.
@@ -186,15 +215,27 @@ CertificateSection conditionsSection(const CertificateSources &sources)
             {{DYNCAL_TEXT("core", "Mach number"), {}}, true},
             {{DYNCAL_TEXT("core", "Pressure step"), {}}, true},
             {{DYNCAL_TEXT("core", "Step is"), {}}, false},
-            {{DYNCAL_TEXT("core", "Plateau"), {}}, true}};
+            {{DYNCAL_TEXT("core", "U of the step"), {}}, true},
+            {{DYNCAL_TEXT("core", "k"), {}}, true}, {{DYNCAL_TEXT("core", "Plateau"), {}}, true}};
     bool stepMissing = !sources.shock || sources.shock->shots.empty();
+    bool stepUncertain = false;
     if (sources.shock)
         for (const ShockConditions &shot : sources.shock->shots) {
             table.rows.push_back(conditionsRow(sources, shot));
             stepMissing = stepMissing || !shot.step_Pa;
+            stepUncertain = stepUncertain || stepUncertainty_Pa(shot);
         }
     if (!table.rows.empty())
         section.tables.push_back(std::move(table));
+    if (stepUncertain)
+        section.notes.push_back(
+            {DYNCAL_TEXT("core",
+                 "U of the step is its expanded uncertainty with the coverage factor k of the same "
+                 "line, for a coverage probability of %1 %. It follows from the uncertainties of "
+                 "the shock velocity, the initial pressure and temperature and the gas, and holds "
+                 "for an ideal shock tube. It is not contained in the uncertainties of the "
+                 "sensitivity and of the frequency response."),
+                {numberText(100.0 * sources.coverage, 4)}});
     if (stepMissing)
         section.notes.push_back(
             {DYNCAL_TEXT("core",

@@ -188,9 +188,9 @@ CertificateSection resultsSection(const CertificateSources &sources)
     addCharacteristics(sources, section);
     section.notes.push_back(
         {DYNCAL_TEXT("core",
-             "Uncertainties marked U are expanded uncertainties with the coverage factor k = 2 and "
-             "contain only what the noise of the recordings contributes. A complete uncertainty "
-             "budget "
+             "Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor "
+             "k = 2 and contain only what the noise of the recordings contributes, not the "
+             "uncertainty of the pressure step. A complete uncertainty budget "
              "was not evaluated; where no uncertainty stands beside a value, none is stated. "
              "Rise "
              "time, overshoot, settling time and band edges are those of the model."),

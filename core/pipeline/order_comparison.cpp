@@ -33,8 +33,11 @@ double whitenessOf(const ModelInput &input, const SensorModel &model)
         const Index lags = std::min(kWhitenessLags, left.size() / 4);
         if (lags < 1)
             continue;
-        const double p = ljungBox_p(
-            autocovariance((left.array() - left.mean()).matrix(), lags), left.size(), lags);
+        const Eigen::VectorXd covariance
+            = autocovariance((left.array() - left.mean()).matrix(), lags);
+        if (!(covariance[0] > 0.0)) // nothing is left
+            continue;
+        const double p = ljungBox_p(covariance / covariance[0], left.size(), lags);
         smallest = std::isnan(smallest) ? p : std::min(smallest, p);
     }
     return -std::expm1(static_cast<double>(model.series.size()) * std::log1p(-smallest));

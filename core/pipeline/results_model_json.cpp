@@ -121,6 +121,7 @@ void addCurves(JsonRecord &section, const ResponseResult &response)
     section.numbers("magnitude", response.magnitude, none);
     section.numbers("u_magnitude", response.u_magnitude, kNoUncertainty);
     section.missing("k_magnitude", kNoUncertainty);
+    section.set("u_contains_step", false); // what the noise of the recordings gives, no more
     section.numbers("phase_rad", response.phase_rad, none);
     section.numbers("u_phase_rad", response.u_phase_rad, kNoUncertainty);
     section.missing("k_phase", kNoUncertainty);
@@ -199,9 +200,10 @@ void addBands(JsonRecord &root, const ResultsContext &context)
 
 void addBudget(JsonRecord &root)
 {
-    root.missing("budget", "Not evaluated: this version computes no uncertainty budget.");
-    root.missing(
-        "gum_validated_by_monte_carlo", "Not evaluated: this version computes no Monte Carlo.");
+    root.missing("budget",
+        "Not evaluated for the frequency response; that of each pressure step is in shock.");
+    root.missing("gum_validated_by_monte_carlo",
+        "Not evaluated for the frequency response; that of each pressure step is in shock.");
 }
 
 } // namespace dyncal

@@ -66,6 +66,34 @@ Json homogeneityJson(const Homogeneity &test)
     return record.take();
 }
 
+Json secondOrderJson(const SecondOrderModel &fit)
+{
+    const char *unknown = "Not determined.";
+    JsonRecord record;
+    record.number("f0_hz", fit.f0_Hz, unknown);
+    record.number("u_f0_hz", fit.u_f0_Hz, unknown);
+    record.number("zeta", fit.zeta, unknown);
+    record.number("u_zeta", fit.u_zeta, unknown);
+    record.number("coverage_factor", fit.coverageFactor, unknown);
+    record.set("uncertainty_method", fit.uncertaintyMethod);
+    record.number("fit_percent", fit.fit_percent, unknown);
+    record.number("residual_to_noise", fit.residualToNoise, unknown);
+    record.set("describes", fit.describes);
+    Json shots = Json::array();
+    for (const SecondOrderShot &shot : fit.shots) {
+        JsonRecord one;
+        one.set("shot", shot.shot);
+        one.number("plateau_gain", shot.plateauGain, unknown);
+        one.number("u_plateau_gain", shot.u_plateauGain, unknown);
+        one.number("onset_s", shot.onset_s, unknown);
+        one.number("u_onset_s", shot.u_onset_s, unknown);
+        one.number("fit_percent", shot.fit_percent, unknown);
+        shots.push_back(one.take());
+    }
+    record.set("shots", std::move(shots));
+    return record.take();
+}
+
 } // namespace
 
 void addShotPoles(JsonRecord &section, const ResultsContext &context)
@@ -78,6 +106,11 @@ void addShotPoles(JsonRecord &section, const ResultsContext &context)
         section.missing("homogeneity", "Fewer than two shots could be fitted alone.");
     section.set("per_shot", levelsJson(model.perShot, context));
     section.set("per_level", levelsJson(model.perLevel, context));
+    if (model.secondOrder)
+        section.set("second_order", secondOrderJson(*model.secondOrder));
+    else
+        section.missing("second_order",
+            "Fitted only to step responses with refinement, and only where the fit converges.");
 }
 
 } // namespace dyncal

@@ -47,6 +47,36 @@ Codec<GasSettings> gas()
     return {needs, read, plain.write, plain.paths};
 }
 
+/// null = found in the record, one time, or a list with a time or null per shot; two members share
+/// the key.
+Field<ArrivalSensor> arrival()
+{
+    const auto one = orNull(anyNumber());
+    const auto perShot = list(one, 1);
+    const std::string needs = "null, a time in seconds or a list of one time or null per shot";
+    return {"arrival_s",
+        [=](const JsonAt &at, ArrivalSensor &sensor) -> Result<void> {
+            if (!at.value.is_array() && !at.value.is_number() && !at.value.is_null())
+                return mismatch(at, needs);
+            if (!at.value.is_array()) {
+                const auto value = one.read(at);
+                if (!value)
+                    return tl::unexpected<Error>(value.error());
+                sensor.arrival_s = *value;
+                return {};
+            }
+            auto values = perShot.read(at);
+            if (!values)
+                return tl::unexpected<Error>(values.error());
+            sensor.shotArrival_s = std::move(*values);
+            return {};
+        },
+        [=](const ArrivalSensor &sensor) {
+            return sensor.shotArrival_s.empty() ? one.write(sensor.arrival_s)
+                                                : perShot.write(sensor.shotArrival_s);
+        }};
+}
+
 Codec<ArrivalSensor> arrivalSensor()
 {
     return object<ArrivalSensor>({
@@ -54,7 +84,7 @@ Codec<ArrivalSensor> arrivalSensor()
         field(
             "distance_to_end_wall_m", &ArrivalSensor::distanceToEndWall_m, positiveNumber(), true),
         field("u_distance_m", &ArrivalSensor::u_distance_m, nonNegativeNumber()),
-        field("arrival_s", &ArrivalSensor::arrival_s, orNull(anyNumber())),
+        arrival(),
         field("u_arrival_s", &ArrivalSensor::u_arrival_s, nonNegativeNumber()),
         field("delay_s", &ArrivalSensor::delay_s, orNull(anyNumber())),
         field("u_delay_s", &ArrivalSensor::u_delay_s, nonNegativeNumber()),

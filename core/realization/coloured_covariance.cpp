@@ -215,32 +215,32 @@ Eigen::MatrixXd sandwich(const std::vector<RefinementRecord> &records,
     const Eigen::VectorXd unit = bread.diagonal().cwiseMax(0.0).cwiseSqrt();
     const Eigen::VectorXd perUnit
         = unit.unaryExpr([](double u) { return u > 0.0 ? 1.0 / u : 0.0; });
-    Eigen::MatrixXd filling = Eigen::MatrixXd::Zero(bread.rows(), bread.cols());
-    for (std::size_t r = 0; r < records.size(); ++r) {
-        const Sensitivities sensitivities(refinement, r, records[r]);
-        const std::vector<Index> rows = rowsOf(refinement, r, sensitivities.parameters());
-        filling(rows, rows) += std::pow(records[r].weight, 4)
-            * noiseProduct(sensitivities, unit(rows), records[r].y.size(), models[r]);
-    }
+    const Eigen::MatrixXd filling = noiseFilling(records, models, refinement, unit);
     const Eigen::MatrixXd scaled = perUnit.asDiagonal() * bread * perUnit.asDiagonal();
     return unit.asDiagonal() * (scaled * filling * scaled) * unit.asDiagonal();
 }
 
 } // namespace
 
-NoiseBasis allowForColour(const std::vector<RefinementRecord> &records,
-    const std::vector<NoiseCovariance> &noise, Refinement &refinement)
+std::string noiseName(const NoiseBasis &basis)
+{
+    if (basis.order == 0)
+        return "white";
+    return "AR(" + std::to_string(basis.order) + ")"
+        + (basis.fromResidual ? " of the residual" : "");
+}
+
+NoiseModels chooseNoiseModels(const std::vector<RefinementRecord> &records,
+    const std::vector<NoiseCovariance> &noise, const Refinement &fit, Index parameters)
 {
     NoiseBasis basis;
     const auto before = chooseAutoregressiveModels(noise, kLargestNoiseModelOrder);
-    const double lost
-        = static_cast<double>(refinement.covariance.rows()) / static_cast<double>(records.size());
+    const double lost = static_cast<double>(parameters) / static_cast<double>(records.size());
     std::vector<NoiseCovariance> used = noise;
     Index samples = 0;
     Index values = 0;
     for (std::size_t r = 0; r < records.size(); ++r) {
-        const Eigen::VectorXd residual
-            = residualOf(records[r], refinement.records[r], refinement.nuisance[r]);
+        const Eigen::VectorXd residual = residualOf(records[r], fit.records[r], fit.nuisance[r]);
         if (exceedsNoise(residual, noise[r], before[r], lost)) {
             const double count = static_cast<double>(residual.size());
             used[r] = noiseCovariance(residual, kLargestNoiseModelOrder);
@@ -250,16 +250,38 @@ NoiseBasis allowForColour(const std::vector<RefinementRecord> &records,
         samples += residual.size();
         values += used[r].count;
     }
-    const auto models = chooseAutoregressiveModels(used, kLargestNoiseModelOrder);
+    auto models = chooseAutoregressiveModels(used, kLargestNoiseModelOrder);
     basis.order = models.front().order();
-    if (basis.order == 0) {
-        basis.dof = static_cast<double>(std::max<Index>(1, samples - refinement.covariance.rows()));
-        return basis;
-    }
     // The spectral density of an AR(p) model has a relative variance of 2 (p + 1)/values.
-    basis.dof = std::max(1.0, static_cast<double>(values) / static_cast<double>(basis.order + 1));
-    refinement.covariance = sandwich(records, models, refinement);
-    return basis;
+    const double freedom = basis.order == 0
+        ? static_cast<double>(samples - parameters)
+        : static_cast<double>(values) / static_cast<double>(basis.order + 1);
+    basis.dof = std::max(1.0, freedom);
+    return {basis, std::move(models)};
+}
+
+Eigen::MatrixXd noiseFilling(const std::vector<RefinementRecord> &records,
+    const std::vector<AutoregressiveModel> &models, const Refinement &fit,
+    const Eigen::VectorXd &unit)
+{
+    Eigen::MatrixXd filling = Eigen::MatrixXd::Zero(unit.size(), unit.size());
+    for (std::size_t r = 0; r < records.size(); ++r) {
+        const Sensitivities sensitivities(fit, r, records[r]);
+        const std::vector<Index> rows = rowsOf(fit, r, sensitivities.parameters());
+        filling(rows, rows) += std::pow(records[r].weight, 4)
+            * noiseProduct(sensitivities, unit(rows), records[r].y.size(), models[r]);
+    }
+    return filling;
+}
+
+NoiseBasis allowForColour(const std::vector<RefinementRecord> &records,
+    const std::vector<NoiseCovariance> &noise, Refinement &refinement)
+{
+    const NoiseModels models
+        = chooseNoiseModels(records, noise, refinement, refinement.covariance.rows());
+    if (models.basis.order > 0)
+        refinement.covariance = sandwich(records, models.ofRecord, refinement);
+    return models.basis;
 }
 
 } // namespace dyncal

@@ -19,18 +19,39 @@ namespace {
 
 constexpr double kSignificance = 0.01;
 
-/// The poles of the model fitted to some of the shots alone.
+/// The poles of the model fitted to some of the shots alone: those that stand out there.
 struct PartFit
 {
     std::vector<std::size_t> series; ///< positions in the input
+    std::vector<std::optional<Index>> place; ///< of every pole of the draft among those fitted
     std::optional<Refinement> refinement;
     NoiseBasis noise;
+
+    bool has(Index pole) const
+    {
+        return refinement && place[static_cast<std::size_t>(pole)].has_value();
+    }
+    Index at(Index pole) const { return *place[static_cast<std::size_t>(pole)]; }
 };
+
+/// Energy over noise of a pole in one series, as the joint fit has it.
+double energyOf(const ModelInput &input, const ModelDraft &draft, std::size_t r, Index pole)
+{
+    return energyOverNoise(input.series[r], draft.series[r], pole, sampleInterval_s(input));
+}
 
 PartFit fitPart(const ModelInput &input, const ModelDraft &draft,
     const std::vector<std::size_t> &series, const JobControl &control)
 {
-    PartFit part{series, {}, {}};
+    PartFit part{series, {}, {}, {}};
+    std::vector<std::complex<double>> start_rad_s;
+    for (Index i = 0; i < std::ssize(draft.rates_rad_s); ++i) {
+        const bool standsOut = std::any_of(series.begin(), series.end(),
+            [&](std::size_t r) { return energyOf(input, draft, r, i) > kStandsOut; });
+        part.place.push_back(standsOut ? std::optional(std::ssize(start_rad_s)) : std::nullopt);
+        if (standsOut)
+            start_rad_s.push_back(draft.rates_rad_s[static_cast<std::size_t>(i)]);
+    }
     const std::vector<RefinementRecord> all = refinementRecords(input);
     std::vector<RefinementRecord> records;
     std::vector<NoiseCovariance> noise;
@@ -38,8 +59,7 @@ PartFit fitPart(const ModelInput &input, const ModelDraft &draft,
         records.push_back(all[r]);
         noise.push_back(input.series[r].fullRateNoise);
     }
-    part.refinement
-        = refinePoles(records, draft.rates_rad_s, isStepTreatment(input.treatment), control);
+    part.refinement = refinePoles(records, start_rad_s, isStepTreatment(input.treatment), control);
     if (part.refinement)
         part.noise = allowForColour(records, noise, *part.refinement);
     return part;
@@ -99,8 +119,8 @@ LevelPole describePart(const ModelInput &input, const PartFit &part, std::option
     result.step = step;
     if (!part.refinement)
         return result;
-    if (main) {
-        const PoleFigures figures = poleFigures(*part.refinement, *main);
+    if (main && part.has(*main)) {
+        const PoleFigures figures = poleFigures(*part.refinement, part.at(*main));
         result.frequency_Hz = figures.frequency_Hz;
         result.u_frequency_Hz = figures.u_frequency_Hz;
         result.dampingRatio = figures.dampingRatio;
@@ -122,15 +142,16 @@ std::optional<Index> mainPlace(const SensorModel &model)
 
 /// Sum of (theta_j - mean)^T V_j^-1 (theta_j - mean) over the shots, theta the real parameters of
 /// one pole in each shot, V_j their covariance, the mean weighted with V_j^-1.
-double disagreement(const std::vector<PartFit> &fits, Index at, Index size, Index *dof)
+double disagreement(const std::vector<PartFit> &fits, Index pole, Index size, Index *dof)
 {
     Eigen::MatrixXd information = Eigen::MatrixXd::Zero(size, size);
     Eigen::VectorXd weighted = Eigen::VectorXd::Zero(size);
     double squares = 0.0;
     Index shots = 0;
     for (const PartFit &fit : fits) {
-        if (!fit.refinement)
+        if (!fit.has(pole))
             continue;
+        const Index at = fit.at(pole);
         const std::complex<double> s = fit.refinement->rates_rad_s[static_cast<std::size_t>(at)];
         const Eigen::VectorXd theta = Eigen::Vector2d(s.real(), s.imag()).head(size);
         const Eigen::MatrixXd V = fit.refinement->covariance.block(at, at, size, size);
@@ -141,8 +162,8 @@ double disagreement(const std::vector<PartFit> &fits, Index at, Index size, Inde
         squares += theta.dot(share);
         ++shots;
     }
-    *dof = (shots - 1) * size;
-    return squares - weighted.dot(information.ldlt().solve(weighted));
+    *dof = std::max<Index>(0, (shots - 1) * size);
+    return *dof == 0 ? 0.0 : squares - weighted.dot(information.ldlt().solve(weighted));
 }
 
 /// The scatter of one quantity over the shots, carried to their mean weighted by 1/u^2.
@@ -172,13 +193,20 @@ void useScatter(const std::vector<PartFit> &fits, Index at, Pole &pole)
     std::vector<double> damping;
     std::vector<double> u_damping;
     for (const PartFit &fit : fits) {
-        if (!fit.refinement)
+        if (!fit.has(at))
             continue;
-        const PoleFigures figures = poleFigures(*fit.refinement, at);
+        const PoleFigures figures = poleFigures(*fit.refinement, fit.at(at));
         frequency.push_back(figures.frequency_Hz);
         u_frequency.push_back(figures.u_frequency_Hz);
         damping.push_back(figures.dampingRatio);
         u_damping.push_back(figures.u_dampingRatio);
+    }
+    pole.flags.push_back("shots-disagree");
+    if (frequency.size() < 2) { // one shot says nothing of the others
+        pole.u_frequency_Hz = kUnknown;
+        pole.u_dampingRatio = kUnknown;
+        pole.coverageFactor = kUnknown;
+        return;
     }
     const double k = coverageFactor95(static_cast<double>(frequency.size() - 1));
     // Never narrower than the noise alone makes the interval.
@@ -189,7 +217,6 @@ void useScatter(const std::vector<PartFit> &fits, Index at, Pole &pole)
         pole.u_dampingRatio
             = std::max(noise * pole.u_dampingRatio, betweenShots(damping, u_damping));
     pole.coverageFactor = k;
-    pole.flags.push_back("shots-disagree");
 }
 
 struct PoleTest
@@ -200,7 +227,32 @@ struct PoleTest
     double probability = 1.0;
 };
 
-std::vector<PoleTest> testPoles(const std::vector<PartFit> &fits, const SensorModel &model)
+/// A pole that rings in one shot and is missing in another, where it would ring ten times above
+/// what stands out if the shots had one shape. The statistic: what is missing, as energy over
+/// noise.
+double missing(const ModelInput &input, const ModelDraft &draft, Index pole)
+{
+    constexpr double kClear = 10.0;
+    const auto clarity = [&](std::size_t r) { // of the step
+        return std::pow(draft.series[r].constant / input.series[r].noiseSd, 2);
+    };
+    double largest = 0.0; // of the energy, for a step as clear as 1
+    for (std::size_t r = 0; r < input.series.size(); ++r) {
+        if (clarity(r) > 0.0)
+            largest = std::max(largest, energyOf(input, draft, r, pole) / clarity(r));
+    }
+    double statistic = 0.0;
+    for (std::size_t r = 0; r < input.series.size(); ++r) {
+        const double expected = largest * clarity(r);
+        const double found = energyOf(input, draft, r, pole);
+        if (found <= kStandsOut && expected > kClear * kStandsOut && std::isfinite(expected))
+            statistic = std::max(statistic, std::pow(std::sqrt(expected) - std::sqrt(found), 2));
+    }
+    return statistic;
+}
+
+std::vector<PoleTest> testPoles(const ModelInput &input, const ModelDraft &draft,
+    const std::vector<PartFit> &fits, const SensorModel &model)
 {
     std::vector<PoleTest> tests;
     for (std::size_t i = 0; i < model.poles.size(); ++i) {
@@ -214,14 +266,19 @@ std::vector<PoleTest> testPoles(const std::vector<PartFit> &fits, const SensorMo
         if (!std::isfinite(statistic))
             continue;
         const double degrees = static_cast<double>(dof);
-        tests.push_back({i, statistic, degrees, chiSquareSurvival(statistic, degrees)});
+        PoleTest test{i, statistic, degrees, dof > 0 ? chiSquareSurvival(statistic, degrees) : 1.0};
+        if (const double absent = missing(input, draft, static_cast<Index>(i)); absent > statistic)
+            test = {i, absent, 2.0, chiSquareSurvival(absent, 2.0)};
+        if (test.dof > 0.0)
+            tests.push_back(test);
     }
     return tests;
 }
 
-void judgeShared(const std::vector<PartFit> &fits, SensorModel &model)
+void judgeShared(const ModelInput &input, const ModelDraft &draft, const std::vector<PartFit> &fits,
+    SensorModel &model)
 {
-    const std::vector<PoleTest> tests = testPoles(fits, model);
+    const std::vector<PoleTest> tests = testPoles(input, draft, fits, model);
     if (tests.empty())
         return;
     // Several poles are several chances to fail: each is tested at its share of 1 %.
@@ -262,7 +319,7 @@ void compareShots(
     const auto fitted = std::count_if(
         shots.begin(), shots.end(), [](const PartFit &fit) { return fit.refinement.has_value(); });
     if (fitted > 1)
-        judgeShared(shots, model);
+        judgeShared(input, draft, shots, model);
 }
 
 Findings judgeShots(const SensorModel &model)

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -30,6 +31,31 @@ void fillRandom(Eigen::Ref<Eigen::VectorXd> x, Index stream)
         value = random.nextUniform() - 0.5;
 }
 
+/// When to look again whether the pairs have converged: a look costs as much as some products, and
+/// residuals shrink at a steady rate.
+class Convergence
+{
+public:
+    void add(Index products, double excess)
+    {
+        const double logarithm = std::log(excess);
+        if (m_products > 0 && logarithm < m_logarithm) {
+            const double rate
+                = (m_logarithm - logarithm) / static_cast<double>(products - m_products);
+            m_nextLook = products
+                + std::max<Index>(8, static_cast<Index>(std::min(logarithm / rate, 1e6)));
+        }
+        m_products = products;
+        m_logarithm = logarithm;
+    }
+    Index nextLook() const { return m_nextLook; }
+
+private:
+    Index m_products = 0;
+    double m_logarithm = 0.0;
+    Index m_nextLook = std::numeric_limits<Index>::max();
+};
+
 } // namespace
 
 BlockLanczos::BlockLanczos(SymmetricOperator &A, double tolerance)
@@ -46,13 +72,14 @@ BlockLanczos::BlockLanczos(SymmetricOperator &A, double tolerance)
 
 Index BlockLanczos::mostPairs(Index size)
 {
-    return std::max<Index>(size / 3 - 2 * kBlock, 0);
+    return std::max<Index>(size / 2 - 5 * kBlock, 0);
 }
 
-/// Basis vectors before a restart: twice what is wanted, and some that have not settled.
+/// Basis vectors before a restart. A larger basis saves few products and costs more in
+/// orthogonalisation.
 Index BlockLanczos::capacity(Index count) const
 {
-    return std::min(m_A.size() - kBlock, 2 * count + 40);
+    return std::min(m_A.size() - kBlock, count + count / 2 + 40);
 }
 
 void BlockLanczos::reserve(Index columns)
@@ -61,12 +88,29 @@ void BlockLanczos::reserve(Index columns)
         m_Q.conservativeResize(m_A.size(), columns);
 }
 
-void BlockLanczos::removeBasis(Eigen::Ref<Eigen::MatrixXd> W, Index columns) const
+Eigen::MatrixXd BlockLanczos::removeBasis(Eigen::Ref<Eigen::MatrixXd> W, Index columns) const
 {
-    subtractProducts(m_Q.leftCols(columns), innerProducts(m_Q.leftCols(columns), W), W);
+    Eigen::MatrixXd C = innerProducts(m_Q.leftCols(columns), W);
+    subtractProducts(m_Q.leftCols(columns), C, W);
+    return C;
 }
 
-/// A times the next block joins the basis; what is orthogonal to it becomes the block after.
+/// What the recurrence says is in W = A * next: the coupled part of the basis, and `next` itself.
+/// Returns the latter's coefficients.
+Eigen::MatrixXd BlockLanczos::removeCoupled(Eigen::Ref<Eigen::MatrixXd> W) const
+{
+    const Index coupled = m_restarted ? m_dimension : std::min(m_dimension, kBlock);
+    subtractProducts(m_Q.middleCols(m_dimension - coupled, coupled),
+        m_coupling.rightCols(coupled).transpose(), W);
+    const auto next = m_Q.middleCols(m_dimension, kBlock);
+    Eigen::MatrixXd corner = innerProducts(next, W);
+    subtractProducts(next, corner, W);
+    return corner;
+}
+
+/// A times the next block joins the basis; what is orthogonal to it becomes the block after. What
+/// the recurrence knows goes first, so that the pass over the whole basis removes rounding only: a
+/// single such pass that removes more would lose orthogonality step by step.
 void BlockLanczos::grow()
 {
     const Index d = m_dimension + kBlock;
@@ -76,22 +120,13 @@ void BlockLanczos::grow()
     const Eigen::ArrayXd before = W.colwise().norm();
     m_scale = std::max(m_scale, before.maxCoeff());
 
-    // What the recurrence knows goes first, so that the pass over the whole basis removes rounding
-    // only: a single such pass loses orthogonality step by step when it removes more.
-    const Index coupled = m_restarted ? m_dimension : std::min(m_dimension, kBlock);
-    subtractProducts(m_Q.middleCols(m_dimension - coupled, coupled),
-        m_coupling.rightCols(coupled).transpose(), W);
-    const auto last = m_Q.middleCols(m_dimension, kBlock);
-    Eigen::MatrixXd corner = innerProducts(last, W);
-    subtractProducts(last, corner, W);
-    const Eigen::MatrixXd C = innerProducts(m_Q.leftCols(d), W);
-    subtractProducts(m_Q.leftCols(d), C, W);
-    corner += C.bottomRows(kBlock);
-    extendProjection(corner);
-    m_restarted = false;
+    Eigen::MatrixXd corner = removeCoupled(W);
+    corner += removeBasis(W, d).bottomRows(kBlock);
     const Eigen::ArrayXd after = W.colwise().norm();
     if ((after < kMuchRemoved * before).any())
         removeBasis(W, d);
+    extendProjection(corner);
+    m_restarted = false;
     appendOrthonormal(W);
 }
 
@@ -151,11 +186,26 @@ void BlockLanczos::decompose()
 Index BlockLanczos::convergedAmong(Index count) const
 {
     for (Index k = 0; k < count; ++k) {
-        const double bound = std::max(m_tolerance * std::abs(m_values[k]), kRounding * m_scale);
-        if (m_residuals[k] > bound)
+        if (excess(k) > 1.0)
             return k;
     }
     return count;
+}
+
+/// Residual of a pair over what is allowed.
+double BlockLanczos::excess(Index pair) const
+{
+    return m_residuals[pair]
+        / std::max({m_tolerance * std::abs(m_values[pair]), kRounding * m_scale,
+            std::numeric_limits<double>::min()});
+}
+
+double BlockLanczos::largestExcess(Index count) const
+{
+    double largest = 0.0;
+    for (Index k = 0; k < count; ++k)
+        largest = std::max(largest, excess(k));
+    return largest;
 }
 
 /// The leading Ritz vectors become the basis; the next block stays what it is.
@@ -175,22 +225,22 @@ bool BlockLanczos::iterate(Index count, const JobControl &control)
     const Index keep = count + (full - count) / 3;
     const Index limit = m_products + 100 * count + 1000;
     reserve(full + kBlock);
-    Index nextLook = count + (full - count) / 2;
+    Convergence convergence;
     while (m_products < limit) {
         if (control.stopRequested())
             return false;
-        control.report(1.0
-            - std::exp(-static_cast<double>(m_products) / (static_cast<double>(4 * count + 60))));
+        control.report(
+            1.0 - std::exp(-static_cast<double>(m_products) / static_cast<double>(4 * count + 60)));
         grow();
         const bool isFull = m_dimension + kBlock > full;
-        if (m_dimension < nextLook && !isFull)
+        if (!isFull && m_products < convergence.nextLook())
             continue;
         decompose();
         if (convergedAmong(count) == count)
             break;
+        convergence.add(m_products, largestExcess(count));
         if (isFull)
             restart(keep);
-        nextLook = m_dimension + (full - keep) / 2;
     }
     return true;
 }

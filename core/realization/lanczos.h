@@ -56,10 +56,13 @@ private:
     void grow();
     void extendProjection(const Eigen::MatrixXd &corner);
     void appendOrthonormal(Eigen::MatrixXd &W);
-    void removeBasis(Eigen::Ref<Eigen::MatrixXd> W, Index columns) const;
+    Eigen::MatrixXd removeBasis(Eigen::Ref<Eigen::MatrixXd> W, Index columns) const;
+    Eigen::MatrixXd removeCoupled(Eigen::Ref<Eigen::MatrixXd> W) const;
     void decompose();
     void restart(Index keep);
     Index convergedAmong(Index count) const;
+    double excess(Index pair) const;
+    double largestExcess(Index count) const;
     Index capacity(Index count) const;
     void reserve(Index columns);
 

@@ -124,26 +124,30 @@ void refineDraft(const ModelInput &input, ModelDraft &draft, const JobControl &c
     draft.nuisance = draft.refinement->nuisance;
 }
 
+double energyOverNoise(const ModelSeries &series, const ExponentialSum &sum, Index i, double dt_s)
+{
+    constexpr double kRounding = 1e-20;
+    const std::complex<double> s = sum.rates_rad_s[i];
+    const double noise
+        = std::max(series.noiseSd * series.noiseSd, kRounding * series.y.squaredNorm());
+    const double first
+        = std::norm(sum.amplitudes[i] * series.filter.gain(s) * std::exp(s * series.first_s));
+    const double decay = std::norm(std::exp(s * dt_s));
+    const double samples = static_cast<double>(series.y.size());
+    const double count = std::abs(1.0 - decay) > 1e-12
+        ? (1.0 - std::pow(decay, samples)) / (1.0 - decay)
+        : samples;
+    return 2.0 * first * count / noise;
+}
+
 std::vector<bool> standingOut(const ModelInput &input, const ModelDraft &draft)
 {
-    constexpr double kMargin = 20.0;
-    constexpr double kRounding = 1e-20;
     std::vector<bool> result(draft.rates_rad_s.size(), false);
     for (std::size_t r = 0; r < input.series.size(); ++r) {
-        const ModelSeries &series = input.series[r];
-        const double noise
-            = std::max(series.noiseSd * series.noiseSd, kRounding * series.y.squaredNorm());
         for (std::size_t i = 0; i < result.size(); ++i) {
-            const Index at = static_cast<Index>(i);
-            const std::complex<double> s = draft.rates_rad_s[i];
-            const double first = std::norm(draft.series[r].amplitudes[at] * series.filter.gain(s)
-                * std::exp(s * series.first_s));
-            const double decay = std::norm(std::exp(s * sampleInterval_s(input)));
-            const double samples = static_cast<double>(series.y.size());
-            const double sum = std::abs(1.0 - decay) > 1e-12
-                ? (1.0 - std::pow(decay, samples)) / (1.0 - decay)
-                : samples;
-            if (2.0 * first * sum > kMargin * noise)
+            if (energyOverNoise(input.series[r], draft.series[r], static_cast<Index>(i),
+                    sampleInterval_s(input))
+                > kStandsOut)
                 result[i] = true;
         }
     }

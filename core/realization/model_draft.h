@@ -56,8 +56,14 @@ std::vector<RefinementRecord> refinementRecords(const ModelInput &input);
 /// that do not decay, and where the refinement does not converge.
 void refineDraft(const ModelInput &input, ModelDraft &draft, const JobControl &control);
 
-/// Whether the part of each pole stands out of the noise of any series: its energy over the input
-/// against what one fitted pair takes up of white noise, with a margin of 10 dB.
+/// Energy of the part of pole `i` over the input, 2 sum |c p^k|^2, over the variance of the noise.
+double energyOverNoise(const ModelSeries &series, const ExponentialSum &sum, Index i, double dt_s);
+
+/// Energy over noise beyond which a part stands out: ten times what one fitted pair takes up of
+/// white noise.
+inline constexpr double kStandsOut = 20.0;
+
+/// Whether the part of each pole stands out of the noise of any series.
 std::vector<bool> standingOut(const ModelInput &input, const ModelDraft &draft);
 
 } // namespace dyncal

@@ -12,6 +12,8 @@
 #include "core/realization/pole_classes.h"
 #include "core/realization/pole_uncertainty.h"
 #include "core/realization/realized_poles.h"
+#include "core/realization/second_order_beside.h"
+#include "core/realization/second_order_fit.h"
 #include "core/realization/series_fit.h"
 
 #include <algorithm>
@@ -91,12 +93,6 @@ void addUncertainties(const ModelDraft &draft, std::vector<Pole> &poles)
         poles[i].u_dampingRatio = figures.u_dampingRatio;
         poles[i].coverageFactor = k;
     }
-}
-
-std::string methodName(const NoiseBasis &noise)
-{
-    const std::string name = noise.order == 0 ? "white" : "AR(" + std::to_string(noise.order) + ")";
-    return noise.fromResidual && noise.order > 0 ? name + " of the residual" : name;
 }
 
 Pole makePole(std::complex<double> z, std::complex<double> s, PoleClass poleClass)
@@ -180,6 +176,11 @@ StateSpaceModel describeStateSpace(const ModelInput &input, const SensorModel &m
     return modalStateSpace(z, residues, feedthrough, sampleInterval_s(input));
 }
 
+void addFindings(const Findings &findings, SensorModel &model)
+{
+    model.findings.insert(model.findings.end(), findings.begin(), findings.end());
+}
+
 /// The pole of the step (thesis mode) is taken out of the list and handed back.
 std::optional<std::complex<double>> takeStepPole(
     const ModelInput &input, std::vector<std::complex<double>> &poles)
@@ -243,7 +244,7 @@ Result<SensorModel> realizeModel(const ModelInput &input, const HankelDecomposit
         model.stateSpace = thesisRealization(decomposition, order, dt_s);
     describe(input, draft, stepPole, model);
     if (model.refined)
-        model.uncertaintyMethod = methodName(draft.noise);
+        model.uncertaintyMethod = noiseName(draft.noise);
     compareShots(input, draft, model, control);
     if (isThesisMode(input))
         model.fitListing_percent = listingFit(model.stateSpace, input.series.front().y);
@@ -255,9 +256,12 @@ Result<SensorModel> realizeModel(const ModelInput &input, const HankelDecomposit
     model.nuisance = nuisanceResults(input, draft, model.series);
     if (model.refined && hasNuisance(input))
         model.nuisanceEffect = effectOfNuisance(input, realised, model, control);
+    if (settings.refine)
+        fitSecondOrderBeside(input, draft, model, control);
     model.findings = judgeModel(model, input, decomposition, spectrum);
-    const Findings shots = judgeShots(model);
-    model.findings.insert(model.findings.end(), shots.begin(), shots.end());
+    addFindings(judgeShots(model), model);
+    if (model.secondOrder)
+        addFindings(judgeSecondOrder(*model.secondOrder, model.fit_percent), model);
     return model;
 }
 

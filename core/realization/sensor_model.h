@@ -9,6 +9,7 @@
 #include "core/realization/exponential_sum.h"
 #include "core/realization/hankel_decomposition.h"
 #include "core/realization/model_input.h"
+#include "core/realization/second_order_model.h"
 #include "core/realization/state_space_model.h"
 
 #include <Eigen/Core>
@@ -147,7 +148,8 @@ struct SensorModel
     std::vector<LevelPole> perShot; ///< in shot order
     std::vector<LevelPole> perLevel; ///< from low to high; only shots that carry a level
     std::optional<Homogeneity> homogeneity; ///< empty with fewer than two shots fitted alone
-    Findings findings; ///< ORD-001, ORD-003, MOD-001..008
+    std::optional<SecondOrderModel> secondOrder; ///< the 2nd-order sensor fitted beside it
+    Findings findings; ///< ORD-001, ORD-003, MOD-001..011
 };
 
 /// The sensor's main resonance, which results and certificate speak of as f0 and zeta: the

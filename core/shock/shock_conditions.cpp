@@ -264,7 +264,7 @@ void addStates(ShockWork &work, const std::optional<DutArrival> &dutArrival)
     if (fromVelocity) {
         readArrivals(work, dutArrival);
         estimate = estimateVelocity(
-            work.set, work.shot, dutArrival, work.conditions.seen, work.settings);
+            work.set, work.conditions.shot, dutArrival, work.conditions.seen, work.settings);
     }
     reportMissingPressureAndTemperature(work, p1_Pa.has_value(), T1_K.has_value());
     if (estimate.missing)
@@ -295,7 +295,7 @@ void addStates(ShockWork &work, const std::optional<DutArrival> &dutArrival)
     addShockedStates(work, estimate, state, dutArrival);
 }
 
-Result<void> checkSettings(const ShockSettings &settings)
+Result<void> checkSettings(const ShockSettings &settings, std::size_t shots)
 {
     if (settings.dutPosition != kEndWall && settings.dutPosition != kSideWall)
         return fail(ErrorKind::Usage,
@@ -314,6 +314,13 @@ Result<void> checkSettings(const ShockSettings &settings)
                             "The arrival sensor '%1' has a distance to the end wall of %2 m; it "
                             "must be above 0."),
                     {sensor.channel, numberText(sensor.distanceToEndWall_m)}});
+        if (!sensor.shotArrival_s.empty() && sensor.shotArrival_s.size() != shots)
+            return fail(ErrorKind::Usage,
+                Message{DYNCAL_TEXT("core",
+                            "The arrival sensor '%1' lists %2 arrivals for %3 shots; give one time "
+                            "or null per shot (shock.arrival_sensors[].arrival_s)."),
+                    {sensor.channel, std::to_string(sensor.shotArrival_s.size()),
+                        std::to_string(shots)}});
     }
     return {};
 }
@@ -358,7 +365,7 @@ Result<ShockConditionsSet> estimateShockConditions(const CaptureSet &set,
     const std::vector<DutArrival> &arrivals, const ShockSettings &settings,
     const UncertaintyRequest &request, const JobControl &control, const KnownReadings &known)
 {
-    if (auto checked = checkSettings(settings); !checked)
+    if (auto checked = checkSettings(settings, set.shots.size()); !checked)
         return tl::unexpected(checked.error());
     RecordStarts found;
     if (settings.enabled && known.starts == nullptr && known.before == nullptr) {

@@ -31,10 +31,12 @@ struct ArrivalSensor
     double distanceToEndWall_m = 0.0;
     double u_distance_m = 0.0;
     std::optional<double> arrival_s
-        = std::nullopt; ///< typed, record axis; else found in the record
+        = std::nullopt; ///< typed for all shots, record axis; else found in the record
     double u_arrival_s = 0.0;
     std::optional<double> delay_s = std::nullopt; ///< of the sensor's 50 % crossing; taken off
     double u_delay_s = 0.0;
+    /// Typed shot by shot (one entry per shot of the set, or none at all); empty = found.
+    std::vector<std::optional<double>> shotArrival_s = {};
     bool operator==(const ArrivalSensor &) const = default;
 };
 

@@ -64,11 +64,13 @@ std::optional<Sighting> sightingOf(
     seen.distance_m = sensor.distanceToEndWall_m;
     seen.u_distance_m = sensor.u_distance_m;
     seen.time_s = (typed ? *sensor.arrival_s : found->time_s) - sensor.delay_s.value_or(0.0);
-    seen.u_time_s = typed ? sensor.u_arrival_s : found->u_time_s;
+    // A cursor on the record sees no better than the search does, and the same delay.
+    const bool stated = typed && sensor.u_arrival_s > 0.0;
+    seen.u_time_s = stated || found == nullptr ? sensor.u_arrival_s : found->u_time_s;
     // Between 0 (a diaphragm that the front sweeps) and the rise time (a sensor that rings).
     seen.u_delay_s = sensor.delay_s ? sensor.u_delay_s
-        : typed                     ? 0.0
-                                    : found->rise_s / std::sqrt(3.0);
+        : found != nullptr          ? found->rise_s / std::sqrt(3.0)
+                                    : 0.0;
     return seen;
 }
 
@@ -86,11 +88,12 @@ Sighting dutSighting(const Shot &shot, const DutArrival &arrival)
 }
 
 /// One sighting per sensor, or the sentence that says which one is missing.
-tl::expected<std::vector<Sighting>, Message> sightings(const CaptureSet &set, const Shot &shot,
+tl::expected<std::vector<Sighting>, Message> sightings(const CaptureSet &set, Index number,
     const std::optional<DutArrival> &dutArrival, const std::vector<SeenArrival> &arrivals,
     const ShockSettings &settings)
 {
-    const std::vector<ArrivalSensor> sensors = arrivalSensors(set, shot, settings);
+    const Shot &shot = set.shots.at(static_cast<std::size_t>(number - 1));
+    const std::vector<ArrivalSensor> sensors = arrivalSensors(set, number, settings);
     if (sensors.empty())
         return tl::unexpected(noSensorMessage(shot));
     std::vector<Sighting> seen;
@@ -182,11 +185,18 @@ VelocityEstimate withFit(VelocityEstimate estimate, Result<VelocityFit> fit)
 } // namespace
 
 std::vector<ArrivalSensor> arrivalSensors(
-    const CaptureSet &set, const Shot &shot, const ShockSettings &settings)
+    const CaptureSet &set, Index shot, const ShockSettings &settings)
 {
-    if (!settings.arrivalSensors.empty())
-        return settings.arrivalSensors;
-    const Channel *side = shot.channelWithRole(ChannelRole::DrivenSide);
+    const auto at = static_cast<std::size_t>(shot - 1);
+    if (!settings.arrivalSensors.empty()) {
+        std::vector<ArrivalSensor> sensors = settings.arrivalSensors;
+        for (ArrivalSensor &sensor : sensors) {
+            if (at < sensor.shotArrival_s.size())
+                sensor.arrival_s = sensor.shotArrival_s[at];
+        }
+        return sensors;
+    }
+    const Channel *side = set.shots.at(at).channelWithRole(ChannelRole::DrivenSide);
     const auto distance_m = set.tubeNumber("endflange_to_sensor2_m");
     if (side == nullptr || !distance_m || !(*distance_m > 0.0))
         return {};
@@ -209,7 +219,7 @@ std::vector<SeenArrival> seenArrivals(const CaptureSet &set, Index shot,
     const Shot &records = set.shots.at(static_cast<std::size_t>(shot - 1));
     const auto reflectionFree_s = settings.dutPosition == kEndWall ? dutStart_s : std::nullopt;
     std::vector<SeenArrival> arrivals;
-    for (const ArrivalSensor &sensor : arrivalSensors(set, records, settings)) {
+    for (const ArrivalSensor &sensor : arrivalSensors(set, shot, settings)) {
         const Channel *channel = records.channelCalled(sensor.channel);
         const DetectedStart *start = starts.of(set, shot, channel);
         arrivals.push_back({sensor.channel,
@@ -218,7 +228,7 @@ std::vector<SeenArrival> seenArrivals(const CaptureSet &set, Index shot,
     return arrivals;
 }
 
-VelocityEstimate estimateVelocity(const CaptureSet &set, const Shot &shot,
+VelocityEstimate estimateVelocity(const CaptureSet &set, Index shot,
     const std::optional<DutArrival> &dutArrival, const std::vector<SeenArrival> &seen,
     const ShockSettings &settings)
 {
@@ -246,7 +256,8 @@ VelocityEstimate estimateVelocity(const CaptureSet &set, const Shot &shot,
     }
     if (farthest.time_s >= nearest.time_s) {
         estimate.problem = wrongOrder(farthest, nearest);
-        estimate.mend = exchangeRoles(shot, farthest, nearest);
+        estimate.mend
+            = exchangeRoles(set.shots.at(static_cast<std::size_t>(shot - 1)), farthest, nearest);
         return estimate;
     }
     estimate.relativeDistanceUncertainty = relativeDistanceUncertainty(estimate.sightings);

@@ -36,9 +36,10 @@ struct SeenArrival
 };
 
 /// The sensors that mark the passing of the shock: the recipe's, or the one the tube's description
-/// stands for (the first driven-side channel at "endflange_to_sensor2_m").
+/// stands for (the first driven-side channel at "endflange_to_sensor2_m"), with what is typed for
+/// shot `shot` (from 1) as their arrival.
 std::vector<ArrivalSensor> arrivalSensors(
-    const CaptureSet &set, const Shot &shot, const ShockSettings &settings);
+    const CaptureSet &set, Index shot, const ShockSettings &settings);
 
 /// What the recipe calls their channels.
 std::vector<std::string> arrivalChannels(const ShockSettings &settings);
@@ -69,7 +70,7 @@ struct VelocityEstimate
 /// places are needed (fitVelocity()). Counters of the recipe come before all arrivals. A sensor's
 /// typed delay is taken off its arrival; where none is typed, its rise time is the half width of
 /// what is unknown.
-VelocityEstimate estimateVelocity(const CaptureSet &set, const Shot &shot,
+VelocityEstimate estimateVelocity(const CaptureSet &set, Index shot,
     const std::optional<DutArrival> &dutArrival, const std::vector<SeenArrival> &seen,
     const ShockSettings &settings);
 

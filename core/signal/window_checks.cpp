@@ -108,6 +108,22 @@ void addStepFindings(const WindowedResponse &response, Findings &findings)
         findings.push_back(std::move(*drift));
 }
 
+Finding behindPlateau(const WindowedResponse &response, double plateau_s)
+{
+    Finding overrun = finding("WIN-001", response,
+        {DYNCAL_TEXT("core",
+             "Shot %1: the window ends %2 after the computed end of the plateau, %3 behind the "
+             "start; move window.end_s."),
+            {shotText(response), numberWithUnit(response.end_s - plateau_s, "s", 3),
+                numberWithUnit(plateau_s, "s", 4)}},
+        response.end_s, plateau_s);
+    if (plateau_s > 0.0)
+        overrun.mend = Mend{
+            Message{DYNCAL_TEXT("core", "Move the end to %1"), {numberWithUnit(plateau_s, "s", 4)}},
+            "window.end_s", numberText(plateau_s)};
+    return overrun;
+}
+
 } // namespace
 
 std::optional<Error> unusableSamples(
@@ -210,13 +226,7 @@ Findings windowFindings(const Channel &channel, const WindowedResponse &response
             std::abs(response.step) / code, context.checks.leastCodes));
     // Ends lie on samples: the nearest one to the plateau's end is no overrun.
     if (plateau_s && response.end_s > *plateau_s + 1.0 / response.sampleRate_Hz)
-        findings.push_back(finding("WIN-001", response,
-            {DYNCAL_TEXT("core",
-                 "Shot %1: the window ends %2 after the computed end of the plateau, %3 behind the "
-                 "start; move window.end_s."),
-                {shotText(response), numberWithUnit(response.end_s - *plateau_s, "s", 3),
-                    numberWithUnit(*plateau_s, "s", 4)}},
-            response.end_s, *plateau_s));
+        findings.push_back(behindPlateau(response, *plateau_s));
     const char *text = DYNCAL_TEXT(
         "core", "Shot %1: the baseline drifts %2 % of the step per ms, +-%3 % over the band.");
     if (auto drift = driftFinding("WIN-004", text, response, response.baselineSlope_per_s,

@@ -214,6 +214,31 @@ private slots:
         QVERIFY(listed);
     }
 
+    void onlyTheDut_isCalibratedWithoutPressureAndSaysSo()
+    {
+        QVERIFY(writeBytes(path("only-dut.json"),
+            R"({"schema": "dyncal-recipe/1", "import": {"channels":
+                {"Driven side": "other", "Driver": "other"}}})"));
+        const Answer answer = runExample("only-dut", {"--recipe", path("only-dut.json")});
+        QVERIFY2(answer.exitCode <= 1, answer.err);
+        const QJsonObject results = fileJson(path("only-dut/results.json"));
+        QVERIFY(results["model"].isObject()); // frequency and damping need no pressure
+        const QJsonObject shot = results["shock"].toArray().first().toObject();
+        QVERIFY(shot["step_pa"].isNull() && !shot["step_pa_reason"].toString().isEmpty());
+        QVERIFY(shot["u_step_pa"].isNull() && shot["arrivals"].toArray().isEmpty());
+        QVERIFY(results["shots"].toArray().first()["sensitivity"].isNull());
+        QVERIFY2(answer.out.contains("not determined"), answer.out);
+        QVERIFY2(answer.out.contains("the shock velocity is unknown"), answer.out);
+    }
+
+    void checkedShots_areNamed()
+    {
+        const Answer answer = dyncal({"check", path("example.h5")}, kEpoch);
+        for (const char *line : {"SHK-005 (info, shot 1)", "SHK-005 (info, shot 3)"})
+            QVERIFY2(answer.out.contains(line), answer.out);
+        QVERIFY2(!answer.out.contains("shot 1): Shot 1"), answer.out);
+    }
+
     void blockedRun_removesTheCertificateOfAnEarlierOne()
     {
         QVERIFY(runExample("reused").exitCode <= 1);

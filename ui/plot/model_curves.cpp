@@ -164,8 +164,8 @@ PlotContent simulationCurves(const ModelInput &input, const SensorModel &model,
     return content;
 }
 
-PlotContent errorCurves(
-    const ModelInput &input, const SensorModel &model, const WindowResult &window)
+PlotContent errorCurves(const ModelInput &input, const SensorModel &model,
+    const WindowResult &window, std::optional<std::size_t> series)
 {
     PlotContent content;
     content.title = Plots::tr("Data minus model");
@@ -173,6 +173,8 @@ PlotContent errorCurves(
     content.yAxis = {Plots::tr("Error"), responseAxisMeaning(window).unit};
     const std::size_t count = std::min(input.series.size(), model.series.size());
     for (std::size_t i = 0; i < count; ++i) {
+        if (series && *series != i)
+            continue;
         const ShotStyle style = shotStyle(input.series[i].shot, window);
         std::vector<double> error = toVector(model.series[i].error);
         if (model.diverges)

@@ -16,9 +16,9 @@ namespace dyncal {
 PlotContent simulationCurves(const ModelInput &input, const SensorModel &model,
     const WindowResult &window, std::optional<std::size_t> series = std::nullopt);
 
-/// Data minus model, every series.
-PlotContent errorCurves(
-    const ModelInput &input, const SensorModel &model, const WindowResult &window);
+/// Data minus model, every series or one (a position).
+PlotContent errorCurves(const ModelInput &input, const SensorModel &model,
+    const WindowResult &window, std::optional<std::size_t> series = std::nullopt);
 
 /// Poles and zeros in the z-plane with the unit circle; a marker per class of pole.
 PlotContent poleZeroCurves(const SensorModel &model);

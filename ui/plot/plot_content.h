@@ -32,6 +32,13 @@ enum class CurveRole {
     StepPole,
     UnstablePole, ///< markers of the pole-zero map
     Suggestion,
+    Candidate1,
+    Candidate2,
+    Candidate3,
+    Candidate4, ///< models of other orders laid over that of the chosen one
+    StablePole,
+    HalfStablePole,
+    NewPole, ///< markers of the stabilisation strip, beside UnstablePole
 };
 
 enum class CurveStyle { Line, Steps, Dots, LineAndDots, Markers, Stems, Bars };
@@ -48,6 +55,7 @@ struct PlotCurve
     /// A long record behind the curve, of which x and y are the extremes over all its length. Views
     /// are drawn from it, down to its single samples.
     std::shared_ptr<const CurveSamples> record = {};
+    bool onSecondAxis = false; ///< against PlotContent::yAxis2, behind what is the plot's own
 };
 
 /// An axis: quantity and SI unit; the wrapper chooses the prefix ("Time / µs") by the range shown.
@@ -81,6 +89,8 @@ struct PlotContent
     QString title;
     PlotAxis xAxis;
     PlotAxis yAxis;
+    /// At the right; always fitted to its curves. Cursors, hints and picks are of yAxis only.
+    std::optional<PlotAxis> yAxis2 = {};
     std::vector<PlotCurve> curves;
     std::vector<PlotMark> marks;
     std::vector<PlotLevel> levels;

@@ -71,6 +71,7 @@ void PlotWidget::Private::placeCursor(int which)
         cursors.place(which, *point);
         cursors.refresh(scene);
         replot();
+        emit q->cursorPlaced(which, point->x);
     }
 }
 
@@ -154,6 +155,7 @@ bool PlotWidget::Private::key(const QKeyEvent &event)
             return false;
         cursors.clear();
         cursors.refresh(scene);
+        emit q->cursorsCleared();
         replot();
         return true;
     default:

@@ -38,6 +38,13 @@ constexpr RoleEntry kRoles[] = {
     {CurveRole::UnstablePole, "#D55E00", "#E69F00", Qt::SolidLine, 1.6, MarkerShape::CrossInBox},
     {CurveRole::Suggestion, "#228833", "#CCBB44", Qt::DashDotDotLine, 1.4,
         MarkerShape::TriangleDown},
+    {CurveRole::Candidate1, "#D55E00", "#E69F00", Qt::DashDotLine, 1.6, MarkerShape::TriangleUp},
+    {CurveRole::Candidate2, "#228833", "#CCBB44", Qt::DotLine, 2.0, MarkerShape::Square},
+    {CurveRole::Candidate3, "#4477AA", "#66CCEE", Qt::DashDotDotLine, 1.6, MarkerShape::Diamond},
+    {CurveRole::Candidate4, "#555555", "#BBBBBB", Qt::SolidLine, 1.0, MarkerShape::TriangleDown},
+    {CurveRole::StablePole, "#0072B2", "#56B4E9", Qt::SolidLine, 1.6, MarkerShape::Circle},
+    {CurveRole::HalfStablePole, "#AA3377", "#CC79A7", Qt::SolidLine, 1.4, MarkerShape::Plus},
+    {CurveRole::NewPole, "#767676", "#9A9A9A", Qt::SolidLine, 1.0, MarkerShape::Dot},
 };
 
 double luminance(const QColor &color)

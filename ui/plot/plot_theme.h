@@ -20,6 +20,7 @@ enum class MarkerShape {
     Square,
     Diamond,
     Cross,
+    Plus,
     Star,
     CrossInBox
 };

@@ -12,6 +12,8 @@
 #include <QStyle>
 #include <QToolTip>
 
+#include <limits>
+
 namespace dyncal {
 
 namespace {
@@ -204,6 +206,16 @@ void PlotWidget::setLegendVisible(bool visible)
 QString PlotWidget::cursorReadout() const
 {
     return d->cursors.readout(d->scene.content());
+}
+
+void PlotWidget::followCursor(int which, std::optional<double> x)
+{
+    if (x)
+        d->cursors.place(which, {0, *x, std::numeric_limits<double>::quiet_NaN()});
+    else
+        d->cursors.clear();
+    d->cursors.refresh(d->scene);
+    d->replot();
 }
 
 QSize PlotWidget::sizeHint() const

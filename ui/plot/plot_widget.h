@@ -36,7 +36,8 @@ public:
     const PlotContent &content() const;
     void fit();
 
-    /// A draggable band over x with two edges; `id` names it in signals. Drawn behind the curves.
+    /// A draggable band over x with two edges; `id` names it in signals. Drawn behind the curves,
+    /// hatched where it cannot be moved.
     void setBand(const QString &id, const QString &label, Interval x, bool movable = true);
     void removeBand(const QString &id);
     /// A draggable vertical line. With `snapToIntegers` it stops between whole numbers
@@ -62,6 +63,9 @@ public:
     /// Readings of the cursors as shown ("A: 1.2 µs; 0.98 V"), empty without cursors.
     QString cursorReadout() const;
 
+    /// Cursor A (0) or B (1) at a place of the x axis, where another plot has it; none: both go.
+    void followCursor(int which, std::optional<double> x);
+
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
@@ -76,6 +80,8 @@ signals:
     void pointPicked(double x, double y); ///< plain click, at the nearest data point
     void xRangeChanged(dyncal::Interval x); ///< other than by setting content
     void contentChanged(); ///< and fitted
+    void cursorPlaced(int which, double x); ///< by the operator
+    void cursorsCleared(); ///< likewise
     void replotted(); ///< after the pixels are up to date
 
 protected:

@@ -65,7 +65,7 @@ std::optional<CurvePoint> nearestPoint(const QCustomPlot &plot, const PlotScene 
     const std::vector<double> edges = pixelEdges(plot, position, reach_px);
     for (std::size_t c = 0; c < scene.curves().size(); ++c) {
         const DrawnCurve &drawn = scene.curves()[c];
-        if (!drawn.visible)
+        if (!drawn.visible || drawn.curve->onSecondAxis)
             continue;
         const DrawnPoints around = candidates(*drawn.samples, edges, !reach_px);
         for (std::size_t i = 0; i < around.x.size(); ++i) {
@@ -132,18 +132,21 @@ QString PlotCursors::readout(const PlotContent &content) const
 {
     QStringList lines;
     for (std::size_t i = 0; i < 2; ++i)
-        if (m_points[i])
-            lines += QStringLiteral("%1: %2; %3")
-                         .arg(cursorName(i), valueText(m_points[i]->x, content.xAxis),
-                             valueText(m_points[i]->y, content.yAxis));
+        if (m_points[i]) {
+            QString line = QStringLiteral("%1: %2").arg(
+                cursorName(i), valueText(m_points[i]->x, content.xAxis));
+            if (std::isfinite(m_points[i]->y)) // of another plot's cursor only x is known
+                line += QStringLiteral("; ") + valueText(m_points[i]->y, content.yAxis);
+            lines += line;
+        }
     if (m_points[0] && m_points[1]) {
         const double dx = m_points[1]->x - m_points[0]->x;
         lines += QStringLiteral("Δx: %1").arg(valueText(dx, content.xAxis));
         if (content.xAxis.unit == QLatin1String("s") && dx != 0.0)
             lines += QStringLiteral("1/Δx: %1")
                          .arg(valueWithUnit(1.0 / std::abs(dx), QStringLiteral("Hz"), kDigits));
-        lines += QStringLiteral("Δy: %1").arg(
-            valueText(m_points[1]->y - m_points[0]->y, content.yAxis));
+        if (const double dy = m_points[1]->y - m_points[0]->y; std::isfinite(dy))
+            lines += QStringLiteral("Δy: %1").arg(valueText(dy, content.yAxis));
     }
     return lines.join(QLatin1Char('\n'));
 }

@@ -228,7 +228,8 @@ void PlotHandles::paint(std::size_t position)
         items.end->setPen(pen(HandlePart::End));
     if (items.fill) {
         items.fill->setPen(Qt::NoPen);
-        items.fill->setBrush(m_theme.bandFill);
+        items.fill->setBrush(
+            state.movable ? QBrush(m_theme.bandFill) : QBrush(m_theme.handle, Qt::BDiagPattern));
     }
     items.label->setColor(m_theme.text);
     items.label->setFont(m_theme.font);

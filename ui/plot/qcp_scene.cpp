@@ -78,17 +78,15 @@ PlotScene::PlotScene(QCustomPlot &plot)
     m_legendRow->setColumnStretchFactor(0, 0.001);
     m_plot.plotLayout()->setRowSpacing(2);
     m_plot.axisRect()->setMinimumMargins(kLeastMargins);
-    for (QCPAxis *axis : {m_plot.xAxis, m_plot.yAxis}) {
+    m_plot.axisRect()->setupFullAxesBox();
+    for (QCPAxis *axis : {m_plot.xAxis, m_plot.yAxis, m_plot.yAxis2}) {
         axis->setLabelPadding(3);
         axis->setTickLabelPadding(3);
         QObject::connect(axis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), &m_plot,
             [this, axis] { updateAxisLabel(axis); });
     }
-    m_plot.axisRect()->setupFullAxesBox();
-    for (QCPAxis *axis : {m_plot.xAxis2, m_plot.yAxis2}) {
-        axis->setTicks(false);
-        axis->setTickLabels(false);
-    }
+    m_plot.xAxis2->setTicks(false);
+    m_plot.xAxis2->setTickLabels(false);
     QObject::connect(&m_plot, &QCustomPlot::beforeReplot, &m_plot, [this] { prepare(); });
     QObject::connect(&m_plot, &QCustomPlot::afterLayout, &m_plot, [this] { drawView(); });
 }
@@ -98,8 +96,14 @@ void PlotScene::setContent(std::shared_ptr<const PlotContent> content)
     m_content = std::move(content);
     makeAxis(m_plot.xAxis, m_content->xAxis);
     makeAxis(m_plot.yAxis, m_content->yAxis);
+    m_plot.yAxis2->setTicks(m_content->yAxis2.has_value());
+    m_plot.yAxis2->setTickLabels(m_content->yAxis2.has_value());
+    makeAxis(m_plot.yAxis2, m_content->yAxis2.value_or(PlotAxis()));
+    m_plot.yAxis2->grid()->setSubGridVisible(false);
     m_title->setText(m_content->title);
     makeCurves();
+    if (m_content->yAxis2)
+        m_plot.yAxis2->setRange(dataRange(m_plot.yAxis2));
     makeDecorations();
     makeLegend();
     setTheme(m_theme);
@@ -116,7 +120,13 @@ void PlotScene::makeAxis(QCPAxis *axis, const PlotAxis &meaning)
 
 void PlotScene::updateAxisLabel(QCPAxis *axis)
 {
-    const PlotAxis &meaning = axis == m_plot.xAxis ? m_content->xAxis : m_content->yAxis;
+    const PlotAxis meaning = axis == m_plot.xAxis ? m_content->xAxis
+        : axis == m_plot.yAxis                    ? m_content->yAxis
+                                                  : m_content->yAxis2.value_or(PlotAxis());
+    if (meaning.quantity.isEmpty()) {
+        axis->setLabel({});
+        return;
+    }
     const QCPRange range = axis->range();
     // Decades carry their own prefix ("10 k"), so the label of a logarithmic axis has none.
     const AxisPrefix prefix
@@ -223,7 +233,8 @@ void PlotScene::fitLabels()
     const auto ticks = [](int length, int each) { return std::clamp(length / each, 2, 5); };
     m_plot.xAxis->ticker()->setTickCount(ticks(rect.width(), 3 * widest / 2));
     m_plot.yAxis->ticker()->setTickCount(ticks(rect.height(), 2 * metrics.height()));
-    for (QCPAxis *axis : {m_plot.xAxis, m_plot.yAxis})
+    m_plot.yAxis2->ticker()->setTickCount(ticks(rect.height(), 2 * metrics.height()));
+    for (QCPAxis *axis : {m_plot.xAxis, m_plot.yAxis, m_plot.yAxis2})
         updateAxisLabel(axis);
 }
 
@@ -298,9 +309,13 @@ bool PlotScene::hasData() const
         [](const DrawnCurve &drawn) { return !drawn.x().empty(); });
 }
 
-QCPRange PlotScene::dataRange(bool alongX) const
+QCPRange PlotScene::dataRange(const QCPAxis *of) const
 {
-    const PlotAxis &axis = alongX ? m_content->xAxis : m_content->yAxis;
+    const bool alongX = of == m_plot.xAxis;
+    const bool second = of == m_plot.yAxis2;
+    const PlotAxis axis = alongX ? m_content->xAxis
+        : second                 ? m_content->yAxis2.value_or(PlotAxis())
+                                 : m_content->yAxis;
     bool any = false;
     bool margin = !alongX;
     QCPRange range(0.0, 0.0);
@@ -312,7 +327,7 @@ QCPRange PlotScene::dataRange(bool alongX) const
         any = true;
     };
     for (const DrawnCurve &drawn : m_curves) {
-        if (!drawn.visible)
+        if (!drawn.visible || (!alongX && drawn.curve->onSecondAxis != second))
             continue;
         for (const double value : alongX ? drawn.x() : drawn.y())
             include(value);
@@ -320,10 +335,10 @@ QCPRange PlotScene::dataRange(bool alongX) const
             include(0.0);
         margin = margin || hasMargin(*drawn.curve);
     }
-    if (any && !alongX)
+    if (any && !alongX && !second)
         for (const PlotLevel &level : m_content->levels)
             include(level.y);
-    if (m_content->unitCircle) {
+    if (m_content->unitCircle && !second) {
         include(-1.0);
         include(1.0);
     }
@@ -335,14 +350,14 @@ QCPRange PlotScene::dataRange(bool alongX) const
 
 void PlotScene::fitX()
 {
-    const QCPRange range = dataRange(true);
+    const QCPRange range = dataRange(m_plot.xAxis);
     m_plot.xAxis->setRange(
         m_content->xMin.value_or(range.lower), m_content->xMax.value_or(range.upper));
 }
 
 void PlotScene::fitY()
 {
-    QCPRange range = dataRange(false);
+    QCPRange range = dataRange(m_plot.yAxis);
     if (!m_content->marks.empty())
         range.upper = aboveData(range, m_content->yAxis);
     m_plot.yAxis->setRange(

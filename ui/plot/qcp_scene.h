@@ -105,7 +105,7 @@ private:
     void wrapLegend();
     /// Widens one axis so that both have the same scale, for contents that ask for it.
     void equaliseAspect();
-    QCPRange dataRange(bool alongX) const;
+    QCPRange dataRange(const QCPAxis *axis) const;
     // qcp_scene_curves.cpp
     void makeCurves();
     void prepareSamples(DrawnCurve &drawn) const;

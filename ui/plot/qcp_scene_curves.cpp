@@ -28,11 +28,16 @@ QVector<double> toQt(const std::vector<double> &values)
     return {values.begin(), values.end()};
 }
 
-/// Roles whose lines may lie on each other and are told apart by markers too.
 bool isShot(CurveRole role)
 {
     return role == CurveRole::ShotLow || role == CurveRole::ShotMedium
         || role == CurveRole::ShotHigh || role == CurveRole::ShotOther;
+}
+
+/// Roles whose lines may lie on each other and are told apart by markers too.
+bool hasMarkers(CurveRole role)
+{
+    return isShot(role) || (role >= CurveRole::Candidate1 && role <= CurveRole::Candidate4);
 }
 
 bool isLine(CurveStyle style)
@@ -72,6 +77,8 @@ QCPScatterStyle scatterStyle(MarkerShape shape, const QColor &color, double size
         return style(QCPScatterStyle::ssDiamond, false);
     case MarkerShape::Cross:
         return style(QCPScatterStyle::ssCross, false);
+    case MarkerShape::Plus:
+        return style(QCPScatterStyle::ssPlus, false);
     case MarkerShape::Star:
         return style(QCPScatterStyle::ssStar, false);
     case MarkerShape::CrossInBox:
@@ -136,7 +143,8 @@ void PlotScene::prepareSamples(DrawnCurve &drawn) const
 {
     const PlotCurve &curve = *drawn.curve;
     const std::size_t count = std::min(curve.x.size(), curve.y.size());
-    const bool logY = m_content->yAxis.logarithmic;
+    const bool second = curve.onSecondAxis && m_content->yAxis2;
+    const bool logY = second ? m_content->yAxis2->logarithmic : m_content->yAxis.logarithmic;
     bool asGiven = curve.x.size() == curve.y.size();
     for (std::size_t i = 0; asGiven && i < count; ++i)
         asGiven = usable(curve, *m_content, i) && (i == 0 || curve.x[i] >= curve.x[i - 1])
@@ -167,19 +175,20 @@ void PlotScene::prepareSamples(DrawnCurve &drawn) const
 void PlotScene::makePlottable(DrawnCurve &drawn)
 {
     const PlotCurve &curve = *drawn.curve;
+    QCPAxis *y = curve.onSecondAxis ? m_plot.yAxis2 : m_plot.yAxis;
     if (curve.style == CurveStyle::Bars) {
         drawn.bars = new QCPBars(m_plot.xAxis, m_plot.yAxis);
         drawn.bars->setData(toQt(drawn.x()), toQt(drawn.y()), true);
         drawn.bars->setWidth(0.6);
     } else {
-        drawn.graph = new RoleGraph(m_plot.xAxis, m_plot.yAxis);
+        drawn.graph = new RoleGraph(m_plot.xAxis, y);
         if (!drawn.dense)
             drawn.graph->setData(toQt(drawn.x()), toQt(drawn.y()), true);
     }
     drawn.plottable()->setName(curve.name);
     drawn.plottable()->setVisible(drawn.visible);
     if (isLine(curve.style)) {
-        drawn.markers = new QCPGraph(m_plot.xAxis, m_plot.yAxis);
+        drawn.markers = new QCPGraph(m_plot.xAxis, y);
         drawn.markers->setLineStyle(QCPGraph::lsNone);
         drawn.markers->setVisible(drawn.visible);
     }
@@ -222,7 +231,7 @@ void PlotScene::styleLine(DrawnCurve &drawn) const
     QPen pen(style.color, style.width, style.dash);
     pen.setJoinStyle(Qt::RoundJoin);
     drawn.graph->setPen(pen);
-    drawn.graph->setLegendMarker(isShot(drawn.curve->role)
+    drawn.graph->setLegendMarker(hasMarkers(drawn.curve->role)
             ? scatterStyle(style.marker, style.color, kMarkerSize)
             : QCPScatterStyle());
 }
@@ -269,12 +278,13 @@ void PlotScene::drawView()
 bool PlotScene::isEntangled(const QCPGraph &graph) const
 {
     const double longest_px = kLongestDashed * m_plot.axisRect()->height();
-    const double perUnit_px = m_plot.axisRect()->height() / m_plot.yAxis->range().size();
-    const bool logarithmic = m_plot.yAxis->scaleType() == QCPAxis::stLogarithmic;
+    const QCPAxis *axis = graph.valueAxis();
+    const double perUnit_px = m_plot.axisRect()->height() / axis->range().size();
+    const bool logarithmic = axis->scaleType() == QCPAxis::stLogarithmic;
     const auto end = graph.data()->findEnd(m_plot.xAxis->range().upper);
     auto point = graph.data()->findBegin(m_plot.xAxis->range().lower);
     const auto height_px
-        = [&](double y) { return logarithmic ? m_plot.yAxis->coordToPixel(y) : perUnit_px * y; };
+        = [&](double y) { return logarithmic ? axis->coordToPixel(y) : perUnit_px * y; };
     double length_px = 0.0;
     for (double before = std::numeric_limits<double>::quiet_NaN(); point != end; ++point) {
         const double here = height_px(point->value);
@@ -328,13 +338,13 @@ void PlotScene::drawMarkers(DrawnCurve &drawn) const
     };
     if (everySample) {
         add(begin, count);
-    } else if (isShot(drawn.curve->role)) {
+    } else if (hasMarkers(drawn.curve->role)) {
         // Each role begins elsewhere, so that markers of curves on each other do not coincide.
-        const Index phase = 1 + 2 * static_cast<Index>(drawn.curve->role);
+        const Index phase = (1 + 2 * static_cast<Index>(drawn.curve->role)) % 8;
         for (Index k = 0; k < kMarkersPerCurve; ++k)
             add(begin + (8 * k + phase) * count / (8 * kMarkersPerCurve), 1);
     }
-    const bool plain = !isShot(drawn.curve->role);
+    const bool plain = !hasMarkers(drawn.curve->role);
     drawn.markers->setData(x, y, true);
     drawn.markers->setScatterStyle(scatterStyle(
         plain ? MarkerShape::Dot : style.marker, style.color, plain ? kDotSize : kMarkerSize));

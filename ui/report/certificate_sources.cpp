@@ -23,6 +23,7 @@ CertificateSources certificateSources(
     sources.evidence = results.evidence.get();
     sources.order = recipe.realization.order;
     sources.orderReason = recipe.realization.adoptedReason;
+    sources.coverage = recipe.uncertainty.coverage;
     sources.findings = results.findings();
     for (const Acknowledgement &seen : recipe.acknowledge)
         sources.acknowledgements.push_back({seen.finding, seen.shot, seen.reason});

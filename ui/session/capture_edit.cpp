@@ -14,7 +14,7 @@ CaptureSet joinedCaptures(const CaptureSet &first, const CaptureSet &second)
     const auto shots = static_cast<Index>(first.shots.size());
     all.inputs.insert(all.inputs.end(), second.inputs.begin(), second.inputs.end());
     for (Shot shot : second.shots) {
-        shot.input += inputs;
+        moveInputs(shot, [&](Index input) { return input + inputs; });
         all.shots.push_back(std::move(shot));
     }
     for (Finding finding : second.findings) {
@@ -52,12 +52,11 @@ void removePosition(std::vector<T> &list, std::size_t position)
 void removeUnusedInputs(CaptureSet &set)
 {
     for (Index i = static_cast<Index>(set.inputs.size()) - 1; i >= 0; --i) {
-        if (std::ranges::any_of(set.shots, [&](const Shot &shot) { return shot.input == i; }))
+        if (std::ranges::any_of(set.shots, [&](const Shot &shot) { return comesFrom(shot, i); }))
             continue;
         set.inputs.erase(set.inputs.begin() + i);
         for (Shot &shot : set.shots)
-            if (shot.input > i)
-                --shot.input;
+            moveInputs(shot, [&](Index input) { return input > i ? input - 1 : input; });
     }
 }
 
@@ -99,6 +98,8 @@ ProjectState withoutShot(const ProjectState &state, Index number)
     removeNumbered(next.recipe.acknowledge, number);
     if (next.recipe.window.start_s.size() > 1)
         removePosition(next.recipe.window.start_s, position);
+    for (ArrivalSensor &sensor : next.recipe.shock.arrivalSensors)
+        removePosition(sensor.shotArrival_s, position);
     return next;
 }
 

@@ -3,6 +3,7 @@
 
 #include "ui/session/capture_reading.h"
 
+#include "core/capture/channel_files.h"
 #include "core/capture/format_registry.h"
 #include "ui/session/capture_edit.h"
 #include "ui/session/example.h"
@@ -23,10 +24,22 @@ Result<CaptureSet> readOne(
 
 using ShotName = std::pair<std::string, Index>; ///< of its file, its place there
 
-ShotName nameOf(const CaptureSet &set, const Shot &shot)
+/// One for every file that the shot's channels come from.
+std::set<ShotName> namesOf(const CaptureSet &set, const Shot &shot)
 {
-    const auto input = static_cast<std::size_t>(shot.input);
-    return {input < set.inputs.size() ? set.inputs[input].path : std::string(), shot.inFile};
+    std::set<ShotName> names;
+    for (std::size_t i = 0; i < set.inputs.size(); ++i)
+        if (comesFrom(shot, static_cast<Index>(i)))
+            names.emplace(set.inputs[i].path, shot.inFile);
+    return names;
+}
+
+std::set<std::string> namesOf(const std::map<std::string, std::string> &roles)
+{
+    std::set<std::string> names;
+    for (const auto &[name, role] : roles)
+        names.insert(name);
+    return names;
 }
 
 } // namespace
@@ -44,6 +57,7 @@ Result<CapturesRead> readEach(const std::vector<std::string> &paths, const Impor
         else
             read.problems.push_back({paths[i], part.error()});
     }
+    read.set = addedCaptures({}, read.set, settings);
     return read;
 }
 
@@ -58,17 +72,34 @@ Result<CapturesRead> readAgain(
         return read;
     std::set<ShotName> before;
     for (const Shot &shot : captures.shots)
-        before.insert(nameOf(captures, shot));
+        before.merge(namesOf(captures, shot));
     const CaptureSet all = read->set;
+    const auto wasThere = [&](const ShotName &name) { return before.contains(name); };
     for (std::size_t i = all.shots.size(); i > 0; --i)
-        if (!before.contains(nameOf(all, all.shots[i - 1])))
+        if (std::ranges::none_of(namesOf(all, all.shots[i - 1]), wasThere))
             read->set = withoutShot(read->set, static_cast<Index>(i));
     return read;
+}
+
+CaptureSet addedCaptures(
+    const CaptureSet &job, const CaptureSet &more, const ImportSettings &settings)
+{
+    CaptureSet all = joinedCaptures(job, more);
+    if (settings.channelFiles == kJoinChannelFiles)
+        joinChannelFiles(all);
+    return all;
+}
+
+bool readsOnlyNamedChannels(const InputFile &input)
+{
+    return input.format == "hdf5" || input.format == "mat73";
 }
 
 bool needsReading(
     const CaptureSet &captures, const ImportSettings &before, const ImportSettings &after)
 {
+    if (before.channelFiles != after.channelFiles)
+        return captures.inputs.size() > 1;
     return std::ranges::any_of(captures.inputs, [&](const InputFile &input) {
         const ImportSettings a = settingsOfFile(before, input.path);
         const ImportSettings b = settingsOfFile(after, input.path);
@@ -76,7 +107,8 @@ bool needsReading(
         return input.path != kExamplePath
             && (a.format != b.format || a.columns != b.columns || a.decimal != b.decimal
                 || a.separator != b.separator || a.skipRows != b.skipRows
-                || a.sampleRate_Hz != b.sampleRate_Hz);
+                || a.sampleRate_Hz != b.sampleRate_Hz
+                || (readsOnlyNamedChannels(input) && namesOf(a.channels) != namesOf(b.channels)));
     });
 }
 

@@ -38,6 +38,15 @@ Result<CapturesRead> readEach(const std::vector<std::string> &paths, const Impor
 Result<CapturesRead> readAgain(
     const CaptureSet &captures, const ImportSettings &settings, const JobControl &control);
 
+/// The recordings of a job and more: files of one recording become one shot (channel_files.h),
+/// which keeps the number that it has.
+CaptureSet addedCaptures(
+    const CaptureSet &job, const CaptureSet &more, const ImportSettings &settings);
+
+/// Whether a reader takes only the channels that the recipe names, once it names one: whoever gives
+/// one of them a role must name the others, too.
+bool readsOnlyNamedChannels(const InputFile &input);
+
 /// Whether files must be read again when the import section changes from one to the other; the
 /// rest of the section is applied to what was read.
 bool needsReading(

@@ -4,7 +4,9 @@
 #include "ui/session/import_view.h"
 
 #include "core/base/number_text.h"
+#include "core/capture/channel_files.h"
 #include "core/capture/format_registry.h"
+#include "ui/session/capture_edit.h"
 #include "ui/session/example.h"
 
 #include <algorithm>
@@ -127,12 +129,38 @@ void lookAtText(ImportView &view, const std::string &path, const ImportSettings 
     addTextChannels(view);
 }
 
+/// Also files beside it that hold other channels of the same recording: roles are given to all.
+Result<CaptureSet> openWithOtherChannels(
+    const std::string &path, const ImportSettings &settings, const JobControl &control)
+{
+    Result<CaptureSet> own = openCapture(path, settings, control);
+    if (!own || settings.channelFiles != kJoinChannelFiles)
+        return own;
+    for (const std::string &file : channelFilesBeside(path)) {
+        const auto other = file == path ? own : openCapture(file, settings, control);
+        if (file != path && other)
+            own = joinedCaptures(*own, *other);
+    }
+    joinChannelFiles(*own);
+    std::erase_if(own->shots, [](const Shot &shot) { return !comesFrom(shot, 0); });
+    return own;
+}
+
 void lookAtCapture(ImportView &view, const Result<CaptureSet> &set)
 {
     if (set)
         addChannels(view, *set);
     else
         view.problem = set.error();
+}
+
+/// All that an HDF5 file holds; the reader takes what it is told, or guesses.
+void lookAtDatasets(ImportView &view, const std::string &path, const JobControl &control)
+{
+    if (view.format != "hdf5" && view.format != "mat73")
+        return;
+    if (Result<std::vector<DatasetEntry>> datasets = listDatasets(path, control))
+        view.datasets = std::move(*datasets);
 }
 
 } // namespace
@@ -154,9 +182,11 @@ ImportView lookAtFile(
     view.format = isExample ? std::string() : recognisedFormat(path, settings);
     if (view.format == kTextFormat)
         lookAtText(view, path, settings);
-    else
-        lookAtCapture(
-            view, isExample ? exampleCaptures(control) : openCapture(path, settings, control));
+    else {
+        lookAtCapture(view,
+            isExample ? exampleCaptures(control) : openWithOtherChannels(path, settings, control));
+        lookAtDatasets(view, path, control);
+    }
     applyRoles(view, settings);
     return view;
 }

@@ -5,6 +5,7 @@
 
 #include "core/base/progress.h"
 #include "core/capture/capture_set.h"
+#include "core/capture/foreign_datasets.h"
 #include "core/capture/text_preview.h"
 
 #include <optional>
@@ -31,6 +32,7 @@ struct ImportView
     std::string format; ///< id of the reader; empty = none takes the file
     std::optional<TextPreview> text; ///< of a text table
     std::vector<ImportChannel> channels;
+    std::vector<DatasetEntry> datasets; ///< of an HDF5 file of another program
     double sampleRate_Hz = 0.0; ///< as the file says; 0 = it does not
     std::optional<Error> problem; ///< what would stop the import
     /// Where header and column of times contradict each other (CAP-003): what each of them says.

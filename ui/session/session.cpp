@@ -5,6 +5,7 @@
 
 #include "core/capture/capture_seal.h"
 #include "core/pipeline/results_json.h"
+#include "ui/session/order_candidates.h"
 
 #include <QUndoCommand>
 
@@ -63,6 +64,7 @@ Session::Session(Pipeline pipeline, QObject *parent)
     : QObject(parent)
     , m_pipeline(std::move(pipeline))
     , m_sealing(this)
+    , m_candidates(std::make_unique<OrderCandidates>(*this))
     , m_jobs(this, 2)
 {
     m_undo.setUndoLimit(kUndoSteps);
@@ -337,6 +339,8 @@ void Session::takePart(const CalibrationResults &part, StageId upTo)
     keep(merged.evidence, old.evidence);
     keep(merged.monteCarlo, old.monteCarlo);
     m_run.results = std::move(merged);
+    if (m_run.error && m_run.failedStage <= upTo)
+        m_run.error.reset();
     if (!newerWaits)
         m_run.firstStale = std::max(m_run.firstStale, static_cast<int>(upTo) + 1);
     emit resultsChanged();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ui/session/envelope_store.h"
+#include "ui/session/frequency_cursors.h"
 #include "ui/session/job_runner.h"
 #include "ui/session/project_state.h"
 #include "ui/session/stage_status.h"
@@ -17,6 +18,8 @@
 #include <string>
 
 namespace dyncal {
+
+class OrderCandidates;
 
 /// One open calibration job: what was decided (recipe), the recordings, undo, and the results that
 /// follow from them, computed in the background. Views read results and apply changed recipes; the
@@ -60,6 +63,11 @@ public:
 
     /// Minima and maxima of the records on the screen.
     EnvelopeStore &envelopes() { return m_envelopes; }
+
+    FrequencyCursors &frequencyCursors() { return m_frequencyCursors; }
+    /// Models of the orders pinned for comparison.
+    OrderCandidates &candidates() { return *m_candidates; }
+    const OrderCandidates &candidates() const { return *m_candidates; }
 
     /// Starts over with another job: no undo across, clean.
     void reset(const ProjectState &state);
@@ -110,11 +118,13 @@ private:
     bool m_isRest = false; ///< what runs is the stages behind the focus
     std::array<std::string, kStageCount> m_keysOfResults; ///< each result's own
     EnvelopeStore m_envelopes;
+    FrequencyCursors m_frequencyCursors;
     /// Opened -> sealed: the undo steps made meanwhile know the opened ones.
     std::map<std::shared_ptr<const CaptureSet>, std::shared_ptr<const CaptureSet>> m_sealed;
     std::shared_ptr<ResultCache> m_cache = std::make_shared<ResultCache>();
     std::shared_ptr<const CaptureSet> m_beingSealed;
     JobRunner m_sealing;
+    std::unique_ptr<OrderCandidates> m_candidates;
     JobRunner m_jobs; ///< last: stops before anything that a delivery touches is gone
 };
 

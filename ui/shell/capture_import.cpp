@@ -170,7 +170,8 @@ void CaptureImport::addToJob(const Request &request, const Outcome &outcome)
         return;
     ProjectState next = m_session.state();
     const CaptureSet &earlier = outcome.again ? outcome.again->set : *next.captures;
-    next.captures = std::make_shared<const CaptureSet>(joinedCaptures(earlier, outcome.fresh.set));
+    next.captures = std::make_shared<const CaptureSet>(
+        addedCaptures(earlier, outcome.fresh.set, request.settings));
     next.recipe.import = request.settings;
     forgetMissingNames(next.recipe.import, *next.captures);
     if (!next.recipe.import.levels.empty()) // one for each shot

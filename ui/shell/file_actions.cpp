@@ -5,6 +5,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/capture/format_registry.h"
+#include "core/pipeline/model_export.h"
 #include "ui/session/example.h"
 #include "ui/session/project_file.h"
 #include "ui/text/core_text.h"
@@ -287,6 +288,32 @@ void FileActions::exportCertificate()
         [path = path.toStdString()](const RunFiles &run, const JobControl &) {
             return writeFileAtomically(path, run.drawn.front().bytes);
         });
+}
+
+void FileActions::exportModel()
+{
+    if (isExporting() || !hasResults())
+        return;
+    const std::vector<ModelFile> files = modelFiles(m_session.results());
+    if (files.empty()) {
+        m_prompts.showProblem(m_window,
+            tr("The model of order %1 diverges, so there is nothing to export; choose another "
+               "order.")
+                .arg(m_session.results().model->order));
+        return;
+    }
+    const QString folder = m_prompts.folder(
+        m_window, tr("Export the model into a folder"), m_preferences.lastFolder());
+    if (folder.isEmpty())
+        return;
+    for (const ModelFile &file : files) {
+        const QString path = QDir(folder).filePath(QString::fromStdString(file.name));
+        if (const auto written = writeFileAtomically(path.toStdString(), file.bytes); !written) {
+            showProblem(written.error());
+            return;
+        }
+    }
+    emit idle(tr("Model written to %1").arg(folder));
 }
 
 void FileActions::startExport(

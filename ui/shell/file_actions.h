@@ -39,6 +39,7 @@ public:
     bool saveAs();
     void exportResults();
     void exportCertificate();
+    void exportModel(); ///< MAT, JSON, CSV, MATLAB and Python scripts into a folder
 
     /// Reading of recordings, its questions and its problems.
     CaptureImport &captures() { return m_captures; }

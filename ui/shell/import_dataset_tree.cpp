@@ -16,7 +16,7 @@ namespace dyncal {
 
 namespace {
 
-enum Column { Name, ReadAs, Shape, Type, About, Count };
+enum Column { Name, ReadAs, Extents, Type, About, Count };
 
 constexpr std::array kRoles{ChannelRole::Dut, ChannelRole::DrivenSide, ChannelRole::Driver,
     ChannelRole::Trigger, ChannelRole::Other};
@@ -88,7 +88,7 @@ void ImportDatasetTree::addDataset(const DatasetEntry &dataset)
     QTreeWidgetItem *group = groupOf(path.left(std::max<qsizetype>(slash, 0)));
     auto *item = new QTreeWidgetItem(group);
     item->setText(Name, path.mid(slash + 1));
-    item->setText(Shape, shapeText(dataset.shape));
+    item->setText(Extents, shapeText(dataset.shape));
     item->setText(Type, QString::fromStdString(dataset.type));
     const QString attributes = attributesText(dataset.attributes);
     const QString about = dataset.channels.empty() ? translated(dataset.whyNot) : attributes;
@@ -118,7 +118,7 @@ QTreeWidgetItem *ImportDatasetTree::groupOf(const QString &path)
         if (next == nullptr) {
             next = new QTreeWidgetItem(group);
             next->setText(Name, name);
-            next->setText(Shape, tr("group"));
+            next->setText(Extents, tr("group"));
         }
         group = next;
     }

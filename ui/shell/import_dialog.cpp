@@ -7,6 +7,7 @@
 #include "core/capture/format_registry.h"
 #include "ui/session/file_import.h"
 #include "ui/shell/import_channel_table.h"
+#include "ui/shell/import_dataset_tree.h"
 #include "ui/shell/import_preview_table.h"
 #include "ui/stages/quantity_edit.h"
 #include "ui/text/core_text.h"
@@ -100,6 +101,9 @@ ImportDialog::ImportDialog(const QString &path, const ImportSettings &settings, 
     column->addLayout(form);
     column->addWidget(buildText(), 3);
     column->addWidget(buildRate());
+    m_datasets = new ImportDatasetTree(this);
+    connect(m_datasets, &ImportDatasetTree::roleChosen, this, &ImportDialog::chooseDataset);
+    column->addWidget(m_datasets, 3);
     m_channels = new ImportChannelTable(this);
     m_channels->setMinimumHeight(120);
     connect(m_channels, &ImportChannelTable::roleChosen, this, &ImportDialog::chooseRole);
@@ -300,6 +304,7 @@ void ImportDialog::showView(const ImportView &view)
     showSettings();
     showText();
     showRate();
+    m_datasets->setDatasets(m_view.datasets, m_view.channels);
     m_channels->setChannels(m_view.channels, m_settings.channelDetails);
     showVerdict();
     offerProfile();
@@ -430,8 +435,34 @@ bool ImportDialog::needsReason() const
         && std::abs(*m_settings.sampleRate_Hz / m_view.sampleRate_Hz - 1.0) > tolerance;
 }
 
+/// A reader of HDF5 takes what is named and nothing else, or what it guesses: once one dataset is
+/// named, so are the others that are read now.
+void ImportDialog::nameChannelsRead()
+{
+    for (const ImportChannel &channel : m_view.channels)
+        m_settings.channels.emplace(channel.name, channelRoleName(channel.role));
+}
+
+/// No role: it is not read.
+void ImportDialog::chooseDataset(const QString &channel, std::optional<ChannelRole> role)
+{
+    nameChannelsRead();
+    const std::string name = channel.toStdString();
+    if (role == ChannelRole::Dut) // there is one only
+        for (auto &[other, otherRole] : m_settings.channels)
+            if (channelRoleFromName(otherRole) == ChannelRole::Dut)
+                otherRole = channelRoleName(ChannelRole::Other);
+    if (role)
+        m_settings.channels[name] = channelRoleName(*role);
+    else
+        m_settings.channels.erase(name);
+    look();
+}
+
 void ImportDialog::chooseRole(int channel, ChannelRole role)
 {
+    if (!m_view.datasets.empty())
+        nameChannelsRead();
     const ImportChannel chosen = m_view.channels[static_cast<std::size_t>(channel)];
     if (role == ChannelRole::Dut) // there is one only
         for (const ImportChannel &other : m_view.channels)
@@ -445,6 +476,7 @@ void ImportDialog::chooseRole(int channel, ChannelRole role)
         look();
     }
     applyRoles(m_view, m_settings);
+    m_datasets->setDatasets(m_view.datasets, m_view.channels);
     m_channels->setChannels(m_view.channels, m_settings.channelDetails);
     showVerdict();
 }

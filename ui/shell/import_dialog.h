@@ -23,6 +23,7 @@ class QSpinBox;
 namespace dyncal {
 
 class ImportChannelTable;
+class ImportDatasetTree;
 class ImportPreviewTable;
 class OptionalEdit;
 
@@ -59,6 +60,8 @@ private:
     void showRate();
     void showVerdict();
     void chooseRole(int channel, ChannelRole role);
+    void chooseDataset(const QString &channel, std::optional<ChannelRole> role);
+    void nameChannelsRead();
     void chooseTime(int choice);
     void nameSampleColumns();
     void useRate(double rate_Hz, bool withoutTimes, const QString &reason);
@@ -87,6 +90,7 @@ private:
     QLabel *m_rateSource = nullptr;
     QPushButton *m_useTimes = nullptr;
     QPushButton *m_useHeader = nullptr;
+    ImportDatasetTree *m_datasets = nullptr;
     ImportChannelTable *m_channels = nullptr;
     QLineEdit *m_reason = nullptr;
     QRadioButton *m_forAll = nullptr;

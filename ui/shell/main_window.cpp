@@ -314,6 +314,8 @@ void MainWindow::buildFileMenu()
     menu->addSeparator();
     addAction(menu, "exportResultsAction", tr("Export &results..."), QKeySequence("Ctrl+E"),
         [=] { files->exportResults(); });
+    addAction(menu, "exportModelAction", tr("Export &model..."), QKeySequence("Ctrl+Shift+E"),
+        [=] { files->exportModel(); });
     addAction(menu, "exportCertificateAction", tr("Export cer&tificate..."), QKeySequence("Ctrl+P"),
         [=] { files->exportCertificate(); });
     menu->addSeparator();

@@ -3,9 +3,11 @@
 
 #include "ui/stages/captures_page.h"
 
+#include "core/capture/step_levels.h"
 #include "ui/plot/overview_strip.h"
 #include "ui/plot/signal_curves.h"
 #include "ui/session/capture_edit.h"
+#include "ui/session/capture_reading.h"
 #include "ui/shell/prompts.h"
 #include "ui/stages/quantity_edit.h"
 #include "ui/text/level_text.h"
@@ -105,6 +107,11 @@ void CapturesPage::buildInspector()
     m_remove->setObjectName("removeShot");
     connect(m_remove, &QPushButton::clicked, this, &CapturesPage::removeSelected);
     form->addWide(m_remove);
+    m_tag = new QPushButton(tr("Tag by step height"));
+    m_tag->setObjectName("tagByStepHeight");
+    m_tag->setToolTip(tr("Low, medium and high by the step that each shot's sensor read."));
+    connect(m_tag, &QPushButton::clicked, this, &CapturesPage::tagByStepHeight);
+    form->addWide(m_tag);
 
     form->addSection(tr("Channel roles (all shots)"));
     m_channels = new QWidget;
@@ -154,6 +161,7 @@ void CapturesPage::showResults()
     showPlots();
     showTable();
     showChannels();
+    m_tag->setEnabled(results().window != nullptr);
 }
 
 void CapturesPage::showPlots()
@@ -188,7 +196,7 @@ void CapturesPage::fillRow(int row, const Shot &shot)
 {
     const Channel *dut = shot.channelWithRole(ChannelRole::Dut);
     const auto &inputs = shownSet().inputs;
-    const auto input = static_cast<std::size_t>(shot.input);
+    const auto input = static_cast<std::size_t>(dut ? inputOf(shot, *dut) : shot.input);
     const QString hash = input < inputs.size() ? QString::fromStdString(inputs[input].sha256) : "";
     const QStringList texts{QString::number(row + 1), {},
         input < inputs.size() ? QString::fromStdString(inputs[input].file) : QString(),
@@ -238,10 +246,7 @@ void CapturesPage::showChannels()
             for (const ChannelRole role : kRoles)
                 box->addItem(roleText(role));
             connect(box, &QComboBox::activated, this, [this, name](int choice) {
-                change(tr("Change the role of %1").arg(name), [&](Recipe &r) {
-                    r.import.channels[name.toStdString()]
-                        = channelRoleName(kRoles[static_cast<std::size_t>(choice)]);
-                });
+                setRole(name, kRoles[static_cast<std::size_t>(choice)]);
             });
             layout->addRow(name, box);
             m_roles.push_back(box);
@@ -253,6 +258,17 @@ void CapturesPage::showChannels()
             m_roles[static_cast<std::size_t>(at)]->setCurrentIndex(
                 positionIn(kRoles, channel.role));
         }
+}
+
+void CapturesPage::setRole(const QString &channel, ChannelRole role)
+{
+    change(tr("Change the role of %1").arg(channel), [&](Recipe &r) {
+        if (std::ranges::any_of(shownSet().inputs, readsOnlyNamedChannels))
+            for (const Shot &shot : shownSet().shots)
+                for (const Channel &other : shot.channels)
+                    r.import.channels.emplace(other.name, channelRoleName(other.role));
+        r.import.channels[channel.toStdString()] = channelRoleName(role);
+    });
 }
 
 void CapturesPage::showRecipe()
@@ -293,6 +309,20 @@ void CapturesPage::setLevel(Index shot, ShotLevel level)
         for (const Shot &each : shownSet().shots)
             r.import.levels.push_back(shotLevelName(each.level));
         r.import.levels[static_cast<std::size_t>(shot - 1)] = shotLevelName(level);
+    });
+}
+
+/// Explicit words in the recipe: the operator may change each of them.
+void CapturesPage::tagByStepHeight()
+{
+    std::vector<std::optional<double>> heights(shownSet().shots.size());
+    for (const WindowedResponse &response : results().window->responses)
+        if (response.shot >= 1 && response.shot <= std::ssize(heights))
+            heights[static_cast<std::size_t>(response.shot - 1)] = response.step;
+    change(tr("Tag shots by step height"), [&](Recipe &r) {
+        r.import.levels.clear();
+        for (const ShotLevel level : levelsByStepHeight(heights))
+            r.import.levels.push_back(shotLevelName(level));
     });
 }
 

@@ -44,7 +44,9 @@ private:
     void showTable();
     void fillRow(int row, const Shot &shot);
     void showChannels();
+    void setRole(const QString &channel, ChannelRole role);
     void setLevel(Index shot, ShotLevel level);
+    void tagByStepHeight();
     void removeSelected();
     void requestImport();
     void changeRate(const std::optional<double> &rate_Hz);
@@ -62,6 +64,7 @@ private:
     QComboBox *m_reference;
     OptionalEdit *m_rate;
     QPushButton *m_remove;
+    QPushButton *m_tag;
 };
 
 } // namespace dyncal

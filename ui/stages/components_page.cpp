@@ -5,6 +5,7 @@
 
 #include "ui/plot/component_curves.h"
 #include "ui/stages/quantity_edit.h"
+#include "ui/stages/tube_mode_choice.h"
 #include "ui/stages/value_table.h"
 #include "ui/text/quantity_format.h"
 
@@ -95,6 +96,8 @@ void ComponentsPage::buildInspector()
             r.pca.residualConfidence = kConfidences[static_cast<std::size_t>(choice)];
         });
     });
+    m_tubeModes = new TubeModeChoice(*form, this);
+    connect(m_tubeModes, &TubeModeChoice::changed, this, &ComponentsPage::showResults);
 }
 
 void ComponentsPage::showRecipe()
@@ -123,7 +126,10 @@ void ComponentsPage::showResults()
     show(m_autocovariance, [](const ComponentResult &result, const WindowResult &responses) {
         return autocovarianceCurves(result, responses);
     });
-    show(m_spectrum, residualSpectrumCurves);
+    m_tubeModes->set(results());
+    show(m_spectrum, [this](const ComponentResult &result, const WindowResult &responses) {
+        return m_tubeModes->with(residualSpectrumCurves(result, responses));
+    });
 
     QVector<QStringList> rows;
     for (std::size_t i = 0; components && i < components->residuals.size(); ++i) {

@@ -11,6 +11,7 @@ class QComboBox;
 namespace dyncal {
 
 class QuantityEdit;
+class TubeModeChoice;
 class ValueTable;
 
 /// Stage 5: what the shots share (principal components), and what is left of each.
@@ -40,6 +41,7 @@ private:
     QuantityEdit *m_lags;
     QComboBox *m_confidence;
     QLabel *m_first;
+    TubeModeChoice *m_tubeModes;
 };
 
 } // namespace dyncal

@@ -3,13 +3,19 @@
 
 #pragma once
 
+#include "ui/stages/model_tables.h"
 #include "ui/stages/stage_page.h"
+
+class QCheckBox;
+class QComboBox;
+class QTabWidget;
 
 namespace dyncal {
 
+class TubeModeChoice;
 class ValueTable;
 
-/// Stage 8: how well the model describes the data, and what it says about the sensor.
+/// Stage 8: how well the model describes the data, shot by shot, and what it says about the sensor.
 class ModelPage : public StagePage
 {
     Q_OBJECT
@@ -23,19 +29,37 @@ protected:
 
 private:
     void buildPlots();
+    QTabWidget *buildTables();
     void buildInspector();
+    void showSeries(); ///< the choice of the series itself
+    void showTime();
+    void showResponse();
+    void showTables();
+    void showReadouts();
     void showCharacteristics();
+    std::optional<std::size_t> series() const; ///< position of the one on show; none: all
 
     PlotWidget *m_fit;
     PlotWidget *m_error;
+    PlotWidget *m_residual;
     PlotWidget *m_magnitude;
     PlotWidget *m_phase;
     PlotWidget *m_poles;
+    QTabWidget *m_tabs;
     ValueTable *m_table;
+    ValueTable *m_trend;
+    ValueTable *m_secondOrder;
+    ValueTable *m_nuisance;
+    QComboBox *m_series;
+    QCheckBox *m_candidates;
+    QCheckBox *m_drawSecondOrder;
     QLabel *m_order;
     QLabel *m_score;
     QLabel *m_perShot;
     QLabel *m_listing;
+    QLabel *m_uncertainty;
+    QLabel *m_shared;
+    QLabel *m_second;
     QLabel *m_rise;
     QLabel *m_overshoot;
     QLabel *m_settling;
@@ -43,6 +67,7 @@ private:
     QLabel *m_within10;
     QLabel *m_minus3;
     QLabel *m_band;
+    TubeModeChoice *m_tubeModes;
 };
 
 } // namespace dyncal

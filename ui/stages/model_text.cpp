@@ -52,7 +52,8 @@ QStringList poleHeaders(PoleColumns columns)
     if (columns == PoleColumns::Few)
         return {ModelText::tr("Frequency"), ModelText::tr("Damping"), ModelText::tr("Class")};
     return {ModelText::tr("Frequency"), ModelText::tr("u(f)"), ModelText::tr("Damping ratio"),
-        ModelText::tr("u(ζ)"), ModelText::tr("Class"), ModelText::tr("Flags")};
+        ModelText::tr("u(ζ)"), ModelText::tr("k"), ModelText::tr("Amplitude"),
+        ModelText::tr("Class"), ModelText::tr("Flags")};
 }
 
 QVector<QStringList> poleRows(const SensorModel *model, PoleColumns columns)
@@ -74,7 +75,8 @@ QVector<QStringList> poleRows(const SensorModel *model, PoleColumns columns)
             rows.push_back({frequency, damping, kind});
         else
             rows.push_back({frequency, shownQuantity(pole.u_frequency_Hz, "Hz", 2), damping,
-                shownNumber(pole.u_dampingRatio, 2), kind, flags.join(", ")});
+                shownNumber(pole.u_dampingRatio, 2), shownNumber(pole.coverageFactor, 3),
+                shownNumber(pole.amplitude, 3), kind, flags.join(", ")});
     }
     return rows;
 }

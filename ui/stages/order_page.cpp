@@ -4,12 +4,13 @@
 #include "ui/stages/order_page.h"
 
 #include "ui/plot/model_curves.h"
+#include "ui/plot/order_curves.h"
 #include "ui/plot/realization_curves.h"
-#include "ui/stages/model_text.h"
-#include "ui/stages/quantity_edit.h"
-#include "ui/stages/value_table.h"
-#include "ui/text/core_text.h"
-#include "ui/text/quantity_format.h"
+#include "ui/session/order_candidates.h"
+#include "ui/stages/candidate_cards.h"
+#include "ui/stages/candidate_rows.h"
+#include "ui/stages/candidate_table.h"
+#include "ui/stages/order_inspector.h"
 
 #include <QCheckBox>
 #include <QKeyEvent>
@@ -27,6 +28,16 @@ const QString kCut = QStringLiteral("order");
 const QString kDragKey = QStringLiteral("order-drag");
 const QString kKeysKey = QStringLiteral("order-keys");
 constexpr Index kLargeStep = 10;
+constexpr std::size_t kMostCandidates = 8;
+constexpr int kTableHeight = 150;
+
+QSplitter *column(std::initializer_list<QWidget *> widgets)
+{
+    auto *splitter = new QSplitter(Qt::Vertical);
+    for (QWidget *widget : widgets)
+        splitter->addWidget(widget);
+    return splitter;
+}
 
 } // namespace
 
@@ -38,37 +49,91 @@ OrderPage::OrderPage(Session &session)
 {
     setFocusPolicy(Qt::StrongFocus);
     buildPlots();
-    buildInspector();
+    connectPlots();
+    m_controls = new OrderInspector(
+        *inspector(),
+        [this](const QString &label, const std::function<void(Recipe &)> &edit) {
+            change(label, edit);
+        },
+        this);
+    connect(m_controls, &OrderInspector::orderChosen, this,
+        [this](double order) { setOrder(order, {}); });
+    connect(m_controls, &OrderInspector::adopted, this, &OrderPage::adopt);
+    connect(&this->session().candidates(), &OrderCandidates::changed, this, [this] {
+        if (isVisible())
+            showModel();
+    });
 }
 
 void OrderPage::buildPlots()
 {
     m_values = makePlot("singularValuePlot", tr("Singular values"));
-    m_bic = makePlot("bicPlot", tr("Information criterion over the order"));
+    m_strip = makePlot("stabilisationPlot", tr("Stabilisation of poles over the order"));
+    m_evidence = makePlot("orderEvidencePlot", tr("FIT and criteria over the order"));
     m_fit = makePlot("orderFitPlot", tr("Data and model"));
     m_bode = makePlot("orderBodePlot", tr("Frequency response of the model"));
     m_poles = makePlot("orderPolePlot", tr("Poles and zeros"));
-    m_table = new ValueTable("orderPoleTable", tr("Poles"), this);
-
-    auto *left = new QSplitter(Qt::Vertical);
-    left->addWidget(m_values);
-    left->addWidget(m_bic);
-    left->setStretchFactor(0, 5);
-    left->setStretchFactor(1, 2);
-    auto *lower = new QSplitter(Qt::Horizontal);
-    lower->addWidget(m_poles);
-    lower->addWidget(m_table);
-    auto *right = new QSplitter(Qt::Vertical);
-    right->addWidget(m_fit);
-    right->addWidget(m_bode);
-    right->addWidget(lower);
     auto *split = new QSplitter(Qt::Horizontal, this);
-    split->addWidget(left);
-    split->addWidget(right);
-    split->setSizes({880, 1120});
-    lower->setSizes({840, 1160});
-    content()->addWidget(split);
+    split->addWidget(column({m_values, m_evidence, m_poles}));
+    split->addWidget(column({m_strip, m_fit, m_bode}));
+    split->setSizes({1000, 1250});
+    content()->addWidget(split, 1);
+    content()->addWidget(buildCandidates());
+    shareFrequencyCursors({m_strip, m_bode});
+}
 
+QWidget *OrderPage::buildCandidates()
+{
+    auto *area = new QWidget(this);
+    m_cards = new CandidateCards(area);
+    m_table = new CandidateTable(area);
+    m_table->setFixedHeight(kTableHeight);
+    m_table->hide();
+    const auto button = [area](const QString &name, const QString &text, const QString &hint) {
+        auto *made = new QPushButton(text, area);
+        made->setObjectName(name);
+        made->setToolTip(hint);
+        return made;
+    };
+    m_pin = button("pinOrder", tr("Pin"), tr("Pin or unpin the order on show (Space)"));
+    m_defaults = button("pinDefaults", tr("Propose"),
+        tr("Pin the suggested order, the one that keeps its pairs, and a high one"));
+    m_compare = button("compareOrders", tr("Table"), tr("Compare the pinned orders in a table"));
+    m_compare->setCheckable(true);
+    m_difference = new QCheckBox(tr("Difference to adopted"), area);
+    m_difference->setObjectName("differenceToAdopted");
+    m_difference->hide();
+    auto *buttons = new QVBoxLayout;
+    for (QWidget *control : std::initializer_list<QWidget *>{m_pin, m_defaults, m_compare})
+        buttons->addWidget(control);
+    buttons->addStretch(1);
+    auto *row = new QHBoxLayout;
+    row->addLayout(buttons);
+    row->addWidget(m_cards, 1);
+    auto *layout = new QVBoxLayout(area);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addLayout(row);
+    layout->addWidget(m_difference);
+    layout->addWidget(m_table);
+    connect(m_pin, &QPushButton::clicked, this, [this] { togglePin(shownOrder()); });
+    connect(m_defaults, &QPushButton::clicked, this, &OrderPage::pinDefaults);
+    connect(m_compare, &QPushButton::toggled, m_table, &QWidget::setVisible);
+    connect(m_compare, &QPushButton::toggled, m_difference, &QWidget::setVisible);
+    connect(m_compare, &QPushButton::toggled, m_cards, &QWidget::setHidden);
+    connect(m_compare, &QPushButton::toggled, this, &OrderPage::showCandidates);
+    connect(m_difference, &QCheckBox::toggled, this, &OrderPage::showCandidates);
+    connect(m_cards, &CandidateCards::unpinned, this, &OrderPage::togglePin);
+    connect(m_cards, &CandidateCards::chosen, this,
+        [this](Index order) { setOrder(static_cast<double>(order), {}); });
+    connect(m_table, &CandidateTable::chosen, this,
+        [this](Index order) { setOrder(static_cast<double>(order), {}); });
+    connect(m_cards, &CandidateCards::overlayToggled, &session().candidates(),
+        &OrderCandidates::setDrawn);
+    return area;
+}
+
+void OrderPage::connectPlots()
+{
     connect(m_values, &PlotWidget::lineMoved, this,
         [this](const QString &, double order, bool finished) {
             m_dragging = !finished;
@@ -76,66 +141,23 @@ void OrderPage::buildPlots()
             if (finished)
                 session().endMerge();
         });
-    for (PlotWidget *plot : {m_values, m_bic, m_fit, m_bode, m_poles})
+    for (PlotWidget *plot : {m_values, m_strip, m_evidence, m_fit, m_bode, m_poles})
         plot->installEventFilter(this);
-    for (PlotWidget *plot : {m_values, m_bic})
+    for (PlotWidget *plot : {m_values, m_evidence})
         connect(plot, &PlotWidget::pointPicked, this,
             [this](double order, double) { setOrder(order, {}); });
-}
-
-void OrderPage::buildInspector()
-{
-    InspectorForm *form = inspector();
-    form->addSection(tr("Order"));
-    m_order = form->add(tr("Order"), "order", new AutoEdit({}, 1, 1000, 0));
-    connect(m_order, &AutoEdit::edited, this, [this](const Auto<double> &order) {
-        if (order.value)
-            setOrder(*order.value, {});
-        else
-            change(tr("Order: automatic"), [](Recipe &r) { r.realization.order = {}; });
-    });
-    m_suggestion = form->addNote("orderSuggestion");
-    m_useSuggestion = new QPushButton(tr("Use suggestion"));
-    m_useSuggestion->setObjectName("useSuggestion");
-    form->addWide(m_useSuggestion);
-    connect(m_useSuggestion, &QPushButton::clicked, this, [this] {
-        if (results().decomposition)
-            setOrder(static_cast<double>(results().decomposition->suggestion.order), {});
-    });
-
-    form->addSection(tr("This order"));
-    m_score = form->addReadout(tr("FIT"), "fitReadout");
-    m_gap = form->addReadout(tr("Gap"), "gapReadout");
-    m_resonance = form->addReadout(tr("Resonance"), "resonanceReadout");
-    m_outside = form->addReadout(tr("Poles"), "polesReadout");
-
-    form->addSection(tr("Decomposition"));
-    m_largest = form->add(tr("Orders offered"), "maxOrder", new QuantityEdit({}, 1, 1000, 0));
-    connect(m_largest, &QuantityEdit::edited, this, [this](double orders) {
-        change(tr("Change the orders offered"),
-            [&](Recipe &r) { r.realization.maxOrder = std::lround(orders); });
-    });
-    m_rows = form->add(tr("Hankel rows"), "hankelRows", new AutoEdit({}, 2, 100000, 0));
-    connect(m_rows, &AutoEdit::edited, this, [this](const Auto<double> &rows) {
-        change(tr("Change the Hankel rows"), [&](Recipe &r) {
-            r.realization.rows = rows.value ? Auto<Index>(std::lround(*rows.value)) : Auto<Index>();
-        });
-    });
-    m_refine = new QCheckBox(tr("Refine the poles (least squares)"));
-    m_refine->setObjectName("refinePoles");
-    form->addWide(m_refine);
-    connect(m_refine, &QCheckBox::clicked, this, [this](bool on) {
-        change(tr("Refine the poles"), [&](Recipe &r) { r.realization.refine = on; });
-    });
+    connect(m_strip, &PlotWidget::pointPicked, this,
+        [this](double, double order) { setOrder(order, {}); });
 }
 
 Index OrderPage::shownOrder() const
 {
-    if (recipe().realization.order.value)
-        return *recipe().realization.order.value;
-    if (results().model)
-        return results().model->order;
-    return results().decomposition ? results().decomposition->suggestion.order : 1;
+    return chosenOrder(session());
+}
+
+Index OrderPage::modelOrder() const
+{
+    return results().model ? results().model->order : 0;
 }
 
 Index OrderPage::largestOrder() const
@@ -148,7 +170,48 @@ void OrderPage::setOrder(double order, const QString &mergeKey)
     const Index chosen
         = std::clamp<Index>(std::lround(order), 1, std::max<Index>(largestOrder(), 1));
     change(
-        tr("Order %1").arg(chosen), [&](Recipe &r) { r.realization.order = chosen; }, mergeKey);
+        tr("Order %1").arg(chosen),
+        [&](Recipe &r) {
+            if (r.realization.order.value != chosen)
+                r.realization.adoptedReason.clear(); // it was said of another order
+            r.realization.order = chosen;
+        },
+        mergeKey);
+}
+
+void OrderPage::adopt(const QString &reason)
+{
+    change(tr("Adopt order %1").arg(modelOrder()), [&](Recipe &r) {
+        r.realization.order = modelOrder();
+        r.realization.adoptedReason = reason.toStdString();
+    });
+}
+
+void OrderPage::togglePin(Index order)
+{
+    std::vector<Index> orders = recipe().realization.candidates;
+    if (std::erase(orders, order) > 0) {
+        setCandidates(orders, tr("Unpin order %1").arg(order));
+    } else if (orders.size() < kMostCandidates) {
+        orders.push_back(order);
+        setCandidates(orders, tr("Pin order %1").arg(order));
+    }
+}
+
+void OrderPage::pinDefaults()
+{
+    if (!results().decomposition)
+        return;
+    std::vector<Index> orders = defaultCandidates(results(), recipe());
+    if (orders.size() > kMostCandidates)
+        orders.resize(kMostCandidates);
+    setCandidates(orders, tr("Pin the proposed orders"));
+}
+
+void OrderPage::setCandidates(std::vector<Index> orders, const QString &label)
+{
+    std::ranges::sort(orders);
+    change(label, [&](Recipe &r) { r.realization.candidates = orders; });
 }
 
 bool OrderPage::takeKey(const QKeyEvent &event)
@@ -169,7 +232,14 @@ bool OrderPage::takeKey(const QKeyEvent &event)
     case Qt::Key_PageUp:
         return step(kLargeStep);
     case Qt::Key_Home:
-        m_useSuggestion->click();
+        m_controls->useSuggestion();
+        return true;
+    case Qt::Key_Space:
+        togglePin(shownOrder());
+        return true;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        m_controls->adopt();
         return true;
     default:
         return false;
@@ -191,19 +261,42 @@ bool OrderPage::eventFilter(QObject *watched, QEvent *event)
 
 void OrderPage::showRecipe()
 {
-    const RealizationSettings &settings = recipe().realization;
-    const auto asDouble = [](const Auto<Index> &setting) {
-        return setting.value ? Auto<double>(static_cast<double>(*setting.value)) : Auto<double>();
-    };
-    m_order->set(asDouble(settings.order), static_cast<double>(shownOrder()));
-    m_largest->setSi(static_cast<double>(settings.maxOrder));
-    std::optional<double> rows;
-    if (results().decomposition)
-        rows = static_cast<double>(results().decomposition->hankel.rows);
-    m_rows->set(asDouble(settings.rows), rows);
-    m_refine->setChecked(settings.refine);
+    if (const auto adopted = adoptedOrder(session()))
+        m_adopted = adopted;
+    m_controls->showRecipe(recipe(), results(), shownOrder());
     if (!m_dragging && results().decomposition)
         m_values->setLine(kCut, tr("order"), static_cast<double>(shownOrder()), true);
+    RealizationSettings settings = recipe().realization;
+    settings.order = {}; // what depends on it comes with the results
+    if (settings == m_shownSettings)
+        return;
+    m_shownSettings = settings;
+    showModel(); // pins, adoption
+}
+
+void OrderPage::showResults()
+{
+    showEvidence();
+    showModel();
+}
+
+void OrderPage::showEvidence()
+{
+    const auto &decomposition = results().decomposition;
+    const auto &input = results().input;
+    const auto &evidence = results().evidence;
+    m_values->setContent(decomposition && input ? singularValueCurves(
+                             decomposition->hankel, decomposition->suggestion, input->treatment)
+                                                : nothingYet());
+    if (!decomposition)
+        m_values->removeLine(kCut);
+    const bool known = evidence && results().spectrum && session().isOfThisRun(StageId::Evidence);
+    m_strip->setContent(
+        known ? stabilisationCurves(*evidence, *results().spectrum, modelOrder()) : nothingYet());
+    m_evidence->setContent(decomposition
+            ? evidenceCurves(known ? evidence.get() : nullptr, decomposition->suggestion,
+                results().model ? results().model->fitAttainable_percent : kUnknown, modelOrder())
+            : nothingYet());
 }
 
 /// Of the model on show: the whole response once there is one, until then the model's own curve.
@@ -219,56 +312,50 @@ std::shared_ptr<const ResponseResult> OrderPage::shownResponse() const
             r.response->fLow_Hz, r.response->fHigh_Hz));
 }
 
-void OrderPage::showResults()
+void OrderPage::showModel()
 {
-    const auto &decomposition = results().decomposition;
-    const auto &input = results().input;
-    m_values->setContent(decomposition && input ? singularValueCurves(
-                             decomposition->hankel, decomposition->suggestion, input->treatment)
-                                                : nothingYet());
-    m_bic->setContent(decomposition ? bicCurves(decomposition->suggestion) : nothingYet());
-    m_bic->setVisible(decomposition && decomposition->suggestion.bic.size() > 0);
-    if (!decomposition)
-        m_values->removeLine(kCut);
     const auto &model = results().model;
+    const auto &input = results().input;
     const auto &window = results().window;
     const auto response = shownResponse();
-    m_fit->setContent(
-        model && input && window ? simulationCurves(*input, *model, *window) : nothingYet());
-    m_bode->setContent(response ? bodeMagnitudeCurves(*response) : nothingYet());
-    m_poles->setContent(model ? poleZeroCurves(*model) : nothingYet());
-    m_table->setValues(poleHeaders(PoleColumns::Few), poleRows(model.get(), PoleColumns::Few));
-    showReadouts();
+    const std::vector<OverlaidModel> candidates = overlaidModels(session());
+    PlotContent fit = nothingYet();
+    if (model && input && window) {
+        fit = simulationCurves(*input, *model, *window);
+        overlaySimulations(fit, *input, candidates);
+    }
+    m_fit->setContent(fit);
+    PlotContent bode = response ? bodeMagnitudeCurves(*response) : nothingYet();
+    if (response)
+        overlayMagnitudes(bode, candidates);
+    m_bode->setContent(bode);
+    PlotContent poles = model ? poleZeroCurves(*model) : nothingYet();
+    if (model)
+        overlayPoles(poles, candidates);
+    m_poles->setContent(poles);
+    const bool isCurrent
+        = model && model->order == shownOrder() && session().isOfThisRun(StageId::Model);
+    m_controls->showResults(
+        results(), isCurrent, isCurrent && adoptedOrder(session()) == modelOrder());
+    showCandidates();
 }
 
-void OrderPage::showReadouts()
+void OrderPage::showCandidates()
 {
-    const auto &decomposition = results().decomposition;
-    m_useSuggestion->setEnabled(decomposition && decomposition->suggestion.order > 0);
-    m_suggestion->setText(decomposition ? tr("Suggested: order %1. %2")
-                                              .arg(decomposition->suggestion.order)
-                                              .arg(translated(decomposition->suggestion.reason))
-                                        : tr("No suggestion yet."));
-    const auto &model = results().model;
-    m_score->setText(model ? fitText(*model) : "–");
-    const Pole *pole = model ? mainPole(*model) : nullptr;
-    m_resonance->setText(pole ? tr("%1, damping %2")
-                                    .arg(shownQuantity(pole->frequency_Hz, "Hz", 5),
-                                        shownNumber(pole->dampingRatio, 4))
-                              : "–");
-    const auto countOf = [&](PoleClass poleClass) {
-        return model ? std::ranges::count(model->poles, poleClass, &Pole::poleClass) : 0;
-    };
-    m_outside->setText(tr("%1 unstable, %2 at Nyquist")
-                           .arg(countOf(PoleClass::Unstable))
-                           .arg(countOf(PoleClass::Nyquist)));
-    const Index order = shownOrder();
-    QString gap = "–";
-    if (decomposition && order >= 1 && order < largestOrder()) {
-        const auto &values = decomposition->hankel.singularValues;
-        gap = tr("factor %1 to the next").arg(shownNumber(values[order - 1] / values[order], 3));
-    }
-    m_gap->setText(gap);
+    const std::vector<CandidateRow> rows = candidateRows(session());
+    m_cards->setRows(rows);
+    const bool isPinned = std::ranges::find(recipe().realization.candidates, shownOrder())
+        != recipe().realization.candidates.end();
+    m_pin->setText(isPinned ? tr("Unpin") : tr("Pin"));
+    m_pin->setEnabled(isPinned || rows.size() < kMostCandidates);
+    m_defaults->setEnabled(results().decomposition != nullptr);
+    m_compare->setEnabled(!rows.empty() || m_compare->isChecked());
+    std::optional<CandidateRow> reference;
+    m_difference->setEnabled(m_adopted.has_value());
+    if (m_adopted && m_difference->isChecked())
+        reference = candidateRow(*m_adopted, session().candidates().find(*m_adopted), results());
+    if (m_compare->isChecked())
+        m_table->setRows(rows, reference && reference->isKnown ? &*reference : nullptr);
 }
 
 } // namespace dyncal

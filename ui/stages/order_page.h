@@ -10,12 +10,13 @@ class QPushButton;
 
 namespace dyncal {
 
-class AutoEdit;
-class QuantityEdit;
-class ValueTable;
+class CandidateCards;
+class CandidateTable;
+class OrderInspector;
 
 /// Stage 7: how many states the model gets. The cut through the singular values is dragged,
-/// clicked, typed or moved by keys, and everything beside it follows.
+/// clicked, typed or moved by keys, and everything beside it follows; orders are pinned as cards,
+/// compared, and one is adopted with a reason.
 class OrderPage : public StagePage
 {
     Q_OBJECT
@@ -35,32 +36,38 @@ protected:
 
 private:
     void buildPlots();
-    void buildInspector();
+    QWidget *buildCandidates();
+    void connectPlots();
     bool takeKey(const QKeyEvent &event);
     void setOrder(double order, const QString &mergeKey);
+    void adopt(const QString &reason);
+    void togglePin(Index order);
+    void pinDefaults();
+    void setCandidates(std::vector<Index> orders, const QString &label);
     Index shownOrder() const;
     Index largestOrder() const;
-    void showReadouts();
+    Index modelOrder() const; ///< of the model on show, which all its views and numbers are of
     std::shared_ptr<const ResponseResult> shownResponse() const;
+    void showEvidence();
+    void showModel();
+    void showCandidates();
 
     PlotWidget *m_values;
-    PlotWidget *m_bic;
+    PlotWidget *m_strip;
+    PlotWidget *m_evidence;
     PlotWidget *m_fit;
     PlotWidget *m_bode;
     PlotWidget *m_poles;
-    ValueTable *m_table;
+    CandidateCards *m_cards;
+    CandidateTable *m_table;
+    QPushButton *m_pin;
+    QPushButton *m_defaults;
+    QPushButton *m_compare;
+    QCheckBox *m_difference;
+    OrderInspector *m_controls;
     bool m_dragging = false;
-
-    AutoEdit *m_order;
-    QLabel *m_suggestion;
-    QPushButton *m_useSuggestion;
-    QLabel *m_score;
-    QLabel *m_gap;
-    QLabel *m_resonance;
-    QLabel *m_outside;
-    QuantityEdit *m_largest;
-    AutoEdit *m_rows;
-    QCheckBox *m_refine;
+    RealizationSettings m_shownSettings; ///< without the order
+    std::optional<Index> m_adopted; ///< the last order adopted, also while another is looked at
 };
 
 } // namespace dyncal

@@ -6,6 +6,7 @@
 #include "ui/plot/signal_curves.h"
 #include "ui/stages/nuisance_list.h"
 #include "ui/stages/quantity_edit.h"
+#include "ui/stages/tube_mode_choice.h"
 #include "ui/stages/value_table.h"
 #include "ui/text/quantity_format.h"
 
@@ -43,6 +44,7 @@ SpectrumPage::SpectrumPage(Session &session)
     split->addWidget(m_table);
     split->setSizes({1000, 180});
     content()->addWidget(split);
+    shareFrequencyCursors({m_plot});
     connect(m_plot, &PlotWidget::pointPicked, this, [this](double frequency_Hz, double) {
         if (sourceOf(recipe().spectrum) == Given)
             giveResonance(frequency_Hz);
@@ -91,6 +93,8 @@ void SpectrumPage::buildInspector()
         change(tr("Change what is taken away"),
             [&](Recipe &r) { r.spectrum.detrend = static_cast<Detrend>(choice); });
     });
+    m_tubeModes = new TubeModeChoice(*form, this);
+    connect(m_tubeModes, &TubeModeChoice::changed, this, &SpectrumPage::showPlot);
     buildNuisance();
 }
 
@@ -161,11 +165,19 @@ void SpectrumPage::showRecipe()
     m_nuisance->showModes(recipe().realization.nuisanceModes, results());
 }
 
+void SpectrumPage::showPlot()
+{
+    const auto &spectrum = results().spectrum;
+    m_plot->setContent(spectrum && results().window
+            ? m_tubeModes->with(spectrumCurves(*spectrum, *results().window))
+            : nothingYet());
+}
+
 void SpectrumPage::showResults()
 {
     const auto &spectrum = results().spectrum;
-    m_plot->setContent(
-        spectrum && results().window ? spectrumCurves(*spectrum, *results().window) : nothingYet());
+    m_tubeModes->set(results());
+    showPlot();
     QStringList headers{tr("Resonance"), tr("Above background"), tr("Q")};
     QVector<QStringList> rows;
     if (spectrum) {

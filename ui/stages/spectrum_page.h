@@ -13,6 +13,7 @@ namespace dyncal {
 class NuisanceList;
 class OptionalEdit;
 class QuantityEdit;
+class TubeModeChoice;
 class ValueTable;
 
 /// Stage 4: power spectra of the shots and the resonances they share.
@@ -33,6 +34,7 @@ private:
     void setSource(int choice);
     void setBand(bool begin, const std::optional<double> &frequency_Hz);
     void giveResonance(double frequency_Hz);
+    void showPlot();
 
     PlotWidget *m_plot;
     ValueTable *m_table;
@@ -44,6 +46,7 @@ private:
     QComboBox *m_method;
     QComboBox *m_detrend;
     NuisanceList *m_nuisance;
+    TubeModeChoice *m_tubeModes;
 };
 
 } // namespace dyncal

@@ -114,6 +114,25 @@ PlotWidget *StagePage::makePlot(const QString &objectName, const QString &access
     return plot;
 }
 
+void StagePage::shareFrequencyCursors(const std::vector<PlotWidget *> &plots)
+{
+    FrequencyCursors *cursors = &m_session.frequencyCursors();
+    for (PlotWidget *plot : plots) {
+        connect(plot, &PlotWidget::cursorPlaced, cursors, &FrequencyCursors::place);
+        connect(plot, &PlotWidget::cursorsCleared, cursors, &FrequencyCursors::clear);
+        connect(cursors, &FrequencyCursors::moved, plot, [plot, cursors] {
+            if (plot->hasFocus()) // placed here: it stands on a value
+                return;
+            const auto &at_Hz = cursors->positions_Hz();
+            if (!at_Hz[0] && !at_Hz[1])
+                plot->followCursor(0, std::nullopt);
+            for (std::size_t i = 0; i < at_Hz.size(); ++i)
+                if (at_Hz[i])
+                    plot->followCursor(static_cast<int>(i), at_Hz[i]);
+        });
+    }
+}
+
 void StagePage::change(
     const QString &label, const std::function<void(Recipe &)> &edit, const QString &mergeKey)
 {

@@ -52,6 +52,8 @@ protected:
     QVBoxLayout *content() { return m_content; }
     static PlotContent nothingYet(); ///< an empty plot that says so
     PlotWidget *makePlot(const QString &objectName, const QString &accessibleName);
+    /// Cursors of these plots stand where those of all other frequency views stand.
+    void shareFrequencyCursors(const std::vector<PlotWidget *> &plots);
 
     /// Changes the recipe as one undo step.
     void change(const QString &label, const std::function<void(Recipe &)> &edit,

@@ -24,8 +24,11 @@ const QString kBaseline = QStringLiteral("baseline");
 const QString kSettle = QStringLiteral("settle");
 const QString kStart = QStringLiteral("start");
 const QString kEnd = QStringLiteral("end");
+const QString kGuard = QStringLiteral("guard");
 const ShownUnit kMicroseconds{"µs", 1e-6};
 constexpr double kLongest_s = 100.0;
+constexpr double kRoom
+    = 0.15; ///< of the view, behind the window's end: to drag it, to see the guard
 
 } // namespace
 
@@ -173,7 +176,7 @@ PlotContent contentWithRoom(const WindowResult &window)
         last_s = std::max(last_s, response.end_s);
     }
     content.xMin = first_s;
-    content.xMax = last_s + 0.08 * (last_s - first_s);
+    content.xMax = last_s + kRoom * (last_s - first_s);
     return content;
 }
 
@@ -250,7 +253,7 @@ void WindowPage::showHandles()
         return;
     const WindowedResponse *chosen = responseOfChosenShot();
     if (!chosen) {
-        for (const QString &id : {kBaseline, kSettle})
+        for (const QString &id : {kBaseline, kSettle, kGuard})
             m_plot->removeBand(id);
         for (const QString &id : {kStart, kEnd})
             m_plot->removeLine(id);
@@ -266,9 +269,26 @@ void WindowPage::showHandles()
         m_plot->setBand(kSettle, tr("settle"), settings.settle_s.value.value_or(chosen->settle_s));
     else
         m_plot->removeBand(kSettle);
+    showGuard(*chosen);
     m_plot->setLine(kStart, tr("start"), 0.0);
     m_plot->setLine(kEnd, tr("end"),
         settings.endAtPlateau ? chosen->end_s : settings.end_s.value.value_or(chosen->end_s));
+}
+
+/// Behind the computed end of the plateau, less the guard, the record is no response to the step.
+void WindowPage::showGuard(const WindowedResponse &response)
+{
+    const auto &expected = results().expected;
+    const ShockConditions *shot = expected ? expected->conditions.ofShot(response.shot) : nullptr;
+    if (!shot || !shot->plateau_s || !results().captures) {
+        m_plot->removeBand(kGuard);
+        return;
+    }
+    const auto at = static_cast<std::size_t>(response.shot - 1);
+    const Channel *dut = results().captures->set.shots[at].channelWithRole(ChannelRole::Dut);
+    const double last_s = dut ? dut->t0_s + dut->duration_s() - response.start_s : 0.0;
+    m_plot->setBand(kGuard, tr("plateau over (computed)"),
+        {*shot->plateau_s, std::max(last_s, 1.5 * *shot->plateau_s)}, false);
 }
 
 void WindowPage::showResults()

@@ -36,6 +36,7 @@ private:
     void shiftStarts(double by_s);
     void setStart(const Auto<double> &start_s);
     void showHandles();
+    void showGuard(const WindowedResponse &response);
     void showLength();
     void showTable();
     const WindowedResponse *firstResponse() const;

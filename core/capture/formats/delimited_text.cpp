@@ -15,6 +15,9 @@
 namespace dyncal {
 namespace {
 
+/// More than dialectOf() looks at, but for cells that can be read in two ways.
+constexpr std::uint64_t kHeadBytes = 1 << 20;
+
 /// What each column becomes: a role, or nothing if it is not wanted.
 std::vector<std::optional<ChannelRole>> rolesOf(
     const ImportSettings &settings, Index columns, std::optional<Index> timeColumn)
@@ -76,13 +79,21 @@ int recogniseDelimitedText(const std::string &path, std::string_view head)
 Result<CaptureSet> readDelimitedText(
     const std::string &path, const ImportSettings &settings, const JobControl &control)
 {
-    const Result<FileText> text = readTextFile(path);
+    const Result<TextSource> text = openText(path);
     if (!text)
         return tl::unexpected(text.error());
-    const std::optional<TextDialect> dialect = dialectOf(text->view(), settings);
+    std::vector<char> buffer;
+    std::optional<std::string_view> head
+        = text->read(0, std::min(text->size(), kHeadBytes), buffer);
+    std::optional<TextDialect> dialect = head ? dialectOf(*head, settings) : std::nullopt;
+    if (dialect && !dialect->ambiguous.empty()) { // whether it stays so, only the whole text tells
+        head = text->read(0, text->size(), buffer);
+        dialect = head ? dialectOf(*head, settings) : std::nullopt;
+    }
     if (!dialect)
         return noRowsOfNumbers(path);
-    Result<ImportedTable> table = importTable({path, text->view()}, *dialect, settings, control);
+    Result<ImportedTable> table
+        = importTable({path, *head, true, &*text}, *dialect, settings, control);
     if (!table)
         return tl::unexpected(table.error());
     CaptureSet set;

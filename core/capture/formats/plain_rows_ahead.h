@@ -5,11 +5,12 @@
 
 #include "core/base/index.h"
 #include "core/capture/formats/plain_row.h"
+#include "core/capture/formats/text_source.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <stop_token>
-#include <string_view>
 #include <thread>
 #include <vector>
 
@@ -19,7 +20,7 @@ namespace dyncal {
 struct PlainRows
 {
     std::vector<std::vector<double>> columns; ///< equally long
-    const char *behind = nullptr; ///< the last of these lines
+    std::uint64_t behind = 0; ///< where in the text the next line begins
 
     Index rows() const { return columns.empty() ? 0 : std::ssize(columns.front()); }
 };
@@ -31,16 +32,17 @@ struct PlainRows
 class PlainRowsAhead
 {
 public:
-    /// `text` begins with a line and outlives this object. There are no parts if it is short or the
-    /// machine has one core. A part that was stopped by `stop` has ended early, too.
-    PlainRowsAhead(const PlainRowReader &reader, std::string_view text, std::size_t columns,
-        const std::stop_token &stop);
+    /// Of the text from `begin` on, which is the beginning of a line; text and reader outlive this
+    /// object. There are no parts if it is short or the machine has one core. A part that was
+    /// stopped by `stop` has ended early, too.
+    PlainRowsAhead(const PlainRowReader &reader, const TextSource &text, std::uint64_t begin,
+        std::size_t columns, const std::stop_token &stop);
     PlainRowsAhead(const PlainRowsAhead &) = delete;
     PlainRowsAhead &operator=(const PlainRowsAhead &) = delete;
     ~PlainRowsAhead() = default; ///< stops and waits
 
-    /// Where the next part begins; null if there is none.
-    const char *nextBegin() const;
+    /// Where the next part begins, if there is one.
+    std::optional<std::uint64_t> nextBegin() const;
 
     /// Waits for the next part. Parts are taken in order; each once.
     PlainRows take();
@@ -51,7 +53,8 @@ public:
 private:
     struct Part
     {
-        std::string_view text;
+        std::uint64_t begin = 0;
+        std::uint64_t end = 0;
         PlainRows rows;
         std::jthread thread;
     };

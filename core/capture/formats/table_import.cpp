@@ -176,7 +176,9 @@ Result<ImportedTable> importTable(const TextPart &part, const TextDialect &diale
 {
     if (const auto checked = checkBefore(part.path, settings, dialect, part.text); !checked)
         return tl::unexpected(checked.error());
-    Result<TableColumns> parsed = parseTable(part.path, part.text, dialect, control);
+    const TextSource here(part.text);
+    Result<TableColumns> parsed
+        = parseTable(part.path, part.all != nullptr ? *part.all : here, dialect, control);
     if (!parsed)
         return tl::unexpected(parsed.error());
     ImportedTable table;

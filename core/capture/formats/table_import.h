@@ -7,6 +7,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/capture/formats/text_dialect.h"
+#include "core/capture/formats/text_source.h"
 #include "core/capture/formats/text_time.h"
 #include "core/capture/import_settings.h"
 
@@ -22,6 +23,7 @@ struct TextPart
     const std::string &path; ///< for messages
     std::string_view text;
     bool whole = true;
+    const TextSource *all = nullptr; ///< where more of the text is, if `text` is its beginning
 };
 
 /// A table as it was understood.

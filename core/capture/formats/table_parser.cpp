@@ -21,11 +21,12 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 class TableParser
 {
 public:
-    TableParser(const std::string &path, std::string_view text, const TextDialect &dialect)
+    TableParser(const std::string &path, const TextSource &text, const TextDialect &dialect)
         : m_path(path)
         , m_text(text)
         , m_dialect(dialect)
-        , m_lines(text)
+        , m_blocks(text)
+        , m_lines({})
         , m_row(static_cast<std::size_t>(dialect.columns))
         , m_plain(dialect.separator, dialect.decimal)
     {
@@ -34,47 +35,72 @@ public:
 
     Result<TableColumns> parse(const JobControl &control)
     {
-        LineCursor &lines = m_lines;
         std::string_view line;
-        while (lines.number() < m_dialect.headerLines() && lines.next(line)) { }
-        PlainRowsAhead ahead(m_plain, lines.rest(), m_row.size(), control.stop);
+        while (m_lines.number() < m_dialect.headerLines() && nextBlock(m_text.size())
+            && m_lines.next(line)) { }
+        const std::uint64_t begin = position();
+        PlainRowsAhead ahead(m_plain, m_text, begin, m_row.size(), control.stop);
+        m_blocks.moveTo(begin);
+        m_lines = LineCursor({}, m_lines.number());
         for (;;) {
             if (const Result<void> going = pause(control); !going)
                 return tl::unexpected(going.error());
             const bool plain = m_commentLine == 0 && m_blankRows == 0;
-            takeRowsAhead(ahead, plain);
-            if (const char *behind = plain ? m_plain.read(lines.rest(), m_row) : nullptr) {
+            if (!nextLines(ahead, plain))
+                break;
+            if (const char *behind = plain ? m_plain.read(m_lines.rest(), m_row) : nullptr) {
                 append();
-                lines.take(behind, 1);
+                m_lines.take(behind, 1);
                 continue;
             }
-            if (!lines.next(line) || (!lines.terminated() && isCut(line, lines.number())))
+            m_lines.next(line);
+            if (!m_lines.terminated() && isCut(line, m_lines.number()))
                 break;
-            if (const Result<void> added = addLine(line, lines.number()); !added)
+            if (const Result<void> added = addLine(line, m_lines.number()); !added)
                 return tl::unexpected(added.error());
         }
+        if (m_blocks.failed())
+            return unreadableText(m_path);
         control.report(1.0);
         return std::move(m_table);
     }
 
 private:
-    /// Takes over what another thread read from here on, if these lines can be plain rows here.
-    void takeRowsAhead(PlainRowsAhead &ahead, bool plain)
+    /// Where in the text the next line begins.
+    std::uint64_t position() const { return m_blocks.position() - m_lines.rest().size(); }
+
+    /// Whether there is a line before `end`.
+    bool nextBlock(std::uint64_t end)
     {
-        while (ahead.nextBegin() != nullptr && ahead.nextBegin() == m_lines.rest().data()) {
+        if (m_lines.rest().empty())
+            m_lines = LineCursor(m_blocks.next(end), m_lines.number());
+        return !m_lines.rest().empty();
+    }
+
+    /// The same, once what other threads read from here on is taken over, if these lines can be
+    /// plain rows here.
+    bool nextLines(PlainRowsAhead &ahead, bool plain)
+    {
+        while (m_lines.rest().empty() && ahead.nextBegin() == position()) {
             if (!plain)
-                return ahead.skip();
-            PlainRows part = ahead.take();
-            const std::size_t rows
-                = m_table.columns[0].size() + static_cast<std::size_t>(part.rows());
-            if (rows > m_table.columns[0].capacity())
-                makeRoom(static_cast<std::size_t>(part.rows()));
-            for (std::size_t i = 0; i < part.columns.size(); ++i) {
-                const std::vector<double> values = std::move(part.columns[i]);
-                m_table.columns[i].insert(m_table.columns[i].end(), values.begin(), values.end());
-            }
-            m_lines.take(part.behind, part.rows());
+                ahead.skip();
+            else
+                append(ahead.take());
         }
+        return nextBlock(ahead.nextBegin().value_or(m_text.size()));
+    }
+
+    void append(PlainRows part)
+    {
+        const auto more = static_cast<std::size_t>(part.rows());
+        if (m_table.columns[0].size() + more > m_table.columns[0].capacity())
+            makeRoom(more);
+        for (std::size_t i = 0; i < part.columns.size(); ++i) {
+            const std::vector<double> values = std::move(part.columns[i]); // gone once copied
+            m_table.columns[i].insert(m_table.columns[i].end(), values.begin(), values.end());
+        }
+        m_blocks.moveTo(part.behind);
+        m_lines = LineCursor({}, m_lines.number() + part.rows());
     }
 
     void append()
@@ -92,7 +118,7 @@ private:
         constexpr std::size_t kFirstRows = 1024;
         constexpr double kSpare = 1.02;
         const std::size_t rows = m_table.columns[0].size();
-        const auto done = static_cast<double>(m_text.size() - m_lines.rest().size() + 1);
+        const auto done = static_cast<double>(position() + 1);
         const double all = static_cast<double>(rows) * static_cast<double>(m_text.size()) / done;
         const std::size_t room = rows + kFirstRows
             + (rows < kFirstRows ? 0 : static_cast<std::size_t>(all * kSpare) - rows);
@@ -111,8 +137,7 @@ private:
         if (control.stopRequested())
             return fail(
                 ErrorKind::Cancelled, {DYNCAL_TEXT("core", "Reading %1 was cancelled."), {m_path}});
-        control.report(
-            1.0 - static_cast<double>(m_lines.rest().size()) / static_cast<double>(m_text.size()));
+        control.report(static_cast<double>(position()) / static_cast<double>(m_text.size()));
         return {};
     }
 
@@ -198,16 +223,29 @@ private:
     {
         if (isBlankRow(line, m_dialect.separator) || isCommentLine(line))
             return false;
-        const RowEnd end = m_table.columns.front().empty() ? RowEnd::Unclear
-                                                           : lastRowEnd(m_text, line, m_dialect);
+        const RowEnd end = m_table.columns.front().empty() ? RowEnd::Unclear : endOfLastRow(line);
         if (end != RowEnd::Whole)
             m_table.findings.push_back(unfinishedLine(m_path, number, end));
         return end == RowEnd::Cut;
     }
 
+    /// Compared with the rows just above: those that are still in the block, or read again.
+    RowEnd endOfLastRow(std::string_view line) const
+    {
+        constexpr std::uint64_t kBytesAbove = 8192; // more than is looked at
+        std::vector<char> buffer;
+        const std::uint64_t wanted = line.size() + kBytesAbove;
+        const std::uint64_t begin = m_text.size() > wanted ? m_text.size() - wanted : 0;
+        const auto end = m_text.read(begin, m_text.size(), buffer);
+        if (!end)
+            return RowEnd::Unclear; // said when the file is sealed
+        return lastRowEnd(*end, end->substr(end->size() - line.size()), m_dialect);
+    }
+
     const std::string &m_path;
-    std::string_view m_text;
+    const TextSource &m_text;
     const TextDialect &m_dialect;
+    LineBlocks m_blocks;
     LineCursor m_lines;
     std::vector<double> m_row;
     PlainRowReader m_plain;
@@ -218,7 +256,7 @@ private:
 
 } // namespace
 
-Result<TableColumns> parseTable(const std::string &path, std::string_view text,
+Result<TableColumns> parseTable(const std::string &path, const TextSource &text,
     const TextDialect &dialect, const JobControl &control)
 {
     return TableParser(path, text, dialect).parse(control);

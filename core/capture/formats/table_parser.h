@@ -7,6 +7,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/capture/formats/text_dialect.h"
+#include "core/capture/formats/text_source.h"
 
 #include <string>
 #include <string_view>
@@ -21,11 +22,11 @@ struct TableColumns
     Findings findings; ///< CAP-018: the last line is cut or may be
 };
 
-/// Reads the rows behind the header of `text`. Every row must be readable: an empty or "nan" cell
+/// Reads the rows behind the header of the text. Every row must be readable: an empty or "nan" cell
 /// and each blank line within the data is an invalid sample, anything else that is no number fails
 /// with line and column (CAP-018). Comment lines ("#", "%") may follow the data, not interrupt it.
-/// Memory: the values, at most eight times the text.
-Result<TableColumns> parseTable(const std::string &path, std::string_view text,
+/// A file that changes meanwhile fails, too. Memory: the values, at most eight times the text.
+Result<TableColumns> parseTable(const std::string &path, const TextSource &text,
     const TextDialect &dialect, const JobControl &control);
 
 } // namespace dyncal

@@ -4,12 +4,15 @@
 #include "core/capture/formats/text_bytes.h"
 
 #include "core/capture/formats/large_pages.h"
+#include "core/capture/formats/text_source.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <new>
+#include <span>
 #include <system_error>
 
 namespace dyncal {
@@ -107,14 +110,25 @@ std::uint32_t windows1252(std::uint32_t byte)
     return byte >= 0x80 && byte < 0xA0 ? kUpper[byte - 0x80] : byte;
 }
 
-tl::unexpected<Error> cannotRead(const std::string &path)
+tl::unexpected<Error> tooLarge(const std::string &path, std::uintmax_t size)
+{
+    return fail(ErrorKind::FileUnreadable,
+        {DYNCAL_TEXT("core",
+             "%1 has %2 bytes, which is too large for a text; export a shorter part, or as "
+             "HDF5 "
+             "capture."),
+            {path, std::to_string(size)}},
+        "CAP-018");
+}
+
+} // namespace
+
+tl::unexpected<Error> unreadableText(const std::string &path)
 {
     return fail(ErrorKind::FileUnreadable,
         {DYNCAL_TEXT("core", "%1 cannot be read; check that it exists and may be opened."), {path}},
         "CAP-018");
 }
-
-} // namespace
 
 FileText::FileText(std::size_t size)
 {
@@ -132,19 +146,13 @@ Result<FileText> readTextFile(const std::string &path)
     const std::uintmax_t size = std::filesystem::file_size(path, error);
     std::ifstream file(path, std::ios::binary);
     if (error || !file)
-        return cannotRead(path);
+        return unreadableText(path);
     if (size > kLargestFile)
-        return fail(ErrorKind::FileUnreadable,
-            {DYNCAL_TEXT("core",
-                 "%1 has %2 bytes, which is too large for a text; export a shorter part, or as "
-                 "HDF5 "
-                 "capture."),
-                {path, std::to_string(size)}},
-            "CAP-018");
+        return tooLarge(path, size);
     FileText text(size);
     file.read(text.data(), static_cast<std::streamsize>(size));
     if (!file || static_cast<std::uintmax_t>(file.gcount()) != size)
-        return cannotRead(path);
+        return unreadableText(path);
     const ByteOrder order = byteOrderOf(text.view());
     if (order == ByteOrder::None) {
         text.skip(text.view().starts_with(kUtf8Mark) ? kUtf8Mark.size() : 0);
@@ -156,13 +164,28 @@ Result<FileText> readTextFile(const std::string &path)
     return utf8;
 }
 
+Result<TextSource> openText(const std::string &path)
+{
+    const auto file = SampleFile::open(path);
+    std::array<char, 4> head{};
+    const std::size_t count = file ? std::min<std::size_t>(head.size(), (*file)->size()) : 0;
+    if (!file || !(*file)->read(0, count, std::as_writable_bytes(std::span(head)).data()))
+        return unreadableText(path);
+    if ((*file)->size() > kLargestFile)
+        return tooLarge(path, (*file)->size());
+    const std::string_view begin(head.data(), count);
+    if (byteOrderOf(begin) == ByteOrder::None)
+        return TextSource(*file, begin.starts_with(kUtf8Mark) ? kUtf8Mark.size() : 0);
+    return readTextFile(path).map([](FileText text) { return TextSource(std::move(text)); });
+}
+
 Result<TextHead> readTextHead(const std::string &path, std::size_t bytes)
 {
     std::ifstream file(path, std::ios::binary);
     std::string head(bytes, '\0');
     file.read(head.data(), static_cast<std::streamsize>(bytes));
     if (!file.is_open() || file.bad() || (!file.eof() && file.fail()))
-        return cannotRead(path);
+        return unreadableText(path);
     head.resize(static_cast<std::size_t>(file.gcount()));
     TextHead result;
     result.whole = file.eof() || file.peek() == std::ifstream::traits_type::eof();

@@ -38,6 +38,9 @@ private:
 /// more than 8 GiB.
 Result<FileText> readTextFile(const std::string &path);
 
+/// "%1 cannot be read" (CAP-018).
+tl::unexpected<Error> unreadableText(const std::string &path);
+
 /// The same for bytes that are there already.
 std::string textOfBytes(std::string bytes);
 

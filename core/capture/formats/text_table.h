@@ -25,8 +25,10 @@ std::string_view trimmed(std::string_view text);
 class LineCursor
 {
 public:
-    explicit LineCursor(std::string_view text)
+    /// `before`: lines that stand before the text.
+    explicit LineCursor(std::string_view text, Index before = 0)
         : m_rest(text)
+        , m_number(before)
     {
     }
 

@@ -46,6 +46,7 @@ private slots:
     void method_choiceOfTheOrder_isPrintedWhenGiven();
     void environment_shotsDiffer_isARangeOfTheIncluded();
     void conditions_statedStep_isSaid();
+    void conditions_stepWithBudget_printsUAndK();
     void model_thatDiverges_printsNoFit();
     void model_attainableUnknown_isADash();
     void model_listingFit_onlyWhereThereIsOne();
@@ -169,6 +170,40 @@ void TestCertificateSections::conditions_statedStep_isSaid()
     QCOMPARE(cellOf(section, 0, 1), std::string(kDash)); // no such shot in the captures
     QCOMPARE(cellOf(section, 0, 6), std::string("400.00 kPa"));
     QCOMPARE(cellOf(section, 0, 7), std::string("stated"));
+    QCOMPARE(cellOf(section, 0, 8), std::string("not determined"));
+    QVERIFY(section.notes.empty());
+}
+
+void TestCertificateSections::conditions_stepWithBudget_printsUAndK()
+{
+    ShockConditionsSet shock;
+    ShockConditions conditions;
+    conditions.shot = 1;
+    conditions.step_Pa = 434498.07;
+    StepUncertainty uncertainty;
+    uncertainty.budget.value = Eigen::VectorXd::Constant(kStepResults, 434498.07);
+    uncertainty.budget.u = Eigen::VectorXd::Constant(kStepResults, 1800.2);
+    uncertainty.budget.dof
+        = Eigen::VectorXd::Constant(kStepResults, std::numeric_limits<double>::infinity());
+    conditions.uncertainty = uncertainty;
+    shock.shots = {conditions};
+    CertificateSources sources;
+    sources.shock = &shock;
+    CertificateSection section = conditionsSection(sources);
+    QCOMPARE(cellOf(section, 0, 6), std::string("434.5 kPa"));
+    QCOMPARE(cellOf(section, 0, 8), std::string("3.5 kPa")); // 1.96 times
+    QCOMPARE(cellOf(section, 0, 9), std::string("1.96"));
+    QCOMPARE(section.notes.size(), std::size_t(1));
+    QCOMPARE(section.notes[0].arguments, std::vector<std::string>{"95"});
+    // Student's t of the effective degrees of freedom, for the recipe's coverage.
+    shock.shots[0].uncertainty->budget.dof.setConstant(5.0);
+    sources.coverage = 0.9545;
+    section = conditionsSection(sources);
+    QCOMPARE(cellOf(section, 0, 9), std::string("2.65")); // GUM table G.2
+    // Where an input's uncertainty is not stated there is no U, and no note about it.
+    shock.shots[0].uncertainty->stepMissing = Message{"not stated", {}};
+    section = conditionsSection(sources);
+    QCOMPARE(cellOf(section, 0, 8), std::string("not determined"));
     QVERIFY(section.notes.empty());
 }
 

@@ -36,6 +36,10 @@ private slots:
     void rarefaction_shortDrivers_againstEulerSolution_data();
     void rarefaction_shortDrivers_againstEulerSolution();
     void rarefaction_longerDriver_comesLater();
+    void reflectedHead_throughTheFan_againstIntegration_data();
+    void reflectedHead_throughTheFan_againstIntegration();
+    void reflectedHead_carriesItsInvariants();
+    void reflectedHead_meetsTheContactAtTwiceItsExit();
     void paths_meetWhereTheyMust();
     void diagram_onTheRecordsAxis();
     void driverGasFront_ofTheThesis();
@@ -95,6 +99,130 @@ void TestTube::rarefaction_longerDriver_comesLater()
         before_s = *waves.rarefactionReturn_s;
         QVERIFY(waves.plateau_s <= waves.contactReturn_s);
     }
+}
+
+namespace {
+
+/// Where the reflected head leaves the fan, by integrating dx/dt = u + a from the driver's end; the
+/// fan gives u and a at every place: x/t = u - a and u + 2a/(g-1) = 2 a4/(g-1).
+TubePoint integratedExit(double driver_m, double a4_m_s, double a3_m_s, double gamma)
+{
+    const double g1 = gamma - 1.0;
+    const auto soundSpeed = [&](double x_m, double t_s) {
+        return (2.0 * a4_m_s / g1 - x_m / t_s) * g1 / (gamma + 1.0);
+    };
+    const auto slope = [&](double x_m, double t_s) {
+        const double a_m_s = soundSpeed(x_m, t_s);
+        return 2.0 / g1 * (a4_m_s - a_m_s) + a_m_s;
+    };
+    TubePoint p{-driver_m, driver_m / a4_m_s};
+    const double step_s = 1e-5 * p.time_s;
+    for (;;) {
+        const double k1 = slope(p.x_m, p.time_s);
+        const double k2 = slope(p.x_m + 0.5 * step_s * k1, p.time_s + 0.5 * step_s);
+        const double k3 = slope(p.x_m + 0.5 * step_s * k2, p.time_s + 0.5 * step_s);
+        const double k4 = slope(p.x_m + step_s * k3, p.time_s + step_s);
+        const TubePoint next{
+            p.x_m + step_s * (k1 + 2.0 * k2 + 2.0 * k3 + k4) / 6.0, p.time_s + step_s};
+        const double before = soundSpeed(p.x_m, p.time_s) - a3_m_s;
+        const double behind = soundSpeed(next.x_m, next.time_s) - a3_m_s;
+        if (behind <= 0.0) {
+            const double share = before / (before - behind);
+            return {p.x_m + share * (next.x_m - p.x_m), p.time_s + share * step_s};
+        }
+        p = next;
+    }
+}
+
+const TubePath &pathOf(const TubeWaves &waves, TubeLine line)
+{
+    for (const TubePath &path : waves.paths) {
+        if (path.line == line)
+            return path;
+    }
+    qFatal("no such line");
+}
+
+double a3Of(const ShockStates &states, double a4_m_s, double gamma)
+{
+    return a4_m_s - 0.5 * (gamma - 1.0) * states.shocked.velocity_m_s;
+}
+
+} // namespace
+
+void TestTube::reflectedHead_throughTheFan_againstIntegration_data()
+{
+    QTest::addColumn<double>("driver_m");
+    QTest::addColumn<double>("velocity_m_s");
+    QTest::addRow("thesis") << 0.97 << 512.8;
+    QTest::addRow("short driver") << 0.2 << 512.8;
+    QTest::addRow("weak shock") << 0.5 << 380.0;
+    QTest::addRow("strong shock") << 0.5 << 800.0;
+}
+
+void TestTube::reflectedHead_throughTheFan_againstIntegration()
+{
+    constexpr double kSteps = 1e-9; // linear interpolation within a step of 1e-5
+    QFETCH(double, driver_m);
+    QFETCH(double, velocity_m_s);
+    const TubeGeometry tube = geometry(driver_m, velocity_m_s);
+    const double a4_m_s = tube.driver->soundSpeed_m_s;
+    const double a3_m_s = a3Of(thesisStates(velocity_m_s), a4_m_s, Gas{}.gamma);
+    const TubeWaves waves = tubeWaves(thesisStates(velocity_m_s), tube);
+    const TubePoint exit = pathOf(waves, TubeLine::RarefactionTail).points.back();
+    const TubePoint integrated = integratedExit(driver_m, a4_m_s, a3_m_s, Gas{}.gamma);
+    qInfo("leaves the fan at %.6f ms, integrated %.6f ms", 1e3 * exit.time_s,
+        1e3 * integrated.time_s);
+    QVERIFY(std::abs(exit.time_s / integrated.time_s - 1.0) < kSteps);
+    QVERIFY(std::abs(exit.x_m - integrated.x_m) < kSteps * driver_m);
+}
+
+void TestTube::reflectedHead_carriesItsInvariants()
+{
+    // Inside the fan u + 2a/(g-1) is that of the gas at rest and x/t = u - a; the head itself runs
+    // at u + a: its slope between two near points lies between those of their states.
+    const double gamma = Gas{}.gamma;
+    const TubeGeometry tube = geometry(0.3);
+    const double a4_m_s = tube.driver->soundSpeed_m_s;
+    const TubeWaves waves = tubeWaves(thesisStates(), tube);
+    const auto &points = pathOf(waves, TubeLine::RarefactionHead).points;
+    const TubePoint exit = pathOf(waves, TubeLine::RarefactionTail).points.back();
+    int inside = 0;
+    for (std::size_t i = 1; i + 1 < points.size() && points[i].time_s < exit.time_s; ++i) {
+        const auto speed = [&](const TubePoint &p) {
+            const double a_m_s
+                = (2.0 * a4_m_s / (gamma - 1.0) - p.x_m / p.time_s) * (gamma - 1.0) / (gamma + 1.0);
+            return 2.0 / (gamma - 1.0) * (a4_m_s - a_m_s) + a_m_s;
+        };
+        const double slope
+            = (points[i + 1].x_m - points[i].x_m) / (points[i + 1].time_s - points[i].time_s);
+        QVERIFY(slope > speed(points[i]) - 1e-6 && slope < speed(points[i + 1]) + 1e-6);
+        ++inside;
+    }
+    QVERIFY(inside > 10);
+}
+
+void TestTube::reflectedHead_meetsTheContactAtTwiceItsExit()
+{
+    const TubeGeometry tube = geometry(0.2);
+    const double a4_m_s = tube.driver->soundSpeed_m_s;
+    const double u3_m_s = thesisStates().shocked.velocity_m_s;
+    const TubeWaves waves = tubeWaves(thesisStates(), tube);
+    const TubePoint exit = pathOf(waves, TubeLine::RarefactionTail).points.back();
+    const auto &head = pathOf(waves, TubeLine::RarefactionHead).points;
+    bool met = false;
+    for (const TubePoint &p : head)
+        met = met
+            || (std::abs(p.time_s / (2.0 * exit.time_s) - 1.0) < 1e-12
+                && std::abs(p.x_m / (u3_m_s * p.time_s) - 1.0) < 1e-12);
+    QVERIFY(met);
+    // docs/method/shock.md: 3.10 L4/a4, where the exponent (g+1)/2 would give 2.39.
+    const double inDriverTimes = 2.0 * exit.time_s * a4_m_s / 0.2;
+    const double ratio = a4_m_s / a3Of(thesisStates(), a4_m_s, Gas{}.gamma);
+    qInfo("contact surface met at %.4f L4/a4; with (g+1)/2 %.4f", inDriverTimes,
+        2.0 * std::pow(ratio, 0.5 * (Gas{}.gamma + 1.0)));
+    QVERIFY(std::abs(inDriverTimes - 3.10) < 5e-3);
+    QVERIFY(std::abs(2.0 * std::pow(ratio, 0.5 * (Gas{}.gamma + 1.0)) - 2.39) < 5e-3);
 }
 
 void TestTube::paths_meetWhereTheyMust()

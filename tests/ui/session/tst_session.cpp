@@ -97,7 +97,7 @@ private slots:
     void drag_slowPipeline_stillShowsResults();
     void drag_rest_waitsForTheHand();
     void cancel_leavesStale();
-    void affected_shock_startsAtWindow();
+    void affected_shock_startsAtExpected();
     void removeShot_movesNumbersAndIsUndoable();
     void join_movesNumbersOfFindings();
     void findingIds_leadToStages();
@@ -326,7 +326,7 @@ void TestSession::drag_rest_waitsForTheHand()
 }
 
 /// The automatic end of the window depends on the computed plateau.
-void TestSession::affected_shock_startsAtWindow()
+void TestSession::affected_shock_startsAtExpected()
 {
     const Recipe before;
     Recipe after = before;
@@ -336,7 +336,7 @@ void TestSession::affected_shock_startsAtWindow()
     after.response.reference = "unit-step";
     QCOMPARE(dyncal::firstAffectedStage(before, after).value(), StageId::Response);
     after.shock.enabled = !before.shock.enabled;
-    QCOMPARE(dyncal::firstAffectedStage(before, after).value(), StageId::Window);
+    QCOMPARE(dyncal::firstAffectedStage(before, after).value(), StageId::Expected);
 }
 
 void TestSession::cancel_leavesStale()

@@ -3,6 +3,8 @@
 
 #include "core/capture/format_registry.h"
 #include "core/capture/import_rules.h"
+#include "tests/core/capture/hdf5_test_file.h"
+#include "tests/support/measured_data.h"
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/event_loop_watchdog.h"
 #include "tests/ui/support/recording_files.h"
@@ -13,6 +15,7 @@
 #include "ui/shell/import_preview_table.h"
 #include "ui/shell/main_window.h"
 #include "ui/shell/problem_panel.h"
+#include "ui/text/level_text.h"
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -27,6 +30,7 @@
 #include <QSpinBox>
 #include <QTableWidget>
 #include <QTemporaryDir>
+#include <QTreeWidget>
 #include <QtTest>
 
 using namespace dyncal;
@@ -45,10 +49,30 @@ PipelineOutcome noComputation(const std::shared_ptr<const CaptureSet> &captures,
     return outcome;
 }
 
+/// Steps of 3, 1 and 2 (inverted) without any computation.
+PipelineOutcome fixedSteps(const std::shared_ptr<const CaptureSet> &captures, const Recipe &recipe,
+    ResultCache &cache, StageId until, const JobControl &control)
+{
+    PipelineOutcome outcome = noComputation(captures, recipe, cache, until, control);
+    auto prepared = std::make_shared<PreparedCaptures>();
+    if (const auto applied = applyImportSettings(*captures, recipe.import))
+        prepared->set = *applied;
+    outcome.results.captures = prepared;
+    auto window = std::make_shared<WindowResult>();
+    for (const double step : {3.0, 1.0, -2.0}) {
+        WindowedResponse response;
+        response.shot = std::ssize(window->responses) + 1;
+        response.step = step;
+        window->responses.push_back(response);
+    }
+    outcome.results.window = window;
+    return outcome;
+}
+
 struct Bench : test::WindowBench
 {
-    Bench()
-        : WindowBench(noComputation)
+    explicit Bench(const Session::Pipeline &pipeline = noComputation)
+        : WindowBench(pipeline)
     {
         window->show();
     }
@@ -120,6 +144,18 @@ constexpr int kComma = 1;
 constexpr int kSemicolon = 2;
 constexpr int kCommaDecimal = 2;
 constexpr int kDutRole = 0;
+constexpr int kNotRead = 0;
+constexpr int kReadAsDut = 1;
+constexpr int kReadAsDrivenSide = 2;
+constexpr int kReadAsOther = 5;
+
+std::vector<double> ramp(int count)
+{
+    std::vector<double> values;
+    for (int k = 0; k < count; ++k)
+        values.push_back(0.5 * k);
+    return values;
+}
 
 } // namespace
 
@@ -141,6 +177,9 @@ private slots:
     void noDut_askedInVain_takesTheFilesAsTheyAre();
     void noDut_answeredForOneFile_asksForTheNext();
     void channelDetails_typed_areInTheSettings();
+    void hdf5_datasets_arePickedFromTheTree();
+    void oneFilePerChannel_isAskedForAsOneRecording();
+    void tagByStepHeight_writesLevelsThatCanBeChanged();
     void rateAgainstTheFile_needsAReason();
     void noRate_asks();
     void germanTable_readsWithoutAQuestion();
@@ -202,6 +241,7 @@ void TestCaptureImport::drop_onlyBadFiles_leavesTheJobAlone()
     const Bench bench;
     bench.drop({bench.write("good.csv", oneChannel())});
     QTRY_COMPARE(bench.shots(), std::size_t(1));
+    bench.settle(); // sealing replaces the captures
     const ProjectState before = bench.window->session().state();
     bench.drop({bench.write("letter.h5", "%PDF-1.7"), bench.write("empty.csv", "")});
     QTRY_VERIFY(bench.panelShown());
@@ -375,6 +415,114 @@ void TestCaptureImport::channelDetails_typed_areInTheSettings()
     QCOMPARE(details.at("side").reference, std::string("absolute"));
     type("importGain1Value", "-3"); // no gain: the last good one stays
     QCOMPARE(dialog.settings().channelDetails.at("p").gain, std::optional<double>(10.0));
+}
+
+/// Scenario S05: two long datasets, one of three values, no rate.
+void TestCaptureImport::hdf5_datasets_arePickedFromTheTree()
+{
+    const Bench bench;
+    const QString path = bench.folder.filePath("foreign.h5");
+    {
+        const dyncal::testing::Hdf5TestFile file(path.toStdString());
+        file.doubles("/a", ramp(1000));
+        file.doubles("/b", ramp(1000));
+        file.doubles("/c", ramp(3));
+        file.group("/raw");
+        file.doubles("/raw/short", ramp(500));
+        file.text("/a", "units", "V");
+    }
+    bench.drop({path});
+    ImportDialog *dialog = bench.waitDialog();
+    QVERIFY(dialog);
+    auto *tree = dialog->findChild<QTreeWidget *>("importDatasets");
+    QVERIFY(tree && tree->isVisible());
+    const auto rowOf = [&](const char *name) {
+        const auto found = tree->findItems(name, Qt::MatchExactly | Qt::MatchRecursive);
+        return found.size() == 1 ? found.front() : nullptr;
+    };
+    QVERIFY(rowOf("a") && rowOf("b") && rowOf("c") && rowOf("short"));
+    QCOMPARE(rowOf("short")->parent(), rowOf("raw"));
+    QCOMPARE(rowOf("a")->text(2), QString("1000"));
+    QCOMPARE(rowOf("a")->text(3), QString("float64"));
+    QCOMPARE(rowOf("a")->text(4), QString("units = V"));
+    QCOMPARE(rowOf("c")->text(4), QString("Dataset /c has 3 values - not a waveform."));
+    QVERIFY(!dialog->findChild<QComboBox *>("readAs:/c"));
+    QCOMPARE(dialog->findChild<QComboBox *>("readAs:/a")->currentIndex(), kReadAsOther);
+    QCOMPARE(dialog->findChild<QComboBox *>("readAs:/raw/short")->currentIndex(), kNotRead);
+
+    const auto pick = [&](const char *dataset, int choice) {
+        choose(dialog, QString("readAs:") + dataset, choice);
+        QTRY_VERIFY(!dialog->isLooking());
+    };
+    pick("/a", kReadAsDut);
+    pick("/b", kReadAsDrivenSide);
+    auto *rate = dialog->findChild<QLineEdit *>("importRateValue");
+    QTest::keyClicks(rate, "100");
+    emit rate->editingFinished();
+    QTRY_VERIFY2(
+        !dialog->isLooking() && importButton(dialog)->isEnabled(), qPrintable(verdict(dialog)));
+    const auto roles = dialog->settings().channels;
+    QCOMPARE(roles, (std::map<std::string, std::string>{{"/a", "dut"}, {"/b", "driven_side"}}));
+
+    pick("/b", kNotRead); // and something shorter in its place
+    pick("/raw/short", kReadAsDrivenSide);
+    QCOMPARE(dialog->findChild<QComboBox *>("readAs:/b")->currentIndex(), kNotRead);
+    importButton(dialog)->click();
+    QTRY_COMPARE(bench.shots(), std::size_t(1));
+    const auto &channels = bench.window->session().state().captures->shots[0].channels;
+    QCOMPARE(channels.size(), std::size_t(2));
+    QCOMPARE(channels[0].name, std::string("/a"));
+    QCOMPARE(channels[1].name, std::string("/raw/short"));
+    QCOMPARE(channels[1].samples.size(), Index(500));
+}
+
+/// What the dialog looks at is the recording, not the one file that it was opened for.
+void TestCaptureImport::oneFilePerChannel_isAskedForAsOneRecording()
+{
+    QFile file(QString::fromStdString(
+        (dyncal::testing::dataFolder() / "rigolwfm/files/trc/lecroy_2.trc").string()));
+    if (!file.open(QIODevice::ReadOnly))
+        QSKIP("DYNCAL_DATA has no lecroy_2.trc: 0 files covered");
+    const QByteArray first = file.readAll();
+    QByteArray second = first;
+    const qsizetype source = first.indexOf("WAVEDESC") + 344; // little-endian, channel from 0
+    second[source] = static_cast<char>(first[source] + 1);
+    const Bench bench;
+    bench.drop({bench.write("C1shot.trc", first), bench.write("C2shot.trc", second)});
+    ImportDialog *dialog = bench.waitDialog();
+    QVERIFY(dialog); // two channels: which is the DUT?
+    QCOMPARE(dialog->findChild<ImportChannelTable *>("importChannels")->rowCount(), 2);
+    choose(dialog, "importRole2", kDutRole);
+    QVERIFY2(importButton(dialog)->isEnabled(), qPrintable(verdict(dialog)));
+    importButton(dialog)->click();
+    QTRY_COMPARE(bench.shots(), std::size_t(1));
+    QCOMPARE(bench.import().channels.size(), std::size_t(1));
+    QCOMPARE(bench.window->session().state().captures->inputs.size(), std::size_t(2));
+    ImportSettings apart = bench.import();
+    apart.channelFiles = "apart";
+    bench.window->files().captures().change(apart, "apart");
+    QTRY_COMPARE(bench.shots(), std::size_t(2));
+}
+
+/// Scenario S03.
+void TestCaptureImport::tagByStepHeight_writesLevelsThatCanBeChanged()
+{
+    const Bench bench(fixedSteps);
+    bench.drop({bench.write("a.csv", oneChannel()), bench.write("b.csv", oneChannel()),
+        bench.write("c.csv", oneChannel())});
+    QTRY_COMPARE(bench.shots(), std::size_t(3));
+    bench.settle();
+    bench.window->showPage(0);
+    auto *tag = bench.find<QPushButton>("tagByStepHeight");
+    QTRY_VERIFY(tag->isEnabled());
+    tag->click();
+    QCOMPARE(bench.import().levels, (std::vector<std::string>{"high", "low", "medium"}));
+    bench.settle();
+    auto *level = bench.find<QComboBox>("levelOfShot2");
+    QCOMPARE(level->currentText(), levelText(ShotLevel::Low));
+    level->setCurrentIndex(level->findText(levelText(ShotLevel::Medium)));
+    emit level->activated(level->currentIndex());
+    QCOMPARE(bench.import().levels, (std::vector<std::string>{"high", "medium", "medium"}));
 }
 
 void TestCaptureImport::rateAgainstTheFile_needsAReason()

@@ -261,6 +261,9 @@ inline PipelineOutcome samplePipeline(const std::shared_ptr<const CaptureSet> &c
     results.model = sampleModel(recipe, *input);
     results.components = sampleComponents(*window);
     results.shock = sampleShock(*window);
+    results.starts = std::make_shared<RecordStarts>();
+    results.expected = std::make_shared<ExpectedShock>(ExpectedShock{*results.shock, {}});
+    results.monteCarlo = std::make_shared<StepMonteCarloSet>();
     results.response = sampleResponseResult(*results.shock);
     return {results, std::nullopt, StageId::Captures};
 }

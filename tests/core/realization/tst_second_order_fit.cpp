@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/realization/second_order_fit.h"
+
+#include "core/realization/model_draft.h"
+#include "core/realization/sensor_model.h"
+#include "tests/support/simulated_calibration.h"
+
+#include <QTest>
+
+using namespace dyncal;
+
+namespace {
+
+constexpr double kRate_Hz = 1e6;
+constexpr double kExact = 1e-7; ///< noise-free, of the value
+
+/// Closed form for zeta >= 1 too: thesis eqs 3.15 to 3.17.
+double secondOrder(double f0_Hz, double zeta, double t_s)
+{
+    if (zeta < 1.0 || t_s <= 0.0)
+        return testing::secondOrderStep(f0_Hz, zeta, t_s);
+    const double w = 2.0 * std::numbers::pi * f0_Hz;
+    if (zeta == 1.0)
+        return 1.0 - std::exp(-w * t_s) * (1.0 + w * t_s);
+    const double root = std::sqrt(zeta * zeta - 1.0);
+    const double slow = w * (zeta - root);
+    const double fast = w * (zeta + root);
+    return 1.0 - (fast * std::exp(-slow * t_s) - slow * std::exp(-fast * t_s)) / (fast - slow);
+}
+
+/// Two shots of different height and arrival.
+ModelInput twoShots(double f0_Hz, double zeta, double noise = 0.0, std::uint64_t seed = 1)
+{
+    std::vector<ModelSeries> series;
+    for (Index shot = 1; shot <= 2; ++shot) {
+        RandomStream random(seed, shot, 2);
+        const double step = 0.4 * static_cast<double>(shot);
+        Eigen::VectorXd y = testing::simulatedNoise(random, 400, noise * step, 0.0);
+        for (Index k = 0; k < 400; ++k)
+            y[k] += step
+                * secondOrder(f0_Hz, zeta,
+                    (static_cast<double>(k) + 0.3 * static_cast<double>(shot)) / kRate_Hz);
+        series.push_back(testing::makeSeries(shot, y, kRate_Hz,
+            testing::simulatedNoise(random, 1000, std::max(1e-9, noise * step), 0.0)));
+    }
+    return testing::makeInput(ResponseTreatment::StepDeflated, kRate_Hz, std::move(series));
+}
+
+std::optional<SecondOrderModel> fitted(const ModelInput &input, double f0_Hz, double zeta)
+{
+    return fitSecondOrder(
+        input, refinementRecords(input), {f0_Hz, zeta, {0.5, 0.5}, {0.0, 0.0}}, 99.0);
+}
+
+} // namespace
+
+class TestSecondOrderFit : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void noiseFreeSteps_giveTheirSensor_data()
+    {
+        QTest::addColumn<double>("zeta");
+        for (const double zeta : {0.02, 0.3, 0.7, 0.95, 1.1, 1.5, 3.0})
+            QTest::addRow("zeta %g", zeta) << zeta;
+    }
+    void noiseFreeSteps_giveTheirSensor()
+    {
+        QFETCH(double, zeta);
+        const double f0_Hz = 50e3;
+        const auto fit = fitted(twoShots(f0_Hz, zeta), 1.02 * f0_Hz, 1.1 * zeta);
+        QVERIFY(fit.has_value());
+        QVERIFY2(std::abs(fit->f0_Hz / f0_Hz - 1.0) < kExact,
+            qPrintable(QString::number(fit->f0_Hz, 'g', 12)));
+        QVERIFY2(std::abs(fit->zeta / zeta - 1.0) < kExact,
+            qPrintable(QString::number(fit->zeta, 'g', 12)));
+        for (std::size_t r = 0; r < 2; ++r) {
+            const double shot = static_cast<double>(r + 1);
+            QCOMPARE(fit->shots[r].shot, static_cast<Index>(r) + 1);
+            QVERIFY(std::abs(fit->shots[r].plateauGain / (0.4 * shot) - 1.0) < kExact);
+            QVERIFY(std::abs(fit->shots[r].onset_s + 0.3e-6 * shot) < 1e-12);
+            QVERIFY(fit->shots[r].fit_percent > 99.999);
+        }
+        QVERIFY(fit->describes);
+    }
+
+    void criticalDamping_isReachedFromBothSides()
+    {
+        // Where the poles meet the sums of exponentials are singular; zeta is kept 1e-4 away.
+        for (const double start : {0.8, 1.3}) {
+            const auto fit = fitted(twoShots(50e3, 1.0), 48e3, start);
+            QVERIFY(fit.has_value());
+            QVERIFY2(
+                std::abs(fit->zeta - 1.0) < 5e-3, qPrintable(QString::number(fit->zeta, 'g', 8)));
+            QVERIFY(fit->fit_percent > 99.9);
+        }
+    }
+
+    void statedUncertainties_matchTheScatter()
+    {
+        // Mean squares of 100 standard normal errors: 1 with sd 0.14; five of them.
+        constexpr int kTrials = 100;
+        double squares[4] = {};
+        for (int trial = 0; trial < kTrials; ++trial) {
+            const auto fit
+                = fitted(twoShots(60e3, 0.2, 0.02, static_cast<std::uint64_t>(trial)), 60e3, 0.2);
+            QVERIFY(fit.has_value());
+            const SecondOrderShot &shot = fit->shots[0];
+            squares[0] += std::pow((fit->f0_Hz - 60e3) / fit->u_f0_Hz, 2) / kTrials;
+            squares[1] += std::pow((fit->zeta - 0.2) / fit->u_zeta, 2) / kTrials;
+            squares[2] += std::pow((shot.plateauGain - 0.4) / shot.u_plateauGain, 2) / kTrials;
+            squares[3] += std::pow((shot.onset_s + 0.3e-6) / shot.u_onset_s, 2) / kTrials;
+        }
+        qInfo("mean square of error over u: f0 %.2f, zeta %.2f, plateau %.2f, onset %.2f",
+            squares[0], squares[1], squares[2], squares[3]);
+        for (const double square : squares)
+            QVERIFY(square > 0.3 && square < 1.7);
+    }
+
+    void colouredNoise_widensTheIntervals()
+    {
+        double squares = 0.0;
+        constexpr int kTrials = 100;
+        for (std::uint64_t seed = 1; seed <= kTrials; ++seed) {
+            const ModelInput input
+                = testing::simulateCalibration({{{1.0, 30e3, 0.05}}, 30.0, 0.9}, seed);
+            const auto fit = fitSecondOrder(input, refinementRecords(input),
+                {30e3, 0.05, {0.33, 0.6, 0.9}, {0.0, 0.0, 0.0}}, 90.0);
+            QVERIFY(fit.has_value());
+            QVERIFY(fit->uncertaintyMethod.starts_with("AR("));
+            squares += std::pow((fit->f0_Hz - 30e3) / fit->u_f0_Hz, 2) / kTrials;
+        }
+        qInfo("mean square of error over u: %.2f", squares);
+        QVERIFY(squares > 0.3 && squares < 1.7);
+    }
+
+    void besideTheModel_theSensorIsTheSame()
+    {
+        const ModelInput input = testing::simulateCalibration({{{1.0, 30e3, 0.05}}, 40.0}, 5);
+        const auto hankel = decomposeHankel(input, {});
+        const auto model = realizeModel(input, *hankel, 2, {}, {});
+        QVERIFY(model && model->secondOrder);
+        QVERIFY(model->secondOrder->describes);
+        QCOMPARE(model->secondOrder->shots.size(), std::size_t(3));
+        const double u_Hz = mainPole(*model)->u_frequency_Hz;
+        QVERIFY(std::abs(model->secondOrder->f0_Hz - mainPole(*model)->frequency_Hz) < 4.0 * u_Hz);
+        // Fewer parameters: never less certain than the free model.
+        QVERIFY(model->secondOrder->u_f0_Hz < 1.05 * u_Hz);
+    }
+
+    void sensorOfTwoModes_isNotDescribed()
+    {
+        const ModelInput input
+            = testing::simulateCalibration({{{0.8, 30e3, 0.05}, {0.2, 110e3, 0.02}}, 40.0}, 5);
+        const auto hankel = decomposeHankel(input, {});
+        const auto model = realizeModel(input, *hankel, 4, {}, {});
+        QVERIFY(model && model->secondOrder);
+        QVERIFY(!model->secondOrder->describes);
+        QVERIFY(model->secondOrder->residualToNoise > 2.0);
+        QVERIFY(std::any_of(model->findings.begin(), model->findings.end(),
+            [](const Finding &finding) { return finding.id == "MOD-011"; }));
+        // The main resonance is still near.
+        QVERIFY(std::abs(model->secondOrder->f0_Hz / 30e3 - 1.0) < 0.05);
+    }
+
+    void everyOrder_reachesTheSameFit()
+    {
+        const ModelInput input = testing::simulateCalibration({{{1.0, 30e3, 0.05}}, 40.0}, 5);
+        const auto hankel = decomposeHankel(input, {});
+        const double f0_Hz = realizeModel(input, *hankel, 2, {}, {})->secondOrder->f0_Hz;
+        for (const Index order : {Index(3), Index(6), Index(20)}) {
+            const auto model = realizeModel(input, *hankel, order, {}, {});
+            if (model->secondOrder)
+                QVERIFY(std::abs(model->secondOrder->f0_Hz / f0_Hz - 1.0) < 1e-5);
+        }
+    }
+
+    void otherTreatments_haveNone()
+    {
+        for (const ResponseTreatment treatment :
+            {ResponseTreatment::StepAsImpulse, ResponseTreatment::Impulse}) {
+            ModelInput input = testing::simulateCalibration({{{1.0, 30e3, 0.05}}, 40.0}, 5);
+            input.treatment = treatment;
+            input.series.resize(1);
+            const auto hankel = decomposeHankel(input, {});
+            const auto model = realizeModel(input, *hankel, 3, {}, {});
+            QVERIFY(model && !model->secondOrder);
+        }
+    }
+
+    void nonsense_isRefusedOrFinite()
+    {
+        const ModelInput input = twoShots(50e3, 0.3, 0.01);
+        QVERIFY(!fitted(input, 0.0, 0.3));
+        QVERIFY(!fitted(input, 50e3, 0.0));
+        QVERIFY(!fitted(input, 50e3, -0.3));
+        QVERIFY(!fitted(input, std::nan(""), 0.3));
+        ModelInput flat = input;
+        for (ModelSeries &series : flat.series) {
+            series.y.setZero();
+            series.fullRate.setZero();
+        }
+        const auto fit = fitted(flat, 50e3, 0.3);
+        if (fit)
+            QVERIFY(std::isfinite(fit->f0_Hz) && std::isfinite(fit->zeta));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestSecondOrderFit)
+#include "tst_second_order_fit.moc"

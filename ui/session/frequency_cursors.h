@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <QObject>
+
+#include <array>
+#include <optional>
+
+namespace dyncal {
+
+/// Where the two cursors of the frequency views stand: spectrum, stabilisation strip and responses
+/// share them.
+class FrequencyCursors : public QObject
+{
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+    const std::array<std::optional<double>, 2> &positions_Hz() const { return m_positions_Hz; }
+    void place(int which, double frequency_Hz)
+    {
+        m_positions_Hz[static_cast<std::size_t>(which)] = frequency_Hz;
+        emit moved();
+    }
+    void clear()
+    {
+        m_positions_Hz = {};
+        emit moved();
+    }
+
+signals:
+    void moved();
+
+private:
+    std::array<std::optional<double>, 2> m_positions_Hz;
+};
+
+} // namespace dyncal

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/pipeline/order_comparison.h"
+#include "ui/session/job_runner.h"
+
+#include <map>
+#include <set>
+#include <string>
+
+namespace dyncal {
+
+class Session;
+
+/// The models of the orders that the recipe has pinned for comparison, computed in the background
+/// from the session's decomposition. They do not depend on the order chosen: a drag computes
+/// nothing here.
+class OrderCandidates : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit OrderCandidates(Session &session);
+
+    /// Null while it is computed, or cannot be.
+    const ComparedOrder *find(Index order) const;
+    bool isComputing() const { return m_jobs.isRunning(); }
+    /// Whether the operator wants it drawn over the chosen model; not part of the recipe.
+    bool isDrawn(Index order) const { return !m_hidden.contains(order); }
+    void setDrawn(Index order, bool drawn);
+    /// Why the last comparison failed as a whole, if it did.
+    const std::optional<Error> &error() const { return m_error; }
+
+signals:
+    void changed();
+
+private:
+    void update();
+    std::vector<Index> missing() const;
+    void take(const std::string &basis, Result<std::vector<ComparedOrder>> compared);
+
+    Session &m_session;
+    std::string m_basis; ///< hash of what the models were computed from
+    std::map<Index, ComparedOrder> m_models;
+    std::set<Index> m_hidden;
+    std::optional<Error> m_error;
+    JobRunner m_jobs;
+};
+
+} // namespace dyncal
