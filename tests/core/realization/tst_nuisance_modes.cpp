@@ -114,7 +114,7 @@ private slots:
         const double c0 = 1.0;
         const std::vector<std::pair<Complex, Complex>> modes{
             {rateFrom(6.8e3, 0.01), std::polar(0.04, 0.7)},
-            {rateFrom(9.1e3, 0.03), std::polar(0.03, -2.0)}};
+            {rateFrom(9.1e3, 0.03), std::polar(0.03, 0.4)}};
         Eigen::VectorXcd recorded = truth;
         std::vector<NuisanceTerm> terms;
         for (Index i = 0; i < 3; ++i) {
