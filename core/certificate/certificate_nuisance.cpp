@@ -80,4 +80,27 @@ void addNuisance(const SensorModel &model, CertificateSection &section)
         section.tables.push_back(effectTable(*model.nuisanceEffect));
 }
 
+void addLeftOut(const ModelInput &input, CertificateSection &section)
+{
+    if (input.leftOut.empty())
+        return;
+    CertificateTable table;
+    table.id = "left-out";
+    table.caption = {DYNCAL_TEXT("core", "Stretches of the records that were not fitted"), {}};
+    table.columns
+        = {{{DYNCAL_TEXT("core", "Shot"), {}}, true}, {{DYNCAL_TEXT("core", "From"), {}}, true},
+            {{DYNCAL_TEXT("core", "To"), {}}, true}, {{DYNCAL_TEXT("core", "Reason"), {}}, false}};
+    for (const ExcludedStretch &stretch : input.leftOut)
+        table.rows.push_back({verbatim(std::to_string(stretch.shot)),
+            verbatim(roundedText(stretch.from_s, kUnknown, "s")),
+            verbatim(roundedText(stretch.to_s, kUnknown, "s")), verbatim(stretch.reason)});
+    section.tables.push_back(std::move(table));
+    section.notes.push_back(
+        {DYNCAL_TEXT("core",
+             "Times behind the start of the response. These stretches take no part in the model, "
+             "the fit and its uncertainties; in the response without a model they are filled by "
+             "the model."),
+            {}});
+}
+
 } // namespace dyncal

@@ -280,6 +280,8 @@ CertificateSection modelSection(const CertificateSources &sources)
                 {}});
     section.tables.push_back(poleTable(model));
     addNuisance(model, section);
+    if (sources.input)
+        addLeftOut(*sources.input, section);
     return section;
 }
 

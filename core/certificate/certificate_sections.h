@@ -27,6 +27,8 @@ CertificateSection figuresSection(const CertificateSources &sources);
 /// Tables of the modes that were left out of the model, and of what that changed; nothing without
 /// any.
 void addNuisance(const SensorModel &model, CertificateSection &section);
+/// Table of the stretches that were left out of the fit; nothing without any.
+void addLeftOut(const ModelInput &input, CertificateSection &section);
 
 /// Coverage factor of every expanded uncertainty on the certificate.
 inline constexpr double kCoverageFactor = 2.0;

@@ -6,6 +6,7 @@
 #include "core/realization/exponential_sum.h"
 #include "core/realization/nuisance_modes.h"
 
+#include <algorithm>
 #include <numbers>
 
 namespace dyncal {
@@ -34,6 +35,14 @@ void takeOff(const NuisanceTerm &term, double rate_Hz, Eigen::VectorXd &values)
         const Index count = std::min(kBlock, values.size() - begin);
         values.segment(begin, count) -= sampler.block(begin / kBlock).head(count);
     }
+}
+
+/// What the model has where nothing is to be believed.
+void bridgeOver(
+    const SampleRange &range, const SeriesFit &fit, double rate_Hz, Eigen::VectorXd &values)
+{
+    for (Index i = range.begin; i < std::min(range.end, values.size()); ++i)
+        values[i] = fit.recorded.value(static_cast<double>(i) / rate_Hz);
 }
 
 /// jw/(jw - s) of Re(amplitude e^(s t)).
@@ -65,6 +74,8 @@ SensorRecord sensorRecord(
     const std::vector<NuisanceTerm> terms = termsOfShot(model, response.shot);
     for (const NuisanceTerm &term : terms)
         takeOff(term, response.sampleRate_Hz, record.values);
+    for (const SampleRange &range : fit->leftOut)
+        bridgeOver(range, *fit, response.sampleRate_Hz, record.values);
     Eigen::ArrayXcd rates(fit->amplitudes.size());
     for (Index i = 0; i < rates.size(); ++i)
         rates[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;

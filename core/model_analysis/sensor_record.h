@@ -14,7 +14,8 @@
 namespace dyncal {
 
 /// One shot's window as the sensor alone would have recorded it: the terms of nuisance modes as the
-/// model found them taken off (docs/method/nuisance-modes.md).
+/// model found them taken off, stretches left out filled by the model
+/// (docs/method/nuisance-modes.md).
 struct SensorRecord
 {
     /// A mode that the step set off: its part of the record, and of the pressure relative to the

@@ -3,6 +3,7 @@
 
 #include "core/pipeline/nuisance_stage.h"
 
+#include "core/realization/left_out.h"
 #include "core/realization/nuisance_modes.h"
 
 namespace dyncal {
@@ -35,9 +36,12 @@ Result<ModelInput> separatedInput(
     const std::vector<WindowedResponse> &responses = results.window->responses;
     auto input = prepareModelInput(
         responses, sensorSpectrum(results, recipe), *results.components, recipe.input, control);
-    if (input)
-        separateNuisance(
-            *input, responses, recipe.realization.nuisanceModes, soundSpeeds_m_s(results), control);
+    if (!input)
+        return input;
+    if (auto marked = leaveOut(*input, responses, recipe.window.excludeStretches); !marked)
+        return tl::unexpected(marked.error());
+    separateNuisance(
+        *input, responses, recipe.realization.nuisanceModes, soundSpeeds_m_s(results), control);
     return input;
 }
 

@@ -128,6 +128,11 @@ void addModelInput(JsonRecord &root, const ResultsContext &context)
     section.number("samples_per_period", input->samplesPerPeriod, "No resonance is known.");
     section.number("lost_response_percent", input->lostResponse_percent,
         "The energy of the ringing before the input could not be told from the noise.");
+    Json stretches = Json::array();
+    for (const ExcludedStretch &stretch : input->leftOut)
+        stretches.push_back({{"shot", stretch.shot}, {"from_s", stretch.from_s},
+            {"to_s", stretch.to_s}, {"reason", stretch.reason}});
+    section.set("excluded_stretches", std::move(stretches));
     root.set("input", section.take());
 }
 

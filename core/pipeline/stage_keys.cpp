@@ -74,6 +74,7 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
         break;
     case StageId::Window:
         part.window = recipe.window;
+        part.window.excludeStretches.clear(); // only the fit leaves them out
         part.remap = recipe.remap;
         part.input.treatment = recipe.input.treatment;
         break;
@@ -85,6 +86,7 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
         break;
     case StageId::ModelInput:
         part.input = recipe.input;
+        part.window.excludeStretches = recipe.window.excludeStretches;
         part.realization.nuisanceModes = recipe.realization.nuisanceModes;
         break;
     case StageId::Decomposition:

@@ -8,6 +8,7 @@ namespace dyncal {
 namespace {
 
 constexpr Index kMostSamples = 1000000000;
+constexpr Index kMostShots = 100000;
 
 std::vector<std::string> substanceNames()
 {
@@ -99,6 +100,17 @@ Codec<CounterReading> counterReading()
         field("time_s", &C::time_s, positiveNumber(), true),
         field("u_distance_m", &C::u_distance_m, nonNegativeNumber()),
         field("u_time_s", &C::u_time_s, nonNegativeNumber()),
+    });
+}
+
+Codec<ExcludedStretch> excludedStretch()
+{
+    using S = ExcludedStretch;
+    return object<S>({
+        field("shot", &S::shot, whole(1, kMostShots), true),
+        field("from_s", &S::from_s, anyNumber(), true),
+        field("to_s", &S::to_s, positiveNumber(), true),
+        field("reason", &S::reason, nonEmptyText(), true),
     });
 }
 
@@ -234,6 +246,7 @@ Codec<WindowSettings> windowCodec()
         baseline(),
         windowEnd(),
         field("settle_s", &S::settle_s, orAuto(interval())),
+        field("exclude_stretches", &S::excludeStretches, list(excludedStretch())),
     });
 }
 

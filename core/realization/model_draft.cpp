@@ -3,6 +3,8 @@
 
 #include "core/realization/model_draft.h"
 
+#include "core/realization/left_out.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -98,7 +100,8 @@ std::vector<RefinementRecord> refinementRecords(const ModelInput &input)
         constexpr double kNoiseFree = 1e-9; // of the record's range: keeps weights finite
         const double range = series.fullRate.maxCoeff() - series.fullRate.minCoeff();
         const double noise = std::max(series.fullRateNoiseSd, kNoiseFree * range);
-        records.push_back({series.fullRate, series.fullRate_Hz, 1.0 / noise, series.nuisance});
+        records.push_back({series.fullRate, series.fullRate_Hz, 1.0 / noise, series.nuisance,
+            usedSamples(series)});
     }
     return records;
 }

@@ -106,6 +106,17 @@ void nameLevels(const std::vector<WindowedResponse> &responses, std::vector<Mode
     }
 }
 
+/// Of the mean of a noise record: its spectral density at frequency 0 over its length.
+double uncertaintyOfMean(const NoiseCovariance &noise)
+{
+    if (noise.count == 0)
+        return 0.0;
+    const AutoregressiveModel model
+        = chooseAutoregressiveModels({noise}, kLargestNoiseModelOrder).front();
+    return std::sqrt(model.innovationVariance / static_cast<double>(noise.count))
+        / std::abs(1.0 + model.coefficients.sum());
+}
+
 struct Cut
 {
     double offset_s = 0.0;
@@ -122,10 +133,8 @@ ModelSeries makeSeries(
     series.first_s = static_cast<double>(first - source.lead) / source.rate_Hz;
     series.noise = filteredNoise(source, filter);
     series.fullRateNoiseSd = standardDeviation(source.noise);
-    if (source.noise.size() > 0)
-        series.u_baseline
-            = series.fullRateNoiseSd / std::sqrt(static_cast<double>(source.noise.size()));
     series.fullRateNoise = noiseCovariance(source.noise, kLargestNoiseModelOrder);
+    series.u_baseline = uncertaintyOfMean(series.fullRateNoise);
     series.noiseSd = series.noise.size() ? standardDeviation(series.noise)
                                          : series.fullRateNoiseSd * filter.taps.norm();
     const Index last = first

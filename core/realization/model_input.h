@@ -14,6 +14,7 @@
 #include "core/signal/resampler.h"
 #include "core/signal/response_window.h"
 #include "core/signal/signal_settings.h"
+#include "core/signal/window_bands.h"
 
 #include <Eigen/Core>
 
@@ -21,6 +22,13 @@
 #include <vector>
 
 namespace dyncal {
+
+/// Samples of a record from the start on that take no part, with what was recorded there.
+struct LeftOut
+{
+    SampleRange samples;
+    Eigen::VectorXd recorded;
+};
 
 /// One series that goes into the Hankel matrix: one shot, or the average of the reconstructions.
 struct ModelSeries
@@ -43,6 +51,7 @@ struct ModelSeries
     /// Modes that are not the sensor's, as separateNuisance() found them; fullRate is then long
     /// enough to tell them from the plateau.
     std::vector<NuisanceTerm> nuisance = {};
+    std::vector<LeftOut> leftOut = {}; ///< in order and apart
     Eigen::VectorXd correction = {}; ///< added to y it leaves the sensor alone; empty = none
 };
 
@@ -57,9 +66,10 @@ struct ModelInput
     std::optional<double> samplesPerPeriod; ///< of the main resonance
     std::optional<double> lostResponse_percent; ///< energy of the ringing before the input starts
     std::vector<NuisanceMode> nuisanceModes; ///< what NuisanceTerm::mode counts in
+    std::vector<ExcludedStretch> leftOut; ///< what was left out of the series
     std::vector<std::optional<double>> soundSpeeds_m_s; ///< of region 5, per shot of the set: what
                                                         ///< their frequencies were scaled by
-    Findings findings; ///< MIN-001..006, CAP-004, NUI-001..004
+    Findings findings; ///< MIN-001..006, CAP-004, WIN-007..009, NUI-001..004
 };
 
 /// Resamples to the model rate, cuts the model input and says what was lost (thesis 3.7 4d-5).

@@ -90,6 +90,12 @@ bool hasCorrection(const ModelInput &input)
         [](const ModelSeries &series) { return series.correction.size() > 0; });
 }
 
+bool hasNuisance(const ModelInput &input)
+{
+    return std::any_of(input.series.begin(), input.series.end(),
+        [](const ModelSeries &series) { return !series.nuisance.empty(); });
+}
+
 ModelInput sensorOnly(const ModelInput &input)
 {
     ModelInput rest = input;

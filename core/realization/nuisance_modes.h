@@ -34,7 +34,8 @@ SpectrumResult withoutNuisancePeaks(const SpectrumResult &spectrum,
 /// Finds the modes in every series and fits them together with the sensor on the records
 /// themselves, over six periods of the slowest mode or the model input, whichever is longer, at
 /// most the window. Fills nuisance and correction of the series and lengthens their fullRate. The
-/// number of sensor states is that of the smallest BIC of the response without the modes. Findings:
+/// number of sensor states is that of the smallest BIC of the response without the modes. Stretches
+/// that are left out take no part and are bridged by what was fitted. Findings:
 /// NUI-001 (fewer than two periods in the window), NUI-002 (too near a resonance of the sensor, or
 /// not representable), NUI-003 (not there in a shot), NUI-004 (averaged shots have no modes of
 /// their own); such modes stay in. Only for step treatments and free decays of stacked shots.
@@ -42,8 +43,11 @@ void separateNuisance(ModelInput &input, const std::vector<WindowedResponse> &re
     const std::vector<NuisanceMode> &modes,
     const std::vector<std::optional<double>> &soundSpeeds_m_s, const JobControl &control = {});
 
-/// Whether anything was taken out of the series.
+/// Whether anything was taken out of the series, or bridged.
 bool hasCorrection(const ModelInput &input);
+
+/// Whether any mode was found in any series.
+bool hasNuisance(const ModelInput &input);
 
 /// The input with the correction applied: what the Hankel decomposition and the order see.
 ModelInput sensorOnly(const ModelInput &input);

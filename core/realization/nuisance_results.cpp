@@ -3,6 +3,7 @@
 
 #include "core/realization/nuisance_results.h"
 
+#include "core/realization/left_out.h"
 #include "core/realization/nuisance_modes.h"
 #include "core/realization/series_fit.h"
 
@@ -45,13 +46,14 @@ NuisanceOfShot ofShot(
     return result;
 }
 
-double residualRms(const std::vector<SeriesFit> &fits)
+double residualRms(const ModelInput &input, const std::vector<SeriesFit> &fits)
 {
     double squares = 0.0;
     double count = 0.0;
-    for (const SeriesFit &fit : fits) {
-        squares += fit.error.squaredNorm();
-        count += static_cast<double>(fit.error.size());
+    for (std::size_t r = 0; r < fits.size(); ++r) {
+        const Eigen::VectorXd counted = countedValues(input.series[r], fits[r].error);
+        squares += counted.squaredNorm();
+        count += static_cast<double>(counted.size());
     }
     return std::sqrt(squares / count);
 }
@@ -91,10 +93,10 @@ ModelInput withModesLeftIn(const ModelInput &input)
     return plain;
 }
 
-NuisanceEffect::Side effectSide(const SensorModel &model)
+NuisanceEffect::Side effectSide(const ModelInput &input, const SensorModel &model)
 {
     NuisanceEffect::Side side;
-    side.residualRms = residualRms(model.series);
+    side.residualRms = residualRms(input, model.series);
     side.fit_percent = model.fit_percent;
     side.plateauGain = model.plateauGain;
     if (const Pole *pole = mainPole(model)) {

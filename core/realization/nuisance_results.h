@@ -19,6 +19,6 @@ std::vector<NuisanceResult> nuisanceResults(
 ModelInput withModesLeftIn(const ModelInput &input);
 
 /// What is compared of a model.
-NuisanceEffect::Side effectSide(const SensorModel &model);
+NuisanceEffect::Side effectSide(const ModelInput &input, const SensorModel &model);
 
 } // namespace dyncal

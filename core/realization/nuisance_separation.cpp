@@ -6,6 +6,7 @@
 #include "core/base/number_text.h"
 #include "core/base/svd.h"
 #include "core/realization/hankel_decomposition.h"
+#include "core/realization/left_out.h"
 #include "core/realization/model_draft.h"
 #include "core/realization/realized_poles.h"
 
@@ -88,12 +89,21 @@ std::vector<Candidate> candidatesOf(const ModelInput &input, const WindowedRespo
     return list;
 }
 
-/// The record behind `begin`, averaged in blocks: enough for the modes, without the sensor's.
+/// The record behind a time, averaged in blocks: enough for the modes, without the sensor's.
 struct Tail
 {
     Eigen::VectorXd y;
+    std::vector<SampleRange> used; ///< blocks without anything left out
     double begin_s = 0.0; ///< middle of the first block
     double step_s = 0.0;
+
+    Index count() const
+    {
+        Index sum = 0;
+        for (const SampleRange &range : used)
+            sum += range.size();
+        return sum;
+    }
 };
 
 Tail tailOf(const ModelSeries &series, double begin_s, double fastest_Hz)
@@ -102,9 +112,17 @@ Tail tailOf(const ModelSeries &series, double begin_s, double fastest_Hz)
     const Index block
         = std::max<Index>(1, static_cast<Index>(series.fullRate_Hz / (kPerPeriod * fastest_Hz)));
     const Index count = (series.fullRate.size() - begin) / block;
-    Tail tail{Eigen::VectorXd(count), 0.0, static_cast<double>(block) / series.fullRate_Hz};
-    for (Index k = 0; k < count; ++k)
-        tail.y[k] = series.fullRate.segment(begin + k * block, block).mean();
+    Tail tail{Eigen::VectorXd(count), {}, 0.0, static_cast<double>(block) / series.fullRate_Hz};
+    for (Index k = 0; k < count; ++k) {
+        const SampleRange samples{begin + k * block, begin + (k + 1) * block};
+        tail.y[k] = series.fullRate.segment(samples.begin, block).mean();
+        const bool isWhole = std::none_of(series.leftOut.begin(), series.leftOut.end(),
+            [&](const LeftOut &part) { return part.samples.overlaps(samples); });
+        if (isWhole && !tail.used.empty() && tail.used.back().end == k)
+            ++tail.used.back().end;
+        else if (isWhole)
+            tail.used.push_back({k, k + 1});
+    }
     tail.begin_s
         = (static_cast<double>(begin) + 0.5 * static_cast<double>(block - 1)) / series.fullRate_Hz;
     return tail;
@@ -113,20 +131,27 @@ Tail tailOf(const ModelSeries &series, double begin_s, double fastest_Hz)
 /// Constant and modes of these rates by least squares; returns the squares left.
 double fitTail(const Tail &tail, std::vector<NuisanceTerm> &terms)
 {
-    Eigen::MatrixXd basis(tail.y.size(), 1 + 2 * std::ssize(terms));
-    for (Index k = 0; k < tail.y.size(); ++k) {
-        const double t_s = tail.begin_s + static_cast<double>(k) * tail.step_s;
-        basis(k, 0) = 1.0;
-        for (std::size_t i = 0; i < terms.size(); ++i) {
-            const std::complex<double> power = std::exp(terms[i].rate_rad_s * t_s);
-            basis(k, 1 + 2 * static_cast<Index>(i)) = power.real();
-            basis(k, 2 + 2 * static_cast<Index>(i)) = -power.imag();
+    const Index modes = std::ssize(terms);
+    Eigen::MatrixXd basis(tail.count(), 1 + 2 * modes);
+    Eigen::VectorXd y(tail.count());
+    Index row = 0;
+    for (const SampleRange &range : tail.used) {
+        for (Index k = range.begin; k < range.end; ++k, ++row) {
+            const double t_s = tail.begin_s + static_cast<double>(k) * tail.step_s;
+            y[row] = tail.y[k];
+            basis(row, 0) = 1.0;
+            for (Index i = 0; i < modes; ++i) {
+                const std::complex<double> power
+                    = std::exp(terms[static_cast<std::size_t>(i)].rate_rad_s * t_s);
+                basis(row, 1 + 2 * i) = power.real();
+                basis(row, 2 + 2 * i) = -power.imag();
+            }
         }
     }
-    const Eigen::VectorXd x = leastSquares(basis, tail.y);
-    for (std::size_t i = 0; i < terms.size(); ++i)
-        terms[i].amplitude = {x[1 + 2 * static_cast<Index>(i)], x[2 + 2 * static_cast<Index>(i)]};
-    return (tail.y - basis * x).squaredNorm();
+    const Eigen::VectorXd x = leastSquares(basis, y);
+    for (Index i = 0; i < modes; ++i)
+        terms[static_cast<std::size_t>(i)].amplitude = {x[1 + 2 * i], x[2 + 2 * i]};
+    return (y - basis * x).squaredNorm();
 }
 
 std::complex<double> rateFrom(double frequency_Hz, double zeta)
@@ -157,7 +182,7 @@ bool addBestTerm(const Tail &tail, const Candidate &candidate, bool startsWithSt
             }
         }
     }
-    const double freedom = static_cast<double>(tail.y.size() - 5 - 2 * std::ssize(terms));
+    const double freedom = static_cast<double>(tail.count() - 5 - 2 * std::ssize(terms));
     if (best.empty() || !(freedom > 0.0) || !((before - least) * freedom > kPresent * least))
         return false;
     terms = std::move(best);
@@ -167,7 +192,8 @@ bool addBestTerm(const Tail &tail, const Candidate &candidate, bool startsWithSt
 /// Rates as well, from where the search left them; amplitudes at time 0.
 void polish(const Tail &tail, bool withConstant, std::vector<NuisanceTerm> &terms)
 {
-    const auto fit = refinePoles({{tail.y, 1.0 / tail.step_s, 1.0, terms}}, {}, withConstant);
+    const auto fit
+        = refinePoles({{tail.y, 1.0 / tail.step_s, 1.0, terms, tail.used}}, {}, withConstant);
     if (!fit)
         return;
     terms = fit->nuisance.front();
@@ -185,14 +211,13 @@ Finding notThere(const NuisanceMode &mode, Index shot, double frequency_Hz)
         frequency_Hz, {});
 }
 
-/// Takes the terms out of the series at the model rate.
+/// Takes the terms out of the series at the model rate; `series.correction` holds what else is
+/// corrected.
 void setTerms(const ModelInput &input, ModelSeries &series, std::vector<NuisanceTerm> terms)
 {
     series.nuisance = std::move(terms);
-    series.correction = {};
-    if (series.nuisance.empty())
-        return;
-    series.correction = Eigen::VectorXd::Zero(series.y.size());
+    if (series.correction.size() == 0)
+        series.correction = Eigen::VectorXd::Zero(series.y.size());
     for (const NuisanceTerm &term : series.nuisance) {
         const std::complex<double> s = term.rate_rad_s;
         const std::complex<double> first
@@ -248,12 +273,12 @@ std::vector<std::complex<double>> sensorRates(
     return rates;
 }
 
-/// Sensor and modes together, with the suggested order of the response without the modes. What a
-/// first estimate of a mode has left of it may be taken for a state of the sensor; then the next
-/// lower order that converges serves, as the modes are better known behind it.
-std::optional<Refinement> jointFit(const ModelInput &input, const JobControl &control)
+/// Sensor and modes together, with the suggested order of `rest`, the response without the modes.
+/// What a first estimate of a mode has left of it may be taken for a state of the sensor; then the
+/// next lower order that converges serves, as the modes are better known behind it.
+std::optional<Refinement> jointFit(
+    const ModelInput &input, const ModelInput &rest, const JobControl &control)
 {
-    const ModelInput rest = sensorOnly(input);
     const auto hankel = decomposeHankel(rest, {}, control);
     if (!hankel)
         return std::nullopt;
@@ -269,32 +294,46 @@ std::optional<Refinement> jointFit(const ModelInput &input, const JobControl &co
     return std::nullopt;
 }
 
-/// The modes as the joint fit has them; the largest relative change of a frequency.
-double takeTerms(ModelInput &input, const Refinement &fit)
+/// The better of the fits that begin with the bridged response and with a run of it that needs no
+/// bridge: a straight line across a ringing is a poor one.
+std::optional<Refinement> bestFit(const ModelInput &input, const JobControl &control)
+{
+    const ModelInput rest = sensorOnly(input);
+    std::optional<Refinement> best = jointFit(input, rest, control);
+    if (input.leftOut.empty())
+        return best;
+    const ModelInput run = cleanRun(rest);
+    if (run.series.empty())
+        return best;
+    std::optional<Refinement> other = jointFit(input, run, control);
+    if (!best || (other && other->residualToNoise < best->residualToNoise))
+        return other;
+    return best;
+}
+
+/// The series as the joint fit has them; the largest relative change of a mode's frequency.
+double takeFit(ModelInput &input, const Refinement &fit)
 {
     double change = 0.0;
     for (std::size_t r = 0; r < input.series.size(); ++r) {
         ModelSeries &series = input.series[r];
-        for (std::size_t i = 0; i < series.nuisance.size(); ++i) {
-            const double before_Hz = series.nuisance[i].frequency_Hz();
-            change
-                = std::max(change, std::abs(fit.nuisance[r][i].frequency_Hz() / before_Hz - 1.0));
+        const std::vector<NuisanceTerm> before = series.nuisance;
+        series.nuisance = fit.nuisance[r];
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            change = std::max(change,
+                std::abs(series.nuisance[i].frequency_Hz() / before[i].frequency_Hz() - 1.0));
         }
-        setTerms(input, series, fit.nuisance[r]);
+        series.correction
+            = series.leftOut.empty() ? Eigen::VectorXd() : bridge(series, fit.records[r]);
+        if (!series.nuisance.empty())
+            setTerms(input, series, series.nuisance);
     }
     return change;
 }
 
-} // namespace
-
-void separateNuisance(ModelInput &input, const std::vector<WindowedResponse> &responses,
-    const std::vector<NuisanceMode> &modes,
-    const std::vector<std::optional<double>> &soundSpeeds_m_s, const JobControl &control)
+/// The modes of every series, as far as they can be found in its tail.
+void searchAll(ModelInput &input, const std::vector<WindowedResponse> &responses)
 {
-    input.nuisanceModes = modes;
-    input.soundSpeeds_m_s = soundSpeeds_m_s;
-    if (modes.empty())
-        return;
     if (input.combine == CombineMethod::PcaAverage) {
         input.findings.push_back(about("NUI-004", Severity::Caution, 0,
             {DYNCAL_TEXT("core",
@@ -309,13 +348,32 @@ void separateNuisance(ModelInput &input, const std::vector<WindowedResponse> &re
         if (!response)
             continue;
         const std::vector<Candidate> candidates = candidatesOf(input, *response,
-            expectedFrequencies_Hz(modes, series.shot, soundSpeeds_m_s), input.findings);
+            expectedFrequencies_Hz(input.nuisanceModes, series.shot, input.soundSpeeds_m_s),
+            input.findings);
         if (!candidates.empty())
             searchModes(input, series, *response, candidates);
     }
-    for (int round = 0; round < kRounds && hasCorrection(input); ++round) {
-        const auto fit = jointFit(input, control);
-        if (!fit || takeTerms(input, *fit) < kSettled)
+}
+
+} // namespace
+
+void separateNuisance(ModelInput &input, const std::vector<WindowedResponse> &responses,
+    const std::vector<NuisanceMode> &modes,
+    const std::vector<std::optional<double>> &soundSpeeds_m_s, const JobControl &control)
+{
+    input.nuisanceModes = modes;
+    input.soundSpeeds_m_s = soundSpeeds_m_s;
+    if (!modes.empty())
+        searchAll(input, responses);
+    if (!hasNuisance(input) && input.leftOut.empty())
+        return;
+    for (int round = 0; round < kRounds; ++round) {
+        const auto fit = bestFit(input, control);
+        if (!fit)
+            break;
+        const double change = takeFit(input, *fit);
+        // A bridge is only as good as the fit before: one round more than for modes alone.
+        if (change < kSettled && (input.leftOut.empty() || round > 0))
             break;
     }
 }

@@ -4,6 +4,7 @@
 #include "core/realization/sensor_model.h"
 
 #include "core/realization/homogeneity.h"
+#include "core/realization/left_out.h"
 #include "core/realization/model_draft.h"
 #include "core/realization/model_findings.h"
 #include "core/realization/nuisance_modes.h"
@@ -34,9 +35,10 @@ void poolFits(const ModelInput &input, SensorModel &model)
     for (std::size_t r = 0; r < model.series.size(); ++r) {
         const SeriesFit &fit = model.series[r];
         const ModelSeries &series = input.series[r];
-        error += fit.error.squaredNorm();
-        noise += series.noiseSd * series.noiseSd * static_cast<double>(series.y.size());
-        spread += spreadSquares(series.y);
+        const Eigen::VectorXd counted = countedValues(series, series.y);
+        error += countedValues(series, fit.error).squaredNorm();
+        noise += series.noiseSd * series.noiseSd * static_cast<double>(counted.size());
+        spread += spreadSquares(counted);
         noiseKnown = noiseKnown && std::isfinite(fit.fitAttainable_percent);
         // Each shot's own plateau is its unit: shots of different height share their shape.
         const double unit = isStep ? fit.plateauGain : 1.0;
@@ -155,7 +157,7 @@ std::optional<NuisanceEffect> effectOfNuisance(const ModelInput &input,
         return std::nullopt;
     SensorModel before;
     describe(plain, draft, std::nullopt, before);
-    return NuisanceEffect{effectSide(before), effectSide(model)};
+    return NuisanceEffect{effectSide(input, before), effectSide(input, model)};
 }
 
 /// ZOH-equivalent G(z) = c0 + sum c_i (z - 1)/(z - p_i); of a free decay F(z) = sum c_i/(z - p_i).
@@ -252,7 +254,7 @@ Result<SensorModel> realizeModel(const ModelInput &input, const HankelDecomposit
     flagPoles(model);
     model.diverges = runsAway(model, input);
     model.nuisance = nuisanceResults(input, draft, model.series);
-    if (model.refined && hasCorrection(input))
+    if (model.refined && hasNuisance(input))
         model.nuisanceEffect = effectOfNuisance(input, realised, model, control);
     if (settings.refine)
         fitSecondOrderBeside(input, draft, model, control);

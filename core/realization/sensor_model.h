@@ -6,6 +6,7 @@
 #include "core/base/finding.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/realization/exponential_sum.h"
 #include "core/realization/hankel_decomposition.h"
 #include "core/realization/model_input.h"
 #include "core/realization/second_order_model.h"
@@ -50,6 +51,8 @@ struct SeriesFit
     double u_plateauGain = kUnknown;
     Eigen::VectorXcd amplitudes; ///< c_i at the onset, the anti-alias filter's gain divided out,
                                  ///< as the step alone would give them
+    ExponentialSum recorded; ///< as fitted, without the nuisance modes; time 0 = detected start
+    std::vector<SampleRange> leftOut; ///< of the record from the start on: not fitted
     double onset_s = 0.0; ///< relative to the detected start
     double u_onset_s = kUnknown;
     Eigen::VectorXd simulated; ///< at the samples of the series, through the filter as measured,

@@ -3,6 +3,7 @@
 
 #include "core/realization/series_fit.h"
 
+#include "core/realization/left_out.h"
 #include "core/realization/nuisance_modes.h"
 #include "core/realization/onset.h"
 
@@ -130,6 +131,9 @@ SeriesFit describeSeries(const ModelInput &input, const ModelDraft &draft, std::
     SeriesFit fit;
     fit.shot = series.shot;
     fit.plateauGain = sum.constant;
+    fit.recorded = sum;
+    for (const LeftOut &part : series.leftOut)
+        fit.leftOut.push_back(part.samples);
     if (draft.refinement && draft.refinement->withConstant) {
         const Eigen::MatrixXd covariance
             = recordCovariance(*draft.refinement, static_cast<Index>(r));
@@ -150,11 +154,13 @@ SeriesFit describeSeries(const ModelInput &input, const ModelDraft &draft, std::
         ? Eigen::VectorXd(impulseResponse(stateSpace, series.y.size() + 1).tail(series.y.size()))
         : simulate(series, sum, draft.nuisance[r], sampleInterval_s(input));
     fit.error = series.y - fit.simulated;
-    fit.fit_percent = fitPercent(fit.error.squaredNorm(), spreadSquares(series.y));
+    const Eigen::VectorXd counted = countedValues(series, series.y);
+    fit.fit_percent
+        = fitPercent(countedValues(series, fit.error).squaredNorm(), spreadSquares(counted));
     // Without a quiet stretch nobody knows the noise; a record without any noise has one of 0.
     fit.fitAttainable_percent = series.noise.size() > 0
-        ? fitPercent(series.noiseSd * series.noiseSd * static_cast<double>(series.y.size()),
-            spreadSquares(series.y))
+        ? fitPercent(series.noiseSd * series.noiseSd * static_cast<double>(counted.size()),
+            spreadSquares(counted))
         : kUnknown;
     return fit;
 }

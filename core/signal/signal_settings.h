@@ -8,6 +8,7 @@
 #include "core/base/interval.h"
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -24,6 +25,17 @@ inline bool isStepTreatment(ResponseTreatment t)
     return t != ResponseTreatment::Impulse;
 }
 
+/// A part of a record that takes no part in the fit: a disturbance that nobody can explain.
+struct ExcludedStretch
+{
+    Index shot = 1;
+    double from_s = 0.0; ///< relative to the start
+    double to_s = 0.0;
+    std::string reason;
+
+    bool operator==(const ExcludedStretch &) const = default;
+};
+
 /// Recipe section "window". Baseline, end and settle are seconds relative to the start.
 struct WindowSettings
 {
@@ -34,6 +46,7 @@ struct WindowSettings
     Auto<double> end_s; ///< relative to the start
     bool endAtPlateau = false; ///< recipe's "end_s": "plateau"
     Auto<Interval> settle_s;
+    std::vector<ExcludedStretch> excludeStretches;
 
     bool operator==(const WindowSettings &) const = default;
 };

@@ -4,6 +4,7 @@
 #include "ui/stages/spectrum_page.h"
 
 #include "ui/plot/signal_curves.h"
+#include "ui/stages/nuisance_list.h"
 #include "ui/stages/quantity_edit.h"
 #include "ui/stages/tube_mode_choice.h"
 #include "ui/stages/value_table.h"
@@ -32,7 +33,8 @@ Source sourceOf(const SpectrumSettings &settings)
 SpectrumPage::SpectrumPage(Session &session)
     : StagePage(session,
         {"spectrumPage", tr("Spectrum"),
-            tr("Confirm the resonance. With \"given by me\" a click on a peak takes it.")},
+            tr("Confirm the resonance. With \"given by me\" a click on a peak takes it; else the "
+               "click marks an oscillation that is not the sensor's.")},
         {StageId::Spectrum})
     , m_plot(makePlot("spectrumPlot", tr("Power spectral density")))
     , m_table(new ValueTable("resonanceTable", tr("Resonances"), this))
@@ -46,6 +48,8 @@ SpectrumPage::SpectrumPage(Session &session)
     connect(m_plot, &PlotWidget::pointPicked, this, [this](double frequency_Hz, double) {
         if (sourceOf(recipe().spectrum) == Given)
             giveResonance(frequency_Hz);
+        else
+            m_nuisance->mark(frequency_Hz);
     });
     buildInspector();
 }
@@ -91,6 +95,25 @@ void SpectrumPage::buildInspector()
     });
     m_tubeModes = new TubeModeChoice(*form, this);
     connect(m_tubeModes, &TubeModeChoice::changed, this, &SpectrumPage::showPlot);
+    buildNuisance();
+}
+
+void SpectrumPage::buildNuisance()
+{
+    inspector()->addSection(tr("Not the sensor"));
+    m_nuisance = new NuisanceList(this);
+    inspector()->addWide(m_nuisance);
+    connect(m_nuisance, &NuisanceList::addRequested, this, [this](const NuisanceMode &mode) {
+        change(tr("Leave an oscillation out of the model"),
+            [&](Recipe &r) { r.realization.nuisanceModes.push_back(mode); });
+    });
+    connect(m_nuisance, &NuisanceList::removeRequested, this, [this](int position) {
+        change(tr("Leave an oscillation in the model"), [&](Recipe &r) {
+            auto &modes = r.realization.nuisanceModes;
+            if (position >= 0 && position < static_cast<int>(modes.size()))
+                modes.erase(modes.begin() + position);
+        });
+    });
 }
 
 void SpectrumPage::setSource(int choice)
@@ -139,6 +162,7 @@ void SpectrumPage::showRecipe()
     m_taper->setCurrentIndex(static_cast<int>(settings.taper));
     m_method->setCurrentIndex(static_cast<int>(settings.method));
     m_detrend->setCurrentIndex(static_cast<int>(settings.detrend));
+    m_nuisance->showModes(recipe().realization.nuisanceModes, results());
 }
 
 void SpectrumPage::showPlot()
@@ -169,6 +193,8 @@ void SpectrumPage::showResults()
         }
     }
     m_table->setValues(headers, rows);
+    m_nuisance->showCandidates(results());
+    m_nuisance->showModes(recipe().realization.nuisanceModes, results());
 }
 
 } // namespace dyncal

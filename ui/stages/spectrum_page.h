@@ -10,6 +10,7 @@ class QPushButton;
 
 namespace dyncal {
 
+class NuisanceList;
 class OptionalEdit;
 class QuantityEdit;
 class TubeModeChoice;
@@ -29,6 +30,7 @@ protected:
 
 private:
     void buildInspector();
+    void buildNuisance();
     void setSource(int choice);
     void setBand(bool begin, const std::optional<double> &frequency_Hz);
     void giveResonance(double frequency_Hz);
@@ -43,6 +45,7 @@ private:
     QComboBox *m_taper;
     QComboBox *m_method;
     QComboBox *m_detrend;
+    NuisanceList *m_nuisance;
     TubeModeChoice *m_tubeModes;
 };
 

@@ -228,7 +228,7 @@ const QHash<QString, QStringList> &contract()
                 "residual_whiteness_p", "residual_peaks_hz"}},
         {"input",
             {"treatment", "combine", "sample_rate_hz", "samples", "offset_s", "samples_per_period",
-                "lost_response_percent"}},
+                "lost_response_percent", "excluded_stretches"}},
         {"realization",
             {"rows", "columns", "singular_values", "noise_floor_p95", "suggested_order",
                 "suggestion_reason", "adopted_reason", "why", "stability", "fit_by_order_percent",

@@ -169,6 +169,9 @@ void TestStageKeys::recipeChange_movesTheStageThatReadsItAndAllLater_data()
     row("input.offset", input, [](Recipe &r) { r.input.offset_s = 1e-6; });
     row("input.combine", input, [](Recipe &r) { r.input.combine = CombineMethod::PcaAverage; });
 
+    row("window.exclude", input, [](Recipe &r) {
+        r.window.excludeStretches = {{1, 1e-4, 2e-4, "knock"}};
+    });
     row("realization.nuisance", input, [](Recipe &r) {
         r.realization.nuisanceModes = {{{6.8e3}, 0, true, "", "tube"}};
     });

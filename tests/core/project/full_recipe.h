@@ -82,6 +82,7 @@ inline Recipe fullRecipe()
     r.window.baseline_s = Interval{-2e-4, -1e-5};
     r.window.end_s = 1.5e-3;
     r.window.settle_s = Interval{8e-4, 1.4e-3};
+    r.window.excludeStretches = {{2, 1e-4, 1.2e-4, "a door slammed"}};
     r.remap = false;
     r.spectrum = {.taper = Taper::Hann,
         .method = SpectrumMethod::Welch,

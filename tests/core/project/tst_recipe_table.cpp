@@ -123,6 +123,7 @@ private slots:
                     "arrival_s": null, "u_arrival_s": 0, "delay_s": null, "u_delay_s": 0})"},
             {"shock.counters",
                 R"({"far_m": 1, "near_m": 0, "time_s": 1, "u_distance_m": 0, "u_time_s": 0})"},
+            {"window.exclude_stretches", R"({"shot": 1, "from_s": 0, "to_s": 1, "reason": "x"})"},
             {"realization.nuisance_modes",
                 R"({"frequency_hz": 1, "shot": 0, "kind": "tube", "label": "", "reason": "x"})"},
             {"uncertainty.budget",
@@ -146,7 +147,7 @@ private slots:
             QVERIFY2(accepted == (row.defaultText != "needed"), qPrintable(row.key));
             ++checked;
         }
-        QCOMPARE(checked, 26);
+        QCOMPARE(checked, 30);
     }
 
     void example_isARecipe()

@@ -24,6 +24,7 @@ private slots:
     void equations_equalThoseOfTheFullJacobian();
     void equations_gradientIsMinusHalfOfTheCostsSlope();
     void equations_ofTheModelItself_haveNoCost();
+    void equations_overRanges_leaveTheOthersOut();
 
 private:
     static double valueOf(const std::vector<RegressionMode> &modes, Index k)
@@ -138,6 +139,40 @@ void TestExponentialRegression::equations_equalThoseOfTheFullJacobian()
         }
         QVERIFY(std::abs(found.cost - residual.squaredNorm()) <= kRounding * y.squaredNorm());
     }
+}
+
+void TestExponentialRegression::equations_overRanges_leaveTheOthersOut()
+{
+    const double dt = 0.37;
+    constexpr double kRounding = 1e-11;
+    constexpr Index kCount = 900;
+    std::vector<RegressionMode> modes = someModes();
+    const Eigen::VectorXd y = noisy(modes, kCount);
+    modes[0].exponent *= 1.001; // away from the minimum
+    const std::vector<SampleRange> used{{3, 4}, {10, 127}, {128, 300}, {700, 899}};
+    Eigen::MatrixXd matrix;
+    Eigen::VectorXd gradient;
+    double cost = 0.0;
+    Index samples = 0;
+    for (const SampleRange &range : used) {
+        for (Index k = range.begin; k < range.end; ++k, ++samples) {
+            const Eigen::VectorXd row = rowOf(modes, k, dt);
+            const double residual = y[k] - valueOf(modes, k);
+            if (samples == 0) {
+                matrix = Eigen::MatrixXd::Zero(row.size(), row.size());
+                gradient = Eigen::VectorXd::Zero(row.size());
+            }
+            matrix += row * row.transpose();
+            gradient += residual * row;
+            cost += residual * residual;
+        }
+    }
+    const ExponentialRegression regression(y, used);
+    const RegressionEquations found = regression.equations(modes, dt);
+    QCOMPARE(regression.count(), samples);
+    QVERIFY((found.matrix - matrix).norm() < kRounding * matrix.norm());
+    QVERIFY((found.gradient - gradient).norm() < kRounding * matrix.norm());
+    QVERIFY(std::abs(found.cost - cost) < kRounding * cost);
 }
 
 void TestExponentialRegression::equations_gradientIsMinusHalfOfTheCostsSlope()

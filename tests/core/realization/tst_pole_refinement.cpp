@@ -241,6 +241,67 @@ private slots:
         QCOMPARE(imaginary.rates_rad_s[1], std::conj(imaginary.rates_rad_s[0]));
     }
 
+    void termsOfARecordsOwn_areFittedBesideTheSharedPoles()
+    {
+        const std::vector<NuisanceTerm> truth{
+            {0, true, {-3e3, 4e4}, {0.03, -0.02}}, {0, true, {-2e3, 4.5e4}, {-0.01, 0.04}}};
+        std::vector<RefinementRecord> records;
+        for (std::size_t r = 0; r < 2; ++r) {
+            records.push_back(recordOf(pairSum(kPair, kAmplitude, 1.0), 1500));
+            for (Index k = 0; k < 1500; ++k)
+                records[r].y[k] += truth[r].value(static_cast<double>(k) / kRate_Hz);
+            records[r].nuisance
+                = {{0, true, truth[r].rate_rad_s * std::complex<double>(1.02), 0.0}};
+        }
+        const auto fit = refinePoles(records, pairOf({-7e3, 2.01e5}), true);
+        QVERIFY(fit.has_value());
+        QVERIFY(std::abs(fit->rates_rad_s[0] - kPair) < 1e-4 * std::abs(kPair));
+        for (std::size_t r = 0; r < 2; ++r) {
+            const NuisanceTerm &found = fit->nuisance[r].front();
+            QVERIFY(std::abs(found.rate_rad_s - truth[r].rate_rad_s) < 1e-3 * 4e4);
+            QVERIFY(std::abs(found.amplitude - truth[r].amplitude) < 1e-6);
+            QVERIFY(std::abs(fit->records[r].constant - 1.0) < 1e-6);
+            QVERIFY(std::abs(fit->records[r].amplitudes[0] - kAmplitude) < 1e-6);
+        }
+    }
+
+    void nuisanceCovariance_matchesTheScatter()
+    {
+        constexpr int kTrials = 200;
+        const NuisanceTerm truth{0, true, {-1e3, 4e4}, {0.05, 0.0}};
+        double frequency = 0.0;
+        double plateau = 0.0;
+        for (int trial = 0; trial < kTrials; ++trial) {
+            RefinementRecord record = recordOf(
+                pairSum(kPair, kAmplitude, 1.0), 1000, 0.01, static_cast<std::uint64_t>(trial) + 1);
+            for (Index k = 0; k < 1000; ++k)
+                record.y[k] += truth.value(static_cast<double>(k) / kRate_Hz);
+            record.nuisance = {truth};
+            const auto fit = refinePoles({record}, pairOf(kPair), true);
+            QVERIFY(fit.has_value());
+            const Eigen::Matrix4d covariance = nuisanceCovariance(*fit, 0, 0);
+            const double error = fit->nuisance[0][0].rate_rad_s.imag() - truth.rate_rad_s.imag();
+            frequency += error * error / covariance(1, 1) / kTrials;
+            const Eigen::MatrixXd own = recordCovariance(*fit, 0);
+            const double offset = fit->records[0].constant - 1.0;
+            plateau += offset * offset / own(own.rows() - 1, own.rows() - 1) / kTrials;
+        }
+        // 200 squares of standard normals: 1 +- 0.3 at three standard deviations.
+        QVERIFY2(std::abs(frequency - 1.0) < 0.35, qPrintable(QString::number(frequency)));
+        QVERIFY2(std::abs(plateau - 1.0) < 0.35, qPrintable(QString::number(plateau)));
+    }
+
+    void samplesLeftOut_takeNoPart()
+    {
+        RefinementRecord record = recordOf(pairSum(kPair, kAmplitude, 1.0), 1000);
+        record.y.segment(100, 150).setConstant(7.0);
+        record.used = {{0, 100}, {250, 1000}};
+        const auto fit = refinePoles({record}, pairOf({-7e3, 2.01e5}), true);
+        QVERIFY(fit.has_value());
+        QVERIFY(std::abs(fit->rates_rad_s[0] - kPair) < 1e-6 * std::abs(kPair));
+        QVERIFY(std::abs(fit->records[0].constant - 1.0) < 1e-8);
+    }
+
     void recordCovariance_isTheBlockOfThatRecord()
     {
         const auto first = recordOf(pairSum(kPair, kAmplitude, 1.0), 400, 0.01, 4);
