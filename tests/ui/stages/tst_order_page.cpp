@@ -232,6 +232,7 @@ void TestOrderPage::overlays_areFourAtMostInFourStyles()
              CurveRole::Candidate3, CurveRole::Candidate4})
         for (const QString &name : plots)
             QCOMPARE(curvesOfRole(name, role), std::size_t(1));
+    QTest::qWait(20); // the layout shows new cards, old ones go
     const auto cards = m_page->findChildren<CandidateCard *>();
     const auto card = std::ranges::find_if(
         cards, [](const CandidateCard *each) { return !each->isHidden() && each->order() == 3; });
