@@ -3473,8 +3473,8 @@
         <translation>Inget tydligt språng mellan singulärvärdena: inget över bruset är mer än %1 gånger nästa. Jämför kandidater.</translation>
     </message>
     <message>
-        <source>Shot %1: FIT is %2 % with the model, but %3 % with the poles of the other shots alone. The shots do not share their poles: is the sensor not linear?</source>
-        <translation>Skott %1: FIT är %2 % med modellen, men %3 % med enbart de andra skottens poler. Skotten har inte gemensamma poler: är givaren olinjär?</translation>
+        <source>Shot %1: FIT is %2 % with the model, but %3 % with the poles of the other shots alone. The shots do not share their poles; the sensor may not be linear.</source>
+        <translation>Skott %1: FIT är %2 % med modellen, men %3 % med enbart de andra skottens poler. Skotten har inte gemensamma poler; givaren kan vara olinjär.</translation>
     </message>
     <message>
         <source>Shot %1: the window of %2 holds %3 periods of the mode %4; below 2 it cannot be told from the plateau and stays in the response.</source>
@@ -3539,6 +3539,38 @@
     <message>
         <source>Move the end to %1</source>
         <translation>Flytta slutet till %1</translation>
+    </message>
+    <message>
+        <source>Stretches of the records that were not fitted</source>
+        <translation>Stycken av registreringarna som inte anpassades</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Från</translation>
+    </message>
+    <message>
+        <source>To</source>
+        <translation>Till</translation>
+    </message>
+    <message>
+        <source>Times behind the start of the response. These stretches take no part in the model, the fit and its uncertainties; in the response without a model they are filled by the model.</source>
+        <translation>Tider efter svarets start. Dessa stycken ingår inte i modellen, anpassningen och dess osäkerheter; i svaret utan modell fylls de av modellen.</translation>
+    </message>
+    <message>
+        <source>window.exclude_stretches: %1 to %2 of shot %3 must begin before it ends and touch its window, which reaches from its start to %4.</source>
+        <translation>window.exclude_stretches: %1 till %2 i skott %3 måste börja innan det slutar och beröra skottets fönster, som sträcker sig från dess start till %4.</translation>
+    </message>
+    <message>
+        <source>Shot %1: %2 to %3 behind the start is left out of the fit: %4</source>
+        <translation>Skott %1: %2 till %3 efter starten utelämnas ur anpassningen: %4</translation>
+    </message>
+    <message>
+        <source>Shot %1: only %2 of the %3 samples of the model input are free of stretches left out; at least half are needed. Mark less, or exclude the shot.</source>
+        <translation>Skott %1: bara %2 av modellindatas %3 sampel är fria från utelämnade stycken; minst hälften krävs. Märk mindre, eller uteslut skottet.</translation>
+    </message>
+    <message>
+        <source>The average of the shots is formed before the fit: the stretches to be left out are in it. Combine the shots as &quot;stacked&quot;.</source>
+        <translation>Skottens medelvärde bildas före anpassningen: styckena som ska utelämnas ingår i det. Kombinera skotten som &quot;stacked&quot;.</translation>
     </message>
 </context>
 <context>
@@ -5002,6 +5034,93 @@
     </message>
 </context>
 <context>
+    <name>dyncal::NuisanceList</name>
+    <message>
+        <source>shot %1: %2</source>
+        <translation>skott %1: %2</translation>
+    </message>
+    <message>
+        <source>not taken out of any shot</source>
+        <translation>inte borttagen ur något skott</translation>
+    </message>
+    <message>
+        <source>Oscillations left out</source>
+        <translation>Utelämnade svängningar</translation>
+    </message>
+    <message>
+        <source>Leave in again</source>
+        <translation>Ta med igen</translation>
+    </message>
+    <message>
+        <source>Leave the selected oscillation in again</source>
+        <translation>Ta med den valda svängningen igen</translation>
+    </message>
+    <message>
+        <source>Candidates</source>
+        <translation>Kandidater</translation>
+    </message>
+    <message>
+        <source>Frequency of the oscillation</source>
+        <translation>Svängningens frekvens</translation>
+    </message>
+    <message>
+        <source>Shot where the frequency was read</source>
+        <translation>Skott där frekvensen avlästes</translation>
+    </message>
+    <message>
+        <source>Kind of oscillation</source>
+        <translation>Slag av svängning</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Skäl</translation>
+    </message>
+    <message>
+        <source>Leave out of the model</source>
+        <translation>Utelämna ur modellen</translation>
+    </message>
+    <message>
+        <source>Leave the oscillation out of the model</source>
+        <translation>Utelämna svängningen ur modellen</translation>
+    </message>
+    <message>
+        <source>gas in the tube: moves with the shot</source>
+        <translation>gas i röret: flyttar sig med skottet</translation>
+    </message>
+    <message>
+        <source>anything else</source>
+        <translation>något annat</translation>
+    </message>
+    <message>
+        <source>needed, is printed</source>
+        <translation>krävs, trycks</translation>
+    </message>
+    <message>
+        <source>From</source>
+        <translation>Från</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frekvens</translation>
+    </message>
+    <message>
+        <source>In shot</source>
+        <translation>I skott</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Slag</translation>
+    </message>
+    <message>
+        <source>marked or typed</source>
+        <translation>märkt eller angiven</translation>
+    </message>
+    <message>
+        <source>peak</source>
+        <translation>topp</translation>
+    </message>
+</context>
+<context>
     <name>dyncal::OptionalEdit</name>
     <message>
         <source>not known</source>
@@ -5619,10 +5738,6 @@
         <translation>Spektrum</translation>
     </message>
     <message>
-        <source>Confirm the resonance. With &quot;given by me&quot; a click on a peak takes it.</source>
-        <translation>Bekräfta resonansen. Med &quot;angiven av mig&quot; väljer ett klick på en topp den.</translation>
-    </message>
-    <message>
         <source>Power spectral density</source>
         <translation>Effektspektraltäthet</translation>
     </message>
@@ -5745,6 +5860,22 @@
     <message>
         <source>Shot %1</source>
         <translation>Skott %1</translation>
+    </message>
+    <message>
+        <source>Confirm the resonance. With &quot;given by me&quot; a click on a peak takes it; else the click marks an oscillation that is not the sensor&apos;s.</source>
+        <translation>Bekräfta resonansen. Med &quot;angiven av mig&quot; tas en topp genom att klicka på den; annars märker klicket en svängning som inte är givarens.</translation>
+    </message>
+    <message>
+        <source>Not the sensor</source>
+        <translation>Inte givaren</translation>
+    </message>
+    <message>
+        <source>Leave an oscillation out of the model</source>
+        <translation>Utelämna en svängning ur modellen</translation>
+    </message>
+    <message>
+        <source>Leave an oscillation in the model</source>
+        <translation>Ta med en svängning i modellen</translation>
     </message>
 </context>
 <context>

@@ -224,7 +224,7 @@ Findings judgeOtherShots(const SensorModel &model, const OrderEvidence &evidence
         findings.push_back(about("MOD-007", Severity::Caution,
             {DYNCAL_TEXT("core",
                  "Shot %1: FIT is %2 % with the model, but %3 % with the poles of the other shots "
-                 "alone. The shots do not share their poles: is the sensor not linear?"),
+                 "alone. The shots do not share their poles; the sensor may not be linear."),
                 {std::to_string(shot), numberText(own->fit_percent, 3), numberText(others, 3)}},
             own->fit_percent - others, kOtherShots_points));
         findings.back().shot = shot;

@@ -71,7 +71,7 @@ void OrderInspector::buildAdoption(InspectorForm &form)
 {
     form.addSection(tr("Adopt"));
     m_reason = form.add(tr("Reason"), "adoptReason", new QLineEdit);
-    m_adopt = new QPushButton;
+    m_adopt = new QPushButton(tr("Adopt"));
     m_adopt->setObjectName("adoptOrder");
     form.addWide(m_adopt);
     m_adoption = form.addNote("adoption");

@@ -43,7 +43,8 @@ CaptureSet captures()
 }
 
 /// The first stage whose key differs; all later ones must differ too, but for the evidence, which
-/// serves all orders and follows the decomposition only. -1 if they do not.
+/// serves all orders and follows the decomposition only, and the Monte Carlo, which follows the
+/// shock. -1 if they do not.
 int firstMoved(
     const std::array<std::string, kStageCount> &a, const std::array<std::string, kStageCount> &b)
 {
@@ -51,10 +52,13 @@ int firstMoved(
     std::size_t first = 0;
     while (first < count && a[first] == b[first])
         ++first;
-    const auto evidence = static_cast<std::size_t>(StageId::Evidence);
+    const auto at = [](StageId stage) { return static_cast<std::size_t>(stage); };
     for (std::size_t i = first; i < count; ++i) {
-        const bool follows = i != evidence || first == evidence
-            || first <= static_cast<std::size_t>(StageId::Decomposition);
+        bool follows = true;
+        if (i == at(StageId::Evidence))
+            follows = first == i || first <= at(StageId::Decomposition);
+        if (i == at(StageId::MonteCarlo))
+            follows = first == i || first <= at(StageId::Shock);
         if ((a[i] != b[i]) != follows)
             return -1;
     }

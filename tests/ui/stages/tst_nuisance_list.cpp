@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "ui/stages/nuisance_list.h"
-#include "ui/stages/nuisance_table.h"
 #include "ui/stages/quantity_edit.h"
 
 #include <QComboBox>
@@ -143,28 +142,6 @@ private slots:
         QCOMPARE(spy.last().at(0).toInt(), 0);
         m_list->showModes({}, results);
         QVERIFY(!remove->isEnabled());
-    }
-
-    void table_isHiddenWithoutModes_andHasBothSides()
-    {
-        NuisanceTable table;
-        table.showModel(nullptr);
-        QVERIFY(table.isHidden());
-        SensorModel model;
-        table.showModel(&model);
-        QVERIFY(table.isHidden());
-        NuisanceOfShot shot;
-        shot.shot = 1;
-        shot.term.rate_rad_s = {-10.0, 2.0 * M_PI * 6.4e3};
-        model.nuisance = {{{{6.4e3}, 0, true, "", "x"}, {shot}}};
-        model.nuisanceEffect = NuisanceEffect{{0.009, 92.7, 2.32998e6, 60.0, 0.02, 1e-5, 1.005},
-            {0.003, 97.5, 2.32987e6, 59.0, 0.02, 1e-5, 0.9999}};
-        table.showModel(&model);
-        QVERIFY(!table.isHidden());
-        QCOMPARE(table.rowCount(), 3);
-        QVERIFY(table.item(0, 4)->text().contains("0.9"));
-        QVERIFY(table.item(1, 5)->text().contains("97.5"));
-        QVERIFY(table.item(2, 1)->text().contains("6.4"));
     }
 
 private:
