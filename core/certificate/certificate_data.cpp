@@ -61,15 +61,20 @@ Message printed(const std::optional<double> &value, std::string_view unit, Messa
     return verbatim(roundedText(*value, kUnknown, unit));
 }
 
-Message printedWithUncertainty(double value, double u, std::string_view unit)
+std::string coverageText(double k)
+{
+    return " (k = " + (k == kCoverageFactor ? fixedText(k, 0) : fixedText(k, 2)) + ")";
+}
+
+Message printedWithUncertainty(double value, double u, std::string_view unit, double k)
 {
     if (!std::isfinite(value))
         return dash();
-    const RoundedValue rounded = roundedValue(value, kCoverageFactor * u, unit);
+    const RoundedValue rounded = roundedValue(value, k * u, unit);
     const std::string tail = rounded.unit.empty() ? "" : " " + rounded.unit;
     if (rounded.u.empty())
         return verbatim(rounded.value + tail);
-    return verbatim(rounded.value + tail + " \xC2\xB1 " + rounded.u + tail + " (k = 2)");
+    return verbatim(rounded.value + tail + " \xC2\xB1 " + rounded.u + tail + coverageText(k));
 }
 
 Message levelWord(ShotLevel level)

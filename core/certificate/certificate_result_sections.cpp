@@ -34,11 +34,11 @@ void addSensitivity(const CertificateSources &sources, CertificateSection &secti
             false});
 }
 
-/// Where the scatter of few shots decides, k is Student's: U then is that k u, so that the interval
-/// printed holds 95 % there too.
-double withStudent(const Pole &pole, double u)
+/// Where the scatter of few shots decides, k is Student's, and printed, so that the interval holds
+/// 95 % there too.
+double coverageOf(const Pole &pole)
 {
-    return pole.coverageFactor > kCoverageFactor ? u * pole.coverageFactor / kCoverageFactor : u;
+    return pole.coverageFactor > kCoverageFactor ? pole.coverageFactor : kCoverageFactor;
 }
 
 void addResonance(const CertificateSources &sources, CertificateSection &section)
@@ -50,12 +50,12 @@ void addResonance(const CertificateSources &sources, CertificateSection &section
     section.fields.push_back(
         {"natural_frequency", {DYNCAL_TEXT("core", "Undamped natural frequency"), {}},
             pole ? printedWithUncertainty(
-                pole->frequency_Hz, withStudent(*pole, pole->u_frequency_Hz), "Hz")
+                pole->frequency_Hz, pole->u_frequency_Hz, "Hz", coverageOf(*pole))
                  : none,
             false});
     section.fields.push_back({"damping_ratio", {DYNCAL_TEXT("core", "Damping ratio"), {}},
         pole ? printedWithUncertainty(
-            pole->dampingRatio, withStudent(*pole, pole->u_dampingRatio), "")
+            pole->dampingRatio, pole->u_dampingRatio, "", coverageOf(*pole))
              : none,
         false});
 }
@@ -113,17 +113,19 @@ Message poleWord(PoleClass poleClass)
     return {DYNCAL_TEXT("core", "other"), {}};
 }
 
-Message expanded(double value, double u, std::string_view unit)
+/// A k other than the column's stands beside the value.
+Message expanded(double value, double u, std::string_view unit, double k = kCoverageFactor)
 {
-    const RoundedValue rounded = roundedValue(value, kCoverageFactor * u, unit);
+    const RoundedValue rounded = roundedValue(value, k * u, unit);
     if (rounded.u.empty())
         return dash();
-    return verbatim(rounded.unit.empty() ? rounded.u : rounded.u + " " + rounded.unit);
+    return verbatim(rounded.u + (rounded.unit.empty() ? "" : " " + rounded.unit)
+        + (k == kCoverageFactor ? "" : coverageText(k)));
 }
 
-Message withRounding(double value, double u, std::string_view unit)
+Message withRounding(double value, double u, std::string_view unit, double k = kCoverageFactor)
 {
-    return verbatim(roundedText(value, kCoverageFactor * u, unit));
+    return verbatim(roundedText(value, k * u, unit));
 }
 
 std::string complexText(std::complex<double> z)
@@ -153,12 +155,12 @@ CertificateTable poleTable(const SensorModel &model)
     for (const Pole &pole : model.poles) {
         if (pole.z.imag() < 0.0)
             continue;
-        const double u_Hz = withStudent(pole, pole.u_frequency_Hz);
-        const double u_damping = withStudent(pole, pole.u_dampingRatio);
+        const double k = coverageOf(pole);
         table.rows.push_back({poleWord(pole.poleClass), verbatim(complexText(pole.z)),
-            withRounding(pole.frequency_Hz, u_Hz, "Hz"), expanded(pole.frequency_Hz, u_Hz, "Hz"),
-            withRounding(pole.dampingRatio, u_damping, ""),
-            expanded(pole.dampingRatio, u_damping, ""),
+            withRounding(pole.frequency_Hz, pole.u_frequency_Hz, "Hz", k),
+            expanded(pole.frequency_Hz, pole.u_frequency_Hz, "Hz", k),
+            withRounding(pole.dampingRatio, pole.u_dampingRatio, "", k),
+            expanded(pole.dampingRatio, pole.u_dampingRatio, "", k),
             verbatim(roundedText(pole.amplitude, kUnknown, ""))});
     }
     return table;

@@ -30,7 +30,7 @@ void addNuisance(const SensorModel &model, CertificateSection &section);
 /// Table of the stretches that were left out of the fit; nothing without any.
 void addLeftOut(const ModelInput &input, CertificateSection &section);
 
-/// Coverage factor of every expanded uncertainty on the certificate.
+/// Coverage factor of the expanded uncertainties on the certificate, where no other is printed.
 inline constexpr double kCoverageFactor = 2.0;
 
 /// Words that are printed as they are.
@@ -39,8 +39,11 @@ Message verbatim(std::string text);
 Message dash();
 /// Value and unit at five digits, or `otherwise` where there is none.
 Message printed(const std::optional<double> &value, std::string_view unit, Message otherwise);
+/// " (k = 2)", " (k = 4.30)".
+std::string coverageText(double k);
 /// "2.3301 MHz ± 0.0024 MHz (k = 2)" from a standard uncertainty; without one as printed().
-Message printedWithUncertainty(double value, double u, std::string_view unit);
+Message printedWithUncertainty(
+    double value, double u, std::string_view unit, double k = kCoverageFactor);
 /// Name of a level as a word that is translated; a dash for none.
 Message levelWord(ShotLevel level);
 

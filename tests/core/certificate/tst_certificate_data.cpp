@@ -103,6 +103,7 @@ private slots:
     void findings_cautions_areListedWithReason();
     void excluded_shot_isNamedWithReason();
     void poles_pairOnce_realAndUnstableToo();
+    void poles_ofScatteringShots_haveTheirOwnCoverageFactor();
     void frequency_withoutMeasuredValues_hasDashes();
     void order_typed_isSaid();
     void tables_everyRow_hasAllCells();
@@ -246,6 +247,28 @@ void TestCertificateData::poles_pairOnce_realAndUnstableToo()
     QCOMPARE(cell(*poles, 1, 1), QString("1.200000"));
     QCOMPARE(cell(*poles, 1, 3), QString::fromUtf8("–"));
     QVERIFY(allText(data).contains("diverges"));
+}
+
+void TestCertificateData::poles_ofScatteringShots_haveTheirOwnCoverageFactor()
+{
+    CalibrationResults results = dyncal::example::calibration();
+    dyncal::SensorModel model = *results.model;
+    for (dyncal::Pole &pole : model.poles)
+        pole.coverageFactor = 4.303; // Student's, two degrees of freedom
+    results.model = std::make_shared<const dyncal::SensorModel>(model);
+    const CertificateData data = makeCertificate(sourcesOf(results));
+    // 4.303 times 412 Hz is 1773 Hz
+    QCOMPARE(value(data, "results", "natural_frequency"),
+        QString::fromUtf8("2.3300 MHz ± 0.0018 MHz (k = 4.30)"));
+    const CertificateTable *poles = table(data, "model");
+    QCOMPARE(cell(*poles, 0, 2), QString("2.3300 MHz"));
+    QCOMPARE(cell(*poles, 0, 3), QString("0.0018 MHz (k = 4.30)"));
+
+    for (dyncal::Pole &pole : model.poles)
+        pole.coverageFactor = 1.97; // of many samples: k = 2 covers it
+    results.model = std::make_shared<const dyncal::SensorModel>(model);
+    QCOMPARE(value(makeCertificate(sourcesOf(results)), "results", "natural_frequency"),
+        QString::fromUtf8("2.33000 MHz ± 0.00082 MHz (k = 2)"));
 }
 
 void TestCertificateData::frequency_withoutMeasuredValues_hasDashes()
