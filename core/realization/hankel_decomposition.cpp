@@ -104,27 +104,6 @@ void keep(SingularTriplets &&triplets, HankelDecomposition &result)
         = innerProducts(result.leftVectors.topRows(r - 1), result.leftVectors.bottomRows(r - 1));
 }
 
-/// All triplets that are kept; where that takes long, `first` gets the leading ones before.
-Result<SingularTriplets> lanczosTriplets(const std::vector<HankelOperator> &blocks, bool needsRight,
-    const HankelDecomposition &outline, Index count, const JobControl &control,
-    const FirstTriplets &first)
-{
-    constexpr Index kFirst = 40;
-    constexpr double kLong = 1e6; ///< rows times triplets: some tenths of a second
-    using Right = HankelTriplets::Right;
-    HankelTriplets engine(blocks);
-    if (first && count > 3 * kFirst / 2
-        && static_cast<double>(outline.rows) * static_cast<double>(count) > kLong) {
-        auto leading = engine.leading(kFirst, Right::NotWanted, control);
-        if (!leading)
-            return tl::unexpected(leading.error());
-        HankelDecomposition early = outline;
-        keep(std::move(*leading), early);
-        first(early);
-    }
-    return engine.leading(count, needsRight ? Right::Wanted : Right::NotWanted, control);
-}
-
 /// Largest singular value of matrices of the same shape built from the pre-trigger noise: the 95 %
 /// point of the draws the noise record allows; with too short a record 0.75 sqrt(2 m ln m) of unit
 /// noise (docs/method/hankel.md; the Marchenko-Pastur edge does not hold for Hankel matrices).
@@ -176,8 +155,8 @@ Eigen::VectorXd hankelSequence(
     return series.y / weight;
 }
 
-Result<HankelDecomposition> decomposeHankel(const ModelInput &input,
-    const RealizationSettings &settings, const JobControl &control, const FirstTriplets &first)
+Result<HankelDecomposition> decomposeHankel(
+    const ModelInput &input, const RealizationSettings &settings, const JobControl &control)
 {
     const auto shape = chooseShape(input, settings);
     if (!shape)
@@ -200,9 +179,11 @@ Result<HankelDecomposition> decomposeHankel(const ModelInput &input,
 
     const std::vector<HankelOperator> blocks
         = operators(input, *shape, result.seriesWeights, result.onesProjected);
+    using Right = HankelTriplets::Right;
     Result<SingularTriplets> triplets = isDense
         ? denseTriplets(blocks, isThesis(input), shape->kept)
-        : lanczosTriplets(blocks, isThesis(input), result, shape->kept, control, first);
+        : HankelTriplets(blocks).leading(
+            shape->kept, isThesis(input) ? Right::Wanted : Right::NotWanted, control);
     if (!triplets)
         return tl::unexpected(triplets.error());
     if (control.stopRequested())

@@ -10,7 +10,6 @@
 
 #include <Eigen/Core>
 
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -40,14 +39,9 @@ struct HankelDecomposition
 Eigen::VectorXd hankelSequence(
     const ModelSeries &series, ResponseTreatment treatment, double weight);
 
-/// Gets the decomposition with the leading 40 triplets while the others are still computed.
-using FirstTriplets = std::function<void(const HankelDecomposition &)>;
-
-/// Singular values whose plot the operator reads the order from (thesis eqs 3.18, 3.19). `first` is
-/// called only where all triplets together take some tenths of a second.
-Result<HankelDecomposition> decomposeHankel(const ModelInput &input,
-    const RealizationSettings &settings, const JobControl &control = {},
-    const FirstTriplets &first = {});
+/// Singular values whose plot the operator reads the order from (thesis eqs 3.18, 3.19).
+Result<HankelDecomposition> decomposeHankel(
+    const ModelInput &input, const RealizationSettings &settings, const JobControl &control = {});
 
 /// Suggested order with the sentence that says why.
 struct OrderSuggestion

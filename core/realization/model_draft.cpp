@@ -83,8 +83,12 @@ ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<d
     sortByFrequency(draft.rates_rad_s);
     const auto sorted = discretePoles(draft.rates_rad_s, sampleInterval_s(input));
     Eigen::MatrixXd records(input.samples, static_cast<Index>(input.series.size()));
-    for (Index r = 0; r < records.cols(); ++r)
-        records.col(r) = input.series[static_cast<std::size_t>(r)].y;
+    for (Index r = 0; r < records.cols(); ++r) {
+        const ModelSeries &series = input.series[static_cast<std::size_t>(r)];
+        records.col(r) = series.y;
+        if (series.correction.size() > 0)
+            records.col(r) += series.correction;
+    }
     const auto fits = fitAmplitudesTogether(records, sorted, isStepTreatment(input.treatment));
     for (std::size_t r = 0; r < fits.size(); ++r) {
         draft.series.push_back(atStart(input.series[r], draft.rates_rad_s, fits[r]));

@@ -5,26 +5,14 @@
 
 #include "core/realization/left_out.h"
 #include "core/realization/nuisance_modes.h"
+#include "core/realization/pole_uncertainty.h"
 #include "core/realization/series_fit.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
-#include <tuple>
 
 namespace dyncal {
 namespace {
-
-/// Standard uncertainties of |s|/2pi and -Re s/|s| from the covariance of Re s, Im s.
-std::pair<double, double> uncertaintiesOf(std::complex<double> s, const Eigen::Matrix2d &covariance)
-{
-    const double w = std::abs(s);
-    const Eigen::Vector2d frequency(s.real() / w, s.imag() / w);
-    const Eigen::Vector2d damping(
-        -s.imag() * s.imag() / (w * w * w), s.real() * s.imag() / (w * w * w));
-    return {std::sqrt(frequency.dot(covariance * frequency)) / (2.0 * std::numbers::pi),
-        std::sqrt(damping.dot(covariance * damping))};
-}
 
 NuisanceOfShot ofShot(
     const ModelDraft &draft, const SeriesFit &fit, std::size_t series, std::size_t term)
@@ -40,8 +28,10 @@ NuisanceOfShot ofShot(
     if (draft.refinement) {
         const Eigen::Matrix4d covariance = nuisanceCovariance(
             *draft.refinement, static_cast<Index>(series), static_cast<Index>(term));
-        std::tie(result.u_frequency_Hz, result.u_dampingRatio)
-            = uncertaintiesOf(result.term.rate_rad_s, covariance.topLeftCorner<2, 2>());
+        const PoleFigures figures
+            = pairFigures(result.term.rate_rad_s, covariance.topLeftCorner<2, 2>());
+        result.u_frequency_Hz = figures.u_frequency_Hz;
+        result.u_dampingRatio = figures.u_dampingRatio;
     }
     return result;
 }

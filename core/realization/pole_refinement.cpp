@@ -4,6 +4,7 @@
 #include "core/realization/pole_refinement.h"
 
 #include "core/realization/exponential_regression.h"
+#include "core/realization/levenberg_marquardt.h"
 
 #include <Eigen/Cholesky>
 
@@ -14,10 +15,7 @@
 namespace dyncal {
 namespace {
 
-constexpr int kIterations = 60;
-constexpr double kConverged = 1e-12; ///< relative decrease of the cost
 constexpr double kFrequencyFactor = 1.5;
-constexpr double kLargestDamping = 1e8;
 
 /// Layout of the parameter vector: poles first, then per record n amplitudes, maybe c0, and per
 /// nuisance term Re and Im of rate and amplitude. Times are scaled by `unit_s`, so that all
@@ -348,31 +346,12 @@ std::optional<Refinement> refinePoles(const std::vector<RefinementRecord> &recor
     const Eigen::VectorXd start = startOf(problem, start_rad_s);
     Eigen::VectorXd theta = start;
     solveAmplitudes(problem, theta);
-    RegressionEquations equations = normalEquations(problem, theta);
-    double damping = 1e-4;
-    for (int iteration = 0; iteration < kIterations; ++iteration) {
-        if (control.stopRequested())
-            return std::nullopt;
-        Eigen::MatrixXd damped = equations.matrix;
-        damped.diagonal() *= 1.0 + damping;
-        const Eigen::VectorXd next = theta + damped.ldlt().solve(equations.gradient);
-        RegressionEquations tried = next.allFinite() ? normalEquations(problem, next) : equations;
-        if (!(tried.cost < equations.cost)) {
-            damping *= 10.0;
-            if (damping > kLargestDamping)
-                break;
-            continue;
-        }
-        const double decrease = (equations.cost - tried.cost) / equations.cost;
-        theta = next;
-        equations = std::move(tried);
-        damping = std::max(1e-12, damping / 10.0);
-        if (decrease < kConverged)
-            break;
-    }
-    if (!theta.allFinite() || !staysNearStart(problem, theta, start))
+    const auto equations = descend(
+        theta, {60, 1e-4}, [&](const Eigen::VectorXd &at) { return normalEquations(problem, at); },
+        [](const Eigen::VectorXd &at) { return at.allFinite(); }, control);
+    if (!equations || !theta.allFinite() || !staysNearStart(problem, theta, start))
         return std::nullopt;
-    return unpack(problem, theta, equations);
+    return unpack(problem, theta, *equations);
 }
 
 } // namespace dyncal

@@ -7,6 +7,8 @@
 
 #include <Eigen/Core>
 
+#include <complex>
+
 namespace dyncal {
 
 /// A pole as frequency and damping, with what the covariance of the fit says of them.
@@ -18,7 +20,11 @@ struct PoleFigures
     double u_dampingRatio = 0.0; ///< 0 for a real pole, whose damping ratio is 1 by definition
 };
 
-/// Figures of pole `i` of the fit (of a pair either half), first-order propagation (GUM 5.1).
+/// Figures of s from the covariance of its real and imaginary part, first-order propagation
+/// (GUM 5.1). s != 0.
+PoleFigures pairFigures(std::complex<double> s_rad_s, const Eigen::Matrix2d &covariance);
+
+/// Figures of pole `i` of the fit (of a pair either half).
 PoleFigures poleFigures(const Refinement &refinement, Index i);
 
 /// Student's factor of a two-sided 95 % interval.

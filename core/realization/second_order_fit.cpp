@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/realization/exponential_regression.h"
+#include "core/realization/levenberg_marquardt.h"
 #include "core/realization/pole_uncertainty.h"
 #include "core/realization/series_fit.h"
 
@@ -20,9 +21,6 @@ namespace {
 using Complex = std::complex<double>;
 using Exponentials = Eigen::Matrix<double, 5, 1>; ///< rates, gains (two each), constant
 
-constexpr int kIterations = 100;
-constexpr double kConverged = 1e-12; ///< relative decrease of the cost
-constexpr double kLargestDamping = 1e8;
 constexpr double kCriticalDistance = 1e-4; ///< of zeta from 1, where the two poles meet
 constexpr double kSlowest = 1e-4; ///< zeta beyond which nothing is a second-order sensor
 constexpr double kFastest = 1e3;
@@ -140,35 +138,13 @@ bool isSensible(const Eigen::VectorXd &theta)
     return theta.allFinite() && zeta > kSlowest && zeta < kFastest;
 }
 
-/// Levenberg-Marquardt; the equations at the optimum, or nothing.
+/// The equations at the optimum, or nothing.
 std::optional<RegressionEquations> minimise(
     const Problem &problem, Eigen::VectorXd &theta, const JobControl &control)
 {
-    RegressionEquations equations = normalEquations(problem, theta);
-    double damping = 1e-3;
-    for (int iteration = 0; iteration < kIterations && damping < kLargestDamping; ++iteration) {
-        if (control.stopRequested() || !std::isfinite(equations.cost))
-            return std::nullopt;
-        Eigen::MatrixXd damped = equations.matrix;
-        damped.diagonal() *= 1.0 + damping;
-        const Eigen::VectorXd next = theta + damped.ldlt().solve(equations.gradient);
-        if (!isSensible(next)) {
-            damping *= 10.0;
-            continue;
-        }
-        RegressionEquations tried = normalEquations(problem, next);
-        if (!(tried.cost < equations.cost)) {
-            damping *= 10.0;
-            continue;
-        }
-        const double decrease = (equations.cost - tried.cost) / equations.cost;
-        theta = next;
-        equations = std::move(tried);
-        damping = std::max(1e-12, damping / 10.0);
-        if (decrease < kConverged)
-            break;
-    }
-    return equations;
+    return descend(
+        theta, {100, 1e-3}, [&](const Eigen::VectorXd &at) { return normalEquations(problem, at); },
+        isSensible, control);
 }
 
 /// The fit as the sums of exponentials it is, in seconds.

@@ -230,7 +230,7 @@ Result<SensorModel> realizeModel(const ModelInput &input, const HankelDecomposit
     std::vector<std::complex<double>> poles = realizedPoles(decomposition, order);
     const auto stepPole = takeStepPole(input, poles);
     poles = withoutNuisancePoles(input, poles);
-    ModelDraft draft = linearDraft(sensorOnly(input), poles);
+    ModelDraft draft = linearDraft(input, poles);
     const std::vector<std::complex<double>> realised = draft.rates_rad_s;
     if (settings.refine)
         refineDraft(input, draft, control);

@@ -1,0 +1,60 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/realization/exponential_regression.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace dyncal {
+
+/// What the two fits of exponentials stop at.
+struct DescentLimits
+{
+    int iterations = 60;
+    double damping = 1e-4; ///< to begin with
+};
+
+/// D. W. Marquardt, J. SIAM 11 (1963) 431: `theta` moves from where it is to the least cost that
+/// `equationsAt` (parameters -> RegressionEquations) has; only where `isAllowed`. Ends with a
+/// relative decrease below 1e-12, or where no step helps. Equations at the last theta; empty when
+/// stopped, or where the start has no finite cost.
+template <typename EquationsAt, typename IsAllowed>
+std::optional<RegressionEquations> descend(Eigen::VectorXd &theta, const DescentLimits &limits,
+    const EquationsAt &equationsAt, const IsAllowed &isAllowed, const JobControl &control)
+{
+    constexpr double kConverged = 1e-12;
+    constexpr double kLargestDamping = 1e8;
+    RegressionEquations equations = equationsAt(theta);
+    double damping = limits.damping;
+    for (int iteration = 0; iteration < limits.iterations; ++iteration) {
+        if (control.stopRequested() || !std::isfinite(equations.cost))
+            return std::nullopt;
+        Eigen::MatrixXd damped = equations.matrix;
+        damped.diagonal() *= 1.0 + damping;
+        const Eigen::VectorXd next = theta + damped.ldlt().solve(equations.gradient);
+        RegressionEquations tried = isAllowed(next) ? equationsAt(next) : equations;
+        if (!(tried.cost < equations.cost)) {
+            damping *= 10.0;
+            if (damping > kLargestDamping)
+                break;
+            continue;
+        }
+        const double decrease = (equations.cost - tried.cost) / equations.cost;
+        theta = next;
+        equations = std::move(tried);
+        damping = std::max(1e-12, damping / 10.0);
+        if (decrease < kConverged)
+            break;
+    }
+    return equations;
+}
+
+} // namespace dyncal
