@@ -228,8 +228,9 @@ void PlotHandles::paint(std::size_t position)
         items.end->setPen(pen(HandlePart::End));
     if (items.fill) {
         items.fill->setPen(Qt::NoPen);
+        const bool hatched = state.hatched || !state.movable;
         items.fill->setBrush(
-            state.movable ? QBrush(m_theme.bandFill) : QBrush(m_theme.handle, Qt::BDiagPattern));
+            hatched ? QBrush(m_theme.handle, Qt::BDiagPattern) : QBrush(m_theme.bandFill));
     }
     items.label->setColor(m_theme.text);
     items.label->setFont(m_theme.font);
