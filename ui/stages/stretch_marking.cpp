@@ -3,6 +3,7 @@
 
 #include "ui/stages/stretch_marking.h"
 
+#include "ui/stages/recipe_change.h"
 #include "ui/text/core_text.h"
 #include "ui/text/level_text.h"
 #include "ui/text/quantity_format.h"
@@ -79,9 +80,9 @@ const std::vector<WindowedResponse> &StretchMarking::responses() const
 void StretchMarking::apply(
     const std::vector<MarkedStretch> &stretches, const QString &label, const QString &mergeKey)
 {
-    Recipe next = m_session.recipe();
-    next.window.excludeStretches = excludedStretches(stretches);
-    m_session.apply(next, label, mergeKey);
+    changeRecipe(
+        m_session, label,
+        [&](Recipe &r) { r.window.excludeStretches = excludedStretches(stretches); }, mergeKey);
 }
 
 void StretchMarking::setShot(Index shot)
