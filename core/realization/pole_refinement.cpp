@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace dyncal {
@@ -236,6 +237,17 @@ Eigen::VectorXd unitsOf(const Problem &problem)
     return units;
 }
 
+/// Whether the data tell all parameters apart: else a pivot is rounding, and its variance anything,
+/// zero too.
+bool isDetermined(const Eigen::MatrixXd &matrix)
+{
+    const Eigen::VectorXd scale = matrix.diagonal().cwiseSqrt().cwiseInverse();
+    const Eigen::MatrixXd scaled = scale.asDiagonal() * matrix * scale.asDiagonal();
+    const double rounding
+        = std::numeric_limits<double>::epsilon() * static_cast<double>(matrix.rows());
+    return scaled.allFinite() && scaled.ldlt().vectorD().minCoeff() > rounding;
+}
+
 Eigen::MatrixXd covarianceOf(
     const Problem &problem, const RegressionEquations &last, double chiSquare)
 {
@@ -349,7 +361,8 @@ std::optional<Refinement> refinePoles(const std::vector<RefinementRecord> &recor
     const auto equations = descend(
         theta, {60, 1e-4}, [&](const Eigen::VectorXd &at) { return normalEquations(problem, at); },
         [](const Eigen::VectorXd &at) { return at.allFinite(); }, control);
-    if (!equations || !theta.allFinite() || !staysNearStart(problem, theta, start))
+    if (!equations || !theta.allFinite() || !staysNearStart(problem, theta, start)
+        || !isDetermined(equations->matrix))
         return std::nullopt;
     return unpack(problem, theta, *equations);
 }
