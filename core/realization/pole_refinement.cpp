@@ -248,6 +248,23 @@ bool isDetermined(const Eigen::MatrixXd &matrix)
     return scaled.allFinite() && scaled.ldlt().vectorD().minCoeff() > rounding;
 }
 
+double reducedChiSquare(const Problem &problem, const RegressionEquations &equations)
+{
+    Index samples = 0;
+    for (const ExponentialRegression &regression : problem.regressions)
+        samples += regression.count();
+    return equations.cost
+        / static_cast<double>(std::max<Index>(1, samples - equations.gradient.size()));
+}
+
+/// Whether nothing is left to gain that the uncertainties would show.
+bool hasArrived(const Problem &problem, const RegressionEquations &last)
+{
+    constexpr double kUnseen = 0.1; // standard uncertainties
+    const double unit = std::sqrt(std::max(1.0, reducedChiSquare(problem, last)));
+    return distanceToGo(last) < kUnseen * unit;
+}
+
 Eigen::MatrixXd covarianceOf(
     const Problem &problem, const RegressionEquations &last, double chiSquare)
 {
@@ -273,15 +290,12 @@ Refinement unpack(
             result.rates_rad_s.push_back(std::conj(s));
         at += pair ? 2 : 1;
     }
-    Index samples = 0;
     for (std::size_t r = 0; r < problem.records.size(); ++r) {
         result.records.push_back(recordSum(problem, theta, result.rates_rad_s, r));
         result.nuisance.push_back(recordNuisance(problem, theta, r));
         result.offsets.push_back(problem.offset(r));
-        samples += problem.regressions[r].count();
     }
-    const double freedom = static_cast<double>(std::max<Index>(1, samples - theta.size()));
-    const double chiSquare = last.cost / freedom;
+    const double chiSquare = reducedChiSquare(problem, last);
     result.residualToNoise = std::sqrt(chiSquare);
     result.covariance = covarianceOf(problem, last, chiSquare);
     return result;
@@ -362,7 +376,7 @@ std::optional<Refinement> refinePoles(const std::vector<RefinementRecord> &recor
         theta, {60, 1e-4}, [&](const Eigen::VectorXd &at) { return normalEquations(problem, at); },
         [](const Eigen::VectorXd &at) { return at.allFinite(); }, control);
     if (!equations || !theta.allFinite() || !staysNearStart(problem, theta, start)
-        || !isDetermined(equations->matrix))
+        || !isDetermined(equations->matrix) || !hasArrived(problem, *equations))
         return std::nullopt;
     return unpack(problem, theta, *equations);
 }
