@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Prints the tables "Methods" and "Several shots" of docs/accuracy.md: method_table [TRIALS]
+// Prints the tables "Methods" and "Several shots" of docs/accuracy.md:
+//     method_table [TRIALS [FOLDER]]
 // Three shots (0.33, 0.6 and 0.9 of the range, 14 bits, 400 samples): bias and standard deviation
-// of fn, zeta and the plateau, in per cent of the truth, by method.
+// of fn, zeta and the plateau, in per cent of the truth, by method. Into FOLDER go the records and
+// the estimates from the stacked shots, for `reference_methods.py paired FOLDER`.
 
 #include "core/realization/hankel_decomposition.h"
 #include "core/realization/realized_poles.h"
@@ -14,6 +16,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -76,6 +80,43 @@ private:
     std::array<double, 3> m_squares{};
     int m_count = 0;
     int m_failed = 0;
+};
+
+/// The records of a case, and what was made of them, for another program to judge.
+class PairedRecords
+{
+public:
+    /// Writes nothing where `folder` is empty.
+    PairedRecords(const std::string &folder, const std::string &name, const Case &c, double first,
+        const std::array<double, 3> &noise)
+    {
+        if (folder.empty())
+            return;
+        m_records.open(folder + '/' + name + ".f64", std::ios::binary);
+        m_estimates.open(folder + '/' + name + ".txt");
+        m_estimates.precision(17);
+        m_estimates << c.name << '\n'
+                    << c.f0_Hz << ' ' << c.zeta << ' ' << c.rate_Hz << ' ' << first << '\n'
+                    << noise[0] << ' ' << noise[1] << ' ' << noise[2] << '\n';
+    }
+    void add(const std::vector<ModelSeries> &shots, const std::optional<Estimate> &deflated,
+        const std::optional<Estimate> &refined)
+    {
+        if (!m_estimates.is_open())
+            return;
+        for (const ModelSeries &shot : shots) {
+            m_records.write(reinterpret_cast<const char *>(shot.y.data()),
+                static_cast<std::streamsize>(sizeof(double)) * shot.y.size());
+        }
+        for (const auto &estimate : {deflated, refined}) {
+            const Estimate values = estimate.value_or(Estimate{kUnknown, kUnknown, kUnknown});
+            m_estimates << values.frequency_Hz << ' ' << values.zeta << ' ';
+        }
+        m_estimates << '\n';
+    }
+
+private:
+    std::ofstream m_records, m_estimates;
 };
 
 /// Shots in units of the range, rounded to 14 bits, each with its pre-trigger noise.
@@ -148,34 +189,43 @@ void printRow(const std::string &name, const std::string &method, const Statisti
     std::fflush(stdout);
 }
 
-void printMethods(const Case &c, int trials)
+void printMethods(const Case &c, int trials, const std::string &folder, std::size_t number)
 {
     using T = ResponseTreatment;
-    std::array<Statistics, 5> methods;
+    std::array<Statistics, 6> methods;
     const double relative = std::pow(10.0, -c.snr_dB / 20.0);
     std::array<double, 3> noise{};
     for (std::size_t i = 0; i < 3; ++i)
         noise[i] = relative * kSteps[i];
+    PairedRecords paired(folder, "methods-" + std::to_string(number), c, 1.0, noise);
     for (int trial = 1; trial <= trials; ++trial) {
         const auto shots = simulate(c, noise, {1.0, 1.0, 1.0}, static_cast<std::uint64_t>(trial));
         const auto average = averaged(shots, c.rate_Hz);
         methods[0].add(fromPoles(average, c, T::StepAsImpulse, 2), c);
         methods[1].add(fromPoles(average, c, T::StepAsImpulse, 3), c);
-        methods[2].add(fromModel(shots, c, T::Differenced, false), c);
-        methods[3].add(fromModel(shots, c, T::StepDeflated, false), c);
-        methods[4].add(fromModel(shots, c, T::StepDeflated, true), c);
+        methods[2].add(fromModel(average, c, T::Differenced, false), c);
+        methods[3].add(fromModel(shots, c, T::Differenced, false), c);
+        const auto deflated = fromModel(shots, c, T::StepDeflated, false);
+        const auto refined = fromModel(shots, c, T::StepDeflated, true);
+        methods[4].add(deflated, c);
+        methods[5].add(refined, c);
+        paired.add(shots, deflated, refined);
     }
-    const std::array<const char *, 5> names{"(a) thesis, order 2", "(a+) thesis, order 3",
-        "(b) differenced", "(c) step deflated", "(e) deflated, refined"};
+    const std::array<const char *, 6> names{"(a) thesis, order 2", "(a+) thesis, order 3",
+        "(b) differenced, average", "(b) differenced, stacked", "(c) step deflated",
+        "(e) deflated, refined"};
     for (std::size_t i = 0; i < methods.size(); ++i)
         printRow(c.name, names[i], methods[i]);
 }
 
-/// Equal noise in all shots, so that the smallest has the worst record.
-void printShots(const Case &c, bool jitter, int trials)
+/// Equal noise in all shots, so that the smallest has the worst record; the stated ratio is that
+/// of the largest step.
+void printShots(const Case &c, bool jitter, int trials, const std::string &folder)
 {
     Statistics equal, best, stacked, refined;
-    const double noise = std::pow(10.0, -c.snr_dB / 20.0);
+    const double noise = kSteps.back() * std::pow(10.0, -c.snr_dB / 20.0);
+    PairedRecords paired(
+        folder, jitter ? "shots-jitter" : "shots", c, jitter ? 0.5 : 1.0, {noise, noise, noise});
     for (int trial = 1; trial <= trials; ++trial) {
         const auto seed = static_cast<std::uint64_t>(trial);
         testing::Noise source(seed + 1'000'000);
@@ -188,8 +238,11 @@ void printShots(const Case &c, bool jitter, int trials)
         const auto deflated = ResponseTreatment::StepDeflated;
         equal.add(fromModel(averaged(shots, c.rate_Hz), c, deflated, false), c);
         best.add(fromPoles({shots.back()}, c, deflated, 2), c);
-        stacked.add(fromModel(shots, c, deflated, false), c);
-        refined.add(fromModel(shots, c, deflated, true), c);
+        const auto plain = fromModel(shots, c, deflated, false);
+        const auto fitted = fromModel(shots, c, deflated, true);
+        stacked.add(plain, c);
+        refined.add(fitted, c);
+        paired.add(shots, plain, fitted);
     }
     const std::string name = std::string(c.name) + (jitter ? ", starts within a sample" : "");
     printRow(name, "average, equal weights", equal);
@@ -203,16 +256,17 @@ void printShots(const Case &c, bool jitter, int trials)
 int main(int argc, char **argv)
 {
     const int trials = argc > 1 ? std::atoi(argv[1]) : 400;
+    const std::string folder = argc > 2 ? argv[2] : "";
     const Case cases[]{{"30 kHz, zeta 0.05, 1 MHz, 40 dB", 30e3, 0.05, 1e6, 40.0},
         {"318 kHz, zeta 0.02, 1 MHz, 40 dB", 318e3, 0.02, 1e6, 40.0},
         {"200 kHz, zeta 0.02, 10 MHz, 40 dB", 200e3, 0.02, 10e6, 40.0},
         {"30 kHz, zeta 0.05, 1 MHz, 20 dB", 30e3, 0.05, 1e6, 20.0},
         {"30 kHz, zeta 0.5, 1 MHz, 40 dB", 30e3, 0.5, 1e6, 40.0}};
     std::printf("| case | method | fn, %% | zeta, %% | plateau, %% |\n|---|---|---|---|---|\n");
-    for (const Case &c : cases)
-        printMethods(c, trials);
+    for (std::size_t i = 0; i < std::size(cases); ++i)
+        printMethods(cases[i], trials, folder, i);
     std::printf("\n| case | shots | fn, %% | zeta, %% | plateau, %% |\n|---|---|---|---|---|\n");
-    printShots(cases[0], false, trials);
-    printShots(cases[1], true, trials);
+    printShots(cases[0], false, trials, folder);
+    printShots(cases[1], true, trials, folder);
     return 0;
 }
