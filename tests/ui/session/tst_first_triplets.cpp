@@ -11,6 +11,7 @@
 #include <QtTest>
 
 #include <atomic>
+#include <thread>
 
 using namespace dyncal;
 
@@ -97,6 +98,7 @@ private slots:
     void window_changed_stopsTheWholeSet();
     void pinnedOrders_comeFromTheFirstOnes();
     void failure_ofThePreview_isThatOfTheWholeSet();
+    void runs_stoppedAtAnyMoment_leaveNothingHalfDoneInTheCache();
 
 private:
     void choose(Index next)
@@ -365,6 +367,35 @@ void TestFirstTriplets::failure_ofThePreview_isThatOfTheWholeSet()
     QCOMPARE(failures.count(), 0);
     QVERIFY(session.isUpToDate());
     QCOMPARE(values(session), kWholeSet);
+}
+
+void TestFirstTriplets::runs_stoppedAtAnyMoment_leaveNothingHalfDoneInTheCache()
+{
+    constexpr int kMoments = 12;
+    const Recipe recipe = longInput(1000);
+    ResultCache fresh;
+    const CalibrationResults whole = runPipeline(m_captures, recipe, fresh).results;
+    ResultCache cache;
+    int stopped = 0;
+    for (int moment = 0; moment < kMoments; ++moment) {
+        std::stop_source source;
+        std::jthread clock([&] {
+            QThread::msleep(static_cast<unsigned long>(5 + 11 * moment));
+            source.request_stop();
+        });
+        stopped += runPipeline(m_captures, recipe, cache, kLastStage,
+            {source.get_token(),
+                {}}).error.has_value();
+    }
+    QVERIFY(stopped > 0);
+    const PipelineOutcome last = runPipeline(m_captures, recipe, cache);
+    QVERIFY(!last.error);
+    QCOMPARE(last.results.model->fit_percent, whole.model->fit_percent);
+    QCOMPARE(last.results.model->findings.size(), whole.model->findings.size());
+    QCOMPARE(last.results.model->secondOrder.has_value(), whole.model->secondOrder.has_value());
+    QVERIFY(last.results.decomposition->suggestion.bic == whole.decomposition->suggestion.bic);
+    QVERIFY(last.results.evidence->crossShot_percent == whole.evidence->crossShot_percent);
+    QCOMPARE(last.results.findings().size(), whole.findings().size());
 }
 
 QTEST_GUILESS_MAIN(TestFirstTriplets)
