@@ -267,7 +267,7 @@ void Session::startRest()
     const auto job = [this, pipeline = m_pipeline, cache = m_cache, captures = m_state.captures,
                          recipe = m_state.recipe, focus = m_focusOfRun](
                          const JobControl &control) -> Result<PipelineOutcome> {
-        for (const StageId upTo : {StageId::Response, StageId::Evidence}) {
+        for (const StageId upTo : {StageId::Response, StageId::Assessment, StageId::Evidence}) {
             if (upTo == focus)
                 continue;
             const PipelineOutcome part = pipeline(captures, recipe, *cache, upTo, control);
@@ -320,6 +320,9 @@ void Session::takePart(const CalibrationResults &part, StageId upTo)
     if (!newerWaits && !m_isRest)
         m_rest.start(m_isMerging ? kRest_ms : 0);
     std::copy_n(part.keys.begin(), static_cast<std::size_t>(upTo) + 1, m_keysOfResults.begin());
+    const auto assessed = static_cast<std::size_t>(StageId::Assessment);
+    if (part.model) // of this recipe, and perhaps assessed in an earlier run
+        m_keysOfResults[assessed] = part.model->isAssessed ? part.keys[assessed] : std::string();
     CalibrationResults merged = part;
     const CalibrationResults &old = m_run.results;
     const auto keep = [](auto &now, const auto &before) {
