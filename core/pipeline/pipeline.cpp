@@ -57,7 +57,7 @@ Result<DecompositionResult> decompose(
     auto hankel = decomposeHankel(input, settings, control);
     if (!hankel)
         return tl::unexpected(hankel.error());
-    OrderSuggestion suggestion = suggestOrder(input, *hankel);
+    OrderSuggestion suggestion = suggestOrder(input, *hankel, control);
     return DecompositionResult{std::move(*hankel), std::move(suggestion)};
 }
 
@@ -86,6 +86,8 @@ public:
             Result<T> result = compute();
             if (!result)
                 return stop(id, std::move(result.error()));
+            if (m_control.stopRequested()) // what it gave may be half of a result
+                return stop(id, Error{ErrorKind::Cancelled, {}, {}, 0});
             m_outcome.results.*member = std::make_shared<const T>(std::move(*result));
             m_cache.store(key, m_outcome.results.*member);
         }
