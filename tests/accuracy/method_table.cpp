@@ -3,9 +3,10 @@
 
 // Prints the tables "Methods" and "Several shots" of docs/accuracy.md:
 //     method_table [TRIALS [FOLDER]]
-// Three shots (0.33, 0.6 and 0.9 of the range, 14 bits, 400 samples): bias and standard deviation
-// of fn, zeta and the plateau, in per cent of the truth, by method. Into FOLDER go the records and
-// the estimates from the stacked shots, for `reference_methods.py paired FOLDER`.
+// Three shots (0.33, 0.6 and 0.9 of the range, 14 bits, 400 samples from the step on): bias and
+// standard deviation of fn, zeta and the plateau, in per cent of the truth, by method. Into FOLDER
+// go the records and the estimates from the stacked shots, for `reference_methods.py paired
+// FOLDER`.
 
 #include "core/realization/hankel_decomposition.h"
 #include "core/realization/realized_poles.h"
@@ -133,7 +134,7 @@ std::vector<ModelSeries> simulate(const Case &c, const std::array<double, 3> &no
             testing::sampledStep(c.f0_Hz, c.zeta, c.rate_Hz, kSamples, start[i]) * kSteps[i]
             + source.series(kSamples, noise[i]));
         shots.push_back(testing::makeSeries(
-            static_cast<Index>(i) + 1, y, c.rate_Hz, rounded(source.series(2000, noise[i]))));
+            static_cast<Index>(i) + 1, y, c.rate_Hz, rounded(source.series(1000, noise[i]))));
     }
     return shots;
 }
@@ -150,38 +151,50 @@ std::vector<ModelSeries> averaged(const std::vector<ModelSeries> &shots, double 
     return {testing::makeSeries(0, y, rate_Hz, noise)};
 }
 
-/// The oscillating pole of the raw realisation; the thesis has no plateau gain.
-std::optional<Estimate> fromPoles(
-    std::vector<ModelSeries> series, const Case &c, ResponseTreatment treatment, Index order)
+/// Series and their decomposition, which serves every order and the refinement.
+struct Decomposed
 {
-    const auto hankel
-        = decomposeHankel(testing::makeInput(treatment, c.rate_Hz, std::move(series)), {});
-    for (const std::complex<double> &z : realizedPoles(*hankel, order)) {
-        if (z.imag() <= 0.0)
-            continue;
-        const std::complex<double> s = std::log(z) * c.rate_Hz;
-        return Estimate{std::abs(s) / (2.0 * std::numbers::pi), -s.real() / std::abs(s), kUnknown};
-    }
-    return std::nullopt;
-}
+    ModelInput input;
+    HankelDecomposition hankel;
+    double rate_Hz = 0.0;
 
-std::optional<Estimate> fromModel(
-    const std::vector<ModelSeries> &series, const Case &c, ResponseTreatment treatment, bool refine)
-{
-    const ModelInput input = testing::makeInput(treatment, c.rate_Hz, series);
-    RealizationSettings settings;
-    settings.refine = refine;
-    const auto model = realizeModel(input, *decomposeHankel(input, {}), 2, settings, {});
-    const Pole *pole = model ? mainPole(*model) : nullptr;
-    if (!pole || pole->z.imag() == 0.0)
-        return std::nullopt;
-    double plateau = 0.0;
-    for (const SeriesFit &fit : model->series) {
-        const double step = fit.shot > 0 ? kSteps[static_cast<std::size_t>(fit.shot) - 1] : 1.0;
-        plateau += fit.plateauGain / step / static_cast<double>(model->series.size());
+    Decomposed(std::vector<ModelSeries> series, const Case &c, ResponseTreatment treatment)
+        : input(testing::makeInput(treatment, c.rate_Hz, std::move(series)))
+        , hankel(decomposeHankel(input, {}).value())
+        , rate_Hz(c.rate_Hz)
+    {
     }
-    return Estimate{pole->frequency_Hz, pole->dampingRatio, plateau};
-}
+
+    /// The oscillating pole of the raw realisation; the thesis has no plateau gain.
+    std::optional<Estimate> pole(Index order) const
+    {
+        for (const std::complex<double> &z : realizedPoles(hankel, order)) {
+            if (z.imag() <= 0.0)
+                continue;
+            const std::complex<double> s = std::log(z) * rate_Hz;
+            return Estimate{
+                std::abs(s) / (2.0 * std::numbers::pi), -s.real() / std::abs(s), kUnknown};
+        }
+        return std::nullopt;
+    }
+
+    /// The main resonance of the model of order 2.
+    std::optional<Estimate> model(bool refine) const
+    {
+        RealizationSettings settings;
+        settings.refine = refine;
+        const auto model = realizeModel(input, hankel, 2, settings, {});
+        const Pole *main = model ? mainPole(*model) : nullptr;
+        if (!main || main->z.imag() == 0.0)
+            return std::nullopt;
+        double plateau = 0.0;
+        for (const SeriesFit &fit : model->series) {
+            const double step = fit.shot > 0 ? kSteps[static_cast<std::size_t>(fit.shot) - 1] : 1.0;
+            plateau += fit.plateauGain / step / static_cast<double>(model->series.size());
+        }
+        return Estimate{main->frequency_Hz, main->dampingRatio, plateau};
+    }
+};
 
 void printRow(const std::string &name, const std::string &method, const Statistics &statistics)
 {
@@ -197,16 +210,18 @@ void printMethods(const Case &c, int trials, const std::string &folder, std::siz
     std::array<double, 3> noise{};
     for (std::size_t i = 0; i < 3; ++i)
         noise[i] = relative * kSteps[i];
-    PairedRecords paired(folder, "methods-" + std::to_string(number), c, 1.0, noise);
+    PairedRecords paired(folder, "methods-" + std::to_string(number), c, 0.0, noise);
     for (int trial = 1; trial <= trials; ++trial) {
-        const auto shots = simulate(c, noise, {1.0, 1.0, 1.0}, static_cast<std::uint64_t>(trial));
+        const auto shots = simulate(c, noise, {}, static_cast<std::uint64_t>(trial));
         const auto average = averaged(shots, c.rate_Hz);
-        methods[0].add(fromPoles(average, c, T::StepAsImpulse, 2), c);
-        methods[1].add(fromPoles(average, c, T::StepAsImpulse, 3), c);
-        methods[2].add(fromModel(average, c, T::Differenced, false), c);
-        methods[3].add(fromModel(shots, c, T::Differenced, false), c);
-        const auto deflated = fromModel(shots, c, T::StepDeflated, false);
-        const auto refined = fromModel(shots, c, T::StepDeflated, true);
+        const Decomposed thesis(average, c, T::StepAsImpulse);
+        methods[0].add(thesis.pole(2), c);
+        methods[1].add(thesis.pole(3), c);
+        methods[2].add(Decomposed(average, c, T::Differenced).model(false), c);
+        methods[3].add(Decomposed(shots, c, T::Differenced).model(false), c);
+        const Decomposed stacked(shots, c, T::StepDeflated);
+        const auto deflated = stacked.model(false);
+        const auto refined = stacked.model(true);
         methods[4].add(deflated, c);
         methods[5].add(refined, c);
         paired.add(shots, deflated, refined);
@@ -225,21 +240,22 @@ void printShots(const Case &c, bool jitter, int trials, const std::string &folde
     Statistics equal, best, stacked, refined;
     const double noise = kSteps.back() * std::pow(10.0, -c.snr_dB / 20.0);
     PairedRecords paired(
-        folder, jitter ? "shots-jitter" : "shots", c, jitter ? 0.5 : 1.0, {noise, noise, noise});
+        folder, jitter ? "shots-jitter" : "shots", c, jitter ? 0.5 : 0.0, {noise, noise, noise});
     for (int trial = 1; trial <= trials; ++trial) {
         const auto seed = static_cast<std::uint64_t>(trial);
         testing::Noise source(seed + 1'000'000);
-        std::array<double, 3> start{1.0, 1.0, 1.0};
+        std::array<double, 3> start{};
         for (double &first : start) {
             const double uniform = 0.5 * std::erfc(-source.next() / std::numbers::sqrt2);
-            first = jitter ? uniform : 1.0;
+            first = jitter ? uniform : 0.0;
         }
         const auto shots = simulate(c, {noise, noise, noise}, start, seed);
         const auto deflated = ResponseTreatment::StepDeflated;
-        equal.add(fromModel(averaged(shots, c.rate_Hz), c, deflated, false), c);
-        best.add(fromPoles({shots.back()}, c, deflated, 2), c);
-        const auto plain = fromModel(shots, c, deflated, false);
-        const auto fitted = fromModel(shots, c, deflated, true);
+        equal.add(Decomposed(averaged(shots, c.rate_Hz), c, deflated).model(false), c);
+        best.add(Decomposed({shots.back()}, c, deflated).pole(2), c);
+        const Decomposed together(shots, c, deflated);
+        const auto plain = together.model(false);
+        const auto fitted = together.model(true);
         stacked.add(plain, c);
         refined.add(fitted, c);
         paired.add(shots, plain, fitted);
