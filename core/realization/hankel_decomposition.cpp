@@ -127,7 +127,7 @@ double noiseFloor(const ModelInput &input, const Shape &shape, const HankelDecom
                 hankelSequence(noise, input.treatment, result.seriesWeights[i]).head(length),
                 shape.rows, shape.columns[i], result.onesProjected);
         }
-        tops.push_back(largestSingularValue(blocks));
+        tops.push_back(largestSingularValue(blocks, control));
     }
     if (tops.size() < 3) {
         double mean = 0.0;

@@ -52,7 +52,9 @@ struct OrderSuggestion
 };
 
 /// BIC on the pre-whitened response (docs/method/order.md): an AR model of the pre-trigger noise
-/// filters the response (poles survive a FIR filter), then BIC over orders 1..20.
-OrderSuggestion suggestOrder(const ModelInput &input, const HankelDecomposition &decomposition);
+/// filters the response (poles survive a FIR filter), then BIC over orders 1..20. Asked to stop, it
+/// returns early with a suggestion that means nothing.
+OrderSuggestion suggestOrder(const ModelInput &input, const HankelDecomposition &decomposition,
+    const JobControl &control = {});
 
 } // namespace dyncal

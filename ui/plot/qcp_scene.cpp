@@ -15,6 +15,7 @@ namespace {
 
 constexpr int kLegendIconWidth = 26;
 constexpr int kLegendGap = 16;
+constexpr int kLegendDescent = 2; ///< pixels; without, items end where the tail of a g begins
 /// Right: half of the last tick's label.
 constexpr QMargins kLeastMargins(4, 6, 16, 4);
 
@@ -189,6 +190,7 @@ void PlotScene::styleLegend()
         QFont font = m_theme.font;
         font.setStrikeOut(!drawn.visible);
         item->setFont(font);
+        item->setMargins(QMargins(0, 0, 0, kLegendDescent));
         item->setTextColor(m_theme.text);
     }
 }

@@ -10,6 +10,7 @@
 #include "ui/stages/candidate_cards.h"
 #include "ui/stages/candidate_rows.h"
 #include "ui/stages/candidate_table.h"
+#include "ui/stages/first_triplets_bar.h"
 #include "ui/stages/order_inspector.h"
 
 #include <QCheckBox>
@@ -77,6 +78,7 @@ void OrderPage::buildPlots()
     split->addWidget(column({m_values, m_evidence, m_poles}));
     split->addWidget(column({m_strip, m_fit, m_bode}));
     split->setSizes({1000, 1250});
+    content()->addWidget(new FirstTripletsBar(session(), this));
     content()->addWidget(split, 1);
     content()->addWidget(buildCandidates());
     shareFrequencyCursors({m_strip, m_bode});
@@ -162,7 +164,11 @@ Index OrderPage::modelOrder() const
 
 Index OrderPage::largestOrder() const
 {
-    return results().decomposition ? results().decomposition->hankel.singularValues.size() : 1;
+    if (!results().decomposition)
+        return 1;
+    const HankelDecomposition &hankel = results().decomposition->hankel;
+    return session().showsFirstTriplets() ? wholeSetSize(hankel, recipe().realization)
+                                          : hankel.singularValues.size();
 }
 
 void OrderPage::setOrder(double order, const QString &mergeKey)
@@ -285,9 +291,14 @@ void OrderPage::showEvidence()
     const auto &decomposition = results().decomposition;
     const auto &input = results().input;
     const auto &evidence = results().evidence;
-    m_values->setContent(decomposition && input ? singularValueCurves(
-                             decomposition->hankel, decomposition->suggestion, input->treatment)
-                                                : nothingYet());
+    PlotContent values = decomposition && input
+        ? singularValueCurves(decomposition->hankel, decomposition->suggestion, input->treatment)
+        : nothingYet();
+    if (decomposition && session().showsFirstTriplets())
+        values.title = tr("Singular values: the first %1 of %2")
+                           .arg(decomposition->hankel.singularValues.size())
+                           .arg(largestOrder());
+    m_values->setContent(values);
     if (!decomposition)
         m_values->removeLine(kCut);
     const bool known = evidence && results().spectrum && session().isOfThisRun(StageId::Evidence);
@@ -350,7 +361,8 @@ void OrderPage::showCandidates()
         != recipe().realization.candidates.end();
     m_pin->setText(isPinned ? tr("Unpin") : tr("Pin"));
     m_pin->setEnabled(isPinned || rows.size() < kMostCandidates);
-    m_defaults->setEnabled(results().decomposition != nullptr);
+    // A high order is among those proposed: it may be beyond the first singular values.
+    m_defaults->setEnabled(results().decomposition && !session().showsFirstTriplets());
     m_compare->setEnabled(!rows.empty() || m_compare->isChecked());
     std::optional<CandidateRow> reference;
     m_difference->setEnabled(m_adopted.has_value());
