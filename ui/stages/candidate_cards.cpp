@@ -35,11 +35,25 @@ QIcon styleIcon(CurveRole role, const QPalette &palette)
     return pixmap;
 }
 
+/// What is typed here is no key of the page: Enter would adopt.
+class RemarkEdit : public QLineEdit
+{
+public:
+    using QLineEdit::QLineEdit;
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override
+    {
+        QLineEdit::keyPressEvent(event);
+        event->accept();
+    }
+};
+
 } // namespace
 
 CandidateCard::CandidateCard(QWidget *parent)
     : QFrame(parent)
-    , m_remark(new QLineEdit(this))
+    , m_remark(new RemarkEdit(this))
     , m_heading(new QToolButton(this))
     , m_unpin(new QToolButton(this))
     , m_overlay(new QCheckBox(this))
@@ -79,14 +93,6 @@ CandidateCard::CandidateCard(QWidget *parent)
     });
     connect(m_overlay, &QCheckBox::clicked, this,
         [this](bool on) { emit overlayToggled(m_order, on); });
-}
-
-void CandidateCard::keyPressEvent(QKeyEvent *event)
-{
-    if (m_remark->hasFocus())
-        event->accept();
-    else
-        QFrame::keyPressEvent(event);
 }
 
 void CandidateCard::set(const CandidateRow &row, bool mayOverlay)

@@ -33,10 +33,6 @@ signals:
     void overlayToggled(dyncal::Index order, bool on);
     void remarked(dyncal::Index order, const QString &remark);
 
-protected:
-    /// What is typed into the note is no key of the page (Enter would adopt).
-    void keyPressEvent(QKeyEvent *event) override;
-
 private:
     Index m_order = 0;
     QLineEdit *m_remark;

@@ -86,6 +86,7 @@ private:
     {
         Recipe recipe = m_session.recipe();
         recipe.realization.candidates = std::move(orders);
+        recipe.realization.candidateNotes.clear();
         m_session.apply(recipe, "pin");
         QTRY_VERIFY_WITH_TIMEOUT(!m_session.candidates().isComputing(), kPatience_ms);
     }
