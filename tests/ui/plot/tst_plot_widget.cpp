@@ -447,15 +447,15 @@ void TestPlotWidget::level_withABand_isFilled()
     PlotWidget plot;
     plot.setContent(content);
     show(plot);
-    const QPoint inBand = plot.pixelOf(6.5, 60.0);
+    const QPoint inBand = plot.pixelOf(6.5, 55.0);
     const QRgb empty = plot.grab().toImage().pixel(inBand);
     content.levels.push_back({90.0, QString(), CurveRole::Noise, 40.0});
     plot.setContent(content);
-    QApplication::processEvents();
+    QTest::qWait(50);
     QVERIFY(plot.grab().toImage().pixel(inBand) != empty);
     content.levels.back().from.reset();
     plot.setContent(content);
-    QApplication::processEvents();
+    QTest::qWait(50);
     QCOMPARE(plot.grab().toImage().pixel(inBand), empty);
 }
 
