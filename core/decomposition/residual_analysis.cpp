@@ -110,9 +110,9 @@ Finding startedBetweenSamples(Finding finding, const Alignment &alignment, doubl
     finding.severity = Severity::Info;
     finding.message
         = {DYNCAL_TEXT("core",
-               "Shot %1: %2 % of the resonance at %3 is left in the residual, because the shot "
-               "arrived %4 of a sample from the others; aligned, %5 % are left. The average of the "
-               "shots loses some of its ringing by this, stacked shots do not."),
+               "Shot %1: %2 % of the resonance at %3 is left in the residual, because its arrival "
+               "differs from the others' by %4 of a sample; aligned, %5 % are left. The average of "
+               "the shots loses some of its ringing by this, stacked shots do not."),
             {std::to_string(finding.shot), numberText(std::round(100.0 * *finding.value), 4),
                 numberWithUnit(left_Hz, "Hz", 4), numberText(alignment.delay_samples, 2),
                 numberText(std::round(100.0 * alignment.share), 4)}};
