@@ -37,6 +37,14 @@ ModelInput inputOf(const Value &value, const std::vector<double> &steps)
     return testing::makeInput(ResponseTreatment::StepDeflated, kRate_Hz, series);
 }
 
+/// What the model was fitted with: nothing but the sensor in any of `shots` records.
+ModelDraft draftOf(std::size_t shots)
+{
+    ModelDraft draft;
+    draft.nuisance.resize(shots);
+    return draft;
+}
+
 Pole poleAt(std::complex<double> s)
 {
     Pole pole;
@@ -79,7 +87,7 @@ private slots:
             = 2.0 * M_PI * 30.2e3 * std::complex<double>(-0.06, std::sqrt(1.0 - 0.0036));
         // A lag that belongs to nothing must not lead astray.
         SensorModel model = modelOf({s, std::conj(s), -5e5}, {0.31, 0.88});
-        fitSecondOrderBeside(input, {}, model, {});
+        fitSecondOrderBeside(input, draftOf(input.series.size()), model, {});
         QVERIFY(model.secondOrder.has_value());
         QVERIFY(std::abs(model.secondOrder->f0_Hz / 30e3 - 1.0) < kClosed);
         QVERIFY(std::abs(model.secondOrder->zeta - 0.05) < kClosed);
@@ -106,7 +114,7 @@ private slots:
             {std::vector<std::complex<double>>{-1.05 * slow, -0.95 * fast}, {-fast, -slow},
                 {-slow}}) {
             SensorModel model = modelOf(rates, {1.0});
-            fitSecondOrderBeside(input, {}, model, {});
+            fitSecondOrderBeside(input, draftOf(input.series.size()), model, {});
             QVERIFY(model.secondOrder.has_value());
             const double omega = std::sqrt(slow * fast);
             QVERIFY(std::abs(model.secondOrder->f0_Hz / (omega / (2.0 * M_PI)) - 1.0) < 1e-4);
@@ -114,7 +122,7 @@ private slots:
         }
     }
 
-    void nuisanceTerms_areTakenOffTheRecords()
+    void nuisanceTerms_areNotTheSensors()
     {
         const NuisanceTerm tube{0, true, {-500.0, 2.0 * M_PI * 9e3}, {0.05, 0.02}};
         const ModelInput input = inputOf(
@@ -126,11 +134,10 @@ private slots:
         const std::complex<double> s
             = 2.0 * M_PI * 30e3 * std::complex<double>(-0.05, std::sqrt(1.0 - 0.0025));
         ModelDraft draft;
-        draft.refinement.emplace();
-        draft.refinement->nuisance = {{tube}};
+        draft.nuisance = {{tube}};
         SensorModel with = modelOf({s, std::conj(s)}, {1.0}), without = with;
         fitSecondOrderBeside(input, draft, with, {});
-        fitSecondOrderBeside(input, {}, without, {});
+        fitSecondOrderBeside(input, draftOf(input.series.size()), without, {});
         QVERIFY(std::abs(with.secondOrder->f0_Hz / 30e3 - 1.0) < kClosed);
         QVERIFY(std::abs(with.secondOrder->zeta - 0.05) < kClosed);
         QVERIFY(std::abs(without.secondOrder->zeta - 0.05) > 100.0 * kClosed);
@@ -145,16 +152,16 @@ private slots:
             {ResponseTreatment::Impulse, ResponseTreatment::StepAsImpulse}) {
             input.treatment = treatment;
             SensorModel model = modelOf({s, std::conj(s)}, {1.0});
-            fitSecondOrderBeside(input, {}, model, {});
+            fitSecondOrderBeside(input, draftOf(input.series.size()), model, {});
             QVERIFY(!model.secondOrder);
         }
         input.treatment = ResponseTreatment::StepDeflated;
         SensorModel runaway = modelOf({s, std::conj(s)}, {1.0});
         runaway.diverges = true;
-        fitSecondOrderBeside(input, {}, runaway, {});
+        fitSecondOrderBeside(input, draftOf(input.series.size()), runaway, {});
         QVERIFY(!runaway.secondOrder);
         SensorModel none = modelOf({}, {1.0}); // no pole of the sensor to start from
-        fitSecondOrderBeside(input, {}, none, {});
+        fitSecondOrderBeside(input, draftOf(input.series.size()), none, {});
         QVERIFY(!none.secondOrder);
     }
 };
