@@ -8,6 +8,7 @@
 #include "app/cli/verbs.h"
 
 #include "core/base/number_text.h"
+#include "core/certificate/rounding.h"
 #include "core/pipeline/comparison_json.h"
 
 #include <algorithm>
@@ -44,11 +45,6 @@ Result<std::vector<Index>> parseOrders(const std::vector<std::string> &texts)
 
 using Row = std::vector<std::string>;
 
-std::string withUncertainty(const std::string &value, const std::string &u, bool known)
-{
-    return known ? value + " (u " + u + ")" : value;
-}
-
 Row rowOf(const ComparedOrder &compared)
 {
     const std::string none = "-";
@@ -58,22 +54,16 @@ Row rowOf(const ComparedOrder &compared)
             bic};
     const SensorModel &model = *compared.model;
     const Pole *main = model.diverges ? nullptr : mainPole(model);
-    const bool knownF = main && std::isfinite(main->u_frequency_Hz);
-    const auto finite = [&none](double value, int digits) {
-        return std::isfinite(value) ? numberText(value, digits) : none;
-    };
+    const auto percent
+        = [&none](double value) { return std::isfinite(value) ? fixedText(value, 3) : none; };
     return {std::to_string(compared.order),
-        model.diverges ? "diverges" : finite(model.fit_percent, 5),
-        finite(model.fitAttainable_percent, 5),
-        main ? withUncertainty(numberWithUnit(main->frequency_Hz, "Hz", 6),
-            numberWithUnit(main->u_frequency_Hz, "Hz", 2), knownF)
-             : none,
-        main ? withUncertainty(numberText(main->dampingRatio, 4),
-            numberText(main->u_dampingRatio, 2), std::isfinite(main->u_dampingRatio))
-             : none,
+        model.diverges ? "diverges" : percent(model.fit_percent),
+        percent(model.fitAttainable_percent),
+        main ? roundedTextWithU(main->frequency_Hz, main->u_frequency_Hz, "Hz") : none,
+        main ? roundedTextWithU(main->dampingRatio, main->u_dampingRatio, "") : none,
         std::to_string(countPoles(model, PoleClass::Unstable)),
-        std::to_string(countPoles(model, PoleClass::Nyquist)), finite(compared.whiteness_p, 2),
-        bic};
+        std::to_string(countPoles(model, PoleClass::Nyquist)),
+        std::isfinite(compared.whiteness_p) ? numberText(compared.whiteness_p, 2) : none, bic};
 }
 
 void printTable(const std::vector<Row> &rows)

@@ -87,7 +87,7 @@ int exportJob(const ExportOptions &options)
     const Result<Recipe> recipe = withOrder(job->recipe, options.order);
     if (!recipe)
         return report(recipe.error());
-    const PipelineOutcome outcome = calibrate(*job->captures, *recipe, StageId::Response);
+    const PipelineOutcome outcome = calibrate(*job->captures, *recipe, StageId::Assessment);
     if (outcome.error)
         return reportOutcome(outcome);
     if (const Result<void> written = writeModel(outcome.results, options); !written)

@@ -4,6 +4,7 @@
 #include "app/cli/run_summary.h"
 
 #include "core/base/number_text.h"
+#include "core/certificate/rounding.h"
 #include "core/pipeline/results_json.h"
 
 #include <algorithm>
@@ -24,14 +25,7 @@ void addLine(std::string &text, std::string label, const std::string &value)
 
 std::string percent(double value)
 {
-    return std::isfinite(value) ? numberText(value, 4) + " %" : "unknown";
-}
-
-std::string withUncertainty(const std::string &value, double u, const char *unit)
-{
-    if (!std::isfinite(u))
-        return value;
-    return value + "  (u = " + (*unit ? numberWithUnit(u, unit, 2) : numberText(u, 2)) + ")";
+    return std::isfinite(value) ? fixedText(value, 2) + " %" : "unknown";
 }
 
 void addShots(std::string &text, const CalibrationResults &results)
@@ -50,10 +44,9 @@ void addModel(std::string &text, const SensorModel &model)
 {
     if (const Pole *pole = mainPole(model)) {
         addLine(text, "Natural frequency f0",
-            withUncertainty(
-                numberWithUnit(pole->frequency_Hz, "Hz", 6), pole->u_frequency_Hz, "Hz"));
+            roundedTextWithU(pole->frequency_Hz, pole->u_frequency_Hz, "Hz"));
         addLine(text, "Damping ratio zeta",
-            withUncertainty(numberText(pole->dampingRatio, 4), pole->u_dampingRatio, ""));
+            roundedTextWithU(pole->dampingRatio, pole->u_dampingRatio, ""));
     } else {
         addLine(text, "Natural frequency f0", "none: the model has no oscillating sensor pole");
     }

@@ -69,6 +69,11 @@ double scaled(double value, int exponent)
     return exponent >= 0 ? value / std::pow(10.0, exponent) : value * std::pow(10.0, -exponent);
 }
 
+std::string withUnit(const std::string &number, const std::string &unit)
+{
+    return unit.empty() ? number : number + " " + unit;
+}
+
 } // namespace
 
 std::string fixedText(double value, int decimals)
@@ -119,7 +124,14 @@ RoundedValue roundedValue(double value, double u, std::string_view unit)
 std::string roundedText(double value, double u, std::string_view unit)
 {
     const RoundedValue rounded = roundedValue(value, u, unit);
-    return rounded.unit.empty() ? rounded.value : rounded.value + " " + rounded.unit;
+    return withUnit(rounded.value, rounded.unit);
+}
+
+std::string roundedTextWithU(double value, double u, std::string_view unit)
+{
+    const RoundedValue rounded = roundedValue(value, u, unit);
+    const std::string text = withUnit(rounded.value, rounded.unit);
+    return rounded.u.empty() ? text : text + " (u = " + withUnit(rounded.u, rounded.unit) + ")";
 }
 
 } // namespace dyncal

@@ -29,6 +29,9 @@ RoundedValue roundedValue(double value, double u, std::string_view unit);
 /// "2.3301 MHz".
 std::string roundedText(double value, double u, std::string_view unit);
 
+/// "2.3301 MHz (u = 0.0012 MHz)"; without a known u as roundedText.
+std::string roundedTextWithU(double value, double u, std::string_view unit);
+
 /// `value` with `decimals` digits behind the point; negative: rounded to tens, hundreds... Never
 /// "-0".
 std::string fixedText(double value, int decimals);

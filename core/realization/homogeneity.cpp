@@ -226,7 +226,7 @@ void useScatter(const std::vector<PartFit> &fits, Index at, Pole &pole)
         damping.push_back(figures.dampingRatio);
         u_damping.push_back(figures.u_dampingRatio);
     }
-    pole.flags.push_back("shots-disagree");
+    pole.flags.push_back(kShotsDisagreeFlag);
     if (frequency.size() < 2) { // one shot says nothing of the others
         pole.u_frequency_Hz = kUnknown;
         pole.u_dampingRatio = kUnknown;
@@ -287,7 +287,7 @@ std::vector<PoleTest> testPoles(const ModelInput &input, const ModelDraft &draft
         const Index size = pole.s_rad_s.imag() > 0.0 ? 2 : 1;
         Index dof = 0;
         const double statistic
-            = std::max(0.0, disagreement(fits, static_cast<Index>(i), size, &dof));
+            = std::max(disagreement(fits, static_cast<Index>(i), size, &dof), 0.0); // NaN stays NaN
         if (!std::isfinite(statistic))
             continue;
         const double degrees = static_cast<double>(dof);
@@ -323,7 +323,7 @@ void judgeShared(const ModelInput &input, const ModelDraft &draft, const std::ve
             lower.u_frequency_Hz = upper.u_frequency_Hz;
             lower.u_dampingRatio = upper.u_dampingRatio;
             lower.coverageFactor = upper.coverageFactor;
-            lower.flags.push_back("shots-disagree");
+            lower.flags.push_back(kShotsDisagreeFlag);
         }
     }
 }

@@ -146,6 +146,11 @@ bool PlotWidget::Private::key(const QKeyEvent &event)
         goBack(event.modifiers().testFlag(Qt::ShiftModifier));
         return true;
     case Qt::Key_Escape:
+        if (marking) {
+            cancelDrag();
+            q->setMarking(false);
+            return true;
+        }
         if (cancelDrag())
             return true;
         if (!cursors.any())
@@ -172,7 +177,7 @@ bool PlotWidget::event(QEvent *event)
     if (event->type() == QEvent::ShortcutOverride) {
         const auto *key = static_cast<QKeyEvent *>(event);
         const bool dragging = !std::holds_alternative<std::monostate>(d->drag);
-        if (key->key() == Qt::Key_Escape && (dragging || d->cursors.any())) {
+        if (key->key() == Qt::Key_Escape && (dragging || d->marking || d->cursors.any())) {
             event->accept();
             return true;
         }

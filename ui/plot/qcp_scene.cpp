@@ -17,6 +17,7 @@ namespace {
 constexpr int kLegendIconWidth = 26;
 constexpr int kLegendPadding = 4;
 constexpr int kLegendGap = 14;
+constexpr int kLegendDescent = 2; ///< pixels; without, items end where the tail of a g begins
 /// Right: half of the last tick's label.
 constexpr QMargins kLeastMargins(4, 6, 16, 4);
 
@@ -208,6 +209,7 @@ void PlotScene::styleLegend()
         QFont font = m_theme.font;
         font.setStrikeOut(!drawn.visible);
         item->setFont(font);
+        item->setMargins(QMargins(0, 0, 0, kLegendDescent));
         item->setTextColor(m_theme.text);
     }
 }

@@ -12,6 +12,7 @@
 
 using dyncal::fixedText;
 using dyncal::roundedText;
+using dyncal::roundedTextWithU;
 using dyncal::RoundedValue;
 using dyncal::roundedValue;
 
@@ -28,6 +29,7 @@ private slots:
     void rounded_knownUncertainty_twoDigitsOfIt();
     void rounded_noUncertainty_fiveDigits_data();
     void rounded_noUncertainty_fiveDigits();
+    void textWithU_bothInOneUnitWithEqualDecimals();
     void rounded_randomValues_isWithinHalfOfLastDigit();
     void fixed_negativeZero_hasNoSign();
     void fixed_negativeDecimals_roundsToTens();
@@ -108,6 +110,13 @@ void TestRounding::rounded_noUncertainty_fiveDigits()
     QFETCH(QString, unit);
     for (const double none : {kNan, 0.0, -1.0})
         QTEST(QString::fromStdString(roundedText(value, none, unit.toStdString())), "text");
+}
+
+void TestRounding::textWithU_bothInOneUnitWithEqualDecimals()
+{
+    QCOMPARE(roundedTextWithU(2329980.4, 12.04, "Hz"), "2.329980 MHz (u = 0.000012 MHz)");
+    QCOMPARE(roundedTextWithU(0.02, 5e-6, ""), "0.0200000 (u = 0.0000050)");
+    QCOMPARE(roundedTextWithU(0.02, kNan, ""), "0.020000");
 }
 
 void TestRounding::rounded_randomValues_isWithinHalfOfLastDigit()
