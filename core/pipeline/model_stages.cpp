@@ -16,7 +16,7 @@ Index orderOf(const CalibrationResults &results, const Recipe &recipe)
 Result<SensorModel> modelStage(
     const CalibrationResults &results, const Recipe &recipe, Index order, const JobControl &control)
 {
-    return realizeModel(*results.input, results.decomposition->hankel, order, recipe.realization,
+    return fitModel(*results.input, results.decomposition->hankel, order, recipe.realization,
         sensorSpectrum(results, recipe), control);
 }
 

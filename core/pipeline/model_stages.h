@@ -8,7 +8,7 @@
 namespace dyncal {
 
 /// The stages behind the decomposition, for a run and for the comparison of orders alike. `results`
-/// must hold everything before.
+/// must hold everything before. The model is not yet assessed.
 Result<SensorModel> modelStage(const CalibrationResults &results, const Recipe &recipe, Index order,
     const JobControl &control);
 Result<ShockConditionsSet> shockOfModel(

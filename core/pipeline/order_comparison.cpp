@@ -6,6 +6,7 @@
 #include "core/base/distributions.h"
 #include "core/decomposition/principal_components.h"
 #include "core/pipeline/model_stages.h"
+#include "core/realization/model_assessment.h"
 #include "core/realization/model_findings.h"
 #include "core/realization/realized_poles.h"
 #include "core/realization/whitening.h"
@@ -70,13 +71,17 @@ double whitenessOf(const ModelInput &input, const SensorModel &model)
     return lags > 0 ? chiSquareSurvival(statistic, static_cast<double>(lags)) : kUnknown;
 }
 
-/// The model a run has made already, or a new one.
+/// The model a run has made already, or a new one; assessed.
 Result<std::shared_ptr<const SensorModel>> modelOf(
     const CalibrationResults &results, const Recipe &recipe, Index order, const JobControl &control)
 {
-    if (results.model && results.model->order == order)
+    const bool isThere = results.model && results.model->order == order;
+    if (isThere && results.model->isAssessed)
         return results.model;
-    Result<SensorModel> model = modelStage(results, recipe, order, control);
+    Result<SensorModel> model
+        = isThere ? *results.model : modelStage(results, recipe, order, control);
+    if (model)
+        model = assessModel(*results.input, *model, recipe.realization, control);
     if (!model)
         return tl::unexpected(std::move(model.error()));
     return std::make_shared<const SensorModel>(std::move(*model));
@@ -101,6 +106,7 @@ ComparedOrder compareOne(
 {
     ComparedOrder compared;
     compared.order = order;
+    compared.note = noteOnOrder(recipe, order);
     const Eigen::VectorXd &bic = results.decomposition->suggestion.bic;
     if (order >= 1 && order <= bic.size())
         compared.bic = bic[order - 1];
@@ -120,6 +126,13 @@ ComparedOrder compareOne(
 }
 
 } // namespace
+
+std::string noteOnOrder(const Recipe &recipe, Index order)
+{
+    const std::vector<OrderNote> &notes = recipe.realization.candidateNotes;
+    const auto note = std::ranges::find(notes, order, &OrderNote::order);
+    return note == notes.end() ? std::string() : note->note;
+}
 
 Result<std::vector<ComparedOrder>> compareOrders(const CalibrationResults &results,
     const Recipe &recipe, const std::vector<Index> &orders, const JobControl &control)

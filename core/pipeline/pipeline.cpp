@@ -8,6 +8,7 @@
 #include "core/pipeline/model_stages.h"
 #include "core/pipeline/nuisance_stage.h"
 #include "core/pipeline/stage_keys.h"
+#include "core/realization/model_assessment.h"
 #include "core/realization/model_findings.h"
 #include "core/realization/nuisance_modes.h"
 #include "core/shock/shock_velocity.h"
@@ -79,8 +80,8 @@ public:
         if (m_outcome.error || id > m_last)
             return *this;
         const std::string &key = m_outcome.results.keys[static_cast<std::size_t>(id)];
-        m_outcome.results.*member = m_cache.find<T>(key);
-        if (!(m_outcome.results.*member)) {
+        std::shared_ptr<const T> found = m_cache.find<T>(key);
+        if (!found) {
             if (m_control.stopRequested())
                 return stop(id, Error{ErrorKind::Cancelled, {}, {}, 0});
             Result<T> result = compute();
@@ -88,10 +89,22 @@ public:
                 return stop(id, std::move(result.error()));
             if (m_control.stopRequested()) // what it gave may be half of a result
                 return stop(id, Error{ErrorKind::Cancelled, {}, {}, 0});
-            m_outcome.results.*member = std::make_shared<const T>(std::move(*result));
-            m_cache.store(key, m_outcome.results.*member);
+            found = std::make_shared<const T>(std::move(*result));
+            m_cache.store(key, found);
         }
+        m_outcome.results.*member = std::move(found);
         m_control.report((static_cast<double>(id) + 1.0) / kStageCount);
+        return *this;
+    }
+
+    /// A later stage's result, which completes that of an earlier one, where it is known already.
+    template <typename T>
+    Run &completed(StageId id, std::shared_ptr<const T> CalibrationResults::*member)
+    {
+        if (!(m_outcome.results.*member))
+            return *this;
+        if (auto found = m_cache.find<T>(m_outcome.results.keys[static_cast<std::size_t>(id)]))
+            m_outcome.results.*member = std::move(found);
         return *this;
     }
 
@@ -134,9 +147,12 @@ void runStages(const CaptureSet &captures, const Recipe &recipe, Run &run, Calib
             [&] { return decompose(sensorOnly(*r.input), recipe.realization, control); })
         .stage(StageId::Model, &R::model,
             [&] { return modelStage(r, recipe, orderOf(r, recipe), control); })
+        .completed(StageId::Assessment, &R::model)
         .stage(StageId::Shock, &R::shock, [&] { return shockOfModel(r, recipe, *r.model); })
         .stage(StageId::Response, &R::response,
             [&] { return responseStage(r, recipe, *r.model, *r.shock); })
+        .stage(StageId::Assessment, &R::model, // the same model, complete
+            [&] { return assessModel(*r.input, *r.model, recipe.realization, control); })
         .stage(StageId::Evidence, &R::evidence,
             [&] {
                 return gatherOrderEvidence(sensorOnly(*r.input), r.decomposition->hankel,
@@ -193,6 +209,8 @@ const char *stageName(StageId stage)
         return "shock";
     case StageId::Response:
         return "response";
+    case StageId::Assessment:
+        return "model assessment";
     case StageId::Evidence:
         return "evidence";
     case StageId::MonteCarlo:

@@ -39,10 +39,11 @@ enum class StageId {
     Model, ///< poles, fit
     Shock, ///< velocity, states, pressure step
     Response, ///< frequency response, characteristics, sensitivity
+    Assessment, ///< of the model: uncertainties, shots compared; no response waits for it
     Evidence, ///< what all orders say; no result waits for it
     MonteCarlo, ///< of the pressure step; nothing waits for it
 };
-inline constexpr int kStageCount = 13;
+inline constexpr int kStageCount = 14;
 inline constexpr StageId kLastStage = StageId::MonteCarlo;
 
 const char *stageName(StageId stage);
@@ -71,7 +72,7 @@ struct CalibrationResults
     std::shared_ptr<const ComponentResult> components;
     std::shared_ptr<const ModelInput> input;
     std::shared_ptr<const DecompositionResult> decomposition;
-    std::shared_ptr<const SensorModel> model;
+    std::shared_ptr<const SensorModel> model; ///< as fitted; the assessed one once that is there
     std::shared_ptr<const ShockConditionsSet> shock;
     std::shared_ptr<const ResponseResult> response;
     std::shared_ptr<const OrderEvidence> evidence; ///< of the decomposition, not of one order

@@ -103,6 +103,8 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
     case StageId::Response:
         part.response = recipe.response;
         break;
+    case StageId::Assessment:
+        break; // all that it reads is in the model's key
     case StageId::Evidence:
         part.realization.stableFrequency = recipe.realization.stableFrequency;
         part.realization.stableDamping = recipe.realization.stableDamping;
@@ -122,6 +124,8 @@ std::array<std::string, kStageCount> stageKeys(const CaptureSet &captures, const
     std::string before = identityOf(captures);
     for (int i = 0; i < kStageCount; ++i) {
         const StageId stage = static_cast<StageId>(i);
+        if (stage == StageId::Assessment)
+            before = keys[static_cast<std::size_t>(StageId::Model)];
         if (stage == StageId::Evidence) // serves every order: model and response do not count
             before = keys[static_cast<std::size_t>(StageId::Decomposition)];
         if (stage == StageId::MonteCarlo)

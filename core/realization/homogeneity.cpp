@@ -226,7 +226,7 @@ void useScatter(const std::vector<PartFit> &fits, Index at, Pole &pole)
         damping.push_back(figures.dampingRatio);
         u_damping.push_back(figures.u_dampingRatio);
     }
-    pole.flags.push_back("shots-disagree");
+    pole.flags.push_back(kShotsDisagreeFlag);
     if (frequency.size() < 2) { // one shot says nothing of the others
         pole.u_frequency_Hz = kUnknown;
         pole.u_dampingRatio = kUnknown;
@@ -323,7 +323,7 @@ void judgeShared(const ModelInput &input, const ModelDraft &draft, const std::ve
             lower.u_frequency_Hz = upper.u_frequency_Hz;
             lower.u_dampingRatio = upper.u_dampingRatio;
             lower.coverageFactor = upper.coverageFactor;
-            lower.flags.push_back("shots-disagree");
+            lower.flags.push_back(kShotsDisagreeFlag);
         }
     }
 }

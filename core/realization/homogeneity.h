@@ -11,7 +11,8 @@ namespace dyncal {
 /// Fits the poles to every shot alone and to the shots of every level, tests whether the shots
 /// share them (docs/method/model.md) and fills in model.perShot, perLevel and homogeneity. Where a
 /// pole fails, its uncertainty becomes the scatter between the shots, with Student's factor. The
-/// model must have its poles, series and amplitudes. Nothing is done without a refinement.
+/// model must have its poles with the refinement's uncertainties, series and amplitudes. Nothing is
+/// done without a refinement.
 void compareShots(const ModelInput &input, const ModelDraft &draft, SensorModel &model,
     const JobControl &control);
 

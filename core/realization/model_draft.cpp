@@ -81,6 +81,7 @@ ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<d
     for (const std::complex<double> &z : poles)
         draft.rates_rad_s.push_back(rateOf(z, sampleInterval_s(input)));
     sortByFrequency(draft.rates_rad_s);
+    draft.realised_rad_s = draft.rates_rad_s;
     const auto sorted = discretePoles(draft.rates_rad_s, sampleInterval_s(input));
     Eigen::MatrixXd records(input.samples, static_cast<Index>(input.series.size()));
     for (Index r = 0; r < records.cols(); ++r) {

@@ -8,6 +8,7 @@
 #include "core/base/result.h"
 #include "core/realization/exponential_sum.h"
 #include "core/realization/hankel_decomposition.h"
+#include "core/realization/model_draft.h"
 #include "core/realization/model_input.h"
 #include "core/realization/second_order_model.h"
 #include "core/realization/state_space_model.h"
@@ -25,6 +26,9 @@ namespace dyncal {
 enum class PoleClass { Sensor, Step, Nyquist, Unstable, Other };
 
 const char *poleClassName(PoleClass poleClass); ///< "sensor", "step", ...
+
+inline constexpr const char *kBelowNoiseFlag = "below-noise";
+inline constexpr const char *kShotsDisagreeFlag = "shots-disagree";
 
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
@@ -125,6 +129,7 @@ struct Homogeneity
 };
 
 /// The realised model of one order. Immutable; every number of the model views comes from here.
+/// fitModel() makes it; what is marked [A] comes with assessModel() and is empty or unknown before.
 struct SensorModel
 {
     Index order = 0;
@@ -140,17 +145,20 @@ struct SensorModel
     std::optional<double> fitListing_percent; ///< thesis mode: as the listing computes it
     bool diverges = false; ///< a pole outside the unit circle makes the simulation run away
     bool refined = false;
+    bool isAssessed = false; ///< [A] also u, coverageFactor, "shots-disagree" and "integrator" of
+                             ///< the poles, MOD-010 and MOD-011
+    ModelDraft draft; ///< what the assessment goes on from
     std::vector<NuisanceResult> nuisance; ///< left out of everything above but `simulated`
-    std::optional<NuisanceEffect> nuisanceEffect; ///< where both sides could be refined
+    std::optional<NuisanceEffect> nuisanceEffect; ///< [A] where both sides could be refined
     /// Noise that the uncertainties rest on: "white", "AR(p)", with " of the residual" where
     /// that exceeds the noise before the start; empty without refinement.
     std::string uncertaintyMethod;
-    std::vector<LevelPole> perShot; ///< in shot order
-    std::vector<LevelPole> perLevel; ///< from low to high; only shots that carry a level
-    std::optional<Homogeneity> homogeneity; ///< empty with fewer than two shots, or where no pole
-                                            ///< of them could be compared
-    std::optional<SecondOrderModel> secondOrder; ///< the 2nd-order sensor fitted beside it
-    Findings findings; ///< ORD-001, ORD-003, MOD-001..011
+    std::vector<LevelPole> perShot; ///< [A] in shot order
+    std::vector<LevelPole> perLevel; ///< [A] from low to high; only shots with a level
+    std::optional<Homogeneity> homogeneity; ///< [A] empty with fewer than two shots, or where no
+                                            ///< pole of them could be compared
+    std::optional<SecondOrderModel> secondOrder; ///< [A] the 2nd-order sensor fitted beside it
+    Findings findings; ///< ORD-001, ORD-003, MOD-001..011; MOD-010, 011 [A]
 };
 
 /// The sensor's main resonance, which results and certificate speak of as f0 and zeta: the
@@ -160,8 +168,13 @@ struct SensorModel
 const Pole *mainPole(const SensorModel &model);
 
 /// Realises the model of one order from the decomposition (eq 3.22 or shift invariance, least
-/// squares amplitudes, optional refinement). Fails (Usage) if order < 1 or larger than the data
-/// allow, naming the largest.
+/// squares amplitudes, optional refinement), not yet assessed. Fails (Usage) if order < 1 or larger
+/// than the data allow, naming the largest; and when cancelled.
+Result<SensorModel> fitModel(const ModelInput &input, const HankelDecomposition &decomposition,
+    Index order, const RealizationSettings &settings, const SpectrumResult &spectrum,
+    const JobControl &control = {});
+
+/// fitModel() and assessModel() in one.
 Result<SensorModel> realizeModel(const ModelInput &input, const HankelDecomposition &decomposition,
     Index order, const RealizationSettings &settings, const SpectrumResult &spectrum,
     const JobControl &control = {});

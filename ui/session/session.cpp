@@ -293,7 +293,7 @@ void Session::startRest()
                          const JobControl &control) mutable -> Result<RunPart> {
         const bool isFirst = request.isFirstTriplets
             = request.wantsFirstTriplets(kLastStage, control);
-        for (const StageId upTo : {StageId::Response, StageId::Evidence}) {
+        for (const StageId upTo : {StageId::Response, StageId::Assessment, StageId::Evidence}) {
             if (upTo == focus)
                 continue;
             const PipelineOutcome part = request.run(upTo, control);
@@ -355,6 +355,9 @@ void Session::takePart(const CalibrationResults &part, StageId upTo, bool isFirs
     if (!newerWaits && !m_isRest)
         m_rest.start(m_isMerging ? kRest_ms : 0);
     std::copy_n(part.keys.begin(), static_cast<std::size_t>(upTo) + 1, m_keysOfResults.begin());
+    const auto assessed = static_cast<std::size_t>(StageId::Assessment);
+    if (part.model) // of this recipe, and perhaps assessed in an earlier run
+        m_keysOfResults[assessed] = part.model->isAssessed ? part.keys[assessed] : std::string();
     CalibrationResults merged = part;
     const CalibrationResults &old = m_run.results;
     const auto keep = [](auto &now, const auto &before) {

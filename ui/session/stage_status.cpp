@@ -34,6 +34,8 @@ bool hasResult(const CalibrationResults &results, StageId stage)
         return results.shock != nullptr;
     case StageId::Response:
         return results.response != nullptr;
+    case StageId::Assessment:
+        return results.model && results.model->isAssessed;
     case StageId::Evidence:
         return results.evidence != nullptr;
     case StageId::MonteCarlo:
@@ -68,6 +70,8 @@ Findings findingsOf(const CalibrationResults &results, StageId stage)
         return results.shock->findings;
     case StageId::Response:
         return results.response->findings;
+    case StageId::Assessment:
+        return {}; // among the model's
     case StageId::Evidence:
         return results.evidenceFindings();
     case StageId::MonteCarlo:

@@ -12,6 +12,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -170,6 +171,9 @@ void StretchList::chooseShots(const std::vector<Index> &shots)
 void StretchList::askForReason()
 {
     m_reason->setFocus();
+    for (QWidget *above = parentWidget(); above; above = above->parentWidget())
+        if (auto *area = qobject_cast<QScrollArea *>(above))
+            area->ensureWidgetVisible(m_remove); // all of it, in an inspector that scrolls
 }
 
 void StretchList::setMarking(bool on)

@@ -42,9 +42,9 @@ CaptureSet captures()
     return set;
 }
 
-/// The first stage whose key differs; all later ones must differ too, but for the evidence, which
-/// serves all orders and follows the decomposition only, and the Monte Carlo, which follows the
-/// shock. -1 if they do not.
+/// The first stage whose key differs; all later ones must differ too, but for the assessment,
+/// which follows the model only, the evidence, which serves all orders and follows the
+/// decomposition only, and the Monte Carlo, which follows the shock. -1 if they do not.
 int firstMoved(
     const std::array<std::string, kStageCount> &a, const std::array<std::string, kStageCount> &b)
 {
@@ -55,6 +55,8 @@ int firstMoved(
     const auto at = [](StageId stage) { return static_cast<std::size_t>(stage); };
     for (std::size_t i = first; i < count; ++i) {
         bool follows = true;
+        if (i == at(StageId::Assessment))
+            follows = first == i || first <= at(StageId::Model);
         if (i == at(StageId::Evidence))
             follows = first == i || first <= at(StageId::Decomposition);
         if (i == at(StageId::MonteCarlo))
