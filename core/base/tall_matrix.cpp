@@ -4,27 +4,15 @@
 #include "core/base/tall_matrix.h"
 
 #include "core/base/index.h"
+#include "core/base/lanes.h"
 #include "core/base/parallel.h"
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
-// The kernels are written once and compiled twice: for every amd64 processor and for those with
-// AVX2. Four sums run side by side in both, so that both round alike.
-#if defined(__x86_64__)
-#define DYNCAL_AVX2 __attribute__((target("avx2")))
-#else
-#define DYNCAL_AVX2
-#endif
-#define DYNCAL_INLINE inline __attribute__((always_inline))
-
 namespace dyncal {
 namespace {
-
-/// Four doubles that need not be aligned to 32 bytes.
-using Lanes = double __attribute__((vector_size(32), aligned(8), may_alias));
-constexpr Index kLanes = 4;
 
 constexpr Index kPanelRows
     = 8192; ///< one part of the work: fixed, so that sums do not depend on threads
@@ -38,11 +26,6 @@ struct View
     Index stride;
     const double *column(Index j) const { return data + j * stride; }
 };
-
-DYNCAL_INLINE const Lanes *lanes(const double *data)
-{
-    return reinterpret_cast<const Lanes *>(data);
-}
 
 /// Adds the products of QC columns of Q and WC of W over `rows` rows to c (column stride d).
 template <int QC, int WC>
@@ -106,7 +89,7 @@ DYNCAL_INLINE void subtractTile(
                 rest[b] -= q * c[a + b * cStride];
         }
         for (int b = 0; b < WC; ++b)
-            *reinterpret_cast<Lanes *>(w + b * stride + i) = rest[b];
+            *lanes(w + b * stride + i) = rest[b];
     }
     for (Index i = whole; i < rows; ++i) {
         for (int b = 0; b < WC; ++b) {
@@ -156,15 +139,6 @@ DYNCAL_AVX2 void subtractAvx2(
     View Q, Index d, double *w, Index stride, Index columns, Index rows, const double *c)
 {
     subtract(Q, d, w, stride, columns, rows, c);
-}
-
-bool hasAvx2()
-{
-#if defined(__x86_64__)
-    return __builtin_cpu_supports("avx2") != 0;
-#else
-    return false;
-#endif
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "core/realization/coloured_covariance.h"
 
 #include "core/base/distributions.h"
+#include "core/base/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +16,16 @@ namespace {
 using Complex = std::complex<double>;
 constexpr double kSignificance = 0.01;
 constexpr double kDecayed = 1e-6; ///< of its largest value: the filter's memory before the record
+
+/// Whether the work on all records is worth a second thread.
+bool isLong(const std::vector<RefinementRecord> &records)
+{
+    constexpr Index kSamples = 100'000;
+    Index samples = 0;
+    for (const RefinementRecord &record : records)
+        samples += record.y.size();
+    return samples >= kSamples;
+}
 
 std::vector<SampleRange> usedRanges(const RefinementRecord &record)
 {
@@ -149,24 +160,23 @@ class BackwardFilter
 public:
     BackwardFilter(const AutoregressiveModel &model, Index parameters)
         : m_model(model)
-        , m_states(Eigen::MatrixXd::Zero(parameters, std::max<Index>(1, model.order())))
+        , m_states(Eigen::MatrixXd::Zero(parameters, model.order()))
         , m_sum(Eigen::MatrixXd::Zero(parameters, parameters))
     {
     }
 
     /// `input` in order of time; the block before it comes next. Returns the largest output.
-    double add(Eigen::MatrixXd input)
+    double add(const Eigen::MatrixXd &input)
     {
         const Index p = m_model.order();
-        for (Index k = input.cols() - 1; k >= 0; --k) {
-            if (p > 0)
-                input.col(k) -= m_states * m_model.coefficients;
-            for (Index i = p - 1; i > 0; --i)
-                m_states.col(i) = m_states.col(i - 1);
-            m_states.col(0) = input.col(k);
-        }
-        m_sum.noalias() += input * input.transpose();
-        return input.cwiseAbs().maxCoeff();
+        const Index count = input.cols();
+        Eigen::MatrixXd outputs(input.rows(), count + p);
+        outputs << input, m_states;
+        for (Index k = count - 1; k >= 0 && p > 0; --k)
+            outputs.col(k).noalias() -= outputs.middleCols(k + 1, p) * m_model.coefficients;
+        m_states = outputs.leftCols(p);
+        m_sum.noalias() += outputs.leftCols(count) * outputs.leftCols(count).transpose();
+        return outputs.leftCols(count).cwiseAbs().maxCoeff();
     }
 
     Eigen::MatrixXd product() const { return m_model.innovationVariance * m_sum; }
@@ -237,17 +247,24 @@ NoiseModels chooseNoiseModels(const std::vector<RefinementRecord> &records,
     const auto before = chooseAutoregressiveModels(noise, kLargestNoiseModelOrder);
     const double lost = static_cast<double>(parameters) / static_cast<double>(records.size());
     std::vector<NoiseCovariance> used = noise;
-    Index samples = 0;
-    Index values = 0;
-    for (std::size_t r = 0; r < records.size(); ++r) {
+    std::vector<Index> counts(records.size());
+    std::vector<int> fromResidual(records.size());
+    forEachPart(std::ssize(records), isLong(records), [&](Index part) {
+        const auto r = static_cast<std::size_t>(part);
         const Eigen::VectorXd residual = residualOf(records[r], fit.records[r], fit.nuisance[r]);
         if (exceedsNoise(residual, noise[r], before[r], lost)) {
             const double count = static_cast<double>(residual.size());
             used[r] = noiseCovariance(residual, kLargestNoiseModelOrder);
             used[r].values *= count / std::max(1.0, count - lost);
-            basis.fromResidual = true;
+            fromResidual[r] = 1;
         }
-        samples += residual.size();
+        counts[r] = residual.size();
+    });
+    Index samples = 0;
+    Index values = 0;
+    for (std::size_t r = 0; r < records.size(); ++r) {
+        basis.fromResidual = basis.fromResidual || fromResidual[r] != 0;
+        samples += counts[r];
         values += used[r].count;
     }
     auto models = chooseAutoregressiveModels(used, kLargestNoiseModelOrder);
@@ -264,13 +281,17 @@ Eigen::MatrixXd noiseFilling(const std::vector<RefinementRecord> &records,
     const std::vector<AutoregressiveModel> &models, const Refinement &fit,
     const Eigen::VectorXd &unit)
 {
-    Eigen::MatrixXd filling = Eigen::MatrixXd::Zero(unit.size(), unit.size());
-    for (std::size_t r = 0; r < records.size(); ++r) {
+    std::vector<std::vector<Index>> rows(records.size());
+    std::vector<Eigen::MatrixXd> products(records.size());
+    forEachPart(std::ssize(records), isLong(records), [&](Index part) {
+        const auto r = static_cast<std::size_t>(part);
         const Sensitivities sensitivities(fit, r, records[r]);
-        const std::vector<Index> rows = rowsOf(fit, r, sensitivities.parameters());
-        filling(rows, rows) += std::pow(records[r].weight, 4)
-            * noiseProduct(sensitivities, unit(rows), records[r].y.size(), models[r]);
-    }
+        rows[r] = rowsOf(fit, r, sensitivities.parameters());
+        products[r] = noiseProduct(sensitivities, unit(rows[r]), records[r].y.size(), models[r]);
+    });
+    Eigen::MatrixXd filling = Eigen::MatrixXd::Zero(unit.size(), unit.size());
+    for (std::size_t r = 0; r < records.size(); ++r)
+        filling(rows[r], rows[r]) += std::pow(records[r].weight, 4) * products[r];
     return filling;
 }
 

@@ -3,8 +3,10 @@
 
 #include "core/realization/exponential_regression.h"
 
+#include "core/realization/block_kernel.h"
 #include "core/realization/exponential_sum.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -13,7 +15,7 @@ namespace dyncal {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr Index kBlock = 128; ///< rows: powers within stay accurate, products stay in the cache
+constexpr Index kBlock = BlockKernel::kRows; ///< powers within a block stay accurate
 
 /// d y / d parameter = t^order Re(factor p^k).
 struct Column
@@ -98,58 +100,85 @@ private:
 /// Powers of the modes within a block (rows 0 .. kBlock-1) and at the blocks' beginnings.
 struct Powers
 {
-    Eigen::MatrixXd within; ///< per mode Re p^j, Im p^j
+    Eigen::MatrixXd within; ///< per mode Re p^j, and of a pair Im p^j
     Eigen::MatrixXcd begins; ///< mode x block: p^(kBlock b)
 };
+
+Index columnsOf(const RegressionMode &mode)
+{
+    return mode.isPair ? 2 : 1;
+}
 
 Powers powersOf(const std::vector<RegressionMode> &modes, Index blocks)
 {
     const Index count = std::ssize(modes);
-    Powers powers{Eigen::MatrixXd(kBlock, 2 * count), Eigen::MatrixXcd(count, blocks)};
+    Index columns = 0;
+    for (const RegressionMode &mode : modes)
+        columns += columnsOf(mode);
+    Powers powers{Eigen::MatrixXd(kBlock, columns), Eigen::MatrixXcd(count, blocks)};
+    Index column = 0;
     for (Index m = 0; m < count; ++m) {
-        const Complex exponent = modes[static_cast<std::size_t>(m)].exponent;
-        powers.within.middleCols(2 * m, 2) = powerTable(exponent, kBlock);
+        const RegressionMode &mode = modes[static_cast<std::size_t>(m)];
+        powers.within.middleCols(column, columnsOf(mode))
+            = powerTable(mode.exponent, kBlock).leftCols(columnsOf(mode));
+        column += columnsOf(mode);
         // Not multiplied on from block to block: errors would add up over a long record.
         for (Index b = 0; b < blocks; ++b)
-            powers.begins(m, b) = std::exp(exponent * static_cast<double>(b * kBlock));
+            powers.begins(m, b) = std::exp(mode.exponent * static_cast<double>(b * kBlock));
     }
     return powers;
 }
 
-/// Model of all blocks as columns.
-Eigen::MatrixXd modelOf(const std::vector<RegressionMode> &modes, const Powers &powers)
+/// Gains of the columns of powers in some blocks.
+Eigen::MatrixXd gainsOf(
+    const std::vector<RegressionMode> &modes, const Powers &powers, Index begin, Index blocks)
 {
-    Eigen::MatrixXd gains(powers.within.cols(), powers.begins.cols());
+    Eigen::MatrixXd gains(powers.within.cols(), blocks);
+    Index column = 0;
     for (Index m = 0; m < powers.begins.rows(); ++m) {
-        const Complex gain = modes[static_cast<std::size_t>(m)].gain;
-        for (Index b = 0; b < gains.cols(); ++b) {
-            const Complex here = gain * powers.begins(m, b);
-            gains(2 * m, b) = here.real();
-            gains(2 * m + 1, b) = -here.imag();
+        const RegressionMode &mode = modes[static_cast<std::size_t>(m)];
+        for (Index b = 0; b < blocks; ++b) {
+            const Complex here = mode.gain * powers.begins(m, begin + b);
+            gains(column, b) = here.real();
+            if (mode.isPair)
+                gains(column + 1, b) = -here.imag();
         }
+        column += columnsOf(mode);
     }
-    return powers.within * gains;
+    return gains;
 }
 
-/// Sums over k of r_k p^k and of r_k k p^k, per mode.
-Eigen::MatrixX2cd momentsOf(const Eigen::MatrixXd &residual, const Powers &powers)
+/// Adds the sums over k of r_k p^k and of r_k k p^k, per mode, of some blocks.
+void addMoments(const std::vector<RegressionMode> &modes, const Powers &powers,
+    const Eigen::MatrixXd &sums, Index begin, Eigen::MatrixX2cd &moments)
 {
-    Eigen::MatrixXd weighted = powers.within;
-    for (Index j = 0; j < kBlock; ++j)
-        weighted.row(j) *= static_cast<double>(j);
-    const Eigen::MatrixXd plain = powers.within.transpose() * residual;
-    const Eigen::MatrixXd ramped = weighted.transpose() * residual;
-    Eigen::MatrixX2cd moments = Eigen::MatrixX2cd::Zero(powers.begins.rows(), 2);
-    for (Index b = 0; b < residual.cols(); ++b) {
-        const double before = static_cast<double>(b * kBlock);
+    const Index columns = powers.within.cols();
+    for (Index b = 0; b < sums.cols(); ++b) {
+        const double before = static_cast<double>((begin + b) * kBlock);
+        Index c = 0;
         for (Index m = 0; m < moments.rows(); ++m) {
-            const Complex zeroth(plain(2 * m, b), plain(2 * m + 1, b));
-            const Complex first(ramped(2 * m, b), ramped(2 * m + 1, b));
-            moments(m, 0) += powers.begins(m, b) * zeroth;
-            moments(m, 1) += powers.begins(m, b) * (before * zeroth + first);
+            const RegressionMode &mode = modes[static_cast<std::size_t>(m)];
+            const Complex zeroth(sums(c, b), mode.isPair ? sums(c + 1, b) : 0.0);
+            const Complex first(sums(columns + c, b), mode.isPair ? sums(columns + c + 1, b) : 0.0);
+            moments(m, 0) += powers.begins(m, begin + b) * zeroth;
+            moments(m, 1) += powers.begins(m, begin + b) * (before * zeroth + first);
+            c += columnsOf(mode);
         }
     }
-    return moments;
+}
+
+/// Zero where a sample takes no part; `values` begin with sample `begin`.
+void clearUnused(
+    const std::vector<SampleRange> &used, Index begin, Eigen::Ref<Eigen::VectorXd> values)
+{
+    const Index end = begin + values.size();
+    Index free = begin;
+    for (const SampleRange &range : used) {
+        const Index next = std::clamp(range.begin, free, end);
+        values.segment(free - begin, next - free).setZero();
+        free = std::clamp(range.end, next, end);
+    }
+    values.tail(end - free).setZero();
 }
 
 } // namespace
@@ -201,21 +230,29 @@ Index ExponentialRegression::count() const
 RegressionEquations ExponentialRegression::equations(
     const std::vector<RegressionMode> &modes, double dt) const
 {
-    const Powers powers = powersOf(modes, m_columns.cols());
-    Eigen::MatrixXd residual = m_columns - modelOf(modes, powers);
-    Index free = 0;
-    for (const SampleRange &range : m_used) {
-        residual.reshaped().segment(free, range.begin - free).setZero();
-        free = range.end;
+    const Index blocks = m_columns.cols();
+    const Powers powers = powersOf(modes, blocks);
+    const BlockKernel kernel(
+        powers.within, modes.size() % 2 == 1 ? columnsOf(modes.back()) : Index(0));
+    Eigen::MatrixX2cd moments = Eigen::MatrixX2cd::Zero(std::ssize(modes), 2);
+    std::array<double, 4> squares{};
+    for (Index begin = 0; begin < blocks; begin += BlockKernel::kBlocks) {
+        const Index count = std::min(BlockKernel::kBlocks, blocks - begin);
+        Eigen::VectorXd residual(count * kBlock);
+        kernel.subtract(
+            m_columns.col(begin).data(), gainsOf(modes, powers, begin, count), residual.data());
+        clearUnused(m_used, begin * kBlock, residual);
+        addSquares(residual.data(), residual.size(), squares.data());
+        Eigen::MatrixXd sums(2 * powers.within.cols(), count);
+        kernel.project(residual.data(), sums);
+        addMoments(modes, powers, sums, begin, moments);
     }
-    residual.reshaped().tail(residual.size() - free).setZero();
-    const Eigen::MatrixX2cd moments = momentsOf(residual, powers);
     const GramTable gram(modes, m_used);
 
     const std::vector<Column> columns = columnsOf(modes);
     const Index count = std::ssize(columns);
-    RegressionEquations sum{
-        Eigen::MatrixXd(count, count), Eigen::VectorXd(count), residual.squaredNorm()};
+    RegressionEquations sum{Eigen::MatrixXd(count, count), Eigen::VectorXd(count),
+        (squares[0] + squares[2]) + (squares[1] + squares[3])};
     for (Index a = 0; a < count; ++a) {
         const Column &column = columns[static_cast<std::size_t>(a)];
         const Complex moment

@@ -31,6 +31,7 @@ struct HankelDecomposition
     Eigen::VectorXd firstRightRow; ///< V(0, :), k; only with step-as-impulse
     std::vector<double> seriesWeights; ///< each series was divided by this (its noise sd)
     double noiseFloor_p95 = 0.0; ///< largest singular value expected of noise alone (95 %)
+    double noiseFloor_median = 0.0; ///< its median
     std::string method; ///< "dense" or "lanczos"
 };
 

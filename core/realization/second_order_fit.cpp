@@ -28,6 +28,7 @@ constexpr double kSlowest = 1e-4; ///< zeta beyond which nothing is a second-ord
 constexpr double kFastest = 1e3;
 constexpr double kModeFactor = 1.5; ///< a tube mode that moves further is another one
 constexpr double kFitMargin_points = 2.0;
+constexpr double kUnseen = 0.1; ///< standard uncertainties that may be left to go
 
 /// The records with the unit of time; parameters: logOmega, logZeta, then plateau, onset and modes
 /// of each, as in SecondOrderStep.
@@ -276,6 +277,8 @@ std::optional<SecondOrderModel> fitSecondOrder(const ModelInput &input,
         return std::nullopt;
 
     const double chiSquare = last->cost / static_cast<double>(freedom);
+    if (!(distanceToGo(*last) < kUnseen * std::sqrt(std::max(1.0, chiSquare))))
+        return std::nullopt;
     const NoiseModels models
         = chooseNoiseModels(records, noise, asExponentials(problem, theta), problem.parameters());
     const Eigen::MatrixXd covariance = covarianceOf(problem, theta, *last, chiSquare, models);

@@ -88,15 +88,15 @@ class PairedRecords
 {
 public:
     /// Writes nothing where `folder` is empty.
-    PairedRecords(const std::string &folder, const std::string &name, const Case &c, double first,
-        const std::array<double, 3> &noise)
+    PairedRecords(const std::string &folder, const std::string &name, const std::string &title,
+        const Case &c, double first, const std::array<double, 3> &noise)
     {
         if (folder.empty())
             return;
         m_records.open(folder + '/' + name + ".f64", std::ios::binary);
         m_estimates.open(folder + '/' + name + ".txt");
         m_estimates.precision(17);
-        m_estimates << c.name << '\n'
+        m_estimates << title << '\n'
                     << c.f0_Hz << ' ' << c.zeta << ' ' << c.rate_Hz << ' ' << first << '\n'
                     << noise[0] << ' ' << noise[1] << ' ' << noise[2] << '\n';
     }
@@ -210,7 +210,7 @@ void printMethods(const Case &c, int trials, const std::string &folder, std::siz
     std::array<double, 3> noise{};
     for (std::size_t i = 0; i < 3; ++i)
         noise[i] = relative * kSteps[i];
-    PairedRecords paired(folder, "methods-" + std::to_string(number), c, 0.0, noise);
+    PairedRecords paired(folder, "methods-" + std::to_string(number), c.name, c, 0.0, noise);
     for (int trial = 1; trial <= trials; ++trial) {
         const auto shots = simulate(c, noise, {}, static_cast<std::uint64_t>(trial));
         const auto average = averaged(shots, c.rate_Hz);
@@ -237,10 +237,11 @@ void printMethods(const Case &c, int trials, const std::string &folder, std::siz
 /// of the largest step.
 void printShots(const Case &c, bool jitter, int trials, const std::string &folder)
 {
+    const std::string name = std::string(c.name) + (jitter ? ", starts within a sample" : "");
     Statistics equal, best, stacked, refined;
     const double noise = kSteps.back() * std::pow(10.0, -c.snr_dB / 20.0);
-    PairedRecords paired(
-        folder, jitter ? "shots-jitter" : "shots", c, jitter ? 0.5 : 0.0, {noise, noise, noise});
+    PairedRecords paired(folder, jitter ? "shots-jitter" : "shots", "equal noise, " + name, c,
+        jitter ? 0.5 : 0.0, {noise, noise, noise});
     for (int trial = 1; trial <= trials; ++trial) {
         const auto seed = static_cast<std::uint64_t>(trial);
         testing::Noise source(seed + 1'000'000);
@@ -260,7 +261,6 @@ void printShots(const Case &c, bool jitter, int trials, const std::string &folde
         refined.add(fitted, c);
         paired.add(shots, plain, fitted);
     }
-    const std::string name = std::string(c.name) + (jitter ? ", starts within a sample" : "");
     printRow(name, "average, equal weights", equal);
     printRow(name, "largest shot alone", best);
     printRow(name, "stacked", stacked);

@@ -25,7 +25,7 @@
 
 namespace {
 
-constexpr suseconds_t kHelperTime_us = 250'000; ///< honest ones take a hundredth of it
+constexpr suseconds_t kHelperTime_us = 100'000; ///< honest ones take a thirtieth of it
 
 /// In a helper a sanitizer must not report to the fuzzer, which would write a crash of ours down.
 /// One that hangs is ended before its 2 s are over, or nearly all of the time would go to hangs;

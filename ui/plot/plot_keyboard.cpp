@@ -120,13 +120,10 @@ bool PlotWidget::Private::key(const QKeyEvent &event)
     case Qt::Key_F:
         q->fit();
         return true;
-    case Qt::Key_G: {
-        const bool visible = !plot->xAxis->grid()->visible();
-        plot->xAxis->grid()->setVisible(visible);
-        plot->yAxis->grid()->setVisible(visible);
+    case Qt::Key_G:
+        scene.setGridVisible(!scene.isGridVisible());
         replot();
         return true;
-    }
     case Qt::Key_1:
     case Qt::Key_2:
         placeCursor(event.key() == Qt::Key_1 ? 0 : 1);

@@ -295,6 +295,12 @@ void PlotWidget::showMenu(const QPoint &globalPosition)
     menu.addAction(tr("Export..."), this, &PlotWidget::exportWithDialog);
     menu.addSeparator();
     menu.addAction(tr("Fit"), this, &PlotWidget::fit);
+    QAction *grid = menu.addAction(tr("Grid"), this, [this](bool visible) {
+        d->scene.setGridVisible(visible);
+        d->replot();
+    });
+    grid->setCheckable(true);
+    grid->setChecked(d->scene.isGridVisible());
     menu.exec(globalPosition);
 }
 

@@ -3,6 +3,8 @@
 
 #include "ui/plot/qcp_scene.h"
 
+#include "ui/plot/qcp_damping_grid.h"
+
 #include <algorithm>
 
 namespace dyncal {
@@ -19,6 +21,8 @@ void PlotScene::makeDecorations()
     for (const Decoration &decoration : m_decorations) {
         m_plot.removeItem(decoration.line);
         m_plot.removeItem(decoration.label);
+        if (decoration.band)
+            m_plot.removeItem(decoration.band);
     }
     m_decorations.clear();
     if (m_unitCircle)
@@ -30,6 +34,12 @@ void PlotScene::makeDecorations()
         m_unitCircle->bottomRight->setCoords(1.0, -1.0);
         m_unitCircle->setSelectable(false);
     }
+    if (m_dampingGrid)
+        m_plot.removeItem(m_dampingGrid);
+    m_dampingGrid = m_content->dampingGridRate_Hz
+        ? new DampingGrid(&m_plot, *m_content->dampingGridRate_Hz)
+        : nullptr;
+    setGridVisible(m_gridVisible);
     for (const PlotLevel &level : m_content->levels)
         makeLevel(level);
     for (const PlotMark &mark : m_content->marks)
@@ -56,7 +66,7 @@ void PlotScene::makeMark(const PlotMark &mark)
     label->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
     label->setPadding(QMargins(3, 1, 1, 0));
     label->setText(mark.label);
-    m_decorations.push_back({line, label, mark.role, mark.x});
+    m_decorations.push_back({line, label, mark.role, mark.x, 0.0, nullptr});
 }
 
 void PlotScene::makeLevel(const PlotLevel &level)
@@ -75,7 +85,32 @@ void PlotScene::makeLevel(const PlotLevel &level)
     label->setPositionAlignment(Qt::AlignRight | Qt::AlignBottom);
     label->setPadding(QMargins(1, 0, 3, 1));
     label->setText(level.label);
-    m_decorations.push_back({line, label, level.role, std::nullopt});
+    m_decorations.push_back({line, label, level.role, std::nullopt, level.y, makeBand(level)});
+}
+
+QCPItemRect *PlotScene::makeBand(const PlotLevel &level)
+{
+    if (!level.from)
+        return nullptr;
+    auto *band = new QCPItemRect(&m_plot);
+    for (QCPItemPosition *position : {band->topLeft, band->bottomRight}) {
+        position->setTypeX(QCPItemPosition::ptAxisRectRatio);
+        position->setTypeY(QCPItemPosition::ptPlotCoords);
+    }
+    band->topLeft->setCoords(0.0, level.y);
+    band->bottomRight->setCoords(1.0, *level.from);
+    band->setLayer("background");
+    band->setSelectable(false);
+    return band;
+}
+
+void PlotScene::setGridVisible(bool visible)
+{
+    m_gridVisible = visible;
+    for (QCPAxis *axis : {m_plot.xAxis, m_plot.yAxis})
+        axis->grid()->setVisible(visible && !m_dampingGrid);
+    if (m_dampingGrid)
+        m_dampingGrid->setVisible(visible);
 }
 
 void PlotScene::styleDecorations()
@@ -89,16 +124,32 @@ void PlotScene::styleDecorations()
         decoration.label->setColor(m_theme.text);
         decoration.label->setFont(m_theme.font);
         decoration.label->setVisible(!decoration.label->text().isEmpty());
+        if (decoration.band) {
+            decoration.band->setPen(Qt::NoPen);
+            decoration.band->setBrush(m_theme.bandFill);
+        }
     }
+    if (m_dampingGrid)
+        m_dampingGrid->setTheme(m_theme);
     if (m_unitCircle)
         m_unitCircle->setPen(QPen(m_theme.axis, 1.0, Qt::DashLine));
 }
 
-void PlotScene::staggerMarks()
+void PlotScene::placeLabels()
 {
-    // Labels of marks that lie close go one row down, so that they stay readable.
+    std::vector<QRectF> taken;
+    staggerMarks(taken);
+    for (const Decoration &decoration : m_decorations)
+        if (!decoration.markX && decoration.label->visible())
+            placeLevelLabel(decoration, taken);
+}
+
+/// Labels of marks that lie close go one row down, so that they stay readable.
+void PlotScene::staggerMarks(std::vector<QRectF> &taken)
+{
     const QFontMetrics metrics(m_theme.font);
-    const double height = m_plot.axisRect()->height();
+    const QRect rect = m_plot.axisRect()->rect();
+    const double height = rect.height();
     if (!(height > 0.0))
         return;
     std::vector<double> rowEnds(kMarkRows, -1e9);
@@ -107,17 +158,52 @@ void PlotScene::staggerMarks()
             continue;
         const double left = m_plot.xAxis->coordToPixel(*decoration.markX);
         const double width = metrics.horizontalAdvance(decoration.label->text()) + kLabelGap_px;
-        const bool flip = left + width > m_plot.axisRect()->right();
+        const bool flip = left + width > rect.right();
         const double from = flip ? left - width : left;
         const auto row = std::find_if(
             rowEnds.begin(), rowEnds.end(), [from](double end) { return from > end; });
         const auto place = row == rowEnds.end() ? rowEnds.begin() : row;
         *place = from + width;
+        const auto top = static_cast<double>((place - rowEnds.begin()) * metrics.height());
         decoration.label->setPositionAlignment(
             (flip ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
-        decoration.label->position->setCoords(*decoration.markX,
-            static_cast<double>((place - rowEnds.begin()) * metrics.height()) / height);
+        decoration.label->position->setCoords(*decoration.markX, top / height);
+        taken.emplace_back(from, rect.top() + top, width, metrics.height());
     }
+}
+
+/// At the right end above its line, else where it neither leaves the axes nor lies on another.
+void PlotScene::placeLevelLabel(const Decoration &decoration, std::vector<QRectF> &taken)
+{
+    const QRectF rect = m_plot.axisRect()->rect();
+    const QFontMetrics metrics(m_theme.font);
+    const QSizeF size(
+        metrics.horizontalAdvance(decoration.label->text()) + kLabelGap_px, metrics.height() + 1);
+    const double y = m_plot.yAxis->coordToPixel(decoration.levelY);
+    const auto rectAt = [&](bool right, bool above) {
+        return QRectF(
+            {right ? rect.right() - size.width() : rect.left(), above ? y - size.height() : y},
+            size);
+    };
+    const auto isFree = [&](const QRectF &place) {
+        return rect.top() <= place.top() && place.bottom() <= rect.bottom()
+            && std::none_of(taken.begin(), taken.end(),
+                [&](const QRectF &other) { return place.intersects(other); });
+    };
+    bool right = true;
+    bool above = true;
+    for (const auto &[tryRight, tryAbove] :
+        {std::pair(true, true), {true, false}, {false, true}, {false, false}}) {
+        if (!isFree(rectAt(tryRight, tryAbove)))
+            continue;
+        right = tryRight;
+        above = tryAbove;
+        break;
+    }
+    taken.push_back(rectAt(right, above));
+    decoration.label->position->setCoords(right ? 1.0 : 0.0, decoration.levelY);
+    decoration.label->setPositionAlignment(
+        (right ? Qt::AlignRight : Qt::AlignLeft) | (above ? Qt::AlignBottom : Qt::AlignTop));
 }
 
 } // namespace dyncal

@@ -125,6 +125,7 @@ QWidget *OrderPage::buildCandidates()
     connect(m_compare, &QPushButton::toggled, this, &OrderPage::showCandidates);
     connect(m_difference, &QCheckBox::toggled, this, &OrderPage::showCandidates);
     connect(m_cards, &CandidateCards::unpinned, this, &OrderPage::togglePin);
+    connect(m_cards, &CandidateCards::remarked, this, &OrderPage::setRemark);
     connect(m_cards, &CandidateCards::chosen, this,
         [this](Index order) { setOrder(static_cast<double>(order), {}); });
     connect(m_table, &CandidateTable::chosen, this,
@@ -204,6 +205,17 @@ void OrderPage::togglePin(Index order)
     }
 }
 
+void OrderPage::setRemark(Index order, const QString &remark)
+{
+    change(tr("Note on order %1").arg(order), [&](Recipe &r) {
+        std::vector<OrderNote> &notes = r.realization.candidateNotes;
+        std::erase_if(notes, [order](const OrderNote &note) { return note.order == order; });
+        if (!remark.isEmpty())
+            notes.push_back({order, remark.toStdString()});
+        std::ranges::sort(notes, {}, &OrderNote::order);
+    });
+}
+
 void OrderPage::pinDefaults()
 {
     if (!results().decomposition)
@@ -217,7 +229,12 @@ void OrderPage::pinDefaults()
 void OrderPage::setCandidates(std::vector<Index> orders, const QString &label)
 {
     std::ranges::sort(orders);
-    change(label, [&](Recipe &r) { r.realization.candidates = orders; });
+    change(label, [&](Recipe &r) {
+        r.realization.candidates = orders;
+        std::erase_if(r.realization.candidateNotes, [&](const OrderNote &note) {
+            return std::ranges::find(orders, note.order) == orders.end();
+        });
+    });
 }
 
 bool OrderPage::takeKey(const QKeyEvent &event)

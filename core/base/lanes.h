@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/index.h"
+
+// Kernels are written once and compiled twice: for every amd64 processor and for those with AVX2.
+// Four sums run side by side in both, so that both round alike.
+#if defined(__x86_64__)
+#define DYNCAL_AVX2 __attribute__((target("avx2")))
+#else
+#define DYNCAL_AVX2
+#endif
+#define DYNCAL_INLINE inline __attribute__((always_inline))
+
+namespace dyncal {
+
+/// Four doubles that need not be aligned to 32 bytes.
+using Lanes = double __attribute__((vector_size(32), aligned(8), may_alias));
+inline constexpr Index kLanes = 4;
+
+DYNCAL_INLINE const Lanes *lanes(const double *data)
+{
+    return reinterpret_cast<const Lanes *>(data);
+}
+
+DYNCAL_INLINE Lanes *lanes(double *data)
+{
+    return reinterpret_cast<Lanes *>(data);
+}
+
+inline bool hasAvx2()
+{
+#if defined(__x86_64__)
+    return __builtin_cpu_supports("avx2");
+#else
+    return false;
+#endif
+}
+
+} // namespace dyncal
