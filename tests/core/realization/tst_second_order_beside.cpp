@@ -122,19 +122,19 @@ private slots:
         }
     }
 
-    void nuisanceTerms_areNotTheSensors()
+    void oscillationsBeforeTheStep_areNotTheSensors()
     {
-        const NuisanceTerm tube{0, true, {-500.0, 2.0 * M_PI * 9e3}, {0.05, 0.02}};
+        const NuisanceTerm hum{0, false, {-500.0, 2.0 * M_PI * 9e3}, {0.05, 0.02}};
         const ModelInput input = inputOf(
             [&](double t_s) {
                 return testing::secondOrderStep(30e3, 0.05, t_s)
-                    + tube.value(t_s - 0.5 / kRate_Hz); // time 0 at the first sample
+                    + hum.value(t_s - 0.5 / kRate_Hz); // time 0 at the first sample
             },
             {1.0});
         const std::complex<double> s
             = 2.0 * M_PI * 30e3 * std::complex<double>(-0.05, std::sqrt(1.0 - 0.0025));
         ModelDraft draft;
-        draft.nuisance = {{tube}};
+        draft.nuisance = {{hum}};
         SensorModel with = modelOf({s, std::conj(s)}, {1.0}), without = with;
         fitSecondOrderBeside(input, draft, with, {});
         fitSecondOrderBeside(input, draftOf(input.series.size()), without, {});
