@@ -88,6 +88,9 @@ void print(const CalibrationResults &results, const std::vector<ComparedOrder> &
     for (const ComparedOrder &compared : orders)
         rows.push_back(rowOf(compared));
     printTable(rows);
+    for (const ComparedOrder &compared : orders)
+        if (!compared.note.empty())
+            std::cout << "order " << compared.order << ": " << compared.note << '\n';
     std::cout << english(results.decomposition->suggestion.reason) << '\n';
 }
 

@@ -8,6 +8,7 @@
 #include "app/cli/verbs.h"
 
 #include "core/base/atomic_file.h"
+#include "core/capture/capture_seal.h"
 #include "core/pipeline/model_export.h"
 #include "core/pipeline/run_files.h"
 #include "ui/session/project_file.h"
@@ -35,13 +36,24 @@ bool isProject(const std::vector<std::string> &files)
     return files.size() == 1 && std::filesystem::path(files.front()).extension() == ".dyncal";
 }
 
+Result<ProjectState> sealed(Result<ProjectState> project, const JobControl &control)
+{
+    if (!project)
+        return project;
+    Result<CaptureSet> set = sealCaptures(*project->captures, control);
+    if (!set)
+        return tl::unexpected<Error>(set.error());
+    project->captures = std::make_shared<const CaptureSet>(std::move(*set));
+    return project;
+}
+
 /// A project brings its own recipe; recordings take that of --recipe.
 Result<ProjectState> readJob(const ExportOptions &options)
 {
     if (isProject(options.files)) {
         ProgressLine progress("Reading");
-        return openProject(
-            QString::fromStdString(options.files.front()), {interruptToken(), progress.sink()});
+        const JobControl control{interruptToken(), progress.sink()};
+        return sealed(openProject(QString::fromStdString(options.files.front()), control), control);
     }
     ProjectState state;
     Result<Recipe> recipe = options.recipe.read();

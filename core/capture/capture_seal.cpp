@@ -6,8 +6,10 @@
 #include "core/base/content_hash.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <filesystem>
+#include <future>
 #include <system_error>
 
 namespace dyncal {
@@ -29,7 +31,7 @@ Error changedFile(const InputFile &input)
         "CAP-015", 0};
 }
 
-/// Computes the hashes one after the other and keeps account of the bytes done.
+/// Computes the hashes and keeps account of the bytes done.
 class Sealer
 {
 public:
@@ -45,19 +47,18 @@ public:
         }
     }
 
+    /// Samples and files at the same time: they are mostly the same bytes, read from the disk once.
     Result<void> run()
     {
-        for (std::size_t i = 0; i < m_set.shots.size(); ++i) {
-            for (Channel &channel : m_set.shots[i].channels) {
-                if (const auto done = sealChannel(static_cast<Index>(i) + 1, channel); !done)
-                    return done;
-            }
-        }
-        for (InputFile &input : m_set.inputs) {
-            if (const auto done = sealInput(input); !done)
-                return done;
-        }
-        return {};
+        constexpr std::chrono::milliseconds kReport{50};
+        std::future<Result<void>> files = std::async([this] { return sealInputs(); });
+        const Result<void> channels = sealChannels();
+        m_givenUp = !channels;
+        while (files.wait_for(kReport) == std::future_status::timeout)
+            report();
+        const Result<void> inputs = files.get();
+        report();
+        return channels ? inputs : channels;
     }
 
 private:
@@ -67,11 +68,36 @@ private:
     }
 
     /// Counts the bytes and says whether to go on.
-    bool advance(double bytes)
+    bool advance(std::uintmax_t bytes)
     {
         m_doneBytes += bytes;
-        m_control.report(m_totalBytes > 0.0 ? std::min(m_doneBytes / m_totalBytes, 1.0) : 1.0);
-        return !m_control.stopRequested();
+        return !m_control.stopRequested() && !m_givenUp;
+    }
+
+    void report() const
+    {
+        const auto done = static_cast<double>(m_doneBytes.load());
+        m_control.report(m_totalBytes > 0.0 ? std::min(done / m_totalBytes, 1.0) : 1.0);
+    }
+
+    Result<void> sealChannels()
+    {
+        for (std::size_t i = 0; i < m_set.shots.size(); ++i) {
+            for (Channel &channel : m_set.shots[i].channels) {
+                if (const auto done = sealChannel(static_cast<Index>(i) + 1, channel); !done)
+                    return done;
+            }
+        }
+        return {};
+    }
+
+    Result<void> sealInputs()
+    {
+        for (InputFile &input : m_set.inputs) {
+            if (const auto done = sealInput(input); !done)
+                return done;
+        }
+        return {};
     }
 
     Result<void> sealChannel(Index shot, Channel &channel)
@@ -97,15 +123,16 @@ private:
     {
         Sha256 hash;
         const RawSamples &samples = channel.samples;
-        const auto width = static_cast<double>(bytesPerSample(samples.type()));
+        const Index width = bytesPerSample(samples.type());
         for (Index begin = 0; begin < samples.size(); begin += RawSamples::kBlock) {
             const Index end = std::min(begin + RawSamples::kBlock, samples.size());
             const bool readable = samples.visitBlocks(
                 begin, end, [&](auto values, Index) { hash.add(std::as_bytes(values)); });
             if (!readable)
                 return tl::unexpected(unreadable(shot, channel));
-            if (!advance(width * static_cast<double>(end - begin)))
+            if (!advance(static_cast<std::uintmax_t>(width * (end - begin))))
                 return tl::unexpected(cancelled());
+            report();
         }
         return hash.hex();
     }
@@ -116,12 +143,12 @@ private:
             return {};
         std::uintmax_t counted = 0;
         const auto goOn = [&](std::uintmax_t done) {
-            const auto more = static_cast<double>(done - counted);
+            const std::uintmax_t more = done - counted;
             counted = done;
             return advance(more);
         };
         input.sha256 = sha256OfFile(input.path, goOn);
-        if (m_control.stopRequested())
+        if (m_control.stopRequested() || m_givenUp)
             return tl::unexpected(cancelled());
         if (input.sha256.empty() || !isUnchanged(input))
             return tl::unexpected(changedFile(input));
@@ -157,7 +184,8 @@ private:
     CaptureSet &m_set;
     const JobControl &m_control;
     double m_totalBytes = 0.0;
-    double m_doneBytes = 0.0;
+    std::atomic<std::uintmax_t> m_doneBytes = 0;
+    std::atomic<bool> m_givenUp = false; ///< the samples are at fault already
 };
 
 /// Inputs that repeat an earlier one byte by byte, each with its first shot.
@@ -182,6 +210,12 @@ Findings equalInputs(const CaptureSet &set)
             {}, {}});
     }
     return findings;
+}
+
+void addOnce(Findings &findings, Finding finding)
+{
+    if (std::find(findings.begin(), findings.end(), finding) == findings.end())
+        findings.push_back(std::move(finding));
 }
 
 } // namespace
@@ -210,14 +244,28 @@ bool isUnchanged(const InputFile &input)
     return now.bytes == input.bytes && now.changed_ns == input.changed_ns;
 }
 
+void reportUnexpected(CaptureSet &set)
+{
+    for (const InputFile &input : set.inputs) {
+        if (!input.expectedSha256 || input.sha256.empty() || *input.expectedSha256 == input.sha256)
+            continue;
+        addOnce(set.findings,
+            {"CAP-015", Severity::Block, 0, {}, {},
+                {DYNCAL_TEXT("core",
+                     "%1 changed since it was imported. The results are of the new data and cannot "
+                     "be certified in this project."),
+                    {input.file}},
+                {}, {}});
+    }
+}
+
 Result<CaptureSet> sealCaptures(CaptureSet set, const JobControl &control)
 {
     if (const Result<void> done = Sealer(set, control).run(); !done)
         return tl::unexpected(done.error());
-    for (Finding &finding : equalInputs(set)) {
-        if (std::find(set.findings.begin(), set.findings.end(), finding) == set.findings.end())
-            set.findings.push_back(std::move(finding));
-    }
+    for (Finding &finding : equalInputs(set))
+        addOnce(set.findings, std::move(finding));
+    reportUnexpected(set);
     return set;
 }
 

@@ -22,7 +22,12 @@ bool isUnchanged(const InputFile &input);
 /// all files, block by block. An opened set may be shown; only a sealed one may be calibrated from.
 /// Fails with CAP-015 if a file is no longer the one that was opened, and with CAP-018 if samples
 /// cannot be read or differ from what their file states of them (Channel::statedSha256). Inputs
-/// with the same bytes become a finding (CAP-011). Sealing a sealed set changes nothing.
+/// with the same bytes become a finding (CAP-011), and so do unexpected ones (reportUnexpected).
+/// Files are hashed on a thread of their own, beside the samples. Sealing a sealed set changes
+/// nothing.
 Result<CaptureSet> sealCaptures(CaptureSet set, const JobControl &control = {});
+
+/// Finding CAP-015, which blocks, for every input whose hash is known and not the expected one.
+void reportUnexpected(CaptureSet &set);
 
 } // namespace dyncal

@@ -40,6 +40,7 @@ struct InputFile
     std::string format; ///< name of the reader: "dyncal-capture", "lvm", "text"
     std::uintmax_t bytes = 0; ///< size when it was opened
     std::int64_t changed_ns = 0; ///< time of its last change then, on the file system's clock
+    std::optional<std::string> expectedSha256 = {}; ///< what a project says that it was
 
     bool operator==(const InputFile &) const = default;
 };

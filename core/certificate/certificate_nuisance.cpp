@@ -4,18 +4,27 @@
 #include "core/certificate/certificate_sections.h"
 #include "core/certificate/rounding.h"
 
+#include <cmath>
+
 namespace dyncal {
 namespace {
 
-std::vector<Message> modeRow(const NuisanceMode &mode, const NuisanceOfShot &shot)
+/// `part` of a plateau as percent; a free decay has none.
+Message ofPlateau(double part, double plateau)
+{
+    if (plateau == 0.0 || !std::isfinite(part / plateau))
+        return dash();
+    return verbatim(roundedText(100.0 * part / std::abs(plateau), kUnknown, "%"));
+}
+
+std::vector<Message> modeRow(const NuisanceMode &mode, const NuisanceOfShot &shot, double plateau)
 {
     const Message kind = mode.isTube ? Message{DYNCAL_TEXT("core", "gas in the tube"), {}}
                                      : Message{DYNCAL_TEXT("core", "other"), {}};
     return {mode.label.empty() ? kind : verbatim(mode.label), verbatim(std::to_string(shot.shot)),
         printedWithUncertainty(shot.term.frequency_Hz(), shot.u_frequency_Hz, "Hz"),
         printedWithUncertainty(shot.term.dampingRatio(), shot.u_dampingRatio, ""),
-        verbatim(roundedText(100.0 * shot.relativeAmplitude, kUnknown, "%")),
-        verbatim(mode.reason)};
+        plateau == 0.0 ? dash() : ofPlateau(shot.relativeAmplitude, 1.0), verbatim(mode.reason)};
 }
 
 CertificateTable modeTable(const SensorModel &model)
@@ -32,15 +41,15 @@ CertificateTable modeTable(const SensorModel &model)
             {{DYNCAL_TEXT("core", "Reason"), {}}, false}};
     for (const NuisanceResult &mode : model.nuisance) {
         for (const NuisanceOfShot &shot : mode.perShot)
-            table.rows.push_back(modeRow(mode.mode, shot));
+            table.rows.push_back(modeRow(mode.mode, shot, model.plateauGain));
     }
     return table;
 }
 
 std::vector<Message> sideRow(Message name, const NuisanceEffect::Side &side)
 {
-    return {std::move(name), verbatim(roundedText(100.0 * side.residualRms, kUnknown, "%")),
-        verbatim(fixedText(side.fit_percent, 2) + " %"),
+    return {std::move(name), ofPlateau(side.residualRms, side.plateauGain),
+        std::isfinite(side.fit_percent) ? verbatim(fixedText(side.fit_percent, 2) + " %") : dash(),
         printedWithUncertainty(side.f0_Hz, side.u_f0_Hz, "Hz"),
         printedWithUncertainty(side.zeta, side.u_zeta, ""), printed(side.plateauGain, "", dash())};
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <complex>
 #include <string>
 
 namespace dyncal {
@@ -19,6 +20,7 @@ constexpr std::size_t kMostPeaks = 5;
 constexpr double kLargestOutside = 0.05; ///< share of lags
 constexpr double kSameFrequency = 0.03;
 constexpr double kTolerableShare = 0.1; ///< amplitude left of a resonance before it is a caution
+constexpr double kLargestDelay = 1.0; ///< samples between shots whose starts are whole samples
 constexpr double kLargestShare = 0.9; ///< of the energy that one shot of several can hold
 
 /// A series as the spectrum stage takes it.
@@ -61,9 +63,67 @@ double densityNear(const PowerSpectrum &spectrum, double frequency_Hz)
     return top;
 }
 
-void addResonanceLeft(
-    Index shot, const ResidualAnalysis &residual, const SpectrumResult &average, Findings &findings)
+/// What a shift of one shot does to a resonance of it.
+struct Alignment
 {
+    double delay_samples = 0.0; ///< of the shot behind its reconstruction
+    double share = 0.0; ///< amplitude of the average's resonance that is left without the delay
+};
+
+/// The shot against its reconstruction within +-3 % of a frequency, as spectra of the whole window:
+/// the delay is the phase of their cross spectrum there.
+Alignment align(const ComponentResult &result, Index column, double frequency_Hz)
+{
+    const Index n = result.responses.rows();
+    const RealFft fft(n);
+    const Eigen::VectorXcd shot = fft.forward(result.responses.col(column));
+    const Eigen::VectorXcd model = fft.forward(result.reconstructions.col(column));
+    const Eigen::VectorXcd average = fft.forward(result.average);
+    const double perBin = 2.0 * M_PI / static_cast<double>(n); // radians a sample
+    const double centre = frequency_Hz / result.sampleRate_Hz * static_cast<double>(n);
+    const auto first = static_cast<Index>(std::ceil((1.0 - kSameFrequency) * centre));
+    const Index end = std::min(
+        static_cast<Index>(std::floor((1.0 + kSameFrequency) * centre)) + 1, shot.size());
+    std::complex<double> cross = 0.0;
+    for (Index k = first; k < end; ++k)
+        cross += shot[k] * std::conj(model[k]);
+    Alignment found;
+    found.delay_samples = -std::arg(cross) / (perBin * centre);
+    double left = 0.0, whole = 0.0;
+    for (Index k = first; k < end; ++k) {
+        const double phase = perBin * static_cast<double>(k) * found.delay_samples;
+        left = std::max(left, std::norm(shot[k] - std::polar(1.0, -phase) * model[k]));
+        whole = std::max(whole, std::norm(average[k]));
+    }
+    found.share = whole > 0.0 ? std::sqrt(left / whole) : 1.0;
+    return found;
+}
+
+/// Shots start at their own fraction of a sample, and the start of each is one of its samples.
+bool startsExplain(const Alignment &alignment)
+{
+    return std::abs(alignment.delay_samples) <= kLargestDelay && alignment.share <= kTolerableShare;
+}
+
+Finding startedBetweenSamples(Finding finding, const Alignment &alignment, double left_Hz)
+{
+    finding.severity = Severity::Info;
+    finding.message
+        = {DYNCAL_TEXT("core",
+               "Shot %1: %2 % of the resonance at %3 is left in the residual, because its arrival "
+               "differs from the others' by %4 of a sample; aligned, %5 % are left. The average of "
+               "the shots loses some of its ringing by this, stacked shots do not."),
+            {std::to_string(finding.shot), numberText(std::round(100.0 * *finding.value), 4),
+                numberWithUnit(left_Hz, "Hz", 4), numberText(alignment.delay_samples, 2),
+                numberText(std::round(100.0 * alignment.share), 4)}};
+    return finding;
+}
+
+void addResonanceLeft(
+    const ComponentResult &result, Index column, const SpectrumResult &average, Findings &findings)
+{
+    const Index shot = result.shots[static_cast<std::size_t>(column)];
+    const ResidualAnalysis &residual = result.residuals[static_cast<std::size_t>(column)];
     const auto left_Hz = resonanceLeft(residual, average.resonances);
     if (!left_Hz)
         return;
@@ -76,9 +136,10 @@ void addResonanceLeft(
             {std::to_string(shot), numberText(std::round(100.0 * share), 4),
                 numberWithUnit(*left_Hz, "Hz", 4)}},
         share, kTolerableShare);
-    // Shots start at their own fraction of a sample: a few percent are left of any ringing.
     if (share <= kTolerableShare)
         finding.severity = Severity::Info;
+    else if (const Alignment alignment = align(result, column, *left_Hz); startsExplain(alignment))
+        finding = startedBetweenSamples(std::move(finding), alignment, *left_Hz);
     findings.push_back(std::move(finding));
 }
 
@@ -186,7 +247,7 @@ Findings residualFindings(const ComponentResult &result, const SpectrumSettings 
     for (std::size_t i = 0; i < result.residuals.size(); ++i) {
         addWhiteness(result.shots[i], result.residuals[i], findings);
         if (average)
-            addResonanceLeft(result.shots[i], result.residuals[i], *average, findings);
+            addResonanceLeft(result, static_cast<Index>(i), *average, findings);
     }
     addDominance(result, findings);
     return findings;

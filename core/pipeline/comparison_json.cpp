@@ -50,6 +50,7 @@ Json orderJson(const ComparedOrder &compared)
 {
     JsonRecord record;
     record.set("order", compared.order);
+    record.text("note", compared.note, "The recipe has no note on this order.");
     record.number("bic", compared.bic,
         "BIC is formed for the low orders only, among which one is suggested.");
     if (compared.model) {

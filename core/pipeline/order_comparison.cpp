@@ -106,6 +106,7 @@ ComparedOrder compareOne(
 {
     ComparedOrder compared;
     compared.order = order;
+    compared.note = noteOnOrder(recipe, order);
     const Eigen::VectorXd &bic = results.decomposition->suggestion.bic;
     if (order >= 1 && order <= bic.size())
         compared.bic = bic[order - 1];
@@ -125,6 +126,13 @@ ComparedOrder compareOne(
 }
 
 } // namespace
+
+std::string noteOnOrder(const Recipe &recipe, Index order)
+{
+    const std::vector<OrderNote> &notes = recipe.realization.candidateNotes;
+    const auto note = std::ranges::find(notes, order, &OrderNote::order);
+    return note == notes.end() ? std::string() : note->note;
+}
 
 Result<std::vector<ComparedOrder>> compareOrders(const CalibrationResults &results,
     const Recipe &recipe, const std::vector<Index> &orders, const JobControl &control)

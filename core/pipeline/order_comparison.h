@@ -20,8 +20,12 @@ struct ComparedOrder
     /// p value of the residuals being nothing but noise, over all series; NaN where it diverges.
     double whiteness_p = kUnknown;
     std::optional<double> bic; ///< of the orders that the suggestion looked at
+    std::string note; ///< what the recipe says of it
     std::optional<Error> error;
 };
+
+/// What the recipe says of an order; may be empty.
+std::string noteOnOrder(const Recipe &recipe, Index order);
 
 /// Models of several orders from one decomposition, by the functions of the pipeline, so that each
 /// number is that of a run with `realization.order` of this order to the last bit. An order that

@@ -58,7 +58,7 @@ Result<DecompositionResult> decompose(
     auto hankel = decomposeHankel(input, settings, control);
     if (!hankel)
         return tl::unexpected(hankel.error());
-    OrderSuggestion suggestion = suggestOrder(input, *hankel);
+    OrderSuggestion suggestion = suggestOrder(input, *hankel, control);
     return DecompositionResult{std::move(*hankel), std::move(suggestion)};
 }
 
@@ -87,6 +87,8 @@ public:
             Result<T> result = compute();
             if (!result)
                 return stop(id, std::move(result.error()));
+            if (m_control.stopRequested()) // what it gave may be half of a result
+                return stop(id, Error{ErrorKind::Cancelled, {}, {}, 0});
             found = std::make_shared<const T>(std::move(*result));
             m_cache.store(key, found);
         }

@@ -115,6 +115,15 @@ Codec<NuisanceMode> nuisanceMode()
     });
 }
 
+Codec<OrderNote> orderNote()
+{
+    using S = OrderNote;
+    return object<S>({
+        field("order", &S::order, whole(1, kMostOrders), true),
+        field("note", &S::note, nonEmptyText(), true),
+    });
+}
+
 Codec<BudgetEntry> budgetEntry()
 {
     using S = BudgetEntry;
@@ -178,6 +187,7 @@ Codec<RealizationSettings> realizationCodec()
         field("stable_frequency", &S::stableFrequency, number(0.0, 1.0, Bound::Exclusive)),
         field("stable_damping", &S::stableDamping, number(0.0, 1.0, Bound::Exclusive)),
         field("candidates", &S::candidates, list(whole(1, kMostOrders))),
+        field("candidate_notes", &S::candidateNotes, list(orderNote())),
         field("adopted_reason", &S::adoptedReason, anyText()),
     });
 }

@@ -29,7 +29,7 @@ Eigen::VectorXd errorsLeftOut(const ModelInput &input, std::size_t shot,
         return {};
     const Eigen::VectorXd &y = input.series[shot].y;
     Eigen::VectorXd errors(std::min(kHighestOrder, largestOrder(*hankel)));
-    for (Index n = 1; n <= errors.size(); ++n) {
+    for (Index n = 1; n <= errors.size() && !control.stopRequested(); ++n) {
         std::vector<std::complex<double>> poles = realizedPoles(*hankel, n);
         errors[n - 1] = dropRunaways(poles, y.size())
             ? kUnknown

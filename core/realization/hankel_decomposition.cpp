@@ -104,11 +104,10 @@ void keep(SingularTriplets &&triplets, HankelDecomposition &result)
         = innerProducts(result.leftVectors.topRows(r - 1), result.leftVectors.bottomRows(r - 1));
 }
 
-/// Largest singular value of matrices of the same shape built from the pre-trigger noise: the 95 %
-/// point of the draws the noise record allows; with too short a record 0.75 sqrt(2 m ln m) of unit
-/// noise (docs/method/hankel.md; the Marchenko-Pastur edge does not hold for Hankel matrices).
-double noiseFloor(const ModelInput &input, const Shape &shape, const HankelDecomposition &result,
-    const JobControl &control)
+/// Largest singular values of matrices of the same shape built from the pre-trigger noise, as many
+/// as its record allows.
+std::vector<double> noiseTops(const ModelInput &input, const Shape &shape,
+    const HankelDecomposition &result, const JobControl &control)
 {
     constexpr Index kDraws = 12;
     const Index length = shape.rows + shape.columns.front() - 1;
@@ -127,22 +126,38 @@ double noiseFloor(const ModelInput &input, const Shape &shape, const HankelDecom
                 hankelSequence(noise, input.treatment, result.seriesWeights[i]).head(length),
                 shape.rows, shape.columns[i], result.onesProjected);
         }
-        tops.push_back(largestSingularValue(blocks));
+        tops.push_back(largestSingularValue(blocks, control));
     }
+    return tops;
+}
+
+/// Median and 95 % point of what noise alone would give; with too short a record those of unit
+/// noise, as a share of sqrt(2 m ln m) (docs/method/hankel.md; the Marchenko-Pastur edge does not
+/// hold for Hankel matrices).
+void setNoiseFloor(const ModelInput &input, const Shape &shape, const JobControl &control,
+    HankelDecomposition &result)
+{
+    constexpr double kShare_p95 = 0.75;
+    constexpr double kShare_median = 0.65;
+    const std::vector<double> tops = noiseTops(input, shape, result, control);
     if (tops.size() < 3) {
         double mean = 0.0;
         for (std::size_t i = 0; i < input.series.size(); ++i)
             mean += input.series[i].noiseSd / result.seriesWeights[i];
         mean /= static_cast<double>(input.series.size());
         const double m = std::sqrt(static_cast<double>(shape.rows * result.columns));
-        return 0.75 * mean * std::sqrt(2.0 * m * std::log(m));
+        const double edge = mean * std::sqrt(2.0 * m * std::log(m));
+        result.noiseFloor_p95 = kShare_p95 * edge;
+        result.noiseFloor_median = kShare_median * edge;
+        return;
     }
-    // Few draws: mean + 1.645 sd is steadier than the largest of them.
+    // Few draws: mean and mean + 1.645 sd are steadier than their middle and their largest.
     const Eigen::Map<const Eigen::ArrayXd> values(tops.data(), static_cast<Index>(tops.size()));
     const double mean = values.mean();
     const double sd
         = std::sqrt((values - mean).square().sum() / static_cast<double>(tops.size() - 1));
-    return mean + 1.645 * sd;
+    result.noiseFloor_median = mean;
+    result.noiseFloor_p95 = mean + 1.645 * sd;
 }
 
 } // namespace
@@ -175,7 +190,7 @@ Result<HankelDecomposition> decomposeHankel(
     const bool isDense
         = shape->rows <= kDenseRows || shape->kept > BlockLanczos::mostPairs(shape->rows);
     result.method = isDense ? "dense" : "lanczos";
-    result.noiseFloor_p95 = noiseFloor(input, *shape, result, control);
+    setNoiseFloor(input, *shape, control, result);
 
     const std::vector<HankelOperator> blocks
         = operators(input, *shape, result.seriesWeights, result.onesProjected);

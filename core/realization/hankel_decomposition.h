@@ -31,6 +31,7 @@ struct HankelDecomposition
     Eigen::VectorXd firstRightRow; ///< V(0, :), k; only with step-as-impulse
     std::vector<double> seriesWeights; ///< each series was divided by this (its noise sd)
     double noiseFloor_p95 = 0.0; ///< largest singular value expected of noise alone (95 %)
+    double noiseFloor_median = 0.0; ///< its median
     std::string method; ///< "dense" or "lanczos"
 };
 
@@ -52,7 +53,9 @@ struct OrderSuggestion
 };
 
 /// BIC on the pre-whitened response (docs/method/order.md): an AR model of the pre-trigger noise
-/// filters the response (poles survive a FIR filter), then BIC over orders 1..20.
-OrderSuggestion suggestOrder(const ModelInput &input, const HankelDecomposition &decomposition);
+/// filters the response (poles survive a FIR filter), then BIC over orders 1..20. Asked to stop, it
+/// returns early with a suggestion that means nothing.
+OrderSuggestion suggestOrder(const ModelInput &input, const HankelDecomposition &decomposition,
+    const JobControl &control = {});
 
 } // namespace dyncal

@@ -59,8 +59,9 @@ Result<SingularTriplets> HankelTriplets::leading(
     if (!m_lanczos.iterate(count, control))
         return fail(ErrorKind::Cancelled, {});
     EigenPairs pairs = m_lanczos.leading(count);
-    return isSymmetric(m_blocks) ? fromEigenvalues(std::move(pairs), right)
-                                 : fromSquares(std::move(pairs), right);
+    if (isSymmetric(m_blocks))
+        return fromEigenvalues(std::move(pairs), right);
+    return fromSquares(std::move(pairs), right, control);
 }
 
 SingularTriplets HankelTriplets::fromEigenvalues(EigenPairs pairs, Right right) const
@@ -74,17 +75,22 @@ SingularTriplets HankelTriplets::fromEigenvalues(EigenPairs pairs, Right right) 
     return triplets;
 }
 
-SingularTriplets HankelTriplets::fromSquares(EigenPairs pairs, Right right) const
+Result<SingularTriplets> HankelTriplets::fromSquares(
+    EigenPairs pairs, Right right, const JobControl &control) const
 {
     const Index count = pairs.values.size();
     std::vector<Eigen::VectorXd> images(static_cast<std::size_t>(count)); // H^T u
     Eigen::VectorXd values(count);
     forEachPart(count, m_product->size() > 2000, [&](Index k) {
+        if (control.stopRequested())
+            return;
         Eigen::VectorXd image = transposedTimes(m_blocks, pairs.vectors.col(k));
         values[k] = image.norm(); // the root of the eigenvalue has only half the digits
         if (right == Right::Wanted)
             images[static_cast<std::size_t>(k)] = std::move(image);
     });
+    if (control.stopRequested())
+        return fail(ErrorKind::Cancelled, {});
     std::vector<Index> order(
         static_cast<std::size_t>(count)); // values at rounding may have swapped
     std::iota(order.begin(), order.end(), Index(0));
@@ -120,7 +126,7 @@ Eigen::MatrixXd denseHankel(const std::vector<HankelOperator> &blocks)
     return matrix;
 }
 
-double largestSingularValue(const std::vector<HankelOperator> &blocks)
+double largestSingularValue(const std::vector<HankelOperator> &blocks, const JobControl &control)
 {
     if (BlockLanczos::mostPairs(blocks.front().rows()) < 1)
         return leftSvd(denseHankel(blocks)).singularValues[0];
@@ -128,7 +134,8 @@ double largestSingularValue(const std::vector<HankelOperator> &blocks)
     constexpr double kResidual = 0.01;
     const auto product = productOf(blocks);
     BlockLanczos lanczos(*product, kResidual);
-    lanczos.iterate(1, {});
+    if (!lanczos.iterate(1, {control.stop, {}}))
+        return 0.0;
     const double value = std::abs(lanczos.leading(1).values[0]);
     return isSymmetric(blocks) ? value : std::sqrt(value);
 }

@@ -40,7 +40,8 @@ public:
 
 private:
     SingularTriplets fromEigenvalues(EigenPairs pairs, Right right) const;
-    SingularTriplets fromSquares(EigenPairs pairs, Right right) const;
+    Result<SingularTriplets> fromSquares(
+        EigenPairs pairs, Right right, const JobControl &control) const;
 
     const std::vector<HankelOperator> &m_blocks;
     std::unique_ptr<SymmetricOperator> m_product;
@@ -50,7 +51,9 @@ private:
 /// [H_1 H_2 ...] written out.
 Eigen::MatrixXd denseHankel(const std::vector<HankelOperator> &blocks);
 
-/// Largest singular value alone, to 1 % of it at least (0.01 % as a rule).
-double largestSingularValue(const std::vector<HankelOperator> &blocks);
+/// Largest singular value alone, to 1 % of it at least (0.01 % as a rule); of no use when asked to
+/// stop.
+double largestSingularValue(
+    const std::vector<HankelOperator> &blocks, const JobControl &control = {});
 
 } // namespace dyncal

@@ -287,7 +287,7 @@ std::vector<PoleTest> testPoles(const ModelInput &input, const ModelDraft &draft
         const Index size = pole.s_rad_s.imag() > 0.0 ? 2 : 1;
         Index dof = 0;
         const double statistic
-            = std::max(0.0, disagreement(fits, static_cast<Index>(i), size, &dof));
+            = std::max(disagreement(fits, static_cast<Index>(i), size, &dof), 0.0); // NaN stays NaN
         if (!std::isfinite(statistic))
             continue;
         const double degrees = static_cast<double>(dof);

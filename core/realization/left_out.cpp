@@ -18,11 +18,11 @@ Index firstCentre(const ModelSeries &series)
     return static_cast<Index>(std::llround(series.first_s * series.fullRate_Hz));
 }
 
-/// Sample of the record that sample k of y is centred on.
+/// Sample of the record that sample k of y is centred on, as decimate() has it.
 Index centre(const ModelSeries &series, Index k)
 {
     return firstCentre(series)
-        + static_cast<Index>(std::floor(static_cast<double>(k) * series.filter.factor + 1e-9));
+        + static_cast<Index>(std::llround(static_cast<double>(k) * series.filter.factor));
 }
 
 bool seesLeftOut(const ModelSeries &series, Index k)
@@ -49,14 +49,17 @@ Eigen::VectorXd replaced(const ModelSeries &series, const Value &inStead)
     return decimate(change, series.filter, half, series.y.size());
 }
 
-/// Straight line between the samples beside the stretch.
+/// Straight line between the samples beside the stretch; where it has only one neighbour, its
+/// level.
 double interpolated(const ModelSeries &series, const LeftOut &part, Index i)
 {
     const Index last = series.fullRate.size() - 1;
-    const double after = series.fullRate[std::clamp<Index>(part.samples.end, 0, last)];
+    const double before = series.fullRate[std::clamp<Index>(part.samples.begin - 1, 0, last)];
+    if (part.samples.end > last)
+        return before;
+    const double after = series.fullRate[part.samples.end];
     if (part.samples.begin <= 0)
         return after;
-    const double before = series.fullRate[std::clamp<Index>(part.samples.begin - 1, 0, last)];
     const double share = static_cast<double>(i - part.samples.begin + 1)
         / static_cast<double>(part.samples.size() + 1);
     return before + share * (after - before);
@@ -90,7 +93,7 @@ Result<void> addStretch(
     const double end_s = static_cast<double>(response.length) / rate_Hz;
     if (!(stretch.from_s < stretch.to_s) || !(stretch.from_s < end_s) || !(stretch.to_s > 0.0))
         return notInWindow(stretch, end_s);
-    SampleRange range{std::max<Index>(0, static_cast<Index>(std::floor(stretch.from_s * rate_Hz))),
+    SampleRange range{static_cast<Index>(std::max(0.0, std::floor(stretch.from_s * rate_Hz))),
         static_cast<Index>(std::ceil(std::min(stretch.to_s, end_s) * rate_Hz)) + 1};
     range.end = std::min(range.end, response.values.size() - response.lead);
     std::erase_if(series.leftOut, [&](const LeftOut &other) {

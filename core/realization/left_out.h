@@ -18,9 +18,10 @@ namespace dyncal {
 // Marked stretches of a record that take no part in the fit (docs/method/nuisance-modes.md).
 
 /// Notes the stretches in the series they belong to and bridges them by a straight line in the
-/// correction. Fails (Usage) on a stretch of a shot that is not used or outside its window;
-/// (DataBlocked, WIN-008) where more than half of a model input would be left out. Findings:
-/// WIN-007 (each stretch, with its reason), WIN-009 (the average of the shots knows none).
+/// correction; one of a shot that is not used is ignored. Fails (Usage) on a stretch outside its
+/// window; (DataBlocked, WIN-008) where more than half of a model input would be left out.
+/// Findings: WIN-007 (each stretch, with its reason), WIN-009 (the average of the shots knows
+/// none).
 Result<void> leaveOut(ModelInput &input, const std::vector<WindowedResponse> &responses,
     const std::vector<ExcludedStretch> &stretches);
 

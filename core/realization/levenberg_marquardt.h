@@ -24,8 +24,9 @@ struct DescentLimits
 
 /// D. W. Marquardt, J. SIAM 11 (1963) 431: `theta` moves from where it is to the least cost that
 /// `equationsAt` (parameters -> RegressionEquations) has; only where `isAllowed`. Ends with a
-/// relative decrease below 1e-12, or where no step helps. Equations at the last theta; empty when
-/// stopped, or where the start has no finite cost.
+/// relative decrease below 1e-12, where no step helps, or after all iterations: whether theta is
+/// where it should be then, `distanceToGo` tells. Equations at the last theta; empty when stopped,
+/// or where the start has no finite cost.
 template <typename EquationsAt, typename IsAllowed>
 std::optional<RegressionEquations> descend(Eigen::VectorXd &theta, const DescentLimits &limits,
     const EquationsAt &equationsAt, const IsAllowed &isAllowed, const JobControl &control)
@@ -55,6 +56,13 @@ std::optional<RegressionEquations> descend(Eigen::VectorXd &theta, const Descent
             break;
     }
     return equations;
+}
+
+/// How far the next full step would lead, in standard uncertainties of unit weights: at least as
+/// far as in any one parameter.
+inline double distanceToGo(const RegressionEquations &equations)
+{
+    return std::sqrt(equations.gradient.dot(equations.matrix.ldlt().solve(equations.gradient)));
 }
 
 } // namespace dyncal

@@ -58,13 +58,14 @@ WhitenedInput whitenedInput(const ModelInput &input)
 
 /// Coloured noise displaces the poles of weak modes: they are realised anew from what is whitened.
 /// Thesis mode keeps the poles of the listing.
-std::optional<HankelDecomposition> decomposeAnew(const WhitenedInput &whitened)
+std::optional<HankelDecomposition> decomposeAnew(
+    const WhitenedInput &whitened, const JobControl &control)
 {
     if (!whitened.isOther || isThesisMode(whitened.input))
         return std::nullopt;
     RealizationSettings settings;
     settings.maxOrder = kHighestTried;
-    auto hankel = decomposeHankel(whitened.input, settings);
+    auto hankel = decomposeHankel(whitened.input, settings, control);
     return hankel ? std::optional(std::move(*hankel)) : std::nullopt;
 }
 
@@ -106,10 +107,11 @@ Message reasonFor(const Eigen::VectorXd &bic, Index order)
 
 } // namespace
 
-OrderSuggestion suggestOrder(const ModelInput &input, const HankelDecomposition &decomposition)
+OrderSuggestion suggestOrder(
+    const ModelInput &input, const HankelDecomposition &decomposition, const JobControl &control)
 {
     const WhitenedInput whitened = whitenedInput(input);
-    const std::optional<HankelDecomposition> anew = decomposeAnew(whitened);
+    const std::optional<HankelDecomposition> anew = decomposeAnew(whitened, control);
     const HankelDecomposition &realized = anew ? *anew : decomposition;
     const std::vector<ModelSeries> &series = whitened.input.series;
     const Index highest
@@ -119,8 +121,8 @@ OrderSuggestion suggestOrder(const ModelInput &input, const HankelDecomposition 
     const bool withConstant = input.treatment == ResponseTreatment::StepDeflated
         || input.treatment == ResponseTreatment::Differenced;
     OrderSuggestion suggestion;
-    suggestion.bic.resize(std::max<Index>(highest, 1));
-    for (Index n = 1; n <= suggestion.bic.size(); ++n)
+    suggestion.bic.setZero(std::max<Index>(highest, 1));
+    for (Index n = 1; n <= suggestion.bic.size() && !control.stopRequested(); ++n)
         suggestion.bic[n - 1] = bicOf(series, realizedPoles(realized, n), withConstant);
     Index best = 0;
     suggestion.bic.minCoeff(&best);

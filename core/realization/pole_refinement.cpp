@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace dyncal {
@@ -236,6 +237,34 @@ Eigen::VectorXd unitsOf(const Problem &problem)
     return units;
 }
 
+/// Whether the data tell all parameters apart: else a pivot is rounding, and its variance anything,
+/// zero too.
+bool isDetermined(const Eigen::MatrixXd &matrix)
+{
+    const Eigen::VectorXd scale = matrix.diagonal().cwiseSqrt().cwiseInverse();
+    const Eigen::MatrixXd scaled = scale.asDiagonal() * matrix * scale.asDiagonal();
+    const double rounding
+        = std::numeric_limits<double>::epsilon() * static_cast<double>(matrix.rows());
+    return scaled.allFinite() && scaled.ldlt().vectorD().minCoeff() > rounding;
+}
+
+double reducedChiSquare(const Problem &problem, const RegressionEquations &equations)
+{
+    Index samples = 0;
+    for (const ExponentialRegression &regression : problem.regressions)
+        samples += regression.count();
+    return equations.cost
+        / static_cast<double>(std::max<Index>(1, samples - equations.gradient.size()));
+}
+
+/// Whether nothing is left to gain that the uncertainties would show.
+bool hasArrived(const Problem &problem, const RegressionEquations &last)
+{
+    constexpr double kUnseen = 0.1; // standard uncertainties
+    const double unit = std::sqrt(std::max(1.0, reducedChiSquare(problem, last)));
+    return distanceToGo(last) < kUnseen * unit;
+}
+
 Eigen::MatrixXd covarianceOf(
     const Problem &problem, const RegressionEquations &last, double chiSquare)
 {
@@ -261,15 +290,12 @@ Refinement unpack(
             result.rates_rad_s.push_back(std::conj(s));
         at += pair ? 2 : 1;
     }
-    Index samples = 0;
     for (std::size_t r = 0; r < problem.records.size(); ++r) {
         result.records.push_back(recordSum(problem, theta, result.rates_rad_s, r));
         result.nuisance.push_back(recordNuisance(problem, theta, r));
         result.offsets.push_back(problem.offset(r));
-        samples += problem.regressions[r].count();
     }
-    const double freedom = static_cast<double>(std::max<Index>(1, samples - theta.size()));
-    const double chiSquare = last.cost / freedom;
+    const double chiSquare = reducedChiSquare(problem, last);
     result.residualToNoise = std::sqrt(chiSquare);
     result.covariance = covarianceOf(problem, last, chiSquare);
     return result;
@@ -349,7 +375,8 @@ std::optional<Refinement> refinePoles(const std::vector<RefinementRecord> &recor
     const auto equations = descend(
         theta, {60, 1e-4}, [&](const Eigen::VectorXd &at) { return normalEquations(problem, at); },
         [](const Eigen::VectorXd &at) { return at.allFinite(); }, control);
-    if (!equations || !theta.allFinite() || !staysNearStart(problem, theta, start))
+    if (!equations || !theta.allFinite() || !staysNearStart(problem, theta, start)
+        || !isDetermined(equations->matrix) || !hasArrived(problem, *equations))
         return std::nullopt;
     return unpack(problem, theta, *equations);
 }

@@ -23,6 +23,15 @@ struct NuisanceMode
     bool operator==(const NuisanceMode &) const = default;
 };
 
+/// What the operator wrote of an order that is compared.
+struct OrderNote
+{
+    Index order = 0;
+    std::string note;
+
+    bool operator==(const OrderNote &) const = default;
+};
+
 /// Recipe section "realization".
 struct RealizationSettings
 {
@@ -33,6 +42,7 @@ struct RealizationSettings
     double stableFrequency = 0.01; ///< largest relative change of a stable pole's frequency
     double stableDamping = 0.05; ///< largest relative change of its damping ratio
     std::vector<Index> candidates; ///< orders pinned for comparison; no result depends on them
+    std::vector<OrderNote> candidateNotes; ///< one per order at most; no result depends on them
     std::string adoptedReason; ///< why this order was adopted; printed, not computed with
 
     std::vector<NuisanceMode> nuisanceModes;

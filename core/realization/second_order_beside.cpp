@@ -3,7 +3,6 @@
 
 #include "core/realization/second_order_beside.h"
 
-#include "core/realization/nuisance_modes.h"
 #include "core/realization/second_order_fit.h"
 
 #include <algorithm>
@@ -39,19 +38,12 @@ Start resonanceOf(const SensorModel &model)
     return {omega / (2.0 * std::numbers::pi), (slow + fast) / (2.0 * omega)};
 }
 
-/// The records at their own rate, freed of the modes that are not the sensor's.
-std::vector<RefinementRecord> sensorRecords(const ModelInput &input, const ModelDraft &draft)
+/// The records at their own rate, with the nuisance terms as the model has them.
+std::vector<RefinementRecord> recordsOf(const ModelInput &input, const ModelDraft &draft)
 {
     std::vector<RefinementRecord> records = refinementRecords(input);
-    for (std::size_t r = 0; r < records.size(); ++r) {
-        records[r].nuisance.clear();
-        if (!draft.refinement)
-            continue;
-        for (const NuisanceTerm &term : draft.refinement->nuisance[r]) {
-            for (Index k = 0; k < records[r].y.size(); ++k)
-                records[r].y[k] -= term.value(static_cast<double>(k) / records[r].rate_Hz);
-        }
-    }
+    for (std::size_t r = 0; r < records.size(); ++r)
+        records[r].nuisance = draft.nuisance[r];
     return records;
 }
 
@@ -68,10 +60,8 @@ void fitSecondOrderBeside(
         start.plateau.push_back(series.plateauGain);
         start.onset_s.push_back(series.onset_s);
     }
-    const std::vector<RefinementRecord> records = sensorRecords(input, draft);
-    model.secondOrder = hasCorrection(input)
-        ? fitSecondOrder(sensorOnly(input), records, start, model.fit_percent, control)
-        : fitSecondOrder(input, records, start, model.fit_percent, control);
+    model.secondOrder
+        = fitSecondOrder(input, recordsOf(input, draft), start, model.fit_percent, control);
 }
 
 } // namespace dyncal

@@ -5,8 +5,11 @@
 
 #include "core/base/number_text.h"
 #include "core/realization/exponential_regression.h"
+#include "core/realization/left_out.h"
 #include "core/realization/levenberg_marquardt.h"
+#include "core/realization/model_draft.h"
 #include "core/realization/pole_uncertainty.h"
+#include "core/realization/second_order_step.h"
 #include "core/realization/series_fit.h"
 
 #include <Eigen/Cholesky>
@@ -14,116 +17,87 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace dyncal {
 namespace {
 
 using Complex = std::complex<double>;
-using Exponentials = Eigen::Matrix<double, 5, 1>; ///< rates, gains (two each), constant
 
-constexpr double kCriticalDistance = 1e-4; ///< of zeta from 1, where the two poles meet
 constexpr double kSlowest = 1e-4; ///< zeta beyond which nothing is a second-order sensor
 constexpr double kFastest = 1e3;
+constexpr double kModeFactor = 1.5; ///< a tube mode that moves further is another one
 constexpr double kFitMargin_points = 2.0;
+constexpr double kUnseen = 0.1; ///< standard uncertainties that may be left to go
 
-/// One shot's share of the parameters; times in units of 1/|start w0|.
-struct Local
-{
-    double logOmega = 0.0;
-    double logZeta = 0.0;
-    double plateau = 0.0;
-    double onset = 0.0;
-};
-
-double dampingOf(double logZeta)
-{
-    const double zeta = std::exp(logZeta);
-    if (std::abs(zeta - 1.0) >= kCriticalDistance)
-        return zeta;
-    return zeta < 1.0 ? 1.0 - kCriticalDistance : 1.0 + kCriticalDistance;
-}
-
-/// The step response as a sum of exponentials: Re s, Im s, Re g, Im g of y = K + Re(g e^(s t)), or
-/// for zeta > 1 the two real rates and their gains.
-Exponentials exponentialsOf(const Local &local)
-{
-    const double omega = std::exp(local.logOmega);
-    const double zeta = dampingOf(local.logZeta);
-    Exponentials x;
-    if (zeta < 1.0) {
-        const double root = std::sqrt((1.0 - zeta) * (1.0 + zeta));
-        const Complex s(-zeta * omega, root * omega);
-        const Complex g = -local.plateau * Complex(1.0, -zeta / root) * std::exp(-s * local.onset);
-        x << s.real(), s.imag(), g.real(), g.imag(), local.plateau;
-        return x;
-    }
-    const double root = std::sqrt((zeta - 1.0) * (zeta + 1.0));
-    const double slow = -omega / (zeta + root);
-    const double fast = -omega * (zeta + root);
-    const double unit = local.plateau / (fast - slow);
-    x << slow, fast, -unit * fast * std::exp(-slow * local.onset),
-        unit * slow * std::exp(-fast * local.onset), local.plateau;
-    return x;
-}
-
-/// d exponentials / d (logOmega, logZeta, plateau, onset), by central differences: smooth, small
-/// and the same for both branches.
-Eigen::Matrix<double, 5, 4> derivativesOf(const Local &local)
-{
-    constexpr double kStep = 1e-6;
-    Eigen::Matrix<double, 5, 4> J;
-    const auto column = [&](double Local::*member, double step) {
-        Local above = local;
-        Local below = local;
-        above.*member += step;
-        below.*member -= step;
-        return Exponentials((exponentialsOf(above) - exponentialsOf(below)) / (2.0 * step));
-    };
-    J.col(0) = column(&Local::logOmega, kStep);
-    J.col(1) = column(&Local::logZeta, kStep);
-    J.col(2) = column(&Local::plateau, kStep * std::max(1e-30, std::abs(local.plateau)));
-    J.col(3) = column(&Local::onset, kStep);
-    return J;
-}
-
-/// The records with the unit of time; parameters: logOmega, logZeta, then plateau, onset of each.
+/// The records with the unit of time; parameters: logOmega, logZeta, then plateau, onset and modes
+/// of each, as in SecondOrderStep.
 struct Problem
 {
     const std::vector<RefinementRecord> &records;
     std::vector<ExponentialRegression> regressions;
     double unit_s = 1.0;
 
-    Index parameters() const { return 2 + 2 * std::ssize(records); }
-    double step(std::size_t r) const { return 1.0 / records[r].rate_Hz / unit_s; }
-    static std::array<Index, 4> places(std::size_t r)
+    static Index own(const RefinementRecord &record) { return 2 + 4 * std::ssize(record.nuisance); }
+    Index offset(std::size_t r) const
     {
-        const Index own = 2 + 2 * static_cast<Index>(r);
-        return {0, 1, own, own + 1};
+        Index at = 2;
+        for (std::size_t i = 0; i < r; ++i)
+            at += own(records[i]);
+        return at;
     }
-    static Local local(const Eigen::VectorXd &theta, std::size_t r)
+    Index parameters() const { return offset(records.size()); }
+    double step(std::size_t r) const { return 1.0 / records[r].rate_Hz / unit_s; }
+    std::vector<Index> places(std::size_t r) const
     {
-        const auto at = places(r);
-        return {theta[at[0]], theta[at[1]], theta[at[2]], theta[at[3]]};
+        std::vector<Index> list(static_cast<std::size_t>(2 + own(records[r])));
+        std::iota(list.begin(), list.begin() + 2, Index(0));
+        std::iota(list.begin() + 2, list.end(), offset(r));
+        return list;
+    }
+    SecondOrderStep local(const Eigen::VectorXd &theta, std::size_t r) const
+    {
+        SecondOrderStep step;
+        for (const NuisanceTerm &term : records[r].nuisance)
+            step.modes.push_back({{}, {}, term.startsWithStep});
+        step.setParameters(theta(places(r)));
+        return step;
     }
 };
+
+/// `x` of SecondOrderStep::exponentials(), as the regression wants it.
+std::vector<RegressionMode> modesOf(
+    const SecondOrderStep &local, const Eigen::VectorXd &x, double dt)
+{
+    const Index gains = 2 + 2 * std::ssize(local.modes);
+    std::vector<RegressionMode> modes;
+    const auto addPair = [&](Index at) {
+        modes.push_back(
+            {Complex(x[at], x[at + 1]) * dt, {x[gains + at], x[gains + at + 1]}, true, false});
+    };
+    if (local.rings()) {
+        addPair(0);
+    } else {
+        modes.push_back({x[0] * dt, x[gains], false, false});
+        modes.push_back({x[1] * dt, x[gains + 1], false, false});
+    }
+    for (Index i = 0; i < std::ssize(local.modes); ++i)
+        addPair(2 + 2 * i);
+    modes.push_back({0.0, local.plateau, false, true});
+    return modes;
+}
 
 RegressionEquations normalEquations(const Problem &problem, const Eigen::VectorXd &theta)
 {
     const Index count = problem.parameters();
     RegressionEquations sum{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count), 0.0};
     for (std::size_t r = 0; r < problem.records.size(); ++r) {
-        const Local local = Problem::local(theta, r);
-        const Exponentials x = exponentialsOf(local);
+        const SecondOrderStep local = problem.local(theta, r);
         const double dt = problem.step(r);
-        std::vector<RegressionMode> modes;
-        if (dampingOf(local.logZeta) < 1.0)
-            modes.push_back({Complex(x[0], x[1]) * dt, {x[2], x[3]}, true, false});
-        else
-            modes = {{x[0] * dt, x[2], false, false}, {x[1] * dt, x[3], false, false}};
-        modes.push_back({0.0, x[4], false, true});
-        const RegressionEquations own = problem.regressions[r].equations(modes, dt);
-        const auto J = derivativesOf(local);
-        const auto at = Problem::places(r);
+        const RegressionEquations own
+            = problem.regressions[r].equations(modesOf(local, local.exponentials(), dt), dt);
+        const Eigen::MatrixXd J = local.derivatives();
+        const std::vector<Index> at = problem.places(r);
         const double weight = problem.records[r].weight * problem.records[r].weight;
         sum.matrix(at, at) += weight * (J.transpose() * own.matrix * J);
         sum.gradient(at) += weight * (J.transpose() * own.gradient);
@@ -132,19 +106,47 @@ RegressionEquations normalEquations(const Problem &problem, const Eigen::VectorX
     return sum;
 }
 
-bool isSensible(const Eigen::VectorXd &theta)
+bool isSensible(const Problem &problem, const Eigen::VectorXd &theta)
 {
     const double zeta = std::exp(theta[1]);
-    return theta.allFinite() && zeta > kSlowest && zeta < kFastest;
+    if (!theta.allFinite() || !(zeta > kSlowest) || !(zeta < kFastest))
+        return false;
+    for (std::size_t r = 0; r < problem.records.size(); ++r) {
+        Index at = problem.offset(r) + 2;
+        for (const NuisanceTerm &term : problem.records[r].nuisance) {
+            const double before = term.rate_rad_s.imag() * problem.unit_s;
+            if (!(theta[at + 1] < kModeFactor * before && theta[at + 1] > before / kModeFactor))
+                return false;
+            at += 4;
+        }
+    }
+    return true;
+}
+
+/// Every parameter where the free model has it.
+Eigen::VectorXd startOf(const Problem &problem, const SecondOrderStart &start)
+{
+    Eigen::VectorXd theta(problem.parameters());
+    for (std::size_t r = 0; r < problem.records.size(); ++r) {
+        SecondOrderStep step;
+        step.logZeta = std::log(start.zeta);
+        step.plateau = start.plateau[r];
+        step.onset = start.onset_s[r] / problem.unit_s;
+        for (const NuisanceTerm &term : problem.records[r].nuisance)
+            step.modes.push_back({term.rate_rad_s * problem.unit_s, term.amplitude});
+        theta(problem.places(r)) = step.parameterValues();
+    }
+    return theta;
 }
 
 /// The equations at the optimum, or nothing.
 std::optional<RegressionEquations> minimise(
     const Problem &problem, Eigen::VectorXd &theta, const JobControl &control)
 {
-    return descend(
+    const auto equations = descend(
         theta, {100, 1e-3}, [&](const Eigen::VectorXd &at) { return normalEquations(problem, at); },
-        isSensible, control);
+        [&](const Eigen::VectorXd &at) { return isSensible(problem, at); }, control);
+    return isSensible(problem, theta) ? equations : std::nullopt;
 }
 
 /// The fit as the sums of exponentials it is, in seconds.
@@ -153,39 +155,57 @@ Refinement asExponentials(const Problem &problem, const Eigen::VectorXd &theta)
     Refinement fit;
     fit.poleParameters = 2;
     fit.withConstant = true;
+    Index offset = 2;
     for (std::size_t r = 0; r < problem.records.size(); ++r) {
-        const Local local = Problem::local(theta, r);
-        const Exponentials x = exponentialsOf(local);
+        const SecondOrderStep local = problem.local(theta, r);
+        const Eigen::VectorXd x = local.exponentials();
+        const Eigen::Vector2d gain = x.segment(2 + 2 * std::ssize(local.modes), 2);
         ExponentialSum sum;
-        sum.constant = x[4];
+        sum.constant = local.plateau;
         sum.rates_rad_s.resize(2);
         sum.amplitudes.resize(2);
-        if (dampingOf(local.logZeta) < 1.0) {
+        if (local.rings()) {
             sum.rates_rad_s << Complex(x[0], x[1]), Complex(x[0], -x[1]);
-            sum.amplitudes << 0.5 * Complex(x[2], x[3]), 0.5 * Complex(x[2], -x[3]);
+            sum.amplitudes << 0.5 * Complex(gain[0], gain[1]), 0.5 * Complex(gain[0], -gain[1]);
         } else {
             sum.rates_rad_s << x[0], x[1];
-            sum.amplitudes << x[2], x[3];
+            sum.amplitudes << gain[0], gain[1];
         }
         sum.rates_rad_s /= problem.unit_s;
         fit.rates_rad_s.assign(sum.rates_rad_s.begin(), sum.rates_rad_s.end());
         fit.records.push_back(std::move(sum));
-        fit.nuisance.emplace_back();
-        fit.offsets.push_back(2 + 3 * static_cast<Index>(r));
+        std::vector<NuisanceTerm> terms = problem.records[r].nuisance;
+        for (std::size_t i = 0; i < terms.size(); ++i) {
+            terms[i].rate_rad_s = local.modes[i].rate / problem.unit_s;
+            terms[i].amplitude = local.modes[i].amplitude;
+        }
+        fit.nuisance.push_back(std::move(terms));
+        fit.offsets.push_back(offset);
+        offset += 3 + 4 * std::ssize(local.modes);
     }
     return fit;
 }
 
 /// d (parameters of asExponentials) / d theta, rates in seconds.
-Eigen::MatrixXd chain(const Problem &problem, const Eigen::VectorXd &theta)
+Eigen::MatrixXd chain(const Problem &problem, const Eigen::VectorXd &theta, const Refinement &fit)
 {
-    const Index shots = std::ssize(problem.records);
-    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(2 + 3 * shots, problem.parameters());
+    const Index rows = fit.offsets.back() + 3 + 4 * std::ssize(fit.nuisance.back());
+    Eigen::MatrixXd J = Eigen::MatrixXd::Zero(rows, problem.parameters());
     for (std::size_t r = 0; r < problem.records.size(); ++r) {
-        const auto own = derivativesOf(Problem::local(theta, r));
-        const auto at = Problem::places(r);
-        J.topRows(2)(Eigen::all, at) = own.topRows(2) / problem.unit_s;
-        J.middleRows(2 + 3 * static_cast<Index>(r), 3)(Eigen::all, at) = own.bottomRows(3);
+        const Eigen::MatrixXd own = problem.local(theta, r).derivatives();
+        const std::vector<Index> at = problem.places(r);
+        const Index modes = std::ssize(fit.nuisance[r]);
+        const Index gains = 2 + 2 * modes;
+        const auto put = [&](Index row, Index from, Index count, double unit) {
+            J.middleRows(row, count)(Eigen::all, at) = own.middleRows(from, count) / unit;
+        };
+        put(0, 0, 2, problem.unit_s);
+        put(fit.offsets[r], gains, 2, 1.0);
+        put(fit.offsets[r] + 2, own.rows() - 1, 1, 1.0);
+        for (Index i = 0; i < modes; ++i) {
+            put(fit.offsets[r] + 3 + 4 * i, 2 + 2 * i, 2, problem.unit_s);
+            put(fit.offsets[r] + 5 + 4 * i, gains + 2 + 2 * i, 2, 1.0);
+        }
     }
     return J;
 }
@@ -198,26 +218,11 @@ Eigen::MatrixXd covarianceOf(const Problem &problem, const Eigen::VectorXd &thet
     const Eigen::MatrixXd bread = last.matrix.ldlt().solve(Eigen::MatrixXd::Identity(count, count));
     if (noise.basis.order == 0)
         return std::max(1.0, chiSquare) * bread;
-    const Eigen::MatrixXd J = chain(problem, theta);
-    const Eigen::MatrixXd filling = noiseFilling(problem.records, noise.ofRecord,
-        asExponentials(problem, theta), Eigen::VectorXd::Ones(J.rows()));
+    const Refinement fit = asExponentials(problem, theta);
+    const Eigen::MatrixXd J = chain(problem, theta, fit);
+    const Eigen::MatrixXd filling
+        = noiseFilling(problem.records, noise.ofRecord, fit, Eigen::VectorXd::Ones(J.rows()));
     return bread * (J.transpose() * filling * J) * bread;
-}
-
-/// At the samples of the model input, through the filter as measured.
-Eigen::VectorXd atModelRate(const ModelSeries &series, ExponentialSum sum, double rate_Hz)
-{
-    for (Index i = 0; i < sum.rates_rad_s.size(); ++i) {
-        const Complex s = sum.rates_rad_s[i];
-        sum.amplitudes[i] *= series.filter.gain(s) * std::exp(s * series.first_s);
-    }
-    const ExponentialSampler sampler(sum, 1.0 / rate_Hz);
-    Eigen::VectorXd y(series.y.size());
-    for (Index begin = 0; begin < y.size(); begin += ExponentialSampler::kBlock) {
-        const Index size = std::min(ExponentialSampler::kBlock, y.size() - begin);
-        y.segment(begin, size) = sampler.block(begin / ExponentialSampler::kBlock).head(size);
-    }
-    return y;
 }
 
 void describeShots(const ModelInput &input, const Problem &problem, const Eigen::VectorXd &theta,
@@ -228,20 +233,23 @@ void describeShots(const ModelInput &input, const Problem &problem, const Eigen:
     double spread = 0.0;
     for (std::size_t r = 0; r < problem.records.size(); ++r) {
         const ModelSeries &series = input.series[r];
-        const Index plateau = Problem::places(r)[2];
-        const Index onset = Problem::places(r)[3];
-        const double squares
-            = (series.y - atModelRate(series, fit.records[r], input.sampleRate_Hz)).squaredNorm();
+        const Index plateau = problem.offset(r);
+        const Index onset = plateau + 1;
+        const Eigen::VectorXd simulated
+            = simulate(series, fit.records[r], fit.nuisance[r], sampleInterval_s(input));
+        const double squares = countedValues(series, series.y - simulated).squaredNorm();
+        const double about = spreadSquares(countedValues(series, series.y));
         SecondOrderShot shot;
         shot.shot = series.shot;
         shot.plateauGain = theta[plateau];
-        shot.u_plateauGain = std::sqrt(covariance(plateau, plateau));
+        // The baseline that was subtracted moves the whole record.
+        shot.u_plateauGain = std::hypot(std::sqrt(covariance(plateau, plateau)), series.u_baseline);
         shot.onset_s = theta[onset] * problem.unit_s;
         shot.u_onset_s = std::sqrt(covariance(onset, onset)) * problem.unit_s;
-        shot.fit_percent = fitPercent(squares, spreadSquares(series.y));
+        shot.fit_percent = fitPercent(squares, about);
         model.shots.push_back(shot);
         error += squares;
-        spread += spreadSquares(series.y);
+        spread += about;
     }
     model.fit_percent = fitPercent(error, spread);
 }
@@ -257,28 +265,27 @@ std::optional<SecondOrderModel> fitSecondOrder(const ModelInput &input,
     Problem problem{records, {}, 1.0 / (2.0 * std::numbers::pi * start.f0_Hz)};
     Index samples = 0;
     std::vector<NoiseCovariance> noise;
-    Eigen::VectorXd theta(problem.parameters());
-    theta.head(2) << 0.0, std::log(start.zeta);
     for (std::size_t r = 0; r < records.size(); ++r) {
         problem.regressions.emplace_back(records[r].y, records[r].used);
         samples += problem.regressions.back().count();
         noise.push_back(input.series[r].fullRateNoise);
-        theta.segment(2 + 2 * static_cast<Index>(r), 2) << start.plateau[r],
-            start.onset_s[r] / problem.unit_s;
     }
+    Eigen::VectorXd theta = startOf(problem, start);
     const auto last = minimise(problem, theta, control);
     const Index freedom = samples - problem.parameters();
-    if (!last || !isSensible(theta) || freedom < 1)
+    if (!last || freedom < 1)
         return std::nullopt;
 
     const double chiSquare = last->cost / static_cast<double>(freedom);
+    if (!(distanceToGo(*last) < kUnseen * std::sqrt(std::max(1.0, chiSquare))))
+        return std::nullopt;
     const NoiseModels models
         = chooseNoiseModels(records, noise, asExponentials(problem, theta), problem.parameters());
     const Eigen::MatrixXd covariance = covarianceOf(problem, theta, *last, chiSquare, models);
     SecondOrderModel model;
     model.f0_Hz = std::exp(theta[0]) * start.f0_Hz;
     model.u_f0_Hz = model.f0_Hz * std::sqrt(covariance(0, 0));
-    model.zeta = dampingOf(theta[1]);
+    model.zeta = problem.local(theta, 0).zeta();
     model.u_zeta = model.zeta * std::sqrt(covariance(1, 1));
     model.coverageFactor = coverageFactor95(models.basis.dof);
     model.uncertaintyMethod = noiseName(models.basis);

@@ -95,6 +95,8 @@ Onset locateOnset(const ModelDraft &draft, std::size_t series, const std::vector
     return onset;
 }
 
+} // namespace
+
 Eigen::VectorXd simulate(const ModelSeries &series, const ExponentialSum &sum,
     const std::vector<NuisanceTerm> &terms, double dt_s)
 {
@@ -110,8 +112,6 @@ Eigen::VectorXd simulate(const ModelSeries &series, const ExponentialSum &sum,
         add(term.rate_rad_s, term.amplitude);
     return y;
 }
-
-} // namespace
 
 double fitPercent(double errorSquares, double spreadSquares)
 {

@@ -16,6 +16,10 @@ double fitPercent(double errorSquares, double spreadSquares);
 /// Sum of squares about the mean.
 double spreadSquares(const Eigen::VectorXd &y);
 
+/// At the samples of series.y: the sum with the terms beside it, through the filter as measured.
+Eigen::VectorXd simulate(const ModelSeries &series, const ExponentialSum &sum,
+    const std::vector<NuisanceTerm> &terms, double dt_s);
+
 /// How series `r` of the input is described by the draft: plateau, onset with its uncertainty,
 /// amplitudes at the onset, simulation and FIT. `isSensor` tells which poles take part in the
 /// search for the onset; `stateSpace` is what thesis mode simulates with.

@@ -43,8 +43,10 @@ double crossingUncertainty_s(const Channel &channel, const SideArrival &arrival,
     const auto below = crossingTime_s(channel, arrival.before + 0.4 * height, from);
     const auto above = crossingTime_s(channel, arrival.before + 0.6 * height, from);
     const double span_s = below && above ? std::max(*above - *below, 0.0) : 0.0;
-    // Within one sample the crossing is interpolated; a curved front errs by up to a part of it.
-    const double grid_s = std::max(sample_s - span_s / 0.2, 0.0) / std::sqrt(12.0);
+    // A front within one sample looks like a ramp of one, wherever in it the crossing lies; from
+    // two samples on interpolation finds it.
+    const double grid_s
+        = std::clamp(2.0 * sample_s - span_s / 0.2, 0.0, sample_s) / std::sqrt(12.0);
     return std::hypot(arrival.noiseSd * span_s / (0.2 * std::abs(height)), grid_s)
         + 0.01 * sample_s;
 }

@@ -90,6 +90,13 @@ Eigen::VectorXd statedWeights(const std::vector<Sighting> &sightings, double vel
     return weight.cwiseMin(1e12 * weight.minCoeff());
 }
 
+/// Places that are told apart: two values at one place add nothing to a shape along the tube.
+Index distinctPlaces(Eigen::VectorXd x)
+{
+    std::sort(x.begin(), x.end());
+    return std::unique(x.begin(), x.end()) - x.begin();
+}
+
 double weightedSquares(const Eigen::VectorXd &weight, const Eigen::VectorXd &residual)
 {
     return weight.dot(residual.cwiseAbs2());
@@ -165,7 +172,7 @@ Result<VelocityFit> fitVelocity(const std::vector<Sighting> &sightings, Attenuat
     const Line straight{fitPolynomial(x, t, weight, 2)};
     VelocityFit fit = described(straight, weight, stated);
     fit.arrivalAtWall_s = straight.polynomial.coefficients[0] + origin_s;
-    if (count < 3 || attenuation == Attenuation::None)
+    if (distinctPlaces(x) < 3 || attenuation == Attenuation::None)
         return fit;
     const Line bent{fitPolynomial(x, t, weight, 3)};
     const VelocityFit bentFit = described(bent, weight, stated);
@@ -263,7 +270,7 @@ Result<VelocityFit> fitCounters(
     const Intervals intervals = intervalsOf(readings);
     VelocityFit fit = describedCounters(
         fitPolynomial(intervals.middle_m, intervals.velocity_m_s, intervals.weight, 1), intervals);
-    if (readings.size() < 2 || attenuation == Attenuation::None)
+    if (distinctPlaces(intervals.middle_m) < 2 || attenuation == Attenuation::None)
         return fit;
     const Polynomial bent
         = fitPolynomial(intervals.middle_m, intervals.velocity_m_s, intervals.weight, 2);

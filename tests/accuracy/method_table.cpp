@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Prints the tables "Methods" and "Several shots" of docs/accuracy.md: method_table [TRIALS]
-// Three shots (0.33, 0.6 and 0.9 of the range, 14 bits, 400 samples): bias and standard deviation
-// of fn, zeta and the plateau, in per cent of the truth, by method.
+// Prints the tables "Methods" and "Several shots" of docs/accuracy.md:
+//     method_table [TRIALS [FOLDER]]
+// Three shots (0.33, 0.6 and 0.9 of the range, 14 bits, 400 samples from the step on): bias and
+// standard deviation of fn, zeta and the plateau, in per cent of the truth, by method. Into FOLDER
+// go the records and the estimates from the stacked shots, for `reference_methods.py paired
+// FOLDER`.
 
 #include "core/realization/hankel_decomposition.h"
 #include "core/realization/realized_poles.h"
@@ -14,6 +17,8 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -78,6 +83,43 @@ private:
     int m_failed = 0;
 };
 
+/// The records of a case, and what was made of them, for another program to judge.
+class PairedRecords
+{
+public:
+    /// Writes nothing where `folder` is empty.
+    PairedRecords(const std::string &folder, const std::string &name, const std::string &title,
+        const Case &c, double first, const std::array<double, 3> &noise)
+    {
+        if (folder.empty())
+            return;
+        m_records.open(folder + '/' + name + ".f64", std::ios::binary);
+        m_estimates.open(folder + '/' + name + ".txt");
+        m_estimates.precision(17);
+        m_estimates << title << '\n'
+                    << c.f0_Hz << ' ' << c.zeta << ' ' << c.rate_Hz << ' ' << first << '\n'
+                    << noise[0] << ' ' << noise[1] << ' ' << noise[2] << '\n';
+    }
+    void add(const std::vector<ModelSeries> &shots, const std::optional<Estimate> &deflated,
+        const std::optional<Estimate> &refined)
+    {
+        if (!m_estimates.is_open())
+            return;
+        for (const ModelSeries &shot : shots) {
+            m_records.write(reinterpret_cast<const char *>(shot.y.data()),
+                static_cast<std::streamsize>(sizeof(double)) * shot.y.size());
+        }
+        for (const auto &estimate : {deflated, refined}) {
+            const Estimate values = estimate.value_or(Estimate{kUnknown, kUnknown, kUnknown});
+            m_estimates << values.frequency_Hz << ' ' << values.zeta << ' ';
+        }
+        m_estimates << '\n';
+    }
+
+private:
+    std::ofstream m_records, m_estimates;
+};
+
 /// Shots in units of the range, rounded to 14 bits, each with its pre-trigger noise.
 std::vector<ModelSeries> simulate(const Case &c, const std::array<double, 3> &noise,
     const std::array<double, 3> &start, std::uint64_t seed)
@@ -92,7 +134,7 @@ std::vector<ModelSeries> simulate(const Case &c, const std::array<double, 3> &no
             testing::sampledStep(c.f0_Hz, c.zeta, c.rate_Hz, kSamples, start[i]) * kSteps[i]
             + source.series(kSamples, noise[i]));
         shots.push_back(testing::makeSeries(
-            static_cast<Index>(i) + 1, y, c.rate_Hz, rounded(source.series(2000, noise[i]))));
+            static_cast<Index>(i) + 1, y, c.rate_Hz, rounded(source.series(1000, noise[i]))));
     }
     return shots;
 }
@@ -109,38 +151,50 @@ std::vector<ModelSeries> averaged(const std::vector<ModelSeries> &shots, double 
     return {testing::makeSeries(0, y, rate_Hz, noise)};
 }
 
-/// The oscillating pole of the raw realisation; the thesis has no plateau gain.
-std::optional<Estimate> fromPoles(
-    std::vector<ModelSeries> series, const Case &c, ResponseTreatment treatment, Index order)
+/// Series and their decomposition, which serves every order and the refinement.
+struct Decomposed
 {
-    const auto hankel
-        = decomposeHankel(testing::makeInput(treatment, c.rate_Hz, std::move(series)), {});
-    for (const std::complex<double> &z : realizedPoles(*hankel, order)) {
-        if (z.imag() <= 0.0)
-            continue;
-        const std::complex<double> s = std::log(z) * c.rate_Hz;
-        return Estimate{std::abs(s) / (2.0 * std::numbers::pi), -s.real() / std::abs(s), kUnknown};
-    }
-    return std::nullopt;
-}
+    ModelInput input;
+    HankelDecomposition hankel;
+    double rate_Hz = 0.0;
 
-std::optional<Estimate> fromModel(
-    const std::vector<ModelSeries> &series, const Case &c, ResponseTreatment treatment, bool refine)
-{
-    const ModelInput input = testing::makeInput(treatment, c.rate_Hz, series);
-    RealizationSettings settings;
-    settings.refine = refine;
-    const auto model = realizeModel(input, *decomposeHankel(input, {}), 2, settings, {});
-    const Pole *pole = model ? mainPole(*model) : nullptr;
-    if (!pole || pole->z.imag() == 0.0)
-        return std::nullopt;
-    double plateau = 0.0;
-    for (const SeriesFit &fit : model->series) {
-        const double step = fit.shot > 0 ? kSteps[static_cast<std::size_t>(fit.shot) - 1] : 1.0;
-        plateau += fit.plateauGain / step / static_cast<double>(model->series.size());
+    Decomposed(std::vector<ModelSeries> series, const Case &c, ResponseTreatment treatment)
+        : input(testing::makeInput(treatment, c.rate_Hz, std::move(series)))
+        , hankel(decomposeHankel(input, {}).value())
+        , rate_Hz(c.rate_Hz)
+    {
     }
-    return Estimate{pole->frequency_Hz, pole->dampingRatio, plateau};
-}
+
+    /// The oscillating pole of the raw realisation; the thesis has no plateau gain.
+    std::optional<Estimate> pole(Index order) const
+    {
+        for (const std::complex<double> &z : realizedPoles(hankel, order)) {
+            if (z.imag() <= 0.0)
+                continue;
+            const std::complex<double> s = std::log(z) * rate_Hz;
+            return Estimate{
+                std::abs(s) / (2.0 * std::numbers::pi), -s.real() / std::abs(s), kUnknown};
+        }
+        return std::nullopt;
+    }
+
+    /// The main resonance of the model of order 2.
+    std::optional<Estimate> model(bool refine) const
+    {
+        RealizationSettings settings;
+        settings.refine = refine;
+        const auto model = realizeModel(input, hankel, 2, settings, {});
+        const Pole *main = model ? mainPole(*model) : nullptr;
+        if (!main || main->z.imag() == 0.0)
+            return std::nullopt;
+        double plateau = 0.0;
+        for (const SeriesFit &fit : model->series) {
+            const double step = fit.shot > 0 ? kSteps[static_cast<std::size_t>(fit.shot) - 1] : 1.0;
+            plateau += fit.plateauGain / step / static_cast<double>(model->series.size());
+        }
+        return Estimate{main->frequency_Hz, main->dampingRatio, plateau};
+    }
+};
 
 void printRow(const std::string &name, const std::string &method, const Statistics &statistics)
 {
@@ -148,50 +202,65 @@ void printRow(const std::string &name, const std::string &method, const Statisti
     std::fflush(stdout);
 }
 
-void printMethods(const Case &c, int trials)
+void printMethods(const Case &c, int trials, const std::string &folder, std::size_t number)
 {
     using T = ResponseTreatment;
-    std::array<Statistics, 5> methods;
+    std::array<Statistics, 6> methods;
     const double relative = std::pow(10.0, -c.snr_dB / 20.0);
     std::array<double, 3> noise{};
     for (std::size_t i = 0; i < 3; ++i)
         noise[i] = relative * kSteps[i];
+    PairedRecords paired(folder, "methods-" + std::to_string(number), c.name, c, 0.0, noise);
     for (int trial = 1; trial <= trials; ++trial) {
-        const auto shots = simulate(c, noise, {1.0, 1.0, 1.0}, static_cast<std::uint64_t>(trial));
+        const auto shots = simulate(c, noise, {}, static_cast<std::uint64_t>(trial));
         const auto average = averaged(shots, c.rate_Hz);
-        methods[0].add(fromPoles(average, c, T::StepAsImpulse, 2), c);
-        methods[1].add(fromPoles(average, c, T::StepAsImpulse, 3), c);
-        methods[2].add(fromModel(shots, c, T::Differenced, false), c);
-        methods[3].add(fromModel(shots, c, T::StepDeflated, false), c);
-        methods[4].add(fromModel(shots, c, T::StepDeflated, true), c);
+        const Decomposed thesis(average, c, T::StepAsImpulse);
+        methods[0].add(thesis.pole(2), c);
+        methods[1].add(thesis.pole(3), c);
+        methods[2].add(Decomposed(average, c, T::Differenced).model(false), c);
+        methods[3].add(Decomposed(shots, c, T::Differenced).model(false), c);
+        const Decomposed stacked(shots, c, T::StepDeflated);
+        const auto deflated = stacked.model(false);
+        const auto refined = stacked.model(true);
+        methods[4].add(deflated, c);
+        methods[5].add(refined, c);
+        paired.add(shots, deflated, refined);
     }
-    const std::array<const char *, 5> names{"(a) thesis, order 2", "(a+) thesis, order 3",
-        "(b) differenced", "(c) step deflated", "(e) deflated, refined"};
+    const std::array<const char *, 6> names{"(a) thesis, order 2", "(a+) thesis, order 3",
+        "(b) differenced, average", "(b) differenced, stacked", "(c) step deflated",
+        "(e) deflated, refined"};
     for (std::size_t i = 0; i < methods.size(); ++i)
         printRow(c.name, names[i], methods[i]);
 }
 
-/// Equal noise in all shots, so that the smallest has the worst record.
-void printShots(const Case &c, bool jitter, int trials)
+/// Equal noise in all shots, so that the smallest has the worst record; the stated ratio is that
+/// of the largest step.
+void printShots(const Case &c, bool jitter, int trials, const std::string &folder)
 {
+    const std::string name = std::string(c.name) + (jitter ? ", starts within a sample" : "");
     Statistics equal, best, stacked, refined;
-    const double noise = std::pow(10.0, -c.snr_dB / 20.0);
+    const double noise = kSteps.back() * std::pow(10.0, -c.snr_dB / 20.0);
+    PairedRecords paired(folder, jitter ? "shots-jitter" : "shots", "equal noise, " + name, c,
+        jitter ? 0.5 : 0.0, {noise, noise, noise});
     for (int trial = 1; trial <= trials; ++trial) {
         const auto seed = static_cast<std::uint64_t>(trial);
         testing::Noise source(seed + 1'000'000);
-        std::array<double, 3> start{1.0, 1.0, 1.0};
+        std::array<double, 3> start{};
         for (double &first : start) {
             const double uniform = 0.5 * std::erfc(-source.next() / std::numbers::sqrt2);
-            first = jitter ? uniform : 1.0;
+            first = jitter ? uniform : 0.0;
         }
         const auto shots = simulate(c, {noise, noise, noise}, start, seed);
         const auto deflated = ResponseTreatment::StepDeflated;
-        equal.add(fromModel(averaged(shots, c.rate_Hz), c, deflated, false), c);
-        best.add(fromPoles({shots.back()}, c, deflated, 2), c);
-        stacked.add(fromModel(shots, c, deflated, false), c);
-        refined.add(fromModel(shots, c, deflated, true), c);
+        equal.add(Decomposed(averaged(shots, c.rate_Hz), c, deflated).model(false), c);
+        best.add(Decomposed({shots.back()}, c, deflated).pole(2), c);
+        const Decomposed together(shots, c, deflated);
+        const auto plain = together.model(false);
+        const auto fitted = together.model(true);
+        stacked.add(plain, c);
+        refined.add(fitted, c);
+        paired.add(shots, plain, fitted);
     }
-    const std::string name = std::string(c.name) + (jitter ? ", starts within a sample" : "");
     printRow(name, "average, equal weights", equal);
     printRow(name, "largest shot alone", best);
     printRow(name, "stacked", stacked);
@@ -203,16 +272,17 @@ void printShots(const Case &c, bool jitter, int trials)
 int main(int argc, char **argv)
 {
     const int trials = argc > 1 ? std::atoi(argv[1]) : 400;
+    const std::string folder = argc > 2 ? argv[2] : "";
     const Case cases[]{{"30 kHz, zeta 0.05, 1 MHz, 40 dB", 30e3, 0.05, 1e6, 40.0},
         {"318 kHz, zeta 0.02, 1 MHz, 40 dB", 318e3, 0.02, 1e6, 40.0},
         {"200 kHz, zeta 0.02, 10 MHz, 40 dB", 200e3, 0.02, 10e6, 40.0},
         {"30 kHz, zeta 0.05, 1 MHz, 20 dB", 30e3, 0.05, 1e6, 20.0},
         {"30 kHz, zeta 0.5, 1 MHz, 40 dB", 30e3, 0.5, 1e6, 40.0}};
     std::printf("| case | method | fn, %% | zeta, %% | plateau, %% |\n|---|---|---|---|---|\n");
-    for (const Case &c : cases)
-        printMethods(c, trials);
+    for (std::size_t i = 0; i < std::size(cases); ++i)
+        printMethods(cases[i], trials, folder, i);
     std::printf("\n| case | shots | fn, %% | zeta, %% | plateau, %% |\n|---|---|---|---|---|\n");
-    printShots(cases[0], false, trials);
-    printShots(cases[1], true, trials);
+    printShots(cases[0], false, trials, folder);
+    printShots(cases[1], true, trials, folder);
     return 0;
 }

@@ -103,7 +103,9 @@ private slots:
 
     void compare_withoutOrders_takesTheRecipesAndItsOwn()
     {
-        QVERIFY(writeBytes(path("recipe.json"), R"({"realization": {"candidates": [5]}})"));
+        QVERIFY(writeBytes(path("recipe.json"),
+            R"({"realization": {"candidates": [5],
+                "candidate_notes": [{"order": 5, "note": "odd one"}]}})"));
         const Answer answer
             = dyncal({"compare", m_capture, "--recipe", path("recipe.json"), "--json"});
         QList<int> orders;
@@ -111,6 +113,9 @@ private slots:
             orders << one["order"].toInt();
         QCOMPARE(orders.mid(0, 2), QList<int>({2, 5}));
         QVERIFY(orders.last() > 5);
+        QCOMPARE(
+            answer.json()["orders"].toArray()[1].toObject()["note"].toString(), QString("odd one"));
+        QVERIFY(answer.json()["orders"].toArray()[0].toObject()["note"].isNull());
     }
 
     void compare_wrongUsage_isSaid_data()

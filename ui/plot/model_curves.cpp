@@ -196,6 +196,8 @@ PlotContent poleZeroCurves(const SensorModel &model)
     content.yAxis = {Plots::tr("Imaginary part"), QString()};
     content.equalAspect = true;
     content.unitCircle = true;
+    if (model.stateSpace.sampleInterval_s > 0.0)
+        content.dampingGridRate_Hz = 1.0 / model.stateSpace.sampleInterval_s;
     double reach = 1.0;
     int beyond = 0;
     const auto add = [&](PlotCurve &curve, std::complex<double> z) {

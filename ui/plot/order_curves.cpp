@@ -14,6 +14,8 @@ namespace dyncal {
 namespace {
 
 constexpr double kLowestFit_percent = 0.0; ///< below, an order says nothing but "bad"
+/// Above 100 %: the attainable FIT and the chosen order are written there.
+constexpr double kRoomForLabels_percent = 135.0;
 
 struct StabilityLook
 {
@@ -25,9 +27,8 @@ struct StabilityLook
 std::vector<StabilityLook> stabilityLooks()
 {
     return {{PoleStability::New, CurveRole::NewPole, Plots::tr("New")},
-        {PoleStability::Frequency, CurveRole::HalfStablePole, Plots::tr("Frequency stable")},
-        {PoleStability::FrequencyAndDamping, CurveRole::StablePole,
-            Plots::tr("Frequency and damping stable")},
+        {PoleStability::Frequency, CurveRole::HalfStablePole, Plots::tr("f stable")},
+        {PoleStability::FrequencyAndDamping, CurveRole::StablePole, Plots::tr("f, ζ stable")},
         {PoleStability::Unstable, CurveRole::UnstablePole, Plots::tr("Unstable")}};
 }
 
@@ -57,7 +58,7 @@ PlotCurve spectrumBehind(const SpectrumResult &spectrum, double from_Hz, double 
 {
     constexpr Index kBands = 400;
     const PowerSpectrum mean = meanSpectrum(spectrum);
-    PlotCurve curve{Plots::tr("Mean spectrum"), CurveRole::Noise, CurveStyle::Line, {}, {}, true};
+    PlotCurve curve{Plots::tr("Spectrum"), CurveRole::Noise, CurveStyle::Line, {}, {}, true};
     curve.onSecondAxis = true;
     const double perBand = std::log(to_Hz / from_Hz) / static_cast<double>(kBands);
     Index last = -1;
@@ -130,7 +131,9 @@ PlotContent stabilisationCurves(
     if (order > 0)
         content.levels.push_back(
             {static_cast<double>(order), Plots::tr("order %1").arg(order), CurveRole::Model});
-    content.summary = Plots::tr("Poles of orders 1 to %1: %2, of which stable: %3.")
+    content.summary = Plots::tr("Poles of orders 1 to %1: %2, of which stable: %3. f stable: "
+                                "the frequency was there at the order before; f, ζ stable: the "
+                                "damping ratio, too; new: neither; behind them the mean spectrum.")
                           .arg(evidence.poles.back().order)
                           .arg(evidence.poles.size())
                           .arg(stable);
@@ -154,19 +157,20 @@ PlotContent evidenceCurves(const OrderEvidence *evidence, const OrderSuggestion 
         content.curves.push_back(
             overOrder(Plots::tr("FIT"), CurveRole::Measured, evidence->fit_percent));
         if (evidence->crossShot_percent.size() > 0)
-            content.curves.push_back(overOrder(Plots::tr("Error, one shot left out"),
-                CurveRole::Error, evidence->crossShot_percent));
+            content.curves.push_back(overOrder(
+                Plots::tr("Left-out error"), CurveRole::Error, evidence->crossShot_percent));
         content.yMin = kLowestFit_percent;
-        content.yMax = 105.0;
+        content.yMax = kRoomForLabels_percent;
     }
     if (std::isfinite(attainable_percent))
         content.levels.push_back({attainable_percent,
             Plots::tr("attainable %1 %").arg(valueWithUnit(attainable_percent, QString(), 3)),
             CurveRole::Reference});
     markOrder(content, order);
-    content.summary = Plots::tr("FIT, leave-one-shot-out error and information criterion of every "
-                                "order; order %1 is chosen.")
-                          .arg(order);
+    content.summary
+        = Plots::tr("FIT, error of each shot by the poles of the others, and information "
+                    "criterion (BIC) of every order; order %1 is chosen.")
+              .arg(order);
     return content;
 }
 

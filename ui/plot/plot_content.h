@@ -75,12 +75,13 @@ struct PlotMark
     CurveRole role = CurveRole::Reference;
 };
 
-/// A horizontal line, e.g. a confidence bound.
+/// A horizontal line, e.g. a confidence bound; with `from` the end of a band that begins there.
 struct PlotLevel
 {
     double y = 0.0;
     QString label;
     CurveRole role = CurveRole::Reference;
+    std::optional<double> from = {};
 };
 
 /// Everything that one plot shows. Built by the pure functions in ui/plot/*_curves.h from results.
@@ -96,6 +97,8 @@ struct PlotContent
     std::vector<PlotLevel> levels;
     bool equalAspect = false; ///< pole-zero map
     bool unitCircle = false;
+    /// Sample rate of a z plane: lines of one damping ratio and of one frequency are drawn in it.
+    std::optional<double> dampingGridRate_Hz = {};
     std::optional<double> xMin, xMax, yMin, yMax; ///< first view; else fitted to the data
     /// More is to come: the next content is fitted too, unless the operator moved the view.
     bool growing = false;

@@ -120,13 +120,10 @@ bool PlotWidget::Private::key(const QKeyEvent &event)
     case Qt::Key_F:
         q->fit();
         return true;
-    case Qt::Key_G: {
-        const bool visible = !plot->xAxis->grid()->visible();
-        plot->xAxis->grid()->setVisible(visible);
-        plot->yAxis->grid()->setVisible(visible);
+    case Qt::Key_G:
+        scene.setGridVisible(!scene.isGridVisible());
         replot();
         return true;
-    }
     case Qt::Key_1:
     case Qt::Key_2:
         placeCursor(event.key() == Qt::Key_1 ? 0 : 1);
@@ -149,6 +146,11 @@ bool PlotWidget::Private::key(const QKeyEvent &event)
         goBack(event.modifiers().testFlag(Qt::ShiftModifier));
         return true;
     case Qt::Key_Escape:
+        if (marking) {
+            cancelDrag();
+            q->setMarking(false);
+            return true;
+        }
         if (cancelDrag())
             return true;
         if (!cursors.any())
@@ -175,7 +177,7 @@ bool PlotWidget::event(QEvent *event)
     if (event->type() == QEvent::ShortcutOverride) {
         const auto *key = static_cast<QKeyEvent *>(event);
         const bool dragging = !std::holds_alternative<std::monostate>(d->drag);
-        if (key->key() == Qt::Key_Escape && (dragging || d->cursors.any())) {
+        if (key->key() == Qt::Key_Escape && (dragging || d->marking || d->cursors.any())) {
             event->accept();
             return true;
         }

@@ -42,7 +42,10 @@ void PlotWidget::Private::press(const QMouseEvent &event)
     if (event.button() == Qt::RightButton) {
         drag = DragBox{pointer};
     } else if (event.button() == Qt::LeftButton) {
-        if (const auto grip = handles.gripAt(pointer)) {
+        const bool marks = marking || (markable && event.modifiers() == Qt::ShiftModifier);
+        if (marks && plot->axisRect()->rect().contains(pointer.toPoint())) {
+            drag = DragSpan{pointer};
+        } else if (const auto grip = handles.gripAt(pointer)) {
             const HandleState before = *handles.find(grip->id);
             const double grabbedAt
                 = plot->xAxis->pixelToCoord(pointer.x()) - handles.positionOf(*grip);
@@ -66,6 +69,8 @@ void PlotWidget::Private::move(const QMouseEvent &event)
         rubberBand->setVisible(box->moved);
     } else if (auto *handle = std::get_if<DragHandle>(&drag)) {
         dragHandleTo(*handle, pointer);
+    } else if (auto *span = std::get_if<DragSpan>(&drag)) {
+        showSpan(*span);
     } else {
         hover(pointer);
     }
@@ -119,8 +124,33 @@ void PlotWidget::Private::release(const QMouseEvent &event)
     } else if (const auto *handle = std::get_if<DragHandle>(&done)) {
         if (const HandleState *state = handles.find(handle->grip.id))
             announce(*state, true);
+    } else if (const auto *span = std::get_if<DragSpan>(&done)) {
+        markSpan(*span);
     }
     hover(pointer);
+}
+
+/// The span under way, over the full height: it is one of x only.
+void PlotWidget::Private::showSpan(const DragSpan &span)
+{
+    const QRectF rect = plot->axisRect()->rect();
+    const QRectF shown(QPointF(span.from.x(), rect.top()), QPointF(pointer.x(), rect.bottom()));
+    rubberBand->setGeometry(shown.normalized().intersected(rect).translated(plot->pos()).toRect());
+    rubberBand->show();
+}
+
+/// A click marks nothing, and leaves the mode as it is.
+void PlotWidget::Private::markSpan(const DragSpan &span)
+{
+    rubberBand->hide();
+    const QRectF rect = plot->axisRect()->rect();
+    const double a = span.from.x();
+    const double b = std::clamp(pointer.x(), rect.left(), rect.right());
+    if (std::abs(b - a) < kDragStart_px)
+        return;
+    q->setMarking(false);
+    emit q->spanMarked(
+        {plot->xAxis->pixelToCoord(std::min(a, b)), plot->xAxis->pixelToCoord(std::max(a, b))});
 }
 
 void PlotWidget::Private::zoomBox(const QRectF &box)
@@ -161,8 +191,9 @@ void PlotWidget::Private::toggleCurve(std::size_t position, bool alone)
 
 void PlotWidget::Private::hover(const QPointF &position)
 {
-    const auto grip = handles.gripAt(position);
-    q->setCursor(grip                       ? Qt::SplitHCursor
+    const auto grip = marking ? std::nullopt : handles.gripAt(position);
+    q->setCursor(marking                    ? Qt::CrossCursor
+            : grip                          ? Qt::SplitHCursor
             : scene.legendEntryAt(position) ? Qt::PointingHandCursor
                                             : Qt::ArrowCursor);
     if (grip || !plot->axisRect()->rect().contains(position.toPoint()))

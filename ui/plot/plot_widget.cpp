@@ -169,6 +169,12 @@ void PlotWidget::setBand(const QString &id, const QString &label, Interval x, bo
     d->replot();
 }
 
+void PlotWidget::setHatchedBand(const QString &id, const QString &label, Interval x)
+{
+    d->handles.set({id, label, false, x, true, false, true});
+    d->replot();
+}
+
 void PlotWidget::removeBand(const QString &id)
 {
     d->handles.remove(id, false);
@@ -185,6 +191,20 @@ void PlotWidget::removeLine(const QString &id)
 {
     d->handles.remove(id, true);
     d->replot();
+}
+
+void PlotWidget::setMarkable(bool markable)
+{
+    d->markable = markable;
+}
+
+void PlotWidget::setMarking(bool on)
+{
+    if (d->marking == on)
+        return;
+    d->marking = on;
+    setCursor(on ? Qt::CrossCursor : Qt::ArrowCursor);
+    emit markingChanged(on);
 }
 
 QPoint PlotWidget::pixelOf(double x, double y) const
@@ -294,6 +314,12 @@ void PlotWidget::showMenu(const QPoint &globalPosition)
     menu.addAction(tr("Export..."), this, &PlotWidget::exportWithDialog);
     menu.addSeparator();
     menu.addAction(tr("Fit"), this, &PlotWidget::fit);
+    QAction *grid = menu.addAction(tr("Grid"), this, [this](bool visible) {
+        d->scene.setGridVisible(visible);
+        d->replot();
+    });
+    grid->setCheckable(true);
+    grid->setChecked(d->scene.isGridVisible());
     menu.exec(globalPosition);
 }
 

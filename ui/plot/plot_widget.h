@@ -23,7 +23,8 @@ namespace dyncal {
 /// zooms a box; double click fits; hover shows the nearest point. Keys: F fit, G grid, 1 / 2 put
 /// cursor A / B at the pointer, arrows move the focused handle by one step (signals bandMoved,
 /// lineMoved; Shift: ten steps) or else the view, + / - zoom, Backspace the view before, Tab the
-/// next handle, Esc ends a drag and restores.
+/// next handle, Esc ends a drag and restores. Where spans can be marked (setMarkable): Shift and
+/// left drag, or left drag while setMarking is on.
 class PlotWidget : public QWidget
 {
     Q_OBJECT
@@ -39,11 +40,18 @@ public:
     /// A draggable band over x with two edges; `id` names it in signals. Drawn behind the curves,
     /// hatched where it cannot be moved.
     void setBand(const QString &id, const QString &label, Interval x, bool movable = true);
+    /// A draggable band, hatched: what it covers takes no part.
+    void setHatchedBand(const QString &id, const QString &label, Interval x);
     void removeBand(const QString &id);
     /// A draggable vertical line. With `snapToIntegers` it stops between whole numbers
     /// (the cut in the singular values: value n means "keep n").
     void setLine(const QString &id, const QString &label, double x, bool snapToIntegers = false);
     void removeLine(const QString &id);
+
+    /// Shift and left drag mark a span of x (spanMarked).
+    void setMarkable(bool markable);
+    /// The next left drag marks a span, handles or not; it or Esc ends the mode.
+    void setMarking(bool on);
 
     /// Pixel position (widget coordinates) of a plot coordinate: for tests that use the mouse.
     QPoint pixelOf(double x, double y) const;
@@ -77,6 +85,8 @@ public:
 signals:
     void bandMoved(const QString &id, dyncal::Interval x, bool finished); ///< finished = released
     void lineMoved(const QString &id, double x, bool finished);
+    void spanMarked(dyncal::Interval x);
+    void markingChanged(bool on); ///< also when it ends by itself
     void pointPicked(double x, double y); ///< plain click, at the nearest data point
     void xRangeChanged(dyncal::Interval x); ///< other than by setting content
     void contentChanged(); ///< and fitted

@@ -33,7 +33,11 @@ struct DragHandle
     HandleState before;
     double grabbedAt = 0.0; ///< pointer minus handle, so that it does not jump
 };
-using Drag = std::variant<std::monostate, DragPan, DragBox, DragHandle>;
+struct DragSpan
+{
+    QPointF from;
+};
+using Drag = std::variant<std::monostate, DragPan, DragBox, DragHandle, DragSpan>;
 
 struct View
 {
@@ -67,6 +71,8 @@ struct PlotWidget::Private
     void hover(const QPointF &position);
     void dragHandleTo(DragHandle &drag, const QPointF &position);
     void panTo(DragPan &drag, const QPointF &position);
+    void showSpan(const DragSpan &span);
+    void markSpan(const DragSpan &span);
     void zoomBox(const QRectF &box);
     void click(const QPointF &position, Qt::KeyboardModifiers modifiers);
     void toggleCurve(std::size_t position, bool alone);
@@ -94,6 +100,8 @@ struct PlotWidget::Private
     bool hasView = false; ///< a content with data has been fitted
     View fitted; ///< the view as it was last fitted to a content
     Drag drag;
+    bool markable = false; ///< Shift and drag mark a span
+    bool marking = false; ///< so does the next drag
     QPointF pointer; ///< where it was last seen
     std::optional<HandleGrip> focused;
     std::vector<View> back, forward;

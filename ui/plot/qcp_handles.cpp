@@ -12,6 +12,7 @@ namespace {
 
 constexpr double kReach_px = 10.0;
 constexpr int kLabelLift_px = 7; ///< labels stand above the ticks
+constexpr int kLabelGap_px = 3;
 
 void placeVertical(QCPItemLine *line, double x)
 {
@@ -35,6 +36,7 @@ double valueAt(const HandleState &state, double x)
 PlotHandles::PlotHandles(QCustomPlot &plot)
     : m_plot(plot)
 {
+    QObject::connect(&plot, &QCustomPlot::beforeReplot, &plot, [this] { placeLabels(); });
 }
 
 QCPItemLine *PlotHandles::makeLine()
@@ -66,7 +68,7 @@ PlotHandles::Items PlotHandles::makeItems(const HandleState &state)
     items.label->position->setTypeX(QCPItemPosition::ptPlotCoords);
     items.label->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
     items.label->setSelectable(false);
-    items.label->setPadding(QMargins(3, 1, 3, kLabelLift_px));
+    items.label->setPadding(QMargins(kLabelGap_px, 1, kLabelGap_px, kLabelLift_px));
     return items;
 }
 
@@ -209,8 +211,30 @@ void PlotHandles::place(std::size_t position)
     }
     items.label->setText(state.label);
     items.label->setVisible(!state.label.isEmpty());
-    items.label->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
     items.label->position->setCoords(drawnAt(state, state.x.begin), 1.0);
+}
+
+/// At the right of their line, or at the left where the plot ends before they do; those that would
+/// lie over another stand higher.
+void PlotHandles::placeLabels()
+{
+    const QFontMetrics metrics(m_theme.font);
+    const QRect axes = m_plot.axisRect()->rect();
+    std::vector<QRect> taken;
+    for (std::size_t i = 0; i < m_states.size(); ++i) {
+        QCPItemText *label = m_items[i].label;
+        const double x = m_plot.xAxis->coordToPixel(drawnAt(m_states[i], m_states[i].x.begin));
+        if (!label->visible() || !(x >= axes.left() && x <= axes.right()))
+            continue;
+        const int width = metrics.horizontalAdvance(m_states[i].label) + 2 * kLabelGap_px;
+        const bool leftOf = x + width > axes.right() && x - width >= axes.left();
+        QRect place(static_cast<int>(x) - (leftOf ? width : 0), 0, width, metrics.height());
+        while (std::ranges::any_of(taken, [&](const QRect &r) { return r.intersects(place); }))
+            place.translate(0, metrics.height());
+        taken.push_back(place);
+        label->setPositionAlignment((leftOf ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignBottom);
+        label->setPadding(QMargins(kLabelGap_px, 1, kLabelGap_px, kLabelLift_px + place.top()));
+    }
 }
 
 void PlotHandles::paint(std::size_t position)
@@ -228,8 +252,9 @@ void PlotHandles::paint(std::size_t position)
         items.end->setPen(pen(HandlePart::End));
     if (items.fill) {
         items.fill->setPen(Qt::NoPen);
+        const bool hatched = state.hatched || !state.movable;
         items.fill->setBrush(
-            state.movable ? QBrush(m_theme.bandFill) : QBrush(m_theme.handle, Qt::BDiagPattern));
+            hatched ? QBrush(m_theme.handle, Qt::BDiagPattern) : QBrush(m_theme.bandFill));
     }
     items.label->setColor(m_theme.text);
     items.label->setFont(m_theme.font);

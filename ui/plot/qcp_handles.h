@@ -57,6 +57,7 @@ private:
     Items makeItems(const HandleState &state);
     QCPItemLine *makeLine();
     void place(std::size_t position);
+    void placeLabels();
     void paint(std::size_t position);
 
     QCustomPlot &m_plot;

@@ -8,13 +8,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace dyncal {
 
 namespace {
 
 constexpr int kLegendIconWidth = 26;
-constexpr int kLegendGap = 16;
+constexpr int kLegendPadding = 4;
+constexpr int kLegendGap = 14;
+constexpr int kLegendDescent = 2; ///< pixels; without, items end where the tail of a g begins
 /// Right: half of the last tick's label.
 constexpr QMargins kLeastMargins(4, 6, 16, 4);
 
@@ -47,6 +50,23 @@ double aboveData(const QCPRange &range, const PlotAxis &axis)
     return range.upper + kLabelShare * range.size();
 }
 
+/// As many columns as fit beside each other, filled row by row.
+int columnsThatFit(const std::vector<int> &widths, int room)
+{
+    int columns = std::max(1, static_cast<int>(widths.size()));
+    for (; columns > 1; --columns) {
+        std::vector<int> widest(static_cast<std::size_t>(columns), 0);
+        for (std::size_t i = 0; i < widths.size(); ++i) {
+            int &column = widest[i % widest.size()];
+            column = std::max(column, widths[i]);
+        }
+        const int gaps = (columns - 1) * kLegendGap;
+        if (std::accumulate(widest.begin(), widest.end(), gaps) <= room)
+            break;
+    }
+    return columns;
+}
+
 bool hasMargin(const PlotCurve &curve)
 {
     return curve.style == CurveStyle::Markers || curve.style == CurveStyle::Dots
@@ -66,7 +86,7 @@ PlotScene::PlotScene(QCustomPlot &plot)
     m_plot.legend->setRowSpacing(0);
     m_plot.legend->setColumnSpacing(kLegendGap);
     m_plot.legend->setIconSize(kLegendIconWidth, 12);
-    m_plot.legend->setIconTextPadding(4);
+    m_plot.legend->setIconTextPadding(kLegendPadding);
     m_plot.legend->setLayer("legend");
     m_title = new QCPTextElement(&m_plot);
     m_title->setMargins(QMargins(0, 0, 0, 0));
@@ -192,6 +212,7 @@ void PlotScene::styleLegend()
         QFont font = m_theme.font;
         font.setStrikeOut(!drawn.visible);
         item->setFont(font);
+        item->setMargins(QMargins(0, 0, 0, kLegendDescent));
         item->setTextColor(m_theme.text);
     }
 }
@@ -199,12 +220,12 @@ void PlotScene::styleLegend()
 void PlotScene::wrapLegend()
 {
     const QFontMetrics metrics(m_theme.font);
-    int widest = 1;
+    std::vector<int> widths;
     for (const DrawnCurve &drawn : m_curves)
-        if (drawn.curve->inLegend)
-            widest = std::max(widest, metrics.horizontalAdvance(drawn.curve->name));
-    const int cell = widest + kLegendIconWidth + 2 * kLegendGap;
-    const int wrap = std::max(1, m_plot.viewport().width() / cell);
+        if (drawn.curve->inLegend && !drawn.curve->name.isEmpty())
+            widths.push_back(metrics.horizontalAdvance(drawn.curve->name) + kLegendIconWidth
+                + 2 * kLegendPadding);
+    const int wrap = columnsThatFit(widths, m_plot.viewport().width());
     if (wrap == m_legendWrap)
         return;
     m_legendWrap = wrap;

@@ -16,6 +16,8 @@
 
 namespace dyncal {
 
+class DampingGrid;
+
 QCPScatterStyle scatterStyle(MarkerShape shape, const QColor &color, double size);
 
 /// A graph whose legend icon shows dash and marker together; markers are drawn by another graph.
@@ -85,6 +87,10 @@ public:
     /// before every replot; printing calls it.
     void prepare();
 
+    /// That of the axes, or that of damping ratio and frequency where the content asks for it.
+    void setGridVisible(bool visible);
+    bool isGridVisible() const { return m_gridVisible; }
+
     const std::vector<DrawnCurve> &curves() const { return m_curves; }
     void setLegendVisible(bool visible);
     /// Position in curves() of the legend entry at a pixel, if any.
@@ -98,6 +104,8 @@ private:
         QCPItemText *label = nullptr;
         CurveRole role = CurveRole::Reference;
         std::optional<double> markX;
+        double levelY = 0.0; ///< of a level
+        QCPItemRect *band = nullptr; ///< of a level that has one
     };
 
     // qcp_scene.cpp: axes, title, legend, theme, ranges
@@ -129,8 +137,11 @@ private:
     void makeLevel(const PlotLevel &level);
     static void placeMark(Decoration &decoration, const PlotMark &mark);
     static void placeLevel(Decoration &decoration, const PlotLevel &level);
+    QCPItemRect *makeBand(const PlotLevel &level);
     void styleDecorations();
-    void staggerMarks();
+    void placeLabels();
+    void staggerMarks(std::vector<QRectF> &taken);
+    void placeLevelLabel(const Decoration &decoration, std::vector<QRectF> &taken);
 
     QCustomPlot &m_plot;
     std::shared_ptr<const PlotContent> m_content;
@@ -146,6 +157,8 @@ private:
     std::vector<Decoration> m_decorations;
     QCPLayer *m_decorationLayer = nullptr; ///< with pixels of its own
     QCPItemEllipse *m_unitCircle = nullptr;
+    DampingGrid *m_dampingGrid = nullptr;
+    bool m_gridVisible = true;
 };
 
 } // namespace dyncal

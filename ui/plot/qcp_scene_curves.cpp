@@ -270,7 +270,7 @@ void PlotScene::drawView()
     for (DrawnCurve &drawn : m_curves)
         if (drawn.graph && drawn.visible)
             drawCurve(drawn, edges);
-    staggerMarks();
+    placeLabels();
 }
 
 /// Whether the line in view runs up and down so often that dashes would only be noise: a second

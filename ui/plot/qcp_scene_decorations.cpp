@@ -3,6 +3,8 @@
 
 #include "ui/plot/qcp_scene.h"
 
+#include "ui/plot/qcp_damping_grid.h"
+
 #include <algorithm>
 #include <cstring>
 
@@ -39,7 +41,11 @@ bool isSameButDecorations(const PlotContent &a, const PlotContent &b)
     return a.title == b.title && isSame(a.xAxis, b.xAxis) && isSame(a.yAxis, b.yAxis) && sameSecond
         && a.equalAspect == b.equalAspect && a.unitCircle == b.unitCircle && a.xMin == b.xMin
         && a.xMax == b.xMax && a.yMin == b.yMin && a.yMax == b.yMax && a.growing == b.growing
-        && a.marks.size() == b.marks.size() && a.levels.size() == b.levels.size()
+        && a.dampingGridRate_Hz == b.dampingGridRate_Hz && a.marks.size() == b.marks.size()
+        && std::equal(a.levels.begin(), a.levels.end(), b.levels.begin(), b.levels.end(),
+            [](const PlotLevel &x, const PlotLevel &y) { // bands lie behind the curves
+                return x.from == y.from && (!x.from || x.y == y.y);
+            })
         && std::equal(a.curves.begin(), a.curves.end(), b.curves.begin(), b.curves.end(),
             [](const PlotCurve &x, const PlotCurve &y) { return isSame(x, y); });
 }
@@ -51,6 +57,8 @@ void PlotScene::makeDecorations()
     for (const Decoration &decoration : m_decorations) {
         m_plot.removeItem(decoration.line);
         m_plot.removeItem(decoration.label);
+        if (decoration.band)
+            m_plot.removeItem(decoration.band);
     }
     m_decorations.clear();
     if (m_unitCircle)
@@ -62,6 +70,12 @@ void PlotScene::makeDecorations()
         m_unitCircle->bottomRight->setCoords(1.0, -1.0);
         m_unitCircle->setSelectable(false);
     }
+    if (m_dampingGrid)
+        m_plot.removeItem(m_dampingGrid);
+    m_dampingGrid = m_content->dampingGridRate_Hz
+        ? new DampingGrid(&m_plot, *m_content->dampingGridRate_Hz)
+        : nullptr;
+    setGridVisible(m_gridVisible);
     for (const PlotLevel &level : m_content->levels)
         makeLevel(level);
     for (const PlotMark &mark : m_content->marks)
@@ -93,7 +107,7 @@ bool PlotScene::moveDecorations(const std::shared_ptr<const PlotContent> &conten
             placeLevel(decoration, *level++);
     }
     styleDecorations();
-    staggerMarks();
+    placeLabels();
     return true;
 }
 
@@ -109,7 +123,8 @@ void PlotScene::makeMark(const PlotMark &mark)
     label->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
     label->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
     label->setPadding(QMargins(3, 1, 1, 0));
-    placeMark(m_decorations.emplace_back(Decoration{line, label, mark.role, mark.x}), mark);
+    placeMark(
+        m_decorations.emplace_back(Decoration{line, label, mark.role, mark.x, 0.0, nullptr}), mark);
 }
 
 void PlotScene::placeMark(Decoration &decoration, const PlotMark &mark)
@@ -134,8 +149,9 @@ void PlotScene::makeLevel(const PlotLevel &level)
     label->position->setTypeY(QCPItemPosition::ptPlotCoords);
     label->setPositionAlignment(Qt::AlignRight | Qt::AlignBottom);
     label->setPadding(QMargins(1, 0, 3, 1));
-    placeLevel(
-        m_decorations.emplace_back(Decoration{line, label, level.role, std::nullopt}), level);
+    placeLevel(m_decorations.emplace_back(
+                   Decoration{line, label, level.role, std::nullopt, level.y, makeBand(level)}),
+        level);
 }
 
 void PlotScene::placeLevel(Decoration &decoration, const PlotLevel &level)
@@ -145,6 +161,32 @@ void PlotScene::placeLevel(Decoration &decoration, const PlotLevel &level)
     decoration.label->position->setCoords(1.0, level.y);
     decoration.label->setText(level.label);
     decoration.role = level.role;
+    decoration.levelY = level.y;
+}
+
+QCPItemRect *PlotScene::makeBand(const PlotLevel &level)
+{
+    if (!level.from)
+        return nullptr;
+    auto *band = new QCPItemRect(&m_plot);
+    for (QCPItemPosition *position : {band->topLeft, band->bottomRight}) {
+        position->setTypeX(QCPItemPosition::ptAxisRectRatio);
+        position->setTypeY(QCPItemPosition::ptPlotCoords);
+    }
+    band->topLeft->setCoords(0.0, level.y);
+    band->bottomRight->setCoords(1.0, *level.from);
+    band->setLayer("background");
+    band->setSelectable(false);
+    return band;
+}
+
+void PlotScene::setGridVisible(bool visible)
+{
+    m_gridVisible = visible;
+    for (QCPAxis *axis : {m_plot.xAxis, m_plot.yAxis})
+        axis->grid()->setVisible(visible && !m_dampingGrid);
+    if (m_dampingGrid)
+        m_dampingGrid->setVisible(visible);
 }
 
 void PlotScene::styleDecorations()
@@ -158,16 +200,32 @@ void PlotScene::styleDecorations()
         decoration.label->setColor(m_theme.text);
         decoration.label->setFont(m_theme.font);
         decoration.label->setVisible(!decoration.label->text().isEmpty());
+        if (decoration.band) {
+            decoration.band->setPen(Qt::NoPen);
+            decoration.band->setBrush(m_theme.bandFill);
+        }
     }
+    if (m_dampingGrid)
+        m_dampingGrid->setTheme(m_theme);
     if (m_unitCircle)
         m_unitCircle->setPen(QPen(m_theme.axis, 1.0, Qt::DashLine));
 }
 
-void PlotScene::staggerMarks()
+void PlotScene::placeLabels()
 {
-    // Labels of marks that lie close go one row down, so that they stay readable.
+    std::vector<QRectF> taken;
+    staggerMarks(taken);
+    for (const Decoration &decoration : m_decorations)
+        if (!decoration.markX && decoration.label->visible())
+            placeLevelLabel(decoration, taken);
+}
+
+/// Labels of marks that lie close go one row down, so that they stay readable.
+void PlotScene::staggerMarks(std::vector<QRectF> &taken)
+{
     const QFontMetrics metrics(m_theme.font);
-    const double height = m_plot.axisRect()->height();
+    const QRect rect = m_plot.axisRect()->rect();
+    const double height = rect.height();
     if (!(height > 0.0))
         return;
     std::vector<double> rowEnds(kMarkRows, -1e9);
@@ -176,17 +234,52 @@ void PlotScene::staggerMarks()
             continue;
         const double left = m_plot.xAxis->coordToPixel(*decoration.markX);
         const double width = metrics.horizontalAdvance(decoration.label->text()) + kLabelGap_px;
-        const bool flip = left + width > m_plot.axisRect()->right();
+        const bool flip = left + width > rect.right();
         const double from = flip ? left - width : left;
         const auto row = std::find_if(
             rowEnds.begin(), rowEnds.end(), [from](double end) { return from > end; });
         const auto place = row == rowEnds.end() ? rowEnds.begin() : row;
         *place = from + width;
+        const auto top = static_cast<double>((place - rowEnds.begin()) * metrics.height());
         decoration.label->setPositionAlignment(
             (flip ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
-        decoration.label->position->setCoords(*decoration.markX,
-            static_cast<double>((place - rowEnds.begin()) * metrics.height()) / height);
+        decoration.label->position->setCoords(*decoration.markX, top / height);
+        taken.emplace_back(from, rect.top() + top, width, metrics.height());
     }
+}
+
+/// At the right end above its line, else where it neither leaves the axes nor lies on another.
+void PlotScene::placeLevelLabel(const Decoration &decoration, std::vector<QRectF> &taken)
+{
+    const QRectF rect = m_plot.axisRect()->rect();
+    const QFontMetrics metrics(m_theme.font);
+    const QSizeF size(
+        metrics.horizontalAdvance(decoration.label->text()) + kLabelGap_px, metrics.height() + 1);
+    const double y = m_plot.yAxis->coordToPixel(decoration.levelY);
+    const auto rectAt = [&](bool right, bool above) {
+        return QRectF(
+            {right ? rect.right() - size.width() : rect.left(), above ? y - size.height() : y},
+            size);
+    };
+    const auto isFree = [&](const QRectF &place) {
+        return rect.top() <= place.top() && place.bottom() <= rect.bottom()
+            && std::none_of(taken.begin(), taken.end(),
+                [&](const QRectF &other) { return place.intersects(other); });
+    };
+    bool right = true;
+    bool above = true;
+    for (const auto &[tryRight, tryAbove] :
+        {std::pair(true, true), {true, false}, {false, true}, {false, false}}) {
+        if (!isFree(rectAt(tryRight, tryAbove)))
+            continue;
+        right = tryRight;
+        above = tryAbove;
+        break;
+    }
+    taken.push_back(rectAt(right, above));
+    decoration.label->position->setCoords(right ? 1.0 : 0.0, decoration.levelY);
+    decoration.label->setPositionAlignment(
+        (right ? Qt::AlignRight : Qt::AlignLeft) | (above ? Qt::AlignBottom : Qt::AlignTop));
 }
 
 } // namespace dyncal

@@ -93,8 +93,10 @@ PlotContent singularValueCurves(const HankelDecomposition &decomposition,
     if (static_cast<double>(values.size()) > kFirstValuesShown)
         content.xMax = kFirstValuesShown;
     if (decomposition.noiseFloor_p95 > 0.0)
-        content.levels.push_back(
-            {decomposition.noiseFloor_p95, Plots::tr("Noise floor (95 %)"), CurveRole::Noise});
+        content.levels.push_back({decomposition.noiseFloor_p95, Plots::tr("Noise: median to 95 %"),
+            CurveRole::Noise,
+            decomposition.noiseFloor_median > 0.0 ? std::optional(decomposition.noiseFloor_median)
+                                                  : std::nullopt});
     addSuggestion(content, suggestion);
     content.summary = Plots::tr("Singular values: %1; suggested order: %2.")
                           .arg(values.size())

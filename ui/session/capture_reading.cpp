@@ -70,6 +70,11 @@ Result<CapturesRead> readAgain(
     Result<CapturesRead> read = readEach(paths, settings, control);
     if (!read)
         return read;
+    for (InputFile &input : read->set.inputs) {
+        const auto same = std::ranges::find(captures.inputs, input.path, &InputFile::path);
+        if (same != captures.inputs.end())
+            input.expectedSha256 = same->expectedSha256;
+    }
     std::set<ShotName> before;
     for (const Shot &shot : captures.shots)
         before.merge(namesOf(captures, shot));

@@ -4,6 +4,7 @@
 #include "ui/session/order_candidates.h"
 
 #include "core/pipeline/stage_keys.h"
+#include "core/realization/realized_poles.h"
 #include "ui/session/session.h"
 
 namespace dyncal {
@@ -31,11 +32,18 @@ void OrderCandidates::setDrawn(Index order, bool drawn)
     emit changed();
 }
 
+bool OrderCandidates::waitsForWholeSet(Index order) const
+{
+    const auto &decomposition = m_session.results().decomposition;
+    return m_session.showsFirstTriplets() && decomposition
+        && order > largestOrder(decomposition->hankel);
+}
+
 std::vector<Index> OrderCandidates::missing() const
 {
     std::vector<Index> orders;
     for (const Index order : m_session.recipe().realization.candidates)
-        if (!find(order))
+        if (!find(order) && !waitsForWholeSet(order))
             orders.push_back(order);
     return orders;
 }
@@ -44,7 +52,7 @@ void OrderCandidates::update()
 {
     if (m_session.recipe().realization.candidates.empty() || !m_session.results().decomposition)
         return;
-    Recipe recipe = m_session.recipe();
+    Recipe recipe = m_session.recipeOnShow();
     recipe.realization.order = 1; // the models do not depend on the order chosen
     const auto keys = stageKeys(*m_session.state().captures, recipe);
     const auto keyOf = [](const auto &all, StageId stage) -> const std::string & {

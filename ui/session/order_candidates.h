@@ -26,6 +26,8 @@ public:
 
     /// Null while it is computed, or cannot be.
     const ComparedOrder *find(Index order) const;
+    /// Whether it is beyond the singular values that are there so far.
+    bool waitsForWholeSet(Index order) const;
     bool isComputing() const { return m_jobs.isRunning(); }
     /// Whether the operator wants it drawn over the chosen model; not part of the recipe.
     bool isDrawn(Index order) const { return !m_hidden.contains(order); }

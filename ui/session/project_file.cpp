@@ -136,24 +136,15 @@ Result<CaptureSet> readReferenced(const std::vector<CaptureReference> &reference
         return tl::unexpected(read.error());
     if (!read->problems.empty())
         return tl::unexpected(read->problems.front().error);
-    return sealCaptures(std::move(read->set)); // the project knows the hashes
+    return std::move(read->set);
 }
 
-void reportChangedFiles(CaptureSet &set, const std::vector<CaptureReference> &references)
+/// Whether the bytes are still those is known once they are sealed.
+void expectHashes(CaptureSet &set, const std::vector<CaptureReference> &references)
 {
-    for (std::size_t i = 0; i < references.size() && i < set.inputs.size(); ++i) {
-        if (references[i].sha256.toStdString() == set.inputs[i].sha256)
-            continue;
-        Finding changed;
-        changed.id = "CAP-015";
-        changed.severity = Severity::Block;
-        changed.message = {DYNCAL_TEXT("core",
-                               "%1 changed since it was imported. The results are "
-                               "of the new data and cannot be certified in this "
-                               "project."),
-            {set.inputs[i].file}};
-        set.findings.push_back(std::move(changed));
-    }
+    for (std::size_t i = 0; i < references.size() && i < set.inputs.size(); ++i)
+        set.inputs[i].expectedSha256 = references[i].sha256.toStdString();
+    reportUnexpected(set);
 }
 
 } // namespace
@@ -203,7 +194,7 @@ Result<ProjectState> openProject(const QString &path, const JobControl &control)
     Result<CaptureSet> set = readReferenced(references, recipe->import, control);
     if (!set)
         return tl::unexpected(set.error());
-    reportChangedFiles(*set, references);
+    expectHashes(*set, references);
     CaptureSet kept = onlyReferenced(std::move(*set), references);
     return ProjectState{std::make_shared<const CaptureSet>(std::move(kept)), std::move(*recipe)};
 }

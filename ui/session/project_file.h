@@ -16,9 +16,9 @@ namespace dyncal {
 /// that replaces the old one when complete. Fails (FileUnreadable) naming the file and why.
 Result<void> saveProject(const QString &path, const ProjectState &state);
 
-/// Reads a project and its recordings. Fails when the file is no project, is of a newer version,
-/// or when recordings are missing (all are named). A recording whose bytes have changed since is
-/// read, with finding CAP-015 that blocks.
+/// Reads a project and opens its recordings, which can be shown then; they are not sealed. Fails
+/// when the file is no project, is of a newer version, or when recordings are missing (all are
+/// named). Sealing finds a recording whose bytes have changed since (CAP-015, which blocks).
 Result<ProjectState> openProject(const QString &path, const JobControl &control = {});
 
 } // namespace dyncal

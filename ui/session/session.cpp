@@ -22,6 +22,12 @@ constexpr int kRest_ms = 150;
 constexpr qint64 kGrace_ms = 700;
 constexpr int kUndoSteps = 500;
 
+/// Runs of the pipeline throw nothing: without a part there was a request to stop, or no memory.
+RunPart partOf(Result<RunPart> part)
+{
+    return part ? std::move(*part) : RunPart{{{}, part.error(), StageId::Captures}, false};
+}
+
 } // namespace
 
 /// The only undo command: the whole state before and after (cheap, recordings are shared).
@@ -65,6 +71,7 @@ Session::Session(Pipeline pipeline, QObject *parent)
     , m_pipeline(std::move(pipeline))
     , m_sealing(this)
     , m_candidates(std::make_unique<OrderCandidates>(*this))
+    , m_wholeSetJob(this, 2)
     , m_jobs(this, 2)
 {
     m_undo.setUndoLimit(kUndoSteps);
@@ -134,6 +141,9 @@ void Session::applyState(const ProjectState &next, const QString &label)
 void Session::reset(const ProjectState &state)
 {
     m_jobs.cancel();
+    m_wholeSetJob.cancel();
+    m_showsFirstTriplets = m_hasWholeSet = false;
+    m_withheldSet.clear();
     m_sealing.cancel();
     m_sealed.clear();
     m_rest.stop();
@@ -172,6 +182,8 @@ void Session::markStaleFrom(StageId stage)
 {
     m_run.firstStale = std::min(m_run.firstStale, static_cast<int>(stage));
     m_run.computing = m_state.hasShots();
+    if (stage <= StageId::Decomposition)
+        m_wholeSetJob.cancel(); // it would be of something else
     if (!m_state.hasShots()) {
         m_jobs.cancel();
         m_sealing.cancel();
@@ -188,6 +200,7 @@ void Session::markStaleFrom(StageId stage)
 
 void Session::recompute()
 {
+    m_withheldSet.clear();
     markStaleFrom(StageId::Captures);
 }
 
@@ -197,6 +210,9 @@ void Session::cancelComputation()
     m_rest.stop();
     m_jobs.cancel();
     m_sealing.cancel();
+    m_wholeSetJob.cancel();
+    if (m_showsFirstTriplets)
+        m_withheldSet = decompositionKey(*m_state.captures, m_state.recipe);
     m_run.computing = false;
     emit stageStatusChanged();
 }
@@ -244,47 +260,63 @@ void Session::startComputation()
     }
     m_rest.stop();
     m_isRest = false;
+    if (needsWholeSet()) {
+        m_jobs.cancel();
+        m_withheldSet.clear();
+        startWholeSet();
+        return;
+    }
     const StageId focus = m_focusOfRun = std::min(m_focus, StageId::Response);
-    const auto job = [pipeline = m_pipeline, cache = m_cache, captures = m_state.captures,
-                         recipe = m_state.recipe, focus](const JobControl &control) {
-        return Result<PipelineOutcome>(pipeline(captures, recipe, *cache, focus, control));
+    PipelineRequest request = this->request();
+    const auto job = [request, focus](const JobControl &control) mutable {
+        request.isFirstTriplets = request.wantsFirstTriplets(focus, control);
+        return Result<RunPart>({request.run(focus, control), request.isFirstTriplets});
     };
-    const auto deliver = [this, focus](Result<PipelineOutcome> outcome) {
-        if (!outcome)
-            outcome = PipelineOutcome{{}, outcome.error(), StageId::Captures};
-        if (outcome->error)
-            take(*outcome);
+    const auto deliver = [this, focus](Result<RunPart> delivered) {
+        const RunPart part = partOf(std::move(delivered));
+        if (!part.outcome.error)
+            takePart(part.outcome.results, focus, part.isFirstTriplets);
+        else if (part.isFirstTriplets)
+            startWholeSet();
         else
-            takePart(outcome->results, focus);
+            take(part.outcome);
     };
-    m_jobs.start<PipelineOutcome>(job, deliver, [this](double done) { emit progress(done); });
+    m_jobs.start<RunPart>(job, deliver, [this](double done) { emit progress(done); });
 }
 
 /// The stages behind the focus, of the recipe whose first part was delivered last.
 void Session::startRest()
 {
     m_isRest = true;
-    const auto job = [this, pipeline = m_pipeline, cache = m_cache, captures = m_state.captures,
-                         recipe = m_state.recipe, focus = m_focusOfRun](
-                         const JobControl &control) -> Result<PipelineOutcome> {
+    PipelineRequest request = this->request();
+    const auto job = [this, request, focus = m_focusOfRun](
+                         const JobControl &control) mutable -> Result<RunPart> {
+        const bool isFirst = request.isFirstTriplets
+            = request.wantsFirstTriplets(kLastStage, control);
         for (const StageId upTo : {StageId::Response, StageId::Assessment, StageId::Evidence}) {
             if (upTo == focus)
                 continue;
-            const PipelineOutcome part = pipeline(captures, recipe, *cache, upTo, control);
-            if (part.error)
-                return part;
+            const PipelineOutcome part = request.run(upTo, control);
+            if (part.error || (isFirst && upTo == StageId::Evidence))
+                return RunPart{part, isFirst};
             const auto &next = part.results.keys[static_cast<std::size_t>(upTo) + 1];
-            if (!cache->find<void>(next)) // else it is here at once
-                JobRunner::post(this, control.stop, [=, this] { takePart(part.results, upTo); });
+            if (!request.cache->find<void>(next)) // else it is here at once
+                JobRunner::post(
+                    this, control.stop, [=, this] { takePart(part.results, upTo, isFirst); });
         }
-        return pipeline(captures, recipe, *cache, kLastStage, control);
+        return RunPart{request.run(kLastStage, control), false};
     };
-    const auto deliver = [this](Result<PipelineOutcome> outcome) {
-        if (!outcome)
-            outcome = PipelineOutcome{{}, outcome.error(), StageId::Captures};
-        take(*outcome);
+    const auto deliver = [this](Result<RunPart> delivered) {
+        const RunPart part = partOf(std::move(delivered));
+        if (!part.isFirstTriplets) {
+            take(part.outcome);
+            return;
+        }
+        if (!part.outcome.error)
+            takePart(part.outcome.results, StageId::Evidence, true);
+        startWholeSet();
     };
-    m_jobs.start<PipelineOutcome>(job, deliver, [this](double done) { emit progress(done); });
+    m_jobs.start<RunPart>(job, deliver, [this](double done) { emit progress(done); });
 }
 
 /// Starts what waits before anybody draws: drawing and the next run then share the time.
@@ -301,6 +333,7 @@ void Session::take(const PipelineOutcome &outcome)
 {
     const bool newerWaits = startNewer();
     m_run.results = outcome.results;
+    m_showsFirstTriplets = false;
     m_run.error = outcome.error;
     m_run.failedStage = outcome.failedStage;
     m_keysOfResults = outcome.results.keys;
@@ -314,9 +347,11 @@ void Session::take(const PipelineOutcome &outcome)
 }
 
 /// The stages up to `upTo` came first: later ones keep their old results, marked stale.
-void Session::takePart(const CalibrationResults &part, StageId upTo)
+void Session::takePart(const CalibrationResults &part, StageId upTo, bool isFirstTriplets)
 {
     const bool newerWaits = startNewer();
+    if (upTo >= StageId::Decomposition)
+        m_showsFirstTriplets = isFirstTriplets;
     if (!newerWaits && !m_isRest)
         m_rest.start(m_isMerging ? kRest_ms : 0);
     std::copy_n(part.keys.begin(), static_cast<std::size_t>(upTo) + 1, m_keysOfResults.begin());
@@ -345,7 +380,9 @@ void Session::takePart(const CalibrationResults &part, StageId upTo)
     if (m_run.error && m_run.failedStage <= upTo)
         m_run.error.reset();
     if (!newerWaits)
-        m_run.firstStale = std::max(m_run.firstStale, static_cast<int>(upTo) + 1);
+        m_run.firstStale = std::max(m_run.firstStale,
+            isFirstTriplets ? static_cast<int>(StageId::Decomposition)
+                            : static_cast<int>(upTo) + 1);
     emit resultsChanged();
     emit stageStatusChanged();
 }

@@ -6,6 +6,7 @@
 #include "ui/session/envelope_store.h"
 #include "ui/session/frequency_cursors.h"
 #include "ui/session/job_runner.h"
+#include "ui/session/pipeline_request.h"
 #include "ui/session/project_state.h"
 #include "ui/session/stage_status.h"
 
@@ -29,9 +30,7 @@ class Session : public QObject
     Q_OBJECT
 
 public:
-    /// What computes: runPipeline, or a stand-in of tests.
-    using Pipeline = std::function<PipelineOutcome(const std::shared_ptr<const CaptureSet> &,
-        const Recipe &, ResultCache &, StageId last, const JobControl &)>;
+    using Pipeline = PipelineFunction;
 
     explicit Session(Pipeline pipeline, QObject *parent = nullptr);
     ~Session() override;
@@ -50,6 +49,13 @@ public:
     /// cancelled computation. Only results that do may leave the program.
     bool isUpToDate() const { return !m_run.computing && m_run.firstStale == kStageCount; }
     StageStatus status(StageId stage) const { return stageStatus(m_run, stage); }
+    /// Whether decomposition and model on show are of the first singular values only, while the
+    /// whole set is computed or after that was cancelled. They are never up to date.
+    bool showsFirstTriplets() const { return m_showsFirstTriplets; }
+    /// The recipe that what is on show is computed from: with the first singular values, or as is.
+    Recipe recipeOnShow() const;
+    /// Whether the order chosen is beyond the first singular values, which are all that is there.
+    bool needsWholeSet() const;
     /// Findings of all stages, and the error of a failed stage as a finding that blocks.
     Findings findings() const;
 
@@ -103,7 +109,10 @@ private:
     void seal();
     void takeSealed(const std::shared_ptr<const CaptureSet> &opened, Result<CaptureSet> sealed);
     void take(const PipelineOutcome &outcome);
-    void takePart(const CalibrationResults &part, StageId upTo);
+    void takePart(const CalibrationResults &part, StageId upTo, bool isFirstTriplets);
+    void startWholeSet();
+    void takeWholeSet(const PipelineOutcome &outcome);
+    PipelineRequest request() const;
 
     Pipeline m_pipeline;
     ProjectState m_state;
@@ -125,6 +134,11 @@ private:
     std::shared_ptr<const CaptureSet> m_beingSealed;
     JobRunner m_sealing;
     std::unique_ptr<OrderCandidates> m_candidates;
+    bool m_showsFirstTriplets = false;
+    std::string m_wholeSet; ///< key of the whole decomposition computed last, or being computed
+    bool m_hasWholeSet = false; ///< it is computed
+    std::string m_withheldSet; ///< key of a whole decomposition that was cancelled
+    JobRunner m_wholeSetJob; ///< goes on while orders are tried among the first triplets
     JobRunner m_jobs; ///< last: stops before anything that a delivery touches is gone
 };
 

@@ -31,6 +31,7 @@ QString shortcutTable()
         {Help::tr("Ctrl+wheel"), Help::tr("zoom the y axis")},
         {Help::tr("Shift+wheel, left drag"), Help::tr("move the plot")},
         {Help::tr("Right drag"), Help::tr("zoom a box")},
+        {Help::tr("Shift+drag (Window)"), Help::tr("mark a stretch to be left out of the fit")},
         {Help::tr("Double click, F"), Help::tr("show everything")},
         {Help::tr("G"), Help::tr("grid on or off")},
         {Help::tr("1, 2"), Help::tr("put cursor A or B at the pointer")},

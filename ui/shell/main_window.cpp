@@ -3,14 +3,14 @@
 
 #include "ui/shell/main_window.h"
 
-#include "core/project/recipe_mend.h"
-
+#include "ui/shell/finding_answers.h"
 #include "ui/shell/findings_panel.h"
-#include "ui/shell/help_dialogs.h"
+#include "ui/shell/main_menus.h"
 #include "ui/shell/problem_panel.h"
 #include "ui/shell/shot_chips.h"
 #include "ui/shell/stage_list.h"
 #include "ui/shell/start_page.h"
+#include "ui/shell/work_status.h"
 #include "ui/stages/captures_page.h"
 #include "ui/stages/certificate_page.h"
 #include "ui/stages/components_page.h"
@@ -20,14 +20,10 @@
 #include "ui/stages/shock_page.h"
 #include "ui/stages/spectrum_page.h"
 #include "ui/stages/window_page.h"
-#include "ui/text/core_text.h"
 
 #include <QCloseEvent>
 #include <QDockWidget>
-#include <QMenuBar>
 #include <QMimeData>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -45,8 +41,6 @@ namespace dyncal {
 
 namespace {
 
-/// Work shorter than this shows no progress bar: it would only flicker.
-constexpr int kSlow_ms = 300;
 constexpr QSize kFirstSize(1400, 900);
 constexpr QSize kSmallestSize(1000, 640);
 constexpr int kStagesWidth = 170;
@@ -64,9 +58,7 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
     , m_files(new FileActions(m_session, std::move(currentUtc), prompts, preferences, this))
     , m_centre(new QStackedWidget(this))
     , m_inspectors(new QStackedWidget(this))
-    , m_message(new QLabel(this))
-    , m_progress(new QProgressBar(this))
-    , m_cancel(new QPushButton(this))
+    , m_work(new WorkStatus(*statusBar(), m_session, *m_files, this))
 {
     initialiseResources();
     setObjectName("mainWindow");
@@ -74,7 +66,10 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
     setMinimumSize(kSmallestSize);
     setCentralWidget(m_centre);
     buildDocks();
-    buildStatusBar();
+    m_menus = new MainMenus(
+        {*this, m_session, *m_files, m_preferences, m_language,
+            {{m_stagesDock, "F5"}, {m_inspectorDock, "F4"}, {m_findingsDock, "F6"}}},
+        this);
     connectSession();
     buildContents();
     resize(kFirstSize);
@@ -133,44 +128,13 @@ void MainWindow::sizeDocks()
         Qt::Vertical);
 }
 
-void MainWindow::buildStatusBar()
-{
-    m_progress->setObjectName("progressBar");
-    m_progress->setRange(0, 100);
-    m_progress->setFixedWidth(180);
-    m_cancel->setObjectName("cancelButton");
-    m_message->setObjectName("statusMessage");
-    statusBar()->addPermanentWidget(m_message);
-    statusBar()->addPermanentWidget(m_progress);
-    statusBar()->addPermanentWidget(m_cancel);
-    m_slow.setSingleShot(true);
-    m_slow.setInterval(kSlow_ms);
-    connect(m_cancel, &QPushButton::clicked, this, [this] {
-        if (m_files->isBusy())
-            m_files->cancel();
-        else
-            m_session.cancelComputation();
-    });
-}
-
 void MainWindow::connectSession()
 {
-    const auto showFraction
-        = [this](double done) { m_progress->setValue(static_cast<int>(100.0 * done)); };
-    connect(m_files, &FileActions::busy, this, &MainWindow::showBusy);
-    connect(m_files, &FileActions::progress, this, showFraction);
-    connect(m_files, &FileActions::idle, this, &MainWindow::showIdle);
     connect(m_files, &FileActions::projectChanged, this, &MainWindow::showTitle);
-    connect(&m_session, &Session::progress, this, showFraction);
     connect(&m_session, &Session::capturesChanged, this, &MainWindow::showCaptures);
     connect(&m_session, &Session::resultsChanged, this, &MainWindow::showFindings);
     connect(&m_session, &Session::recipeChanged, this, &MainWindow::showFindings);
     connect(&m_session, &Session::stageStatusChanged, this, &MainWindow::showStatuses);
-    connect(&m_session, &Session::stageStatusChanged, this, &MainWindow::showComputing);
-    connect(&m_slow, &QTimer::timeout, this, [this] {
-        if (m_session.isComputing())
-            showBusy(tr("Computing"));
-    });
 }
 
 void MainWindow::buildContents()
@@ -181,16 +145,16 @@ void MainWindow::buildContents()
     m_stagesDock->setWindowTitle(tr("Stages"));
     m_inspectorDock->setWindowTitle(tr("Inspector"));
     m_findingsDock->setWindowTitle(tr("Findings"));
-    m_cancel->setText(tr("Cancel"));
-    m_cancel->setAccessibleName(tr("Cancel the work under way"));
-    m_progress->setAccessibleName(tr("Progress"));
 
     delete m_findings;
     m_findings = new FindingsPanel(m_findingsDock);
     m_findingsDock->setWidget(m_findings);
     connect(m_findings, &FindingsPanel::stageRequested, this, &MainWindow::showStage);
-    connect(m_findings, &FindingsPanel::reasonRequested, this, &MainWindow::acknowledge);
-    connect(m_findings, &FindingsPanel::mendRequested, this, &MainWindow::mend);
+    connect(m_findings, &FindingsPanel::reasonRequested, this,
+        [this](const Finding &finding) { acknowledge(finding, m_session, m_prompts, this); });
+    connect(m_findings, &FindingsPanel::mendRequested, this, [this](const Remedy &mend) {
+        applyMend(mend, m_session, m_files->captures(), m_prompts, this);
+    });
     buildProblems();
     delete m_chips;
     m_chips = new ShotChips(this);
@@ -198,11 +162,11 @@ void MainWindow::buildContents()
     m_chips->show();
 
     buildPages();
-    buildMenus();
+    m_menus->build();
     showTitle();
     showFindings();
     showStatuses();
-    showIdle({});
+    m_work->showWords();
     if (started)
         showPage(std::max(row, 0));
 }
@@ -265,124 +229,6 @@ void MainWindow::buildPages()
     connect(m_stageList, &QListWidget::currentRowChanged, this, &MainWindow::showPage);
     connect(m_stageList, &QListWidget::itemClicked, this,
         [this] { showPage(m_stageList->currentRow()); });
-}
-
-QAction *MainWindow::addAction(QMenu *menu, const QString &name, const QString &text,
-    const QKeySequence &keys, const std::function<void()> &what)
-{
-    QAction *action = menu->addAction(text);
-    action->setObjectName(name);
-    action->setShortcut(keys);
-    connect(action, &QAction::triggered, this, [what] { what(); });
-    return action;
-}
-
-void MainWindow::buildMenus()
-{
-    menuBar()->clear();
-    buildFileMenu();
-    QMenu *edit = menuBar()->addMenu(tr("&Edit"));
-    QAction *undo = m_session.undoStack().createUndoAction(edit, tr("&Undo"));
-    undo->setShortcut(QKeySequence::Undo);
-    undo->setObjectName("undoAction");
-    QAction *redo = m_session.undoStack().createRedoAction(edit, tr("&Redo"));
-    redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
-    redo->setObjectName("redoAction");
-    edit->addAction(undo);
-    edit->addAction(redo);
-    buildViewMenu();
-    buildStageMenu();
-    buildLanguageMenu();
-    buildHelpMenu();
-}
-
-void MainWindow::buildFileMenu()
-{
-    QMenu *menu = menuBar()->addMenu(tr("&File"));
-    FileActions *files = m_files;
-    addAction(menu, "openCapturesAction", tr("Open &captures..."), QKeySequence("Ctrl+Shift+O"),
-        [=] { files->openCaptures(); });
-    addAction(menu, "openExampleAction", tr("Open &example"), {}, [=] { files->openExample(); });
-    addAction(menu, "openProjectAction", tr("&Open project..."), QKeySequence::Open,
-        [=] { files->openProject(); });
-    m_recentMenu = menu->addMenu(tr("&Recent"));
-    connect(m_recentMenu, &QMenu::aboutToShow, this, &MainWindow::fillRecentMenu);
-    menu->addSeparator();
-    addAction(menu, "saveAction", tr("&Save"), QKeySequence::Save, [=] { files->save(); });
-    addAction(menu, "saveAsAction", tr("Save &as..."), QKeySequence("Ctrl+Shift+S"),
-        [=] { files->saveAs(); });
-    menu->addSeparator();
-    addAction(menu, "exportResultsAction", tr("Export &results..."), QKeySequence("Ctrl+E"),
-        [=] { files->exportResults(); });
-    addAction(menu, "exportModelAction", tr("Export &model..."), QKeySequence("Ctrl+Shift+E"),
-        [=] { files->exportModel(); });
-    addAction(menu, "exportCertificateAction", tr("Export cer&tificate..."), QKeySequence("Ctrl+P"),
-        [=] { files->exportCertificate(); });
-    menu->addSeparator();
-    addAction(menu, "quitAction", tr("&Quit"), QKeySequence::Quit, [this] { close(); });
-}
-
-void MainWindow::fillRecentMenu()
-{
-    m_recentMenu->clear();
-    const QStringList recent = m_preferences.recentFiles();
-    for (const QString &path : recent)
-        addAction(m_recentMenu, {}, path, {}, [this, path] {
-            if (m_files->mayDiscard())
-                m_files->openProjectFile(path);
-        });
-    if (recent.isEmpty())
-        m_recentMenu->addAction(tr("Nothing yet"))->setEnabled(false);
-}
-
-void MainWindow::buildViewMenu()
-{
-    QMenu *menu = menuBar()->addMenu(tr("&View"));
-    const std::pair<QDockWidget *, QString> docks[]
-        = {{m_stagesDock, "F5"}, {m_inspectorDock, "F4"}, {m_findingsDock, "F6"}};
-    for (const auto &[dock, key] : docks) {
-        QAction *action = dock->toggleViewAction();
-        action->setShortcut(QKeySequence(key));
-        menu->addAction(action);
-    }
-    menu->addSeparator();
-    addAction(menu, "resetLayoutAction", tr("&Reset layout"), {}, [this] { resetLayout(); });
-}
-
-void MainWindow::buildStageMenu()
-{
-    QMenu *menu = menuBar()->addMenu(tr("&Stage"));
-    for (int row = 0; row < static_cast<int>(m_pages.size()); ++row)
-        addAction(menu, QString("stageAction%1").arg(row + 1),
-            m_pages[static_cast<std::size_t>(row)]->text().title,
-            QKeySequence(QString("Alt+%1").arg(row + 1)), [this, row] { showPage(row); });
-    menu->addSeparator();
-    addAction(menu, "recomputeAction", tr("Compute &again"), QKeySequence("F9"),
-        [this] { m_session.recompute(); });
-}
-
-void MainWindow::buildLanguageMenu()
-{
-    QMenu *menu = menuBar()->addMenu(tr("&Language"));
-    // Languages are named in themselves, so that anyone finds the own one.
-    const std::pair<QString, QString> languages[]
-        = {{"en", QStringLiteral("English")}, {"sv", QStringLiteral("Svenska")}};
-    for (const auto &[code, name] : languages) {
-        QAction *action = addAction(menu, "languageAction_" + code, name, {}, [this, c = code] {
-            m_preferences.setLanguage(c);
-            m_language.install(c);
-        });
-        action->setCheckable(true);
-        action->setChecked(m_language.code() == code);
-    }
-}
-
-void MainWindow::buildHelpMenu()
-{
-    QMenu *menu = menuBar()->addMenu(tr("&Help"));
-    addAction(menu, "shortcutsAction", tr("&Keyboard and mouse"), QKeySequence::HelpContents,
-        [this] { showShortcuts(this); });
-    addAction(menu, "aboutAction", tr("&About Dyncal"), {}, [this] { showAbout(this); });
 }
 
 void MainWindow::showStart()
@@ -449,44 +295,6 @@ void MainWindow::showFindings()
     m_chips->setShots(shown);
 }
 
-void MainWindow::acknowledge(const Finding &finding)
-{
-    const QString id = QString::fromStdString(finding.id);
-    const std::optional<QString> reason = m_prompts.sentence(this, tr("Reason for %1").arg(id),
-        tr("Why is the result used all the same? The certificate prints the reason."));
-    if (!reason)
-        return;
-    Recipe next = m_session.recipe();
-    std::erase_if(next.acknowledge, [&](const Acknowledgement &entry) {
-        return entry.finding == finding.id && entry.shot == finding.shot;
-    });
-    next.acknowledge.push_back({finding.id, finding.shot, reason->toStdString()});
-    m_session.apply(next, tr("Give a reason for %1").arg(id));
-}
-
-void MainWindow::mend(const Remedy &mend)
-{
-    if (!mend.importPath.isEmpty()) {
-        m_files->captures().edit(mend.importPath);
-        return;
-    }
-    if (mend.ofFinding) {
-        if (const Result<Recipe> next = mendedRecipe(m_session.recipe(), *mend.ofFinding))
-            m_session.apply(*next, mend.step);
-        else
-            m_prompts.showProblem(this, translated(next.error().message));
-        return;
-    }
-    std::optional<QString> reason = QString();
-    if (!mend.question.isEmpty())
-        reason = m_prompts.sentence(this, mend.step, mend.question);
-    if (!reason)
-        return;
-    Recipe next = m_session.recipe();
-    mend.apply(next.import, reason->toStdString());
-    m_session.apply(next, mend.step);
-}
-
 void MainWindow::showCaptures()
 {
     if (!m_session.state().hasShots())
@@ -494,33 +302,6 @@ void MainWindow::showCaptures()
     else if (m_centre->currentWidget() == m_start)
         showPage(0);
     showTitle();
-}
-
-void MainWindow::showBusy(const QString &what)
-{
-    m_message->setText(what);
-    m_progress->setValue(0);
-    m_progress->show();
-    m_cancel->show();
-}
-
-void MainWindow::showIdle(const QString &outcome)
-{
-    m_message->setText(outcome);
-    m_progress->hide();
-    m_cancel->hide();
-}
-
-void MainWindow::showComputing()
-{
-    if (m_session.isComputing()) {
-        if (!m_slow.isActive() && !m_progress->isVisible())
-            m_slow.start();
-        return;
-    }
-    m_slow.stop();
-    if (!m_files->isBusy() && m_progress->isVisible())
-        showIdle({});
 }
 
 void MainWindow::showEvent(QShowEvent *event)

@@ -5,27 +5,24 @@
 
 #include "ui/session/session.h"
 #include "ui/shell/file_actions.h"
-#include "ui/shell/finding_mends.h"
 #include "ui/shell/language.h"
 #include "ui/shell/preferences.h"
 #include "ui/shell/prompts.h"
 
 #include <QMainWindow>
-#include <QTimer>
 
-class QLabel;
-class QProgressBar;
-class QPushButton;
 class QStackedWidget;
 
 namespace dyncal {
 
 class FindingsPanel;
+class MainMenus;
 class ProblemPanel;
 class ShotChips;
 class StageList;
 class StagePage;
 class StartPage;
+class WorkStatus;
 
 /// The workbench: stage list, page, inspector, findings, menus. It only builds these and connects
 /// them; the work is done by the session, the file actions and the pages.
@@ -44,6 +41,7 @@ public:
     void showPage(int row); ///< row of the stage list, from 0
     void showStage(StageId stage);
     void showStart();
+    void resetLayout(); ///< docks where they were at first
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -54,31 +52,15 @@ protected:
 
 private:
     void buildDocks();
-    void buildStatusBar();
     void connectSession();
     void buildContents(); ///< everything with words in it; again after a change of language
     void buildProblems();
     void buildPages();
-    void buildMenus();
-    void buildFileMenu();
-    void buildViewMenu();
-    void buildStageMenu();
-    void buildLanguageMenu();
-    void buildHelpMenu();
-    QAction *addAction(QMenu *menu, const QString &name, const QString &text,
-        const QKeySequence &keys, const std::function<void()> &what);
-    void fillRecentMenu();
 
     void showTitle();
     void showStatuses();
     void showFindings();
-    void acknowledge(const Finding &finding);
-    void mend(const Remedy &mend);
     void showCaptures();
-    void showBusy(const QString &what);
-    void showIdle(const QString &outcome);
-    void showComputing();
-    void resetLayout();
     void sizeDocks();
     void showInspector();
 
@@ -100,13 +82,10 @@ private:
     ProblemPanel *m_problems = nullptr;
     QDockWidget *m_findingsDock;
     FindingsPanel *m_findings = nullptr;
-    QMenu *m_recentMenu = nullptr;
     ShotChips *m_chips = nullptr;
-    QLabel *m_message;
-    QProgressBar *m_progress;
-    QPushButton *m_cancel;
+    WorkStatus *m_work;
+    MainMenus *m_menus = nullptr;
     bool m_sizeDocks = false; ///< sizes count only once the window is laid out
-    QTimer m_slow; ///< short computations show no progress bar
 };
 
 } // namespace dyncal

@@ -8,7 +8,9 @@
 
 #include <QCheckBox>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPainter>
 #include <QScrollBar>
 #include <QToolButton>
@@ -33,10 +35,25 @@ QIcon styleIcon(CurveRole role, const QPalette &palette)
     return pixmap;
 }
 
+/// What is typed here is no key of the page: Enter would adopt.
+class RemarkEdit : public QLineEdit
+{
+public:
+    using QLineEdit::QLineEdit;
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override
+    {
+        QLineEdit::keyPressEvent(event);
+        event->accept();
+    }
+};
+
 } // namespace
 
 CandidateCard::CandidateCard(QWidget *parent)
     : QFrame(parent)
+    , m_remark(new RemarkEdit(this))
     , m_heading(new QToolButton(this))
     , m_unpin(new QToolButton(this))
     , m_overlay(new QCheckBox(this))
@@ -64,14 +81,24 @@ CandidateCard::CandidateCard(QWidget *parent)
     layout->setSpacing(1);
     layout->addLayout(head);
     layout->addWidget(m_text, 1);
+    layout->addWidget(m_remark);
+    m_remark->setObjectName("candidateRemark");
+    m_remark->setPlaceholderText(tr("Note"));
+    m_remark->setToolTip(tr("Kept with the order in the project; shown in the comparison"));
     connect(m_heading, &QToolButton::clicked, this, [this] { emit chosen(m_order); });
     connect(m_unpin, &QToolButton::clicked, this, [this] { emit unpinned(m_order); });
+    connect(m_remark, &QLineEdit::editingFinished, this, [this] {
+        if (m_remark->isModified())
+            emit remarked(m_order, m_remark->text().trimmed());
+    });
     connect(m_overlay, &QCheckBox::clicked, this,
         [this](bool on) { emit overlayToggled(m_order, on); });
 }
 
 void CandidateCard::set(const CandidateRow &row, bool mayOverlay)
 {
+    if (m_order != row.order)
+        m_remark->setModified(false); // what was being typed was of another order
     m_order = row.order;
     QString heading = tr("n = %1").arg(row.order);
     if (row.isAdopted)
@@ -93,10 +120,15 @@ void CandidateCard::set(const CandidateRow &row, bool mayOverlay)
     m_overlay->setToolTip(m_overlay->isEnabled()
             ? m_overlay->accessibleName()
             : tr("At most %1 are drawn at once.").arg(kMostOverlaid));
+    m_remark->setAccessibleName(tr("Note on order %1").arg(row.order));
+    if (!m_remark->hasFocus() || !m_remark->isModified())
+        m_remark->setText(row.remark);
     const QString text = cardLines(row).join('\n');
     m_text->setText(text);
     setAccessibleName(heading);
-    setAccessibleDescription(text);
+    setAccessibleDescription(row.remark.isEmpty() ? text : text + '\n' + row.remark);
+    layout()->activate();
+    updateGeometry(); // else the row still knows the height of the text before
 }
 
 CandidateCards::CandidateCards(QWidget *parent)
@@ -127,6 +159,7 @@ void CandidateCards::setRows(const std::vector<CandidateRow> &rows)
         auto *card = new CandidateCard(m_row);
         connect(card, &CandidateCard::chosen, this, &CandidateCards::chosen);
         connect(card, &CandidateCard::unpinned, this, &CandidateCards::unpinned);
+        connect(card, &CandidateCard::remarked, this, &CandidateCards::remarked);
         connect(card, &CandidateCard::overlayToggled, this, &CandidateCards::overlayToggled);
         layout->insertWidget(static_cast<int>(m_cards.size()) + 1, card);
         m_cards.push_back(card);

@@ -10,6 +10,7 @@
 
 class QCheckBox;
 class QLabel;
+class QLineEdit;
 class QToolButton;
 
 namespace dyncal {
@@ -30,9 +31,11 @@ signals:
     void chosen(dyncal::Index order);
     void unpinned(dyncal::Index order);
     void overlayToggled(dyncal::Index order, bool on);
+    void remarked(dyncal::Index order, const QString &remark);
 
 private:
     Index m_order = 0;
+    QLineEdit *m_remark;
     QToolButton *m_heading;
     QToolButton *m_unpin;
     QCheckBox *m_overlay;
@@ -53,6 +56,7 @@ signals:
     void chosen(dyncal::Index order);
     void unpinned(dyncal::Index order);
     void overlayToggled(dyncal::Index order, bool on);
+    void remarked(dyncal::Index order, const QString &remark);
 
 private:
     QWidget *m_row;

@@ -33,6 +33,9 @@ std::vector<CandidateRow> candidateRows(const Session &session)
     std::size_t drawn = 0;
     for (const Index order : session.recipe().realization.candidates) {
         CandidateRow row = candidateRow(order, candidates.find(order), session.results());
+        row.remark = QString::fromStdString(noteOnOrder(session.recipe(), order));
+        if (candidates.waitsForWholeSet(order))
+            row.note = QObject::tr("waits for all singular values");
         row.isChosen = order == chosenOrder(session);
         row.isAdopted = order == adoptedOrder(session);
         // The order on show is drawn as the model already.

@@ -108,6 +108,8 @@ void CandidateTable::setRows(const std::vector<CandidateRow> &rows, const Candid
         QString note = row.note;
         if (row.isAdopted)
             note = note.isEmpty() ? tr("adopted") : tr("adopted, ") + note;
+        if (!row.remark.isEmpty())
+            note = note.isEmpty() ? row.remark : note + QStringLiteral("; ") + row.remark;
         setItem(at, columnCount() - 1, new QTableWidgetItem(note));
     }
     setSortingEnabled(true);

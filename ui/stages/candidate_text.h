@@ -24,7 +24,8 @@ struct CandidateRow
     std::optional<double> fit_percent, attainable_percent, f0_Hz, zeta, whiteness_p, bic;
     int unstable = 0;
     int nyquist = 0;
-    QString note;
+    QString note; ///< what the program says of it
+    QString remark; ///< what the operator wrote of it
 };
 
 /// `compared` may be null: not computed yet.

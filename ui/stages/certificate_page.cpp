@@ -104,7 +104,7 @@ void CertificatePage::buildForm()
         } else {
             auto *line = new QLineEdit(page);
             if (std::string_view(field.key).starts_with("date_"))
-                line->setPlaceholderText(tr("2026-01-31"));
+                line->setPlaceholderText(tr("for example 2026-01-31"));
             connect(line, &QLineEdit::editingFinished, this,
                 [this, line, key = field.key] { setField(key, line->text().trimmed(), {}); });
             m_edits.emplace_back(field.key, line);

@@ -138,6 +138,9 @@ void OrderInspector::showRecipe(
     const auto asDouble = [](const Auto<Index> &setting) {
         return setting.value ? Auto<double>(static_cast<double>(*setting.value)) : Auto<double>();
     };
+    m_remarks.clear();
+    for (const OrderNote &note : settings.candidateNotes)
+        m_remarks.insert(note.order, QString::fromStdString(note.note));
     m_order->set(asDouble(settings.order), static_cast<double>(order));
     m_largest->setSi(static_cast<double>(settings.maxOrder));
     std::optional<double> rows;
@@ -218,7 +221,12 @@ void OrderInspector::showAdoption(const CalibrationResults &results, bool isCurr
     m_adopt->setAccessibleDescription(obstacle);
     m_reason->setPlaceholderText(
         model && obstacle.isEmpty() ? proposedReason(*model, results) : QString());
-    m_adoption->setText(isAdopted ? tr("This order is adopted.") : obstacle);
+    const QString remark = model ? m_remarks.value(model->order) : QString();
+    QStringList lines{isAdopted ? tr("This order is adopted.") : obstacle};
+    if (!remark.isEmpty())
+        lines << tr("Note on order %1: %2").arg(model->order).arg(remark);
+    lines.removeAll(QString());
+    m_adoption->setText(lines.join('\n'));
 }
 
 } // namespace dyncal

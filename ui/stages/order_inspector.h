@@ -6,6 +6,7 @@
 #include "core/pipeline/pipeline.h"
 #include "ui/stages/inspector_form.h"
 
+#include <QHash>
 #include <QObject>
 
 #include <functional>
@@ -53,6 +54,7 @@ private:
     Change m_change;
     Index m_suggested = 0;
     bool m_mayAdopt = false;
+    QHash<Index, QString> m_remarks; ///< by order
     AutoEdit *m_order;
     QLabel *m_suggestion;
     QPushButton *m_useSuggestion;

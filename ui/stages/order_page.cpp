@@ -10,6 +10,7 @@
 #include "ui/stages/candidate_cards.h"
 #include "ui/stages/candidate_rows.h"
 #include "ui/stages/candidate_table.h"
+#include "ui/stages/first_triplets_bar.h"
 #include "ui/stages/order_inspector.h"
 
 #include <QCheckBox>
@@ -77,6 +78,7 @@ void OrderPage::buildPlots()
     split->addWidget(column({m_values, m_evidence, m_poles}));
     split->addWidget(column({m_strip, m_fit, m_bode}));
     split->setSizes({1000, 1250});
+    content()->addWidget(new FirstTripletsBar(session(), this));
     content()->addWidget(split, 1);
     content()->addWidget(buildCandidates());
     shareFrequencyCursors({m_strip, m_bode});
@@ -123,6 +125,7 @@ QWidget *OrderPage::buildCandidates()
     connect(m_compare, &QPushButton::toggled, this, &OrderPage::showCandidates);
     connect(m_difference, &QCheckBox::toggled, this, &OrderPage::showCandidates);
     connect(m_cards, &CandidateCards::unpinned, this, &OrderPage::togglePin);
+    connect(m_cards, &CandidateCards::remarked, this, &OrderPage::setRemark);
     connect(m_cards, &CandidateCards::chosen, this,
         [this](Index order) { setOrder(static_cast<double>(order), {}); });
     connect(m_table, &CandidateTable::chosen, this,
@@ -162,7 +165,11 @@ Index OrderPage::modelOrder() const
 
 Index OrderPage::largestOrder() const
 {
-    return results().decomposition ? results().decomposition->hankel.singularValues.size() : 1;
+    if (!results().decomposition)
+        return 1;
+    const HankelDecomposition &hankel = results().decomposition->hankel;
+    return session().showsFirstTriplets() ? wholeSetSize(hankel, recipe().realization)
+                                          : hankel.singularValues.size();
 }
 
 void OrderPage::setOrder(double order, const QString &mergeKey)
@@ -198,6 +205,17 @@ void OrderPage::togglePin(Index order)
     }
 }
 
+void OrderPage::setRemark(Index order, const QString &remark)
+{
+    change(tr("Note on order %1").arg(order), [&](Recipe &r) {
+        std::vector<OrderNote> &notes = r.realization.candidateNotes;
+        std::erase_if(notes, [order](const OrderNote &note) { return note.order == order; });
+        if (!remark.isEmpty())
+            notes.push_back({order, remark.toStdString()});
+        std::ranges::sort(notes, {}, &OrderNote::order);
+    });
+}
+
 void OrderPage::pinDefaults()
 {
     if (!results().decomposition)
@@ -211,7 +229,12 @@ void OrderPage::pinDefaults()
 void OrderPage::setCandidates(std::vector<Index> orders, const QString &label)
 {
     std::ranges::sort(orders);
-    change(label, [&](Recipe &r) { r.realization.candidates = orders; });
+    change(label, [&](Recipe &r) {
+        r.realization.candidates = orders;
+        std::erase_if(r.realization.candidateNotes, [&](const OrderNote &note) {
+            return std::ranges::find(orders, note.order) == orders.end();
+        });
+    });
 }
 
 bool OrderPage::takeKey(const QKeyEvent &event)
@@ -285,9 +308,14 @@ void OrderPage::showEvidence()
     const auto &decomposition = results().decomposition;
     const auto &input = results().input;
     const auto &evidence = results().evidence;
-    m_values->setContent(decomposition && input ? singularValueCurves(
-                             decomposition->hankel, decomposition->suggestion, input->treatment)
-                                                : nothingYet());
+    PlotContent values = decomposition && input
+        ? singularValueCurves(decomposition->hankel, decomposition->suggestion, input->treatment)
+        : nothingYet();
+    if (decomposition && session().showsFirstTriplets())
+        values.title = tr("Singular values: the first %1 of %2")
+                           .arg(decomposition->hankel.singularValues.size())
+                           .arg(largestOrder());
+    m_values->setContent(values);
     if (!decomposition)
         m_values->removeLine(kCut);
     const bool known = evidence && results().spectrum && session().isOfThisRun(StageId::Evidence);
@@ -350,7 +378,8 @@ void OrderPage::showCandidates()
         != recipe().realization.candidates.end();
     m_pin->setText(isPinned ? tr("Unpin") : tr("Pin"));
     m_pin->setEnabled(isPinned || rows.size() < kMostCandidates);
-    m_defaults->setEnabled(results().decomposition != nullptr);
+    // A high order is among those proposed: it may be beyond the first singular values.
+    m_defaults->setEnabled(results().decomposition && !session().showsFirstTriplets());
     m_compare->setEnabled(!rows.empty() || m_compare->isChecked());
     std::optional<CandidateRow> reference;
     m_difference->setEnabled(m_adopted.has_value());

@@ -42,6 +42,7 @@ private:
     void setOrder(double order, const QString &mergeKey);
     void adopt(const QString &reason);
     void togglePin(Index order);
+    void setRemark(Index order, const QString &remark);
     void pinDefaults();
     void setCandidates(std::vector<Index> orders, const QString &label);
     Index shownOrder() const;

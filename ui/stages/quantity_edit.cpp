@@ -16,6 +16,8 @@ namespace dyncal {
 namespace {
 
 constexpr int kShownDigits = 10;
+const QString kWidestRecorded = QStringLiteral("294.15");
+constexpr int kFrame_px = 12; ///< of a line edit, with its margins
 
 } // namespace
 
@@ -132,6 +134,9 @@ OptionalEdit::OptionalEdit(const ShownUnit &unit, double lowest, double highest,
     layout->addWidget(m_text, 1);
     if (!unit.text.isEmpty())
         layout->addWidget(new QLabel(unit.text, this));
+    m_text->setMinimumWidth(
+        m_text->fontMetrics().horizontalAdvance(tr("%1 (recorded)").arg(kWidestRecorded))
+        + kFrame_px);
     setFocusProxy(m_text);
     connect(m_text, &QLineEdit::editingFinished, this, &OptionalEdit::commit);
 }

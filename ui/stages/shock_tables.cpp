@@ -33,7 +33,8 @@ QString percent(double share, int digits)
 QString withU(double value, const std::optional<double> &u, const QString &unit, int digits)
 {
     const QString text = shownQuantity(value, unit, digits);
-    return u ? ShockTables::tr("%1, u %2").arg(text, shownQuantity(*u, unit, 2)) : text;
+    return u ? ShockTables::tr("%1, u %2").arg(text, shownQuantityBeside(*u, value, unit, 2))
+             : text;
 }
 
 std::optional<double> uOf(const ShockConditions &shot, StepResult result)
@@ -185,7 +186,8 @@ ShownTable arrivalTable(const ShockConditionsSet &shock)
     for (const ShockConditions &shot : shock.shots) {
         for (std::size_t i = 0; i < shot.sightings.size(); ++i) {
             const Sighting &s = shot.sightings[i];
-            const bool fitted = shot.velocityFit
+            // Two places give the velocity exactly: what is left then is rounding.
+            const bool fitted = shot.velocityFit && shot.velocityFit->dof > 0
                 && shot.velocityFit->residual.size() == std::ssize(shot.sightings);
             table.rows.push_back({shotName(shot.shot), QString::fromStdString(s.channel),
                 shownQuantity(s.distance_m, "m", 5),
@@ -216,10 +218,11 @@ ShownTable uncertaintyTable(const ShockConditionsSet &shock, const StepMonteCarl
             const double value = shot.uncertainty->budget.value[r];
             const auto u = shot.uncertainty->u(static_cast<StepResult>(r));
             QStringList row{shotName(shot.shot), name, shownQuantity(value, unit, 6),
-                u ? shownQuantity(*u, unit, 3) : kNone, u ? percent(*u / value, 3) : kNone};
+                u ? shownQuantityBeside(*u, value, unit, 3) : kNone,
+                u ? percent(*u / value, 3) : kNone};
             if (mc != nullptr && mc->outcome) {
                 const MonteCarloResult &result = mc->outcome->result;
-                row << shownQuantity(result.u[r], unit, 3)
+                row << shownQuantityBeside(result.u[r], value, unit, 3)
                     << ShockTables::tr("%1 to %2")
                            .arg(shownQuantity(result.low[r], unit, 6),
                                shownQuantity(result.high[r], unit, 6));
@@ -228,31 +231,6 @@ ShownTable uncertaintyTable(const ShockConditionsSet &shock, const StepMonteCarl
             }
             table.rows.push_back(row);
         }
-    }
-    return table;
-}
-
-ShownTable budgetTable(const ShockConditions &shot)
-{
-    ShownTable table{{ShockTables::tr("Quantity"), ShockTables::tr("Value"), ShockTables::tr("u"),
-                         ShockTables::tr("Distribution"), ShockTables::tr("Degrees of freedom"),
-                         ShockTables::tr("To the step"), ShockTables::tr("Share"),
-                         ShockTables::tr("Common to all shots")},
-        {}};
-    if (!shot.uncertainty)
-        return table;
-    constexpr auto kStep = static_cast<Index>(StepResult::Step);
-    const GumBudget &budget = shot.uncertainty->budget;
-    for (std::size_t i = 0; i < budget.lines.size(); ++i) {
-        const BudgetLine &line = budget.lines[i];
-        const UncertainInput &input = line.input;
-        const bool known = line.contribution.size() > kStep;
-        table.rows.push_back({QString::fromStdString(input.quantity), shownNumber(input.value, 7),
-            shownNumber(input.u, 3), QString::fromLatin1(distributionName(input.distribution)),
-            std::isfinite(input.dof) ? shownNumber(input.dof, 3) : QStringLiteral("∞"),
-            known ? shownQuantity(std::abs(line.contribution[kStep]), "Pa", 3) : kNone,
-            known ? shownNumber(budget.sharePercent(i, kStep), 3) + QStringLiteral(" %") : kNone,
-            input.common ? ShockTables::tr("yes") : ShockTables::tr("no")});
     }
     return table;
 }

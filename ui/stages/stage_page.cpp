@@ -3,6 +3,7 @@
 
 #include "ui/stages/stage_page.h"
 
+#include "ui/stages/recipe_change.h"
 #include "ui/text/core_text.h"
 #include "ui/text/finding_text.h"
 
@@ -138,9 +139,7 @@ void StagePage::shareFrequencyCursors(const std::vector<PlotWidget *> &plots)
 void StagePage::change(
     const QString &label, const std::function<void(Recipe &)> &edit, const QString &mergeKey)
 {
-    Recipe next = m_session.recipe();
-    edit(next);
-    m_session.apply(next, label, mergeKey);
+    changeRecipe(m_session, label, edit, mergeKey);
 }
 
 } // namespace dyncal

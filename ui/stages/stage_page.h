@@ -39,6 +39,7 @@ public:
     /// What is computed first while this page is on show.
     virtual StageId focus() const;
     InspectorForm *inspector() { return m_inspector; }
+    static PlotContent nothingYet(); ///< an empty plot that says so
 
 protected:
     virtual void showRecipe() = 0; ///< sets the controls
@@ -50,7 +51,6 @@ protected:
     const CalibrationResults &results() const { return m_session.results(); }
     const Recipe &recipe() const { return m_session.recipe(); }
     QVBoxLayout *content() { return m_content; }
-    static PlotContent nothingYet(); ///< an empty plot that says so
     PlotWidget *makePlot(const QString &objectName, const QString &accessibleName);
     /// Cursors of these plots stand where those of all other frequency views stand.
     void shareFrequencyCursors(const std::vector<PlotWidget *> &plots);

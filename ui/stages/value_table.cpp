@@ -12,6 +12,17 @@
 
 namespace dyncal {
 
+namespace {
+
+/// Numbers stand at the right, names and words at the left.
+Qt::Alignment alignment(int column, const QString &text)
+{
+    const bool isWord = column == 0 || (!text.isEmpty() && text.front().isLetter());
+    return (isWord ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter;
+}
+
+} // namespace
+
 ValueTable::ValueTable(const QString &objectName, const QString &accessibleName, QWidget *parent)
     : QTableWidget(parent)
 {
@@ -33,14 +44,10 @@ void ValueTable::setValues(const QStringList &headers, const QVector<QStringList
     for (int row = 0; row < rowCount(); ++row) {
         for (int column = 0; column < columnCount(); ++column) {
             const QString text = rows[row].value(column);
-            if (QTableWidgetItem *old = item(row, column)) {
-                old->setText(text);
-                continue;
-            }
-            auto *cell = new QTableWidgetItem(text);
-            cell->setTextAlignment(
-                (column == 0 ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
-            setItem(row, column, cell);
+            if (!item(row, column))
+                setItem(row, column, new QTableWidgetItem);
+            item(row, column)->setText(text);
+            item(row, column)->setTextAlignment(alignment(column, text));
         }
     }
     fitColumns();

@@ -5,7 +5,9 @@
 
 #include "ui/plot/signal_curves.h"
 #include "ui/stages/interval_edit.h"
+#include "ui/stages/stretch_marking.h"
 #include "ui/stages/value_table.h"
+#include "ui/stages/window_starts.h"
 #include "ui/text/level_text.h"
 #include "ui/text/quantity_format.h"
 
@@ -99,6 +101,11 @@ void WindowPage::buildInspector()
         [this](bool on) { change(tr("Remap"), [&](Recipe &r) { r.remap = on; }); });
     m_length = form->addReadout(tr("Length"), "windowLength");
     m_resolution = form->addReadout(tr("Resolution"), "windowResolution");
+
+    form->addSection(tr("Left out of the fit, after the start"));
+    auto *stretches = new StretchList;
+    form->addWide(stretches);
+    m_stretches = new StretchMarking(session(), *stretches, {m_plot, m_detail}, this);
 }
 
 void WindowPage::buildStartControls()
@@ -123,11 +130,13 @@ void WindowPage::connectHandles()
 
 void WindowPage::moveBand(const QString &id, Interval band, bool finished)
 {
+    if (id != kBaseline && id != kSettle)
+        return; // a stretch left out
     m_dragging = !finished;
     if (id == kBaseline)
         change(
             tr("Move the baseline"), [&](Recipe &r) { r.window.baseline_s = band; }, id);
-    else if (id == kSettle)
+    else
         change(
             tr("Move the settle band"), [&](Recipe &r) { r.window.settle_s = band; }, id);
     if (finished)
@@ -154,17 +163,6 @@ void WindowPage::moveLine(const QString &id, double time_s, bool finished)
 
 namespace {
 
-/// One start per shot of the set, from what the last run used; shots without a response get the
-/// first one's (they are excluded).
-std::vector<double> usedStarts(const WindowResult &window, std::size_t shots)
-{
-    std::vector<double> starts(shots, window.responses.front().start_s);
-    for (const WindowedResponse &response : window.responses)
-        if (response.shot >= 1 && response.shot <= static_cast<Index>(shots))
-            starts[static_cast<std::size_t>(response.shot - 1)] = response.start_s;
-    return starts;
-}
-
 /// The first view reaches past the end, so that its line can be seen and dragged outwards.
 PlotContent contentWithRoom(const WindowResult &window)
 {
@@ -186,26 +184,26 @@ void WindowPage::shiftStarts(double by_s)
 {
     if (!firstResponse())
         return;
-    std::vector<double> starts
-        = usedStarts(*results().window, session().state().captures->shots.size());
-    for (double &start_s : starts)
+    const WindowResult &window = *results().window;
+    std::vector<double> starts_s = usedStarts(window, session().state().captures->shots.size());
+    for (double &start_s : starts_s)
         start_s += by_s;
-    change(tr("Move the start"), [&](Recipe &r) { r.window.start_s = starts; });
+    change(tr("Move the start"), [&](Recipe &r) { typeStarts(r.window, starts_s, window); });
 }
 
 void WindowPage::setStart(const Auto<double> &start_s)
 {
     if (start_s.isAuto()) {
-        change(tr("Detect the start"), [](Recipe &r) { r.window.start_s.clear(); });
+        change(tr("Detect the start"), [&](Recipe &r) { detectStartsAgain(r.window, results()); });
         return;
     }
-    if (!firstResponse())
-        return;
-    std::vector<double> starts
-        = usedStarts(*results().window, session().state().captures->shots.size());
     const WindowedResponse *chosen = responseOfChosenShot();
-    starts[static_cast<std::size_t>((chosen ? chosen->shot : 1) - 1)] = *start_s.value;
-    change(tr("Change the start"), [&](Recipe &r) { r.window.start_s = starts; });
+    if (!chosen)
+        return;
+    const WindowResult &window = *results().window;
+    std::vector<double> starts_s = usedStarts(window, session().state().captures->shots.size());
+    starts_s[static_cast<std::size_t>(chosen->shot - 1)] = *start_s.value;
+    change(tr("Change the start"), [&](Recipe &r) { typeStarts(r.window, starts_s, window); });
 }
 
 const WindowedResponse *WindowPage::firstResponse() const
@@ -245,6 +243,8 @@ void WindowPage::showRecipe()
     m_remap->setEnabled(step);
     m_settle->setEnabled(step);
     showHandles();
+    m_stretches->setShot(chosen ? chosen->shot : 1);
+    m_stretches->show();
 }
 
 void WindowPage::showHandles()

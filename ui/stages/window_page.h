@@ -12,6 +12,7 @@ namespace dyncal {
 
 class AutoEdit;
 class IntervalEdit;
+class StretchMarking;
 class ValueTable;
 
 /// Stage 3: where the response starts and ends, and the bands that give its two levels.
@@ -45,6 +46,7 @@ private:
     PlotWidget *m_plot;
     PlotWidget *m_detail;
     ValueTable *m_table;
+    StretchMarking *m_stretches;
     bool m_dragging = false;
 
     QComboBox *m_startShot;

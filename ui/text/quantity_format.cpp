@@ -37,6 +37,18 @@ QString shownQuantity(double value, const QString &unit, int digits)
     return inLanguage(text.left(blank).toStdString()) + text.mid(blank);
 }
 
+QString shownQuantityBeside(double value, double beside, const QString &unit, int digits)
+{
+    if (!std::isfinite(value) || !std::isfinite(beside) || unit.isEmpty() || beside == 0.0)
+        return shownQuantity(value, unit, digits);
+    constexpr int kAllDigits = 17;
+    const std::string other = numberWithUnit(beside, unit.toStdString(), kAllDigits);
+    const auto blank = other.find(' ');
+    const double number = parseNumber(other.substr(0, blank)).value_or(beside);
+    const double prefix = std::pow(10.0, std::round(std::log10(beside / number)));
+    return shownNumber(value / prefix, digits) + QString::fromStdString(other.substr(blank));
+}
+
 QString shownNumber(double value, int digits)
 {
     return std::isfinite(value) ? inLanguage(numberText(value, digits)) : nothing();

@@ -216,8 +216,8 @@ Findings damagedDatasets(const std::vector<ChannelCandidate> &candidates)
     return findings;
 }
 
-tl::unexpected<Error> nothingToRead(
-    const std::string &path, const std::vector<ChannelCandidate> &candidates)
+tl::unexpected<Error> nothingToRead(const std::string &path,
+    const std::vector<ChannelCandidate> &candidates, const ImportSettings &settings)
 {
     std::string names;
     for (const ChannelCandidate &candidate : candidates) {
@@ -230,6 +230,13 @@ tl::unexpected<Error> nothingToRead(
                  "%1 is an HDF5 file without a dataset of samples (one-dimensional numbers, or a "
                  "table of at most 64 columns)."),
                 {path}},
+            "CAP-001");
+    if (settings.channels.empty())
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core",
+                 "%1 holds times, but no samples that belong to them (%2); if one of these is a "
+                 "record, name it in import.channels."),
+                {path, names}},
             "CAP-001");
     return fail(ErrorKind::Usage,
         {DYNCAL_TEXT("core", "%1 has none of the datasets that import.channels names; it has %2."),
@@ -337,7 +344,7 @@ Result<CaptureSet> readCandidates(const Hdf5File &file, const std::vector<Foreig
         return tl::unexpected(wanted.error());
     const std::vector<ChannelCandidate> chosen = chosenOf(candidates, settings, *timing);
     if (chosen.empty())
-        return nothingToRead(file.path, candidates);
+        return nothingToRead(file.path, candidates, settings);
     Result<CaptureSet> set = shotOf(file, chosen, *timing, control);
     if (set && settings.channels.empty()) {
         for (const Findings &more :

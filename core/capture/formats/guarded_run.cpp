@@ -69,6 +69,7 @@ void forgetSignalHandling()
     for (const int number :
         {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGINT, SIGPIPE, SIGPROF})
         ::signal(number, SIG_DFL);
+    ::signal(SIGXFSZ, SIG_IGN); // or else a warning to stderr kills it where stderr is a file
     sigset_t none;
     ::sigemptyset(&none);
     ::sigprocmask(SIG_SETMASK, &none, nullptr);

@@ -188,17 +188,17 @@ const char *behindBlanks(const char *at, const char *end, char separator)
 
 } // namespace
 
-const char *PlainRowReader::behindRow(const char *at, const char *end, std::span<double> row) const
+const char *PlainRowReader::behindRow(const char *at, const char *end, const Target &row) const
 {
     const bool byBlanks = m_separator == kBlankSeparator;
-    for (std::size_t i = 0; i < row.size(); ++i) {
+    for (std::size_t i = 0; i < row.count; ++i) {
         const char *const number = behindBlanks(at, end, m_separator);
         if (i > 0 && byBlanks && number == at)
             return nullptr; // "1.5-2.5" is one cell
-        at = readNumber(number, end, m_decimal, row[i]);
+        at = readNumber(number, end, m_decimal, row.first[i * row.distance]);
         if (at == nullptr)
             return nullptr;
-        if (byBlanks || i + 1 == row.size())
+        if (byBlanks || i + 1 == row.count)
             continue;
         at = behindBlanks(at, end, m_separator);
         if (at == end || *at != m_separator)
@@ -211,12 +211,9 @@ const char *PlainRowReader::behindRow(const char *at, const char *end, std::span
     return at;
 }
 
-const char *PlainRowReader::read(std::string_view text, std::span<double> row) const
+const char *PlainRowReader::behindLine(const char *at, const char *end, const Target &row) const
 {
-    if (m_separator == m_decimal)
-        return nullptr; // only quotes tell them apart
-    const char *const end = text.data() + text.size();
-    const char *const at = behindRow(text.data(), end, row);
+    at = behindRow(at, end, row);
     if (at == nullptr || at == end)
         return nullptr; // an unfinished line is looked at with more care
     if (*at == '\n')
@@ -224,6 +221,31 @@ const char *PlainRowReader::read(std::string_view text, std::span<double> row) c
     if (*at != '\r')
         return nullptr;
     return at + 1 != end && at[1] == '\n' ? at + 2 : at + 1;
+}
+
+const char *PlainRowReader::read(std::string_view text, std::span<double> row) const
+{
+    if (m_separator == m_decimal)
+        return nullptr; // only quotes tell them apart
+    return behindLine(text.data(), text.data() + text.size(), {row.data(), row.size(), 1});
+}
+
+std::size_t PlainRowReader::readRows(
+    std::string_view &text, std::size_t numbers, double *columns, std::size_t most) const
+{
+    if (m_separator == m_decimal)
+        return 0;
+    const char *at = text.data();
+    const char *const end = at + text.size();
+    std::size_t rows = 0;
+    for (; rows < most; ++rows) {
+        const char *const behind = behindLine(at, end, {columns + rows, numbers, most});
+        if (behind == nullptr)
+            break;
+        at = behind;
+    }
+    text.remove_prefix(static_cast<std::size_t>(at - text.data()));
+    return rows;
 }
 
 } // namespace dyncal

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string_view>
 
@@ -24,8 +25,21 @@ public:
     /// `row` then holds anything.
     const char *read(std::string_view text, std::span<double> row) const;
 
+    /// Reads such lines one behind the other, at most `most`: number i of row k to
+    /// columns[i * most + k]. Returns how many; the text then begins behind them.
+    std::size_t readRows(
+        std::string_view &text, std::size_t numbers, double *columns, std::size_t most) const;
+
 private:
-    const char *behindRow(const char *at, const char *end, std::span<double> row) const;
+    struct Target
+    {
+        double *first;
+        std::size_t count;
+        std::size_t distance; ///< from one to the next
+    };
+
+    const char *behindRow(const char *at, const char *end, const Target &row) const;
+    const char *behindLine(const char *at, const char *end, const Target &row) const;
 
     char m_separator;
     char m_decimal;

@@ -3,122 +3,132 @@
 
 #include "core/capture/formats/plain_rows_ahead.h"
 
-#include "core/capture/formats/large_pages.h"
-
 #include <algorithm>
-#include <functional>
 #include <new>
 #include <system_error>
-#include <utility>
 
 namespace dyncal {
 namespace {
 
-constexpr std::size_t kMostThreads = 8; ///< memory is the bottleneck beyond
-constexpr std::size_t kPartBytes = 1 << 20; ///< at least, as a thread takes some 0.1 ms to start
+constexpr std::uint64_t kMostThreads = 8; ///< the owner, who puts all together, is busy beyond
+constexpr std::uint64_t kThreadBytes = 1 << 20; ///< at least, as one takes some 0.1 ms to start
+constexpr std::uint64_t kPartBytes = 1 << 18; ///< text and rows stay in a core's own cache
+constexpr std::size_t kPartsPerThread = 2; ///< one being read and one waiting for the owner
 
-/// For all rows of `bytes`, if they are as long as those so far, of `done` bytes.
-void makeRoom(PlainRows &rows, double done, double bytes)
+/// How many threads, the owner's among them, are worth their start.
+std::uint64_t threadsFor(std::uint64_t bytes)
 {
-    constexpr double kSpare = 1.02;
-    const double expected = static_cast<double>(rows.rows()) * bytes / done;
-    if (expected <= static_cast<double>(rows.columns.front().capacity()))
-        return;
-    for (std::vector<double> &column : rows.columns) {
-        column.reserve(static_cast<std::size_t>(kSpare * expected));
-        preferLargePages(column.data(), column.capacity() * sizeof(double));
-    }
-}
-
-/// Rows of [begin, end) up to a line that is none, or until stopped.
-template <typename Stopped>
-PlainRows readRows(const PlainRowReader &reader, const TextSource &text, std::uint64_t begin,
-    std::uint64_t end, std::size_t columns, const Stopped &stopped)
-{
-    PlainRows result{std::vector<std::vector<double>>(columns), begin};
-    std::vector<double> row(columns);
-    LineBlocks blocks(text, begin);
-    for (std::string_view rest = blocks.next(end); !rest.empty();) {
-        const char *const behind = reader.read(rest, row);
-        if (behind == nullptr)
-            break;
-        for (std::size_t i = 0; i < columns; ++i)
-            result.columns[i].push_back(row[i]);
-        result.behind += static_cast<std::uint64_t>(behind - rest.data());
-        rest.remove_prefix(static_cast<std::size_t>(behind - rest.data()));
-        if (!rest.empty())
-            continue;
-        makeRoom(
-            result, static_cast<double>(result.behind - begin), static_cast<double>(end - begin));
-        rest = stopped() ? std::string_view() : blocks.next(end);
-    }
-    return result;
-}
-
-/// Where parts of about equal length begin, behind a line feed each, the first left out; and the
-/// end of the text.
-std::vector<std::uint64_t> boundaries(const TextSource &text, std::uint64_t begin)
-{
-    constexpr std::uint64_t kLongestLine = 1 << 16;
-    const std::uint64_t threads
+    const std::uint64_t cores
         = std::clamp<std::uint64_t>(std::thread::hardware_concurrency(), 1, kMostThreads);
-    const std::uint64_t bytes = text.size() - begin;
-    const std::uint64_t count = std::clamp<std::uint64_t>(bytes / kPartBytes, 1, threads);
-    std::vector<std::uint64_t> places;
-    std::vector<char> buffer;
-    for (std::uint64_t k = 1; k < count; ++k) {
-        const std::uint64_t at = begin + bytes / count * k;
-        const auto piece = text.read(at, std::min(at + kLongestLine, text.size()), buffer);
-        const std::size_t feed = piece ? piece->find('\n') : std::string_view::npos;
-        if (feed != std::string_view::npos)
-            places.push_back(at + feed + 1);
-    }
-    places.push_back(text.size());
-    return places;
+    return std::clamp<std::uint64_t>(bytes / kThreadBytes, 1, cores);
 }
 
 } // namespace
 
-PlainRowsAhead::PlainRowsAhead(const PlainRowReader &reader, const TextSource &text,
-    std::uint64_t begin, std::size_t columns, const std::stop_token &stop)
+std::size_t PlainRows::read(const PlainRowReader &reader, std::string_view text)
 {
-    const std::vector<std::uint64_t> places = boundaries(text, begin);
-    for (std::size_t k = 0; k + 1 < places.size(); ++k) {
-        if (places[k] < places[k + 1])
-            m_parts.push_back({places[k], places[k + 1], {{}, places[k]}, {}});
+    const std::size_t most = text.size() / (2 * m_columns) + 1; // a cell takes two bytes
+    m_rows = 0;
+    if (most > m_capacity) {
+        m_capacity = 0;
+        m_values = std::make_unique_for_overwrite<double[]>(most * m_columns);
+        m_capacity = most;
     }
-    const auto read = [&reader, &text, columns, stop](const std::stop_token &own, Part &part) {
-        const auto stopped = [&] { return own.stop_requested() || stop.stop_requested(); };
-        try {
-            part.rows = readRows(reader, text, part.begin, part.end, columns, stopped);
-        } catch (const std::bad_alloc &) {
-            part.rows = {{}, part.begin}; // whoever reads on there will say so
-        }
-    };
+    const std::size_t before = text.size();
+    m_rows = reader.readRows(text, m_columns, m_values.get(), m_capacity);
+    return before - text.size();
+}
+
+PlainRowsAhead::PlainRowsAhead(
+    const PlainRowReader &reader, const TextSource &text, std::uint64_t begin, std::size_t columns)
+    : m_reader(reader)
+    , m_text(text)
+    , m_begunText(begin)
+{
+    const std::uint64_t bytes = text.size() - begin;
+    const std::uint64_t threads = threadsFor(bytes);
+    if (bytes > 0)
+        m_nextBegin = begin;
+    m_buffers.resize(threads, std::vector<char>(text.inMemory() ? 0 : std::min(bytes, kPartBytes)));
+    for (std::size_t k = 0; k < kPartsPerThread * threads; ++k)
+        m_parts.push_back({0, 0, 0, false, PlainRows(columns)});
     try {
-        for (Part &part : m_parts)
-            part.thread = std::jthread(read, std::ref(part));
-    } catch (const std::system_error &) { // no more threads to be had: such parts hold no rows
+        for (std::size_t k = 1; k < threads; ++k)
+            m_threads.emplace_back(
+                [this, k](const std::stop_token &stop) { readAhead(stop, m_buffers[k]); });
+    } catch (const std::system_error &) { // no more threads to be had
     }
 }
 
-std::optional<std::uint64_t> PlainRowsAhead::nextBegin() const
+PlainRowsAhead::Taken PlainRowsAhead::take()
 {
-    return m_next < m_parts.size() ? std::optional(m_parts[m_next].begin) : std::nullopt;
+    std::unique_lock lock(m_mutex);
+    m_free = m_taken;
+    m_changed.notify_all();
+    while (m_begun == m_taken || !part(m_taken).done) {
+        if (mayBegin())
+            readOne(lock, m_buffers.front());
+        else
+            m_changed.wait(lock);
+    }
+    const Part &taken = part(m_taken++);
+    const bool last = taken.end == taken.begin || taken.end == m_text.size();
+    m_nextBegin = last ? std::nullopt : std::optional(taken.end);
+    return {taken.rows, taken.behind};
 }
 
-PlainRows PlainRowsAhead::take()
+/// Whether there is a part left, and room for it.
+bool PlainRowsAhead::mayBegin() const
 {
-    Part &part = m_parts[m_next++];
-    if (part.thread.joinable())
-        part.thread.join();
-    return std::move(part.rows);
+    return m_begunText < m_text.size() && m_begun < m_free + m_parts.size();
 }
 
-void PlainRowsAhead::skip()
+/// Begins the next part and reads it, without the lock.
+void PlainRowsAhead::readOne(std::unique_lock<std::mutex> &lock, std::vector<char> &buffer)
 {
-    m_parts[m_next].thread.request_stop();
-    take();
+    Part &mine = part(m_begun++);
+    mine.begin = m_begunText;
+    mine.end = endOfPart(mine.begin, buffer);
+    mine.done = false;
+    m_begunText = mine.end == mine.begin ? m_text.size() : mine.end;
+    lock.unlock();
+    fill(mine, buffer);
+    lock.lock();
+    mine.done = true;
+    m_changed.notify_all();
+}
+
+/// Behind the last line feed of as much text as a part may have; the beginning where lines are
+/// longer than is looked at, or cannot be read.
+std::uint64_t PlainRowsAhead::endOfPart(std::uint64_t begin, std::vector<char> &buffer) const
+{
+    const std::uint64_t end = std::min(begin + kPartBytes, m_text.size());
+    if (end == m_text.size())
+        return end;
+    for (const std::uint64_t lookedAt : {kPartBytes / 64, kPartBytes / 4}) {
+        const auto piece = m_text.read(end - lookedAt, end, buffer);
+        const std::size_t feed = piece ? piece->rfind('\n') : std::string_view::npos;
+        if (feed != std::string_view::npos)
+            return end - lookedAt + feed + 1;
+    }
+    return begin;
+}
+
+void PlainRowsAhead::fill(Part &part, std::vector<char> &buffer) const
+{
+    part.behind = part.begin;
+    const auto text = m_text.read(part.begin, part.end, buffer);
+    try {
+        part.behind += part.rows.read(m_reader, text.value_or(std::string_view()));
+    } catch (const std::bad_alloc &) { // whoever reads on here will say so
+    }
+}
+
+void PlainRowsAhead::readAhead(const std::stop_token &stop, std::vector<char> &buffer)
+{
+    std::unique_lock lock(m_mutex);
+    while (m_changed.wait(lock, stop, [this] { return mayBegin(); }) && !stop.stop_requested())
+        readOne(lock, buffer);
 }
 
 } // namespace dyncal

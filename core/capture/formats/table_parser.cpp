@@ -39,15 +39,19 @@ public:
         while (m_lines.number() < m_dialect.headerLines() && nextBlock(m_text.size())
             && m_lines.next(line)) { }
         const std::uint64_t begin = position();
-        PlainRowsAhead ahead(m_plain, m_text, begin, m_row.size(), control.stop);
+        PlainRowsAhead ahead(m_plain, m_text, begin, m_row.size());
         m_blocks.moveTo(begin);
         m_lines = LineCursor({}, m_lines.number());
         for (;;) {
+            const bool plain = m_commentLine == 0 && m_blankRows == 0;
             if (const Result<void> going = pause(control); !going)
                 return tl::unexpected(going.error());
-            const bool plain = m_commentLine == 0 && m_blankRows == 0;
-            if (!nextLines(ahead, plain))
-                break;
+            if (m_lines.rest().empty()) {
+                if (takeAhead(ahead, plain))
+                    continue;
+                if (!nextBlock(ahead.nextBegin().value_or(m_text.size())))
+                    break;
+            }
             if (const char *behind = plain ? m_plain.read(m_lines.rest(), m_row) : nullptr) {
                 append();
                 m_lines.take(behind, 1);
@@ -77,30 +81,30 @@ private:
         return !m_lines.rest().empty();
     }
 
-    /// The same, once what other threads read from here on is taken over, if these lines can be
-    /// plain rows here.
-    bool nextLines(PlainRowsAhead &ahead, bool plain)
+    /// Takes over what was read ahead of the next lines, if these can be plain rows here. False if
+    /// nobody reads ahead from here on.
+    bool takeAhead(PlainRowsAhead &ahead, bool plain)
     {
-        while (m_lines.rest().empty() && ahead.nextBegin() == position()) {
-            if (!plain)
-                ahead.skip();
-            else
-                append(ahead.take());
-        }
-        return nextBlock(ahead.nextBegin().value_or(m_text.size()));
+        if (ahead.nextBegin() != position())
+            return false;
+        if (plain)
+            append(ahead.take());
+        else
+            ahead.skip();
+        return true;
     }
 
-    void append(PlainRows part)
+    void append(const PlainRowsAhead::Taken &part)
     {
-        const auto more = static_cast<std::size_t>(part.rows());
+        const auto more = static_cast<std::size_t>(part.rows.rows());
         if (m_table.columns[0].size() + more > m_table.columns[0].capacity())
             makeRoom(more);
-        for (std::size_t i = 0; i < part.columns.size(); ++i) {
-            const std::vector<double> values = std::move(part.columns[i]); // gone once copied
+        for (std::size_t i = 0; i < m_table.columns.size(); ++i) {
+            const std::span<const double> values = part.rows.column(i);
             m_table.columns[i].insert(m_table.columns[i].end(), values.begin(), values.end());
         }
         m_blocks.moveTo(part.behind);
-        m_lines = LineCursor({}, m_lines.number() + part.rows());
+        m_lines = LineCursor({}, m_lines.number() + part.rows.rows());
     }
 
     void append()
@@ -131,8 +135,8 @@ private:
 
     Result<void> pause(const JobControl &control) const
     {
-        constexpr Index kRowsPerCheck = 1 << 16;
-        if (m_lines.number() % kRowsPerCheck != 0)
+        constexpr Index kLinesPerCheck = 1 << 16; // within a block, which may be all of the text
+        if (!m_lines.rest().empty() && m_lines.number() % kLinesPerCheck != 0)
             return {};
         if (control.stopRequested())
             return fail(

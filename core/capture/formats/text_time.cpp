@@ -102,12 +102,11 @@ private:
             return {};
         }
         const ColumnTitle &first = m_say.titles[0];
-        const ColumnRise rise = riseOf(m_columns[0]);
-        if (isFrequencyTitle(first) && rise != ColumnRise::None)
+        if (isFrequencyTitle(first) && riseOf(m_columns[0]) != ColumnRise::None)
             return m_say.frequencies(first);
         m_time.column = titledColumn();
         m_titled = m_time.column.has_value();
-        return m_titled ? Result<void>() : findUntitled(first, rise);
+        return m_titled ? Result<void>() : findUntitled(first, riseOf(m_columns[0]));
     }
 
     std::optional<Index> titledColumn() const

@@ -172,6 +172,31 @@ private slots:
         QCOMPARE(sealed->findings[0].shot, Index(2));
     }
 
+    void sealCaptures_otherBytesThanExpected_blockOnceHoweverOftenSealed()
+    {
+        CaptureSet set = setInFile(write(file("expected.raw"), kBytes));
+        set.inputs[0].expectedSha256 = std::string(64, '0');
+        reportUnexpected(set); // not known yet
+        QVERIFY(set.findings.empty());
+        const Result<CaptureSet> sealed = sealCaptures(*sealCaptures(set));
+        QCOMPARE(sealed->findings.size(), std::size_t(1));
+        QCOMPARE(sealed->findings[0].id, std::string("CAP-015"));
+        QCOMPARE(sealed->findings[0].severity, Severity::Block);
+        QVERIFY(english(sealed->findings[0].message).find("expected.raw") != std::string::npos);
+        set.inputs[0].expectedSha256 = sealed->inputs[0].sha256;
+        QVERIFY(sealCaptures(set)->findings.empty());
+    }
+
+    void sealCaptures_samplesAndFileAtFault_saysTheSamples()
+    {
+        // The hash of a long file is given up once the samples are known to be damaged.
+        const std::string path = write(file("both.raw"), QByteArray(64 << 20, 'x'));
+        CaptureSet set = setInFile(path);
+        set.shots[0].channels[0].statedSha256 = "other";
+        const Result<CaptureSet> sealed = sealCaptures(set);
+        QCOMPARE(findingId(sealed), std::string("CAP-018"));
+    }
+
     void openCaptures_capture_computesNoFileHashAndSealsToTheSameAsReading()
     {
         CaptureSet set;

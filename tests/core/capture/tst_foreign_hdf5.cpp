@@ -204,6 +204,20 @@ private slots:
         }
     }
 
+    void read_nothingButTimes_isSaidAndNoFaultOfTheSettings()
+    {
+        std::vector<double> times(100);
+        for (std::size_t k = 0; k < times.size(); ++k)
+            times[k] = 1e-6 * static_cast<double>(k);
+        const auto set = readMade([&](const Hdf5TestFile &file) {
+            for (const char *name : {"/time", "/zeit"})
+                file.dataset(name, {100}, {H5T_IEEE_F64LE, {}}, H5T_NATIVE_DOUBLE, times.data());
+        });
+        QCOMPARE(findingId(set), std::string("CAP-001"));
+        QCOMPARE(set.error().kind, ErrorKind::FileUnreadable);
+        QVERIFY(sentence(set).find("holds times") != std::string::npos);
+    }
+
     void read_tableOf65Columns_isNone()
     {
         const std::vector<std::int16_t> values(65 * 100, 1);

@@ -185,6 +185,19 @@ private slots:
         QVERIFY(result.outcome == GuardedOutcome::Died);
     }
 
+    void guarded_warningToAFile_doesNotEndIt()
+    {
+        // As the library's, where the program's stderr is a file: the helper may write to none.
+        QFile log(m_folder.filePath("log"));
+        QVERIFY(log.open(QIODevice::WriteOnly));
+        const GuardedResult result = guarded([&](GuardedOutput &output) {
+            const bool written = ::write(log.handle(), "warning", 7) == 7;
+            say(output, written ? "written" : "not written");
+        });
+        QVERIFY(result.outcome == GuardedOutcome::Finished);
+        QCOMPARE(result.received, std::string("not written"));
+    }
+
     void guarded_workThatMakesProgress_mayTakeLong()
     {
         const GuardedResult result = guarded([](GuardedOutput &output) {

@@ -253,28 +253,87 @@ private slots:
         QVERIFY(parsed.has_value() && forwards && last == 1.0);
     }
 
+    void parseTable_longLines_areReadWithoutParts()
+    {
+        // Each longer than the stretch that is searched for the end of a part.
+        std::mt19937_64 random(kSeed);
+        std::string text;
+        while (text.size() < kBytes)
+            text += std::string(200000, ' ') + cell(random) + ";" + cell(random) + "\n";
+        const Result<TableColumns> parsed = parseTable(kPath, TextSource(text), dialect(2), {});
+        QVERIFY(parsed.has_value());
+        QVERIFY(sameBits(parsed->columns.at(0), lineByLine(text).at(0)));
+        QVERIFY(sameBits(parsed->columns.at(1), lineByLine(text).at(1)));
+    }
+
+    void parseTable_longOne_stopsSoonAfterItIsAsked()
+    {
+        std::mt19937_64 random(kSeed);
+        const std::string text = table(random, 1ULL << 62, "\n");
+        std::stop_source stop;
+        double reported = 0.0;
+        const auto stopEarly = [&](double fraction) {
+            reported = fraction;
+            if (fraction > 0.2)
+                stop.request_stop();
+        };
+        const Result<TableColumns> parsed
+            = parseTable(kPath, TextSource(text), dialect(2), {stop.get_token(), stopEarly});
+        QVERIFY(!parsed && parsed.error().kind == ErrorKind::Cancelled);
+        QVERIFY(reported < 0.5);
+    }
+
     void rowsAhead_partThatEndsEarly_saysWhere()
     {
         std::mt19937_64 random(kSeed);
         const std::string text = table(random, 1ULL << 62, "\n") + "no number\n1;2\n";
         const PlainRowReader reader(';', '.');
         const TextSource source{std::string_view(text)};
-        PlainRowsAhead ahead(reader, source, 0, 2, {});
+        PlainRowsAhead ahead(reader, source, 0, 2);
+        const auto expected = lineByLine(text);
         std::uint64_t behind = 0;
-        Index parts = 0;
-        for (; ahead.nextBegin(); ++parts) {
+        std::size_t row = 0;
+        for (Index parts = 0; ahead.nextBegin(); ++parts) {
             const std::uint64_t begin = *ahead.nextBegin();
-            QVERIFY(text[begin - 1] == '\n' && (parts == 0 || behind == begin));
-            const PlainRows rows = ahead.take();
-            behind = rows.behind;
+            QVERIFY(parts == 0 || (text[begin - 1] == '\n' && behind == begin));
+            const PlainRowsAhead::Taken taken = ahead.take();
+            QVERIFY(taken.rows.rows() > 0);
             const auto at = [&](std::uint64_t place) {
                 return text.begin() + static_cast<std::ptrdiff_t>(place);
             };
-            QCOMPARE(rows.rows(), std::count(at(begin), at(behind), '\n'));
+            QCOMPARE(taken.rows.rows(), std::count(at(begin), at(taken.behind), '\n'));
+            for (std::size_t i = 0; i < expected.size(); ++i) {
+                const std::span<const double> column = taken.rows.column(i);
+                QVERIFY(std::equal(column.begin(), column.end(), &expected[i][row]));
+            }
+            row += static_cast<std::size_t>(taken.rows.rows());
+            behind = taken.behind;
         }
-        if (parts == 0)
-            QSKIP("this machine has one core: nothing is read ahead");
         QCOMPARE(text.substr(behind), std::string("no number\n1;2\n"));
+    }
+
+    void rowsAhead_droppedOrSkippedHalfway_endsAtOnce()
+    {
+        std::mt19937_64 random(kSeed);
+        const std::string text = table(random, 1ULL << 62, "\n");
+        const PlainRowReader reader(';', '.');
+        const TextSource source{std::string_view(text)};
+        for (int k = 0; k < 50; ++k) {
+            PlainRowsAhead ahead(reader, source, 0, 2);
+            for (int taken = 0; taken < k % 5; ++taken)
+                ahead.take();
+            if (k % 2 == 0)
+                ahead.skip();
+            QVERIFY(!ahead.nextBegin() || *ahead.nextBegin() == 0
+                || text[*ahead.nextBegin() - 1] == '\n');
+        }
+    }
+
+    void rowsAhead_noText_hasNoParts()
+    {
+        const PlainRowReader reader(';', '.');
+        const TextSource source{std::string_view("1;2\n")};
+        QVERIFY(!PlainRowsAhead(reader, source, source.size(), 2).nextBegin());
     }
 };
 

@@ -30,12 +30,13 @@ Eigen::MatrixXd orthonormal(Index rows, Index columns, std::uint64_t seed)
 
 /// Window of a remapped step with rest before it.
 WindowedResponse response(Index shot, double noise, double rate_Hz = 10e6,
-    SecondOrder sensor = {100e3, 0.05}, double scale = 1.0, double duration_s = 1e-3)
+    SecondOrder sensor = {100e3, 0.05}, double scale = 1.0, double duration_s = 1e-3,
+    double late_samples = 0.0)
 {
     StepRecord record;
     record.sensor = sensor;
     record.rate_Hz = rate_Hz;
-    record.arrival_s = 1e-4;
+    record.arrival_s = 1e-4 + late_samples / rate_Hz;
     record.duration_s = duration_s;
     record.step = scale;
     record.noiseSd = noise;
@@ -44,7 +45,7 @@ WindowedResponse response(Index shot, double noise, double rate_Hz = 10e6,
     result.shot = shot;
     result.sampleRate_Hz = rate_Hz;
     result.values = record.values();
-    result.lead = static_cast<Index>(std::llround(record.arrival_s * rate_Hz));
+    result.lead = static_cast<Index>(std::llround(1e-4 * rate_Hz));
     result.length = result.values.size() - result.lead;
     return result;
 }
@@ -86,6 +87,8 @@ private slots:
     void analyse_unlawfulSettings_areUsage();
     void finding_poorFirstComponent();
     void finding_resonanceLeft();
+    void finding_resonanceLeft_byStartsBetweenSamples_isANote();
+    void finding_resonanceLeft_byMoreThanStarts_staysACaution();
     void finding_oneShotDominates();
     void analyse_stop_isCancelled();
     void components_longShots_areFast();
@@ -378,6 +381,47 @@ void TestPrincipalComponents::finding_resonanceLeft()
     QCOMPARE(findingOf(*result, "PCA-002")->severity, Severity::Info);
     QVERIFY(!result->residuals[2].peaks_Hz.empty());
     QVERIFY(result->residuals[2].whiteness_p < 1e-6);
+}
+
+void TestPrincipalComponents::finding_resonanceLeft_byStartsBetweenSamples_isANote()
+{
+    // 25 samples a period, shots apart by 0.9 of one: 0.23 rad of the ringing, more than 10 %.
+    constexpr double kRate_Hz = 2.5e6;
+    const auto late = [&](Index shot, double samples) {
+        return response(shot, 0.001, kRate_Hz, {100e3, 0.05}, 1.0, 1e-3, samples);
+    };
+    const auto result = analyseComponents({late(1, 0.0), late(2, 0.45), late(3, 0.9)}, {}, {});
+    int notes = 0;
+    for (const Finding &finding : result->findings) {
+        if (finding.id != "PCA-003")
+            continue;
+        QCOMPARE(finding.severity, Severity::Info);
+        notes += *finding.value > *finding.limit ? 1 : 0;
+        if (finding.shot == 3) // the others' mean start is 0.45 before
+            QVERIFY(finding.message.arguments.size() == 5
+                && std::abs(std::stod(finding.message.arguments[3]) - 0.45) < 0.05);
+    }
+    QVERIFY2(notes > 0, "the case must be one that was a caution before");
+}
+
+void TestPrincipalComponents::finding_resonanceLeft_byMoreThanStarts_staysACaution()
+{
+    constexpr double kRate_Hz = 2.5e6;
+    const auto caution = [](const ComponentResult &result) {
+        return std::any_of(result.findings.begin(), result.findings.end(),
+            [](const Finding &f) { return f.id == "PCA-003" && f.severity == Severity::Caution; });
+    };
+    const auto shot = [&](Index number, SecondOrder sensor, double samples) {
+        return response(number, 0.001, kRate_Hz, sensor, 1.0, 1e-3, samples);
+    };
+    // Starts between samples and a resonance that is another: both shifted, one not the same.
+    QVERIFY(caution(*analyseComponents(
+        {shot(1, {100e3, 0.05}, 0.0), shot(2, {100e3, 0.05}, 0.45), shot(3, {100e3, 0.03}, 0.9)},
+        {}, {})));
+    // The same shape three samples late: that start was not found.
+    QVERIFY(caution(*analyseComponents(
+        {shot(1, {100e3, 0.05}, 0.0), shot(2, {100e3, 0.05}, 0.0), shot(3, {100e3, 0.05}, 3.0)}, {},
+        {})));
 }
 
 void TestPrincipalComponents::finding_oneShotDominates()

@@ -66,7 +66,7 @@ PipelineOutcome run(const SimulatedCapture &capture, const Recipe &recipe)
 {
     ResultCache cache;
     return runPipeline(
-        std::make_shared<const CaptureSet>(capture.set), recipe, cache, StageId::Response);
+        std::make_shared<const CaptureSet>(capture.set), recipe, cache, StageId::Assessment);
 }
 
 double deviation(const CalibrationResults &results)

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/pipeline/pipeline.h"
-#include "core/synthesis/shot_generator.h"
+#include "tests/support/simulated_example.h"
 
 #include <QtTest>
 
@@ -10,22 +10,6 @@
 #include <cmath>
 
 using namespace dyncal;
-
-namespace {
-
-std::shared_ptr<const CaptureSet> example()
-{
-    SimulationSettings settings;
-    settings.sensor = sensorPreset("optic3").value();
-    settings.sampleRate_Hz = 2e7;
-    settings.noise = 0.01;
-    settings.seed = 3;
-    auto set = std::make_shared<CaptureSet>(simulateShots(settings).value().set);
-    set->inputs = {{"example", "example", "0123", "simulated"}};
-    return set;
-}
-
-} // namespace
 
 /// What is computed when, and from what: the shock stage of the pipeline.
 class TestShockStage : public QObject
@@ -36,7 +20,7 @@ private:
     std::shared_ptr<const CaptureSet> m_set;
 
 private slots:
-    void initTestCase() { m_set = example(); }
+    void initTestCase() { m_set = testing::simulatedExample(2e7); }
 
     void anotherOrder_takesReadingsFromTheRecordsAsTheyAre()
     {

@@ -105,6 +105,7 @@ inline Recipe fullRecipe()
     r.realization.stableFrequency = 0.02;
     r.realization.stableDamping = 0.1;
     r.realization.candidates = {2, 3, 100};
+    r.realization.candidateNotes = {{3, "splits the second mode"}};
     r.realization.adoptedReason = "lowest order that fits";
     r.response = {.frequencies_Hz = {1e3, 1e5}, .grid = "list", .reference = "unit-step"};
     r.uncertainty = {.budget = {{"t1_k", 0.3, "rectangular", 12.0}},

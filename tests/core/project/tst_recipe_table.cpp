@@ -126,6 +126,7 @@ private slots:
             {"window.exclude_stretches", R"({"shot": 1, "from_s": 0, "to_s": 1, "reason": "x"})"},
             {"realization.nuisance_modes",
                 R"({"frequency_hz": 1, "shot": 0, "kind": "tube", "label": "", "reason": "x"})"},
+            {"realization.candidate_notes", R"({"order": 3, "note": "x"})"},
             {"uncertainty.budget",
                 R"({"quantity": "a", "u": 1, "distribution": "normal", "dof": null})"},
             {"acknowledge", R"({"finding": "a", "shot": 0, "reason": "x"})"},
@@ -147,7 +148,7 @@ private slots:
             QVERIFY2(accepted == (row.defaultText != "needed"), qPrintable(row.key));
             ++checked;
         }
-        QCOMPARE(checked, 30);
+        QCOMPARE(checked, 32);
     }
 
     void example_isARecipe()

@@ -144,6 +144,8 @@ private slots:
                 {testing::makeSeries(1, y, kRate_Hz, source.series(20000, 0.01))});
             const auto hankel = decomposeHankel(input, {});
             below += hankel->singularValues[0] < hankel->noiseFloor_p95;
+            QVERIFY(hankel->noiseFloor_median > 0.0);
+            QVERIFY(hankel->noiseFloor_median < hankel->noiseFloor_p95);
         }
         qInfo("%d of 40 below the floor", below);
         QVERIFY(

@@ -69,6 +69,22 @@ class TestPoleRefinement : public QObject
     Q_OBJECT
 
 private slots:
+    void polesThatTheRecordCannotTellApart_noResult()
+    {
+        // Singular normal equations: variances from them would be anything, zero too.
+        for (const double noise : {0.0, 0.01}) {
+            for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+                const auto record = recordOf(pairSum(kPair, kAmplitude, 1.0), 200, noise, seed);
+                std::vector<std::complex<double>> twice = pairOf(kPair);
+                twice.insert(twice.end(), {kPair, std::conj(kPair)});
+                const auto fit = refinePoles({record}, twice, true);
+                for (Index i = 0; fit && i < 4; ++i)
+                    QVERIFY(fit->covariance(i, i) > 0.0);
+                QVERIFY(!fit || (fit->rates_rad_s[0] != fit->rates_rad_s[2]));
+            }
+        }
+    }
+
     void wrongStart_convergesToTheTruth()
     {
         const auto record = recordOf(pairSum(kPair, kAmplitude, 1.0), 800);

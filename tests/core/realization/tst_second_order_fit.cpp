@@ -48,6 +48,72 @@ ModelInput twoShots(double f0_Hz, double zeta, double noise = 0.0, std::uint64_t
     return testing::makeInput(ResponseTreatment::StepDeflated, kRate_Hz, std::move(series));
 }
 
+/// What the tube adds to the pressure of shot 1 or 2, over its step: 1 + Re(a e^(r t)).
+struct TubeMode
+{
+    std::complex<double> rate_rad_s;
+    std::complex<double> pressure;
+};
+
+TubeMode modeOfShot(Index shot)
+{
+    const double f_Hz = 6.8e3 + 400.0 * static_cast<double>(shot - 1);
+    const double w = 2.0 * std::numbers::pi * f_Hz;
+    return {{-0.02 * w, w}, std::polar(0.04, shot == 1 ? 0.4 : -2.0)};
+}
+
+/// Sensor's answer to the step with the mode, by integrating its differential equation (RK4) from
+/// the onset on; `first` samples after it the record begins.
+Eigen::VectorXd answerToTube(double f0_Hz, double zeta, double first, Index count, TubeMode mode)
+{
+    constexpr int kStepsPerSample = 100; // (w0 h)^4 is 1e-10
+    const double w = 2.0 * std::numbers::pi * f0_Hz;
+    using State = Eigen::Vector2d; // y, y'/w
+    const auto slope = [&](double t_s, const State &x) {
+        const double u = 1.0 + (mode.pressure * std::exp(mode.rate_rad_s * t_s)).real();
+        return State(w * x[1], w * (u - x[0] - 2.0 * zeta * x[1]));
+    };
+    State x = State::Zero();
+    double t_s = 0.0;
+    const auto advance = [&](double until_s) {
+        const double h = (until_s - t_s) / kStepsPerSample;
+        for (int i = 0; i < kStepsPerSample; ++i) {
+            const State k1 = slope(t_s, x);
+            const State k2 = slope(t_s + 0.5 * h, x + 0.5 * h * k1);
+            const State k3 = slope(t_s + 0.5 * h, x + 0.5 * h * k2);
+            const State k4 = slope(t_s + h, x + h * k3);
+            x += h / 6.0 * (k1 + 2.0 * k2 + 2.0 * k3 + k4);
+            t_s += h;
+        }
+    };
+    Eigen::VectorXd y(count);
+    for (Index k = 0; k < count; ++k) {
+        advance((first + static_cast<double>(k)) / kRate_Hz);
+        y[k] = x[0];
+    }
+    return y;
+}
+
+/// As twoShots(), each with its mode of the tube; the terms as a fit of the free model has them.
+ModelInput twoShotsInTube(double f0_Hz, double zeta, double noise, std::uint64_t seed)
+{
+    ModelInput input = twoShots(f0_Hz, zeta, noise, seed);
+    for (ModelSeries &series : input.series) {
+        const double shot = static_cast<double>(series.shot);
+        const TubeMode mode = modeOfShot(series.shot);
+        const Eigen::VectorXd clean
+            = answerToTube(f0_Hz, zeta, 0.3 * shot, 400, {mode.rate_rad_s, 0.0});
+        const Eigen::VectorXd whole = answerToTube(f0_Hz, zeta, 0.3 * shot, 400, mode);
+        series.y += 0.4 * shot * (whole - clean);
+        series.fullRate = series.y;
+        const std::complex<double> s = mode.rate_rad_s / (2.0 * std::numbers::pi * f0_Hz);
+        const std::complex<double> gain = 1.0 / (s * s + 2.0 * zeta * s + 1.0);
+        series.nuisance = {{0, true, mode.rate_rad_s * 1.01,
+            0.4 * shot * mode.pressure * gain * std::polar(0.95, 0.05)}};
+    }
+    return input;
+}
+
 std::optional<SecondOrderModel> fitted(const ModelInput &input, double f0_Hz, double zeta)
 {
     return fitSecondOrder(
@@ -85,6 +151,84 @@ private slots:
             QVERIFY(fit->shots[r].fit_percent > 99.999);
         }
         QVERIFY(fit->describes);
+    }
+
+    void sensorInTheTube_isFound_data() { noiseFreeSteps_giveTheirSensor_data(); }
+    /// The step sets off a mode of 4 %: the ringing answers to it too.
+    void sensorInTheTube_isFound()
+    {
+        QFETCH(double, zeta);
+        const double f0_Hz = 50e3;
+        const auto fit = fitted(twoShotsInTube(f0_Hz, zeta, 0.0, 1), 1.02 * f0_Hz, 1.1 * zeta);
+        QVERIFY(fit.has_value());
+        QVERIFY2(std::abs(fit->f0_Hz / f0_Hz - 1.0) < kExact,
+            qPrintable(QString::number(fit->f0_Hz, 'g', 12)));
+        QVERIFY2(std::abs(fit->zeta / zeta - 1.0) < kExact,
+            qPrintable(QString::number(fit->zeta, 'g', 12)));
+        for (std::size_t r = 0; r < 2; ++r) {
+            const double shot = static_cast<double>(r + 1);
+            QVERIFY(std::abs(fit->shots[r].plateauGain / (0.4 * shot) - 1.0) < kExact);
+            QVERIFY(std::abs(fit->shots[r].onset_s + 0.3e-6 * shot) < 1e-12);
+            QVERIFY(fit->shots[r].fit_percent > 99.999);
+        }
+    }
+
+    void sensorInTheTube_uncertaintiesMatchTheScatter_data()
+    {
+        QTest::addColumn<double>("zeta");
+        QTest::addColumn<double>("ar1");
+        QTest::newRow("zeta 0.05") << 0.05 << 0.0;
+        QTest::newRow("zeta 0.3") << 0.3 << 0.0;
+        QTest::newRow("zeta 0.05, AR(0.9)") << 0.05 << 0.9;
+    }
+    void sensorInTheTube_uncertaintiesMatchTheScatter()
+    {
+        QFETCH(double, zeta);
+        QFETCH(double, ar1);
+        constexpr int kTrials = 100; // as above
+        double squares[4] = {};
+        ModelInput clean = twoShotsInTube(60e3, zeta, 0.0, 1);
+        for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
+            ModelInput input = clean;
+            for (ModelSeries &series : input.series) {
+                RandomStream random(trial, series.shot, 3);
+                const Eigen::VectorXd noise = testing::simulatedNoise(
+                    random, 3400, 0.008 * static_cast<double>(series.shot), ar1);
+                const auto terms = series.nuisance;
+                series = testing::makeSeries(
+                    series.shot, series.y + noise.tail(400), kRate_Hz, noise.head(3000));
+                series.nuisance = terms;
+            }
+            const auto fit = fitted(input, 60e3, zeta);
+            QVERIFY(fit.has_value());
+            const SecondOrderShot &shot = fit->shots[0];
+            squares[0] += std::pow((fit->f0_Hz - 60e3) / fit->u_f0_Hz, 2) / kTrials;
+            squares[1] += std::pow((fit->zeta - zeta) / fit->u_zeta, 2) / kTrials;
+            squares[2] += std::pow((shot.plateauGain - 0.4) / shot.u_plateauGain, 2) / kTrials;
+            squares[3] += std::pow((shot.onset_s + 0.3e-6) / shot.u_onset_s, 2) / kTrials;
+        }
+        qInfo("mean square of error over u: f0 %.2f, zeta %.2f, plateau %.2f, onset %.2f",
+            squares[0], squares[1], squares[2], squares[3]);
+        for (const double square : squares)
+            QVERIFY(square > 0.3 && square < 1.7);
+    }
+
+    void modeThatWasThereBefore_changesNoRinging()
+    {
+        // A vibration, say: in the record, but not in the pressure step.
+        ModelInput input = twoShots(50e3, 0.05);
+        for (ModelSeries &series : input.series) {
+            const NuisanceTerm term{0, false, modeOfShot(1).rate_rad_s, {0.02, 0.01}};
+            for (Index k = 0; k < series.y.size(); ++k)
+                series.y[k] += term.value(static_cast<double>(k) / kRate_Hz);
+            series.fullRate = series.y;
+            series.nuisance = {term};
+            series.nuisance.front().amplitude *= 0.9;
+        }
+        const auto fit = fitted(input, 51e3, 0.06);
+        QVERIFY(fit.has_value());
+        QVERIFY(std::abs(fit->f0_Hz / 50e3 - 1.0) < kExact);
+        QVERIFY(std::abs(fit->zeta / 0.05 - 1.0) < kExact);
     }
 
     void criticalDamping_isReachedFromBothSides()

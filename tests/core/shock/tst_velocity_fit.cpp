@@ -65,6 +65,9 @@ private slots:
     void refitted_sameInputs_sameVelocity();
     void counters_realShot_endWallVelocity();
     void counters_constantOrFew();
+    void sensorsAtOnePlace_areNoThirdPlace_data();
+    void sensorsAtOnePlace_areNoThirdPlace();
+    void countersOverOneStretch_areNoSecondPlace();
     void nonsense_refused();
 };
 
@@ -188,6 +191,44 @@ void TestVelocityFit::counters_constantOrFew()
     const auto one = fitCounters({realCounters().front()}, Attenuation::Linear);
     QVERIFY(std::abs(one->velocity_m_s - 1155.82) < 0.01);
     QVERIFY(!one->scatterEstimated);
+}
+
+void TestVelocityFit::sensorsAtOnePlace_areNoThirdPlace_data()
+{
+    QTest::addColumn<double>("disagreement_s");
+    QTest::addColumn<bool>("asked");
+    QTest::newRow("as it should be") << 1e-8 << false;
+    QTest::newRow("one is wrong") << 2e-6 << false;
+    QTest::newRow("agree, attenuation asked for") << 1e-8 << true;
+    QTest::newRow("one is wrong, attenuation asked for") << 2e-6 << true;
+}
+
+void TestVelocityFit::sensorsAtOnePlace_areNoThirdPlace()
+{
+    // Two sensors face each other at 0.6 m: a change of the velocity cannot be seen, whatever they
+    // say. Their mean and the wall make the line.
+    QFETCH(double, disagreement_s);
+    QFETCH(bool, asked);
+    for (const double u_distance_m : {1e-4, 0.0}) {
+        auto seen = arrivals({0.6, 0.6, 0.0}, 512.8, 0.0, u_distance_m);
+        seen[0].time_s += disagreement_s;
+        seen[1].time_s -= disagreement_s;
+        const auto fit = fitVelocity(seen, asked ? Attenuation::Linear : Attenuation::Automatic);
+        QVERIFY(fit.has_value());
+        QVERIFY(!fit->attenuated);
+        QVERIFY(!fit->gradient_per_s && !fit->u_gradient_per_s);
+        QVERIFY(std::abs(fit->velocity_m_s / 512.8 - 1.0) < 1e-10);
+    }
+}
+
+void TestVelocityFit::countersOverOneStretch_areNoSecondPlace()
+{
+    for (const Attenuation attenuation : {Attenuation::Automatic, Attenuation::Linear}) {
+        const auto fit = fitCounters(
+            {{1.0, 0.5, 1e-3, 1e-4, 1e-7}, {1.0, 0.5, 1.01e-3, 1e-4, 1e-7}}, attenuation);
+        QVERIFY(!fit->attenuated && !fit->gradient_per_s);
+        QVERIFY(fit->velocity_m_s > 0.5 / 1.01e-3 && fit->velocity_m_s < 500.0);
+    }
 }
 
 void TestVelocityFit::nonsense_refused()

@@ -16,6 +16,7 @@
 #include <QtTest>
 
 #include <cmath>
+#include <complex>
 #include <ctime>
 #include <limits>
 
@@ -153,6 +154,8 @@ private slots:
     void keyboard_fitAndBack_changeView();
     void click_nearPoint_picksIt();
     void click_legend_hidesCurve();
+    void level_withABand_isFilled();
+    void dampingGrid_isDrawn_andToggledByG();
     void cursors_twoPlaced_showDifference();
     void logAxis_zeroAndNegative_areDropped();
     void nanGap_inCurve_isNoTrouble();
@@ -437,6 +440,66 @@ void TestPlotWidget::click_nearPoint_picksIt()
     QCOMPARE(spy.last().at(1).toDouble(), 10.0);
     QTest::mouseClick(&plot, Qt::LeftButton, {}, plot.pixelOf(6.5, 90.0));
     QCOMPARE(spy.count(), 1);
+}
+
+void TestPlotWidget::level_withABand_isFilled()
+{
+    PlotContent content = singularValues();
+    PlotWidget plot;
+    plot.setContent(content);
+    show(plot);
+    const QPoint inBand = plot.pixelOf(6.5, 55.0);
+    const QRgb empty = plot.grab().toImage().pixel(inBand);
+    content.levels.push_back({90.0, QString(), CurveRole::Noise, 40.0});
+    plot.setContent(content);
+    QTest::qWait(50);
+    QVERIFY(plot.grab().toImage().pixel(inBand) != empty);
+    content.levels.back().from.reset();
+    plot.setContent(content);
+    QTest::qWait(50);
+    QCOMPARE(plot.grab().toImage().pixel(inBand), empty);
+}
+
+void TestPlotWidget::dampingGrid_isDrawn_andToggledByG()
+{
+    PlotContent content;
+    content.equalAspect = content.unitCircle = true;
+    content.xAxis.quantity = "Re";
+    content.yAxis.quantity = "Im";
+    content.curves.push_back(
+        {"Poles", CurveRole::Pole, CurveStyle::Markers, {0.1, 0.1}, {0.9, -0.9}, true});
+    content.xMin = content.yMin = -1.1;
+    content.xMax = content.yMax = 1.1;
+    content.dampingGridRate_Hz = 10e6;
+    PlotWidget plot;
+    plot.setContent(content);
+    show(plot);
+    const QRgb background = qRgb(255, 255, 255);
+    // Where a spiral and an arc meet: w0 T = pi / 5, zeta = 0.5.
+    const std::complex<double> z
+        = std::exp(M_PI / 5.0 * std::complex<double>(-0.5, std::sqrt(0.75)));
+    const auto inkNear = [&](std::complex<double> at) {
+        const QImage image = plot.grab().toImage();
+        int ink = 0;
+        for (int dx = -2; dx <= 2; ++dx)
+            for (int dy = -2; dy <= 2; ++dy)
+                ink += image.pixel(plot.pixelOf(at.real(), at.imag()) + QPoint(dx, dy))
+                    != background;
+        return ink;
+    };
+    const Interval before = plot.xRange();
+    QVERIFY(inkNear(z) > 0);
+    QVERIFY(inkNear(std::conj(z)) > 0);
+    QTest::keyClick(&plot, Qt::Key_G);
+    QApplication::processEvents();
+    QCOMPARE(inkNear(z), 0);
+    plot.setContent(content); // a new result does not bring it back
+    QApplication::processEvents();
+    QCOMPARE(inkNear(z), 0);
+    QTest::keyClick(&plot, Qt::Key_G);
+    QApplication::processEvents();
+    QVERIFY(inkNear(z) > 0);
+    QCOMPARE(plot.xRange(), before); // it is no data to be fitted
 }
 
 void TestPlotWidget::click_legend_hidesCurve()

@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/capture/capture_seal.h"
+#include "core/capture/format_registry.h"
 #include "ui/session/capture_edit.h"
+#include "ui/session/capture_reading.h"
 #include "ui/session/example.h"
 #include "ui/session/project_file.h"
 
@@ -49,6 +52,7 @@ private slots:
     void recipe_everyNumber_survives();
     void recordings_areNamedRelativeToTheProject();
     void changedRecording_isReportedAndBlocks();
+    void recordingInAFile_isOpenedUnsealedAndHeldAgainstItsHash();
     void missingRecordings_areAllNamed();
     void otherFiles_areRefusedByName_data();
     void otherFiles_areRefusedByName();
@@ -149,6 +153,38 @@ void TestProjectFile::changedRecording_isReportedAndBlocks()
     QVERIFY(!findings.empty());
     QCOMPARE(findings.back().id, std::string("CAP-015"));
     QCOMPARE(findings.back().severity, Severity::Block);
+}
+
+void TestProjectFile::recordingInAFile_isOpenedUnsealedAndHeldAgainstItsHash()
+{
+    const QString recording = m_folder.filePath("own.csv");
+    writeBytes(recording, "time (s),p (bar)\n0,1\n1e-6,2\n2e-6,3\n");
+    ProjectState state;
+    const Result<CaptureSet> read = readCaptures({recording.toStdString()}, {});
+    QVERIFY(read);
+    state.captures = std::make_shared<const CaptureSet>(*read);
+    const QString path = m_folder.filePath("own.dyncal");
+    QVERIFY(saveProject(path, state));
+
+    const auto sealedAgain = [&] {
+        const Result<ProjectState> opened = openProject(path);
+        if (!opened || !opened->captures->inputs[0].sha256.empty())
+            return CaptureSet();
+        // Reading it anew, as under other import settings, does not forget what is expected.
+        const Result<CapturesRead> again = readAgain(*opened->captures, {}, {});
+        const Result<CaptureSet> sealed = sealCaptures(again->set);
+        return sealed ? *sealed : CaptureSet();
+    };
+    const CaptureSet same = sealedAgain();
+    QCOMPARE(same.shots.size(), std::size_t(1));
+    QCOMPARE(same.inputs[0].sha256, read->inputs[0].sha256);
+    QVERIFY(same.findings == read->findings);
+
+    writeBytes(recording, "time (s),p (bar)\n0,1\n1e-6,2\n2e-6,4\n");
+    const CaptureSet changed = sealedAgain();
+    QCOMPARE(changed.shots.size(), std::size_t(1));
+    QCOMPARE(changed.findings.back().id, std::string("CAP-015"));
+    QCOMPARE(changed.findings.back().severity, Severity::Block);
 }
 
 void TestProjectFile::missingRecordings_areAllNamed()

@@ -35,6 +35,7 @@ private slots:
     void table_copied_isTabSeparated();
     void shown_quantities_data();
     void shown_quantities();
+    void shown_besideAnother_hasItsPrefix();
 };
 
 void TestInspectorEdits::quantity_typed_isSi_data()
@@ -228,6 +229,16 @@ void TestInspectorEdits::shown_quantities()
     QLocale::setDefault(QLocale(QLocale::Swedish));
     QCOMPARE(shownQuantity(value, unit), shown);
     QLocale::setDefault(QLocale::c());
+}
+
+void TestInspectorEdits::shown_besideAnother_hasItsPrefix()
+{
+    QCOMPARE(shownQuantityBeside(720.0, 169.68e3, "Pa", 2), QString("0.72 kPa"));
+    QCOMPARE(shownQuantityBeside(1.3e3, 434.36e3, "Pa", 2), QString("1.3 kPa"));
+    QCOMPARE(shownQuantityBeside(0.141, 431.2, "m/s", 3), QString("0.141 m/s"));
+    QCOMPARE(shownQuantityBeside(2e-4, -0.8, "m", 2), QString("0.2 mm"));
+    QCOMPARE(shownQuantityBeside(3.9e-7, 0.0, "s", 2), QString("390 ns")); // nothing to go by
+    QCOMPARE(shownQuantityBeside(0.0008, 1.25, "", 2), QString("0.0008"));
 }
 
 QTEST_MAIN(TestInspectorEdits)

@@ -53,6 +53,9 @@ private slots:
     void space_pinsAndUnpins();
     void pin_atMostEight();
     void propose_cards_haveTheModels();
+    void note_typedOnACard_isKeptAndShown();
+    void note_enter_adoptsNothing();
+    void note_goesWithItsCard_andUndoBringsItBack();
     void overlays_areFourAtMostInFourStyles();
     void table_sortsByValue_andShowsDifferences();
     void enter_adoptsWithTheProposedReason();
@@ -83,10 +86,19 @@ private:
     {
         Recipe recipe = m_session.recipe();
         recipe.realization.candidates = std::move(orders);
+        recipe.realization.candidateNotes.clear();
         m_session.apply(recipe, "pin");
         QTRY_VERIFY_WITH_TIMEOUT(!m_session.candidates().isComputing(), kPatience_ms);
     }
     void waitComputed() { QTRY_VERIFY_WITH_TIMEOUT(!m_session.isComputing(), kPatience_ms); }
+    CandidateCard *cardOf(Index order)
+    {
+        for (CandidateCard *card : m_page->findChildren<CandidateCard *>())
+            if (!card->isHidden() && card->order() == order)
+                return card;
+        qFatal("no card");
+    }
+    QLineEdit *remarkOf(Index order) { return find<QLineEdit>(*cardOf(order), "candidateRemark"); }
     std::size_t curvesOfRole(const QString &name, CurveRole role)
     {
         return static_cast<std::size_t>(
@@ -221,6 +233,59 @@ void TestOrderPage::propose_cards_haveTheModels()
     const double fit = m_session.candidates().find(other)->model->fit_percent;
     choose(other);
     QCOMPARE(m_session.results().model->fit_percent, fit); // to the last bit
+}
+
+void TestOrderPage::note_typedOnACard_isKeptAndShown()
+{
+    pin({2, 3});
+    QTest::qWait(20);
+    QLineEdit *note = remarkOf(2);
+    QTest::keyClicks(note, "rings at 2.3 MHz");
+    QTest::keyClick(note, Qt::Key_Return);
+    QCOMPARE(m_session.recipe().realization.candidateNotes,
+        (std::vector<OrderNote>{{2, "rings at 2.3 MHz"}}));
+    QCOMPARE(remarkOf(2)->text(), QString("rings at 2.3 MHz"));
+    QVERIFY(remarkOf(3)->text().isEmpty());
+    QVERIFY(control<QLabel>("adoption")->text().contains("rings at 2.3 MHz"));
+    control<QPushButton>("compareOrders")->setChecked(true);
+    auto *table = find<CandidateTable>(*m_page, "candidateTable");
+    bool found = false;
+    for (int row = 0; row < table->rowCount(); ++row)
+        found = found || table->item(row, table->columnCount() - 1)->text().contains("rings");
+    QVERIFY(found);
+    control<QPushButton>("compareOrders")->setChecked(false);
+    const Result<Recipe> again = parseRecipe(recipeJson(m_session.recipe()));
+    QVERIFY(again);
+    QCOMPARE(again->realization.candidateNotes, m_session.recipe().realization.candidateNotes);
+    QVERIFY(!m_session.isComputing()); // no number depends on it
+}
+
+void TestOrderPage::note_enter_adoptsNothing()
+{
+    pin({2});
+    QTest::qWait(20);
+    QLineEdit *note = remarkOf(2);
+    note->setFocus();
+    QTest::keyClicks(note, "x y");
+    QTest::keyClick(note, Qt::Key_Return);
+    QTest::keyClick(note, Qt::Key_PageUp);
+    QVERIFY(m_session.recipe().realization.adoptedReason.empty());
+    QCOMPARE(*m_session.recipe().realization.order.value, Index(2));
+    QCOMPARE(m_session.recipe().realization.candidates, std::vector<Index>{2});
+}
+
+void TestOrderPage::note_goesWithItsCard_andUndoBringsItBack()
+{
+    pin({2, 3});
+    QTest::qWait(20);
+    QTest::keyClicks(remarkOf(3), "odd");
+    QTest::keyClick(remarkOf(3), Qt::Key_Return);
+    cardOf(3)->findChild<QToolButton *>("candidateUnpin")->click();
+    QVERIFY(m_session.recipe().realization.candidateNotes.empty());
+    m_session.undoStack().undo();
+    QTest::qWait(20);
+    QCOMPARE(remarkOf(3)->text(), QString("odd"));
+    QVERIFY(remarkOf(2)->text().isEmpty());
 }
 
 void TestOrderPage::overlays_areFourAtMostInFourStyles()

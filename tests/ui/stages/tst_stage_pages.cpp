@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "tests/ui/support/sample_results.h"
+#include "tests/ui/support/page_bench.h"
 #include "ui/stages/certificate_page.h"
 #include "ui/stages/components_page.h"
 #include "ui/stages/model_input_page.h"
@@ -13,68 +13,13 @@
 #include "ui/stages/window_page.h"
 
 #include <QCheckBox>
-#include <QComboBox>
-#include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QtTest>
 
 using namespace dyncal;
-
-namespace {
-
-void openSample(Session &session)
-{
-    session.reset({std::make_shared<const CaptureSet>(test::sampleCaptures()), {}});
-    QTRY_VERIFY(!session.isComputing());
-}
-
-/// One page over formula results, its inspector beside it.
-template <typename Page>
-struct PageBench
-{
-    Session session;
-    Page page;
-    std::unique_ptr<InspectorForm> inspector;
-
-    PageBench()
-        : session(Session::Pipeline(test::samplePipeline))
-        , page(session)
-        , inspector(page.inspector())
-    {
-        openSample(session);
-        page.show();
-        inspector->show();
-    }
-
-    template <typename T>
-    T *control(const QString &name)
-    {
-        T *found = page.inspector()->template findChild<T *>(name);
-        if (!found)
-            found = page.template findChild<T *>(name);
-        if (!found)
-            qFatal("no %s", qPrintable(name));
-        return found;
-    }
-    void choose(const QString &name, int choice)
-    {
-        auto *box = control<QComboBox>(name);
-        box->setCurrentIndex(choice);
-        emit box->activated(choice);
-    }
-    void type(const QString &name, const QString &text)
-    {
-        auto *edit = control<QLineEdit>(name);
-        edit->selectAll();
-        QTest::keyClicks(edit, text);
-        QTest::keyClick(edit, Qt::Key_Return);
-    }
-    const Recipe &recipe() const { return session.recipe(); }
-};
-
-} // namespace
+using test::PageBench;
 
 class TestStagePages : public QObject
 {

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/index.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <vector>
+
+namespace dyncal {
+
+/// One record of the second-order sensor K w0^2/(s^2 + 2 zeta w0 s + w0^2): its answer to a step at
+/// `onset` and to the modes of the tube, as the sum of exponentials it is (docs/method/model.md).
+/// Times in units of the caller's choice.
+class SecondOrderStep
+{
+public:
+    /// Re(amplitude e^(rate t)) in the record.
+    struct Mode
+    {
+        std::complex<double> rate;
+        std::complex<double> amplitude;
+        bool startsWithStep = true; ///< it is part of the pressure from the onset on
+    };
+
+    double logOmega = 0.0;
+    double logZeta = 0.0;
+    double plateau = 0.0; ///< K
+    double onset = 0.0;
+    std::vector<Mode> modes;
+
+    /// logOmega, logZeta, plateau, onset, then Re, Im of rate and of amplitude of each mode.
+    Index parameters() const { return 4 + 4 * std::ssize(modes); }
+    void setParameters(const Eigen::VectorXd &values);
+    Eigen::VectorXd parameterValues() const;
+
+    /// zeta, kept 1e-4 away from 1, where the two poles meet.
+    double zeta() const;
+
+    /// Whether the two poles are a pair.
+    bool rings() const { return zeta() < 1.0; }
+
+    /// Re s, Im s (or two real rates); Re, Im of each mode's rate; Re g, Im g of Re(g e^(s t)) (or
+    /// two real gains); Re, Im of each mode's amplitude; K.
+    Eigen::VectorXd exponentials() const;
+
+    /// d exponentials / d parameters, by central differences: smooth, small and the same for both
+    /// branches.
+    Eigen::MatrixXd derivatives() const;
+
+private:
+    /// What the modes make of the part e^(s t) of the answer to the step alone.
+    std::complex<double> factorOfModes(std::complex<double> s) const;
+};
+
+} // namespace dyncal

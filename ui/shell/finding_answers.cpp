@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/shell/finding_answers.h"
+
+#include "core/project/recipe_mend.h"
+#include "ui/shell/main_window.h"
+#include "ui/text/core_text.h"
+
+namespace dyncal {
+
+void acknowledge(const Finding &finding, Session &session, Prompts &prompts, QWidget *parent)
+{
+    const QString id = QString::fromStdString(finding.id);
+    const std::optional<QString> reason = prompts.sentence(parent,
+        MainWindow::tr("Reason for %1").arg(id),
+        MainWindow::tr("Why is the result used all the same? The certificate prints the reason."));
+    if (!reason)
+        return;
+    Recipe next = session.recipe();
+    std::erase_if(next.acknowledge, [&](const Acknowledgement &entry) {
+        return entry.finding == finding.id && entry.shot == finding.shot;
+    });
+    next.acknowledge.push_back({finding.id, finding.shot, reason->toStdString()});
+    session.apply(next, MainWindow::tr("Give a reason for %1").arg(id));
+}
+
+void applyMend(const Remedy &mend, Session &session, CaptureImport &captures, Prompts &prompts,
+    QWidget *parent)
+{
+    if (!mend.importPath.isEmpty()) {
+        captures.edit(mend.importPath);
+        return;
+    }
+    if (mend.ofFinding) {
+        if (const Result<Recipe> next = mendedRecipe(session.recipe(), *mend.ofFinding))
+            session.apply(*next, mend.step);
+        else
+            prompts.showProblem(parent, translated(next.error().message));
+        return;
+    }
+    std::optional<QString> reason = QString();
+    if (!mend.question.isEmpty())
+        reason = prompts.sentence(parent, mend.step, mend.question);
+    if (!reason)
+        return;
+    Recipe next = session.recipe();
+    mend.apply(next.import, reason->toStdString());
+    session.apply(next, mend.step);
+}
+
+} // namespace dyncal

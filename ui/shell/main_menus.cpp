@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/shell/main_menus.h"
+
+#include "ui/shell/help_dialogs.h"
+#include "ui/shell/main_window.h"
+#include "ui/stages/stage_page.h"
+
+#include <QAction>
+#include <QDockWidget>
+#include <QMenuBar>
+
+namespace dyncal {
+
+MainMenus::MainMenus(Parts parts, QObject *parent)
+    : QObject(parent)
+    , m_parts(std::move(parts))
+{
+}
+
+QAction *MainMenus::addAction(QMenu *menu, const QString &name, const QString &text,
+    const QKeySequence &keys, const std::function<void()> &what)
+{
+    QAction *action = menu->addAction(text);
+    action->setObjectName(name);
+    action->setShortcut(keys);
+    connect(action, &QAction::triggered, this, [what] { what(); });
+    return action;
+}
+
+void MainMenus::build()
+{
+    m_parts.window.menuBar()->clear();
+    addFileMenu();
+    QMenu *edit = m_parts.window.menuBar()->addMenu(MainWindow::tr("&Edit"));
+    QAction *undo = m_parts.session.undoStack().createUndoAction(edit, MainWindow::tr("&Undo"));
+    undo->setShortcut(QKeySequence::Undo);
+    undo->setObjectName("undoAction");
+    QAction *redo = m_parts.session.undoStack().createRedoAction(edit, MainWindow::tr("&Redo"));
+    redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
+    redo->setObjectName("redoAction");
+    edit->addAction(undo);
+    edit->addAction(redo);
+    addViewMenu();
+    addStageMenu();
+    addLanguageMenu();
+    addHelpMenu();
+}
+
+void MainMenus::addFileMenu()
+{
+    QMenu *menu = m_parts.window.menuBar()->addMenu(MainWindow::tr("&File"));
+    FileActions *files = &m_parts.files;
+    addAction(menu, "openCapturesAction", MainWindow::tr("Open &captures..."),
+        QKeySequence("Ctrl+Shift+O"), [=] { files->openCaptures(); });
+    addAction(menu, "openExampleAction", MainWindow::tr("Open &example"), {},
+        [=] { files->openExample(); });
+    addAction(menu, "openProjectAction", MainWindow::tr("&Open project..."), QKeySequence::Open,
+        [=] { files->openProject(); });
+    m_recent = menu->addMenu(MainWindow::tr("&Recent"));
+    connect(m_recent, &QMenu::aboutToShow, this, &MainMenus::fillRecent);
+    menu->addSeparator();
+    addAction(
+        menu, "saveAction", MainWindow::tr("&Save"), QKeySequence::Save, [=] { files->save(); });
+    addAction(menu, "saveAsAction", MainWindow::tr("Save &as..."), QKeySequence("Ctrl+Shift+S"),
+        [=] { files->saveAs(); });
+    menu->addSeparator();
+    addAction(menu, "exportResultsAction", MainWindow::tr("Export &results..."),
+        QKeySequence("Ctrl+E"), [=] { files->exportResults(); });
+    addAction(menu, "exportModelAction", MainWindow::tr("Export &model..."),
+        QKeySequence("Ctrl+Shift+E"), [=] { files->exportModel(); });
+    addAction(menu, "exportCertificateAction", MainWindow::tr("Export cer&tificate..."),
+        QKeySequence("Ctrl+P"), [=] { files->exportCertificate(); });
+    menu->addSeparator();
+    addAction(menu, "quitAction", MainWindow::tr("&Quit"), QKeySequence::Quit,
+        [this] { m_parts.window.close(); });
+}
+
+void MainMenus::fillRecent()
+{
+    m_recent->clear();
+    const QStringList recent = m_parts.preferences.recentFiles();
+    for (const QString &path : recent)
+        addAction(m_recent, {}, path, {}, [this, path] {
+            if (m_parts.files.mayDiscard())
+                m_parts.files.openProjectFile(path);
+        });
+    if (recent.isEmpty())
+        m_recent->addAction(MainWindow::tr("Nothing yet"))->setEnabled(false);
+}
+
+void MainMenus::addViewMenu()
+{
+    QMenu *menu = m_parts.window.menuBar()->addMenu(MainWindow::tr("&View"));
+    for (const auto &[dock, key] : m_parts.docks) {
+        QAction *action = dock->toggleViewAction();
+        action->setShortcut(QKeySequence(key));
+        menu->addAction(action);
+    }
+    menu->addSeparator();
+    addAction(menu, "resetLayoutAction", MainWindow::tr("&Reset layout"), {},
+        [this] { m_parts.window.resetLayout(); });
+}
+
+void MainMenus::addStageMenu()
+{
+    QMenu *menu = m_parts.window.menuBar()->addMenu(MainWindow::tr("&Stage"));
+    for (int row = 0; row < static_cast<int>(m_parts.window.pages().size()); ++row)
+        addAction(menu, QString("stageAction%1").arg(row + 1),
+            m_parts.window.pages()[static_cast<std::size_t>(row)]->text().title,
+            QKeySequence(QString("Alt+%1").arg(row + 1)),
+            [this, row] { m_parts.window.showPage(row); });
+    menu->addSeparator();
+    addAction(menu, "recomputeAction", MainWindow::tr("Compute &again"), QKeySequence("F9"),
+        [this] { m_parts.session.recompute(); });
+}
+
+void MainMenus::addLanguageMenu()
+{
+    QMenu *menu = m_parts.window.menuBar()->addMenu(MainWindow::tr("&Language"));
+    // Languages are named in themselves, so that anyone finds the own one.
+    const std::pair<QString, QString> languages[]
+        = {{"en", QStringLiteral("English")}, {"sv", QStringLiteral("Svenska")}};
+    for (const auto &[code, name] : languages) {
+        QAction *action = addAction(menu, "languageAction_" + code, name, {}, [this, c = code] {
+            m_parts.preferences.setLanguage(c);
+            m_parts.language.install(c);
+        });
+        action->setCheckable(true);
+        action->setChecked(m_parts.language.code() == code);
+    }
+}
+
+void MainMenus::addHelpMenu()
+{
+    QMenu *menu = m_parts.window.menuBar()->addMenu(MainWindow::tr("&Help"));
+    addAction(menu, "shortcutsAction", MainWindow::tr("&Keyboard and mouse"),
+        QKeySequence::HelpContents, [this] { showShortcuts(&m_parts.window); });
+    addAction(menu, "aboutAction", MainWindow::tr("&About Dyncal"), {},
+        [this] { showAbout(&m_parts.window); });
+}
+
+} // namespace dyncal

@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/shock/shock_conditions.h"
+
+#include <optional>
+
+namespace dyncal {
+
+/// What is typed as the arrival of a sensor in a shot (from 1), on the record's own axis.
+std::optional<double> typedArrival_s(const ArrivalSensor &sensor, Index shot);
+
+/// What was used in a shot: typed, or found in the record.
+std::optional<double> usedArrival_s(const ShockConditions &shot, const ArrivalSensor &sensor);
+
+/// Types the arrival in one of `shots` shots, or (none) has it found; the others stay as they are.
+void typeArrival(
+    ArrivalSensor &sensor, Index shot, std::size_t shots, const std::optional<double> &arrival_s);
+
+} // namespace dyncal
