@@ -241,6 +241,7 @@ inline std::shared_ptr<const SensorModel> model(const ModelInput &input)
 {
     auto result = std::make_shared<SensorModel>();
     result->order = 2;
+    result->isAssessed = true;
     for (const bool upper : {true, false}) {
         Pole pole;
         pole.s_rad_s = upper ? pole_rad_s() : std::conj(pole_rad_s());

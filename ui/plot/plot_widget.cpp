@@ -39,7 +39,10 @@ PlotWidget::Private::Private(PlotWidget *widget)
     plot->setFocusPolicy(Qt::NoFocus);
     plot->setPlottingHints(QCP::phFastPolylines | QCP::phCacheLabels);
     rubberBand->hide();
-    QObject::connect(plot, &QCustomPlot::afterReplot, q, &PlotWidget::replotted);
+    QObject::connect(plot, &QCustomPlot::afterReplot, q, [this] {
+        isReplotQueued = false;
+        emit q->replotted();
+    });
     QObject::connect(plot->xAxis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), q,
         [this](const QCPRange &x) {
             emit q->xRangeChanged({x.lower, x.upper});
@@ -48,7 +51,16 @@ PlotWidget::Private::Private(PlotWidget *widget)
 
 void PlotWidget::Private::replot()
 {
+    isReplotQueued = true;
     plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotWidget::Private::replotDecorations()
+{
+    if (isReplotQueued)
+        return; // they come with it
+    scene.replotDecorations();
+    emit q->replotted();
 }
 
 void PlotWidget::Private::applyTheme()
@@ -123,12 +135,19 @@ PlotWidget::~PlotWidget() = default;
 void PlotWidget::setContent(const PlotContent &content)
 {
     const std::shared_ptr<const PlotContent> before = d->scene.sharedContent();
-    d->scene.setContent(std::make_shared<const PlotContent>(content));
-    d->fitContent(*before);
+    const auto now = std::make_shared<const PlotContent>(content);
+    const bool decorationsOnly = d->scene.moveDecorations(now);
+    if (!decorationsOnly) {
+        d->scene.setContent(now);
+        d->fitContent(*before);
+        d->cursors.refresh(d->scene);
+    }
     setAccessibleName(content.title);
     setAccessibleDescription(content.summary);
-    d->cursors.refresh(d->scene);
-    d->replot();
+    if (decorationsOnly)
+        d->replotDecorations();
+    else
+        d->replot();
     emit contentChanged();
 }
 

@@ -54,6 +54,7 @@ struct PlotWidget::Private
 
     // plot_widget.cpp
     void replot();
+    void replotDecorations();
     void applyTheme();
     void fitView();
     void fitContent(const PlotContent &before);
@@ -95,6 +96,7 @@ struct PlotWidget::Private
     PlotHandles handles;
     PlotCursors cursors;
     QRubberBand *rubberBand;
+    bool isReplotQueued = false;
     bool hasView = false; ///< a content with data has been fitted
     View fitted; ///< the view as it was last fitted to a content
     Drag drag;

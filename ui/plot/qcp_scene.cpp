@@ -105,6 +105,9 @@ PlotScene::PlotScene(QCustomPlot &plot)
         QObject::connect(axis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), &m_plot,
             [this, axis] { updateAxisLabel(axis); });
     }
+    m_plot.addLayer(QStringLiteral("decorations"), m_plot.layer(QStringLiteral("main")));
+    m_decorationLayer = m_plot.layer(QStringLiteral("decorations"));
+    m_decorationLayer->setMode(QCPLayer::lmBuffered);
     m_plot.xAxis2->setTicks(false);
     m_plot.xAxis2->setTickLabels(false);
     QObject::connect(&m_plot, &QCustomPlot::beforeReplot, &m_plot, [this] { prepare(); });
@@ -113,7 +116,7 @@ PlotScene::PlotScene(QCustomPlot &plot)
 
 void PlotScene::setContent(std::shared_ptr<const PlotContent> content)
 {
-    m_content = std::move(content);
+    m_content = m_drawnContent = std::move(content);
     makeAxis(m_plot.xAxis, m_content->xAxis);
     makeAxis(m_plot.yAxis, m_content->yAxis);
     m_plot.yAxis2->setTicks(m_content->yAxis2.has_value());

@@ -66,6 +66,12 @@ public:
 
     /// Replaces what is drawn; the ranges stay. The content is shared, never copied.
     void setContent(std::shared_ptr<const PlotContent> content);
+    /// Takes a content over that has as many marks and levels as the present one and differs
+    /// by these and its summary at most; only they are drawn again, by replotDecorations(). False,
+    /// with nothing done, where more differs.
+    bool moveDecorations(const std::shared_ptr<const PlotContent> &content);
+    /// At once, without the rest of the plot.
+    void replotDecorations() { m_decorationLayer->replot(); }
     const PlotContent &content() const { return *m_content; }
     const std::shared_ptr<const PlotContent> &sharedContent() const { return m_content; }
     /// With the points of the present view where there is a long record behind a curve.
@@ -94,7 +100,7 @@ public:
 private:
     struct Decoration
     {
-        QCPAbstractItem *line = nullptr;
+        QCPItemLine *line = nullptr;
         QCPItemText *label = nullptr;
         CurveRole role = CurveRole::Reference;
         std::optional<double> markX;
@@ -129,6 +135,8 @@ private:
     void makeDecorations();
     void makeMark(const PlotMark &mark);
     void makeLevel(const PlotLevel &level);
+    static void placeMark(Decoration &decoration, const PlotMark &mark);
+    static void placeLevel(Decoration &decoration, const PlotLevel &level);
     QCPItemRect *makeBand(const PlotLevel &level);
     void styleDecorations();
     void placeLabels();
@@ -137,6 +145,7 @@ private:
 
     QCustomPlot &m_plot;
     std::shared_ptr<const PlotContent> m_content;
+    std::shared_ptr<const PlotContent> m_drawnContent; ///< whose vectors the curves look into
     PlotTheme m_theme;
     int m_columnsPerPixel = 1;
     std::vector<DrawnCurve> m_curves;
@@ -146,6 +155,7 @@ private:
     QCPLayoutGrid *m_legendRow = nullptr; ///< keeps the legend at the left
     int m_legendWrap = 0;
     std::vector<Decoration> m_decorations;
+    QCPLayer *m_decorationLayer = nullptr; ///< with pixels of its own
     QCPItemEllipse *m_unitCircle = nullptr;
     DampingGrid *m_dampingGrid = nullptr;
     bool m_gridVisible = true;

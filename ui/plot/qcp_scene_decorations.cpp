@@ -6,6 +6,7 @@
 #include "ui/plot/qcp_damping_grid.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace dyncal {
 
@@ -13,6 +14,41 @@ namespace {
 
 constexpr int kLabelGap_px = 6;
 constexpr int kMarkRows = 4;
+
+bool isSame(const PlotAxis &a, const PlotAxis &b)
+{
+    return a.quantity == b.quantity && a.unit == b.unit && a.logarithmic == b.logarithmic
+        && a.integers == b.integers;
+}
+
+/// To the bit: a gap (NaN) is the same as a gap.
+bool isSame(const std::vector<double> &a, const std::vector<double> &b)
+{
+    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+}
+
+bool isSame(const PlotCurve &a, const PlotCurve &b)
+{
+    return a.name == b.name && a.role == b.role && a.style == b.style && a.inLegend == b.inLegend
+        && a.record == b.record && a.onSecondAxis == b.onSecondAxis && isSame(a.x, b.x)
+        && isSame(a.y, b.y);
+}
+
+bool isSameButDecorations(const PlotContent &a, const PlotContent &b)
+{
+    const bool sameSecond = a.yAxis2.has_value() == b.yAxis2.has_value()
+        && (!a.yAxis2 || isSame(*a.yAxis2, *b.yAxis2));
+    return a.title == b.title && isSame(a.xAxis, b.xAxis) && isSame(a.yAxis, b.yAxis) && sameSecond
+        && a.equalAspect == b.equalAspect && a.unitCircle == b.unitCircle && a.xMin == b.xMin
+        && a.xMax == b.xMax && a.yMin == b.yMin && a.yMax == b.yMax && a.growing == b.growing
+        && a.dampingGridRate_Hz == b.dampingGridRate_Hz && a.marks.size() == b.marks.size()
+        && std::equal(a.levels.begin(), a.levels.end(), b.levels.begin(), b.levels.end(),
+            [](const PlotLevel &x, const PlotLevel &y) { // bands lie behind the curves
+                return x.from == y.from && (!x.from || x.y == y.y);
+            })
+        && std::equal(a.curves.begin(), a.curves.end(), b.curves.begin(), b.curves.end(),
+            [](const PlotCurve &x, const PlotCurve &y) { return isSame(x, y); });
+}
 
 } // namespace
 
@@ -48,6 +84,31 @@ void PlotScene::makeDecorations()
         m_decorations.begin(), m_decorations.end(), [](const Decoration &a, const Decoration &b) {
             return a.markX.value_or(0.0) < b.markX.value_or(0.0);
         });
+    for (const Decoration &decoration : m_decorations) {
+        decoration.line->setLayer(m_decorationLayer);
+        decoration.label->setLayer(m_decorationLayer);
+    }
+}
+
+bool PlotScene::moveDecorations(const std::shared_ptr<const PlotContent> &content)
+{
+    if (!isSameButDecorations(*m_content, *content))
+        return false;
+    m_content = content;
+    // The items stay: one more or less would have the whole plot drawn again.
+    std::vector<PlotMark> marks = content->marks;
+    std::ranges::stable_sort(marks, {}, &PlotMark::x);
+    auto mark = marks.begin();
+    auto level = content->levels.begin();
+    for (Decoration &decoration : m_decorations) {
+        if (decoration.markX)
+            placeMark(decoration, *mark++);
+        else
+            placeLevel(decoration, *level++);
+    }
+    styleDecorations();
+    placeLabels();
+    return true;
 }
 
 void PlotScene::makeMark(const PlotMark &mark)
@@ -57,16 +118,23 @@ void PlotScene::makeMark(const PlotMark &mark)
         position->setTypeX(QCPItemPosition::ptPlotCoords);
         position->setTypeY(QCPItemPosition::ptAxisRectRatio);
     }
-    line->start->setCoords(mark.x, 0.0);
-    line->end->setCoords(mark.x, 1.0);
     auto *label = new QCPItemText(&m_plot);
     label->position->setTypeX(QCPItemPosition::ptPlotCoords);
     label->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
-    label->position->setCoords(mark.x, 0.0);
     label->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
     label->setPadding(QMargins(3, 1, 1, 0));
-    label->setText(mark.label);
-    m_decorations.push_back({line, label, mark.role, mark.x, 0.0, nullptr});
+    placeMark(
+        m_decorations.emplace_back(Decoration{line, label, mark.role, mark.x, 0.0, nullptr}), mark);
+}
+
+void PlotScene::placeMark(Decoration &decoration, const PlotMark &mark)
+{
+    decoration.line->start->setCoords(mark.x, 0.0);
+    decoration.line->end->setCoords(mark.x, 1.0);
+    decoration.label->position->setCoords(mark.x, 0.0);
+    decoration.label->setText(mark.label);
+    decoration.role = mark.role;
+    decoration.markX = mark.x;
 }
 
 void PlotScene::makeLevel(const PlotLevel &level)
@@ -76,16 +144,24 @@ void PlotScene::makeLevel(const PlotLevel &level)
         position->setTypeX(QCPItemPosition::ptAxisRectRatio);
         position->setTypeY(QCPItemPosition::ptPlotCoords);
     }
-    line->start->setCoords(0.0, level.y);
-    line->end->setCoords(1.0, level.y);
     auto *label = new QCPItemText(&m_plot);
     label->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
     label->position->setTypeY(QCPItemPosition::ptPlotCoords);
-    label->position->setCoords(1.0, level.y);
     label->setPositionAlignment(Qt::AlignRight | Qt::AlignBottom);
     label->setPadding(QMargins(1, 0, 3, 1));
-    label->setText(level.label);
-    m_decorations.push_back({line, label, level.role, std::nullopt, level.y, makeBand(level)});
+    placeLevel(m_decorations.emplace_back(
+                   Decoration{line, label, level.role, std::nullopt, level.y, makeBand(level)}),
+        level);
+}
+
+void PlotScene::placeLevel(Decoration &decoration, const PlotLevel &level)
+{
+    decoration.line->start->setCoords(0.0, level.y);
+    decoration.line->end->setCoords(1.0, level.y);
+    decoration.label->position->setCoords(1.0, level.y);
+    decoration.label->setText(level.label);
+    decoration.role = level.role;
+    decoration.levelY = level.y;
 }
 
 QCPItemRect *PlotScene::makeBand(const PlotLevel &level)
@@ -118,7 +194,7 @@ void PlotScene::styleDecorations()
     for (const Decoration &decoration : m_decorations) {
         const RoleStyle style = m_theme.style(decoration.role);
         const QPen pen(style.color, 1.0, style.dash == Qt::SolidLine ? Qt::DashLine : style.dash);
-        static_cast<QCPItemLine *>(decoration.line)->setPen(pen);
+        decoration.line->setPen(pen);
         decoration.line->setSelectable(false);
         decoration.label->setSelectable(false);
         decoration.label->setColor(m_theme.text);

@@ -22,7 +22,7 @@ namespace dyncal {
 ModelPage::ModelPage(Session &session)
     : StagePage(session,
         {"modelPage", tr("Model"), tr("Judge the model of the chosen order against the data.")},
-        {StageId::Model, StageId::Response})
+        {StageId::Model, StageId::Response, StageId::Assessment})
 {
     buildPlots();
     buildInspector();
@@ -193,11 +193,17 @@ void ModelPage::showTables()
     const auto show = [](ValueTable *target, const TextTable &table) {
         target->setValues(table.headers, table.rows);
     };
+    show(m_nuisance, nuisanceTable(model));
+    m_tabs->setTabVisible(m_tabs->indexOf(m_nuisance), model && !model->nuisance.empty());
+    // Until the assessment is there, what an earlier one said stands there greyed.
+    const bool isPending = model && !model->isAssessed;
+    m_trend->setEnabled(!isPending);
+    m_secondOrder->setEnabled(!isPending);
+    if (isPending)
+        return;
     show(m_trend, trendTable(model));
     show(m_secondOrder, secondOrderTable(model));
-    show(m_nuisance, nuisanceTable(model));
     m_tabs->setTabVisible(m_tabs->indexOf(m_secondOrder), model && model->secondOrder);
-    m_tabs->setTabVisible(m_tabs->indexOf(m_nuisance), model && !model->nuisance.empty());
 }
 
 void ModelPage::showReadouts()
@@ -217,7 +223,11 @@ void ModelPage::showReadouts()
     m_uncertainty->setText(model && !model->uncertaintyMethod.empty()
             ? QString::fromStdString(model->uncertaintyMethod)
             : "–");
-    m_shared->setText(model ? homogeneityText(*model) : QString());
+    const bool isPending = model && !model->isAssessed;
+    m_shared->setText(isPending ? tr("Uncertainties of the poles, comparison of the shots and "
+                                     "second-order sensor: not yet.")
+            : model             ? homogeneityText(*model)
+                                : QString());
     m_drawSecondOrder->setEnabled(model && model->secondOrder);
     m_second->setText(model && model->secondOrder
             ? tr("%1, ζ %2, FIT %3 %%4")
@@ -226,7 +236,8 @@ void ModelPage::showReadouts()
                       shownNumber(model->secondOrder->fit_percent, 3),
                       model->secondOrder->describes ? QString()
                                                     : tr(": does not describe the data"))
-            : "–");
+            : isPending ? tr("not yet")
+                        : "–");
 }
 
 void ModelPage::showCharacteristics()

@@ -132,6 +132,7 @@ class TestPlotWidget : public QObject
 
 private slots:
     void content_growing_isFittedUntilTheViewIsMoved();
+    void decorationsAlone_areMovedToWhereANewPlotHasThem();
     void noise_inEveryStyle_takesAboutTheSameTime();
     void longRecord_click_picksTheSpikesOwnSample();
     void longRecord_csv_isOfTheView();
@@ -812,6 +813,53 @@ void TestPlotWidget::content_growing_isFittedUntilTheViewIsMoved()
     plot.setContent(content);
     QCOMPARE(plot.xRange(), (Interval{0.5e-3, 0.6e-3}));
     QCOMPARE(plot.yRange(), y);
+}
+
+void TestPlotWidget::decorationsAlone_areMovedToWhereANewPlotHasThem()
+{
+    PlotContent content = timeContent();
+    content.curves.front().y[100] = kNan; // a gap equals itself
+    content.yMin = 0.0;
+    content.yMax = 2.0;
+    content.levels = {{0.5, "order 2", CurveRole::Model}};
+    content.marks = {{2e-4, "A", CurveRole::Reference}, {2.1e-4, "B", CurveRole::Reference}};
+    PlotWidget plot;
+    plot.setFocusPolicy(Qt::NoFocus); // its ring is not compared
+    plot.setContent(content);
+    show(plot);
+    QSignalSpy replotted(&plot, &PlotWidget::replotted);
+    QSignalSpy changed(&plot, &PlotWidget::contentChanged);
+    content.levels = {{1.5, "order 3", CurveRole::Candidate1}};
+    content.marks.front().x = 8e-4;
+    content.summary = "moved";
+    plot.setContent(content);
+    QCOMPARE(replotted.count(), 1); // at once, and not once more
+    QApplication::processEvents();
+    QCOMPARE(replotted.count(), 1);
+    QCOMPARE(changed.count(), 1);
+    QCOMPARE(plot.accessibleDescription(), QString("moved"));
+    QCOMPARE(plot.content().levels.front().y, 1.5);
+    const auto isAsNew = [&plot](const PlotContent &shown) {
+        PlotWidget fresh;
+        fresh.setFocusPolicy(Qt::NoFocus);
+        fresh.setContent(shown);
+        show(fresh);
+        return plot.grab().toImage() == fresh.grab().toImage();
+    };
+    QVERIFY(isAsNew(content));
+
+    content.curves.front().y[200] += 0.5; // the rest is drawn again as soon as it differs
+    replotted.clear();
+    plot.setContent(content);
+    QApplication::processEvents();
+    QCOMPARE(replotted.count(), 1);
+    QVERIFY(isAsNew(content));
+    content.levels.push_back({1.8, "", CurveRole::Reference}); // or is one more
+    replotted.clear();
+    plot.setContent(content);
+    QApplication::processEvents();
+    QCOMPARE(replotted.count(), 1);
+    QVERIFY(isAsNew(content));
 }
 
 void TestPlotWidget::noise_inEveryStyle_takesAboutTheSameTime()

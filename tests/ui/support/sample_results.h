@@ -88,6 +88,7 @@ inline std::shared_ptr<const SensorModel> sampleModel(const Recipe &recipe, cons
 {
     auto model = std::make_shared<SensorModel>();
     model->order = recipe.realization.order.value.value_or(2);
+    model->isAssessed = true;
     const double w0 = 2.0 * std::numbers::pi * kResonance_Hz;
     for (const double sign : {1.0, -1.0}) {
         Pole pole;
