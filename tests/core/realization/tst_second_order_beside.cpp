@@ -124,6 +124,7 @@ private slots:
 
     void oscillationsBeforeTheStep_areNotTheSensors()
     {
+        // There before the step: no part of the pressure, so it changes no ringing.
         const NuisanceTerm hum{0, false, {-500.0, 2.0 * M_PI * 9e3}, {0.05, 0.02}};
         const ModelInput input = inputOf(
             [&](double t_s) {
