@@ -248,6 +248,14 @@
         <source>&lt;h3&gt;Dyncal %1&lt;/h3&gt;&lt;p&gt;Dynamic calibration of pressure sensors.&lt;/p&gt;&lt;p&gt;Build %2&lt;/p&gt;&lt;p&gt;Copyright 2026 The Dyncal authors. Free software under the GNU General Public License, version 3 or later. It comes with no warranty.&lt;/p&gt;</source>
         <translation>&lt;h3&gt;Dyncal %1&lt;/h3&gt;&lt;p&gt;Dynamisk kalibrering av tryckgivare.&lt;/p&gt;&lt;p&gt;Bygge %2&lt;/p&gt;&lt;p&gt;Copyright 2026 Dyncals upphovspersoner. Fri programvara enligt GNU General Public License, version 3 eller senare. Programmet levereras utan någon garanti.&lt;/p&gt;</translation>
     </message>
+    <message>
+        <source>Shift+drag (Window)</source>
+        <translation>Skift+dra (Fönster)</translation>
+    </message>
+    <message>
+        <source>mark a stretch to be left out of the fit</source>
+        <translation>markera en sträcka som ska utelämnas ur anpassningen</translation>
+    </message>
 </context>
 <context>
     <name>Mends</name>
@@ -741,10 +749,6 @@
         <translation>Hör till steget</translation>
     </message>
     <message>
-        <source>Noise floor (95 %)</source>
-        <translation>Brusgolv (95 %)</translation>
-    </message>
-    <message>
         <source>Singular values: %1; suggested order: %2.</source>
         <translation>Singulärvärden: %1; föreslagen ordning: %2.</translation>
     </message>
@@ -853,20 +857,8 @@
         <translation>Ny</translation>
     </message>
     <message>
-        <source>Frequency stable</source>
-        <translation>Stabil frekvens</translation>
-    </message>
-    <message>
-        <source>Frequency and damping stable</source>
-        <translation>Stabil frekvens och dämpning</translation>
-    </message>
-    <message>
         <source>Unstable</source>
         <translation>Instabil</translation>
-    </message>
-    <message>
-        <source>Mean spectrum</source>
-        <translation>Medelspektrum</translation>
     </message>
     <message>
         <source>order %1</source>
@@ -885,10 +877,6 @@
         <translation>Spektrum</translation>
     </message>
     <message>
-        <source>Poles of orders 1 to %1: %2, of which stable: %3.</source>
-        <translation>Poler för ordning 1 till %1: %2, varav stabila: %3.</translation>
-    </message>
-    <message>
         <source>FIT and criteria over the order</source>
         <translation>FIT och kriterier över ordningen</translation>
     </message>
@@ -897,16 +885,8 @@
         <translation>FIT</translation>
     </message>
     <message>
-        <source>Error, one shot left out</source>
-        <translation>Fel, ett skott utelämnat</translation>
-    </message>
-    <message>
         <source>attainable %1 %</source>
         <translation>uppnåeligt %1 %</translation>
-    </message>
-    <message>
-        <source>FIT, leave-one-shot-out error and information criterion of every order; order %1 is chosen.</source>
-        <translation>FIT, fel med ett skott utelämnat och informationskriterium för varje ordning; ordning %1 är vald.</translation>
     </message>
     <message>
         <source>shock</source>
@@ -997,6 +977,30 @@
         <source> – tube modes computed</source>
         <translation> – beräknade rörmoder</translation>
     </message>
+    <message>
+        <source>f stable</source>
+        <translation>f stabil</translation>
+    </message>
+    <message>
+        <source>f, ζ stable</source>
+        <translation>f, ζ stabila</translation>
+    </message>
+    <message>
+        <source>Poles of orders 1 to %1: %2, of which stable: %3. f stable: the frequency was there at the order before; f, ζ stable: the damping ratio, too; new: neither; behind them the mean spectrum.</source>
+        <translation>Poler för ordning 1 till %1: %2, varav stabila: %3. f stabil: frekvensen fanns vid ordningen före; f, ζ stabila: även dämpkvoten; ny: ingetdera; bakom dem medelspektrumet.</translation>
+    </message>
+    <message>
+        <source>Left-out error</source>
+        <translation>Fel för utelämnat</translation>
+    </message>
+    <message>
+        <source>FIT, error of each shot by the poles of the others, and information criterion (BIC) of every order; order %1 is chosen.</source>
+        <translation>FIT, felet för varje skott med de andras poler samt informationskriterium (BIC) för varje ordning; ordning %1 är vald.</translation>
+    </message>
+    <message>
+        <source>Noise: median to 95 %</source>
+        <translation>Brus: median till 95 %</translation>
+    </message>
 </context>
 <context>
     <name>Prompts</name>
@@ -1018,6 +1022,10 @@
     <message>
         <source>diverges</source>
         <translation>divergerar</translation>
+    </message>
+    <message>
+        <source>waits for all singular values</source>
+        <translation>väntar på alla singulärvärden</translation>
     </message>
 </context>
 <context>
@@ -1057,6 +1065,109 @@
     <message>
         <source>DRAFT</source>
         <translation>UTKAST</translation>
+    </message>
+</context>
+<context>
+    <name>ShockBudget</name>
+    <message>
+        <source>Distance, %1</source>
+        <translation>Avstånd, %1</translation>
+    </message>
+    <message>
+        <source>Arrival, %1</source>
+        <translation>Ankomst, %1</translation>
+    </message>
+    <message>
+        <source>Delay, %1</source>
+        <translation>Fördröjning, %1</translation>
+    </message>
+    <message>
+        <source>Time, %1</source>
+        <translation>Tid, %1</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Hastighet</translation>
+    </message>
+    <message>
+        <source>Scatter of the velocity</source>
+        <translation>Hastighetens spridning</translation>
+    </message>
+    <message>
+        <source>p1</source>
+        <translation>p1</translation>
+    </message>
+    <message>
+        <source>T1</source>
+        <translation>T1</translation>
+    </message>
+    <message>
+        <source>Relative humidity</source>
+        <translation>Relativ fuktighet</translation>
+    </message>
+    <message>
+        <source>CO₂</source>
+        <translation>CO₂</translation>
+    </message>
+    <message>
+        <source>γ</source>
+        <translation>γ</translation>
+    </message>
+    <message>
+        <source>Molar mass in kg/mol</source>
+        <translation>Molmassa i kg/mol</translation>
+    </message>
+    <message>
+        <source>normal</source>
+        <translation>normal</translation>
+    </message>
+    <message>
+        <source>rectangular</source>
+        <translation>rektangulär</translation>
+    </message>
+    <message>
+        <source>triangular</source>
+        <translation>triangulär</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Storhet</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Värde</translation>
+    </message>
+    <message>
+        <source>u</source>
+        <translation>u</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Fördelning</translation>
+    </message>
+    <message>
+        <source>Degrees of freedom</source>
+        <translation>Frihetsgrader</translation>
+    </message>
+    <message>
+        <source>To the step</source>
+        <translation>Till steget</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Andel</translation>
+    </message>
+    <message>
+        <source>Common to all shots</source>
+        <translation>Gemensam för alla skott</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nej</translation>
     </message>
 </context>
 <context>
@@ -1268,38 +1379,6 @@
     <message>
         <source>%1 to %2</source>
         <translation>%1 till %2</translation>
-    </message>
-    <message>
-        <source>u</source>
-        <translation>u</translation>
-    </message>
-    <message>
-        <source>Distribution</source>
-        <translation>Fördelning</translation>
-    </message>
-    <message>
-        <source>Degrees of freedom</source>
-        <translation>Frihetsgrader</translation>
-    </message>
-    <message>
-        <source>To the step</source>
-        <translation>Till steget</translation>
-    </message>
-    <message>
-        <source>Share</source>
-        <translation>Andel</translation>
-    </message>
-    <message>
-        <source>Common to all shots</source>
-        <translation>Gemensam för alla skott</translation>
-    </message>
-    <message>
-        <source>yes</source>
-        <translation>ja</translation>
-    </message>
-    <message>
-        <source>no</source>
-        <translation>nej</translation>
     </message>
     <message>
         <source>Peak</source>
@@ -3572,6 +3651,101 @@
         <source>The average of the shots is formed before the fit: the stretches to be left out are in it. Combine the shots as &quot;stacked&quot;.</source>
         <translation>Skottens medelvärde bildas före anpassningen: styckena som ska utelämnas ingår i det. Kombinera skotten som &quot;stacked&quot;.</translation>
     </message>
+    <message>
+        <source>%1 holds times, but no samples that belong to them (%2); if one of these is a record, name it in import.channels.</source>
+        <translation>%1 innehåller tider, men inga sampel som hör till dem (%2); om något av dessa är en registrering, namnge den i import.channels.</translation>
+    </message>
+    <message>
+        <source>Shot %1: %2 % of the resonance at %3 is left in the residual, because its arrival differs from the others&apos; by %4 of a sample; aligned, %5 % are left. The average of the shots loses some of its ringing by this, stacked shots do not.</source>
+        <translation>Skott %1: %2 % av resonansen vid %3 är kvar i residualen, eftersom dess ankomst skiljer sig från de andras med %4 sampel; efter inpassning är %5 % kvar. Medelvärdet av skotten förlorar något av sin ringning på detta, staplade skott gör det inte.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::ArrivalPanel</name>
+    <message>
+        <source>Arrival of the shock</source>
+        <translation>Chockvågens ankomst</translation>
+    </message>
+    <message>
+        <source>Sensor</source>
+        <translation>Givare</translation>
+    </message>
+    <message>
+        <source>Channel</source>
+        <translation>Kanal</translation>
+    </message>
+    <message>
+        <source>Change the arrival sensor</source>
+        <translation>Ändra ankomstgivaren</translation>
+    </message>
+    <message>
+        <source>Distance to end wall</source>
+        <translation>Avstånd till ändvägg</translation>
+    </message>
+    <message>
+        <source>u (distance)</source>
+        <translation>u (avstånd)</translation>
+    </message>
+    <message>
+        <source>Change u of the distance</source>
+        <translation>Ändra u för avståndet</translation>
+    </message>
+    <message>
+        <source>Arrival</source>
+        <translation>Ankomst</translation>
+    </message>
+    <message>
+        <source>u (arrival)</source>
+        <translation>u (ankomst)</translation>
+    </message>
+    <message>
+        <source>u (delay)</source>
+        <translation>u (fördröjning)</translation>
+    </message>
+    <message>
+        <source>Delay of the sensor</source>
+        <translation>Givarens fördröjning</translation>
+    </message>
+    <message>
+        <source>unknown</source>
+        <translation>okänd</translation>
+    </message>
+    <message>
+        <source>Change the delay</source>
+        <translation>Ändra fördröjningen</translation>
+    </message>
+    <message>
+        <source>Add a sensor</source>
+        <translation>Lägg till en givare</translation>
+    </message>
+    <message>
+        <source>Remove this sensor</source>
+        <translation>Ta bort denna givare</translation>
+    </message>
+    <message>
+        <source>Add an arrival sensor</source>
+        <translation>Lägg till en ankomstgivare</translation>
+    </message>
+    <message>
+        <source>Remove an arrival sensor</source>
+        <translation>Ta bort en ankomstgivare</translation>
+    </message>
+    <message>
+        <source>Move an arrival</source>
+        <translation>Flytta en ankomst</translation>
+    </message>
+    <message>
+        <source>Find the arrival</source>
+        <translation>Sök ankomsten</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>arrival</source>
+        <translation>ankomst</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::AutoEdit</name>
@@ -3625,6 +3799,18 @@
     <message>
         <source>At most %1 are drawn at once.</source>
         <translation>Högst %1 ritas samtidigt.</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Anmärkning</translation>
+    </message>
+    <message>
+        <source>Kept with the order in the project; shown in the comparison</source>
+        <translation>Sparas med ordningen i projektet; visas i jämförelsen</translation>
+    </message>
+    <message>
+        <source>Note on order %1</source>
+        <translation>Anmärkning till ordning %1</translation>
     </message>
 </context>
 <context>
@@ -3917,10 +4103,6 @@
         <translation>Fyll i det som inte mäts och exportera sedan kalibreringsbeviset.</translation>
     </message>
     <message>
-        <source>2026-01-31</source>
-        <translation>2026-01-31</translation>
-    </message>
-    <message>
         <source>Document</source>
         <translation>Dokument</translation>
     </message>
@@ -3968,6 +4150,10 @@
             <numerusform>%n varning.</numerusform>
             <numerusform>%n varningar.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>for example 2026-01-31</source>
+        <translation>till exempel 2026-01-31</translation>
     </message>
 </context>
 <context>
@@ -4067,6 +4253,93 @@
     <message>
         <source>– (one shot)</source>
         <translation>– (ett skott)</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::ConditionsPanel</name>
+    <message>
+        <source>Change %1</source>
+        <translation>Ändra %1</translation>
+    </message>
+    <message>
+        <source>Gas before the shot</source>
+        <translation>Gas före skottet</translation>
+    </message>
+    <message>
+        <source>p1, absolute</source>
+        <translation>p1, absolut</translation>
+    </message>
+    <message>
+        <source>T1</source>
+        <translation>T1</translation>
+    </message>
+    <message>
+        <source>T4 (driver)</source>
+        <translation>T4 (drivgas)</translation>
+    </message>
+    <message>
+        <source>Driven gas</source>
+        <translation>Gas i lågtrycksdelen</translation>
+    </message>
+    <message>
+        <source>Change the driven gas</source>
+        <translation>Ändra gasen i lågtrycksdelen</translation>
+    </message>
+    <message>
+        <source>Heat capacity varies with temperature</source>
+        <translation>Värmekapaciteten varierar med temperaturen</translation>
+    </message>
+    <message>
+        <source>Change the heat capacity</source>
+        <translation>Ändra värmekapaciteten</translation>
+    </message>
+    <message>
+        <source>Relative humidity</source>
+        <translation>Relativ fuktighet</translation>
+    </message>
+    <message>
+        <source>CO₂</source>
+        <translation>CO₂</translation>
+    </message>
+    <message>
+        <source>Change the CO₂ of the air</source>
+        <translation>Ändra luftens CO₂</translation>
+    </message>
+    <message>
+        <source>Driver gas</source>
+        <translation>Drivgas</translation>
+    </message>
+    <message>
+        <source>Change the driver gas</source>
+        <translation>Ändra drivgasen</translation>
+    </message>
+    <message>
+        <source>Tube</source>
+        <translation>Rör</translation>
+    </message>
+    <message>
+        <source>Driven section</source>
+        <translation>Lågtrycksdel</translation>
+    </message>
+    <message>
+        <source>Driver section</source>
+        <translation>Högtrycksdel</translation>
+    </message>
+    <message>
+        <source>Inner diameter</source>
+        <translation>Innerdiameter</translation>
+    </message>
+    <message>
+        <source>Guard before the plateau&apos;s end</source>
+        <translation>Marginal före platåns slut</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>Change the guard</source>
+        <translation>Ändra marginalen</translation>
     </message>
 </context>
 <context>
@@ -4201,6 +4474,45 @@
     <message>
         <source>Give a reason...</source>
         <translation>Ange ett skäl...</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::FirstTripletsBar</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Compute the rest (F9)</source>
+        <translation>Beräkna resten (F9)</translation>
+    </message>
+    <message>
+        <source>Singular values computed</source>
+        <translation>Beräknade singulärvärden</translation>
+    </message>
+    <message>
+        <source>Stop computing; the first singular values stay</source>
+        <translation>Sluta beräkna; de första singulärvärdena blir kvar</translation>
+    </message>
+    <message>
+        <source>Order %1 needs all %2 singular values, which are being computed.</source>
+        <translation>Ordning %1 kräver alla %2 singulärvärden, som håller på att beräknas.</translation>
+    </message>
+    <message>
+        <source>Order %1 needs all %2 singular values, whose computation was cancelled.</source>
+        <translation>Ordning %1 kräver alla %2 singulärvärden, vars beräkning avbröts.</translation>
+    </message>
+    <message>
+        <source>First %1 of %2 singular values.</source>
+        <translation>De första %1 av %2 singulärvärden.</translation>
+    </message>
+    <message>
+        <source>The rest follows; everything here is of the first ones.</source>
+        <translation>Resten följer; allt här gäller de första.</translation>
+    </message>
+    <message>
+        <source>The rest was cancelled; reports and exports need it.</source>
+        <translation>Resten avbröts; rapporter och export kräver den.</translation>
     </message>
 </context>
 <context>
@@ -5032,6 +5344,14 @@
         <source>: does not describe the data</source>
         <translation>: beskriver inte data</translation>
     </message>
+    <message>
+        <source>Uncertainties of the poles, comparison of the shots and second-order sensor: not yet.</source>
+        <translation>Polernas osäkerheter, jämförelsen av skotten och andra ordningens givare: ännu inte.</translation>
+    </message>
+    <message>
+        <source>not yet</source>
+        <translation>ännu inte</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::NuisanceList</name>
@@ -5269,6 +5589,10 @@
         <source>This order is adopted.</source>
         <translation>Denna ordning är antagen.</translation>
     </message>
+    <message>
+        <source>Note on order %1: %2</source>
+        <translation>Anmärkning till ordning %1: %2</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::OrderPage</name>
@@ -5360,6 +5684,14 @@
         <source>Unpin</source>
         <translation>Lossa</translation>
     </message>
+    <message>
+        <source>Note on order %1</source>
+        <translation>Anmärkning till ordning %1</translation>
+    </message>
+    <message>
+        <source>Singular values: the first %1 of %2</source>
+        <translation>Singulärvärden: de första %1 av %2</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::OverviewStrip</name>
@@ -5401,6 +5733,10 @@
     <message>
         <source>The plot could not be written to %1; choose a folder that can be written and a name that ends in .svg, .png, .pdf or .csv.</source>
         <translation>Diagrammet kunde inte skrivas till %1; välj en skrivbar mapp och ett namn som slutar på .svg, .png, .pdf eller .csv.</translation>
+    </message>
+    <message>
+        <source>Grid</source>
+        <translation>Rutnät</translation>
     </message>
 </context>
 <context>
@@ -5456,10 +5792,6 @@
         <translation>Gastillstånd och chockvågens hastighet, eller ett inmatat steg, ger det tryck som givaren utsattes för.</translation>
     </message>
     <message>
-        <source>Change %1</source>
-        <translation>Ändra %1</translation>
-    </message>
-    <message>
         <source>Reference</source>
         <translation>Referens</translation>
     </message>
@@ -5482,46 +5814,6 @@
     <message>
         <source>measured</source>
         <translation>uppmätt</translation>
-    </message>
-    <message>
-        <source>Distance to end wall</source>
-        <translation>Avstånd till ändvägg</translation>
-    </message>
-    <message>
-        <source>Gas before the shot</source>
-        <translation>Gas före skottet</translation>
-    </message>
-    <message>
-        <source>p1, absolute</source>
-        <translation>p1, absolut</translation>
-    </message>
-    <message>
-        <source>T1</source>
-        <translation>T1</translation>
-    </message>
-    <message>
-        <source>T4 (driver)</source>
-        <translation>T4 (drivgas)</translation>
-    </message>
-    <message>
-        <source>Relative humidity</source>
-        <translation>Relativ fuktighet</translation>
-    </message>
-    <message>
-        <source>Tube</source>
-        <translation>Rör</translation>
-    </message>
-    <message>
-        <source>Driven section</source>
-        <translation>Lågtrycksdel</translation>
-    </message>
-    <message>
-        <source>Driver section</source>
-        <translation>Högtrycksdel</translation>
-    </message>
-    <message>
-        <source>Change the arrival sensor</source>
-        <translation>Ändra ankomstgivaren</translation>
     </message>
     <message>
         <source>not determined</source>
@@ -5588,132 +5880,8 @@
         <translation>Visa</translation>
     </message>
     <message>
-        <source>Arrival of the shock</source>
-        <translation>Chockvågens ankomst</translation>
-    </message>
-    <message>
-        <source>Sensor</source>
-        <translation>Givare</translation>
-    </message>
-    <message>
-        <source>Channel</source>
-        <translation>Kanal</translation>
-    </message>
-    <message>
-        <source>u (distance)</source>
-        <translation>u (avstånd)</translation>
-    </message>
-    <message>
-        <source>Change u of the distance</source>
-        <translation>Ändra u för avståndet</translation>
-    </message>
-    <message>
-        <source>Arrival</source>
-        <translation>Ankomst</translation>
-    </message>
-    <message>
-        <source>u (arrival)</source>
-        <translation>u (ankomst)</translation>
-    </message>
-    <message>
-        <source>Delay of the sensor</source>
-        <translation>Givarens fördröjning</translation>
-    </message>
-    <message>
-        <source>unknown</source>
-        <translation>okänd</translation>
-    </message>
-    <message>
-        <source>Change the delay</source>
-        <translation>Ändra fördröjningen</translation>
-    </message>
-    <message>
-        <source>Add a sensor</source>
-        <translation>Lägg till en givare</translation>
-    </message>
-    <message>
-        <source>Remove this sensor</source>
-        <translation>Ta bort denna givare</translation>
-    </message>
-    <message>
-        <source>Driven gas</source>
-        <translation>Gas i lågtrycksdelen</translation>
-    </message>
-    <message>
-        <source>Change the driven gas</source>
-        <translation>Ändra gasen i lågtrycksdelen</translation>
-    </message>
-    <message>
-        <source>Heat capacity varies with temperature</source>
-        <translation>Värmekapaciteten varierar med temperaturen</translation>
-    </message>
-    <message>
-        <source>Change the heat capacity</source>
-        <translation>Ändra värmekapaciteten</translation>
-    </message>
-    <message>
-        <source>CO₂</source>
-        <translation>CO₂</translation>
-    </message>
-    <message>
-        <source>Change the CO₂ of the air</source>
-        <translation>Ändra luftens CO₂</translation>
-    </message>
-    <message>
-        <source>Driver gas</source>
-        <translation>Drivgas</translation>
-    </message>
-    <message>
-        <source>Change the driver gas</source>
-        <translation>Ändra drivgasen</translation>
-    </message>
-    <message>
-        <source>Inner diameter</source>
-        <translation>Innerdiameter</translation>
-    </message>
-    <message>
-        <source>Guard before the plateau&apos;s end</source>
-        <translation>Marginal före platåns slut</translation>
-    </message>
-    <message>
-        <source>none</source>
-        <translation>ingen</translation>
-    </message>
-    <message>
-        <source>Change the guard</source>
-        <translation>Ändra marginalen</translation>
-    </message>
-    <message>
-        <source>Add an arrival sensor</source>
-        <translation>Lägg till en ankomstgivare</translation>
-    </message>
-    <message>
-        <source>Remove an arrival sensor</source>
-        <translation>Ta bort en ankomstgivare</translation>
-    </message>
-    <message>
-        <source>Move an arrival</source>
-        <translation>Flytta en ankomst</translation>
-    </message>
-    <message>
-        <source>Find the arrival</source>
-        <translation>Sök ankomsten</translation>
-    </message>
-    <message>
         <source>Shot %1 %2</source>
         <translation>Skott %1 %2</translation>
-    </message>
-    <message>
-        <source>%1, %2</source>
-        <translation>%1, %2</translation>
-    </message>
-    <message>
-        <source>%1; delay %2</source>
-        <translation>%1; fördröjning %2</translation>
-    </message>
-    <message>
-        <source>arrival</source>
-        <translation>ankomst</translation>
     </message>
 </context>
 <context>
@@ -5928,6 +6096,144 @@
     </message>
 </context>
 <context>
+    <name>dyncal::StretchList</name>
+    <message>
+        <source>Shot %1</source>
+        <translation>Skott %1</translation>
+    </message>
+    <message>
+        <source>Shots %1</source>
+        <translation>Skott %1</translation>
+    </message>
+    <message>
+        <source>%1: %2 to %3</source>
+        <translation>%1: %2 till %3</translation>
+    </message>
+    <message>
+        <source>Exclude a stretch</source>
+        <translation>Utelämna en sträcka</translation>
+    </message>
+    <message>
+        <source>Leave in again</source>
+        <translation>Ta med igen</translation>
+    </message>
+    <message>
+        <source>Mark a stretch to be left out of the fit</source>
+        <translation>Markera en sträcka som ska utelämnas ur anpassningen</translation>
+    </message>
+    <message>
+        <source>Stretches left out of the fit</source>
+        <translation>Sträckor utelämnade ur anpassningen</translation>
+    </message>
+    <message>
+        <source>Begin of the stretch</source>
+        <translation>Sträckans början</translation>
+    </message>
+    <message>
+        <source>End of the stretch</source>
+        <translation>Sträckans slut</translation>
+    </message>
+    <message>
+        <source>Shots of the stretch</source>
+        <translation>Sträckans skott</translation>
+    </message>
+    <message>
+        <source>Reason for leaving the stretch out</source>
+        <translation>Skäl till att sträckan utelämnas</translation>
+    </message>
+    <message>
+        <source>What the stretch selected needs</source>
+        <translation>Vad den valda sträckan saknar</translation>
+    </message>
+    <message>
+        <source>Leave the selected stretch in again</source>
+        <translation>Ta med den valda sträckan igen</translation>
+    </message>
+    <message>
+        <source>Then drag over it in a plot; Shift and drag do the same at any time</source>
+        <translation>Dra sedan över den i ett diagram; Skift och dra gör detsamma när som helst</translation>
+    </message>
+    <message>
+        <source>needed, is printed</source>
+        <translation>krävs, trycks</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Början</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Slut</translation>
+    </message>
+    <message>
+        <source>In</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Skäl</translation>
+    </message>
+    <message>
+        <source>Everything in the window is fitted.</source>
+        <translation>Allt i fönstret anpassas.</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::StretchMarking</name>
+    <message>
+        <source>Not applied: type a reason.</source>
+        <translation>Tillämpas inte: skriv ett skäl.</translation>
+    </message>
+    <message>
+        <source>Not applied: the end must lie behind the begin.</source>
+        <translation>Tillämpas inte: slutet måste ligga efter början.</translation>
+    </message>
+    <message>
+        <source>Not applied: the window reaches from 0 to %1.</source>
+        <translation>Tillämpas inte: fönstret sträcker sig från 0 till %1.</translation>
+    </message>
+    <message>
+        <source>Leave a stretch out</source>
+        <translation>Utelämna en sträcka</translation>
+    </message>
+    <message>
+        <source>Change a stretch left out</source>
+        <translation>Ändra en utelämnad sträcka</translation>
+    </message>
+    <message>
+        <source>Leave a stretch in again</source>
+        <translation>Ta med en sträcka igen</translation>
+    </message>
+    <message>
+        <source>Move a stretch left out</source>
+        <translation>Flytta en utelämnad sträcka</translation>
+    </message>
+    <message>
+        <source>Not applied.</source>
+        <translation>Tillämpas inte.</translation>
+    </message>
+    <message>
+        <source>Not used: shot %1 is excluded.</source>
+        <translation>Används inte: skott %1 är uteslutet.</translation>
+    </message>
+    <message>
+        <source>All shots</source>
+        <translation>Alla skott</translation>
+    </message>
+    <message>
+        <source>Shot %1 %2</source>
+        <translation>Skott %1 %2</translation>
+    </message>
+    <message>
+        <source>shot %1: no reason yet</source>
+        <translation>skott %1: inget skäl ännu</translation>
+    </message>
+    <message>
+        <source>shot %1: left out</source>
+        <translation>skott %1: utelämnad</translation>
+    </message>
+</context>
+<context>
     <name>dyncal::TubeModeChoice</name>
     <message>
         <source>Tube modes: computed, not identified</source>
@@ -6131,6 +6437,10 @@
     <message>
         <source>plateau over (computed)</source>
         <translation>platån slut (beräknat)</translation>
+    </message>
+    <message>
+        <source>Left out of the fit, after the start</source>
+        <translation>Utelämnat ur anpassningen, efter starten</translation>
     </message>
 </context>
 </TS>
