@@ -22,14 +22,21 @@ struct DescentLimits
     double damping = 1e-4; ///< to begin with
 };
 
+/// The descent goes on until nothing more is gained.
+struct NeverOver
+{
+    bool operator()(const Eigen::VectorXd &, const RegressionEquations &) const { return false; }
+};
+
 /// D. W. Marquardt, J. SIAM 11 (1963) 431: `theta` moves from where it is to the least cost that
 /// `equationsAt` (parameters -> RegressionEquations) has; only where `isAllowed`. Ends with a
-/// relative decrease below 1e-12, where no step helps, or after all iterations: whether theta is
-/// where it should be then, `distanceToGo` tells. Equations at the last theta; empty when stopped,
-/// or where the start has no finite cost.
-template <typename EquationsAt, typename IsAllowed>
+/// relative decrease below 1e-12, where no step helps, where `isOver` (asked once an iteration), or
+/// after all iterations: whether theta is where it should be then, `distanceToGo` tells. Equations
+/// at the last theta; empty when stopped, or where the start has no finite cost.
+template <typename EquationsAt, typename IsAllowed, typename IsOver = NeverOver>
 std::optional<RegressionEquations> descend(Eigen::VectorXd &theta, const DescentLimits &limits,
-    const EquationsAt &equationsAt, const IsAllowed &isAllowed, const JobControl &control)
+    const EquationsAt &equationsAt, const IsAllowed &isAllowed, const JobControl &control,
+    IsOver isOver = {})
 {
     constexpr double kConverged = 1e-12;
     constexpr double kLargestDamping = 1e8;
@@ -38,6 +45,8 @@ std::optional<RegressionEquations> descend(Eigen::VectorXd &theta, const Descent
     for (int iteration = 0; iteration < limits.iterations; ++iteration) {
         if (control.stopRequested() || !std::isfinite(equations.cost))
             return std::nullopt;
+        if (isOver(theta, equations))
+            break;
         Eigen::MatrixXd damped = equations.matrix;
         damped.diagonal() *= 1.0 + damping;
         const Eigen::VectorXd next = theta + damped.ldlt().solve(equations.gradient);

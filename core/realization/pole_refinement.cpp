@@ -3,6 +3,7 @@
 
 #include "core/realization/pole_refinement.h"
 
+#include "core/base/parallel.h"
 #include "core/realization/exponential_regression.h"
 #include "core/realization/levenberg_marquardt.h"
 
@@ -50,6 +51,14 @@ struct Problem
     }
     Index parameters() const { return offset(records.size()); }
     double step(std::size_t record) const { return 1.0 / records[record].rate_Hz / unit_s; }
+    bool isWorthAThread() const
+    {
+        constexpr Index kMillisecond = 1'000'000; // samples times poles
+        Index samples = 0;
+        for (const ExponentialRegression &regression : regressions)
+            samples += regression.count();
+        return samples * poles() > kMillisecond;
+    }
 };
 
 /// The modes of one record at `theta`: the sensor's, its nuisance terms, c0.
@@ -111,9 +120,13 @@ RegressionEquations normalEquations(const Problem &problem, const Eigen::VectorX
 {
     const Index count = problem.parameters();
     RegressionEquations sum{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count), 0.0};
+    std::vector<RegressionEquations> ofRecord(problem.records.size());
+    forEachPart(std::ssize(ofRecord), problem.isWorthAThread(), [&](Index part) {
+        const auto r = static_cast<std::size_t>(part);
+        ofRecord[r] = problem.regressions[r].equations(modesOf(problem, theta, r), problem.step(r));
+    });
     for (std::size_t r = 0; r < problem.records.size(); ++r) {
-        const RegressionEquations local
-            = problem.regressions[r].equations(modesOf(problem, theta, r), problem.step(r));
+        const RegressionEquations &local = ofRecord[r];
         const double weight = problem.records[r].weight * problem.records[r].weight;
         const std::vector<Index> at = places(problem, r);
         sum.matrix(at, at) += weight * local.matrix;
@@ -257,6 +270,32 @@ double reducedChiSquare(const Problem &problem, const RegressionEquations &equat
         / static_cast<double>(std::max<Index>(1, samples - equations.gradient.size()));
 }
 
+/// Ends a descent at a thousandth of the uncertainties, below every digit that is printed, and one
+/// that does not come back to where it started: a model of too high an order wanders to the last
+/// iteration.
+class RefinementEnd
+{
+public:
+    RefinementEnd(const Problem &problem, const Eigen::VectorXd &start)
+        : m_problem(problem)
+        , m_start(start)
+    {
+    }
+
+    bool operator()(const Eigen::VectorXd &theta, const RegressionEquations &equations)
+    {
+        constexpr double kNothing = 1e-3; // standard uncertainties of the noise alone
+        constexpr int kPatience = 25;
+        m_outside = staysNearStart(m_problem, theta, m_start) ? 0 : m_outside + 1;
+        return m_outside > kPatience || distanceToGo(equations) < kNothing;
+    }
+
+private:
+    const Problem &m_problem;
+    const Eigen::VectorXd &m_start;
+    int m_outside = 0; ///< iterations in a row
+};
+
 /// Whether nothing is left to gain that the uncertainties would show.
 bool hasArrived(const Problem &problem, const RegressionEquations &last)
 {
@@ -374,7 +413,8 @@ std::optional<Refinement> refinePoles(const std::vector<RefinementRecord> &recor
     solveAmplitudes(problem, theta);
     const auto equations = descend(
         theta, {60, 1e-4}, [&](const Eigen::VectorXd &at) { return normalEquations(problem, at); },
-        [](const Eigen::VectorXd &at) { return at.allFinite(); }, control);
+        [](const Eigen::VectorXd &at) { return at.allFinite(); }, control,
+        RefinementEnd(problem, start));
     if (!equations || !theta.allFinite() || !staysNearStart(problem, theta, start)
         || !isDetermined(equations->matrix) || !hasArrived(problem, *equations))
         return std::nullopt;
