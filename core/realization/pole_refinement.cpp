@@ -284,10 +284,11 @@ public:
 
     bool operator()(const Eigen::VectorXd &theta, const RegressionEquations &equations)
     {
-        constexpr double kNothing = 1e-3; // standard uncertainties of the noise alone
+        constexpr double kNothing = 1e-3; // standard uncertainties
         constexpr int kPatience = 25;
         m_outside = staysNearStart(m_problem, theta, m_start) ? 0 : m_outside + 1;
-        return m_outside > kPatience || distanceToGo(equations) < kNothing;
+        const double noise = std::sqrt(std::min(1.0, reducedChiSquare(m_problem, equations)));
+        return m_outside > kPatience || distanceToGo(equations) < kNothing * noise;
     }
 
 private:
