@@ -94,6 +94,25 @@ class TestLevenbergMarquardt : public QObject
     Q_OBJECT
 
 private slots:
+    void endOfTheCaller_equationsAreThoseOfThePlaceReached()
+    {
+        // The caller ends it where the cost (24.2 at first) is below 5; Rosenbrock's valley goes
+        // on.
+        Eigen::VectorXd theta = Eigen::Vector2d(-1.2, 1.0);
+        const auto at = [](const Eigen::VectorXd &place) { return equationsOf(rosenbrock, place); };
+        int asked = 0;
+        const auto found = descend(theta, kMany, at, kAnywhere, {},
+            [&](const Eigen::VectorXd &, const RegressionEquations &equations) {
+                ++asked;
+                return equations.cost < 5.0;
+            });
+        QVERIFY(found.has_value());
+        QVERIFY(asked >= 2);
+        QVERIFY(found->cost < 5.0);
+        QVERIFY(found->cost > 1e-3);
+        QCOMPARE(found->cost, rosenbrock(theta).squaredNorm());
+    }
+
     void linearProblem_solutionOfTheNormalEquations()
     {
         // y = 2 + 3 t with errors +1, -1, -1, +1: the line through them is 2 + 3 t still.

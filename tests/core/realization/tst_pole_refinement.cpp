@@ -85,6 +85,20 @@ private slots:
         }
     }
 
+    void startsApart_agreeToAThousandthOfTheUncertainty()
+    {
+        const auto record = recordOf(pairSum(kPair, kAmplitude, 1.0), 800, 0.01);
+        const auto near = refinePoles({record}, pairOf(kPair), true);
+        QVERIFY(near.has_value());
+        const double u = std::sqrt(near->covariance(0, 0) + near->covariance(1, 1));
+        for (const std::complex<double> start :
+            {std::complex<double>(-9e3, 2.02e5), {-4e3, 1.97e5}, {-1.2e4, 2.05e5}}) {
+            const auto fit = refinePoles({record}, pairOf(start), true);
+            QVERIFY(fit.has_value());
+            QVERIFY(std::abs(fit->rates_rad_s[0] - near->rates_rad_s[0]) < 2e-3 * u);
+        }
+    }
+
     void wrongStart_convergesToTheTruth()
     {
         const auto record = recordOf(pairSum(kPair, kAmplitude, 1.0), 800);
