@@ -67,6 +67,14 @@ std::optional<RegressionEquations> descend(Eigen::VectorXd &theta, const Descent
     return equations;
 }
 
+/// Whether a fit that moved a frequency from `before` to `now` still speaks of the same
+/// oscillation.
+inline bool isSameOscillation(double before, double now)
+{
+    constexpr double kFactor = 1.5;
+    return now < kFactor * before && now > before / kFactor;
+}
+
 /// How far the next full step would lead, in standard uncertainties of unit weights: at least as
 /// far as in any one parameter.
 inline double distanceToGo(const RegressionEquations &equations)

@@ -17,8 +17,6 @@
 namespace dyncal {
 namespace {
 
-constexpr double kFrequencyFactor = 1.5;
-
 /// Layout of the parameter vector: poles first, then per record n amplitudes, maybe c0, and per
 /// nuisance term Re and Im of rate and amplitude. Times are scaled by `unit_s`, so that all
 /// parameters of the sensor are of order one.
@@ -174,11 +172,6 @@ Eigen::VectorXd startOf(
     return theta;
 }
 
-bool isNear(double before, double now)
-{
-    return now < kFrequencyFactor * before && now > before / kFrequencyFactor;
-}
-
 bool staysNearStart(
     const Problem &problem, const Eigen::VectorXd &theta, const Eigen::VectorXd &start)
 {
@@ -188,14 +181,14 @@ bool staysNearStart(
             return false;
         const double before = pair ? std::hypot(start[at], start[at + 1]) : std::abs(start[at]);
         const double now = pair ? std::hypot(theta[at], theta[at + 1]) : std::abs(theta[at]);
-        if (!isNear(before, now))
+        if (!isSameOscillation(before, now))
             return false;
         at += pair ? 2 : 1;
     }
     for (std::size_t r = 0; r < problem.records.size(); ++r) {
         for (std::size_t i = 0; i < problem.records[r].nuisance.size(); ++i) {
             const Index own = problem.nuisanceOffset(r, i) + 1;
-            if (!isNear(start[own], theta[own]))
+            if (!isSameOscillation(start[own], theta[own]))
                 return false;
         }
     }

@@ -26,7 +26,6 @@ using Complex = std::complex<double>;
 
 constexpr double kSlowest = 1e-4; ///< zeta beyond which nothing is a second-order sensor
 constexpr double kFastest = 1e3;
-constexpr double kModeFactor = 1.5; ///< a tube mode that moves further is another one
 constexpr double kFitMargin_points = 2.0;
 
 /// The records with the unit of time; parameters: logOmega, logZeta, then plateau, onset and modes
@@ -114,7 +113,7 @@ bool isSensible(const Problem &problem, const Eigen::VectorXd &theta)
         Index at = problem.offset(r) + 2;
         for (const NuisanceTerm &term : problem.records[r].nuisance) {
             const double before = term.rate_rad_s.imag() * problem.unit_s;
-            if (!(theta[at + 1] < kModeFactor * before && theta[at + 1] > before / kModeFactor))
+            if (!isSameOscillation(before, theta[at + 1]))
                 return false;
             at += 4;
         }

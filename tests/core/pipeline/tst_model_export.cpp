@@ -5,12 +5,12 @@
 
 #include "core/pipeline/mat_writer.h"
 #include "core/synthesis/shot_generator.h"
+#include "tests/support/python_answer.h"
 
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -22,7 +22,6 @@ namespace {
 
 /// Sums of a few hundred terms of order one, by another program.
 constexpr double kSameResponse = 1e-9;
-constexpr int kPythonLimit_ms = 120000;
 
 CalibrationResults calibrated(ResponseTreatment treatment, Index order)
 {
@@ -36,30 +35,6 @@ CalibrationResults calibrated(ResponseTreatment treatment, Index order)
     return runPipeline(std::make_shared<const CaptureSet>(simulateShots(settings)->set), recipe,
         cache, StageId::Response)
         .results;
-}
-
-struct PythonAnswer
-{
-    bool ran = false;
-    QByteArray out;
-    QByteArray err;
-};
-
-PythonAnswer python(const QStringList &arguments)
-{
-    QProcess process;
-    process.start("/usr/bin/python3", arguments);
-    PythonAnswer answer;
-    answer.ran = process.waitForStarted() && process.waitForFinished(kPythonLimit_ms)
-        && process.exitCode() == 0;
-    answer.out = process.readAllStandardOutput();
-    answer.err = process.readAllStandardError();
-    return answer;
-}
-
-bool hasPython()
-{
-    return python({"-c", "import numpy, scipy"}).ran;
 }
 
 void writeAll(const std::vector<ModelFile> &files, const QTemporaryDir &folder)
@@ -120,7 +95,7 @@ private slots:
 
     void forms_agreeWithEachOtherAndTheModel()
     {
-        if (!hasPython())
+        if (!testing::hasNumericalPython())
             QSKIP("/usr/bin/python3 with numpy and scipy is missing: exports are not read back.");
         QFETCH(int, treatment);
         QFETCH(int, order);
@@ -129,13 +104,13 @@ private slots:
         QVERIFY(results.model && !results.model->diverges);
         const QTemporaryDir folder;
         writeAll(modelFiles(results), folder);
-        const PythonAnswer forms = python({"-c", kSameInAllForms, folder.path()});
+        const testing::PythonAnswer forms = testing::python({"-c", kSameInAllForms, folder.path()});
         QVERIFY2(forms.ran, forms.err);
         const QList<QByteArray> numbers = forms.out.simplified().split(' ');
         QCOMPARE(numbers[0].toDouble(), results.model->series.front().simulated[7]);
         QCOMPARE(numbers[1].toDouble(), results.input->series.back().y[5]);
 
-        const PythonAnswer script = python({folder.filePath("model.py")});
+        const testing::PythonAnswer script = testing::python({folder.filePath("model.py")});
         QVERIFY2(script.ran, script.err);
         const double difference = script.out.simplified().split(' ').back().toDouble();
         QVERIFY2(script.out.startsWith("largest difference:"), script.out);
@@ -144,12 +119,12 @@ private slots:
 
     void frequencyResponse_ofTheScript_isTheModels()
     {
-        if (!hasPython())
+        if (!testing::hasNumericalPython())
             QSKIP("/usr/bin/python3 with numpy and scipy is missing: the script is not run.");
         const CalibrationResults results = calibrated(ResponseTreatment::StepDeflated, 2);
         const QTemporaryDir folder;
         writeAll(modelFiles(results), folder);
-        const PythonAnswer answer = python({"-c",
+        const testing::PythonAnswer answer = testing::python({"-c",
             "import sys; sys.path.insert(0, sys.argv[1]); import model\n"
             "g = model.frequency_response([1e5, 2.33e6])\n"
             "print(repr(g[0].real), repr(g[0].imag), repr(g[1].real), repr(g[1].imag))",
@@ -237,7 +212,7 @@ private slots:
 
     void matFile_emptyComplexAndLongName_areReadByScipy()
     {
-        if (!hasPython())
+        if (!testing::hasNumericalPython())
             QSKIP("/usr/bin/python3 with numpy and scipy is missing: MAT files are not read back.");
         MatWriter writer;
         writer.add("none", Eigen::MatrixXd(0, 3));
@@ -250,7 +225,7 @@ private slots:
         QVERIFY(file.open(QIODevice::WriteOnly));
         file.write(QByteArray::fromStdString(writer.bytes()));
         file.close();
-        const PythonAnswer answer = python({"-c",
+        const testing::PythonAnswer answer = testing::python({"-c",
             "import sys; from scipy.io import loadmat; m = loadmat(sys.argv[1])\n"
             "z = m['a_name_of_exactly_32_characters_']\n"
             "assert m['none'].shape == (0, 3) and z.shape == (2, 1)\n"

@@ -6,9 +6,9 @@
 #include "core/pipeline/mat_writer.h"
 #include "core/pipeline/model_scripts.h"
 #include "core/realization/state_space_model.h"
+#include "tests/support/python_answer.h"
 #include "tests/support/scratch_folder.h"
 
-#include <QProcess>
 #include <QStringList>
 #include <QTest>
 
@@ -22,7 +22,6 @@ namespace {
 
 constexpr double kInterval_s = 1e-6;
 constexpr int kSamples = 400;
-constexpr int kLimit_ms = 120000;
 constexpr double kRounding = 1e-11; ///< of a few hundred products
 const Complex kPole(-9e3, 1.9e5);
 const Complex kAmplitude(-0.5, 0.2);
@@ -70,25 +69,6 @@ struct PairModel
     }
 };
 
-struct Run
-{
-    bool ended = false;
-    QByteArray out;
-    QByteArray err;
-};
-
-Run python(const QStringList &arguments)
-{
-    QProcess process;
-    process.start("/usr/bin/python3", arguments);
-    Run run;
-    run.ended
-        = process.waitForStarted() && process.waitForFinished(kLimit_ms) && process.exitCode() == 0;
-    run.out = process.readAllStandardOutput();
-    run.err = process.readAllStandardError();
-    return run;
-}
-
 } // namespace
 
 class TestModelScripts : public QObject
@@ -98,7 +78,7 @@ class TestModelScripts : public QObject
 private slots:
     void initTestCase()
     {
-        if (!python({"-c", "import numpy, scipy"}).ended)
+        if (!testing::hasNumericalPython())
             QSKIP("/usr/bin/python3 with numpy and scipy is missing: no written script is run.");
     }
 
@@ -119,18 +99,18 @@ private slots:
         folder.write("model.mat", mat.data(), mat.size());
         folder.write("model.py", script.data(), script.size());
         const QString file = QString::fromStdString(folder.file("model.py"));
-        const Run run = python({file});
-        QVERIFY2(run.ended, run.err);
+        const testing::PythonAnswer run = testing::python({file});
+        QVERIFY2(run.ran, run.err);
         QVERIFY2(run.out.startsWith("largest difference:"), run.out);
         QVERIFY2(run.out.simplified().split(' ').back().toDouble() < kRounding, run.out);
 
         // What it offers to others: exponentials(t) and frequency_response(f), a list of each.
-        const Run numbers = python({"-c",
+        const testing::PythonAnswer numbers = testing::python({"-c",
             "import sys; sys.path.insert(0, sys.argv[1]); import model\n"
             "y = model.exponentials([0, 1e-5]); g = model.frequency_response([1e3, 3e4])\n"
             "print(*[float(v).hex() for v in (*y, *g.real, *g.imag)])",
             QString::fromStdString(folder.file(""))});
-        QVERIFY2(numbers.ended, numbers.err);
+        QVERIFY2(numbers.ran, numbers.err);
         std::vector<double> found;
         for (const QByteArray &word : numbers.out.simplified().split(' '))
             found.push_back(std::strtod(word.constData(), nullptr));
@@ -151,8 +131,9 @@ private slots:
         const std::string script = pythonScript(model.treatment);
         folder.write("model.mat", mat.data(), mat.size());
         folder.write("model.py", script.data(), script.size());
-        const Run run = python({QString::fromStdString(folder.file("model.py"))});
-        QVERIFY2(run.ended, run.err);
+        const testing::PythonAnswer run
+            = testing::python({QString::fromStdString(folder.file("model.py"))});
+        QVERIFY2(run.ran, run.err);
         QVERIFY(run.out.simplified().split(' ').back().toDouble() > 0.1);
     }
 
@@ -166,8 +147,9 @@ private slots:
         const std::string script = pythonScript(ResponseTreatment::StepAsImpulse);
         folder.write("model.mat", mat.data(), mat.size());
         folder.write("model.py", script.data(), script.size());
-        const Run run = python({QString::fromStdString(folder.file("model.py"))});
-        QVERIFY2(run.ended, run.err);
+        const testing::PythonAnswer run
+            = testing::python({QString::fromStdString(folder.file("model.py"))});
+        QVERIFY2(run.ran, run.err);
         QVERIFY2(run.out.simplified().split(' ').back().toDouble() < kRounding, run.out);
     }
 

@@ -120,6 +120,27 @@ std::optional<SecondOrderModel> fitted(const ModelInput &input, double f0_Hz, do
         input, refinementRecords(input), {f0_Hz, zeta, {0.5, 0.5}, {0.0, 0.0}}, 99.0);
 }
 
+/// Mean squares of error over stated uncertainty: f0 (60 kHz), zeta, and of the first shot plateau
+/// (0.4) and onset (-0.3 us).
+struct ErrorsOverU
+{
+    std::array<double, 4> squares{};
+
+    void add(const SecondOrderModel &fit, double zeta, int trials)
+    {
+        const SecondOrderShot &shot = fit.shots[0];
+        squares[0] += std::pow((fit.f0_Hz - 60e3) / fit.u_f0_Hz, 2) / trials;
+        squares[1] += std::pow((fit.zeta - zeta) / fit.u_zeta, 2) / trials;
+        squares[2] += std::pow((shot.plateauGain - 0.4) / shot.u_plateauGain, 2) / trials;
+        squares[3] += std::pow((shot.onset_s + 0.3e-6) / shot.u_onset_s, 2) / trials;
+    }
+    void print() const
+    {
+        qInfo("mean square of error over u: f0 %.2f, zeta %.2f, plateau %.2f, onset %.2f",
+            squares[0], squares[1], squares[2], squares[3]);
+    }
+};
+
 } // namespace
 
 class TestSecondOrderFit : public QObject
@@ -186,7 +207,7 @@ private slots:
         QFETCH(double, zeta);
         QFETCH(double, ar1);
         constexpr int kTrials = 100; // as above
-        double squares[4] = {};
+        ErrorsOverU scatter;
         ModelInput clean = twoShotsInTube(60e3, zeta, 0.0, 1);
         for (std::uint64_t trial = 0; trial < kTrials; ++trial) {
             ModelInput input = clean;
@@ -201,15 +222,10 @@ private slots:
             }
             const auto fit = fitted(input, 60e3, zeta);
             QVERIFY(fit.has_value());
-            const SecondOrderShot &shot = fit->shots[0];
-            squares[0] += std::pow((fit->f0_Hz - 60e3) / fit->u_f0_Hz, 2) / kTrials;
-            squares[1] += std::pow((fit->zeta - zeta) / fit->u_zeta, 2) / kTrials;
-            squares[2] += std::pow((shot.plateauGain - 0.4) / shot.u_plateauGain, 2) / kTrials;
-            squares[3] += std::pow((shot.onset_s + 0.3e-6) / shot.u_onset_s, 2) / kTrials;
+            scatter.add(*fit, zeta, kTrials);
         }
-        qInfo("mean square of error over u: f0 %.2f, zeta %.2f, plateau %.2f, onset %.2f",
-            squares[0], squares[1], squares[2], squares[3]);
-        for (const double square : squares)
+        scatter.print();
+        for (const double square : scatter.squares)
             QVERIFY(square > 0.3 && square < 1.7);
     }
 
@@ -247,20 +263,15 @@ private slots:
     {
         // Mean squares of 100 standard normal errors: 1 with sd 0.14; five of them.
         constexpr int kTrials = 100;
-        double squares[4] = {};
+        ErrorsOverU scatter;
         for (int trial = 0; trial < kTrials; ++trial) {
             const auto fit
                 = fitted(twoShots(60e3, 0.2, 0.02, static_cast<std::uint64_t>(trial)), 60e3, 0.2);
             QVERIFY(fit.has_value());
-            const SecondOrderShot &shot = fit->shots[0];
-            squares[0] += std::pow((fit->f0_Hz - 60e3) / fit->u_f0_Hz, 2) / kTrials;
-            squares[1] += std::pow((fit->zeta - 0.2) / fit->u_zeta, 2) / kTrials;
-            squares[2] += std::pow((shot.plateauGain - 0.4) / shot.u_plateauGain, 2) / kTrials;
-            squares[3] += std::pow((shot.onset_s + 0.3e-6) / shot.u_onset_s, 2) / kTrials;
+            scatter.add(*fit, 0.2, kTrials);
         }
-        qInfo("mean square of error over u: f0 %.2f, zeta %.2f, plateau %.2f, onset %.2f",
-            squares[0], squares[1], squares[2], squares[3]);
-        for (const double square : squares)
+        scatter.print();
+        for (const double square : scatter.squares)
             QVERIFY(square > 0.3 && square < 1.7);
     }
 
