@@ -5,6 +5,7 @@
 
 #include "core/base/distributions.h"
 #include "core/base/parallel.h"
+#include "core/realization/noise_product.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,9 +14,7 @@
 namespace dyncal {
 namespace {
 
-using Complex = std::complex<double>;
 constexpr double kSignificance = 0.01;
-constexpr double kDecayed = 1e-6; ///< of its largest value: the filter's memory before the record
 
 /// Whether the work on all records is worth a second thread.
 bool isLong(const std::vector<RefinementRecord> &records)
@@ -71,140 +70,6 @@ bool exceedsNoise(const Eigen::VectorXd &residual, const NoiseCovariance &noise,
     const double spread = std::sqrt(2.0 / freedom + 2.0 / static_cast<double>(noise.count));
     return std::log(variance / model.innovationVariance)
         > normalQuantile(1.0 - kSignificance) * spread;
-}
-
-/// d model / d parameter of one record in the order of Refinement::covariance: poles, amplitudes
-/// (2 Re, 2 Im of the upper half of a pair), constant, nuisance terms. A block of samples at a
-/// time.
-class Sensitivities
-{
-public:
-    Sensitivities(const Refinement &refinement, std::size_t record, const RefinementRecord &data)
-        : m_sum(refinement.records[record])
-        , m_terms(refinement.nuisance[record])
-        , m_used(usedRanges(data))
-        , m_dt_s(1.0 / data.rate_Hz)
-        , m_ownBegin(refinement.poleParameters)
-        , m_nuisanceBegin(2 * m_ownBegin + (refinement.withConstant ? 1 : 0))
-    {
-    }
-
-    Index parameters() const { return m_nuisanceBegin + 4 * std::ssize(m_terms); }
-
-    /// Parameters x samples begin .. begin + count - 1; zero where a sample took no part.
-    Eigen::MatrixXd block(Index begin, Index count) const
-    {
-        Eigen::MatrixXd J = Eigen::MatrixXd::Ones(parameters(), count); // the constant's row stays
-        for (Index i = 0; i < m_ownBegin; ++i) {
-            const Complex s = m_sum.rates_rad_s[i];
-            if (s.imag() > 0.0)
-                fill(J, begin, {i, m_ownBegin + i, s, 2.0 * m_sum.amplitudes[i], true});
-            else if (s.imag() == 0.0)
-                fill(J, begin, {i, m_ownBegin + i, s, m_sum.amplitudes[i], false});
-        }
-        Index own = m_nuisanceBegin;
-        for (const NuisanceTerm &term : m_terms) {
-            fill(J, begin, {own, own + 2, term.rate_rad_s, term.amplitude, true});
-            own += 4;
-        }
-        Index free = begin;
-        for (const SampleRange &range : m_used) {
-            const Index next = std::clamp(range.begin, free, begin + count);
-            J.middleCols(free - begin, next - free).setZero();
-            free = std::clamp(range.end, next, begin + count);
-        }
-        J.rightCols(begin + count - free).setZero();
-        return J;
-    }
-
-private:
-    /// Re(gain e^(rate t)) and where its parameters lie.
-    struct Mode
-    {
-        Index rateRow = 0;
-        Index gainRow = 0;
-        Complex rate_rad_s;
-        Complex gain;
-        bool isPair = false;
-    };
-
-    void fill(Eigen::MatrixXd &J, Index begin, const Mode &mode) const
-    {
-        const Complex first = std::exp(mode.rate_rad_s * (static_cast<double>(begin) * m_dt_s));
-        const Eigen::MatrixX2d powers = powerTable(mode.rate_rad_s * m_dt_s, J.cols());
-        for (Index k = 0; k < J.cols(); ++k) {
-            const Complex e = first * Complex(powers(k, 0), powers(k, 1));
-            const Complex moved = mode.gain * e * (static_cast<double>(begin + k) * m_dt_s);
-            J(mode.rateRow, k) = moved.real();
-            J(mode.gainRow, k) = e.real();
-            if (mode.isPair) {
-                J(mode.rateRow + 1, k) = -moved.imag();
-                J(mode.gainRow + 1, k) = -e.imag();
-            }
-        }
-    }
-
-    const ExponentialSum &m_sum;
-    const std::vector<NuisanceTerm> &m_terms;
-    std::vector<SampleRange> m_used;
-    double m_dt_s;
-    Index m_ownBegin;
-    Index m_nuisanceBegin;
-};
-
-/// The transposed filter 1/A run backwards over the sensitivities: with u its output, the product
-/// J^T S J is the innovation variance times sum u u^T, samples before the record included, in which
-/// the noise already lived.
-class BackwardFilter
-{
-public:
-    BackwardFilter(const AutoregressiveModel &model, Index parameters)
-        : m_model(model)
-        , m_states(Eigen::MatrixXd::Zero(parameters, model.order()))
-        , m_sum(Eigen::MatrixXd::Zero(parameters, parameters))
-    {
-    }
-
-    /// `input` in order of time; the block before it comes next. Returns the largest output.
-    double add(const Eigen::MatrixXd &input)
-    {
-        const Index p = m_model.order();
-        const Index count = input.cols();
-        Eigen::MatrixXd outputs(input.rows(), count + p);
-        outputs << input, m_states;
-        for (Index k = count - 1; k >= 0 && p > 0; --k)
-            outputs.col(k).noalias() -= outputs.middleCols(k + 1, p) * m_model.coefficients;
-        m_states = outputs.leftCols(p);
-        m_sum.noalias() += outputs.leftCols(count) * outputs.leftCols(count).transpose();
-        return outputs.leftCols(count).cwiseAbs().maxCoeff();
-    }
-
-    Eigen::MatrixXd product() const { return m_model.innovationVariance * m_sum; }
-
-private:
-    const AutoregressiveModel &m_model;
-    Eigen::MatrixXd m_states; ///< the last outputs, the latest first
-    Eigen::MatrixXd m_sum;
-};
-
-/// J^T S J of one record. Parameters are divided by `scale`.
-Eigen::MatrixXd noiseProduct(const Sensitivities &sensitivities, const Eigen::VectorXd &scale,
-    Index samples, const AutoregressiveModel &model)
-{
-    constexpr Index kBlock = 256;
-    BackwardFilter filter(model, scale.size());
-    double largest = 0.0;
-    for (Index end = samples; end > 0; end -= std::min(end, kBlock)) {
-        const Index begin = std::max<Index>(0, end - kBlock);
-        largest = std::max(
-            largest, filter.add(scale.asDiagonal() * sensitivities.block(begin, end - begin)));
-    }
-    // The filter's memory runs on before the record; a stable model ends it.
-    for (Index before = 0; before < samples; before += kBlock) {
-        if (filter.add(Eigen::MatrixXd::Zero(scale.size(), kBlock)) < kDecayed * largest)
-            break;
-    }
-    return filter.product();
 }
 
 /// Rows of the joint covariance that belong to one record: poles, then its own.
@@ -285,9 +150,9 @@ Eigen::MatrixXd noiseFilling(const std::vector<RefinementRecord> &records,
     std::vector<Eigen::MatrixXd> products(records.size());
     forEachPart(std::ssize(records), isLong(records), [&](Index part) {
         const auto r = static_cast<std::size_t>(part);
-        const Sensitivities sensitivities(fit, r, records[r]);
-        rows[r] = rowsOf(fit, r, sensitivities.parameters());
-        products[r] = noiseProduct(sensitivities, unit(rows[r]), records[r].y.size(), models[r]);
+        const Sensitivities sensitivities = sensitivitiesOf(fit, r, records[r]);
+        rows[r] = rowsOf(fit, r, std::ssize(sensitivities.columns));
+        products[r] = noiseProduct(sensitivities, unit(rows[r]), usedRanges(records[r]), models[r]);
     });
     Eigen::MatrixXd filling = Eigen::MatrixXd::Zero(unit.size(), unit.size());
     for (std::size_t r = 0; r < records.size(); ++r)

@@ -4,12 +4,11 @@
 #include "core/realization/exponential_regression.h"
 
 #include "core/realization/block_kernel.h"
+#include "core/realization/exponential_gram.h"
 #include "core/realization/exponential_sum.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstdint>
 
 namespace dyncal {
 namespace {
@@ -17,13 +16,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr Index kBlock = BlockKernel::kRows; ///< powers within a block stay accurate
 
-/// d y / d parameter = t^order Re(factor p^k).
-struct Column
-{
-    Complex factor;
-    std::size_t mode;
-    std::size_t order; ///< 1 for parameters of the pole, 0 for those of the gain
-};
+using Column = ExponentialColumn; ///< d y / d parameter
 
 std::vector<Column> columnsOf(const std::vector<RegressionMode> &modes)
 {
@@ -43,59 +36,6 @@ std::vector<Column> columnsOf(const std::vector<RegressionMode> &modes)
     }
     return columns;
 }
-
-/// Sums of k^a e^(exponent k) over the samples of all ranges.
-std::array<Complex, 3> powerSumsOver(Complex exponent, const std::vector<SampleRange> &ranges)
-{
-    std::array<Complex, 3> total{};
-    for (const SampleRange &range : ranges) {
-        const auto b = static_cast<double>(range.begin);
-        const auto [s0, s1, s2] = powerSums(std::exp(exponent), range.size());
-        const Complex begin = std::exp(exponent * b);
-        total[0] += begin * s0;
-        total[1] += begin * (s1 + b * s0);
-        total[2] += begin * (s2 + 2.0 * b * s1 + b * b * s0);
-    }
-    return total;
-}
-
-/// Sum over k of the product of two columns: Re(a) Re(b) = (Re(a b) + Re(a conj b)) / 2.
-class GramTable
-{
-public:
-    GramTable(const std::vector<RegressionMode> &modes, const std::vector<SampleRange> &ranges)
-        : m_modes(modes.size())
-        , m_sums(m_modes * m_modes)
-    {
-        for (std::size_t a = 0; a < m_modes; ++a) {
-            for (std::size_t b = 0; b <= a; ++b)
-                m_sums[a * m_modes + b]
-                    = {powerSumsOver(modes[a].exponent + modes[b].exponent, ranges),
-                        powerSumsOver(modes[a].exponent + std::conj(modes[b].exponent), ranges)};
-        }
-    }
-
-    double product(const Column &a, const Column &b, double dt) const
-    {
-        if (b.mode > a.mode)
-            return product(b, a, dt);
-        const Pair &sums = m_sums[a.mode * m_modes + b.mode];
-        const std::size_t order = a.order + b.order;
-        const Complex both = a.factor * b.factor * sums.straight[order]
-            + a.factor * std::conj(b.factor) * sums.conjugate[order];
-        return 0.5 * both.real() * (order == 0 ? 1.0 : order == 1 ? dt : dt * dt);
-    }
-
-private:
-    struct Pair
-    {
-        std::array<Complex, 3> straight;
-        std::array<Complex, 3> conjugate;
-    };
-
-    std::size_t m_modes;
-    std::vector<Pair> m_sums;
-};
 
 /// Powers of the modes within a block (rows 0 .. kBlock-1) and at the blocks' beginnings.
 struct Powers
@@ -183,32 +123,6 @@ void clearUnused(
 
 } // namespace
 
-std::array<Complex, 3> powerSums(Complex q, Index count)
-{
-    // Sums over 0 .. n-1 and q^n, for the leading bits of count taken one after the other.
-    Complex s0 = 0.0;
-    Complex s1 = 0.0;
-    Complex s2 = 0.0;
-    Complex power = 1.0;
-    double n = 0.0;
-    const auto bits = static_cast<std::uint64_t>(count);
-    for (auto bit = static_cast<int>(std::bit_width(bits)) - 1; bit >= 0; --bit) {
-        s2 += power * (s2 + 2.0 * n * s1 + n * n * s0);
-        s1 += power * (s1 + n * s0);
-        s0 += power * s0;
-        power *= power;
-        n *= 2.0;
-        if ((bits >> bit) & 1U) {
-            s0 += power;
-            s1 += n * power;
-            s2 += n * n * power;
-            power *= q;
-            n += 1.0;
-        }
-    }
-    return {s0, s1, s2};
-}
-
 ExponentialRegression::ExponentialRegression(
     const Eigen::VectorXd &y, const std::vector<SampleRange> &used)
     : m_columns(Eigen::MatrixXd::Zero(kBlock, (y.size() + kBlock - 1) / kBlock))
@@ -247,7 +161,10 @@ RegressionEquations ExponentialRegression::equations(
         kernel.project(residual.data(), sums);
         addMoments(modes, powers, sums, begin, moments);
     }
-    const GramTable gram(modes, m_used);
+    std::vector<Complex> exponents;
+    for (const RegressionMode &mode : modes)
+        exponents.push_back(mode.exponent);
+    const ExponentialGram gram(exponents, m_used);
 
     const std::vector<Column> columns = columnsOf(modes);
     const Index count = std::ssize(columns);

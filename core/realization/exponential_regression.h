@@ -8,15 +8,10 @@
 
 #include <Eigen/Core>
 
-#include <array>
 #include <complex>
 #include <vector>
 
 namespace dyncal {
-
-/// Sums of k^a q^k for k = 0 .. count-1 and a = 0, 1, 2. Built by doubling, with additions only, so
-/// that they stay exact where the closed forms 1/(1-q)^a lose all digits (q near 1). O(log count).
-std::array<std::complex<double>, 3> powerSums(std::complex<double> q, Index count);
 
 /// One mode of the model at one moment of the fit: Re(gain p^k) with p = e^exponent, the upper half
 /// of a conjugate pair or real (then exponent and gain are real). A constant is a fixed exponent 0.

@@ -3,197 +3,19 @@
 
 #include "core/realization/pole_refinement.h"
 
-#include "core/base/parallel.h"
-#include "core/realization/exponential_regression.h"
 #include "core/realization/levenberg_marquardt.h"
+#include "core/realization/refinement_problem.h"
 
 #include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace dyncal {
 namespace {
 
-/// Layout of the parameter vector: poles first, then per record n amplitudes, maybe c0, and per
-/// nuisance term Re and Im of rate and amplitude. Times are scaled by `unit_s`, so that all
-/// parameters of the sensor are of order one.
-struct Problem
-{
-    const std::vector<RefinementRecord> &records;
-    std::vector<ExponentialRegression> regressions; ///< one per record
-    std::vector<bool> isPair; ///< per mode: conjugate pair, or one real pole
-    bool withConstant = false;
-    double unit_s = 1.0;
-
-    Index poles() const
-    {
-        Index n = 0;
-        for (const bool pair : isPair)
-            n += pair ? 2 : 1;
-        return n;
-    }
-    Index perRecord() const { return poles() + (withConstant ? 1 : 0); }
-    Index offset(std::size_t record) const
-    {
-        Index at = poles();
-        for (std::size_t r = 0; r < record; ++r)
-            at += perRecord() + 4 * std::ssize(records[r].nuisance);
-        return at;
-    }
-    Index nuisanceOffset(std::size_t record, std::size_t term) const
-    {
-        return offset(record) + perRecord() + 4 * static_cast<Index>(term);
-    }
-    Index parameters() const { return offset(records.size()); }
-    double step(std::size_t record) const { return 1.0 / records[record].rate_Hz / unit_s; }
-    bool isWorthAThread() const
-    {
-        constexpr Index kMillisecond = 1'000'000; // samples times poles
-        Index samples = 0;
-        for (const ExponentialRegression &regression : regressions)
-            samples += regression.count();
-        return samples * poles() > kMillisecond;
-    }
-};
-
-/// The modes of one record at `theta`: the sensor's, its nuisance terms, c0.
-std::vector<RegressionMode> modesOf(
-    const Problem &problem, const Eigen::VectorXd &theta, std::size_t record)
-{
-    const Index offset = problem.offset(record);
-    const double dt = problem.step(record);
-    std::vector<RegressionMode> modes;
-    Index at = 0;
-    for (const bool pair : problem.isPair) {
-        modes.push_back({{theta[at] * dt, pair ? theta[at + 1] * dt : 0.0},
-            {theta[offset + at], pair ? theta[offset + at + 1] : 0.0}, pair, false});
-        at += pair ? 2 : 1;
-    }
-    for (std::size_t i = 0; i < problem.records[record].nuisance.size(); ++i) {
-        const Index own = problem.nuisanceOffset(record, i);
-        modes.push_back({{theta[own] * dt, theta[own + 1] * dt}, {theta[own + 2], theta[own + 3]},
-            true, false});
-    }
-    if (problem.withConstant)
-        modes.push_back({0.0, theta[offset + at], false, true});
-    return modes;
-}
-
-/// Where the record's amplitudes lie, in the order of modesOf().
-std::vector<Index> amplitudePlaces(const Problem &problem, std::size_t record)
-{
-    const Index n = problem.poles();
-    const Index offset = problem.offset(record);
-    std::vector<Index> places;
-    for (Index i = 0; i < n; ++i)
-        places.push_back(offset + i);
-    for (std::size_t i = 0; i < problem.records[record].nuisance.size(); ++i) {
-        places.push_back(problem.nuisanceOffset(record, i) + 2);
-        places.push_back(problem.nuisanceOffset(record, i) + 3);
-    }
-    if (problem.withConstant)
-        places.push_back(offset + n);
-    return places;
-}
-
-/// Where the parameters of the record's regression lie in the whole: rates, then amplitudes.
-std::vector<Index> places(const Problem &problem, std::size_t record)
-{
-    std::vector<Index> list(static_cast<std::size_t>(problem.poles()));
-    std::iota(list.begin(), list.end(), Index(0));
-    for (std::size_t i = 0; i < problem.records[record].nuisance.size(); ++i) {
-        list.push_back(problem.nuisanceOffset(record, i));
-        list.push_back(problem.nuisanceOffset(record, i) + 1);
-    }
-    const std::vector<Index> amplitudes = amplitudePlaces(problem, record);
-    list.insert(list.end(), amplitudes.begin(), amplitudes.end());
-    return list;
-}
-
-/// J^T J, J^T r and r^T r of all records, weighted.
-RegressionEquations normalEquations(const Problem &problem, const Eigen::VectorXd &theta)
-{
-    const Index count = problem.parameters();
-    RegressionEquations sum{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count), 0.0};
-    std::vector<RegressionEquations> ofRecord(problem.records.size());
-    forEachPart(std::ssize(ofRecord), problem.isWorthAThread(), [&](Index part) {
-        const auto r = static_cast<std::size_t>(part);
-        ofRecord[r] = problem.regressions[r].equations(modesOf(problem, theta, r), problem.step(r));
-    });
-    for (std::size_t r = 0; r < problem.records.size(); ++r) {
-        const RegressionEquations &local = ofRecord[r];
-        const double weight = problem.records[r].weight * problem.records[r].weight;
-        const std::vector<Index> at = places(problem, r);
-        sum.matrix(at, at) += weight * local.matrix;
-        sum.gradient(at) += weight * local.gradient;
-        sum.cost += weight * local.cost;
-    }
-    return sum;
-}
-
-/// Best amplitudes for fixed rates: one Gauss-Newton step in them alone is exact.
-void solveAmplitudes(const Problem &problem, Eigen::VectorXd &theta)
-{
-    for (std::size_t r = 0; r < problem.records.size(); ++r)
-        theta(amplitudePlaces(problem, r)).setZero();
-    const RegressionEquations equations = normalEquations(problem, theta);
-    for (std::size_t r = 0; r < problem.records.size(); ++r) {
-        const std::vector<Index> at = amplitudePlaces(problem, r);
-        const Eigen::MatrixXd own = equations.matrix(at, at);
-        const Eigen::VectorXd gradient = equations.gradient(at);
-        const Eigen::VectorXd best = own.ldlt().solve(gradient);
-        theta(at) = best;
-    }
-}
-
-/// Parameters at the realised poles, amplitudes still zero.
-Eigen::VectorXd startOf(
-    const Problem &problem, const std::vector<std::complex<double>> &start_rad_s)
-{
-    Eigen::VectorXd theta = Eigen::VectorXd::Zero(problem.parameters());
-    Index at = 0;
-    for (std::size_t i = 0; i < start_rad_s.size(); ++i) {
-        theta[at++] = start_rad_s[i].real() * problem.unit_s;
-        if (isUpperOfPair(start_rad_s, i)) {
-            theta[at++] = start_rad_s[i].imag() * problem.unit_s;
-            ++i;
-        }
-    }
-    for (std::size_t r = 0; r < problem.records.size(); ++r) {
-        for (std::size_t i = 0; i < problem.records[r].nuisance.size(); ++i) {
-            const std::complex<double> rate = problem.records[r].nuisance[i].rate_rad_s;
-            theta[problem.nuisanceOffset(r, i)] = rate.real() * problem.unit_s;
-            theta[problem.nuisanceOffset(r, i) + 1] = rate.imag() * problem.unit_s;
-        }
-    }
-    return theta;
-}
-
-bool staysNearStart(
-    const Problem &problem, const Eigen::VectorXd &theta, const Eigen::VectorXd &start)
-{
-    Index at = 0;
-    for (const bool pair : problem.isPair) {
-        if (!(theta[at] < 0.0))
-            return false;
-        const double before = pair ? std::hypot(start[at], start[at + 1]) : std::abs(start[at]);
-        const double now = pair ? std::hypot(theta[at], theta[at + 1]) : std::abs(theta[at]);
-        if (!isSameOscillation(before, now))
-            return false;
-        at += pair ? 2 : 1;
-    }
-    for (std::size_t r = 0; r < problem.records.size(); ++r) {
-        for (std::size_t i = 0; i < problem.records[r].nuisance.size(); ++i) {
-            const Index own = problem.nuisanceOffset(r, i) + 1;
-            if (!isSameOscillation(start[own], theta[own]))
-                return false;
-        }
-    }
-    return true;
-}
+using Problem = RefinementProblem;
 
 ExponentialSum recordSum(const Problem &problem, const Eigen::VectorXd &theta,
     const std::vector<std::complex<double>> &rates, std::size_t record)
@@ -204,7 +26,7 @@ ExponentialSum recordSum(const Problem &problem, const Eigen::VectorXd &theta,
     sum.rates_rad_s = Eigen::Map<const Eigen::VectorXcd>(rates.data(), n);
     sum.amplitudes.resize(n);
     Index at = 0;
-    for (const bool pair : problem.isPair) {
+    for (const bool pair : problem.isPair()) {
         if (pair) {
             const std::complex<double> c(theta[offset + at] / 2.0, theta[offset + at + 1] / 2.0);
             sum.amplitudes[at] = c;
@@ -215,17 +37,17 @@ ExponentialSum recordSum(const Problem &problem, const Eigen::VectorXd &theta,
             ++at;
         }
     }
-    sum.constant = problem.withConstant ? theta[offset + n] : 0.0;
+    sum.constant = problem.withConstant() ? theta[offset + n] : 0.0;
     return sum;
 }
 
 std::vector<NuisanceTerm> recordNuisance(
     const Problem &problem, const Eigen::VectorXd &theta, std::size_t record)
 {
-    std::vector<NuisanceTerm> terms = problem.records[record].nuisance;
+    std::vector<NuisanceTerm> terms = problem.records()[record].nuisance;
     for (std::size_t i = 0; i < terms.size(); ++i) {
         const Index own = problem.nuisanceOffset(record, i);
-        terms[i].rate_rad_s = std::complex<double>(theta[own], theta[own + 1]) / problem.unit_s;
+        terms[i].rate_rad_s = std::complex<double>(theta[own], theta[own + 1]) / problem.unit_s();
         terms[i].amplitude = {theta[own + 2], theta[own + 3]};
     }
     return terms;
@@ -235,10 +57,10 @@ std::vector<NuisanceTerm> recordNuisance(
 Eigen::VectorXd unitsOf(const Problem &problem)
 {
     Eigen::VectorXd units = Eigen::VectorXd::Ones(problem.parameters());
-    units.head(problem.poles()).setConstant(1.0 / problem.unit_s);
-    for (std::size_t r = 0; r < problem.records.size(); ++r) {
-        for (std::size_t i = 0; i < problem.records[r].nuisance.size(); ++i)
-            units.segment(problem.nuisanceOffset(r, i), 2).setConstant(1.0 / problem.unit_s);
+    units.head(problem.poles()).setConstant(1.0 / problem.unit_s());
+    for (std::size_t r = 0; r < problem.records().size(); ++r) {
+        for (std::size_t i = 0; i < problem.records()[r].nuisance.size(); ++i)
+            units.segment(problem.nuisanceOffset(r, i), 2).setConstant(1.0 / problem.unit_s());
     }
     return units;
 }
@@ -256,11 +78,8 @@ bool isDetermined(const Eigen::MatrixXd &matrix)
 
 double reducedChiSquare(const Problem &problem, const RegressionEquations &equations)
 {
-    Index samples = 0;
-    for (const ExponentialRegression &regression : problem.regressions)
-        samples += regression.count();
-    return equations.cost
-        / static_cast<double>(std::max<Index>(1, samples - equations.gradient.size()));
+    const Index freedom = problem.samples() - equations.gradient.size();
+    return equations.cost / static_cast<double>(std::max<Index>(1, freedom));
 }
 
 /// Ends a descent at a thousandth of the uncertainties, below every digit that is printed, and one
@@ -269,9 +88,8 @@ double reducedChiSquare(const Problem &problem, const RegressionEquations &equat
 class RefinementEnd
 {
 public:
-    RefinementEnd(const Problem &problem, const Eigen::VectorXd &start)
+    explicit RefinementEnd(const Problem &problem)
         : m_problem(problem)
-        , m_start(start)
     {
     }
 
@@ -279,14 +97,13 @@ public:
     {
         constexpr double kNothing = 1e-3; // standard uncertainties
         constexpr int kPatience = 25;
-        m_outside = staysNearStart(m_problem, theta, m_start) ? 0 : m_outside + 1;
+        m_outside = m_problem.isNearStart(theta) ? 0 : m_outside + 1;
         const double noise = std::sqrt(std::min(1.0, reducedChiSquare(m_problem, equations)));
         return m_outside > kPatience || distanceToGo(equations) < kNothing * noise;
     }
 
 private:
     const Problem &m_problem;
-    const Eigen::VectorXd &m_start;
     int m_outside = 0; ///< iterations in a row
 };
 
@@ -308,22 +125,52 @@ Eigen::MatrixXd covarianceOf(
     return std::max(1.0, chiSquare) * (units.asDiagonal() * inverse * units.asDiagonal());
 }
 
+constexpr Index kWorthwhile = 3; ///< samples per mean
+
+/// How many samples to average so that no pole turns by more than a radian and a half between two
+/// means, and enough means are left.
+Index samplesPerMean(const Problem &problem)
+{
+    constexpr double kRadians = 1.5;
+    constexpr Index kMeans = 1000;
+    Index factor = std::numeric_limits<Index>::max();
+    for (const RefinementRecord &record : problem.records()) {
+        factor = std::min({factor, static_cast<Index>(kRadians * record.rate_Hz * problem.unit_s()),
+            record.y.size() / kMeans});
+    }
+    return factor;
+}
+
+/// The equations where the descent from the rates of `theta` ends, in `theta` too; empty when it
+/// was stopped or ends elsewhere than it started.
+std::optional<RegressionEquations> descended(
+    const Problem &problem, Eigen::VectorXd &theta, const JobControl &control)
+{
+    problem.solveAmplitudes(theta);
+    auto equations = descend(
+        theta, {60, 1e-4}, [&](const Eigen::VectorXd &at) { return problem.equations(at); },
+        [](const Eigen::VectorXd &at) { return at.allFinite(); }, control, RefinementEnd(problem));
+    if (!theta.allFinite() || !problem.isNearStart(theta))
+        return std::nullopt;
+    return equations;
+}
+
 Refinement unpack(
     const Problem &problem, const Eigen::VectorXd &theta, const RegressionEquations &last)
 {
     Refinement result;
     result.poleParameters = problem.poles();
-    result.withConstant = problem.withConstant;
+    result.withConstant = problem.withConstant();
     Index at = 0;
-    for (const bool pair : problem.isPair) {
+    for (const bool pair : problem.isPair()) {
         const std::complex<double> s(
-            theta[at] / problem.unit_s, pair ? theta[at + 1] / problem.unit_s : 0.0);
+            theta[at] / problem.unit_s(), pair ? theta[at + 1] / problem.unit_s() : 0.0);
         result.rates_rad_s.push_back(s);
         if (pair)
             result.rates_rad_s.push_back(std::conj(s));
         at += pair ? 2 : 1;
     }
-    for (std::size_t r = 0; r < problem.records.size(); ++r) {
+    for (std::size_t r = 0; r < problem.records().size(); ++r) {
         result.records.push_back(recordSum(problem, theta, result.rates_rad_s, r));
         result.nuisance.push_back(recordNuisance(problem, theta, r));
         result.offsets.push_back(problem.offset(r));
@@ -385,32 +232,18 @@ std::optional<Refinement> refinePoles(const std::vector<RefinementRecord> &recor
     const std::vector<std::complex<double>> &start_rad_s, bool withConstant,
     const JobControl &control)
 {
-    Problem problem{records, {}, {}, withConstant, 1.0};
-    double fastest = 0.0;
-    for (std::size_t i = 0; i < start_rad_s.size(); ++i) {
-        problem.isPair.push_back(isUpperOfPair(start_rad_s, i));
-        fastest = std::max(fastest, std::abs(start_rad_s[i]));
-        if (problem.isPair.back())
-            ++i;
-    }
-    for (const RefinementRecord &record : records) {
-        problem.regressions.emplace_back(record.y, record.used);
-        if (start_rad_s.empty() && !record.nuisance.empty())
-            fastest = std::max(fastest, std::abs(record.nuisance.front().rate_rad_s));
-    }
-    if (!(fastest > 0.0))
+    const Problem problem(records, start_rad_s, withConstant);
+    if (!(problem.unit_s() > 0.0))
         return std::nullopt;
-    problem.unit_s = 1.0 / fastest;
-
-    const Eigen::VectorXd start = startOf(problem, start_rad_s);
-    Eigen::VectorXd theta = start;
-    solveAmplitudes(problem, theta);
-    const auto equations = descend(
-        theta, {60, 1e-4}, [&](const Eigen::VectorXd &at) { return normalEquations(problem, at); },
-        [](const Eigen::VectorXd &at) { return at.allFinite(); }, control,
-        RefinementEnd(problem, start));
-    if (!equations || !theta.allFinite() || !staysNearStart(problem, theta, start)
-        || !isDetermined(equations->matrix) || !hasArrived(problem, *equations))
+    Eigen::VectorXd theta = problem.start();
+    const Index factor = samplesPerMean(problem);
+    if (factor >= kWorthwhile) {
+        const std::vector<RefinementRecord> means = averaged(records, factor);
+        if (!descended(Problem(means, start_rad_s, withConstant), theta, control))
+            return std::nullopt;
+    }
+    const auto equations = descended(problem, theta, control);
+    if (!equations || !isDetermined(equations->matrix) || !hasArrived(problem, *equations))
         return std::nullopt;
     return unpack(problem, theta, *equations);
 }

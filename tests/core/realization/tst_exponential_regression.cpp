@@ -19,8 +19,6 @@ class TestExponentialRegression : public QObject
     Q_OBJECT
 
 private slots:
-    void powerSums_ofOne_areTheSumsOfPowers();
-    void powerSums_equalTheDirectSum();
     void equations_equalThoseOfTheFullJacobian();
     void equations_gradientIsMinusHalfOfTheCostsSlope();
     void equations_ofTheModelItself_haveNoCost();
@@ -74,40 +72,6 @@ private:
         return Eigen::Map<Eigen::VectorXd>(row.data(), std::ssize(row));
     }
 };
-
-void TestExponentialRegression::powerSums_ofOne_areTheSumsOfPowers()
-{
-    for (const Index n : {Index(0), Index(1), Index(2), Index(3), Index(1000), Index(4095)}) {
-        const auto sums = powerSums(1.0, n);
-        const auto exact = static_cast<double>(n);
-        QCOMPARE(sums[0].real(), exact);
-        QCOMPARE(sums[1].real(), exact * (exact - 1.0) / 2.0);
-        QCOMPARE(sums[2].real(), (exact - 1.0) * exact * (2.0 * exact - 1.0) / 6.0);
-    }
-}
-
-void TestExponentialRegression::powerSums_equalTheDirectSum()
-{
-    constexpr double kRounding = 1e-12; // of a thousand additions
-    for (const Complex q : {Complex(0.99, 0.1), Complex(-1.0, 0.0), Complex(1.0 - 1e-9, 0.0),
-             Complex(0.0, 0.0), std::polar(1.0, 1e-7), Complex(0.3, -0.8)}) {
-        for (const Index n : {Index(1), Index(7), Index(64), Index(777)}) {
-            std::array<Complex, 3> direct{};
-            Complex power = 1.0;
-            for (Index k = 0; k < n; ++k, power *= q) {
-                const auto at = static_cast<double>(k);
-                direct[0] += power;
-                direct[1] += at * power;
-                direct[2] += at * at * power;
-            }
-            const auto sums = powerSums(q, n);
-            double scale = 1.0;
-            for (std::size_t a = 0; a < 3; ++a, scale *= static_cast<double>(n))
-                QVERIFY(
-                    std::abs(sums[a] - direct[a]) <= kRounding * scale * static_cast<double>(n));
-        }
-    }
-}
 
 void TestExponentialRegression::equations_equalThoseOfTheFullJacobian()
 {
