@@ -173,11 +173,15 @@ double disagreement(const std::vector<PartFit> &fits, Index pole, Index size, In
     Eigen::VectorXd weighted = Eigen::VectorXd::Zero(size);
     double squares = 0.0;
     Index shots = 0;
+    std::complex<double> first; // differences from it: the squares of the rates themselves would
+                                // cancel to nothing where the noise is small
     for (const PartFit &fit : fits) {
         if (!fit.has(pole))
             continue;
         const Index at = fit.at(pole);
-        const std::complex<double> s = fit.refinement->rates_rad_s[static_cast<std::size_t>(at)];
+        const std::complex<double> rate = fit.refinement->rates_rad_s[static_cast<std::size_t>(at)];
+        first = shots == 0 ? rate : first;
+        const std::complex<double> s = rate - first;
         const Eigen::VectorXd theta = Eigen::Vector2d(s.real(), s.imag()).head(size);
         const Eigen::MatrixXd V = fit.refinement->covariance.block(at, at, size, size);
         const Eigen::LDLT<Eigen::MatrixXd> solver(V);
