@@ -15,26 +15,34 @@ namespace {
 
 constexpr Index kMostLooked = 8192;
 constexpr Index kFewestDifferent = 8;
-constexpr double kLastBits = 64.0; ///< by which a difference of two values may be off
-constexpr double kBelievable = 1000.0; ///< a step is larger than that error by this much
+constexpr double kLastBits = 4.0; ///< by which a difference of two values may be off
+constexpr double kBelievable = 100.0; ///< a step is larger than its error by this much
 constexpr double kTwoValues = 1.5; ///< resolutions that a record of two neighbouring values spans
 constexpr int kMostTerms = 1000;
 constexpr int kMostDivisions = 100; ///< Euclid's algorithm needs fewer for any two doubles
 
-/// Largest step that both a and b are multiples of, each known to `error`; 0 if it is lost in that.
-double commonDivisor(double a, double b, double error)
+/// A difference of two values, and by how much it may be off.
+struct Difference
 {
-    if (a < b)
+    double size = 0.0;
+    double error = 0.0;
+};
+
+/// Largest step that both a and b are multiples of (Euclid); of size 0 if it is lost in the errors.
+Difference commonDivisor(Difference a, Difference b)
+{
+    if (a.size < b.size)
         std::swap(a, b);
-    for (int i = 0; i < kMostDivisions && b > kBelievable * error; ++i) {
-        const double multiple = std::round(a / b);
-        const double rest = std::abs(a - multiple * b);
-        if (rest <= error * (1.0 + multiple))
-            return a / multiple;
+    for (int i = 0; i < kMostDivisions && b.size > kBelievable * b.error; ++i) {
+        const double multiple = std::round(a.size / b.size);
+        const Difference rest{std::abs(a.size - multiple * b.size), a.error + multiple * b.error};
+        if (rest.size <= rest.error)
+            return a.error < b.error * multiple ? Difference{a.size / multiple, a.error / multiple}
+                                                : b;
         a = b;
         b = rest;
     }
-    return 0.0;
+    return {};
 }
 
 /// Every so many-th sample of the range, so that there are not more than kMostLooked; finite ones.
@@ -76,10 +84,10 @@ double commonStep(Eigen::VectorXd values)
         return 0.0;
     const double largest = std::max(std::abs(values[0]), std::abs(values[count - 1]));
     const double error = kLastBits * std::numeric_limits<double>::epsilon() * largest;
-    double step = values[1] - values[0];
-    for (Index i = 2; i < count && step > 0.0; ++i)
-        step = commonDivisor(values[i] - values[i - 1], step, error);
-    return step;
+    Difference step{values[1] - values[0], error};
+    for (Index i = 2; i < count && step.size > 0.0; ++i)
+        step = commonDivisor({values[i] - values[i - 1], error}, step);
+    return step.size;
 }
 
 double resolutionOf(const Channel &channel, const SampleRange &range)
