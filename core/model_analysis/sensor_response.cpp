@@ -28,6 +28,13 @@ struct ShotView
     const SeriesFit *fit = nullptr; ///< null with the averaged input
     double perPressure = 1.0; ///< physical units of a remapped value, per pascal if known
     SensorRecord record; ///< the window without the modes that are not the sensor's
+    ExponentialSum step; ///< the model's response of this shot, from the onset on
+
+    double onset_s() const ///< behind the record's first value
+    {
+        return (fit ? fit->onset_s : 0.0)
+            + static_cast<double>(record.early) / response->sampleRate_Hz;
+    }
 };
 
 double inputSpan_s(const ModelInput &input)
@@ -50,6 +57,14 @@ bool shareOneUnit(const std::vector<WindowedResponse> &responses)
         [&](const WindowedResponse &response) { return response.unit == responses.front().unit; });
 }
 
+ExponentialSum stepOf(const SensorModel &model, const SeriesFit &fit)
+{
+    ExponentialSum step{fit.plateauGain, Eigen::VectorXcd(fit.amplitudes.size()), fit.amplitudes};
+    for (Index i = 0; i < step.rates_rad_s.size(); ++i)
+        step.rates_rad_s[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;
+    return step;
+}
+
 std::vector<ShotView> views(const std::vector<WindowedResponse> &responses,
     const SensorModel &model, const ShockConditionsSet &shock, const ResponseSettings &settings,
     bool &isAbsolute)
@@ -62,8 +77,10 @@ std::vector<ShotView> views(const std::vector<WindowedResponse> &responses,
     }
     isAbsolute = isAbsolute && shareOneUnit(responses);
     for (const WindowedResponse &response : responses) {
-        ShotView view{&response, fitOfShot(model, response.shot), 1.0, {}};
+        ShotView view{&response, fitOfShot(model, response.shot), 1.0, {}, {}};
         view.record = sensorRecord(response, model, view.fit);
+        if (view.fit)
+            view.step = stepOf(model, *view.fit);
         if (isAbsolute)
             view.perPressure = response.valueScale / *shock.ofShot(response.shot)->step_Pa;
         else if (view.fit && view.fit->plateauGain != 0.0)
@@ -93,14 +110,20 @@ Point measuredAt(const std::vector<ShotView> &shots, double span_s, double frequ
     double variance = 0.0;
     for (const ShotView &shot : shots) {
         const WindowedResponse &response = *shot.response;
-        const Index count = samplesUsed(response, span_s, frequency_Hz);
+        const Index count = samplesUsed(response, span_s, frequency_Hz) + shot.record.early;
         const double plateau = shot.fit ? shot.fit->plateauGain : 1.0;
-        const std::complex<double> transform = stepTransform(shot.record.values.head(count),
-            response.sampleRate_Hz, plateau, shot.fit ? shot.fit->onset_s : 0.0, frequency_Hz);
+        std::complex<double> transform = stepTransform(shot.record.values.head(count),
+            response.sampleRate_Hz, plateau, shot.onset_s(), frequency_Hz);
+        if (shot.fit)
+            transform -= stepTransformError(
+                shot.step, count, response.sampleRate_Hz, shot.onset_s(), frequency_Hz);
         mean.S += shot.perPressure * shot.record.ofStep(transform, frequency_Hz);
+        // Rounding that is alike over the response is an error of the form of a step: S is its
+        // size.
         const double u = std::abs(shot.perPressure)
-            * stepTransformNoise(count, response.sampleRate_Hz,
-                response.noiseSd / std::abs(response.valueScale), frequency_Hz);
+            * std::hypot(stepTransformNoise(count, response.sampleRate_Hz,
+                             response.noiseSd / std::abs(response.valueScale), frequency_Hz),
+                response.roundingSd);
         variance += u * u;
     }
     const double n = static_cast<double>(shots.size());

@@ -5,7 +5,6 @@
 
 #include "core/base/number_text.h"
 #include "core/realization/rate_choice.h"
-#include "core/signal/rounding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,9 +69,8 @@ Rounding roundingOf(const WindowedResponse &response)
         return {};
     const double resolution = std::abs(response.resolution / response.valueScale);
     const double arithmetic = kArithmetic * response.window().cwiseAbs().maxCoeff();
-    const double lasting
-        = lastingRounding(noiseBeforeRounding(response.noise, resolution), resolution);
-    return {std::max(resolution / std::sqrt(12.0), arithmetic), std::max(lasting, arithmetic)};
+    return {std::max(resolution / std::sqrt(12.0), arithmetic),
+        std::max(response.roundingSd, arithmetic)};
 }
 
 /// Of the average: the shots are rounded apart from each other.

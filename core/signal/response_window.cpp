@@ -273,6 +273,9 @@ private:
         m_response.values = (values.segment(head, tail - head).array() - m_response.baseline)
             / m_response.valueScale;
         m_response.noise /= m_response.valueScale;
+        const double resolution = std::abs(m_response.resolution / m_response.valueScale);
+        m_response.roundingSd
+            = lastingRounding(noiseBeforeRounding(m_response.noise, resolution), resolution);
         m_response.lead = window.begin - begin - head;
         m_response.length = window.size();
     }

@@ -54,6 +54,7 @@ struct WindowedResponse
     Index lead = 0; ///< samples of `values` before the start
     Index length = 0; ///< samples of the window proper: values[lead .. lead + length)
     Eigen::VectorXd noise; ///< pre-trigger noise in the units of `values`, detrended
+    double roundingSd = 0.0; ///< of what rounding adds to `values` and averaging does not remove
 
     /// Empty below 20 dB SNR; overshoot and settling also below 38 dB, where noise decides them.
     std::optional<double> riseTime_s; ///< 10-90 % of the step, first crossings, interpolated
