@@ -174,6 +174,8 @@ double studentSurvival(double t, double dof)
 
 double studentQuantile(double probability, double dof)
 {
+    if (!(dof > 0.0))
+        return std::numeric_limits<double>::quiet_NaN();
     if (dof > kNormalDof)
         return normalQuantile(probability);
     if (probability < 0.5)

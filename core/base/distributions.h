@@ -21,7 +21,7 @@ double normalQuantile(double probability);
 /// normal distribution) exceeds t. 1e-12 relative.
 double studentSurvival(double t, double dof);
 
-/// t with P(T <= t) = p, 0 < p < 1, to 1e-12 relative.
+/// t with P(T <= t) = p, 0 < p < 1, to 1e-12 relative; NaN unless dof > 0.
 double studentQuantile(double probability, double dof);
 
 } // namespace dyncal
