@@ -3,13 +3,12 @@
 
 #include "core/model_analysis/sensor_response.h"
 #include "core/model_analysis/step_transform.h"
+#include "tests/support/cascade_model.h"
 #include "tests/support/model_inputs.h"
 #include "tests/support/second_order_model.h"
 #include "tests/support/signals.h"
 
 #include <QTest>
-
-#include <utility>
 
 using namespace dyncal;
 using testing::hasFinding;
@@ -28,34 +27,7 @@ constexpr double kRounding = 1e-12;
 /// Aliasing of a second-order response sampled 33 times per period, up to twice its resonance.
 constexpr double kAliasing = 2e-3;
 
-using Mode = std::pair<double, double>; ///< f0 in Hz, zeta
-
-/// prod w_i^2/(s^2 + 2 zeta w_i s + w_i^2): amplitudes of its step response by residues of G/s.
-SensorModel cascade(const std::vector<Mode> &modes)
-{
-    SensorModel model;
-    model.plateauGain = 1.0;
-    double gain = 1.0;
-    for (const auto &[f0_Hz, zeta] : modes) {
-        const SensorModel one = testing::secondOrderModel(f0_Hz, zeta);
-        model.poles.insert(model.poles.end(), one.poles.begin(), one.poles.end());
-        gain *= std::norm(one.poles[0].s_rad_s);
-    }
-    model.order = static_cast<Index>(model.poles.size());
-    model.amplitudes.resize(model.order);
-    for (Index i = 0; i < model.order; ++i) {
-        const std::complex<double> s = model.poles[static_cast<std::size_t>(i)].s_rad_s;
-        std::complex<double> c = gain / s;
-        for (Index j = 0; j < model.order; ++j) {
-            if (j != i)
-                c /= s - model.poles[static_cast<std::size_t>(j)].s_rad_s;
-        }
-        model.amplitudes[i] = c;
-    }
-    return model;
-}
-
-/// Noise-free response of that model, remapped to a plateau of 1.
+/// Noise-free response of a model, remapped to a plateau of 1.
 WindowedResponse responseOf(const SensorModel &model, Index shot, Index length = kLength)
 {
     WindowedResponse response;
@@ -283,7 +255,7 @@ private slots:
 
     void phase_isUnwrapped_throughTwoResonances()
     {
-        Calibration calibration(cascade({{1e5, 0.03}, {3e5, 0.03}}));
+        Calibration calibration(testing::cascadeModel({{1e5, 0.03}, {3e5, 0.03}}));
         calibration.settings.frequencies_Hz = {5e3, 9e4, 2e5, 4e5, 7e5};
         const ResponseResult result = calibration.run();
         double before = 0.0;
@@ -304,7 +276,7 @@ private slots:
 
     void modeMissingInTheModel_isSaid()
     {
-        const SensorModel truth = cascade({{1e5, 0.03}, {3e5, 0.03}});
+        const SensorModel truth = testing::cascadeModel({{1e5, 0.03}, {3e5, 0.03}});
         Calibration calibration(truth);
         calibration.settings.frequencies_Hz = {1e3, 5e4, 2.9e5, 3e5};
         QVERIFY(!hasFinding(calibration.run().findings, "RSP-001"));
