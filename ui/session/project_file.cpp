@@ -73,7 +73,7 @@ QJsonArray captureReferences(const ProjectState &state, const QDir &folder)
     return list;
 }
 
-CaptureReference locate(const QJsonObject &entry, const QDir &folder)
+CaptureReference locate(const QJsonObject &entry, const QDir &folder, const QString &otherFolder)
 {
     CaptureReference reference{entry["path"].toString(), {}};
     if (!entry["sha256"].isNull())
@@ -84,8 +84,11 @@ CaptureReference locate(const QJsonObject &entry, const QDir &folder)
         reference.found = true;
         return reference;
     }
+    const QString elsewhere = otherFolder.isEmpty()
+        ? QString()
+        : QDir(otherFolder).filePath(QFileInfo(reference.path).fileName());
     for (const QString &candidate :
-        {folder.absoluteFilePath(reference.path), entry["absolute_path"].toString()}) {
+        {folder.absoluteFilePath(reference.path), entry["absolute_path"].toString(), elsewhere}) {
         if (!reference.found && !candidate.isEmpty() && QFileInfo(candidate).isFile()) {
             reference.path = QDir::cleanPath(candidate);
             reference.found = true;
@@ -191,7 +194,8 @@ Result<void> saveProject(const QString &path, const ProjectState &state)
     return {};
 }
 
-Result<ProjectState> openProject(const QString &path, const JobControl &control)
+Result<ProjectState> openProject(
+    const QString &path, const JobControl &control, const QString &otherFolder)
 {
     const Result<QJsonObject> project = readProjectObject(path);
     if (!project)
@@ -203,7 +207,7 @@ Result<ProjectState> openProject(const QString &path, const JobControl &control)
     std::vector<CaptureReference> references;
     QStringList missing;
     for (const auto &entry : (*project)["captures"].toArray()) {
-        references.push_back(locate(entry.toObject(), QFileInfo(path).absoluteDir()));
+        references.push_back(locate(entry.toObject(), QFileInfo(path).absoluteDir(), otherFolder));
         if (!references.back().found)
             missing << QDir::cleanPath(
                 QFileInfo(path).absoluteDir().absoluteFilePath(references.back().path));

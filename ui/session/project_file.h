@@ -21,7 +21,9 @@ Result<void> saveProject(const QString &path, const ProjectState &state);
 /// Reads a project and opens its recordings, which can be shown then; they are not sealed. Fails
 /// when the file is no project, is of a newer version, or when recordings are missing (all are
 /// named). Sealing finds a recording whose bytes have changed since (CAP-015, which blocks).
-Result<ProjectState> openProject(const QString &path, const JobControl &control = {});
+/// Recordings that are not where they were are taken from `otherFolder`, if that is given, by name.
+Result<ProjectState> openProject(
+    const QString &path, const JobControl &control = {}, const QString &otherFolder = {});
 
 /// The bytes of a project file for `folder`; `moreKeys` are passed over when it is opened. Of
 /// recordings that are not sealed yet it keeps no hash.

@@ -113,6 +113,8 @@ void RecoveryStore::adopt(const QString &file)
         m_locks.erase(*m_file);
     }
     m_file = file;
+    if (!m_locks.contains(file)) // given up while it was being opened
+        lock(file);
     forget(file);
 }
 

@@ -190,15 +190,15 @@ void FileActions::openProjectFile(const QString &path)
         [this](double done) { emit progress(done); });
 }
 
-void FileActions::restoreWork(const RecoveredWork &work)
+void FileActions::restoreWork(const RecoveredWork &work, const QString &recordings)
 {
     if (isExporting() || !mayDiscard())
         return;
     m_captures.cancel(); // recordings that arrive later would take the place of the work
     emit busy(tr("Restoring work"));
     m_jobs.start<ProjectState>(
-        [file = work.file](
-            const JobControl &control) { return dyncal::openProject(file, control); },
+        [file = work.file, recordings](
+            const JobControl &control) { return dyncal::openProject(file, control, recordings); },
         [this, work](Result<ProjectState> state) {
             emit idle(state ? tr("Work restored; it is not saved yet") : QString());
             if (!state) {

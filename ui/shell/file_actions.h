@@ -34,9 +34,10 @@ public:
     /// Files or folders from a drop or the command line: a project is opened; recordings start a
     /// job or are added to the one that is open.
     void openPaths(const QStringList &paths);
-    /// Opens what a stopped program left behind, as unsaved changes of its project. Tells by
-    /// workRestored or restoreFailed; nothing when the operator keeps what is open.
-    void restoreWork(const RecoveredWork &work);
+    /// Opens what a stopped program left behind, as unsaved changes of its project; recordings
+    /// that are not where they were are sought in the folder `recordings`. Tells by workRestored
+    /// or restoreFailed; nothing when the operator keeps what is open.
+    void restoreWork(const RecoveredWork &work, const QString &recordings = {});
     bool save();
     bool saveAs();
     void exportResults();

@@ -110,8 +110,8 @@ void MainWindow::buildCentre()
 
 void MainWindow::keepWork(const QString &folder, const AutoSaveDelays &delays)
 {
-    m_recovery = new WorkRecovery(
-        {m_session, *m_files, *m_banner, *statusBar()}, m_currentUtc, folder, delays, this);
+    m_recovery = new WorkRecovery({m_session, *m_files, m_prompts, *m_banner, *statusBar()},
+        m_currentUtc, folder, delays, this);
 }
 
 void MainWindow::buildDocks()

@@ -4,12 +4,29 @@
 #include "ui/shell/recovery_banner.h"
 
 #include <QAccessible>
-#include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 
+#include <algorithm>
+#include <array>
+#include <utility>
+
 namespace dyncal {
+
+namespace {
+
+/// In the order in which they stand.
+constexpr std::array<std::pair<RecoveryAction, const char *>, 6> kButtons{{
+    {RecoveryAction::Restore, "restoreWork"},
+    {RecoveryAction::Locate, "locateRecordings"},
+    {RecoveryAction::Undo, "undoDiscard"},
+    {RecoveryAction::Discard, "discardWork"},
+    {RecoveryAction::NotNow, "postponeWork"},
+    {RecoveryAction::Close, "closeBanner"},
+}};
+
+} // namespace
 
 RecoveryBanner::RecoveryBanner(QWidget *parent)
     : QFrame(parent)
@@ -19,7 +36,6 @@ RecoveryBanner::RecoveryBanner(QWidget *parent)
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::ToolTipBase);
-    setForegroundRole(QPalette::ToolTipText);
     m_sentence->setObjectName("recoverySentence");
     m_sentence->setForegroundRole(QPalette::ToolTipText);
     m_sentence->setTextFormat(Qt::PlainText);
@@ -27,56 +43,37 @@ RecoveryBanner::RecoveryBanner(QWidget *parent)
     m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
     auto *line = new QHBoxLayout(this);
     line->addWidget(m_sentence, 1);
-    const auto addButton = [&](const QString &name, void (RecoveryBanner::*signal)()) {
+    for (const auto &[action, name] : kButtons) {
         auto *button = new QPushButton(this);
         button->setObjectName(name);
-        connect(button, &QPushButton::clicked, this, signal);
+        connect(button, &QPushButton::clicked, this, [this, a = action] { emit chosen(a); });
         line->addWidget(button);
-        return button;
-    };
-    m_restore = addButton("restoreWork", &RecoveryBanner::restoreRequested);
-    m_discard = addButton("discardWork", &RecoveryBanner::discardRequested);
-    m_dismiss = addButton("dismissWork", &RecoveryBanner::dismissed);
+        m_buttons[action] = button;
+    }
     hide();
     showWords();
 }
 
 void RecoveryBanner::showWords()
 {
-    m_restore->setText(tr("&Restore"));
-    m_discard->setText(tr("&Discard"));
-    m_dismiss->setText(m_isOffer ? tr("&Not now") : tr("&Close"));
-    m_dismiss->setToolTip(m_isOffer ? tr("It is offered again at the next start") : QString());
+    m_buttons[RecoveryAction::Restore]->setText(tr("&Restore"));
+    m_buttons[RecoveryAction::Locate]->setText(tr("&Locate recordings..."));
+    m_buttons[RecoveryAction::Undo]->setText(tr("&Undo"));
+    m_buttons[RecoveryAction::Discard]->setText(tr("&Discard"));
+    m_buttons[RecoveryAction::NotNow]->setText(tr("&Not now"));
+    m_buttons[RecoveryAction::NotNow]->setToolTip(tr("It is offered again at the next start"));
+    m_buttons[RecoveryAction::Close]->setText(tr("&Close"));
 }
 
-void RecoveryBanner::offer(const QString &sentence)
+void RecoveryBanner::present(const QString &sentence, const std::vector<RecoveryAction> &actions)
 {
-    present(sentence, true);
-}
-
-void RecoveryBanner::tell(const QString &sentence)
-{
-    present(sentence, false);
-}
-
-void RecoveryBanner::present(const QString &sentence, bool isOffer)
-{
-    m_isOffer = isOffer;
     m_sentence->setText(sentence);
     setAccessibleName(sentence);
-    m_restore->setVisible(isOffer);
-    m_discard->setVisible(isOffer);
-    showWords();
+    for (const auto &[action, button] : m_buttons)
+        button->setVisible(std::ranges::find(actions, action) != actions.end());
     show();
     QAccessibleEvent alert(this, QAccessible::Alert);
     QAccessible::updateAccessibility(&alert);
-}
-
-void RecoveryBanner::changeEvent(QEvent *event)
-{
-    QFrame::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
-        showWords();
 }
 
 } // namespace dyncal

@@ -5,10 +5,16 @@
 
 #include <QFrame>
 
+#include <map>
+#include <vector>
+
 class QLabel;
 class QPushButton;
 
 namespace dyncal {
+
+/// What the operator can answer.
+enum class RecoveryAction { Restore, Locate, Discard, Undo, NotNow, Close };
 
 /// A line above the pages that says what a stopped program left behind and what can be done with
 /// it. It waits as long as the operator likes; work goes on below it.
@@ -19,27 +25,15 @@ class RecoveryBanner : public QFrame
 public:
     explicit RecoveryBanner(QWidget *parent = nullptr);
 
-    void offer(const QString &sentence); ///< with Restore, Discard, Not now
-    void tell(const QString &sentence); ///< with Close
+    void present(const QString &sentence, const std::vector<RecoveryAction> &actions);
+    void showWords(); ///< in the language of the moment
 
 signals:
-    void restoreRequested();
-    void discardRequested();
-    void dismissed(); ///< Not now, or Close
-
-protected:
-    void changeEvent(
-        QEvent *event) override; ///< its colours follow the palette, its words the language
+    void chosen(dyncal::RecoveryAction action);
 
 private:
-    void present(const QString &sentence, bool isOffer);
-    void showWords();
-
     QLabel *m_sentence;
-    QPushButton *m_restore;
-    QPushButton *m_discard;
-    QPushButton *m_dismiss;
-    bool m_isOffer = false;
+    std::map<RecoveryAction, QPushButton *> m_buttons;
 };
 
 } // namespace dyncal

@@ -65,9 +65,7 @@ WorkRecovery::WorkRecovery(const Parts &parts, const CurrentUtc &currentUtc, con
         [this] { m_autoSave.setProject(m_parts.files.projectPath()); });
     connect(&parts.files, &FileActions::workRestored, this, &WorkRecovery::takeRestored);
     connect(&parts.files, &FileActions::restoreFailed, this, &WorkRecovery::showFailedRestore);
-    connect(&parts.banner, &RecoveryBanner::restoreRequested, this, &WorkRecovery::restore);
-    connect(&parts.banner, &RecoveryBanner::discardRequested, this, &WorkRecovery::discard);
-    connect(&parts.banner, &RecoveryBanner::dismissed, this, &WorkRecovery::dismiss);
+    connect(&parts.banner, &RecoveryBanner::chosen, this, &WorkRecovery::obey);
     connect(&m_autoSave, &AutoSave::saved, this, &WorkRecovery::showSaved);
     connect(&m_autoSave, &AutoSave::failed, this, &WorkRecovery::showFailure);
     connect(&m_autoSave, &AutoSave::nothingToSave, this, [this] { showSaved({}); });
@@ -77,23 +75,35 @@ WorkRecovery::WorkRecovery(const Parts &parts, const CurrentUtc &currentUtc, con
 
 void WorkRecovery::showWords()
 {
+    m_parts.banner.showWords();
     showNext();
     showStatus();
 }
 
 void WorkRecovery::end()
 {
+    finishDiscard();
     m_autoSave.end();
 }
 
 void WorkRecovery::showNext()
 {
-    if (!m_offers.empty()) {
-        m_parts.banner.offer(offerSentence(m_offers.front()));
+    using enum RecoveryAction;
+    if (!m_offers.empty() && m_isDiscarded) {
+        m_parts.banner.present(
+            tr("The recovered work on %1 is discarded.").arg(nameOf(m_offers.front())),
+            {Undo, Close});
+    } else if (!m_offers.empty()) {
+        const QString sentence = offerSentence(m_offers.front());
+        if (m_notRestored)
+            m_parts.banner.present(sentence, {Restore, Locate, Discard, NotNow});
+        else
+            m_parts.banner.present(sentence, {Restore, Discard, NotNow});
     } else if (!m_notes.empty()) {
-        m_parts.banner.tell(
-            tr("Work of a stopped program could not be read (%1) It is kept as %2.")
-                .arg(translated(m_notes.front().error.message), m_notes.front().keptAs));
+        m_parts.banner.present(
+            tr("Work of a stopped program could not be read: %1 It is kept as %2.")
+                .arg(translated(m_notes.front().error.message), m_notes.front().keptAs),
+            {Close});
     } else {
         m_parts.banner.hide();
     }
@@ -128,35 +138,67 @@ QString WorkRecovery::timeText(const QDateTime &utc) const
                                                        : QStringLiteral("yyyy-MM-dd HH:mm:ss"));
 }
 
-void WorkRecovery::restore()
+void WorkRecovery::obey(RecoveryAction action)
 {
-    m_notRestored.reset();
-    m_parts.files.restoreWork(m_offers.front());
+    switch (action) {
+    case RecoveryAction::Restore:
+        restore({});
+        break;
+    case RecoveryAction::Locate:
+        locate();
+        break;
+    case RecoveryAction::Discard:
+    case RecoveryAction::Undo:
+        m_isDiscarded = action == RecoveryAction::Discard;
+        showNext();
+        break;
+    case RecoveryAction::NotNow:
+    case RecoveryAction::Close:
+        nextOffer();
+        break;
+    }
+}
+
+void WorkRecovery::restore(const QString &recordings)
+{
+    m_parts.files.restoreWork(m_offers.front(), recordings);
+}
+
+/// The recordings were moved: they are taken from another folder, by their names.
+void WorkRecovery::locate()
+{
+    const QString folder = m_parts.prompts.folder(m_parts.banner.window(),
+        tr("Folder of the recordings"), QFileInfo(m_offers.front().project).absolutePath());
+    if (!folder.isEmpty())
+        restore(folder);
 }
 
 void WorkRecovery::takeRestored(const QString &file)
 {
     m_autoSave.adopt(file);
+    m_notRestored.reset();
     std::erase_if(m_offers, [&](const RecoveredWork &work) { return work.file == file; });
     showNext();
 }
 
 void WorkRecovery::showFailedRestore(const QString &file, const Error &error)
 {
-    if (m_offers.empty() || m_offers.front().file != file)
+    if (error.kind == ErrorKind::Cancelled || m_offers.empty() || m_offers.front().file != file)
         return;
     m_notRestored = error;
     showNext();
 }
 
-void WorkRecovery::discard()
+void WorkRecovery::finishDiscard()
 {
-    m_store.discard(m_offers.front().file);
-    dismiss();
+    if (m_isDiscarded)
+        m_store.discard(m_offers.front().file);
+    m_isDiscarded = false;
 }
 
-void WorkRecovery::dismiss()
+void WorkRecovery::nextOffer()
 {
+    finishDiscard();
     m_notRestored.reset();
     if (!m_offers.empty())
         m_offers.erase(m_offers.begin());

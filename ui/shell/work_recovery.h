@@ -15,9 +15,10 @@ class QStatusBar;
 namespace dyncal {
 
 class RecoveryBanner;
+enum class RecoveryAction;
 
 /// Keeps unsaved work while the window is open and offers what stopped programs left behind, one
-/// after the other, in the banner. Nothing here opens a dialog.
+/// after the other, in the banner. No dialog is opened unasked.
 class WorkRecovery : public QObject
 {
     Q_OBJECT
@@ -27,6 +28,7 @@ public:
     {
         Session &session;
         FileActions &files;
+        Prompts &prompts;
         RecoveryBanner &banner;
         QStatusBar &statusBar;
     };
@@ -38,14 +40,16 @@ public:
 
 private:
     void showNext();
-    void restore();
-    void discard();
-    void dismiss();
+    void obey(RecoveryAction action);
+    void restore(const QString &recordings);
+    void locate();
+    void nextOffer(); ///< the one on show is settled
     void takeRestored(const QString &file);
     void showFailedRestore(const QString &file, const Error &error);
     void showSaved(const QDateTime &utc);
     void showFailure(const Error &error);
     void showStatus();
+    void finishDiscard();
     QString offerSentence(const RecoveredWork &work) const;
     QString timeText(const QDateTime &utc) const;
 
@@ -56,6 +60,7 @@ private:
     std::vector<RecoveredWork> m_offers; ///< the first is on show
     std::vector<UnreadableWork> m_notes; ///< after the offers
     std::optional<Error> m_notRestored; ///< why the offer on show could not be opened
+    bool m_isDiscarded = false; ///< the offer on show; its file goes when the banner does
     QDateTime m_saved; ///< invalid: nothing to say
     std::optional<Error> m_failure;
     QLabel *m_status;
