@@ -57,7 +57,7 @@ RecoveryBanner::RecoveryBanner(QWidget *parent)
 void RecoveryBanner::showWords()
 {
     m_buttons[RecoveryAction::Restore]->setText(tr("&Restore"));
-    m_buttons[RecoveryAction::Locate]->setText(tr("&Locate recordings..."));
+    m_buttons[RecoveryAction::Locate]->setText(tr("L&ocate recordings..."));
     m_buttons[RecoveryAction::Undo]->setText(tr("&Undo"));
     m_buttons[RecoveryAction::Discard]->setText(tr("&Discard"));
     m_buttons[RecoveryAction::NotNow]->setText(tr("&Not now"));
