@@ -84,9 +84,11 @@ double commonStep(Eigen::VectorXd values)
         return 0.0;
     const double largest = std::max(std::abs(values[0]), std::abs(values[count - 1]));
     const double error = kLastBits * std::numeric_limits<double>::epsilon() * largest;
-    Difference step{values[1] - values[0], error};
-    for (Index i = 2; i < count && step.size > 0.0; ++i)
-        step = commonDivisor({values[i] - values[i - 1], error}, step);
+    Eigen::VectorXd differences = values.segment(1, count - 1) - values.head(count - 1);
+    std::sort(differences.begin(), differences.end()); // small multiples first: errors stay small
+    Difference step{differences[0], error};
+    for (Index i = 1; i < differences.size() && step.size > 0.0; ++i)
+        step = commonDivisor({differences[i], error}, step);
     return step.size;
 }
 
