@@ -26,7 +26,7 @@ double normalQuantile(double probability);
 /// the normal distribution serves.
 double studentSurvival(double t, double dof);
 
-/// t with P(T <= t) = p, 0 < p < 1, as exact as studentSurvival().
+/// t with P(T <= t) = p, 0 < p < 1, as exact as studentSurvival(); NaN unless dof > 0.
 double studentQuantile(double probability, double dof);
 
 } // namespace dyncal
