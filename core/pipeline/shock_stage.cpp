@@ -4,6 +4,7 @@
 #include "core/pipeline/shock_stage.h"
 
 #include "core/base/number_text.h"
+#include "core/project/nearest_word.h"
 #include "core/shock/channel_order.h"
 #include "core/shock/reading_check.h"
 
@@ -112,6 +113,22 @@ UncertaintyRequest requestOf(const UncertaintySettings &settings)
     return request;
 }
 
+/// A name that is misspelt must not leave the usual uncertainty in its place without a word.
+Findings unknownQuantities(const std::vector<BudgetEntry> &budget)
+{
+    Findings findings;
+    for (const BudgetEntry &entry : budget) {
+        if (std::ranges::find(statedQuantities(), entry.quantity) == statedQuantities().end())
+            findings.push_back({"SHK-013", Severity::Caution, 0, {}, {},
+                {DYNCAL_TEXT("core",
+                     "The uncertainty of '%1' in uncertainty.budget is used for nothing; the "
+                     "nearest quantity that counts is '%2'."),
+                    {entry.quantity, nearestKey(entry.quantity, statedQuantities())}},
+                {}, {}});
+    }
+    return findings;
+}
+
 /// When the DUTs felt the shock, as far as it can be known before the window is cut.
 std::vector<DutArrival> startsOfDuts(
     const CaptureSet &set, const RecordStarts &starts, const std::vector<double> &typed_s)
@@ -216,6 +233,8 @@ Result<ShockConditionsSet> shockStage(const CaptureSet &set, const ShockConditio
         return shock;
     const Findings misread = checkReadings(window.responses, *shock, recipe.checks);
     shock->findings.insert(shock->findings.end(), misread.begin(), misread.end());
+    const Findings unknown = unknownQuantities(recipe.uncertainty.budget);
+    shock->findings.insert(shock->findings.end(), unknown.begin(), unknown.end());
     shock->followedPeaks = followPeaks(spectrum, window, *shock);
     for (const FollowedPeak &peak : shock->followedPeaks) {
         if (peak.test.followsGas)
