@@ -103,6 +103,13 @@ Index samplesUsed(const WindowedResponse &response, double span_s, double freque
     return static_cast<Index>(std::min(count, static_cast<double>(response.length)));
 }
 
+/// Of the level that continues the shot behind its last sample, and of the baseline, on which the
+/// whole shot stands; not known without the refinement.
+double levelUncertainty(const ShotView &shot)
+{
+    return shot.fit && std::isfinite(shot.fit->u_plateauGain) ? shot.fit->u_plateauGain : 0.0;
+}
+
 struct Point
 {
     std::complex<double> S;
@@ -120,8 +127,9 @@ Point measuredAt(const std::vector<ShotView> &shots, double span_s, double frequ
             response.sampleRate_Hz, shot.plateau, shot.fit ? shot.fit->onset_s : 0.0, frequency_Hz);
         mean.S += shot.perPressure * shot.record.ofStep(transform, frequency_Hz);
         const double u = std::abs(shot.perPressure)
-            * stepTransformNoise(count, response.sampleRate_Hz,
-                response.noiseSd / std::abs(response.valueScale), frequency_Hz);
+            * std::hypot(stepTransformNoise(count, response.sampleRate_Hz,
+                             response.noiseSd / std::abs(response.valueScale), frequency_Hz),
+                levelUncertainty(shot));
         variance += u * u;
     }
     const double n = static_cast<double>(shots.size());

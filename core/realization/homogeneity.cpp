@@ -18,6 +18,7 @@ namespace dyncal {
 namespace {
 
 constexpr double kSignificance = 0.01;
+constexpr double kSmallestP = 1e-4; ///< smaller ones are not worth telling apart
 
 /// The poles of the model fitted to some of the shots alone: those that stand out there.
 struct PartFit
@@ -362,17 +363,22 @@ Findings judgeShots(const SensorModel &model)
             highest = std::max(highest, shot.frequency_Hz);
         }
     }
-    const std::string probability = numberText(100.0 * model.homogeneity->probability, 2);
+    const double p = model.homogeneity->probability;
+    const std::string probability
+        = p < kSmallestP ? "< " + numberText(100.0 * kSmallestP, 1) : numberText(100.0 * p, 2);
     const std::string pole = numberWithUnit(model.homogeneity->frequency_Hz, "Hz", 4);
     Message message{DYNCAL_TEXT("core",
-                        "The shots do not share the pole at %1 (homogeneity test: %2 %). Its "
-                        "uncertainty is the scatter between them; state one value per level."),
+                        "The shots do not share the pole at %1 (their scatter would be chance "
+                        "in %2 % of cases; the limit is 1 %). Its uncertainty is the scatter "
+                        "between them; state one value per "
+                        "level."),
         {pole, probability}};
     if (highest > lowest)
         message = {DYNCAL_TEXT("core",
-                       "The shots do not share the pole at %1 (homogeneity test: %2 %); their main "
-                       "resonances lie at %3 to %4. Its uncertainty is the scatter between them; "
-                       "state one value per level."),
+                       "The shots do not share the pole at %1 (their scatter would be chance "
+                       "in %2 % of cases; the limit is 1 %); their main resonances lie at %3 to "
+                       "%4. Its uncertainty is the scatter between "
+                       "them; state one value per level."),
             {pole, probability, numberWithUnit(lowest, "Hz", 6), numberWithUnit(highest, "Hz", 6)}};
     return {{"MOD-010", Severity::Caution, 0, {}, {}, std::move(message),
         model.homogeneity->probability, kSignificance}};

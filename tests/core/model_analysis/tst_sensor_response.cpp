@@ -204,6 +204,55 @@ private slots:
         QVERIFY((result.u_phase_rad.array() / relative - 1.0).abs().maxCoeff() < 1e-9);
     }
 
+    void uncertaintyOfTheLevel_isPartOfEveryPoint()
+    {
+        constexpr double kLevel = 3e-4;
+        Calibration calibration = secondOrder(2);
+        for (SeriesFit &fit : calibration.model.series)
+            fit.u_plateauGain = kLevel;
+        const Eigen::ArrayXd level = calibration.run().u_magnitude.array();
+        const double expected = kLevel / std::sqrt(2.0) * kStep_V / kStep_Pa;
+        QVERIFY((level / expected - 1.0).abs().maxCoeff() < 1e-9);
+        // In squares with the noise of the samples.
+        for (WindowedResponse &response : calibration.responses)
+            response.noiseSd = 1e-4 * kStep_V;
+        const Eigen::ArrayXd both = calibration.run().u_magnitude.array();
+        for (SeriesFit &fit : calibration.model.series)
+            fit.u_plateauGain = kUnknown;
+        const Eigen::ArrayXd noise = calibration.run().u_magnitude.array();
+        QVERIFY(((level.square() + noise.square()).sqrt() / both - 1.0).abs().maxCoeff() < 1e-9);
+    }
+
+    void statedUncertainty_isTheScatter_atLowFrequencies()
+    {
+        constexpr int kTrials = 300;
+        constexpr double kNoise = 0.01;
+        constexpr Index kLevelSamples = 4000; // the plateau is known as well as their mean
+        Calibration calibration = secondOrder();
+        calibration.settings.frequencies_Hz = {510.0, 800.0, 1300.0, 5e3};
+        const Eigen::VectorXd clean = calibration.responses[0].values;
+        const double plateau = calibration.model.series[0].plateauGain;
+        const Eigen::ArrayXd truth = calibration.run().magnitude.array();
+        Eigen::ArrayXd squares = Eigen::ArrayXd::Zero(4);
+        testing::Noise noise(5);
+        for (int trial = 0; trial < kTrials; ++trial) {
+            WindowedResponse &response = calibration.responses[0];
+            const Eigen::VectorXd added = noise.series(clean.size(), kNoise);
+            response.values = clean + added;
+            response.noiseSd = kNoise * kStep_V;
+            SeriesFit &fit = calibration.model.series[0];
+            fit.plateauGain = plateau + added.segment(kLead, kLevelSamples).mean();
+            fit.u_plateauGain = kNoise / std::sqrt(static_cast<double>(kLevelSamples));
+            const ResponseResult result = calibration.run();
+            squares += ((result.magnitude.array() - truth) / result.u_magnitude.array()).square();
+        }
+        const Eigen::ArrayXd rms = (squares / kTrials).sqrt();
+        qInfo("rms of error over u: %.2f %.2f %.2f %.2f", rms[0], rms[1], rms[2], rms[3]);
+        // The level's part has a direction of its own in the plane: at most sqrt 2 too much is
+        // said.
+        QVERIFY(rms.maxCoeff() < 1.15 && rms.minCoeff() > 0.6);
+    }
+
     void phase_isUnwrapped_throughTwoResonances()
     {
         Calibration calibration(testing::cascadeModel({{1e5, 0.03}, {3e5, 0.03}}));
