@@ -18,6 +18,7 @@ namespace dyncal {
 namespace {
 
 constexpr double kSignificance = 0.01;
+constexpr double kSmallestP = 1e-4; ///< smaller ones are not worth telling apart
 
 /// The poles of the model fitted to some of the shots alone: those that stand out there.
 struct PartFit
@@ -115,15 +116,18 @@ std::vector<PartFit> fitLevels(
     return fits;
 }
 
-/// Plateau over the shots of a part, weighted by their uncertainties.
-void describePlateau(const PartFit &part, LevelPole &result)
+/// Plateau over the shots of a part, weighted by their uncertainties; the baseline that was
+/// subtracted moves each whole record.
+void describePlateau(const ModelInput &input, const PartFit &part, LevelPole &result)
 {
     double weights = 0.0;
     double sum = 0.0;
     for (std::size_t i = 0; i < part.series.size(); ++i) {
         const Eigen::MatrixXd covariance
             = recordCovariance(*part.refinement, static_cast<Index>(i));
-        const double variance = covariance(covariance.rows() - 1, covariance.rows() - 1);
+        const double u_baseline = input.series[part.series[i]].u_baseline;
+        const double variance
+            = covariance(covariance.rows() - 1, covariance.rows() - 1) + u_baseline * u_baseline;
         const double weight = variance > 0.0 ? 1.0 / variance : 1.0;
         weights += weight;
         sum += weight * part.refinement->records[i].constant;
@@ -153,7 +157,7 @@ LevelPole describePart(const ModelInput &input, const PartFit &part, std::option
     }
     result.coverageFactor = coverageFactor95(part.noise.dof);
     if (part.refinement->withConstant)
-        describePlateau(part, result);
+        describePlateau(input, part, result);
     return result;
 }
 
@@ -359,17 +363,22 @@ Findings judgeShots(const SensorModel &model)
             highest = std::max(highest, shot.frequency_Hz);
         }
     }
-    const std::string probability = numberText(100.0 * model.homogeneity->probability, 2);
+    const double p = model.homogeneity->probability;
+    const std::string probability
+        = p < kSmallestP ? "< " + numberText(100.0 * kSmallestP, 1) : numberText(100.0 * p, 2);
     const std::string pole = numberWithUnit(model.homogeneity->frequency_Hz, "Hz", 4);
     Message message{DYNCAL_TEXT("core",
-                        "The shots do not share the pole at %1 (homogeneity test: %2 %). Its "
-                        "uncertainty is the scatter between them; state one value per level."),
+                        "The shots do not share the pole at %1 (their scatter would be chance "
+                        "in %2 % of cases; the limit is 1 %). Its uncertainty is the scatter "
+                        "between them; state one value per "
+                        "level."),
         {pole, probability}};
     if (highest > lowest)
         message = {DYNCAL_TEXT("core",
-                       "The shots do not share the pole at %1 (homogeneity test: %2 %); their main "
-                       "resonances lie at %3 to %4. Its uncertainty is the scatter between them; "
-                       "state one value per level."),
+                       "The shots do not share the pole at %1 (their scatter would be chance "
+                       "in %2 % of cases; the limit is 1 %); their main resonances lie at %3 to "
+                       "%4. Its uncertainty is the scatter between "
+                       "them; state one value per level."),
             {pole, probability, numberWithUnit(lowest, "Hz", 6), numberWithUnit(highest, "Hz", 6)}};
     return {{"MOD-010", Severity::Caution, 0, {}, {}, std::move(message),
         model.homogeneity->probability, kSignificance}};

@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/realization/order_evidence.h"
+#include "core/realization/realized_poles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +13,8 @@
 namespace dyncal {
 namespace {
 
-constexpr double kPairRatio = 1.05;
+constexpr double kSurely = 1.3; ///< of the noise's 95 % edge: noise alone does not reach this
+constexpr double kRounding = 1e-10; ///< of the largest singular value
 constexpr double kGoodShare = 0.8; ///< of the attainable FIT
 constexpr double kOverFit_points = 2.0;
 constexpr double kNoiseLimit_percent = 10.0; ///< below, FIT says nothing
@@ -22,6 +24,16 @@ constexpr double kClearGap = 3.0;
 constexpr double kOtherShots_points = 15.0;
 constexpr std::size_t kMostNamed = 4; ///< poles in one sentence
 constexpr double kMissingFast = 0.1; ///< of the plateau, at the onset
+constexpr double kFarOff = 10.0; ///< plateaus at the onset: how many more says nothing
+constexpr double kStepPole = 1e-3; ///< from 1, in the z plane
+constexpr double kLikeAStep = 0.1; ///< of the largest amplitude
+
+Index oscillatingPairs(const HankelDecomposition &decomposition, Index order)
+{
+    const std::vector<std::complex<double>> poles = realizedPoles(decomposition, order);
+    return std::ranges::count_if(
+        poles, [](const std::complex<double> &z) { return z.imag() > 0.0; });
+}
 
 Finding about(const char *id, Severity severity, Message message, std::optional<double> value = {},
     std::optional<double> limit = {})
@@ -29,65 +41,135 @@ Finding about(const char *id, Severity severity, Message message, std::optional<
     return {id, severity, 0, {}, {}, std::move(message), value, limit};
 }
 
-void judgeOrder(const SensorModel &model, const HankelDecomposition &decomposition, Findings &out)
+Mend useOrder(Index order)
+{
+    return {{DYNCAL_TEXT("core", "Use order %1"), {std::to_string(order)}}, "realization.order",
+        std::to_string(order)};
+}
+
+/// As FIT is shown everywhere.
+std::string oneDecimal(double percent)
+{
+    return numberText(std::round(10.0 * percent) / 10.0, 4);
+}
+
+void judgeSplit(const SensorModel &model, const HankelDecomposition &decomposition, Findings &out)
+{
+    const Index n = model.order;
+    const Eigen::VectorXd &sigma = decomposition.singularValues;
+    if (!splitsPair(decomposition, n))
+        return;
+    out.push_back(about("ORD-001", Severity::Caution,
+        {DYNCAL_TEXT("core",
+             "Order %1 splits an oscillating pair (singular values %1 and %2 are %3 and %4). "
+             "Order %2 keeps it."),
+            {std::to_string(n), std::to_string(n + 1), numberText(sigma[n - 1], 4),
+                numberText(sigma[n], 4)}},
+        sigma[n - 1] / sigma[n]));
+    out.back().mend = useOrder(n + 1);
+}
+
+void judgeNoiseStates(
+    const SensorModel &model, const HankelDecomposition &decomposition, Findings &out)
 {
     const Index n = model.order;
     const Eigen::VectorXd &sigma = decomposition.singularValues;
     const double floor = decomposition.noiseFloor_p95;
-    if (splitsPair(decomposition, n)) {
-        out.push_back(about("ORD-001", Severity::Caution,
-            {DYNCAL_TEXT("core",
-                 "Order %1 splits an oscillating pair (singular values %1 and %2 are %3 and %4). "
-                 "Order %2 keeps it."),
-                {std::to_string(n), std::to_string(n + 1), numberText(sigma[n - 1], 4),
-                    numberText(sigma[n], 4)}},
-            sigma[n - 1] / sigma[n], kPairRatio));
-        out.back().mend = Mend{{DYNCAL_TEXT("core", "Use order %1"), {std::to_string(n + 1)}},
-            "realization.order", std::to_string(n + 1)};
-    }
-    if (n <= sigma.size() && floor > 0.0 && sigma[n - 1] < floor) {
-        const Index above = (sigma.array() > floor).count();
-        out.push_back(about("ORD-003", Severity::Caution,
-            {DYNCAL_TEXT("core", "States above %1 lie at the noise level."),
-                {std::to_string(above)}},
-            static_cast<double>(n), static_cast<double>(above)));
-    }
+    if (n > sigma.size() || !(floor > 0.0) || sigma[n - 1] >= floor)
+        return;
+    const Index above = (sigma.array() > floor).count();
+    out.push_back(about("ORD-003", Severity::Caution,
+        {above > 0 ? DYNCAL_TEXT("core",
+             "Order %1 has states at the noise level: singular value %1 is %3, noise alone reaches "
+             "%4. Order %2 is the highest above it.")
+                   : DYNCAL_TEXT("core",
+                       "Order %1 has states at the noise level: singular value %1 is %3, noise "
+                       "alone reaches %4. No value is above it: the response holds nothing that "
+                       "could be identified."),
+            {std::to_string(n), std::to_string(above), numberText(sigma[n - 1], 3),
+                numberText(floor, 3)}},
+        static_cast<double>(n), static_cast<double>(above)));
+    if (above > 0)
+        out.back().mend = useOrder(above);
 }
 
-void judgePoles(const SensorModel &model, Findings &out)
+/// Frequencies of some poles, a pair once: "1.2 MHz, 3.4 MHz, ...".
+std::string frequenciesOf(const std::vector<const Pole *> &poles)
 {
+    std::string list;
+    for (std::size_t i = 0; i < std::min(poles.size(), kMostNamed); ++i)
+        list += (i > 0 ? ", " : "") + numberWithUnit(poles[i]->frequency_Hz, "Hz", 4);
+    return poles.size() > kMostNamed ? list + ", \xE2\x80\xA6" : list;
+}
+
+/// Those of which something is true, a pair once: its conjugate says nothing new.
+template <typename Condition>
+std::vector<const Pole *> polesWhere(const SensorModel &model, Condition condition)
+{
+    std::vector<const Pole *> found;
     for (const Pole &pole : model.poles) {
-        if (pole.z.imag() < 0.0)
-            continue; // its conjugate has been spoken of
-        const std::string magnitude = numberText(std::abs(pole.z), 7);
-        switch (pole.poleClass) {
-        case PoleClass::Unstable:
-            out.push_back(about("MOD-001", Severity::Block,
-                {DYNCAL_TEXT("core",
-                     "The model of order %1 is unstable: a pole of magnitude %2 at %3. It is not "
-                     "reportable; choose another order."),
-                    {std::to_string(model.order), magnitude,
-                        numberWithUnit(pole.frequency_Hz, "Hz", 4)}},
-                std::abs(pole.z), 1.0));
-            break;
-        case PoleClass::Nyquist:
-            out.push_back(about("MOD-002", Severity::Caution,
-                {DYNCAL_TEXT("core",
-                     "A pole lies at z = %1: dynamics at the Nyquist frequency come from sampling, "
-                     "not from the sensor."),
-                    {numberText(pole.z.real(), 4)}},
-                pole.z.real()));
-            break;
-        case PoleClass::Step:
-            out.push_back(about("MOD-003", Severity::Info,
-                {DYNCAL_TEXT("core", "The pole at z = %1 is the step itself."),
-                    {numberText(pole.z.real(), 9)}}));
-            break;
-        case PoleClass::Sensor:
-        case PoleClass::Other:
-            break;
-        }
+        if (pole.z.imag() >= 0.0 && condition(pole))
+            found.push_back(&pole);
     }
+    return found;
+}
+
+std::vector<const Pole *> polesOfClass(const SensorModel &model, PoleClass poleClass)
+{
+    return polesWhere(model, [&](const Pole &pole) { return pole.poleClass == poleClass; });
+}
+
+void judgeUnstable(const SensorModel &model, Findings &out)
+{
+    const std::vector<const Pole *> poles = polesOfClass(model, PoleClass::Unstable);
+    if (poles.empty())
+        return;
+    double largest = 0.0;
+    for (const Pole *pole : poles)
+        largest = std::max(largest, std::abs(pole->z));
+    out.push_back(about("MOD-001", Severity::Block,
+        {DYNCAL_TEXT("core",
+             "The model of order %1 is unstable: poles that grow, at %2, the largest of magnitude "
+             "%3 (at most 1). It is not reportable; choose another order."),
+            {std::to_string(model.order), frequenciesOf(poles), numberText(largest, 7)}},
+        largest, 1.0));
+}
+
+void judgeNyquist(const SensorModel &model, const ModelInput &input, Findings &out)
+{
+    const std::vector<const Pole *> poles = polesOfClass(model, PoleClass::Nyquist);
+    if (poles.empty())
+        return;
+    out.push_back(about("MOD-002", Severity::Caution,
+        {DYNCAL_TEXT("core",
+             "Poles at the Nyquist frequency, %1: %2. Dynamics there come from sampling, not from "
+             "the sensor; a lower order or a higher model rate is without them."),
+            {numberWithUnit(input.sampleRate_Hz / 2.0, "Hz", 4), frequenciesOf(poles)}},
+        poles.front()->z.real()));
+}
+
+void judgeStepPole(const SensorModel &model, const ModelInput &input, Findings &out)
+{
+    for (const Pole *pole : polesOfClass(model, PoleClass::Step))
+        out.push_back(about("MOD-003", Severity::Info,
+            {DYNCAL_TEXT("core", "The pole at z = %1 is the step itself."),
+                {numberText(pole->z.real(), 9)}}));
+    if (input.treatment != ResponseTreatment::Impulse)
+        return;
+    const auto constants = polesWhere(model, [&](const Pole &pole) {
+        return pole.z.imag() == 0.0 && std::abs(pole.z - 1.0) < kStepPole
+            && pole.amplitude > kLikeAStep * model.amplitudes.cwiseAbs().maxCoeff();
+    });
+    if (constants.empty())
+        return;
+    out.push_back(about("MOD-013", Severity::Caution,
+        {DYNCAL_TEXT("core",
+             "The response is treated as a free decay but stays at a level: a pole at z = %1. "
+             "Treat it as a step, or the step becomes a part of the sensor."),
+            {numberText(constants.front()->z.real(), 9)}},
+        constants.front()->z.real(), 1.0 - kStepPole));
+    out.back().mend = Mend{
+        {DYNCAL_TEXT("core", "Treat as a step"), {}}, "input.treatment", "\"step-deflated\""};
 }
 
 bool isCancelled(const Pole &pole, const std::vector<std::complex<double>> &zeros)
@@ -96,24 +178,16 @@ bool isCancelled(const Pole &pole, const std::vector<std::complex<double>> &zero
         [&](const auto &zero) { return std::abs(zero - pole.z) < kCancelling; });
 }
 
-/// A pair counts once: "2 (1.2 MHz, 3.4 MHz)".
 void judgeCancelling(const SensorModel &model, Findings &out)
 {
-    std::vector<std::string> named;
-    for (const Pole &pole : model.poles) {
-        if (pole.z.imag() >= 0.0 && isCancelled(pole, model.zeros))
-            named.push_back(numberWithUnit(pole.frequency_Hz, "Hz", 4));
-    }
-    if (named.empty())
+    const auto cancelled
+        = polesWhere(model, [&](const Pole &pole) { return isCancelled(pole, model.zeros); });
+    if (cancelled.empty())
         return;
-    const std::string count = std::to_string(named.size());
-    std::string list;
-    for (std::size_t i = 0; i < std::min(named.size(), kMostNamed); ++i)
-        list += (i > 0 ? ", " : "") + named[i];
     out.push_back(about("MOD-005", Severity::Info,
         {DYNCAL_TEXT("core", "Poles nearly cancelled by zeros: %1 (%2). A lower order may do."),
-            {count, named.size() > kMostNamed ? list + ", \xE2\x80\xA6" : list}},
-        static_cast<double>(named.size())));
+            {std::to_string(cancelled.size()), frequenciesOf(cancelled)}},
+        static_cast<double>(cancelled.size())));
 }
 
 void judgeFit(const SensorModel &model, Findings &out)
@@ -121,12 +195,12 @@ void judgeFit(const SensorModel &model, Findings &out)
     const double attainable = model.fitAttainable_percent;
     if (model.diverges || !(attainable > kNoiseLimit_percent))
         return;
-    const std::vector<std::string> words{
-        numberText(std::round(model.fit_percent * 10.0) / 10.0, 4), numberText(attainable, 3)};
+    const std::vector<std::string> words{oneDecimal(model.fit_percent), oneDecimal(attainable)};
     if (model.fit_percent < kGoodShare * attainable) {
         out.push_back(about("MOD-004", Severity::Caution,
             {DYNCAL_TEXT("core",
-                 "FIT is %1 % of an attainable %2 %: the model misses part of the response."),
+                 "FIT is %1 % where the noise allows %2 %: the model misses part of the response. "
+                 "Choose a higher order; the error shows what is missing."),
                 words},
             model.fit_percent, kGoodShare * attainable));
     } else if (model.fit_percent > attainable + kOverFit_points) {
@@ -156,13 +230,28 @@ void judgeAgainstSpectrum(const SensorModel &model, const SpectrumResult &spectr
     if (std::abs(nearest_Hz - seen_Hz) > kSameFrequency * seen_Hz) {
         out.push_back(about("MOD-006", Severity::Caution,
             {nearest_Hz > 0.0 ? DYNCAL_TEXT("core",
-                 "The spectrum's resonance at %1 is not in the model, whose nearest lies at %2.")
+                 "The spectrum's resonance at %1 is not in the model, whose nearest lies at %2 (2 "
+                 "% "
+                 "apart at most). Choose another order or model rate.")
                               : DYNCAL_TEXT("core",
                                   "The spectrum's resonance at %1 is not in the model, which has "
-                                  "none."),
+                                  "none. Choose a higher order."),
                 {numberWithUnit(seen_Hz, "Hz", 4), numberWithUnit(nearest_Hz, "Hz", 4)}},
             nearest_Hz, seen_Hz));
     }
+}
+
+/// Share of the plateau at which the model starts. Poles in the noise are not counted: brought back
+/// to the onset, a fast one is any number.
+double shareAtOnset(const SensorModel &model)
+{
+    double value = model.plateauGain;
+    for (Index i = 0; i < model.amplitudes.size(); ++i) {
+        const auto &flags = model.poles[static_cast<std::size_t>(i)].flags;
+        if (std::ranges::find(flags, kBelowNoiseFlag) == flags.end())
+            value += model.amplitudes[i].real();
+    }
+    return std::abs(value / model.plateauGain);
 }
 
 /// A sensor cannot jump: a model that starts far from 0 lacks its fastest part.
@@ -170,15 +259,14 @@ void judgeOnset(const SensorModel &model, const ModelInput &input, Findings &out
 {
     if (!isStepTreatment(input.treatment) || model.diverges || !(std::abs(model.plateauGain) > 0.0))
         return;
-    const double atOnset
-        = std::abs(model.plateauGain + model.amplitudes.sum().real()) / std::abs(model.plateauGain);
+    const double atOnset = shareAtOnset(model);
     if (atOnset > kMissingFast) {
         out.push_back(about("MOD-009", Severity::Caution,
             {DYNCAL_TEXT("core",
                  "The model starts at %1 % of the step instead of 0: a fast part of the response "
-                 "is "
-                 "missing; raise the model rate or the order."),
-                {numberText(100.0 * atOnset, 3)}},
+                 "is missing; raise the model rate or the order."),
+                {atOnset > kFarOff ? "> " + numberText(100.0 * kFarOff, 3)
+                                   : numberText(100.0 * atOnset, 3)}},
             atOnset, kMissingFast));
     }
 }
@@ -188,9 +276,12 @@ void judgeOnset(const SensorModel &model, const ModelInput &input, Findings &out
 bool splitsPair(const HankelDecomposition &decomposition, Index order)
 {
     const Eigen::VectorXd &sigma = decomposition.singularValues;
-    return order >= 1 && order < sigma.size() && sigma[order] > 0.0
-        && sigma[order] > decomposition.noiseFloor_p95
-        && sigma[order - 1] / sigma[order] < kPairRatio;
+    if (order < 1 || order >= largestOrder(decomposition))
+        return false;
+    // What lies in the noise, or in the rounding of noise-free data, belongs to no oscillation.
+    const double least = std::max(kSurely * decomposition.noiseFloor_p95, kRounding * sigma[0]);
+    return sigma[order] > least
+        && oscillatingPairs(decomposition, order + 1) > oscillatingPairs(decomposition, order);
 }
 
 Findings judgeGap(const HankelDecomposition &decomposition)
@@ -224,8 +315,10 @@ Findings judgeOtherShots(const SensorModel &model, const OrderEvidence &evidence
         findings.push_back(about("MOD-007", Severity::Caution,
             {DYNCAL_TEXT("core",
                  "Shot %1: FIT is %2 % with the model, but %3 % with the poles of the other shots "
-                 "alone. The shots do not share their poles; the sensor may not be linear."),
-                {std::to_string(shot), numberText(own->fit_percent, 3), numberText(others, 3)}},
+                 "alone. The shots do not share their poles: look at that shot; if nothing is "
+                 "wrong "
+                 "with it the sensor is not linear."),
+                {std::to_string(shot), oneDecimal(own->fit_percent), oneDecimal(others)}},
             own->fit_percent - others, kOtherShots_points));
         findings.back().shot = shot;
     }
@@ -250,8 +343,11 @@ Findings judgeModel(const SensorModel &model, const ModelInput &input,
     const HankelDecomposition &decomposition, const SpectrumResult &spectrum)
 {
     Findings findings;
-    judgeOrder(model, decomposition, findings);
-    judgePoles(model, findings);
+    judgeSplit(model, decomposition, findings);
+    judgeNoiseStates(model, decomposition, findings);
+    judgeUnstable(model, findings);
+    judgeNyquist(model, input, findings);
+    judgeStepPole(model, input, findings);
     judgeCancelling(model, findings);
     judgeFit(model, findings);
     judgeAgainstSpectrum(model, spectrum, findings);

@@ -8,8 +8,10 @@
 
 namespace dyncal {
 
-/// Whether the cut behind order n separates two nearly equal singular values above the noise, which
-/// belong to one oscillating pair (ORD-001).
+/// Whether order n cuts an oscillating pair in two (ORD-001): the next singular value is above the
+/// noise, and with it one pole more oscillates; order n has a real pole in the pair's place. Their
+/// singular values do not tell: those of a pair differ by more than 5 % where it decays within the
+/// Hankel matrix.
 bool splitsPair(const HankelDecomposition &decomposition, Index order);
 
 /// What the operator must see about a realised model: ORD-001, ORD-003, MOD-001..006, 008, 009.

@@ -158,13 +158,13 @@ struct SensorModel
     std::optional<Homogeneity> homogeneity; ///< [A] empty with fewer than two shots, or where no
                                             ///< pole of them could be compared
     std::optional<SecondOrderModel> secondOrder; ///< [A] the 2nd-order sensor fitted beside it
-    Findings findings; ///< ORD-001, ORD-003, MOD-001..011; MOD-010, 011 [A]
+    Findings findings; ///< ORD-001, ORD-003, MOD-001..013; MOD-010, 011 [A]
 };
 
 /// The sensor's main resonance, which results and certificate speak of as f0 and zeta: the
 /// oscillating sensor pole (upper half) whose ringing holds most energy, |c|^2 / |Re s| (the
-/// largest amplitude would be a well-damped spurious pole at high orders); null if nothing
-/// oscillates.
+/// largest amplitude would be a well-damped spurious pole at high orders), in the middle one of
+/// the shots: what rings in one of three only is not the sensor. Null if nothing oscillates.
 const Pole *mainPole(const SensorModel &model);
 
 /// Realises the model of one order from the decomposition (eq 3.22 or shift invariance, least

@@ -3,11 +3,14 @@
 
 #include "core/realization/model_findings.h"
 #include "core/realization/pole_classes.h"
+#include "core/realization/realized_poles.h"
+#include "tests/support/model_inputs.h"
 #include "tests/support/second_order_model.h"
 #include "tests/support/signals.h"
 
 #include <QTest>
 
+#include <algorithm>
 #include <functional>
 #include <string>
 
@@ -38,6 +41,16 @@ struct Scene
     Findings judge() const { return judgeModel(model, input, hankel, spectrum); }
 };
 
+HankelDecomposition decomposed(const Eigen::VectorXd &y, ResponseTreatment treatment)
+{
+    testing::Noise noise(5);
+    constexpr double kNoise = 1e-4;
+    const Eigen::VectorXd noisy = y + noise.series(y.size(), kNoise);
+    return *decomposeHankel(testing::makeInput(treatment, 1e6,
+                                {testing::makeSeries(1, noisy, 1e6, noise.series(400, kNoise))}),
+        {});
+}
+
 struct Case
 {
     const char *id;
@@ -49,17 +62,6 @@ struct Case
 const std::vector<Case> &cases()
 {
     static const std::vector<Case> list{
-        {"ORD-001", "pair split", [](Scene &s) { s.hankel.singularValues << 20, 8, 7.9, 0.8; },
-            true},
-        {"ORD-001", "ratio just above", [](Scene &s) { s.hankel.singularValues << 20, 8, 7.6, 1; },
-            false},
-        {"ORD-001", "pair below noise",
-            [](Scene &s) {
-                s.hankel.singularValues << 20, 8, 7.9, 0.8;
-                s.hankel.noiseFloor_p95 = 7.95;
-            },
-            false},
-        {"ORD-001", "last order", [](Scene &s) { s.model.order = 4; }, false},
         {"ORD-003", "state below noise", [](Scene &s) { s.model.order = 3; }, true},
         {"ORD-003", "noise not known",
             [](Scene &s) {
@@ -150,17 +152,152 @@ private slots:
         }
     }
 
-    void splitPair_offersTheNextOrder()
+    void splitPair_isSaidByThePoles_data()
     {
+        QTest::addColumn<ResponseTreatment>("treatment");
+        QTest::addColumn<double>("zeta");
+        QTest::addColumn<int>("order");
+        QTest::addColumn<bool>("isSplit");
+        const auto deflated = ResponseTreatment::StepDeflated;
+        const auto thesis = ResponseTreatment::StepAsImpulse;
+        QTest::addRow("rings long") << deflated << 0.003 << 1 << true;
+        QTest::addRow("decays within the matrix") << deflated << 0.05 << 1 << true;
+        QTest::addRow("hardly rings") << deflated << 0.5 << 1 << true;
+        QTest::addRow("whole pair") << deflated << 0.05 << 2 << false;
+        QTest::addRow("pair and noise") << deflated << 0.05 << 3 << false;
+        QTest::addRow("thesis: step") << thesis << 0.05 << 1 << false;
+        QTest::addRow("thesis: step and half a pair") << thesis << 0.05 << 2 << true;
+        QTest::addRow("thesis: step and pair") << thesis << 0.05 << 3 << false;
+    }
+    void splitPair_isSaidByThePoles()
+    {
+        QFETCH(ResponseTreatment, treatment);
+        QFETCH(double, zeta);
+        QFETCH(int, order);
+        QFETCH(bool, isSplit);
         Scene scene;
-        scene.hankel.singularValues << 20, 8, 7.9, 0.8;
+        scene.hankel = decomposed(testing::sampledStep(30e3, zeta, 1e6, 400), treatment);
+        scene.model.order = order;
+        QCOMPARE(splitsPair(scene.hankel, order), isSplit);
         const Findings findings = scene.judge();
-        const auto split = std::find_if(findings.begin(), findings.end(),
-            [](const Finding &finding) { return finding.id == "ORD-001"; });
+        QCOMPARE(hasFinding(findings, "ORD-001"), isSplit);
+        if (!isSplit)
+            return;
+        const auto split = std::ranges::find(findings, "ORD-001", &Finding::id);
         QVERIFY(split->mend.has_value());
         QCOMPARE(split->mend->key, std::string("realization.order"));
-        QCOMPARE(split->mend->value, std::string("3"));
-        QCOMPARE(english(split->mend->label), std::string("Use order 3"));
+        QCOMPARE(split->mend->value, std::to_string(order + 1));
+        QCOMPARE(english(split->mend->label), "Use order " + std::to_string(order + 1));
+    }
+
+    void splitPair_realPolesAndNoise_areNone()
+    {
+        // Two real poles: the second singular value is well above the noise, and no pair.
+        Eigen::VectorXd y(400);
+        for (Index k = 0; k < y.size(); ++k)
+            y[k] = 1.0 - 2.0 * std::pow(0.9, k) + std::pow(0.8, k);
+        const HankelDecomposition real = decomposed(y, ResponseTreatment::StepDeflated);
+        QVERIFY(real.singularValues[1] > real.noiseFloor_p95);
+        for (Index order = 0; order <= largestOrder(real); ++order)
+            QVERIFY2(!splitsPair(real, order), qPrintable(QString::number(order)));
+    }
+
+    void splitPair_twoPairs_areSplitAtOddOrders()
+    {
+        const Eigen::VectorXd y = testing::sampledStep(30e3, 0.05, 1e6, 400)
+            + 0.3 * testing::sampledStep(110e3, 0.02, 1e6, 400);
+        const HankelDecomposition two = decomposed(y, ResponseTreatment::StepDeflated);
+        for (Index order = 1; order <= 5; ++order)
+            QCOMPARE(splitsPair(two, order), order == 1 || order == 3);
+    }
+
+    void noiseStates_offerTheHighestOrderAboveTheNoise()
+    {
+        Scene scene;
+        scene.model.order = 3;
+        const Findings findings = scene.judge();
+        const auto found = std::ranges::find(findings, "ORD-003", &Finding::id);
+        QCOMPARE(found->mend->value, std::string("2"));
+        scene.hankel.noiseFloor_p95 = 20.0;
+        const Findings nothing = scene.judge();
+        const auto none = std::ranges::find(nothing, "ORD-003", &Finding::id);
+        QVERIFY(!none->mend);
+        QVERIFY(
+            english(none->message).find("nothing that could be identified") != std::string::npos);
+    }
+
+    void manyUnstablePoles_areOneFinding()
+    {
+        Scene scene;
+        for (int i = 0; i < 6; ++i) {
+            Pole pole;
+            pole.z = {1.0 + 0.01 * (i + 1), 0.1};
+            pole.frequency_Hz = 1000.0 * (i + 1);
+            pole.poleClass = PoleClass::Unstable;
+            scene.model.poles.push_back(pole);
+        }
+        const Findings findings = scene.judge();
+        QCOMPARE(std::ranges::count(findings, "MOD-001", &Finding::id), std::ptrdiff_t(1));
+        const auto found = std::ranges::find(findings, "MOD-001", &Finding::id);
+        QCOMPARE(*found->value, std::abs(scene.model.poles.back().z));
+        const std::string text = english(found->message);
+        QVERIFY2(text.find("1 kHz, 2 kHz, 3 kHz, 4 kHz, \xE2\x80\xA6") != std::string::npos,
+            text.c_str());
+    }
+
+    void stepTreatedAsDecay_isSaid_andMended()
+    {
+        ModelInput input = testing::makeInput(ResponseTreatment::Impulse, 1e6,
+            {testing::makeSeries(1, testing::sampledStep(30e3, 0.05, 1e6, 400), 1e6)});
+        const auto step = realizeModel(input, *decomposeHankel(input, {}), 3, {}, {});
+        const auto found = std::ranges::find(step->findings, "MOD-013", &Finding::id);
+        QVERIFY(found != step->findings.end());
+        QCOMPARE(found->mend->key, std::string("input.treatment"));
+        QCOMPARE(found->mend->value, std::string("\"step-deflated\""));
+
+        input.series.front().y.array() = 1.0 - input.series.front().y.array(); // a free decay
+        input.series.front().fullRate = input.series.front().y;
+        const auto decay = realizeModel(input, *decomposeHankel(input, {}), 2, {}, {});
+        QVERIFY(!hasFinding(decay->findings, "MOD-013"));
+        input.treatment = ResponseTreatment::StepDeflated;
+        const auto deflated = realizeModel(input, *decomposeHankel(input, {}), 2, {}, {});
+        QVERIFY(!hasFinding(deflated->findings, "MOD-013"));
+    }
+
+    void mainPole_isWhatMostShotsHave()
+    {
+        SensorModel model = testing::secondOrderModel(1e5, 0.02);
+        Pole loose = model.poles.front(); // rings longer and stronger, but in one shot only
+        loose.s_rad_s = {-1.0, 1e4};
+        loose.amplitude = 2.0;
+        model.poles.push_back(loose);
+        QCOMPARE(mainPole(model), &model.poles[2]); // of one series there is nothing else to say
+        for (const double amplitude : {2.0, 1e-5, 1e-6}) {
+            SeriesFit fit;
+            fit.plateauGain = 0.5;
+            fit.amplitudes.resize(3);
+            fit.amplitudes << 0.25, 0.25, amplitude;
+            model.series.push_back(fit);
+        }
+        QCOMPARE(mainPole(model), &model.poles[0]);
+        model.series[2].amplitudes[2] = 2.0;
+        QCOMPARE(mainPole(model), &model.poles[2]);
+        model.series.pop_back(); // of two shots both must have it
+        QCOMPARE(mainPole(model), &model.poles[0]);
+    }
+
+    void missingFastPart_polesInTheNoise_sayNothing()
+    {
+        Scene scene;
+        scene.model.amplitudes.conservativeResize(3);
+        scene.model.amplitudes[2] = 5.0; // of a pole that decays before the first sample
+        Pole fast = scene.model.poles.front();
+        fast.z = 1e-5;
+        fast.flags = {kBelowNoiseFlag};
+        scene.model.poles.push_back(fast);
+        QVERIFY(!hasFinding(scene.judge(), "MOD-009"));
+        scene.model.poles.back().flags.clear();
+        QVERIFY(hasFinding(scene.judge(), "MOD-009"));
     }
 
     void cancelledPoles_areNamedOncePerPair()
