@@ -55,8 +55,8 @@ private:
 private slots:
     void initTestCase()
     {
-        QCOMPARE(dyncal({"simulate", "-o", path("simulated.h5"), "--sample-rate-hz", "2e7",
-                            "--duration-s", "0.005", "--shots", "low"})
+        QCOMPARE(runDyncal({"simulate", "-o", path("simulated.h5"), "--sample-rate-hz", "2e7",
+                               "--duration-s", "0.005", "--shots", "low"})
                      .exitCode,
             0);
     }
@@ -68,7 +68,7 @@ private slots:
         for (const char *name : {"home", "work"})
             QVERIFY(QDir(path(name)).removeRecursively() && here.mkpath(name));
         QVERIFY(QFile::copy(path("simulated.h5"), path("work/a.h5")));
-        const QJsonObject info = dyncal({"info", path("work/a.h5"), "--json"}).json();
+        const QJsonObject info = runDyncal({"info", path("work/a.h5"), "--json"}).json();
         const QJsonObject recipe{{"schema", "dyncal-recipe/1"},
             {"certificate", QJsonObject{{"fields", QJsonObject{{"customer", "First"}}}}}};
         const QJsonObject capture{
@@ -149,8 +149,8 @@ private slots:
     void changedRecording_ofRecoveredWork_isFound()
     {
         editAndKill(path("work/job.dyncal"), "Second");
-        QCOMPARE(dyncal({"simulate", "-o", path("work/other.h5"), "--sample-rate-hz", "2e7",
-                            "--duration-s", "0.005", "--shots", "low", "--seed", "2"})
+        QCOMPARE(runDyncal({"simulate", "-o", path("work/other.h5"), "--sample-rate-hz", "2e7",
+                               "--duration-s", "0.005", "--shots", "low", "--seed", "2"})
                      .exitCode,
             0);
         QVERIFY(QFile::remove(path("work/a.h5")));
@@ -180,8 +180,9 @@ private slots:
         editAndKill(path("work/job.dyncal"), "Second");
         const QStringList before = kept().entryList(QDir::Files);
         QCOMPARE(
-            dyncal({"info", path("work/a.h5")}, {"XDG_DATA_HOME=" + home() + "/data"}).exitCode, 0);
-        dyncal({"--screenshot-tour", path("tour")}, {"XDG_DATA_HOME=" + home() + "/data"});
+            runDyncal({"info", path("work/a.h5")}, {"XDG_DATA_HOME=" + home() + "/data"}).exitCode,
+            0);
+        runDyncal({"--screenshot-tour", path("tour")}, {"XDG_DATA_HOME=" + home() + "/data"});
         QCOMPARE(kept().entryList(QDir::Files), before);
     }
 };
