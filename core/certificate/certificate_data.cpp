@@ -3,8 +3,8 @@
 
 #include "core/certificate/certificate_data.h"
 
+#include "core/base/rounding.h"
 #include "core/certificate/certificate_sections.h"
-#include "core/certificate/rounding.h"
 
 #include <algorithm>
 #include <cmath>
