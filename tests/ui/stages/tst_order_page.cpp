@@ -380,7 +380,8 @@ void TestOrderPage::splitPair_isSaidAndOffersTheWholeOne()
     QCOMPARE(split->mend->key, std::string("realization.order"));
     QCOMPARE(split->mend->value, std::string("2"));
     pin({1});
-    QVERIFY(find<QLabel>(*cardOf(1), "candidateText")->text().contains("splits a pair"));
+    QTest::qWait(20);
+    QTRY_VERIFY(find<QLabel>(*cardOf(1), "candidateText")->text().contains("splits a pair"));
 }
 
 void TestOrderPage::values_haveTheDigitsOfTheirUncertainty()
