@@ -12,6 +12,7 @@
 #include <QApplication>
 #include <QHashSeed>
 #include <QIcon>
+#include <QStandardPaths>
 
 #include <clocale>
 #include <string_view>
@@ -55,6 +56,8 @@ int runGui(int argc, char **argv, const std::vector<std::string> &files)
     window.show();
     if (tour)
         return runScreenshotTour(window, tourFolder) ? 0 : 5;
+    window.keepWork(
+        QStandardPaths::writableLocation(QStandardPaths::AppLocalDataLocation) + "/recovery");
     QStringList paths;
     for (const std::string &file : files)
         paths << QString::fromStdString(file);

@@ -53,20 +53,40 @@ double tailQuantile(double tailProbability)
 
 constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
 
-/// ln Gamma(a), a > 0, by Stirling's series after shifting a beyond 10.
-double logGamma(double a)
+constexpr double kStirling = 10.0; ///< from here on the series below is exact to rounding
+
+/// ln Gamma(a) - (a - 1/2) ln a + a - ln(2 pi)/2 for a >= kStirling.
+double stirlingSeries(double a)
 {
     constexpr std::array kTerms{1.0 / 12.0, -1.0 / 360.0, 1.0 / 1260.0, -1.0 / 1680.0, 1.0 / 1188.0,
         -691.0 / 360360.0, 1.0 / 156.0};
-    double shift = 0.0;
-    for (; a < 10.0; a += 1.0)
-        shift += std::log(a);
     double series = 0.0, power = 1.0 / a;
     for (const double term : kTerms) {
         series += term * power;
         power /= a * a;
     }
-    return (a - 0.5) * std::log(a) - a + 0.5 * std::log(2.0 * std::numbers::pi) + series - shift;
+    return series;
+}
+
+/// ln(x^a e^-x / Gamma(a)), a > 0. For large a the terms cancel: they are joined before.
+double logGammaDensity(double a, double x)
+{
+    double shift = 0.0;
+    for (; a < kStirling; a += 1.0)
+        shift += std::log(a / x);
+    const double beside = (x - a) / a;
+    return -a * (beside - std::log1p(beside)) + 0.5 * std::log(a / (2.0 * std::numbers::pi))
+        - stirlingSeries(a) + shift;
+}
+
+/// ln(Gamma(a + 1/2) / Gamma(a)), a > 0.
+double logHalfStep(double a)
+{
+    double shift = 0.0;
+    for (; a < kStirling; a += 1.0)
+        shift += std::log1p(-0.5 / (a + 0.5)); // a / (a + 1/2)
+    return shift + a * std::log1p(0.5 / a) - 0.5 + 0.5 * std::log(a) + stirlingSeries(a + 0.5)
+        - stirlingSeries(a);
 }
 
 /// P(a, x) without the factor x^a e^-x / Gamma(a).
@@ -122,26 +142,33 @@ double betaFraction(double a, double b, double x)
     return h;
 }
 
-double betaRatio(double a, double b, double x, double complement)
+/// I_x(a, 1/2) with x = 1/(1 + ratio).
+double betaRatio(double a, double ratio)
 {
-    const double front = std::exp(
-        logGamma(a + b) - logGamma(a) - logGamma(b) + a * std::log(x) + b * std::log(complement));
-    if (x < (a + 1.0) / (a + b + 2.0))
-        return front * betaFraction(a, b, x) / a;
-    return 1.0 - front * betaFraction(b, a, complement) / b;
+    const double x = 1.0 / (1.0 + ratio), complement = ratio / (1.0 + ratio);
+    const double front
+        = std::exp(logHalfStep(a) - 0.5 * std::log(std::numbers::pi) - a * std::log1p(ratio))
+        * std::sqrt(complement);
+    if (x < (a + 1.0) / (a + 2.5))
+        return front * betaFraction(a, 0.5, x) / a;
+    return 1.0 - front * betaFraction(0.5, a, complement) / 0.5;
 }
 
 constexpr double kNormalDof = 1e8; ///< t differs from z by less than 1e-8 beyond
+constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 } // namespace
 
 double upperGammaRatio(double a, double x)
 {
-    if (!(x > 0.0))
+    if (!(a > 0.0) || std::isnan(x))
+        return kNan;
+    if (x <= 0.0)
         return 1.0;
     if (std::isinf(x))
         return 0.0;
-    const double factor = std::exp(a * std::log(x) - x - logGamma(a));
+    const double factor = std::exp(logGammaDensity(a, x));
     return x < a + 1.0 ? 1.0 - factor * lowerSeries(a, x) : factor * upperFraction(a, x);
 }
 
@@ -152,6 +179,8 @@ double chiSquareSurvival(double x, double degrees)
 
 double normalQuantile(double probability)
 {
+    if (!(probability > 0.0 && probability < 1.0))
+        return probability == 0.0 ? -kInfinity : probability == 1.0 ? kInfinity : kNan;
     const double q = probability - 0.5;
     if (std::abs(q) <= 0.425) {
         const double r = 0.180625 - q * q;
@@ -162,23 +191,29 @@ double normalQuantile(double probability)
 
 double studentSurvival(double t, double dof)
 {
+    if (!(dof > 0.0) || std::isnan(t))
+        return kNan;
     if (t < 0.0)
         return 1.0 - studentSurvival(-t, dof);
     if (dof > kNormalDof)
         return 0.5 * std::erfc(t / std::numbers::sqrt2);
     if (t == 0.0)
         return 0.5;
-    const double square = t * t;
-    return 0.5 * betaRatio(0.5 * dof, 0.5, dof / (dof + square), square / (dof + square));
+    if (std::isinf(t / dof * t)) // x^(dof/2) of A&S 26.5.8 without its square
+        return 0.5 / (0.5 * dof)
+            * std::exp(logHalfStep(0.5 * dof) - 0.5 * std::log(std::numbers::pi)
+                + dof * (0.5 * std::log(dof) - std::log(t)));
+    return 0.5 * betaRatio(0.5 * dof, t / dof * t);
 }
 
 double studentQuantile(double probability, double dof)
 {
+    if (!(probability > 0.0 && probability < 1.0 && dof > 0.0))
+        return kNan;
     if (dof > kNormalDof)
         return normalQuantile(probability);
-    if (probability < 0.5)
-        return -studentQuantile(1.0 - probability, dof);
-    const double tail = 1.0 - probability;
+    const bool isBelow = probability < 0.5;
+    const double tail = isBelow ? probability : 1.0 - probability; // neither loses digits
     double low = 0.0, high = 1.0;
     while (studentSurvival(high, dof) > tail && high < 1e300)
         high *= 2.0;
@@ -188,7 +223,8 @@ double studentQuantile(double probability, double dof)
             break;
         (studentSurvival(middle, dof) > tail ? low : high) = middle;
     }
-    return 0.5 * (low + high);
+    const double t = 0.5 * (low + high);
+    return isBelow ? -t : t;
 }
 
 } // namespace dyncal

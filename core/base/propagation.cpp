@@ -5,10 +5,13 @@
 
 #include "core/base/distributions.h"
 #include "core/base/number_text.h"
+#include "core/base/portable_math.h"
 #include "core/base/portable_random.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
+#include <set>
 
 namespace dyncal {
 namespace {
@@ -37,10 +40,43 @@ double unitDraw(const UncertainInput &input, RandomStream &random)
     case Distribution::Triangular:
         return std::sqrt(6.0)
             * (p < 0.5 ? std::sqrt(2.0 * p) - 1.0 : 1.0 - std::sqrt(2.0 * (1.0 - p)));
+    case Distribution::UShaped: // arcsine
+        return -std::sqrt(2.0) * portableSineCosine(std::numbers::pi * p).cosine;
     case Distribution::Normal:
         break;
     }
     return studentQuantile(p, input.dof);
+}
+
+Result<void> checkInputs(const std::vector<UncertainInput> &inputs)
+{
+    std::set<std::string> names;
+    for (const UncertainInput &input : inputs) {
+        const bool isUncertain = input.u >= 0.0 && std::isfinite(input.u) && input.dof > 0.0;
+        if (!std::isfinite(input.value) || !isUncertain)
+            return fail(ErrorKind::Usage,
+                Message{DYNCAL_TEXT("core",
+                            "The quantity %1 = %2 has a standard uncertainty of %3 with %4 degrees "
+                            "of freedom; the first two must be finite, the uncertainty 0 or above, "
+                            "the degrees above 0."),
+                    {input.quantity, numberText(input.value), numberText(input.u),
+                        numberText(input.dof)}});
+        if (!names.insert(input.quantity).second)
+            return fail(ErrorKind::Usage,
+                Message{DYNCAL_TEXT("core",
+                            "The quantity %1 is there twice in an uncertainty budget; join the two "
+                            "contributions to one."),
+                    {input.quantity}});
+    }
+    return {};
+}
+
+Result<Eigen::VectorXd> finite(Result<Eigen::VectorXd> results)
+{
+    if (results && !results->allFinite())
+        return fail(ErrorKind::DataBlocked,
+            {DYNCAL_TEXT("core", "The result is not a finite number."), {}});
+    return results;
 }
 
 Error outsideDomain(Index failed, Index trials, const Error &first)
@@ -80,7 +116,7 @@ public:
                 x[static_cast<Index>(k)] = m_inputs[k].value
                     + (m_inputs[k].u > 0.0 ? m_inputs[k].u * unitDraw(m_inputs[k], m_streams[k])
                                            : 0.0);
-            Result<Eigen::VectorXd> y = m_measurement(x);
+            const Result<Eigen::VectorXd> y = finite(m_measurement(x));
             if (!y && failed++ == 0)
                 first = y.error();
             if (!y)
@@ -192,6 +228,8 @@ const char *distributionName(Distribution distribution)
         return "rectangular";
     case Distribution::Triangular:
         return "triangular";
+    case Distribution::UShaped:
+        return "u-shaped";
     }
     return "";
 }
@@ -205,10 +243,12 @@ double GumBudget::sharePercent(std::size_t line, Index result) const
 Result<GumBudget> propagateGum(
     const std::vector<UncertainInput> &inputs, const Measurement &measurement)
 {
+    if (auto checked = checkInputs(inputs); !checked)
+        return tl::unexpected(checked.error());
     Eigen::VectorXd x(std::ssize(inputs));
     for (Index i = 0; i < x.size(); ++i)
         x[i] = inputs[static_cast<std::size_t>(i)].value;
-    const Result<Eigen::VectorXd> centre = measurement(x);
+    const Result<Eigen::VectorXd> centre = finite(measurement(x));
     if (!centre)
         return tl::unexpected(centre.error());
     GumBudget budget;
@@ -222,9 +262,9 @@ Result<GumBudget> propagateGum(
             const double value = x[i];
             const double step = kDifferenceShare * input.u;
             x[i] = value + step;
-            const Result<Eigen::VectorXd> above = measurement(x);
+            const Result<Eigen::VectorXd> above = finite(measurement(x));
             x[i] = value - step;
-            const Result<Eigen::VectorXd> below = measurement(x);
+            const Result<Eigen::VectorXd> below = finite(measurement(x));
             x[i] = value;
             if (!above || !below)
                 return tl::unexpected(above ? below.error() : above.error());
@@ -263,6 +303,8 @@ Result<MonteCarloResult> propagateMonteCarlo(const std::vector<UncertainInput> &
     const Measurement &measurement, const MonteCarloSettings &settings, const JobControl &control)
 {
     if (auto checked = checkSettings(settings); !checked)
+        return tl::unexpected(checked.error());
+    if (auto checked = checkInputs(inputs); !checked)
         return tl::unexpected(checked.error());
     Trials all(inputs, measurement, settings);
     if (settings.trials > 0) {

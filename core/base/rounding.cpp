@@ -3,6 +3,8 @@
 
 #include "core/base/rounding.h"
 
+#include "core/base/number_text.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -13,22 +15,47 @@ namespace dyncal {
 namespace {
 
 constexpr int kUncertaintyDigits = 2;
-constexpr int kExactDigits = 17;
 constexpr std::array<const char *, 9> kPrefixes{"f", "p", "n", "\xC2\xB5", "m", "", "k", "M", "G"};
 constexpr int kUnityPlace = 5;
+constexpr int kBeyondPrefixes = 18; ///< powers of ten, where "0.00001 fV" and "10000000 GHz" begin
+constexpr double kFinestUncertainty = 1e-12; ///< of the value: finer, its digits are rounding
 
-/// Decimal exponent after rounding to `digits` significant digits: 9.996 with 3 digits has 1.
-int exponentAfterRounding(double magnitude, int digits)
+/// `magnitude` as "d.ddde+xx" with so many significant digits: the one place where decimals are
+/// cut.
+std::string scientificText(double magnitude, int digits)
 {
     std::array<char, 64> buffer;
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), magnitude,
         std::chars_format::scientific, digits - 1);
-    const std::string_view text(buffer.data(), static_cast<std::size_t>(end.ptr - buffer.data()));
+    return {buffer.data(), end.ptr};
+}
+
+double roundedTo(double value, int digits)
+{
+    return parseNumber(scientificText(value, digits)).value_or(value);
+}
+
+/// Decimal exponent of a value that was rounded: of 10.0 it is 1, whatever its last bit says.
+int exponentOf(double magnitude)
+{
+    constexpr int kSureDigits = 15;
+    const std::string text = scientificText(magnitude, kSureDigits);
     const std::size_t mark = text.find('e');
     const std::size_t from = mark + (text[mark + 1] == '+' ? 2 : 1);
     int exponent = 0;
     std::from_chars(text.data() + from, text.data() + text.size(), exponent);
     return exponent;
+}
+
+/// `value` to the decimal place 10^place.
+double roundedToPlace(double value, int place)
+{
+    constexpr int kMostDigits = 17;
+    const int digits = value == 0.0 ? 0 : exponentOf(std::abs(value)) - place + 1;
+    if (digits >= 1)
+        return roundedTo(value, std::min(digits, kMostDigits));
+    const double grain = std::pow(10.0, place);
+    return std::abs(value) > 0.5 * grain ? std::copysign(grain, value) : 0.0;
 }
 
 bool takesPrefix(std::string_view unit)
@@ -45,17 +72,17 @@ struct Scale
     std::string symbol;
 };
 
-Scale chooseScale(double magnitude, int digits, std::string_view unit)
+Scale chooseScale(double magnitude, std::string_view unit)
 {
     if (magnitude == 0.0)
         return {};
-    const int exponent = exponentAfterRounding(magnitude, digits);
+    const int exponent = exponentOf(magnitude);
     const int thousands = exponent >= 0 ? exponent / 3 : -((2 - exponent) / 3);
-    if (takesPrefix(unit)) {
+    if (takesPrefix(unit) && std::abs(exponent) < kBeyondPrefixes) {
         const int place = std::clamp(thousands + kUnityPlace, 0, 8);
         return {3 * (place - kUnityPlace), kPrefixes[static_cast<std::size_t>(place)]};
     }
-    if (exponent >= -4 && exponent < 6)
+    if (!takesPrefix(unit) && exponent >= -4 && exponent < 6)
         return {};
     return {exponent,
         "\xC3\x97"
@@ -66,6 +93,10 @@ Scale chooseScale(double magnitude, int digits, std::string_view unit)
 double scaled(double value, int exponent)
 {
     // Dividing by a positive power of ten is exact in more cases than multiplying by its inverse.
+    // In two parts where one factor would overflow.
+    constexpr int kMost = 300;
+    if (exponent < -kMost)
+        return value * std::pow(10.0, kMost) * std::pow(10.0, -exponent - kMost);
     return exponent >= 0 ? value / std::pow(10.0, exponent) : value * std::pow(10.0, -exponent);
 }
 
@@ -96,28 +127,27 @@ std::string fixedText(double value, int decimals)
 
 RoundedValue roundedValue(double value, double u, std::string_view unit)
 {
-    const bool known = std::isfinite(u) && u > 0.0;
-    const int digits = known ? kUncertaintyDigits : kDigitsWithoutUncertainty;
-    const double leading = known ? std::max(std::abs(value), u) : std::abs(value);
-    int leadingDigits = digits;
-    if (known)
-        leadingDigits += std::clamp(exponentAfterRounding(leading, kExactDigits)
-                - exponentAfterRounding(u, kUncertaintyDigits),
-            0, kExactDigits - kUncertaintyDigits);
-    const Scale scale = chooseScale(leading, leadingDigits, unit);
-    const double shown = scaled(value, scale.exponent);
+    if (!std::isfinite(value))
+        return {"\xE2\x80\x93", {}, {}};
+    // Rounded first, in the unit given: scaling must not turn a tie, nor 999.99 to 1000 afterwards.
+    const bool known = std::isfinite(u) && u > kFinestUncertainty * std::abs(value);
+    u = known ? roundedTo(u, kUncertaintyDigits) : 0.0;
+    int place = 0;
+    if (known) {
+        place = exponentOf(u) - kUncertaintyDigits + 1;
+        value = roundedToPlace(value, place);
+    } else if (value != 0.0) {
+        value = roundedTo(value, kDigitsWithoutUncertainty);
+        place = exponentOf(std::abs(value)) - kDigitsWithoutUncertainty + 1;
+    }
+    const Scale scale = chooseScale(std::max(std::abs(value), u), unit);
+    const int decimals = known || value != 0.0 ? scale.exponent - place : 0;
 
     RoundedValue result;
     result.unit = scale.symbol + std::string(unit);
-    int decimals = 0;
-    if (known) {
-        const double shownU = scaled(u, scale.exponent);
-        decimals = digits - 1 - exponentAfterRounding(shownU, digits);
-        result.u = fixedText(shownU, decimals);
-    } else if (shown != 0.0) {
-        decimals = digits - 1 - exponentAfterRounding(std::abs(shown), digits);
-    }
-    result.value = fixedText(shown, decimals);
+    result.value = fixedText(scaled(value, scale.exponent), decimals);
+    if (known)
+        result.u = fixedText(scaled(u, scale.exponent), decimals);
     return result;
 }
 

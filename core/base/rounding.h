@@ -20,10 +20,11 @@ struct RoundedValue
 };
 
 /// Rounds for print (GUM 7.2.6): u to two significant digits, the value to the decimal of the last
-/// of them. Without a known u (NaN, or not positive) five significant digits. SI prefix chosen
-/// so that the larger of |value| and u reads 1..1000, for units that take prefixes; a value of
-/// another unit outside 1e-4..1e6 gets a power of ten in front of its unit.
-/// `value` must be finite.
+/// of them. Without a known u (not finite, not positive, or below 1e-12 of the value, where its
+/// digits are rounding) five significant digits. SI prefix chosen so that the larger of |value| and
+/// u reads 1..1000, for units that take prefixes; a value of another unit outside 1e-4..1e6, or of
+/// these outside 1e-18..1e18, gets a power of ten in front of its unit. A value that is not finite
+/// is a dash without unit.
 RoundedValue roundedValue(double value, double u, std::string_view unit);
 
 /// "2.3301 MHz".

@@ -3,6 +3,7 @@
 
 #include "core/certificate/certificate_data.h"
 
+#include "core/base/number_text.h"
 #include "core/base/rounding.h"
 #include "core/certificate/certificate_sections.h"
 
@@ -34,7 +35,7 @@ CertificateData makeCertificate(const CertificateSources &sources)
     data.language = sources.language;
     data.createdUtc = sources.createdUtc;
     if (const auto number = sources.fields.find("certificate_number");
-        number != sources.fields.end())
+        number != sources.fields.end() && !isBlank(number->second))
         data.number = number->second;
     data.title = {DYNCAL_TEXT("core", "Certificate of dynamic calibration"), {}};
     data.sections = {administrativeSection(sources), itemSection(sources), methodSection(sources),
@@ -42,6 +43,11 @@ CertificateData makeCertificate(const CertificateSources &sources)
         modelSection(sources), frequencyResponseSection(sources), remarksSection(sources),
         recordsSection(sources), statementsSection(sources), figuresSection(sources)};
     return data;
+}
+
+bool isBlank(std::string_view text)
+{
+    return text.find_first_not_of(" \t\r\n") == std::string_view::npos;
 }
 
 Message verbatim(std::string text)
@@ -61,9 +67,15 @@ Message printed(const std::optional<double> &value, std::string_view unit, Messa
     return verbatim(roundedText(*value, kUnknown, unit));
 }
 
+std::string factorText(double k)
+{
+    constexpr double kMostOfUse = 1e4; // of a fraction of a degree of freedom
+    return k < kMostOfUse ? fixedText(k, 2) : numberText(k, 3);
+}
+
 std::string coverageText(double k)
 {
-    return " (k = " + (k == kCoverageFactor ? fixedText(k, 0) : fixedText(k, 2)) + ")";
+    return " (k = " + (k == kCoverageFactor ? fixedText(k, 0) : factorText(k)) + ")";
 }
 
 Message printedWithUncertainty(double value, double u, std::string_view unit, double k)

@@ -12,7 +12,7 @@ CertificateField typedField(
     const CertificateSources &sources, const char *id, Message label, bool required)
 {
     const auto typed = sources.fields.find(id);
-    if (typed != sources.fields.end() && !typed->second.empty())
+    if (typed != sources.fields.end() && !isBlank(typed->second))
         return {id, std::move(label), verbatim(typed->second), false};
     if (required)
         return {id, std::move(label), {DYNCAL_TEXT("core", "to be filled in"), {}}, true};
@@ -31,7 +31,7 @@ std::string cardEntry(const CertificateSources &sources, const std::string &attr
         if (card == sources.captures->sensors.end())
             continue;
         const auto entry = card->second.find(attribute);
-        if (entry != card->second.end() && !entry->second.empty())
+        if (entry != card->second.end() && !isBlank(entry->second))
             return entry->second;
     }
     return {};
@@ -74,7 +74,8 @@ CertificateSection administrativeSection(const CertificateSources &sources)
     };
     CertificateField approval
         = typedField(sources, "approved_by", {DYNCAL_TEXT("core", "Approved by"), {}}, false);
-    if (sources.fields.count("approved_by") == 0)
+    const auto approved = sources.fields.find("approved_by");
+    if (approved == sources.fields.end() || isBlank(approved->second))
         approval.value = {DYNCAL_TEXT("core", "not yet approved"), {}};
     section.fields.push_back(std::move(approval));
     return section;
@@ -102,7 +103,7 @@ CertificateSection remarksSection(const CertificateSources &sources)
     section.id = "remarks";
     section.title = {DYNCAL_TEXT("core", "Remarks"), {}};
     if (const auto remarks = sources.fields.find("remarks");
-        remarks != sources.fields.end() && !remarks->second.empty())
+        remarks != sources.fields.end() && !isBlank(remarks->second))
         section.paragraphs.push_back(verbatim(remarks->second));
     if (sources.captures)
         for (std::size_t i = 0; i < sources.captures->shots.size(); ++i) {
@@ -110,7 +111,8 @@ CertificateSection remarksSection(const CertificateSources &sources)
             if (!shot.included)
                 section.paragraphs.push_back(
                     {DYNCAL_TEXT("core", "Shot %1 was excluded. Reason: %2."),
-                        {std::to_string(i + 1), shot.excludeReason}});
+                        {std::to_string(i + 1),
+                            isBlank(shot.excludeReason) ? english(dash()) : shot.excludeReason}});
         }
 
     CertificateTable table;

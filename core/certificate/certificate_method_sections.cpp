@@ -39,7 +39,7 @@ Message treatmentSentence(ResponseTreatment treatment)
 CertificateField methodField(const CertificateSources &sources)
 {
     const auto typed = sources.fields.find("method_id");
-    const bool there = typed != sources.fields.end() && !typed->second.empty();
+    const bool there = typed != sources.fields.end() && !isBlank(typed->second);
     return {"method_id", {DYNCAL_TEXT("core", "Method"), {}},
         there ? verbatim(typed->second) : Message{DYNCAL_TEXT("core", "to be filled in"), {}},
         !there};
@@ -54,17 +54,16 @@ Message environmentRange(
     if (sources.captures)
         for (const Shot &shot : sources.captures->shots) {
             const double value = shot.environment.*quantity;
-            if (!shot.included || !(value == value))
+            if (!shot.included || !std::isfinite(value))
                 continue;
             lowest = std::min(lowest.value_or(value), value);
             highest = std::max(highest.value_or(value), value);
         }
     if (!lowest)
         return {DYNCAL_TEXT("core", "not determined (not recorded)"), {}};
-    if (*lowest == *highest)
-        return verbatim(roundedText(*lowest, kUnknown, unit));
-    return verbatim(roundedText(*lowest, kUnknown, unit) + " \xE2\x80\xA6 "
-        + roundedText(*highest, kUnknown, unit));
+    const std::string low = roundedText(*lowest, kUnknown, unit);
+    const std::string high = roundedText(*highest, kUnknown, unit);
+    return verbatim(low == high ? low : low + " \xE2\x80\xA6 " + high);
 }
 
 ShotLevel levelOf(const CertificateSources &sources, Index shot)
@@ -98,9 +97,11 @@ StepCells stepCells(const ShockConditions &shot, double coverage)
     const double k = coverageFactor(
         shot.uncertainty->budget.dof[static_cast<Index>(StepResult::Step)], coverage);
     const RoundedValue rounded = roundedValue(*shot.step_Pa, k * *u_Pa, "Pa");
+    if (rounded.u.empty()) // nothing uncertain, or nothing known
+        return cells;
     cells.step = verbatim(rounded.value + " " + rounded.unit);
     cells.expanded = verbatim(rounded.u + " " + rounded.unit);
-    cells.k = verbatim(fixedText(k, 2));
+    cells.k = verbatim(factorText(k));
     return cells;
 }
 
@@ -132,7 +133,8 @@ std::optional<Message> orderSpread(const CertificateSources &sources)
     if (!spread || spread->fromOrder == spread->toOrder)
         return std::nullopt;
     const auto percent = [](double part, double whole) {
-        return "\xC2\xB1" + numberText(100.0 * part / std::abs(whole), 2);
+        const double share = 100.0 * part / std::abs(whole);
+        return std::isfinite(share) ? "\xC2\xB1" + numberText(share, 2) : english(dash());
     };
     return Message{DYNCAL_TEXT("core",
                        "orders %1 to %2: frequency %3 %, damping ratio %4 % (half of the range)"),

@@ -50,7 +50,8 @@ std::vector<Message> sideRow(
     Message name, const NuisanceEffect::Side &side, const std::string &gainUnit)
 {
     return {std::move(name), ofPlateau(side.residualRms, side.plateauGain),
-        std::isfinite(side.fit_percent) ? verbatim(fixedText(side.fit_percent, 2) + " %") : dash(),
+        std::abs(side.fit_percent) < kMostPercent ? verbatim(fixedText(side.fit_percent, 2) + " %")
+                                                  : dash(),
         printedWithUncertainty(side.f0_Hz, side.u_f0_Hz, "Hz"),
         printedWithUncertainty(side.zeta, side.u_zeta, ""),
         printed(side.plateauGain, gainUnit == "1" ? "" : gainUnit, dash())};

@@ -12,6 +12,7 @@ namespace dyncal {
 namespace {
 
 constexpr double kDegreesPerRadian = 57.295779513082320877;
+constexpr double kMostDecibels = 1e4; ///< of a ratio of two doubles
 
 Message noModel()
 {
@@ -91,7 +92,8 @@ std::vector<Message> shotRow(const CertificateSources &sources, const WindowedRe
     return {verbatim(std::to_string(response.shot)), levelWord(response.level),
         verbatim(roundedText(response.sampleRate_Hz, kUnknown, "Hz")),
         verbatim(roundedText(response.step, kUnknown, response.unit)),
-        std::isfinite(response.snr_dB) ? verbatim(fixedText(response.snr_dB, 1) + " dB") : dash(),
+        std::abs(response.snr_dB) < kMostDecibels ? verbatim(fixedText(response.snr_dB, 1) + " dB")
+                                                  : dash(),
         printed(response.riseTime_s, "s", dash()), printed(response.overshoot_percent, "%", dash()),
         printed(response.settlingTime_s, "s", dash()), sensitivity};
 }
@@ -128,16 +130,23 @@ Message withRounding(double value, double u, std::string_view unit, double k = k
     return verbatim(roundedText(value, k * u, unit));
 }
 
+/// Six decimals, as far out as a pole of a model can be.
+std::string coordinateText(double x)
+{
+    return std::abs(x) < 1e6 ? fixedText(x, 6) : roundedText(x, kUnknown, "");
+}
+
 std::string complexText(std::complex<double> z)
 {
     const bool pair = z.imag() != 0.0;
-    return fixedText(z.real(), 6) + (pair ? " \xC2\xB1 j" + fixedText(z.imag(), 6) : "");
+    return coordinateText(z.real()) + (pair ? " \xC2\xB1 j" + coordinateText(z.imag()) : "");
 }
 
 /// A dash where the number means nothing: not known, or of a simulation that runs away.
 std::string fitText(double percent, bool diverges = false)
 {
-    return diverges || !std::isfinite(percent) ? english(dash()) : fixedText(percent, 2);
+    return diverges || !(std::abs(percent) < kMostPercent) ? english(dash())
+                                                           : fixedText(percent, 2);
 }
 
 CertificateTable poleTable(const SensorModel &model)

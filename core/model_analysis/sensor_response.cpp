@@ -6,6 +6,7 @@
 #include "core/base/number_text.h"
 #include "core/model_analysis/sensor_record.h"
 #include "core/model_analysis/step_transform.h"
+#include "core/model_analysis/unwrapped_phase.h"
 
 #include <algorithm>
 #include <cmath>
@@ -26,7 +27,8 @@ struct ShotView
 {
     const WindowedResponse *response = nullptr;
     const SeriesFit *fit = nullptr; ///< null with the averaged input
-    double perPressure = 1.0; ///< physical units of a remapped value, per pascal if known
+    double plateau = 1.0; ///< c0 of this shot, in the unit of its values
+    double perPressure = 1.0; ///< physical units of a value, per pascal if known
     SensorRecord record; ///< the window without the modes that are not the sensor's
 };
 
@@ -50,6 +52,24 @@ bool shareOneUnit(const std::vector<WindowedResponse> &responses)
         [&](const WindowedResponse &response) { return response.unit == responses.front().unit; });
 }
 
+/// The step in the unit of the values: 1 where they are remapped.
+double stepOf(const WindowedResponse &response)
+{
+    return response.step / response.valueScale;
+}
+
+/// c0 of one shot. The fit of an average has the mean of them; each has its share by its step.
+double plateauOf(const SeriesFit &fit, const WindowedResponse &response,
+    const std::vector<WindowedResponse> &responses)
+{
+    if (fit.shot != 0)
+        return fit.plateauGain;
+    double mean = 0.0;
+    for (const WindowedResponse &other : responses)
+        mean += stepOf(other) / static_cast<double>(responses.size());
+    return fit.plateauGain * stepOf(response) / mean;
+}
+
 std::vector<ShotView> views(const std::vector<WindowedResponse> &responses,
     const SensorModel &model, const ShockConditionsSet &shock, const ResponseSettings &settings,
     bool &isAbsolute)
@@ -62,12 +82,14 @@ std::vector<ShotView> views(const std::vector<WindowedResponse> &responses,
     }
     isAbsolute = isAbsolute && shareOneUnit(responses);
     for (const WindowedResponse &response : responses) {
-        ShotView view{&response, fitOfShot(model, response.shot), 1.0, {}};
+        ShotView view{&response, fitOfShot(model, response.shot), 1.0, 1.0, {}};
         view.record = sensorRecord(response, model, view.fit);
+        if (view.fit)
+            view.plateau = plateauOf(*view.fit, response, responses);
         if (isAbsolute)
             view.perPressure = response.valueScale / *shock.ofShot(response.shot)->step_Pa;
-        else if (view.fit && view.fit->plateauGain != 0.0)
-            view.perPressure = 1.0 / view.fit->plateauGain;
+        else if (view.plateau != 0.0)
+            view.perPressure = 1.0 / view.plateau;
         list.push_back(view);
     }
     return list;
@@ -77,8 +99,15 @@ std::vector<ShotView> views(const std::vector<WindowedResponse> &responses,
 Index samplesUsed(const WindowedResponse &response, double span_s, double frequency_Hz)
 {
     const double length_s = std::max(span_s, kPeriodsKept / frequency_Hz);
-    return std::clamp<Index>(
-        static_cast<Index>(std::ceil(length_s * response.sampleRate_Hz)), 2, response.length);
+    const double count = std::max(2.0, std::ceil(length_s * response.sampleRate_Hz));
+    return static_cast<Index>(std::min(count, static_cast<double>(response.length)));
+}
+
+/// Of the level that continues the shot behind its last sample, and of the baseline, on which the
+/// whole shot stands; not known without the refinement.
+double levelUncertainty(const ShotView &shot)
+{
+    return shot.fit && std::isfinite(shot.fit->u_plateauGain) ? shot.fit->u_plateauGain : 0.0;
 }
 
 struct Point
@@ -94,13 +123,13 @@ Point measuredAt(const std::vector<ShotView> &shots, double span_s, double frequ
     for (const ShotView &shot : shots) {
         const WindowedResponse &response = *shot.response;
         const Index count = samplesUsed(response, span_s, frequency_Hz);
-        const double plateau = shot.fit ? shot.fit->plateauGain : 1.0;
         const std::complex<double> transform = stepTransform(shot.record.values.head(count),
-            response.sampleRate_Hz, plateau, shot.fit ? shot.fit->onset_s : 0.0, frequency_Hz);
+            response.sampleRate_Hz, shot.plateau, shot.fit ? shot.fit->onset_s : 0.0, frequency_Hz);
         mean.S += shot.perPressure * shot.record.ofStep(transform, frequency_Hz);
         const double u = std::abs(shot.perPressure)
-            * stepTransformNoise(count, response.sampleRate_Hz,
-                response.noiseSd / std::abs(response.valueScale), frequency_Hz);
+            * std::hypot(stepTransformNoise(count, response.sampleRate_Hz,
+                             response.noiseSd / std::abs(response.valueScale), frequency_Hz),
+                levelUncertainty(shot));
         variance += u * u;
     }
     const double n = static_cast<double>(shots.size());
@@ -160,14 +189,17 @@ double upperLimit_Hz(
     return kHighestOfRate * rate_Hz;
 }
 
-void measure(const std::vector<ShotView> &shots, double span_s, ResponseResult &result)
+/// Nothing is said of frequencies that the slowest record does not hold: there S(f) repeats itself.
+void measure(
+    const std::vector<ShotView> &shots, double span_s, double rate_Hz, ResponseResult &result)
 {
     const Index count = result.frequency_Hz.size();
-    result.magnitude.resize(count);
-    result.u_magnitude.resize(count);
-    result.phase_rad.resize(count);
-    result.u_phase_rad.resize(count);
+    for (auto *values :
+        {&result.magnitude, &result.u_magnitude, &result.phase_rad, &result.u_phase_rad})
+        values->setConstant(count, kUnknown);
     for (Index k = 0; k < count; ++k) {
+        if (!(result.frequency_Hz[k] <= (1.0 + 1e-9) * kHighestOfRate * rate_Hz))
+            continue;
         const Point point = measuredAt(shots, span_s, result.frequency_Hz[k]);
         result.magnitude[k] = std::abs(point.S);
         result.u_magnitude[k] = point.u;
@@ -177,18 +209,6 @@ void measure(const std::vector<ShotView> &shots, double span_s, ResponseResult &
             = reference + std::remainder(std::arg(point.S) - reference, 2.0 * std::numbers::pi);
         result.u_phase_rad[k] = point.u / std::abs(point.S);
     }
-}
-
-double interpolatedPhase(const ResponseCurve &curve, double frequency_Hz)
-{
-    const auto begin = curve.frequency_Hz.begin();
-    const auto above = std::lower_bound(begin, curve.frequency_Hz.end(), frequency_Hz);
-    if (above == begin)
-        return curve.phase_rad[0];
-    const Index i = std::min<Index>(above - begin, curve.frequency_Hz.size() - 1);
-    const double t = (frequency_Hz - curve.frequency_Hz[i - 1])
-        / (curve.frequency_Hz[i] - curve.frequency_Hz[i - 1]);
-    return curve.phase_rad[i - 1] + t * (curve.phase_rad[i] - curve.phase_rad[i - 1]);
 }
 
 void describeModel(
@@ -201,12 +221,11 @@ void describeModel(
         = std::max(count ? result.frequency_Hz.maxCoeff() : result.fHigh_Hz, result.fHigh_Hz);
     result.modelCurve = modelCurve(model, treatment, result.fLow_Hz, 1.25 * top_Hz, kCurvePoints);
     result.modelCurve.magnitude *= scale;
+    UnwrappedPhase phase(model, treatment);
     for (Index k = 0; k < count; ++k) {
-        const std::complex<double> G = modelResponse(model, treatment, result.frequency_Hz[k]);
-        result.modelMagnitude[k] = scale * std::abs(G);
-        const double near = interpolatedPhase(result.modelCurve, result.frequency_Hz[k]);
-        result.modelPhase_rad[k]
-            = near + std::remainder(std::arg(G) - near, 2.0 * std::numbers::pi);
+        const double f_Hz = result.frequency_Hz[k];
+        result.modelMagnitude[k] = scale * std::abs(modelResponse(model, treatment, f_Hz));
+        result.modelPhase_rad[k] = phase.at(f_Hz);
     }
 }
 
@@ -242,7 +261,8 @@ void describeShots(const std::vector<WindowedResponse> &responses, const SensorM
         const ShockConditions *conditions = shock.ofShot(response.shot);
         const SeriesFit *fit = fitOfShot(model, response.shot);
         if (conditions && conditions->step_Pa && fit && !model.diverges) {
-            shot.sensitivity = fit->plateauGain * response.valueScale / *conditions->step_Pa;
+            shot.sensitivity
+                = plateauOf(*fit, response, responses) * response.valueScale / *conditions->step_Pa;
             sum += *shot.sensitivity;
             ++count;
         }
@@ -314,7 +334,7 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
     if (!model.diverges)
         describeModel(model, input.treatment, scaleOf(model, isStep, isAbsolute, result), result);
     if (isStep && !model.diverges) {
-        measure(shots, span_s, result);
+        measure(shots, span_s, rate_Hz, result);
         compareAnswers(result);
     }
     return result;

@@ -114,16 +114,18 @@ std::string gainUnit(const ResultsContext &context)
 
 void addCurves(JsonRecord &section, const ResponseResult &response)
 {
-    const char *none = "This treatment of the response gives no frequency response of a step.";
+    const char *none = response.magnitude.size() == 0
+        ? "This treatment of the response gives no frequency response of a step."
+        : "The records do not hold frequencies above 0.4 of the lowest sample rate.";
     const char *noModel = "The model gives no response here.";
     section.numbers("frequency_hz", response.frequency_Hz,
         "None of the frequencies asked for lies in the usable band.");
     section.numbers("magnitude", response.magnitude, none);
-    section.numbers("u_magnitude", response.u_magnitude, kNoUncertainty);
+    section.numbers("u_magnitude", response.u_magnitude, none);
     section.missing("k_magnitude", kNoUncertainty);
     section.set("u_contains_step", false); // what the noise of the recordings gives, no more
     section.numbers("phase_rad", response.phase_rad, none);
-    section.numbers("u_phase_rad", response.u_phase_rad, kNoUncertainty);
+    section.numbers("u_phase_rad", response.u_phase_rad, none);
     section.missing("k_phase", kNoUncertainty);
     section.numbers("model_magnitude", response.modelMagnitude, noModel);
     section.numbers("model_phase_rad", response.modelPhase_rad, noModel);

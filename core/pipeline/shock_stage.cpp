@@ -102,17 +102,23 @@ Finding movingPeak(const FollowedPeak &peak)
     return finding;
 }
 
+Distribution distributionCalled(const std::string &name)
+{
+    for (const Distribution distribution :
+        {Distribution::Rectangular, Distribution::Triangular, Distribution::UShaped}) {
+        if (name == distributionName(distribution))
+            return distribution;
+    }
+    return Distribution::Normal;
+}
+
 UncertaintyRequest requestOf(const UncertaintySettings &settings)
 {
     UncertaintyRequest request;
     request.evaluate = true;
-    for (const BudgetEntry &entry : settings.budget) {
-        const Distribution distribution = entry.distribution == "rectangular"
-            ? Distribution::Rectangular
-            : entry.distribution == "triangular" ? Distribution::Triangular
-                                                 : Distribution::Normal;
-        request.stated.push_back({entry.quantity, entry.u, distribution, entry.dof});
-    }
+    for (const BudgetEntry &entry : settings.budget)
+        request.stated.push_back(
+            {entry.quantity, entry.u, distributionCalled(entry.distribution), entry.dof});
     return request;
 }
 

@@ -35,24 +35,59 @@ std::string stampOf(const InputFile &input)
     return input.path + ' ' + std::to_string(input.bytes) + ' ' + std::to_string(input.changed_ns);
 }
 
+std::string attributesOf(const Attributes &attributes)
+{
+    std::string text;
+    for (const auto &[key, value] : attributes)
+        text += key + '=' + value + '\n';
+    return text;
+}
+
+std::string attributesOf(const std::map<std::string, Attributes> &named)
+{
+    std::string text;
+    for (const auto &[name, attributes] : named)
+        text += name + '\n' + attributesOf(attributes);
+    return text;
+}
+
+/// What was found while reading and sealing: the same bytes may be those that a project expects,
+/// or not (CAP-015).
+std::string wordsOf(const Findings &findings)
+{
+    std::string text;
+    for (const Finding &finding : findings)
+        text += finding.id + ' ' + severityName(finding.severity) + ' '
+            + std::to_string(finding.shot) + ' ' + finding.channel + ' ' + english(finding.message)
+            + '\n';
+    return text;
+}
+
+std::string describedChannel(const Channel &channel)
+{
+    return channel.name + ' ' + channelRoleName(channel.role) + ' ' + channel.sha256 + ' '
+        + channel.statedSha256 + ' ' + channel.quantity + ' ' + channel.recordedUnit + ' '
+        + channel.sensorId + ' ' + std::to_string(channel.adcBits) + ' '
+        + numberText(channel.sampleRate_Hz) + ' ' + numberText(channel.t0_s) + ' '
+        + scalingOf(channel);
+}
+
 /// What identifies the recordings: their samples' hashes and what the file says of them.
 std::string identityOf(const CaptureSet &captures)
 {
     std::string text;
     for (const InputFile &input : captures.inputs)
-        text += (input.sha256.empty() ? stampOf(input) : input.sha256) + ' ' + input.file + '\n';
+        text += (input.sha256.empty() ? stampOf(input) : input.sha256) + ' ' + input.file + ' '
+            + input.format + '\n';
     for (const Shot &shot : captures.shots) {
         text += shot.label + '|' + shotLevelName(shot.level) + '|' + (shot.included ? "+" : "-")
-            + surroundingsOf(shot.environment);
-        for (const Channel &channel : shot.channels) {
-            text += channel.name + ' ' + channelRoleName(channel.role) + ' ' + channel.sha256 + ' '
-                + numberText(channel.sampleRate_Hz) + ' ' + numberText(channel.t0_s) + ' '
-                + scalingOf(channel);
-        }
+            + shot.excludeReason + '|' + surroundingsOf(shot.environment)
+            + attributesOf(shot.notes);
+        for (const Channel &channel : shot.channels)
+            text += describedChannel(channel);
     }
-    for (const auto &[key, value] : captures.tube)
-        text += key + '=' + value + '\n';
-    return text;
+    return text + attributesOf(captures.tube) + attributesOf(captures.sensors)
+        + attributesOf(captures.instruments) + wordsOf(captures.findings);
 }
 
 /// The recipe sections one stage reads, as JSON with everything else at its default.

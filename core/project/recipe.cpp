@@ -3,10 +3,12 @@
 
 #include "core/project/recipe.h"
 
+#include "core/project/json_merge.h"
 #include "core/project/recipe_fields.h"
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 
 namespace dyncal {
 namespace {
@@ -46,6 +48,21 @@ const Codec<Recipe> &recipeCodec()
     return codec;
 }
 
+/// A second line of one quantity would be left out of the uncertainty without a word.
+Result<void> checkBudget(const std::vector<BudgetEntry> &budget)
+{
+    std::set<std::string> seen;
+    for (const BudgetEntry &entry : budget) {
+        if (!seen.insert(entry.quantity).second)
+            return fail(ErrorKind::Usage,
+                {DYNCAL_TEXT("core",
+                     "Recipe key uncertainty.budget holds the quantity \"%1\" twice; join the two "
+                     "contributions to one."),
+                    {entry.quantity}});
+    }
+    return {};
+}
+
 /// What no single key can see.
 Result<void> checkTogether(const Recipe &recipe)
 {
@@ -56,7 +73,7 @@ Result<void> checkTogether(const Recipe &recipe)
                  "Recipe key realization.order is %1; it needs at most realization.max_order, "
                  "which is %2."),
                 {std::to_string(*realization.order.value), std::to_string(realization.maxOrder)}});
-    return {};
+    return checkBudget(recipe.uncertainty.budget);
 }
 
 Result<Recipe> recipeOf(const Json &document)
@@ -113,17 +130,6 @@ Result<Json> profileDocument(const std::string &path)
                     {path, key}});
     }
     return document;
-}
-
-/// Objects are joined key by key; any other value of `upper` replaces the one below.
-void putOver(Json &lower, const Json &upper)
-{
-    if (!lower.is_object() || !upper.is_object()) {
-        lower = upper;
-        return;
-    }
-    for (const auto &[key, value] : upper.items())
-        putOver(lower[key], value);
 }
 
 } // namespace

@@ -15,7 +15,8 @@ constexpr Index kMostLags = 10000000;
 constexpr Index kMostSamples = 10000000;
 constexpr Index kMostOrders = 2000;
 constexpr Index kMostFrequencies = 100000;
-constexpr Index kMostTrials = 1000000000;
+constexpr Index kLeastTrials = 100; // as propagateMonteCarlo() takes them
+constexpr Index kMostTrials = 1000000;
 constexpr Index kLargestSeed = 9007199254740991; // every JSON reader keeps it exactly
 constexpr Index kMostShots = 100000;
 constexpr std::string_view kLinear = "linear:";
@@ -139,7 +140,7 @@ Codec<BudgetEntry> budgetEntry()
 /// 0 in the struct stands for "adaptive".
 Codec<Index> trials()
 {
-    const auto codec = valueOr(Json("adaptive"), whole(1, kMostTrials));
+    const auto codec = valueOr(Json("adaptive"), whole(kLeastTrials, kMostTrials));
     const auto read = [codec](const JsonAt &at) -> Result<Index> {
         return codec.read(at).map([](const std::optional<Index> &v) { return v.value_or(0); });
     };

@@ -3,29 +3,32 @@
 
 #include "core/project/recipe_mend.h"
 
+#include "core/project/json_merge.h"
 #include "core/project/strict_json.h"
 
-#include <nlohmann/json.hpp>
-
-#include <algorithm>
-
 namespace dyncal {
+namespace {
+
+/// The document with nothing but `value` at the dotted key.
+Json alone(const std::string &key, const Json &value)
+{
+    const std::size_t dot = key.find('.');
+    if (dot == std::string::npos)
+        return Json::object({{key, value}});
+    return Json::object({{key.substr(0, dot), alone(key.substr(dot + 1), value)}});
+}
+
+} // namespace
 
 Result<Recipe> mendedRecipe(const Recipe &recipe, const Mend &mend)
 {
-    Result<Json> value = parseStrictJson(mend.value, mend.key);
+    const Result<Json> value = parseStrictJson(mend.value, mend.key);
     if (!value)
         return tl::unexpected(value.error());
     Result<Json> whole = parseStrictJson(recipeJson(recipe), "recipe");
     if (!whole)
         return tl::unexpected(whole.error());
-    std::string path = "/" + mend.key;
-    std::replace(path.begin(), path.end(), '.', '/');
-    Json &place = (*whole)[Json::json_pointer(path)];
-    if (place.is_object() && value->is_object())
-        place.update(*value);
-    else
-        place = std::move(*value);
+    putOver(*whole, alone(mend.key, *value));
     return parseRecipe(whole->dump());
 }
 

@@ -116,15 +116,18 @@ std::vector<PartFit> fitLevels(
     return fits;
 }
 
-/// Plateau over the shots of a part, weighted by their uncertainties.
-void describePlateau(const PartFit &part, LevelPole &result)
+/// Plateau over the shots of a part, weighted by their uncertainties; the baseline that was
+/// subtracted moves each whole record.
+void describePlateau(const ModelInput &input, const PartFit &part, LevelPole &result)
 {
     double weights = 0.0;
     double sum = 0.0;
     for (std::size_t i = 0; i < part.series.size(); ++i) {
         const Eigen::MatrixXd covariance
             = recordCovariance(*part.refinement, static_cast<Index>(i));
-        const double variance = covariance(covariance.rows() - 1, covariance.rows() - 1);
+        const double u_baseline = input.series[part.series[i]].u_baseline;
+        const double variance
+            = covariance(covariance.rows() - 1, covariance.rows() - 1) + u_baseline * u_baseline;
         const double weight = variance > 0.0 ? 1.0 / variance : 1.0;
         weights += weight;
         sum += weight * part.refinement->records[i].constant;
@@ -154,7 +157,7 @@ LevelPole describePart(const ModelInput &input, const PartFit &part, std::option
     }
     result.coverageFactor = coverageFactor95(part.noise.dof);
     if (part.refinement->withConstant)
-        describePlateau(part, result);
+        describePlateau(input, part, result);
     return result;
 }
 

@@ -138,7 +138,7 @@ public:
     }
 
     /// sum u u^T
-    const Eigen::MatrixXd &sum() const { return m_sum; }
+    Eigen::MatrixXd sum() const { return m_sum.selfadjointView<Eigen::Lower>(); }
 
 private:
     static constexpr double kForgotten = 1e-8; ///< of the row's largest value
@@ -164,7 +164,7 @@ private:
         for (Index k = count - 1; k >= 0 && p > 0; --k)
             outputs.col(k).noalias() -= outputs.middleCols(k + 1, p) * m_coefficients;
         m_states = outputs.leftCols(p);
-        m_sum.noalias() += outputs.leftCols(count) * outputs.leftCols(count).transpose();
+        m_sum.selfadjointView<Eigen::Lower>().rankUpdate(outputs.leftCols(count));
         m_largest = m_largest.cwiseMax(outputs.leftCols(count).cwiseAbs().rowwise().maxCoeff());
     }
 
@@ -174,7 +174,7 @@ private:
     std::vector<ColumnSum> m_settled;
     Eigen::MatrixXd m_states; ///< the last outputs, the latest first
     Eigen::VectorXd m_largest; ///< output of every row so far
-    Eigen::MatrixXd m_sum;
+    Eigen::MatrixXd m_sum; ///< its lower half
 };
 
 /// The two (a pair) or one parameters of a rate, then those of its amplitude, at their places.

@@ -127,18 +127,21 @@ Eigen::MatrixXd covarianceOf(
 
 constexpr Index kWorthwhile = 3; ///< samples per mean
 
-/// How many samples to average so that no pole turns by more than a radian and a half between two
+/// How many samples to average so that no mode turns by more than a radian and a half between two
 /// means, and enough means are left.
 Index samplesPerMean(const Problem &problem)
 {
     constexpr double kRadians = 1.5;
     constexpr Index kMeans = 1000;
-    Index factor = std::numeric_limits<Index>::max();
+    double fewest = std::numeric_limits<double>::infinity();
     for (const RefinementRecord &record : problem.records()) {
-        factor = std::min({factor, static_cast<Index>(kRadians * record.rate_Hz * problem.unit_s()),
-            record.y.size() / kMeans});
+        double fastest_rad_s = 1.0 / problem.unit_s();
+        for (const NuisanceTerm &term : record.nuisance)
+            fastest_rad_s = std::max(fastest_rad_s, std::abs(term.rate_rad_s));
+        fewest = std::min({fewest, kRadians * record.rate_Hz / fastest_rad_s,
+            static_cast<double>(record.y.size() / kMeans)});
     }
-    return factor;
+    return problem.records().empty() ? 0 : static_cast<Index>(fewest);
 }
 
 /// The equations where the descent from the rates of `theta` ends, in `theta` too; empty when it

@@ -166,12 +166,21 @@ private:
             addCounters();
     }
 
+    /// The channel, numbered where an earlier sighting has it too.
+    static std::string nameOf(const std::vector<Sighting> &sightings, Index i)
+    {
+        const Sighting &s = sightings[static_cast<std::size_t>(i)];
+        const auto earlier = std::count_if(sightings.begin(), sightings.begin() + i,
+            [&](const Sighting &other) { return other.channel == s.channel; });
+        return earlier > 0 ? s.channel + " (" + std::to_string(earlier + 1) + ")" : s.channel;
+    }
+
     void addSightings()
     {
         const auto &sightings = m_measurement.velocity.sightings;
         for (Index i = 0; i < std::ssize(sightings); ++i) {
             const Sighting &s = sightings[static_cast<std::size_t>(i)];
-            const std::string place = "[" + s.channel + "]";
+            const std::string place = "[" + nameOf(sightings, i) + "]";
             const bool known = addKnown("distance_m" + place, "distance_m", s.distance_m,
                 s.u_distance_m, Distribution::Normal, true,
                 [i](StepPoint &p, double x) { p.distance_m[i] = x; });

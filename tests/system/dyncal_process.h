@@ -29,7 +29,7 @@ struct Answer
 
 /// Calls the built program ($DYNCAL_BINARY) without a display and waits for its end. `extra` are
 /// further environment variables ("NAME=value").
-inline Answer dyncal(const QStringList &arguments, const QStringList &extra = {})
+inline Answer runDyncal(const QStringList &arguments, const QStringList &extra = {})
 {
     constexpr int kLongest_ms = 240000;
     QProcess process;

@@ -58,14 +58,14 @@ private:
 
     Answer runExample(const char *output, const QStringList &more = {}) const
     {
-        return dyncal(QStringList{"run", path("example.h5"), "-o", path(output)} + more, kEpoch);
+        return runDyncal(QStringList{"run", path("example.h5"), "-o", path(output)} + more, kEpoch);
     }
 
 private slots:
     void initTestCase()
     {
         const Answer answer
-            = dyncal({"simulate", "-o", path("example.h5"), "--preset", "optic3"}, kEpoch);
+            = runDyncal({"simulate", "-o", path("example.h5"), "--preset", "optic3"}, kEpoch);
         QCOMPARE(answer.exitCode, 0);
         m_truth = answer.out;
     }
@@ -198,9 +198,9 @@ private slots:
     void noStep_isBlockedAndKeepsWhatThereIs()
     {
         QCOMPARE(
-            dyncal({"simulate", "-o", path("nostep.h5"), "--defect", "nostep"}, kEpoch).exitCode,
+            runDyncal({"simulate", "-o", path("nostep.h5"), "--defect", "nostep"}, kEpoch).exitCode,
             0);
-        const Answer answer = dyncal({"run", path("nostep.h5"), "-o", path("nostep")}, kEpoch);
+        const Answer answer = runDyncal({"run", path("nostep.h5"), "-o", path("nostep")}, kEpoch);
         QCOMPARE(answer.exitCode, 2);
         QVERIFY2(answer.err.contains("CAP-009"), answer.err);
         const QJsonObject results = fileJson(path("nostep/results.json"));
@@ -233,7 +233,7 @@ private slots:
 
     void checkedShots_areNamed()
     {
-        const Answer answer = dyncal({"check", path("example.h5")}, kEpoch);
+        const Answer answer = runDyncal({"check", path("example.h5")}, kEpoch);
         for (const char *line : {"SHK-005 (info, shot 1)", "SHK-005 (info, shot 3)"})
             QVERIFY2(answer.out.contains(line), answer.out);
         QVERIFY2(!answer.out.contains("shot 1): Shot 1"), answer.out);
@@ -244,8 +244,8 @@ private slots:
         QVERIFY(runExample("reused").exitCode <= 1);
         QVERIFY(QFile::exists(path("reused/certificate.pdf")));
         QVERIFY(QFile::exists(path("reused/csv/poles.csv")));
-        QCOMPARE(dyncal({"simulate", "-o", path("none.h5"), "--defect", "nostep"}).exitCode, 0);
-        QCOMPARE(dyncal({"run", path("none.h5"), "-o", path("reused")}).exitCode, 2);
+        QCOMPARE(runDyncal({"simulate", "-o", path("none.h5"), "--defect", "nostep"}).exitCode, 0);
+        QCOMPARE(runDyncal({"run", path("none.h5"), "-o", path("reused")}).exitCode, 2);
         QVERIFY(!QFile::exists(path("reused/certificate.pdf")));
         QVERIFY(!QFile::exists(path("reused/csv/poles.csv")));
         QVERIFY(fileJson(path("reused/results.json"))["model"].isNull());
@@ -264,14 +264,14 @@ private slots:
     void folderWithSpacesAndLetters_works()
     {
         const QString folder = path("ut å ö/dir");
-        QVERIFY(dyncal({"run", path("example.h5"), "-o", folder}).exitCode <= 1);
+        QVERIFY(runDyncal({"run", path("example.h5"), "-o", folder}).exitCode <= 1);
         QVERIFY(QFile::exists(folder + "/results.json"));
     }
 
     void locale_changesNoNumber()
     {
         QVERIFY(runExample("a").exitCode <= 1);
-        QVERIFY(dyncal({"run", path("example.h5"), "-o", path("locale")},
+        QVERIFY(runDyncal({"run", path("example.h5"), "-o", path("locale")},
                     kEpoch + QStringList{"LC_ALL=sv_SE.UTF-8", "LANG=sv_SE.UTF-8"})
                     .exitCode
             <= 1);

@@ -21,7 +21,7 @@ private:
     QString simulated(const QString &name, const QStringList &options = {}) const
     {
         const QString file = path(name);
-        const Answer answer = dyncal(
+        const Answer answer = runDyncal(
             QStringList{"simulate", "-o", file, "--duration-s", "0.004", "--seed", "3"} + options);
         if (answer.exitCode != 0)
             qWarning("%s", answer.err.constData());
@@ -56,7 +56,7 @@ private:
 private slots:
     void check_cleanShots_isDone()
     {
-        const Answer answer = dyncal({"check", simulated("clean.h5"), "--json"});
+        const Answer answer = runDyncal({"check", simulated("clean.h5"), "--json"});
         QVERIFY2(answer.exitCode == 0, answer.out);
         QCOMPARE(answer.json()["schema"].toString(), QString("dyncal-check/1"));
         QCOMPARE(answer.json()["shots"].toInt(), 3);
@@ -91,7 +91,7 @@ private slots:
         QFETCH(QStringList, cautions);
         const QString file
             = simulated(QString(defect).replace('@', '_') + ".h5", {"--defect", defect});
-        const Answer answer = dyncal({"check", file, "--json"});
+        const Answer answer = runDyncal({"check", file, "--json"});
         QVERIFY2(idsOf(answer, "block") == blocks, answer.out);
         QVERIFY2(idsOf(answer, "caution") == cautions, answer.out);
         QCOMPARE(answer.exitCode, !blocks.isEmpty() ? 2 : cautions.isEmpty() ? 0 : 1);
@@ -100,7 +100,7 @@ private slots:
 
     void check_asText_endsWithTheCount()
     {
-        const Answer answer = dyncal({"check", simulated("text.h5", {"--defect", "fs50@3"})});
+        const Answer answer = runDyncal({"check", simulated("text.h5", {"--defect", "fs50@3"})});
         QCOMPARE(answer.exitCode, 1);
         QVERIFY2(answer.out.startsWith("CAP-004 (caution): Shots have different"), answer.out);
         QVERIFY2(answer.out.contains("Shots 3: blocking 0, cautions 1, infos "), answer.out);
@@ -109,8 +109,8 @@ private slots:
     void check_swappedRolesOfOneFile_areExchangedByTheRecipe()
     {
         const QString file = simulated("swapped.h5", {"--shots", "high", "--defect", "swap"});
-        QCOMPARE(dyncal({"check", file}).exitCode, 2);
-        const Answer info = dyncal({"info", file, "--json"});
+        QCOMPARE(runDyncal({"check", file}).exitCode, 2);
+        const Answer info = runDyncal({"info", file, "--json"});
         QJsonObject channels;
         for (const QJsonValue &channel : info.json()["shots"][0]["channels"].toArray()) {
             const QString role = channel["role"].toString();
@@ -123,16 +123,17 @@ private slots:
             QJsonObject{
                 {"files", QJsonObject{{"swapped.h5", QJsonObject{{"channels", channels}}}}}}}};
         writeBytes(path("swap.json"), QJsonDocument(recipe).toJson());
-        const Answer fixed = dyncal({"check", file, "--recipe", path("swap.json"), "--json"});
+        const Answer fixed = runDyncal({"check", file, "--recipe", path("swap.json"), "--json"});
         QVERIFY2(fixed.exitCode == 0, fixed.out + fixed.err);
     }
 
     void check_wrongInput_hasItsExitCode()
     {
-        QCOMPARE(dyncal({"check", path("none.h5")}).exitCode, 3);
-        QCOMPARE(dyncal({"check"}).exitCode, 4);
+        QCOMPARE(runDyncal({"check", path("none.h5")}).exitCode, 3);
+        QCOMPARE(runDyncal({"check"}).exitCode, 4);
         writeBytes(path("bad.json"), R"({"import": {"files": {"x.h5": {"unit": "V"}}}})");
-        const Answer answer = dyncal({"check", simulated("bad.h5"), "--recipe", path("bad.json")});
+        const Answer answer
+            = runDyncal({"check", simulated("bad.h5"), "--recipe", path("bad.json")});
         QCOMPARE(answer.exitCode, 4);
         QVERIFY2(answer.err.contains("'x.h5'"), answer.err);
     }
@@ -143,12 +144,13 @@ private slots:
         for (const double height : {0.4, 0.7, 1.1})
             tables << writeTable(QString("shot %1.csv").arg(height), height, "V");
         const QString capture = path("tables.h5");
-        const Answer imported = dyncal(QStringList{"import"} + tables + QStringList{"-o", capture});
+        const Answer imported
+            = runDyncal(QStringList{"import"} + tables + QStringList{"-o", capture});
         QVERIFY2(imported.exitCode <= 1, imported.err);
         QVERIFY2(imported.out.contains("3 shots from 3 files"), imported.out);
         const Answer direct
-            = dyncal(QStringList{"run"} + tables + QStringList{"-o", path("direct")});
-        const Answer indirect = dyncal({"run", capture, "-o", path("indirect")});
+            = runDyncal(QStringList{"run"} + tables + QStringList{"-o", path("direct")});
+        const Answer indirect = runDyncal({"run", capture, "-o", path("indirect")});
         QVERIFY2(direct.exitCode <= 1, direct.err);
         QVERIFY2(indirect.exitCode <= 1, indirect.err);
         const QJsonObject a = fileJson(path("direct") + "/results.json");
@@ -168,15 +170,15 @@ private slots:
             R"({"import": {"channels": {"Pressure sensor": {"role": "dut", "unit": "psi"}}}})");
         const QString capture = path("psi.h5");
         const Answer imported
-            = dyncal({"import", table, "--profile", path("laboratory.json"), "-o", capture});
+            = runDyncal({"import", table, "--profile", path("laboratory.json"), "-o", capture});
         QVERIFY2(imported.exitCode == 0, imported.err);
         const QJsonValue channel
-            = dyncal({"info", capture, "--json"}).json()["shots"][0]["channels"][0];
+            = runDyncal({"info", capture, "--json"}).json()["shots"][0]["channels"][0];
         QCOMPARE(channel["unit"].toString(), QString("Pa"));
         QCOMPARE(channel["role"].toString(), QString("dut"));
         QCOMPARE(channel["type"].toString(), QString("float64"));
         QCOMPARE(channel["samples"].toInt(), 6000);
-        QVERIFY(dyncal({"run", capture, "-o", path("psi")}).exitCode <= 1);
+        QVERIFY(runDyncal({"run", capture, "-o", path("psi")}).exitCode <= 1);
         const double step = fileJson(path("psi") + "/results.json")["shots"][0]["step"].toDouble();
         QVERIFY2(std::abs(step / 0.5357e6 - 1.0) < 1e-3, QByteArray::number(step)); // 77.7 psi
     }
@@ -185,13 +187,13 @@ private slots:
     {
         const QString table = writeTable("source.csv", 1.0, "V");
         const QByteArray before = fileBytes(table);
-        const Answer onItself = dyncal({"import", table, "-o", table});
+        const Answer onItself = runDyncal({"import", table, "-o", table});
         QCOMPARE(onItself.exitCode, 4);
         QVERIFY2(onItself.err.contains("one of the inputs"), onItself.err);
         QVERIFY(fileBytes(table) == before);
-        QVERIFY(dyncal({"import", table, "-o", path("once.h5")}).exitCode <= 1);
+        QVERIFY(runDyncal({"import", table, "-o", path("once.h5")}).exitCode <= 1);
         const QByteArray written = fileBytes(path("once.h5"));
-        const Answer again = dyncal({"import", table, "-o", path("once.h5")});
+        const Answer again = runDyncal({"import", table, "-o", path("once.h5")});
         QCOMPARE(again.exitCode, 4);
         QVERIFY2(again.err.contains("written once"), again.err);
         QVERIFY(fileBytes(path("once.h5")) == written);
@@ -200,9 +202,9 @@ private slots:
     void import_samplesAreThoseOfTheSource()
     {
         const QString table = writeTable("hash.csv", 1.0, "mV");
-        QVERIFY(dyncal({"import", table, "-o", path("hash.h5")}).exitCode <= 1);
+        QVERIFY(runDyncal({"import", table, "-o", path("hash.h5")}).exitCode <= 1);
         const auto hashOf = [](const QString &file) {
-            return dyncal({"info", file, "--json"})
+            return runDyncal({"info", file, "--json"})
                 .json()["shots"][0]["channels"][0]["sha256"]
                 .toString();
         };
@@ -214,7 +216,7 @@ private slots:
     {
         writeBytes(path("profile.json"), R"({"pca": {"components": 2}})");
         const Answer answer
-            = dyncal({"check", simulated("profile.h5"), "--profile", path("profile.json")});
+            = runDyncal({"check", simulated("profile.h5"), "--profile", path("profile.json")});
         QCOMPARE(answer.exitCode, 4);
         QVERIFY2(answer.err.contains("\"pca\""), answer.err);
     }
@@ -223,12 +225,12 @@ private slots:
     {
         const QString file = simulated("rate.h5", {"--shots", "high"});
         writeBytes(path("rate.json"), R"({"import": {"sample_rate_hz": 1e7}})");
-        const Answer refused = dyncal({"check", file, "--recipe", path("rate.json"), "--json"});
+        const Answer refused = runDyncal({"check", file, "--recipe", path("rate.json"), "--json"});
         QCOMPARE(refused.exitCode, 2);
         QVERIFY2(idsOf(refused, "block") == QStringList{"CAP-003"}, refused.out);
         writeBytes(path("rate.json"),
             R"({"import": {"sample_rate_hz": 1e7, "sample_rate_reason": "counted"}})");
-        const Answer said = dyncal({"check", file, "--recipe", path("rate.json"), "--json"});
+        const Answer said = runDyncal({"check", file, "--recipe", path("rate.json"), "--json"});
         QVERIFY2(idsOf(said, "caution").contains("CAP-025"), said.out);
     }
 };

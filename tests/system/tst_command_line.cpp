@@ -30,7 +30,7 @@ private:
 private slots:
     void version_namesProgramVersionAndBuild()
     {
-        const Answer answer = dyncal({"--version"});
+        const Answer answer = runDyncal({"--version"});
         QCOMPARE(answer.exitCode, 0);
         QVERIFY2(answer.out.startsWith("dyncal 0."), answer.out);
         QVERIFY2(answer.out.contains("(build "), answer.out);
@@ -47,7 +47,7 @@ private slots:
     void help_ofEveryVerb_hasAnExample()
     {
         QFETCH(QStringList, arguments);
-        const Answer answer = dyncal(arguments);
+        const Answer answer = runDyncal(arguments);
         QCOMPARE(answer.exitCode, 0);
         QVERIFY2(answer.out.contains("Example:\n  dyncal "), answer.out);
         QCOMPARE(answer.err, QByteArray());
@@ -80,7 +80,7 @@ private slots:
     {
         QFETCH(QStringList, arguments);
         QFETCH(QByteArray, holds);
-        verifyRefusal(dyncal(arguments), 4, holds);
+        verifyRefusal(runDyncal(arguments), 4, holds);
     }
 
     void missingFile_isExit3_data()
@@ -95,13 +95,13 @@ private slots:
     void missingFile_isExit3()
     {
         QFETCH(QStringList, arguments);
-        verifyRefusal(dyncal(arguments), 3, "/nonexistent/capture.h5");
+        verifyRefusal(runDyncal(arguments), 3, "/nonexistent/capture.h5");
     }
 
     void noCapture_isExit3AndNamesTheFile()
     {
         QVERIFY(writeBytes(path("letter.pdf"), "%PDF-1.4\nDear customer,\n"));
-        const Answer answer = dyncal({"info", path("letter.pdf")});
+        const Answer answer = runDyncal({"info", path("letter.pdf")});
         QCOMPARE(answer.exitCode, 3);
         QVERIFY2(answer.err.contains("letter.pdf"), answer.err);
         QCOMPARE(answer.out, QByteArray());
@@ -110,50 +110,51 @@ private slots:
     void unknownRecipeKey_isExit4AndNamesTheNearest()
     {
         QVERIFY(writeBytes(path("wrong.json"), "{\"window\": {\"end\": 0.001}}"));
-        verifyRefusal(dyncal({"run", "x.h5", "--recipe", path("wrong.json"), "-o", path("out")}), 4,
-            "Recipe key window.end is unknown; the nearest known key is window.end_s.");
+        verifyRefusal(runDyncal({"run", "x.h5", "--recipe", path("wrong.json"), "-o", path("out")}),
+            4, "Recipe key window.end is unknown; the nearest known key is window.end_s.");
     }
 
     void malformedRecipe_isExit4AndNamesThePlace()
     {
         QVERIFY(writeBytes(path("broken.json"), "{\n  \"window\": {,}\n}"));
-        verifyRefusal(dyncal({"run", "x.h5", "--recipe", path("broken.json"), "-o", path("out")}),
-            4, "line 2, column 14");
+        verifyRefusal(
+            runDyncal({"run", "x.h5", "--recipe", path("broken.json"), "-o", path("out")}), 4,
+            "line 2, column 14");
     }
 
     void missingRecipe_isExit3()
     {
-        verifyRefusal(dyncal({"run", "x.h5", "--recipe", path("none.json"), "-o", path("out")}), 3,
-            "none.json");
+        verifyRefusal(runDyncal({"run", "x.h5", "--recipe", path("none.json"), "-o", path("out")}),
+            3, "none.json");
     }
 
     void refusedRun_leavesNothingBehind()
     {
         QVERIFY(writeBytes(path("bad.json"), "{\"x\": 1}"));
-        dyncal({"run", "x.h5", "--recipe", path("bad.json"), "-o", path("never")});
+        runDyncal({"run", "x.h5", "--recipe", path("bad.json"), "-o", path("never")});
         QVERIFY(!QFile::exists(path("never")));
     }
 
     void badEpoch_isExit4()
     {
-        verifyRefusal(dyncal({"simulate", "-o", path("x.h5")}, {"SOURCE_DATE_EPOCH=yesterday"}), 4,
-            "SOURCE_DATE_EPOCH is \"yesterday\"");
+        verifyRefusal(runDyncal({"simulate", "-o", path("x.h5")}, {"SOURCE_DATE_EPOCH=yesterday"}),
+            4, "SOURCE_DATE_EPOCH is \"yesterday\"");
         QVERIFY(!QFile::exists(path("x.h5")));
     }
 
     void workbenchWithoutDisplay_isExit4AndNamesTheHelp()
     {
-        verifyRefusal(dyncal({}), 4, "dyncal --help");
+        verifyRefusal(runDyncal({}), 4, "dyncal --help");
     }
 
     void outputThatIsAFile_isExit4()
     {
         QVERIFY(writeBytes(path("taken"), "x"));
-        QVERIFY(dyncal({"simulate", "-o", path("small.h5"), "--sample-rate-hz", "2e7",
-                           "--duration-s", "0.005"})
+        QVERIFY(runDyncal({"simulate", "-o", path("small.h5"), "--sample-rate-hz", "2e7",
+                              "--duration-s", "0.005"})
                     .exitCode
             == 0);
-        const Answer answer = dyncal({"run", path("small.h5"), "-o", path("taken")});
+        const Answer answer = runDyncal({"run", path("small.h5"), "-o", path("taken")});
         verifyRefusal(answer, 4, "taken");
         QCOMPARE(fileBytes(path("taken")), QByteArray("x"));
     }

@@ -57,14 +57,14 @@ private slots:
     void initTestCase()
     {
         m_capture = path("example.h5");
-        QCOMPARE(
-            dyncal({"simulate", "-o", m_capture, "--duration-s", "0.004", "--seed", "3"}).exitCode,
+        QCOMPARE(runDyncal({"simulate", "-o", m_capture, "--duration-s", "0.004", "--seed", "3"})
+                     .exitCode,
             0);
     }
 
     void compare_everyOrder_isThatOfARun()
     {
-        const Answer answer = dyncal({"compare", m_capture, "--orders", "2,3,50", "--json"});
+        const Answer answer = runDyncal({"compare", m_capture, "--orders", "2,3,50", "--json"});
         QVERIFY2(answer.exitCode == 0 || answer.exitCode == 1, answer.err);
         const QJsonObject compared = answer.json();
         QCOMPARE(compared["schema"].toString(), QString("dyncal-compare/1"));
@@ -72,7 +72,7 @@ private slots:
         for (const QJsonValue &one : compared["orders"].toArray()) {
             const QString order = QString::number(one["order"].toInt());
             const QString out = path("run-" + order);
-            const Answer run = dyncal({"run", m_capture, "--order", order, "-o", out});
+            const Answer run = runDyncal({"run", m_capture, "--order", order, "-o", out});
             QVERIFY2(run.exitCode <= 2, run.err);
             const QJsonObject results = fileJson(out + "/results.json");
             QVERIFY(isSame(one["fit_percent"], results["model"]["fit_percent"]));
@@ -91,7 +91,7 @@ private slots:
 
     void compare_table_hasALinePerOrder()
     {
-        const Answer answer = dyncal({"compare", m_capture, "--orders", "2,3,100"});
+        const Answer answer = runDyncal({"compare", m_capture, "--orders", "2,3,100"});
         const QList<QByteArray> lines = answer.out.trimmed().split('\n');
         QCOMPARE(lines.size(), 5); // heading, three orders, the suggestion's reason
         QVERIFY(lines[0].contains("attainable") && lines[0].contains("whiteness p"));
@@ -107,7 +107,7 @@ private slots:
             R"({"realization": {"candidates": [5],
                 "candidate_notes": [{"order": 5, "note": "odd one"}]}})"));
         const Answer answer
-            = dyncal({"compare", m_capture, "--recipe", path("recipe.json"), "--json"});
+            = runDyncal({"compare", m_capture, "--recipe", path("recipe.json"), "--json"});
         QList<int> orders;
         for (const QJsonValue &one : answer.json()["orders"].toArray())
             orders << one["order"].toInt();
@@ -132,7 +132,7 @@ private slots:
     {
         QFETCH(QString, orders);
         QFETCH(QByteArray, named);
-        const Answer answer = dyncal({"compare", m_capture, "--orders", orders});
+        const Answer answer = runDyncal({"compare", m_capture, "--orders", orders});
         QCOMPARE(answer.exitCode, 4);
         QVERIFY2(answer.complaints().last().contains(named), answer.err);
     }
@@ -140,8 +140,8 @@ private slots:
     void compare_unreadableFile_isThree()
     {
         QVERIFY(writeBytes(path("broken.h5"), "no capture"));
-        QCOMPARE(dyncal({"compare", path("broken.h5")}).exitCode, 3);
-        const Answer help = dyncal({"compare", "--help"});
+        QCOMPARE(runDyncal({"compare", path("broken.h5")}).exitCode, 3);
+        const Answer help = runDyncal({"compare", "--help"});
         QCOMPARE(help.exitCode, 0);
         QVERIFY(help.out.contains("Example:"));
     }
@@ -149,10 +149,10 @@ private slots:
     void export_givesTheFilesOfARun()
     {
         const QString out = path("exported");
-        const Answer answer = dyncal({"export", m_capture, "--order", "3", "-o", out});
+        const Answer answer = runDyncal({"export", m_capture, "--order", "3", "-o", out});
         QVERIFY2(answer.exitCode <= 1, answer.err);
         const QString run = path("run-export");
-        dyncal({"run", m_capture, "--order", "3", "-o", run});
+        runDyncal({"run", m_capture, "--order", "3", "-o", run});
         const QStringList names = QDir(out).entryList(QDir::Files);
         QCOMPARE(names, QDir(run + "/model").entryList(QDir::Files));
         QVERIFY(names.contains("model.mat") && names.contains("model.py"));
@@ -170,22 +170,23 @@ private slots:
                 "captures": [{"path": "example.h5", "sha256": ")"
                 + sha256 + R"("}]})"));
         const QString out = path("of-project");
-        const Answer answer = dyncal({"export", path("job.dyncal"), "--format", "json", "-o", out});
+        const Answer answer
+            = runDyncal({"export", path("job.dyncal"), "--format", "json", "-o", out});
         QVERIFY2(answer.exitCode <= 1, answer.err);
         QCOMPARE(fileJson(out + "/model.json")["order"].toInt(), 4);
         QVERIFY(writeBytes(path("no.dyncal"), "{}"));
-        QCOMPARE(dyncal({"export", path("no.dyncal"), "-o", out}).exitCode, 3);
+        QCOMPARE(runDyncal({"export", path("no.dyncal"), "-o", out}).exitCode, 3);
     }
 
     void export_someFormats_andWrongOnes()
     {
         const QString out = path("some");
-        QVERIFY(dyncal({"export", m_capture, "--format", "json,m", "-o", out}).exitCode <= 1);
+        QVERIFY(runDyncal({"export", m_capture, "--format", "json,m", "-o", out}).exitCode <= 1);
         QCOMPARE(QDir(out).entryList(QDir::Files), QStringList({"model.json", "model.m"}));
-        QCOMPARE(dyncal({"export", m_capture, "--format", "xls", "-o", out}).exitCode, 4);
-        QCOMPARE(dyncal({"export", m_capture, "--what", "plots", "-o", out}).exitCode, 4);
-        QCOMPARE(dyncal({"export", m_capture}).exitCode, 4);
-        QVERIFY(dyncal({"export", "--help"}).out.contains("Example:"));
+        QCOMPARE(runDyncal({"export", m_capture, "--format", "xls", "-o", out}).exitCode, 4);
+        QCOMPARE(runDyncal({"export", m_capture, "--what", "plots", "-o", out}).exitCode, 4);
+        QCOMPARE(runDyncal({"export", m_capture}).exitCode, 4);
+        QVERIFY(runDyncal({"export", "--help"}).out.contains("Example:"));
     }
 
     void run_tellsWhyThisOrder()
@@ -193,7 +194,7 @@ private slots:
         QVERIFY(writeBytes(path("reason.json"),
             R"({"realization": {"order": 2, "adopted_reason": "lowest that fits"}})"));
         const QString out = path("why");
-        dyncal({"run", m_capture, "--recipe", path("reason.json"), "-o", out});
+        runDyncal({"run", m_capture, "--recipe", path("reason.json"), "-o", out});
         const QJsonValue section = fileJson(out + "/results.json")["realization"];
         QCOMPARE(section["adopted_reason"].toString(), QString("lowest that fits"));
         QVERIFY(section["why"].toArray().size() >= 5);

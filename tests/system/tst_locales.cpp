@@ -82,8 +82,8 @@ private slots:
         QCOMPARE(one, QByteArray("1,0")); // else the locale is not in force and nothing is tested
 
         const QString table = writeTable();
-        const Answer there = dyncal({"run", table, "-o", path(locale)}, environment);
-        const Answer here = dyncal({"run", table, "-o", path(locale + "-C")},
+        const Answer there = runDyncal({"run", table, "-o", path(locale)}, environment);
+        const Answer here = runDyncal({"run", table, "-o", path(locale + "-C")},
             {"LC_ALL=C", "LANG=C", "SOURCE_DATE_EPOCH=1767225600"});
         QVERIFY2(here.exitCode == 0 || here.exitCode == 1, here.err);
         QCOMPARE(there.exitCode, here.exitCode);
@@ -94,9 +94,9 @@ private slots:
             == fileBytes(path(locale + "-C") + "/csv/singular_values.csv"));
         QCOMPARE(there.err, here.err);
 
-        const Answer checked = dyncal({"check", table, "--json"}, environment);
+        const Answer checked = runDyncal({"check", table, "--json"}, environment);
         QVERIFY(checked.json()["schema"] == QLatin1String("dyncal-check/1"));
-        QCOMPARE(checked.out, dyncal({"check", table, "--json"}, {"LC_ALL=C"}).out);
+        QCOMPARE(checked.out, runDyncal({"check", table, "--json"}, {"LC_ALL=C"}).out);
     }
 };
 

@@ -28,8 +28,8 @@ private:
 private slots:
     void simulate_printsTheTruthOfEveryShot()
     {
-        const Answer answer = dyncal(small(path("a.h5")) << "--shots"
-                                                         << "low,high");
+        const Answer answer = runDyncal(small(path("a.h5")) << "--shots"
+                                                            << "low,high");
         QCOMPARE(answer.exitCode, 0);
         QVERIFY2(answer.out.startsWith("Wrote " + path("a.h5").toUtf8()), answer.out);
         QVERIFY2(answer.out.contains("\n1     low ") && answer.out.contains("\n2     high "),
@@ -41,12 +41,12 @@ private slots:
     void simulate_withTheClockSet_isByteIdentical()
     {
         const QStringList epoch{"SOURCE_DATE_EPOCH=1767225600"};
-        QCOMPARE(dyncal(small(path("one.h5")), epoch).exitCode, 0);
-        QCOMPARE(dyncal(small(path("two.h5")), epoch).exitCode, 0);
+        QCOMPARE(runDyncal(small(path("one.h5")), epoch).exitCode, 0);
+        QCOMPARE(runDyncal(small(path("two.h5")), epoch).exitCode, 0);
         QVERIFY(!fileBytes(path("one.h5")).isEmpty());
         QVERIFY(fileBytes(path("one.h5")) == fileBytes(path("two.h5")));
-        QCOMPARE(dyncal(small(path("three.h5")) << "--seed"
-                                                << "2",
+        QCOMPARE(runDyncal(small(path("three.h5")) << "--seed"
+                                                   << "2",
                      epoch)
                      .exitCode,
             0);
@@ -55,17 +55,17 @@ private slots:
 
     void simulate_customSensor_saysItsTruth()
     {
-        const Answer answer = dyncal(small(path("custom.h5")) << "--f0-hz"
-                                                              << "123000"
-                                                              << "--zeta"
-                                                              << "0.05");
+        const Answer answer = runDyncal(small(path("custom.h5")) << "--f0-hz"
+                                                                 << "123000"
+                                                                 << "--zeta"
+                                                                 << "0.05");
         QCOMPARE(answer.exitCode, 0);
         QVERIFY2(answer.out.contains("123 kHz") && answer.out.contains("0.05"), answer.out);
     }
 
     void simulate_intoAMissingFolder_isRefusedAndLeavesNothing()
     {
-        const Answer answer = dyncal(small(path("none/a.h5")));
+        const Answer answer = runDyncal(small(path("none/a.h5")));
         QVERIFY(answer.exitCode >= 3);
         QVERIFY2(answer.err.contains("none/a.h5"), answer.err);
         QVERIFY(!QDir(path("none")).exists());
@@ -93,8 +93,8 @@ private slots:
 
     void info_listsShotsAndChannels()
     {
-        QCOMPARE(dyncal(small(path("info.h5"))).exitCode, 0);
-        const Answer answer = dyncal({"info", path("info.h5")});
+        QCOMPARE(runDyncal(small(path("info.h5"))).exitCode, 0);
+        const Answer answer = runDyncal({"info", path("info.h5")});
         QVERIFY2(answer.exitCode <= 1, answer.err);
         QVERIFY2(answer.out.startsWith("info.h5: dyncal-capture, sha256 "), answer.out);
         QVERIFY2(answer.out.contains("Shot 3"), answer.out);
@@ -104,8 +104,8 @@ private slots:
 
     void info_asJson_holdsTheSame()
     {
-        QCOMPARE(dyncal(small(path("json.h5"))).exitCode, 0);
-        const QJsonObject info = dyncal({"info", "--json", path("json.h5")}).json();
+        QCOMPARE(runDyncal(small(path("json.h5"))).exitCode, 0);
+        const QJsonObject info = runDyncal({"info", "--json", path("json.h5")}).json();
         QCOMPARE(info["schema"].toString(), QStringLiteral("dyncal-info/1"));
         QCOMPARE(info["files"].toArray().size(), 1);
         QCOMPARE(info["files"][0]["sha256"].toString().size(), 64);
@@ -126,11 +126,11 @@ private slots:
     {
         QDir().mkpath(path("set"));
         for (const char *name : {"set/shot10.h5", "set/shot2.h5"})
-            QCOMPARE(dyncal(small(path(name)) << "--shots"
-                                              << "low")
+            QCOMPARE(runDyncal(small(path(name)) << "--shots"
+                                                 << "low")
                          .exitCode,
                 0);
-        const QJsonObject info = dyncal({"info", "--json", path("set")}).json();
+        const QJsonObject info = runDyncal({"info", "--json", path("set")}).json();
         QCOMPARE(info["files"].toArray().size(), 2);
         QCOMPARE(info["files"][0]["file"].toString(), QStringLiteral("shot2.h5"));
         QCOMPARE(info["files"][1]["file"].toString(), QStringLiteral("shot10.h5"));

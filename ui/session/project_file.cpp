@@ -30,7 +30,7 @@ constexpr qint64 kLargestProject_bytes = 64 << 20;
 struct CaptureReference
 {
     QString path; ///< as it is found now, or as written when it is missing
-    QString sha256;
+    std::optional<QString> sha256; ///< none: not known yet when it was written
     bool found = false;
     std::set<Index> shots = {}; ///< those of the file that belong to the job; empty = all
 };
@@ -46,14 +46,21 @@ QJsonArray shotsOf(const CaptureSet &set, Index input)
     return places;
 }
 
+/// What the recording was when the job took it in: saving does not make another one of it.
+QJsonValue hashOf(const InputFile &input)
+{
+    const std::string hash = input.expectedSha256.value_or(input.sha256);
+    return hash.empty() ? QJsonValue() : QJsonValue(QString::fromStdString(hash));
+}
+
 QJsonArray captureReferences(const ProjectState &state, const QDir &folder)
 {
     QJsonArray list;
     for (std::size_t i = 0; i < state.captures->inputs.size(); ++i) {
         const InputFile &input = state.captures->inputs[i];
         const QString path = QString::fromStdString(input.path);
-        QJsonObject entry{{"sha256", QString::fromStdString(input.sha256)},
-            {"shots", shotsOf(*state.captures, static_cast<Index>(i))}};
+        QJsonObject entry{
+            {"sha256", hashOf(input)}, {"shots", shotsOf(*state.captures, static_cast<Index>(i))}};
         if (input.path == kExamplePath) {
             entry["path"] = path;
         } else {
@@ -66,17 +73,22 @@ QJsonArray captureReferences(const ProjectState &state, const QDir &folder)
     return list;
 }
 
-CaptureReference locate(const QJsonObject &entry, const QDir &folder)
+CaptureReference locate(const QJsonObject &entry, const QDir &folder, const QString &otherFolder)
 {
-    CaptureReference reference{entry["path"].toString(), entry["sha256"].toString()};
+    CaptureReference reference{entry["path"].toString(), {}};
+    if (!entry["sha256"].isNull())
+        reference.sha256 = entry["sha256"].toString();
     for (const auto &place : entry["shots"].toArray())
         reference.shots.insert(static_cast<Index>(place.toInteger()));
     if (reference.path == kExamplePath) {
         reference.found = true;
         return reference;
     }
+    const QString elsewhere = otherFolder.isEmpty()
+        ? QString()
+        : QDir(otherFolder).filePath(QFileInfo(reference.path).fileName());
     for (const QString &candidate :
-        {folder.absoluteFilePath(reference.path), entry["absolute_path"].toString()}) {
+        {folder.absoluteFilePath(reference.path), entry["absolute_path"].toString(), elsewhere}) {
         if (!reference.found && !candidate.isEmpty() && QFileInfo(candidate).isFile()) {
             reference.path = QDir::cleanPath(candidate);
             reference.found = true;
@@ -96,6 +108,32 @@ CaptureSet onlyReferenced(CaptureSet set, const std::vector<CaptureReference> &r
     }
     return set;
 }
+
+/// A project is whole or not opened at all.
+Result<CaptureSet> readReferenced(const std::vector<CaptureReference> &references,
+    const ImportSettings &settings, const JobControl &control)
+{
+    std::vector<std::string> paths;
+    for (const CaptureReference &reference : references)
+        paths.push_back(reference.path.toStdString());
+    Result<CapturesRead> read = readEach(paths, settings, control);
+    if (!read)
+        return tl::unexpected(read.error());
+    if (!read->problems.empty())
+        return tl::unexpected(read->problems.front().error);
+    return std::move(read->set);
+}
+
+/// Whether the bytes are still those is known once they are sealed.
+void expectHashes(CaptureSet &set, const std::vector<CaptureReference> &references)
+{
+    for (std::size_t i = 0; i < references.size() && i < set.inputs.size(); ++i)
+        if (references[i].sha256)
+            set.inputs[i].expectedSha256 = references[i].sha256->toStdString();
+    reportUnexpected(set);
+}
+
+} // namespace
 
 Result<QJsonObject> readProjectObject(const QString &path)
 {
@@ -124,40 +162,29 @@ Result<QJsonObject> readProjectObject(const QString &path)
     return document.object();
 }
 
-/// A project is whole or not opened at all.
-Result<CaptureSet> readReferenced(const std::vector<CaptureReference> &references,
-    const ImportSettings &settings, const JobControl &control)
+Result<Recipe> recipeOfProject(const QJsonObject &project)
 {
-    std::vector<std::string> paths;
-    for (const CaptureReference &reference : references)
-        paths.push_back(reference.path.toStdString());
-    Result<CapturesRead> read = readEach(paths, settings, control);
-    if (!read)
-        return tl::unexpected(read.error());
-    if (!read->problems.empty())
-        return tl::unexpected(read->problems.front().error);
-    return std::move(read->set);
+    return parseRecipe(
+        QJsonDocument(project["recipe"].toObject()).toJson(QJsonDocument::Compact).toStdString());
 }
 
-/// Whether the bytes are still those is known once they are sealed.
-void expectHashes(CaptureSet &set, const std::vector<CaptureReference> &references)
-{
-    for (std::size_t i = 0; i < references.size() && i < set.inputs.size(); ++i)
-        set.inputs[i].expectedSha256 = references[i].sha256.toStdString();
-    reportUnexpected(set);
-}
-
-} // namespace
-
-Result<void> saveProject(const QString &path, const ProjectState &state)
+QByteArray projectBytes(
+    const ProjectState &state, const QString &folder, const QJsonObject &moreKeys)
 {
     const QJsonDocument recipe
         = QJsonDocument::fromJson(QByteArray::fromStdString(recipeJson(state.recipe)));
-    const QJsonObject project{{"format", kFormat}, {"version", kVersion},
-        {"recipe", recipe.object()},
-        {"captures", captureReferences(state, QFileInfo(path).absoluteDir())}};
+    QJsonObject project = moreKeys;
+    project["format"] = kFormat;
+    project["version"] = kVersion;
+    project["recipe"] = recipe.object();
+    project["captures"] = captureReferences(state, QDir(folder));
+    return QJsonDocument(project).toJson();
+}
+
+Result<void> saveProject(const QString &path, const ProjectState &state)
+{
     QSaveFile file(path);
-    const QByteArray bytes = QJsonDocument(project).toJson();
+    const QByteArray bytes = projectBytes(state, QFileInfo(path).absolutePath());
     if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
@@ -167,23 +194,23 @@ Result<void> saveProject(const QString &path, const ProjectState &state)
     return {};
 }
 
-Result<ProjectState> openProject(const QString &path, const JobControl &control)
+Result<ProjectState> openProject(
+    const QString &path, const JobControl &control, const QString &otherFolder)
 {
     const Result<QJsonObject> project = readProjectObject(path);
     if (!project)
         return tl::unexpected(project.error());
-    Result<Recipe> recipe = parseRecipe(QJsonDocument((*project)["recipe"].toObject())
-                                            .toJson(QJsonDocument::Compact)
-                                            .toStdString());
+    Result<Recipe> recipe = recipeOfProject(*project);
     if (!recipe)
         return tl::unexpected(recipe.error());
 
     std::vector<CaptureReference> references;
     QStringList missing;
     for (const auto &entry : (*project)["captures"].toArray()) {
-        references.push_back(locate(entry.toObject(), QFileInfo(path).absoluteDir()));
+        references.push_back(locate(entry.toObject(), QFileInfo(path).absoluteDir(), otherFolder));
         if (!references.back().found)
-            missing << references.back().path;
+            missing << QDir::cleanPath(
+                QFileInfo(path).absoluteDir().absoluteFilePath(references.back().path));
     }
     if (!missing.isEmpty())
         return fail(ErrorKind::FileUnreadable,

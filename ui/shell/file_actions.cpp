@@ -190,6 +190,28 @@ void FileActions::openProjectFile(const QString &path)
         [this](double done) { emit progress(done); });
 }
 
+void FileActions::restoreWork(const RecoveredWork &work, const QString &recordings)
+{
+    if (isExporting() || !mayDiscard())
+        return;
+    m_captures.cancel(); // recordings that arrive later would take the place of the work
+    emit busy(tr("Restoring work"));
+    m_jobs.start<ProjectState>(
+        [file = work.file, recordings](
+            const JobControl &control) { return dyncal::openProject(file, control, recordings); },
+        [this, work](Result<ProjectState> state) {
+            emit idle(state ? tr("Work restored; it is not saved yet") : QString());
+            if (!state) {
+                emit restoreFailed(work.file, state.error());
+                return;
+            }
+            startJob(*state, work.project);
+            m_session.undoStack().resetClean();
+            emit workRestored(work.file);
+        },
+        [this](double done) { emit progress(done); });
+}
+
 bool FileActions::save()
 {
     return m_path.isEmpty() ? saveAs() : saveTo(m_path);

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "ui/session/current_utc.h"
+#include "ui/session/recovery_store.h"
 #include "ui/session/session.h"
 #include "ui/shell/capture_import.h"
 #include "ui/shell/export_job.h"
@@ -13,9 +15,6 @@
 #include <QPointer>
 
 namespace dyncal {
-
-/// ISO 8601 with Z, from the program: the window reads no clock.
-using CurrentUtc = std::function<Result<std::string>()>;
 
 /// Opening, saving and exporting: what the File menu does. Reading and writing of data runs in the
 /// background; a failure leaves the job as it was and shows one message.
@@ -35,6 +34,10 @@ public:
     /// Files or folders from a drop or the command line: a project is opened; recordings start a
     /// job or are added to the one that is open.
     void openPaths(const QStringList &paths);
+    /// Opens what a stopped program left behind, as unsaved changes of its project; recordings
+    /// that are not where they were are sought in the folder `recordings`. Tells by workRestored
+    /// or restoreFailed; nothing when the operator keeps what is open.
+    void restoreWork(const RecoveredWork &work, const QString &recordings = {});
     bool save();
     bool saveAs();
     void exportResults();
@@ -56,6 +59,7 @@ public:
     void cancel();
 
     QString projectName() const;
+    QString projectPath() const { return m_path; } ///< empty = never saved
 
     /// Length of the built-in example; tests shorten it.
     void setExampleDuration(double seconds) { m_exampleDuration_s = seconds; }
@@ -65,6 +69,8 @@ signals:
     void progress(double fraction);
     void idle(const QString &outcome);
     void projectChanged(); ///< name or modified state
+    void workRestored(const QString &file);
+    void restoreFailed(const QString &file, const dyncal::Error &error);
 
 private:
     QStringList askForCaptures();

@@ -7,9 +7,11 @@
 #include "ui/shell/findings_panel.h"
 #include "ui/shell/main_menus.h"
 #include "ui/shell/problem_panel.h"
+#include "ui/shell/recovery_banner.h"
 #include "ui/shell/shot_chips.h"
 #include "ui/shell/stage_list.h"
 #include "ui/shell/start_page.h"
+#include "ui/shell/work_recovery.h"
 #include "ui/shell/work_status.h"
 #include "ui/stages/captures_page.h"
 #include "ui/stages/certificate_page.h"
@@ -27,6 +29,7 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -54,8 +57,10 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
     : m_preferences(preferences)
     , m_prompts(prompts)
     , m_language(language)
+    , m_currentUtc(std::move(currentUtc))
     , m_session(std::move(pipeline))
-    , m_files(new FileActions(m_session, std::move(currentUtc), prompts, preferences, this))
+    , m_files(new FileActions(m_session, m_currentUtc, prompts, preferences, this))
+    , m_banner(new RecoveryBanner(this))
     , m_centre(new QStackedWidget(this))
     , m_inspectors(new QStackedWidget(this))
     , m_work(new WorkStatus(*statusBar(), m_session, *m_files, this))
@@ -64,7 +69,7 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
     setObjectName("mainWindow");
     setAcceptDrops(true);
     setMinimumSize(kSmallestSize);
-    setCentralWidget(m_centre);
+    buildCentre();
     buildDocks();
     m_menus = new MainMenus(
         {*this, m_session, *m_files, m_preferences, m_language,
@@ -84,11 +89,29 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
 
 MainWindow::~MainWindow()
 {
+    delete m_recovery;
     // Pages listen to the session, which goes before them.
     m_session.disconnect();
     m_session.undoStack().disconnect();
     for (StagePage *page : m_pages)
         delete page;
+}
+
+void MainWindow::buildCentre()
+{
+    auto *centre = new QWidget(this);
+    auto *column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_banner);
+    column->addWidget(m_centre, 1);
+    setCentralWidget(centre);
+}
+
+void MainWindow::keepWork(const QString &folder, const AutoSaveDelays &delays)
+{
+    m_recovery = new WorkRecovery({m_session, *m_files, m_prompts, *m_banner, *statusBar()},
+        m_currentUtc, folder, delays, this);
 }
 
 void MainWindow::buildDocks()
@@ -167,6 +190,8 @@ void MainWindow::buildContents()
     showFindings();
     showStatuses();
     m_work->showWords();
+    if (m_recovery)
+        m_recovery->showWords();
     if (started)
         showPage(std::max(row, 0));
 }
@@ -320,6 +345,8 @@ void MainWindow::closeEvent(QCloseEvent *event)
     if (m_centre->currentWidget() == m_start)
         showInspector(); // the layout of work is kept, not that of the start page
     m_preferences.setWindow(saveGeometry(), saveState());
+    if (m_recovery)
+        m_recovery->end();
     event->accept();
 }
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "ui/session/auto_save.h"
 #include "ui/session/session.h"
 #include "ui/shell/file_actions.h"
 #include "ui/shell/language.h"
@@ -18,10 +19,12 @@ namespace dyncal {
 class FindingsPanel;
 class MainMenus;
 class ProblemPanel;
+class RecoveryBanner;
 class ShotChips;
 class StageList;
 class StagePage;
 class StartPage;
+class WorkRecovery;
 class WorkStatus;
 
 /// The workbench: stage list, page, inspector, findings, menus. It only builds these and connects
@@ -42,6 +45,9 @@ public:
     void showStage(StageId stage);
     void showStart();
     void resetLayout(); ///< docks where they were at first
+    /// From now on unsaved work is kept in `folder`, and what stopped programs left there offered.
+    /// Without this call neither is done.
+    void keepWork(const QString &folder, const AutoSaveDelays &delays = {});
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -51,6 +57,7 @@ protected:
     void dropEvent(QDropEvent *event) override;
 
 private:
+    void buildCentre();
     void buildDocks();
     void connectSession();
     void buildContents(); ///< everything with words in it; again after a change of language
@@ -67,6 +74,7 @@ private:
     Preferences &m_preferences;
     Prompts &m_prompts;
     Language &m_language;
+    CurrentUtc m_currentUtc;
     QString m_shownLanguage; ///< of the contents built last
     Session m_session;
     FileActions *m_files;
@@ -74,6 +82,7 @@ private:
 
     StageList *m_stageList = nullptr;
     StartPage *m_start = nullptr;
+    RecoveryBanner *m_banner;
     QStackedWidget *m_centre;
     QStackedWidget *m_inspectors;
     QDockWidget *m_stagesDock;
@@ -84,6 +93,7 @@ private:
     FindingsPanel *m_findings = nullptr;
     ShotChips *m_chips = nullptr;
     WorkStatus *m_work;
+    WorkRecovery *m_recovery = nullptr;
     MainMenus *m_menus = nullptr;
     bool m_sizeDocks = false; ///< sizes count only once the window is laid out
 };

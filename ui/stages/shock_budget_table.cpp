@@ -76,6 +76,8 @@ QString distributionText(Distribution distribution)
         return ShockBudget::tr("rectangular");
     case Distribution::Triangular:
         return ShockBudget::tr("triangular");
+    case Distribution::UShaped:
+        return ShockBudget::tr("u-shaped");
     }
     return {};
 }

@@ -33,6 +33,7 @@ private slots:
     void chiSquare_tableValues();
     void normalQuantile_invertsErfc();
     void normalQuantile_tableValues();
+    void studentQuantile_withoutDegreesOfFreedom_isUnknownAtOnce();
 };
 
 /// Q(n, x) = e^-x sum over k < n of x^k/k!: closed form.
@@ -92,6 +93,13 @@ void TestDistributions::normalQuantile_tableValues()
     compareClose(normalQuantile(0.975), 1.959963984540054, 1e-14);
     compareClose(normalQuantile(0.995), 2.5758293035489004, 1e-14);
     QCOMPARE(normalQuantile(0.025), -normalQuantile(0.975));
+}
+
+void TestDistributions::studentQuantile_withoutDegreesOfFreedom_isUnknownAtOnce()
+{
+    const double infinite = std::numeric_limits<double>::infinity();
+    for (const double dof : {0.0, -1.0, -infinite, std::numeric_limits<double>::quiet_NaN()})
+        QVERIFY(std::isnan(dyncal::studentQuantile(0.975, dof)));
 }
 
 QTEST_APPLESS_MAIN(TestDistributions)

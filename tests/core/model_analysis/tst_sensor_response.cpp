@@ -3,13 +3,12 @@
 
 #include "core/model_analysis/sensor_response.h"
 #include "core/model_analysis/step_transform.h"
+#include "tests/support/cascade_model.h"
 #include "tests/support/model_inputs.h"
 #include "tests/support/second_order_model.h"
 #include "tests/support/signals.h"
 
 #include <QTest>
-
-#include <utility>
 
 using namespace dyncal;
 using testing::hasFinding;
@@ -28,34 +27,7 @@ constexpr double kRounding = 1e-12;
 /// Aliasing of a second-order response sampled 33 times per period, up to twice its resonance.
 constexpr double kAliasing = 2e-3;
 
-using Mode = std::pair<double, double>; ///< f0 in Hz, zeta
-
-/// prod w_i^2/(s^2 + 2 zeta w_i s + w_i^2): amplitudes of its step response by residues of G/s.
-SensorModel cascade(const std::vector<Mode> &modes)
-{
-    SensorModel model;
-    model.plateauGain = 1.0;
-    double gain = 1.0;
-    for (const auto &[f0_Hz, zeta] : modes) {
-        const SensorModel one = testing::secondOrderModel(f0_Hz, zeta);
-        model.poles.insert(model.poles.end(), one.poles.begin(), one.poles.end());
-        gain *= std::norm(one.poles[0].s_rad_s);
-    }
-    model.order = static_cast<Index>(model.poles.size());
-    model.amplitudes.resize(model.order);
-    for (Index i = 0; i < model.order; ++i) {
-        const std::complex<double> s = model.poles[static_cast<std::size_t>(i)].s_rad_s;
-        std::complex<double> c = gain / s;
-        for (Index j = 0; j < model.order; ++j) {
-            if (j != i)
-                c /= s - model.poles[static_cast<std::size_t>(j)].s_rad_s;
-        }
-        model.amplitudes[i] = c;
-    }
-    return model;
-}
-
-/// Noise-free response of that model, remapped to a plateau of 1.
+/// Noise-free response of a model, remapped to a plateau of 1.
 WindowedResponse responseOf(const SensorModel &model, Index shot, Index length = kLength)
 {
     WindowedResponse response;
@@ -232,9 +204,58 @@ private slots:
         QVERIFY((result.u_phase_rad.array() / relative - 1.0).abs().maxCoeff() < 1e-9);
     }
 
+    void uncertaintyOfTheLevel_isPartOfEveryPoint()
+    {
+        constexpr double kLevel = 3e-4;
+        Calibration calibration = secondOrder(2);
+        for (SeriesFit &fit : calibration.model.series)
+            fit.u_plateauGain = kLevel;
+        const Eigen::ArrayXd level = calibration.run().u_magnitude.array();
+        const double expected = kLevel / std::sqrt(2.0) * kStep_V / kStep_Pa;
+        QVERIFY((level / expected - 1.0).abs().maxCoeff() < 1e-9);
+        // In squares with the noise of the samples.
+        for (WindowedResponse &response : calibration.responses)
+            response.noiseSd = 1e-4 * kStep_V;
+        const Eigen::ArrayXd both = calibration.run().u_magnitude.array();
+        for (SeriesFit &fit : calibration.model.series)
+            fit.u_plateauGain = kUnknown;
+        const Eigen::ArrayXd noise = calibration.run().u_magnitude.array();
+        QVERIFY(((level.square() + noise.square()).sqrt() / both - 1.0).abs().maxCoeff() < 1e-9);
+    }
+
+    void statedUncertainty_isTheScatter_atLowFrequencies()
+    {
+        constexpr int kTrials = 300;
+        constexpr double kNoise = 0.01;
+        constexpr Index kLevelSamples = 4000; // the plateau is known as well as their mean
+        Calibration calibration = secondOrder();
+        calibration.settings.frequencies_Hz = {510.0, 800.0, 1300.0, 5e3};
+        const Eigen::VectorXd clean = calibration.responses[0].values;
+        const double plateau = calibration.model.series[0].plateauGain;
+        const Eigen::ArrayXd truth = calibration.run().magnitude.array();
+        Eigen::ArrayXd squares = Eigen::ArrayXd::Zero(4);
+        testing::Noise noise(5);
+        for (int trial = 0; trial < kTrials; ++trial) {
+            WindowedResponse &response = calibration.responses[0];
+            const Eigen::VectorXd added = noise.series(clean.size(), kNoise);
+            response.values = clean + added;
+            response.noiseSd = kNoise * kStep_V;
+            SeriesFit &fit = calibration.model.series[0];
+            fit.plateauGain = plateau + added.segment(kLead, kLevelSamples).mean();
+            fit.u_plateauGain = kNoise / std::sqrt(static_cast<double>(kLevelSamples));
+            const ResponseResult result = calibration.run();
+            squares += ((result.magnitude.array() - truth) / result.u_magnitude.array()).square();
+        }
+        const Eigen::ArrayXd rms = (squares / kTrials).sqrt();
+        qInfo("rms of error over u: %.2f %.2f %.2f %.2f", rms[0], rms[1], rms[2], rms[3]);
+        // The level's part has a direction of its own in the plane: at most sqrt 2 too much is
+        // said.
+        QVERIFY(rms.maxCoeff() < 1.15 && rms.minCoeff() > 0.6);
+    }
+
     void phase_isUnwrapped_throughTwoResonances()
     {
-        Calibration calibration(cascade({{1e5, 0.03}, {3e5, 0.03}}));
+        Calibration calibration(testing::cascadeModel({{1e5, 0.03}, {3e5, 0.03}}));
         calibration.settings.frequencies_Hz = {5e3, 9e4, 2e5, 4e5, 7e5};
         const ResponseResult result = calibration.run();
         double before = 0.0;
@@ -255,7 +276,7 @@ private slots:
 
     void modeMissingInTheModel_isSaid()
     {
-        const SensorModel truth = cascade({{1e5, 0.03}, {3e5, 0.03}});
+        const SensorModel truth = testing::cascadeModel({{1e5, 0.03}, {3e5, 0.03}});
         Calibration calibration(truth);
         calibration.settings.frequencies_Hz = {1e3, 5e4, 2.9e5, 3e5};
         QVERIFY(!hasFinding(calibration.run().findings, "RSP-001"));

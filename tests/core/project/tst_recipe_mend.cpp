@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/project/recipe_mend.h"
+#include "tests/core/project/full_recipe.h"
+
+#include <nlohmann/json.hpp>
 
 #include <QTest>
 
@@ -15,7 +18,10 @@ class TestRecipeMend : public QObject
 private slots:
     void number_isSetAndNothingElse();
     void object_isMergedIntoWhatIsThere();
+    void roleOfAChannel_leavesWhatElseIsKnownOfIt();
+    void keyOrValueThatTheRecipeDoesNotTake_isRefused_data();
     void keyOrValueThatTheRecipeDoesNotTake_isRefused();
+    void everyKeyByItself_makesTheWholeRecipe();
 
 private:
     static Mend mendOf(const std::string &key, const std::string &value)
@@ -48,14 +54,78 @@ void TestRecipeMend::object_isMergedIntoWhatIsThere()
     QVERIFY(mended->import.channels == expected);
 }
 
+/// The button that exchanges two roles must not take the sensitivity with it: volts would be left.
+void TestRecipeMend::roleOfAChannel_leavesWhatElseIsKnownOfIt()
+{
+    Recipe recipe;
+    recipe.import.channels = {{"a", "dut"}, {"b", "driven_side"}};
+    recipe.import.channelDetails["a"].sensitivity = 5e-6;
+    recipe.import.channelDetails["c"].gain = 10.0;
+    const Result<Recipe> mended = mendedRecipe(
+        recipe, mendOf("import.channels", R"({"a": "driven_side", "b": "dut", "c": "trigger"})"));
+    QVERIFY(mended.has_value());
+    recipe.import.channels = {{"a", "driven_side"}, {"b", "dut"}, {"c", "trigger"}};
+    QVERIFY(*mended == recipe);
+}
+
+void TestRecipeMend::keyOrValueThatTheRecipeDoesNotTake_isRefused_data()
+{
+    QTest::addColumn<QByteArray>("key");
+    QTest::addColumn<QByteArray>("value");
+    const auto row = [](const char *key, const char *value) {
+        QTest::addRow("%s = %s", key, value) << QByteArray(key) << QByteArray(value);
+    };
+    row("shock.t1", "294.15");
+    row("shock.t1_k", "\"warm\"");
+    row("shock.t1_k", "294.15 K");
+    row("shock.t1_k", "");
+    row("nothing.at.all", "1");
+    row("", "1");
+    row(".", "1");
+    row("shock.", "1");
+    row("shock.t1_k.x", "1"); // below a number
+    row("remap.x", "1"); // below a word
+    row("import.exclude.x", "1"); // below a list
+    row("import.exclude.0", "1");
+    row("import.exclude.9999999999", "1");
+    row("import/scale", "2");
+    row("shock~2t1_k", "1");
+    row("shock", "[]");
+}
+
 void TestRecipeMend::keyOrValueThatTheRecipeDoesNotTake_isRefused()
 {
-    for (const Mend &mend : {mendOf("shock.t1", "294.15"), mendOf("shock.t1_k", "\"warm\""),
-             mendOf("shock.t1_k", "294.15 K"), mendOf("nothing.at.all", "1")}) {
-        const Result<Recipe> refused = mendedRecipe({}, mend);
-        QVERIFY(!refused.has_value());
-        QVERIFY(refused.error().kind == ErrorKind::Usage);
+    QFETCH(QByteArray, key);
+    QFETCH(QByteArray, value);
+    Recipe recipe;
+    recipe.shock.T1_K = 294.0;
+    const Result<Recipe> refused
+        = mendedRecipe(recipe, mendOf(key.toStdString(), value.toStdString()));
+    QVERIFY(!refused.has_value());
+    QVERIFY(refused.error().kind == ErrorKind::Usage);
+    QVERIFY(english(refused.error().message).size() > 20);
+}
+
+/// From the default to a recipe in which nothing has its default, one mend after the other.
+void TestRecipeMend::everyKeyByItself_makesTheWholeRecipe()
+{
+    const nlohmann::json full = nlohmann::json::parse(recipeJson(fullRecipe()));
+    Recipe recipe;
+    for (const auto &[section, values] : full.items()) {
+        if (!values.is_object()) {
+            const Result<Recipe> mended = mendedRecipe(recipe, mendOf(section, values.dump()));
+            QVERIFY2(mended.has_value(), section.c_str());
+            recipe = *mended;
+            continue;
+        }
+        for (const auto &[key, value] : values.items()) {
+            const std::string path = std::string(section).append(".").append(key);
+            const Result<Recipe> mended = mendedRecipe(recipe, mendOf(path, value.dump()));
+            QVERIFY2(mended.has_value(), path.c_str());
+            recipe = *mended;
+        }
     }
+    QVERIFY(recipe == fullRecipe());
 }
 
 QTEST_APPLESS_MAIN(TestRecipeMend)

@@ -99,6 +99,55 @@ private slots:
         }
     }
 
+    void longRecord_begunOnMeans_endsOnTheSamples()
+    {
+        // The minimum on the means lies a share of u away from that on the samples.
+        const auto record = recordOf(pairSum(kPair, kAmplitude, 1.0), 6000, 0.05, 3, 2e7);
+        const auto truth = refinePoles({record}, pairOf(kPair), true);
+        QVERIFY(truth.has_value());
+        const double u = std::sqrt(truth->covariance(0, 0) + truth->covariance(1, 1));
+        QVERIFY(std::abs(truth->rates_rad_s[0] - kPair) < 4.0 * u);
+        for (const std::complex<double> start :
+            {std::complex<double>(-9e3, 2.02e5), {-4e3, 1.97e5}, {-1.2e4, 2.05e5}}) {
+            const auto fit = refinePoles({record}, pairOf(start), true);
+            QVERIFY(fit.has_value());
+            QVERIFY(std::abs(fit->rates_rad_s[0] - truth->rates_rad_s[0]) < 2e-3 * u);
+            QVERIFY(std::abs(fit->covariance(1, 1) / truth->covariance(1, 1) - 1.0) < 1e-3);
+        }
+        // Samples left out take no part in either.
+        RefinementRecord spoilt = record;
+        spoilt.used = {{0, 1003}, {1017, 6000}};
+        const auto clean = refinePoles({spoilt}, pairOf({-9e3, 2.02e5}), true);
+        spoilt.y.segment(1003, 14).setConstant(1e3);
+        const auto fit = refinePoles({spoilt}, pairOf({-9e3, 2.02e5}), true);
+        QVERIFY(clean.has_value() && fit.has_value());
+        QVERIFY(std::abs(fit->rates_rad_s[0] - clean->rates_rad_s[0]) < 1e-6 * u);
+    }
+
+    void longRecord_withAFasterTermOfItsOwn_isNotAveragedAway()
+    {
+        // Means made for the sensor alone would hold less than one a period of the term.
+        const std::complex<double> fast(-2e4, 2.6e6);
+        RefinementRecord record = recordOf(pairSum(kPair, kAmplitude, 1.0), 12000, 0.01, 4, 2e7);
+        for (Index k = 0; k < record.y.size(); ++k)
+            record.y[k]
+                += (0.2 * std::exp(fast * (static_cast<double>(k) / record.rate_Hz))).real();
+        record.nuisance.push_back({0, true, 1.01 * fast, {}});
+        const auto fit = refinePoles({record}, pairOf({-7e3, 2.01e5}), true);
+        QVERIFY(fit.has_value());
+        const double u = std::sqrt(nuisanceCovariance(*fit, 0, 0).diagonal().head(2).sum());
+        QVERIFY(std::abs(fit->nuisance[0][0].rate_rad_s - fast) < 4.0 * u);
+        QVERIFY(u < 1e-3 * std::abs(fast));
+    }
+
+    void poleAsSlowAsARecordOfAges_isTakenAsItIs()
+    {
+        // A factor of means beyond every integer must not be formed.
+        const auto record = recordOf(pairSum(kPair, kAmplitude, 1.0), 3000, 0.01, 4);
+        const auto fit = refinePoles({record}, {{-1e-300, 0.0}}, true);
+        QVERIFY(!fit || fit->covariance.allFinite());
+    }
+
     void wrongStart_convergesToTheTruth()
     {
         const auto record = recordOf(pairSum(kPair, kAmplitude, 1.0), 800);

@@ -53,6 +53,8 @@ private slots:
     void recordings_areNamedRelativeToTheProject();
     void changedRecording_isReportedAndBlocks();
     void recordingInAFile_isOpenedUnsealedAndHeldAgainstItsHash();
+    void movedRecording_isFoundInTheFolderGiven();
+    void unsealedRecording_expectsNoHash();
     void missingRecordings_areAllNamed();
     void otherFiles_areRefusedByName_data();
     void otherFiles_areRefusedByName();
@@ -185,6 +187,50 @@ void TestProjectFile::recordingInAFile_isOpenedUnsealedAndHeldAgainstItsHash()
     QCOMPARE(changed.shots.size(), std::size_t(1));
     QCOMPARE(changed.findings.back().id, std::string("CAP-015"));
     QCOMPARE(changed.findings.back().severity, Severity::Block);
+
+    // Saving the project does not make the changed recording the right one.
+    QVERIFY(saveProject(path, {std::make_shared<const CaptureSet>(changed), {}}));
+    QCOMPARE(sealedAgain().findings.back().id, std::string("CAP-015"));
+}
+
+void TestProjectFile::movedRecording_isFoundInTheFolderGiven()
+{
+    const QString recording = m_folder.filePath("moved.csv");
+    writeBytes(recording, "time (s),p (bar)\n0,1\n1e-6,2\n2e-6,3\n");
+    const Result<CaptureSet> read = readCaptures({recording.toStdString()}, {});
+    QVERIFY(read);
+    const QString path = m_folder.filePath("moved.dyncal");
+    QVERIFY(saveProject(path, {std::make_shared<const CaptureSet>(*read), {}}));
+    QVERIFY(QDir(m_folder.path()).mkpath("elsewhere"));
+    const QString there = m_folder.filePath("elsewhere/moved.csv");
+    QVERIFY(QFile::rename(recording, there));
+
+    const Result<ProjectState> missing = openProject(path);
+    QVERIFY(!missing);
+    QVERIFY(said(missing.error()).contains(recording)); // where it should be
+    const Result<ProjectState> opened = openProject(path, {}, m_folder.filePath("elsewhere"));
+    QVERIFY(opened);
+    QCOMPARE(opened->captures->inputs[0].path, there.toStdString());
+    QCOMPARE(*opened->captures->inputs[0].expectedSha256, read->inputs[0].sha256);
+}
+
+void TestProjectFile::unsealedRecording_expectsNoHash()
+{
+    const QString recording = m_folder.filePath("unsealed.csv");
+    writeBytes(recording, "time (s),p (bar)\n0,1\n1e-6,2\n2e-6,3\n");
+    const Result<CaptureSet> opened = openCaptures({recording.toStdString()}, {});
+    QVERIFY(opened);
+    const QString path = m_folder.filePath("unsealed.dyncal");
+    const ProjectState state{std::make_shared<const CaptureSet>(*opened), {}};
+    writeBytes(path, projectBytes(state, m_folder.path(), {{"more", 1}}));
+    const Result<ProjectState> back = openProject(path);
+    QVERIFY(back);
+    QVERIFY(!back->captures->inputs[0].expectedSha256);
+    // A hash that was taken out of a project is no such thing.
+    QJsonObject json = readJson(path);
+    json["captures"] = QJsonArray{QJsonObject{{"path", "unsealed.csv"}}};
+    writeBytes(path, QJsonDocument(json).toJson());
+    QCOMPARE(*openProject(path)->captures->inputs[0].expectedSha256, std::string());
 }
 
 void TestProjectFile::missingRecordings_areAllNamed()

@@ -1,0 +1,241 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/model_analysis/sensor_response.h"
+#include "core/model_analysis/unwrapped_phase.h"
+#include "core/realization/exponential_sum.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+namespace dyncal {
+namespace {
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+
+/// y(t)/c0 of the model's step response, t from the onset.
+ExponentialSum normalisedSum(const SensorModel &model)
+{
+    ExponentialSum sum{1.0, Eigen::VectorXcd(model.amplitudes.size()), model.amplitudes};
+    for (Index i = 0; i < sum.rates_rad_s.size(); ++i)
+        sum.rates_rad_s[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;
+    sum.amplitudes /= model.plateauGain;
+    return sum;
+}
+
+bool hasStepResponse(const SensorModel &model, ResponseTreatment treatment)
+{
+    const Index count = model.amplitudes.size();
+    return isStepTreatment(treatment) && !model.diverges && model.plateauGain != 0.0 && count > 0
+        && std::all_of(model.poles.begin(), model.poles.begin() + count,
+            [](const Pole &pole) { return pole.s_rad_s.real() < 0.0; });
+}
+
+/// Root of a sign change of `f` between a and b, by bisection to full precision.
+double bisect(const std::function<double(double)> &f, double a, double b)
+{
+    const bool negative = f(a) < 0.0;
+    for (int i = 0; i < 100 && a != b; ++i) {
+        const double middle = 0.5 * (a + b);
+        if (middle == a || middle == b)
+            break;
+        ((f(middle) < 0.0) == negative ? a : b) = middle;
+    }
+    return 0.5 * (a + b);
+}
+
+/// A stretch of time that is looked at evenly.
+struct TimeGrid
+{
+    double begin_s = 0.0;
+    double length_s = 0.0;
+    double rate_Hz = 0.0; ///< points per second, at least
+};
+
+/// Forty points per radian of the fastest part that is left, each part until e^-8 of it and 1e-4 of
+/// the plateau: a slow part must not make the grid of a fast one coarse, nor nearly equal poles,
+/// whose amplitudes are huge, end it early.
+std::vector<TimeGrid> timeGrids(const ExponentialSum &y)
+{
+    constexpr double kMostPoints = 1e6; ///< in all: 80 per period for a zeta of 1e-4
+    constexpr double kLeft = 1e-4;
+    const Index parts = y.rates_rad_s.size();
+    Eigen::ArrayXd ends_s(parts);
+    for (Index i = 0; i < parts; ++i) {
+        const double size = std::abs(y.amplitudes[i]) / kLeft * static_cast<double>(parts);
+        const double timeConstants = size > 0.0 ? std::max(8.0, std::log(size)) : 8.0;
+        ends_s[i] = timeConstants / -y.rates_rad_s[i].real();
+    }
+    std::vector<TimeGrid> grids;
+    double points = 0.0;
+    for (double begin_s = 0.0; begin_s < ends_s.maxCoeff();) {
+        double end_s = ends_s.maxCoeff();
+        double fastest = 0.0;
+        for (Index i = 0; i < parts; ++i) {
+            if (ends_s[i] <= begin_s)
+                continue;
+            end_s = std::min(end_s, ends_s[i]);
+            fastest = std::max(fastest, std::abs(y.rates_rad_s[i]));
+        }
+        grids.push_back({begin_s, end_s - begin_s, 40.0 * fastest});
+        points += grids.back().length_s * grids.back().rate_Hz;
+        begin_s = end_s;
+    }
+    for (TimeGrid &grid : grids)
+        grid.rate_Hz *= std::min(1.0, kMostPoints / points);
+    return grids;
+}
+
+/// What is kept of a step response while it is followed from its start.
+class StepScan
+{
+public:
+    explicit StepScan(const ExponentialSum &y)
+        : m_y(y)
+        , m_value(y.value(0.0))
+        , m_top(m_value)
+    {
+        if (m_value >= 0.1)
+            m_t10 = 0.0;
+        if (m_value >= 0.9)
+            m_t90 = 0.0;
+    }
+
+    void follow(const TimeGrid &grid)
+    {
+        ExponentialSum later = m_y;
+        later.amplitudes.array() *= (m_y.rates_rad_s.array() * grid.begin_s).exp();
+        const double count = std::ceil(grid.length_s * grid.rate_Hz);
+        const double step_s = grid.length_s / count;
+        const ExponentialSampler sampler(later, step_s);
+        Eigen::VectorXd values;
+        for (Index k = 1; k <= static_cast<Index>(count); ++k) {
+            if (k == 1 || k % ExponentialSampler::kBlock == 0)
+                values = sampler.block(k / ExponentialSampler::kBlock);
+            step(grid.begin_s + static_cast<double>(k) * step_s, step_s,
+                values[k % ExponentialSampler::kBlock]);
+        }
+    }
+
+    void describe(StepCharacteristics &result) const
+    {
+        if (m_t10 && m_t90)
+            result.riseTime_s = *m_t90 - *m_t10;
+        result.settlingTime_s = m_settled;
+        result.overshoot_percent = std::max(0.0, 100.0 * (top() - 1.0));
+    }
+
+private:
+    void step(double t_s, double step_s, double now)
+    {
+        constexpr double kSettled = 0.05;
+        const auto crossing = [&](double level) {
+            return bisect([&](double x) { return m_y.value(x) - level; }, m_time_s, t_s);
+        };
+        if (!m_t10 && now >= 0.1)
+            m_t10 = crossing(0.1);
+        if (!m_t90 && now >= 0.9)
+            m_t90 = crossing(0.9);
+        if (now > m_top) {
+            m_top = now;
+            m_topTime_s = t_s;
+            m_topStep_s = step_s;
+        }
+        if ((std::abs(m_value - 1.0) > kSettled) != (std::abs(now - 1.0) > kSettled)) {
+            const double level = std::abs(m_value - 1.0) > kSettled ? m_value : now;
+            m_settled = crossing(level > 1.0 ? 1.0 + kSettled : 1.0 - kSettled);
+        }
+        m_time_s = t_s;
+        m_value = now;
+    }
+
+    /// Parabola through the highest grid point and its neighbours; at the onset there is no left
+    /// one.
+    double top() const
+    {
+        const double left = m_y.value(m_topTime_s - m_topStep_s);
+        const double right = m_y.value(m_topTime_s + m_topStep_s);
+        const double curvature = left - 2.0 * m_top + right;
+        if (m_topTime_s == 0.0 || !(curvature < 0.0))
+            return m_top;
+        return m_top - (right - left) * (right - left) / (8.0 * curvature);
+    }
+
+    const ExponentialSum &m_y;
+    double m_time_s = 0.0;
+    double m_value;
+    std::optional<double> m_t10;
+    std::optional<double> m_t90;
+    std::optional<double> m_settled;
+    double m_top;
+    double m_topTime_s = 0.0;
+    double m_topStep_s = 0.0;
+};
+
+void describeStep(const SensorModel &model, StepCharacteristics &result)
+{
+    const ExponentialSum y = normalisedSum(model);
+    StepScan scan(y);
+    for (const TimeGrid &grid : timeGrids(y))
+        scan.follow(grid);
+    scan.describe(result);
+}
+
+/// 400 per decade from 1e-3 of the slowest to 20 times the fastest pole, and those about every
+/// resonance, which may be narrower than that.
+std::vector<double> frequencyGrid_Hz(const SensorModel &model)
+{
+    constexpr int kPerDecade = 400;
+    const Eigen::ArrayXd rates = normalisedSum(model).rates_rad_s.cwiseAbs();
+    const double from_Hz = 1e-3 * rates.minCoeff() / kTwoPi;
+    const double to_Hz = 20.0 * rates.maxCoeff() / kTwoPi;
+    const int steps = static_cast<int>(std::ceil(std::log10(to_Hz / from_Hz) * kPerDecade));
+    std::vector<double> grid_Hz = resonantFrequencies_Hz(model, from_Hz, to_Hz);
+    for (int i = 0; i <= steps; ++i)
+        grid_Hz.push_back(from_Hz * std::pow(to_Hz / from_Hz, static_cast<double>(i) / steps));
+    std::sort(grid_Hz.begin(), grid_Hz.end());
+    return grid_Hz;
+}
+
+void describeBands(
+    const SensorModel &model, ResponseTreatment treatment, StepCharacteristics &result)
+{
+    const auto ratioAt = [&](double frequency_Hz) {
+        return std::abs(modelResponse(model, treatment, frequency_Hz) / model.plateauGain);
+    };
+    const std::vector<double> grid_Hz = frequencyGrid_Hz(model);
+    std::vector<double> ratios;
+    for (const double f_Hz : grid_Hz)
+        ratios.push_back(ratioAt(f_Hz));
+    /// Lowest frequency at which `leaves` of the relative magnitude turns positive.
+    const auto firstExit
+        = [&](const std::function<double(double)> &leaves) -> std::optional<double> {
+        for (std::size_t i = 1; i < grid_Hz.size(); ++i) {
+            if (leaves(ratios[i]) > 0.0)
+                return bisect(
+                    [&](double f_Hz) { return leaves(ratioAt(f_Hz)); }, grid_Hz[i - 1], grid_Hz[i]);
+        }
+        return std::nullopt;
+    };
+    result.within5percent_Hz = firstExit([](double ratio) { return std::abs(ratio - 1.0) - 0.05; });
+    result.within10percent_Hz
+        = firstExit([](double ratio) { return std::abs(ratio - 1.0) - 0.10; });
+    result.minus3dB_Hz = firstExit([](double ratio) { return std::numbers::sqrt2 / 2.0 - ratio; });
+}
+
+} // namespace
+
+StepCharacteristics stepCharacteristics(const SensorModel &model, ResponseTreatment treatment)
+{
+    StepCharacteristics result;
+    if (!hasStepResponse(model, treatment))
+        return result;
+    describeStep(model, result);
+    describeBands(model, treatment, result);
+    return result;
+}
+
+} // namespace dyncal

@@ -1,0 +1,191 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tests/system/dyncal_process.h"
+#include "tests/system/window_process.h"
+
+#include <QDir>
+#include <QJsonArray>
+#include <QRegularExpression>
+#include <QTemporaryDir>
+#include <QTest>
+
+namespace {
+
+constexpr const char *kCustomer = "field_customer"; ///< on the certificate page
+constexpr const char *kOffer = "text recoverySentence";
+
+} // namespace
+
+/// The program is killed in the middle of work; the next start gives the work back.
+class TestWorkAfterKill : public QObject
+{
+    Q_OBJECT
+
+private:
+    QTemporaryDir m_folder;
+    QString path(const QString &name) const { return m_folder.filePath(name); }
+    QString home() const { return path("home"); }
+    QDir kept() const { return QDir(home() + "/data/dyncal/dyncal/recovery"); }
+    QStringList keptFiles() const { return kept().entryList({"*.dyncal"}, QDir::Files); }
+
+    /// Types a customer and kills the program once that is kept.
+    void editAndKill(const QString &file, const QString &customer)
+    {
+        WindowProcess window(home(), {file});
+        QVERIFY2(window.waitFor("title", QFileInfo(file).baseName()), window.last());
+        edit(window, customer);
+        QVERIFY2(window.waitFor("text autoSaveStatus", "Auto-saved"), window.last());
+        window.stop(SIGKILL);
+    }
+
+    static void edit(WindowProcess &window, const QString &customer)
+    {
+        QCOMPARE(window.ask("key Alt+9"), QString("done"));
+        QCOMPARE(window.ask(QString("type %1 %2").arg(kCustomer, customer)), QString("done"));
+        QVERIFY2(window.waitFor("title", "modified"), window.last());
+    }
+
+    QString customerIn(const QString &project) const
+    {
+        const QJsonValue recipe = fileJson(project)["recipe"];
+        return recipe["certificate"]["fields"]["customer"].toString();
+    }
+
+private slots:
+    void initTestCase()
+    {
+        QCOMPARE(runDyncal({"simulate", "-o", path("simulated.h5"), "--sample-rate-hz", "2e7",
+                               "--duration-s", "0.005", "--shots", "low"})
+                     .exitCode,
+            0);
+    }
+
+    /// A recording, a project of it and a user who never ran the program.
+    void init()
+    {
+        QDir here(m_folder.path());
+        for (const char *name : {"home", "work"})
+            QVERIFY(QDir(path(name)).removeRecursively() && here.mkpath(name));
+        QVERIFY(QFile::copy(path("simulated.h5"), path("work/a.h5")));
+        const QJsonObject info = runDyncal({"info", path("work/a.h5"), "--json"}).json();
+        const QJsonObject recipe{{"schema", "dyncal-recipe/1"},
+            {"certificate", QJsonObject{{"fields", QJsonObject{{"customer", "First"}}}}}};
+        const QJsonObject capture{
+            {"path", "a.h5"}, {"sha256", info["files"][0]["sha256"]}, {"shots", QJsonArray{1}}};
+        const QJsonObject project{{"format", "dyncal-project"}, {"version", 1}, {"recipe", recipe},
+            {"captures", QJsonArray{capture}}};
+        QVERIFY(writeBytes(path("work/job.dyncal"), QJsonDocument(project).toJson()));
+    }
+
+    void killed_whileEdited_offersTheWorkAndSavesItToItsProject()
+    {
+        const QString project = path("work/job.dyncal");
+        editAndKill(project, "Second");
+        QCOMPARE(customerIn(project), QString("First"));
+
+        WindowProcess window(home(), {});
+        QVERIFY2(window.waitFor(kOffer, "Recovered work on job from "), window.last());
+        const QRegularExpression times("from \\d\\d:\\d\\d:\\d\\d \\(\\d+ s before stop\\)");
+        QVERIFY2(times.match(window.ask(kOffer)).hasMatch(), window.last());
+        QCOMPARE(window.ask("key Alt+R"), QString("done"));
+        QVERIFY2(window.waitFor("title", "job[*] – Dyncal modified"), window.last());
+        QCOMPARE(window.ask(kOffer), QString("-"));
+        QCOMPARE(window.ask("key Alt+9"), QString("done"));
+        QCOMPARE(window.ask(QString("text %1").arg(kCustomer)), QString("Second"));
+        QCOMPARE(customerIn(project), QString("First")); // nothing is saved unasked
+
+        // Once the recordings are sealed and computed from.
+        QVERIFY2(window.waitFor("list findingsPanel", "One shot"), window.last());
+        QCOMPARE(window.ask("key Ctrl+S"), QString("done"));
+        QVERIFY(!window.ask("title").contains("modified"));
+        QCOMPARE(customerIn(project), QString("Second"));
+        QTRY_VERIFY(keptFiles().isEmpty());
+        QCOMPARE(window.ask("trigger quitAction"), QString("done"));
+        QVERIFY(window.hasEndedWell());
+        QVERIFY2(kept().isEmpty(), qPrintable(kept().entryList().join(' ')));
+    }
+
+    void killedAgain_whileRestored_isOfferedAgain()
+    {
+        editAndKill(path("work/job.dyncal"), "Second");
+        {
+            WindowProcess window(home(), {});
+            QVERIFY2(window.waitFor(kOffer, "Recovered"), window.last());
+            QCOMPARE(window.ask("click restoreWork"), QString("done"));
+            QVERIFY2(window.waitFor("title", "modified"), window.last());
+            window.stop(SIGKILL);
+        }
+        WindowProcess window(home(), {});
+        QVERIFY2(window.waitFor(kOffer, "Recovered work on job"), window.last());
+    }
+
+    void terminated_unanswered_isOfferedAgain()
+    {
+        editAndKill(path("work/job.dyncal"), "Second");
+        {
+            WindowProcess window(home(), {});
+            QVERIFY2(window.waitFor(kOffer, "Recovered"), window.last());
+            window.stop(SIGTERM);
+        }
+        WindowProcess window(home(), {});
+        QVERIFY2(window.waitFor(kOffer, "Recovered work on job"), window.last());
+    }
+
+    void secondWindow_whileTheFirstWorks_isOfferedNothing()
+    {
+        WindowProcess first(home(), {path("work/job.dyncal")});
+        QVERIFY2(first.waitFor("title", "job"), first.last());
+        edit(first, "Second");
+        QVERIFY2(first.waitFor("text autoSaveStatus", "Auto-saved"), first.last());
+        WindowProcess second(home(), {path("work/a.h5")});
+        QVERIFY2(second.waitFor("title", "Untitled"), second.last());
+        QCOMPARE(second.ask(kOffer), QString("-"));
+        edit(second, "Third");
+        QVERIFY2(second.waitFor("text autoSaveStatus", "Auto-saved"), second.last());
+        QCOMPARE(keptFiles().size(), 2);
+    }
+
+    void changedRecording_ofRecoveredWork_isFound()
+    {
+        editAndKill(path("work/job.dyncal"), "Second");
+        QCOMPARE(runDyncal({"simulate", "-o", path("work/other.h5"), "--sample-rate-hz", "2e7",
+                               "--duration-s", "0.005", "--shots", "low", "--seed", "2"})
+                     .exitCode,
+            0);
+        QVERIFY(QFile::remove(path("work/a.h5")));
+        QVERIFY(QFile::rename(path("work/other.h5"), path("work/a.h5")));
+        WindowProcess window(home(), {});
+        QVERIFY2(window.waitFor(kOffer, "Recovered"), window.last());
+        QCOMPARE(window.ask("click restoreWork"), QString("done"));
+        QVERIFY2(window.waitFor("title", "modified"), window.last());
+        QVERIFY2(window.waitFor("list findingsPanel", "changed since"), window.last());
+    }
+
+    void missingRecording_isNamedAndTheWorkStays()
+    {
+        editAndKill(path("work/job.dyncal"), "Second");
+        QVERIFY(QFile::rename(path("work/a.h5"), path("work/b.h5")));
+        WindowProcess window(home(), {});
+        QVERIFY2(window.waitFor(kOffer, "Recovered"), window.last());
+        QCOMPARE(window.ask("click restoreWork"), QString("done"));
+        QVERIFY2(window.waitFor(kOffer, path("work/a.h5")), window.last());
+        QVERIFY(QFile::rename(path("work/b.h5"), path("work/a.h5")));
+        QCOMPARE(window.ask("click restoreWork"), QString("done"));
+        QVERIFY2(window.waitFor("title", "job[*] – Dyncal modified"), window.last());
+    }
+
+    void commandLine_leavesTheWorkAlone()
+    {
+        editAndKill(path("work/job.dyncal"), "Second");
+        const QStringList before = kept().entryList(QDir::Files);
+        QCOMPARE(
+            runDyncal({"info", path("work/a.h5")}, {"XDG_DATA_HOME=" + home() + "/data"}).exitCode,
+            0);
+        runDyncal({"--screenshot-tour", path("tour")}, {"XDG_DATA_HOME=" + home() + "/data"});
+        QCOMPARE(kept().entryList(QDir::Files), before);
+    }
+};
+
+QTEST_GUILESS_MAIN(TestWorkAfterKill)
+#include "tst_work_after_kill.moc"

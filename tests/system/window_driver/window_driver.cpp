@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QApplication>
+#include <QGenericPlugin>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QSocketNotifier>
+#include <QTest>
+
+#include <cstdio>
+#include <unistd.h>
+
+/// Hands and eyes for the program as it is built: a Qt plugin that the environment brings in
+/// (QT_QPA_GENERIC_PLUGINS). It takes one command a line from stdin and answers with one line.
+///   title                what the window's title says, with its modified mark
+///   text NAME            what the label or line edit shows; "-" if it is not on show
+///   list NAME            all items of the list, in one line
+///   click NAME           presses a button
+///   trigger NAME         takes a menu's action
+///   type NAME WORDS      replaces what a line edit holds and leaves it
+///   key KEYS             presses a shortcut, such as Alt+9
+class WindowDriver : public QObject
+{
+    Q_OBJECT
+
+public:
+    WindowDriver()
+        : m_input(STDIN_FILENO, QSocketNotifier::Read)
+    {
+        connect(&m_input, &QSocketNotifier::activated, this, &WindowDriver::read);
+    }
+
+private:
+    void read()
+    {
+        char bytes[4096];
+        const ssize_t count = ::read(STDIN_FILENO, bytes, sizeof bytes);
+        if (count <= 0) {
+            m_input.setEnabled(false);
+            return;
+        }
+        m_read.append(bytes, count);
+        for (qsizetype end = m_read.indexOf('\n'); end >= 0; end = m_read.indexOf('\n')) {
+            const QString line = QString::fromUtf8(m_read.left(end));
+            m_read.remove(0, end + 1);
+            const QByteArray answer
+                = obey(line.section(' ', 0, 0), line.section(' ', 1, 1), line.section(' ', 2));
+            std::printf("%s\n", answer.constData());
+            std::fflush(stdout);
+        }
+    }
+
+    static QWidget *window()
+    {
+        for (QWidget *widget : QApplication::topLevelWidgets())
+            if (widget->objectName() == QLatin1String("mainWindow"))
+                return widget;
+        return nullptr;
+    }
+
+    static QByteArray obey(const QString &verb, const QString &name, const QString &words)
+    {
+        QWidget *top = window();
+        if (!top)
+            return "-";
+        if (verb == "title")
+            return (top->windowTitle() + (top->isWindowModified() ? " modified" : "")).toUtf8();
+        if (verb == "key") {
+            QTest::keySequence(top, QKeySequence(name));
+            return "done";
+        }
+        if (auto *action = top->findChild<QAction *>(name); verb == "trigger" && action) {
+            action->trigger();
+            return "done";
+        }
+        auto *widget = top->findChild<QWidget *>(name);
+        if (!widget || !widget->isVisible())
+            return "-";
+        if (verb == "list")
+            return itemsOf(qobject_cast<QListWidget *>(widget)).toUtf8();
+        if (verb == "text")
+            return textOf(widget).toUtf8();
+        if (auto *button = qobject_cast<QAbstractButton *>(widget); verb == "click" && button)
+            button->click();
+        else if (auto *edit = qobject_cast<QLineEdit *>(widget); verb == "type" && edit)
+            type(edit, words);
+        else
+            return "-";
+        return "done";
+    }
+
+    static QString textOf(QWidget *widget)
+    {
+        if (const auto *label = qobject_cast<QLabel *>(widget))
+            return label->text();
+        const auto *edit = qobject_cast<QLineEdit *>(widget);
+        return edit ? edit->text() : QString("-");
+    }
+
+    static QString itemsOf(const QListWidget *list)
+    {
+        QStringList items;
+        for (int i = 0; list && i < list->count(); ++i)
+            items << list->item(i)->text().simplified();
+        return items.join(" | ");
+    }
+
+    static void type(QLineEdit *edit, const QString &words)
+    {
+        edit->selectAll();
+        QTest::keyClicks(edit, words);
+        QTest::keyClick(edit, Qt::Key_Return);
+    }
+
+    QSocketNotifier m_input;
+    QByteArray m_read;
+};
+
+class WindowDriverPlugin : public QGenericPlugin
+{
+    Q_OBJECT
+    Q_PLUGIN_METADATA(IID QGenericPluginFactoryInterface_iid FILE "window_driver.json")
+
+public:
+    QObject *create(const QString &, const QString &) override { return new WindowDriver; }
+};
+
+#include "window_driver.moc"

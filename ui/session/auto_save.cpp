@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/session/auto_save.h"
+
+#include <QFile>
+
+namespace dyncal {
+
+AutoSave::AutoSave(
+    Session &session, RecoveryStore &store, CurrentUtc currentUtc, const AutoSaveDelays &delays)
+    : m_session(session)
+    , m_store(store)
+    , m_currentUtc(std::move(currentUtc))
+{
+    m_jobs.emplace(this);
+    for (QTimer *timer : {&m_rest, &m_latest})
+        timer->setSingleShot(true);
+    m_rest.setInterval(delays.rest);
+    m_latest.setInterval(delays.latest);
+    m_beat.setInterval(delays.beat);
+    connect(&m_rest, &QTimer::timeout, this, &AutoSave::write);
+    connect(&m_latest, &QTimer::timeout, this, &AutoSave::write);
+    connect(&m_beat, &QTimer::timeout, this, &AutoSave::beat);
+    connect(&session, &Session::recipeChanged, this, &AutoSave::follow);
+    connect(&session, &Session::capturesChanged, this, &AutoSave::follow);
+    connect(&session.undoStack(), &QUndoStack::cleanChanged, this, &AutoSave::follow);
+}
+
+QDateTime AutoSave::now() const
+{
+    const Result<std::string> text = m_currentUtc();
+    const QDateTime time
+        = text ? QDateTime::fromString(QString::fromStdString(*text), Qt::ISODate) : QDateTime();
+    return time.isValid() ? time : QDateTime::fromSecsSinceEpoch(0, Qt::UTC);
+}
+
+void AutoSave::setProject(const QString &path)
+{
+    if (path == m_project)
+        return;
+    m_project = path;
+    follow();
+}
+
+void AutoSave::follow()
+{
+    if (!m_jobs)
+        return;
+    if (m_session.undoStack().isClean()) {
+        drop();
+        return;
+    }
+    m_rest.start();
+    if (!m_latest.isActive())
+        m_latest.start();
+}
+
+void AutoSave::write()
+{
+    m_rest.stop();
+    m_latest.stop();
+    if (!m_store.file()) {
+        emit failed(m_store.file().error());
+        return;
+    }
+    const QDateTime time = now();
+    m_beat.start();
+    m_jobs->start<void>(
+        [file = *m_store.file(), state = m_session.state(), project = m_project, time](
+            const JobControl &) { return writeRecoveryFile(file, state, project, time); },
+        [this, time](const Result<void> &written) {
+            if (written) {
+                emit saved(time);
+                return;
+            }
+            m_latest.start(); // there may be room again by then
+            emit failed(written.error());
+        });
+}
+
+void AutoSave::drop()
+{
+    m_rest.stop();
+    m_latest.stop();
+    emit nothingToSave();
+    if (!m_beat.isActive())
+        return;
+    m_beat.stop();
+    m_jobs->start<void>(
+        [file = *m_store.file()](const JobControl &) -> Result<void> {
+            QFile::remove(file);
+            return {};
+        },
+        [](const Result<void> &) {});
+}
+
+void AutoSave::beat()
+{
+    if (m_jobs->isRunning())
+        return;
+    m_jobs->start<void>(
+        [file = *m_store.file(), time = now()](const JobControl &) -> Result<void> {
+            markAlive(file, time);
+            return {};
+        },
+        [](const Result<void> &) {});
+}
+
+void AutoSave::adopt(const QString &file)
+{
+    m_jobs.emplace(this); // after what the old one still does
+    m_store.adopt(file);
+    m_beat.start();
+}
+
+void AutoSave::end()
+{
+    if (!m_jobs)
+        return;
+    m_jobs.reset();
+    for (QTimer *timer : {&m_rest, &m_latest, &m_beat})
+        timer->stop();
+    if (m_store.file())
+        QFile::remove(*m_store.file());
+}
+
+} // namespace dyncal

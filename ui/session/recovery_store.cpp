@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/session/recovery_store.h"
+
+#include "core/base/atomic_file.h"
+#include "ui/session/project_file.h"
+
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QLockFile>
+
+#include <algorithm>
+
+namespace dyncal {
+
+namespace {
+
+constexpr const char *kName = "work-%1.dyncal";
+constexpr const char *kPattern = "work-*.dyncal";
+constexpr const char *kLockSuffix = ".lock";
+constexpr const char *kUnreadableSuffix = ".unreadable";
+constexpr const char *kKey = "recovery"; ///< of the project file
+/// More windows than anybody opens: the search for a free name ends.
+constexpr int kMostPrograms = 1000;
+
+/// What a program that was stopped in the middle of writing left beside the file.
+void removeParts(const QString &file)
+{
+    const QFileInfo info(file);
+    const QStringList parts
+        = info.dir().entryList({info.fileName() + QStringLiteral(".part-*")}, QDir::Files);
+    for (const QString &part : parts)
+        QFile::remove(info.dir().filePath(part));
+}
+
+/// Out of the way of the next start; never over another one. Empty if it cannot be moved.
+QString setAside(const QString &file)
+{
+    for (int i = 1; i <= kMostPrograms; ++i) {
+        const QString kept = file + kUnreadableSuffix + QStringLiteral("-%1").arg(i);
+        if (!QFileInfo::exists(kept))
+            return QFile::rename(file, kept) ? kept : QString();
+    }
+    return {};
+}
+
+} // namespace
+
+RecoveryStore::RecoveryStore(const QString &folder)
+{
+    const QDir place(folder);
+    if (!place.mkpath(QStringLiteral("."))) {
+        m_file = fail(ErrorKind::Usage,
+            {DYNCAL_TEXT("core", "The folder %1 cannot be made."), {folder.toStdString()}});
+        return;
+    }
+    for (const QString &name : place.entryList({kPattern}, QDir::Files))
+        if (lock(place.filePath(name)))
+            take(place.filePath(name));
+    std::ranges::sort(m_left, std::ranges::greater(), &RecoveredWork::saved);
+    const bool usable = QFileInfo(folder).isWritable();
+    for (int i = 1; usable && i <= kMostPrograms; ++i) {
+        const QString file = place.filePath(QString(kName).arg(i));
+        if (m_locks.contains(file) || QFileInfo::exists(file) || !lock(file))
+            continue;
+        m_file = file;
+        return;
+    }
+    m_file = fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core", "The folder %1 cannot be written to."), {folder.toStdString()}});
+}
+
+RecoveryStore::~RecoveryStore() = default;
+
+bool RecoveryStore::lock(const QString &file)
+{
+    auto lock = std::make_unique<QLockFile>(file + kLockSuffix);
+    lock->setStaleLockTime(0); // a program that runs for days keeps its own
+    if (!lock->tryLock())
+        return false;
+    m_locks[file] = std::move(lock);
+    return true;
+}
+
+/// The file of a stopped program, locked by this one now.
+void RecoveryStore::take(const QString &file)
+{
+    removeParts(file);
+    const Result<RecoveredWork> work = readRecoveryFile(file);
+    if (work) {
+        m_left.push_back(*work);
+        return;
+    }
+    if (QFileInfo::exists(file)) { // else its program has just ended in good order
+        const QString kept = setAside(file);
+        m_unreadable.push_back({kept.isEmpty() ? file : kept, work.error()});
+    }
+    m_locks.erase(file);
+}
+
+void RecoveryStore::forget(const QString &file)
+{
+    std::erase_if(m_left, [&](const RecoveredWork &work) { return work.file == file; });
+}
+
+void RecoveryStore::adopt(const QString &file)
+{
+    if (m_file) {
+        QFile::remove(*m_file);
+        m_locks.erase(*m_file);
+    }
+    m_file = file;
+    if (!m_locks.contains(file)) // given up while it was being opened
+        lock(file);
+    forget(file);
+}
+
+void RecoveryStore::discard(const QString &file)
+{
+    QFile::remove(file);
+    forget(file);
+    m_locks.erase(file);
+}
+
+Result<void> writeRecoveryFile(
+    const QString &file, const ProjectState &state, const QString &project, const QDateTime &now)
+{
+    const QJsonObject about{
+        {"project", project.isEmpty() ? QString() : QFileInfo(project).absoluteFilePath()},
+        {"saved_utc", now.toUTC().toString(Qt::ISODate)}};
+    const QByteArray bytes
+        = projectBytes(state, QFileInfo(file).absolutePath(), {{QString(kKey), about}});
+    const Result<void> written = writeFileAtomically(file.toStdString(), bytes.toStdString());
+    if (written)
+        markAlive(file, now);
+    return written;
+}
+
+void markAlive(const QString &file, const QDateTime &now)
+{
+    QFile handle(file);
+    if (handle.open(QIODevice::ReadWrite | QIODevice::ExistingOnly))
+        handle.setFileTime(now, QFileDevice::FileModificationTime);
+}
+
+Result<RecoveredWork> readRecoveryFile(const QString &file)
+{
+    const Result<QJsonObject> project = readProjectObject(file);
+    if (!project)
+        return tl::unexpected(project.error());
+    if (const Result<Recipe> recipe = recipeOfProject(*project); !recipe)
+        return tl::unexpected(recipe.error());
+    const QJsonObject about = (*project)[QLatin1String(kKey)].toObject();
+    RecoveredWork work{file, about["project"].toString(),
+        QDateTime::fromString(about["saved_utc"].toString(), Qt::ISODate),
+        QFileInfo(file).lastModified().toUTC(), {}};
+    for (const auto &capture : (*project)["captures"].toArray())
+        work.recordings << QFileInfo(capture.toObject()["path"].toString()).fileName();
+    if (!work.saved.isValid() || work.recordings.contains(QString()))
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core", "%1 does not hold the work of a stopped program."),
+                {file.toStdString()}});
+    return work;
+}
+
+} // namespace dyncal
