@@ -273,6 +273,26 @@ void compareAnswers(ResponseResult &result)
     }
 }
 
+/// A list is computed as given; what lies below the band rests on the plateau that the records are
+/// continued with, not on what was recorded.
+void reportBelowBand(ResponseResult &result)
+{
+    if (result.frequency_Hz.size() == 0)
+        return;
+    const double lowest_Hz = result.frequency_Hz.minCoeff();
+    if (lowest_Hz >= result.fLow_Hz * (1.0 - 1e-9))
+        return;
+    result.findings.push_back({"WIN-005", Severity::Caution, 0, {}, {},
+        {DYNCAL_TEXT("core",
+             "The shortest window, %1, resolves steps of %2, but the response is asked for from "
+             "%3: "
+             "below %2 it is not measured. Lengthen the window or take these frequencies out of "
+             "response.frequencies_hz."),
+            {numberWithUnit(1.0 / result.fLow_Hz, "s", 4), numberWithUnit(result.fLow_Hz, "Hz", 4),
+                numberWithUnit(lowest_Hz, "Hz", 4)}},
+        lowest_Hz, result.fLow_Hz});
+}
+
 void describeShots(const std::vector<WindowedResponse> &responses, const SensorModel &model,
     const ShockConditionsSet &shock, ResponseResult &result)
 {
@@ -353,6 +373,7 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
     }
     result.unit = isStep && isAbsolute ? result.sensitivityUnit : "1";
     result.frequency_Hz = frequencyGrid(settings, result.fLow_Hz, result.fHigh_Hz);
+    reportBelowBand(result);
     if (!model.diverges)
         describeModel(model, input.treatment, scaleOf(model, isStep, isAbsolute, result), result);
     if (isStep && !model.diverges) {

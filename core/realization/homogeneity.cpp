@@ -261,11 +261,13 @@ struct PoleTest
 };
 
 /// A pole that rings in one shot and is missing in another, where it would ring ten times above
-/// what stands out if the shots had one shape. The statistic: what is missing, as energy over
-/// noise.
+/// what stands out if the shots had one shape: it does not stand out there, or holds a thousandth
+/// of that energy (what is left of fitting poles that are not quite that shot's). The statistic:
+/// what is missing, as energy over noise.
 double missing(const ModelInput &input, const ModelDraft &draft, Index pole)
 {
     constexpr double kClear = 10.0;
+    constexpr double kTrace = 1e-3;
     const auto clarity = [&](std::size_t r) { // of the step
         return std::pow(draft.series[r].constant / input.series[r].noiseSd, 2);
     };
@@ -278,7 +280,8 @@ double missing(const ModelInput &input, const ModelDraft &draft, Index pole)
     for (std::size_t r = 0; r < input.series.size(); ++r) {
         const double expected = largest * clarity(r);
         const double found = energyOf(input, draft, r, pole);
-        if (found <= kStandsOut && expected > kClear * kStandsOut && std::isfinite(expected))
+        const bool isAbsent = found <= std::max(kStandsOut, kTrace * expected);
+        if (isAbsent && expected > kClear * kStandsOut && std::isfinite(expected))
             statistic = std::max(statistic, std::pow(std::sqrt(expected) - std::sqrt(found), 2));
     }
     return statistic;
