@@ -15,10 +15,11 @@ constexpr double kEnough = 0.98; ///< of the attainable FIT
 constexpr double kNoiseLimit_percent = 10.0; ///< attainable FIT below which it says nothing
 constexpr std::size_t kMostPoles = 3;
 
-/// The spread in percent with its sign, in as many digits as it is worth.
+/// The spread in percent with its sign, in as many digits as it is worth; a dash of nothing.
 std::string spreadText(double part, double whole)
 {
-    return "\xC2\xB1" + numberText(100.0 * part / std::abs(whole), 2);
+    const double percent = 100.0 * part / std::abs(whole);
+    return std::isfinite(percent) ? "\xC2\xB1" + numberText(percent, 2) : "\xE2\x80\x93";
 }
 
 /// One decimal, as FIT is shown everywhere.
