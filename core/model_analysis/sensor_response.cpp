@@ -30,6 +30,13 @@ struct ShotView
     double plateau = 1.0; ///< c0 of this shot, in the unit of its values
     double perPressure = 1.0; ///< physical units of a value, per pascal if known
     SensorRecord record; ///< the window without the modes that are not the sensor's
+    ExponentialSum step; ///< the model's response of this shot, from the onset on
+
+    double onset_s() const ///< behind the record's first value
+    {
+        return (fit ? fit->onset_s : 0.0)
+            + static_cast<double>(record.early) / response->sampleRate_Hz;
+    }
 };
 
 double inputSpan_s(const ModelInput &input)
@@ -70,6 +77,16 @@ double plateauOf(const SeriesFit &fit, const WindowedResponse &response,
     return fit.plateauGain * stepOf(response) / mean;
 }
 
+/// The model's step response of that shot, from the onset on: it ends at the shot's own c0.
+ExponentialSum modelStep(const SensorModel &model, const SeriesFit &fit, double plateau)
+{
+    const double share = fit.plateauGain != 0.0 ? plateau / fit.plateauGain : 1.0;
+    ExponentialSum step{plateau, Eigen::VectorXcd(fit.amplitudes.size()), share * fit.amplitudes};
+    for (Index i = 0; i < step.rates_rad_s.size(); ++i)
+        step.rates_rad_s[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;
+    return step;
+}
+
 std::vector<ShotView> views(const std::vector<WindowedResponse> &responses,
     const SensorModel &model, const ShockConditionsSet &shock, const ResponseSettings &settings,
     bool &isAbsolute)
@@ -82,10 +99,12 @@ std::vector<ShotView> views(const std::vector<WindowedResponse> &responses,
     }
     isAbsolute = isAbsolute && shareOneUnit(responses);
     for (const WindowedResponse &response : responses) {
-        ShotView view{&response, fitOfShot(model, response.shot), 1.0, 1.0, {}};
+        ShotView view{&response, fitOfShot(model, response.shot), 1.0, 1.0, {}, {}};
         view.record = sensorRecord(response, model, view.fit);
-        if (view.fit)
+        if (view.fit) {
             view.plateau = plateauOf(*view.fit, response, responses);
+            view.step = modelStep(model, *view.fit, view.plateau);
+        }
         if (isAbsolute)
             view.perPressure = response.valueScale / *shock.ofShot(response.shot)->step_Pa;
         else if (view.plateau != 0.0)
@@ -122,9 +141,12 @@ Point measuredAt(const std::vector<ShotView> &shots, double span_s, double frequ
     double variance = 0.0;
     for (const ShotView &shot : shots) {
         const WindowedResponse &response = *shot.response;
-        const Index count = samplesUsed(response, span_s, frequency_Hz);
-        const std::complex<double> transform = stepTransform(shot.record.values.head(count),
-            response.sampleRate_Hz, shot.plateau, shot.fit ? shot.fit->onset_s : 0.0, frequency_Hz);
+        const Index count = samplesUsed(response, span_s, frequency_Hz) + shot.record.early;
+        std::complex<double> transform = stepTransform(shot.record.values.head(count),
+            response.sampleRate_Hz, shot.plateau, shot.onset_s(), frequency_Hz);
+        if (shot.fit)
+            transform -= stepTransformError(
+                shot.step, count, response.sampleRate_Hz, shot.onset_s(), frequency_Hz);
         mean.S += shot.perPressure * shot.record.ofStep(transform, frequency_Hz);
         const double u = std::abs(shot.perPressure)
             * std::hypot(stepTransformNoise(count, response.sampleRate_Hz,
@@ -251,6 +273,26 @@ void compareAnswers(ResponseResult &result)
     }
 }
 
+/// A list is computed as given; what lies below the band rests on the plateau that the records are
+/// continued with, not on what was recorded.
+void reportBelowBand(ResponseResult &result)
+{
+    if (result.frequency_Hz.size() == 0)
+        return;
+    const double lowest_Hz = result.frequency_Hz.minCoeff();
+    if (lowest_Hz >= result.fLow_Hz * (1.0 - 1e-9))
+        return;
+    result.findings.push_back({"WIN-005", Severity::Caution, 0, {}, {},
+        {DYNCAL_TEXT("core",
+             "The shortest window, %1, resolves steps of %2, but the response is asked for from "
+             "%3: "
+             "below %2 it is not measured. Lengthen the window or take these frequencies out of "
+             "response.frequencies_hz."),
+            {numberWithUnit(1.0 / result.fLow_Hz, "s", 4), numberWithUnit(result.fLow_Hz, "Hz", 4),
+                numberWithUnit(lowest_Hz, "Hz", 4)}},
+        lowest_Hz, result.fLow_Hz});
+}
+
 void describeShots(const std::vector<WindowedResponse> &responses, const SensorModel &model,
     const ShockConditionsSet &shock, ResponseResult &result)
 {
@@ -331,6 +373,7 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
     }
     result.unit = isStep && isAbsolute ? result.sensitivityUnit : "1";
     result.frequency_Hz = frequencyGrid(settings, result.fLow_Hz, result.fHigh_Hz);
+    reportBelowBand(result);
     if (!model.diverges)
         describeModel(model, input.treatment, scaleOf(model, isStep, isAbsolute, result), result);
     if (isStep && !model.diverges) {

@@ -4,7 +4,6 @@
 #include "core/realization/state_space_model.h"
 
 #include "core/base/svd.h"
-#include "core/realization/exponential_sum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +23,9 @@ StateSpaceModel modalStateSpace(const std::vector<std::complex<double>> &poles,
     for (Index i = 0; i < n; ++i) {
         const std::complex<double> p = poles[static_cast<std::size_t>(i)];
         const double gain = std::sqrt(std::abs(residues[i]));
-        if (isUpperOfPair(poles, static_cast<std::size_t>(i))) {
+        // A resonance above the Nyquist frequency, which the refinement finds at the record's own
+        // rate, is folded: the upper half of its pair in s is the lower one in z.
+        if (p.imag() != 0.0) {
             // C (zI - A)^-1 B = 2 Re-form of r/(z-p) + r*/(z-p*), inputs and outputs balanced.
             model.A.block(i, i, 2, 2) << p.real(), p.imag(), -p.imag(), p.real();
             const std::complex<double> output = gain > 0.0 ? residues[i] / gain : 0.0;

@@ -3,32 +3,28 @@
 
 #include "ui/shell/import_dialog.h"
 
-#include "core/capture/check_settings.h"
 #include "core/capture/format_registry.h"
 #include "ui/session/file_import.h"
 #include "ui/shell/import_channel_table.h"
 #include "ui/shell/import_dataset_tree.h"
-#include "ui/shell/import_preview_table.h"
-#include "ui/stages/quantity_edit.h"
+#include "ui/shell/import_rate_row.h"
+#include "ui/shell/import_text_box.h"
+#include "ui/shell/import_verdict.h"
+#include "ui/shell/named_control.h"
 #include "ui/text/core_text.h"
-#include "ui/text/quantity_format.h"
 
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QFormLayout>
-#include <QGroupBox>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QRadioButton>
-#include <QSpinBox>
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 
 namespace dyncal {
 
@@ -36,50 +32,6 @@ namespace {
 
 constexpr int kTypingPause_ms = 150; ///< what is typed is not read letter by letter
 constexpr QSize kFirstSize(980, 760);
-constexpr int kAutomatic = -1; ///< of the header rows
-
-const std::array<std::string, 6> kSeparators{"auto", ",", ";", "tab", "space", "|"};
-const std::array<std::string, 3> kDecimals{"auto", ".", ","};
-
-/// Choices of "time from" before the columns.
-enum TimeChoice { TimeAuto, TimeNone, TimeFirstColumn };
-
-template <typename List, typename T>
-int positionIn(const List &list, const T &value)
-{
-    const auto at = std::ranges::find(list, value);
-    return at == std::end(list) ? 0 : static_cast<int>(at - std::begin(list));
-}
-
-template <typename Control>
-Control *named(Control *control, const QString &name, const QString &accessible)
-{
-    control->setObjectName(name);
-    control->setAccessibleName(accessible);
-    return control;
-}
-
-bool leavesTimesOut(const ImportSettings &settings)
-{
-    return !settings.columns.empty() && !settings.columns.contains("time");
-}
-
-QString decimalName(char decimal)
-{
-    return decimal == ',' ? ImportDialog::tr("comma") : ImportDialog::tr("point");
-}
-
-QString separatorName(char separator)
-{
-    switch (separator) {
-    case '\t':
-        return ImportDialog::tr("tab");
-    case ' ':
-        return ImportDialog::tr("blanks");
-    default:
-        return QChar::fromLatin1(separator);
-    }
-}
 
 } // namespace
 
@@ -150,87 +102,43 @@ void ImportDialog::buildFileRow(QFormLayout *form)
     form->addRow(tr("Format"), row);
 }
 
-QGroupBox *ImportDialog::buildText()
+ImportTextBox *ImportDialog::buildText()
 {
-    m_text = new QGroupBox(tr("Text table"), this);
-    m_separator = named(new QComboBox(m_text), "importSeparator", tr("Separator"));
-    m_separator->addItems(
-        {{}, tr("comma ,"), tr("semicolon ;"), tr("tab"), tr("blanks"), tr("bar |")});
-    connect(m_separator, &QComboBox::activated, this, [this](int choice) {
-        m_settings.separator = kSeparators[static_cast<std::size_t>(choice)];
+    m_text = new ImportTextBox(this);
+    connect(m_text, &ImportTextBox::separatorChosen, this, [this](const std::string &separator) {
+        m_settings.separator = separator;
         look();
     });
-    m_decimal = named(new QComboBox(m_text), "importDecimal", tr("Decimal mark"));
-    m_decimal->addItems({{}, tr("point ."), tr("comma ,")});
-    connect(m_decimal, &QComboBox::activated, this, [this](int choice) {
-        m_settings.decimal = kDecimals[static_cast<std::size_t>(choice)];
+    connect(m_text, &ImportTextBox::decimalChosen, this, [this](const std::string &decimal) {
+        m_settings.decimal = decimal;
         look();
     });
-    m_header = named(new QSpinBox(m_text), "importHeader", tr("Header rows"));
-    m_header->setRange(kAutomatic, 1'000'000'000);
-    connect(m_header, &QSpinBox::valueChanged, this, [this](int rows) {
-        m_settings.skipRows = rows == kAutomatic ? std::nullopt : std::optional<Index>(rows);
+    connect(m_text, &ImportTextBox::headerChosen, this, [this](std::optional<Index> rows) {
+        m_settings.skipRows = rows;
         look();
     });
-    m_time = named(new QComboBox(m_text), "importTime", tr("Time from"));
-    connect(m_time, &QComboBox::activated, this, &ImportDialog::chooseTime);
-    m_preview = new ImportPreviewTable(m_text);
-    m_counts = new QLabel(m_text);
-    m_counts->setObjectName("importCounts");
-
-    auto *row = new QHBoxLayout;
-    const auto add = [&](QWidget *control) {
-        row->addWidget(new QLabel(control->accessibleName(), m_text));
-        row->addWidget(control, 1);
-    };
-    for (QWidget *control :
-        std::initializer_list<QWidget *>{m_separator, m_decimal, m_header, m_time})
-        add(control);
-    auto *column = new QVBoxLayout(m_text);
-    column->addLayout(row);
-    column->addWidget(m_preview);
-    column->addWidget(m_counts);
+    connect(m_text, &ImportTextBox::timesChosen, this, &ImportDialog::chooseTime);
     return m_text;
 }
 
-QWidget *ImportDialog::buildRate()
+ImportRateRow *ImportDialog::buildRate()
 {
-    auto *box = new QWidget(this);
-    auto *row = new QHBoxLayout(box);
-    row->setContentsMargins(0, 0, 0, 0);
-    m_rate = new OptionalEdit({"MHz", 1e6}, 1e-3, 1e12, box);
-    m_rate->setNames("importRate", tr("Sample rate"));
-    m_rate->setMaximumWidth(180);
-    connect(m_rate, &OptionalEdit::edited, this, [this](const std::optional<double> &rate_Hz) {
+    m_rate = new ImportRateRow(this);
+    connect(m_rate, &ImportRateRow::rateTyped, this, [this](std::optional<double> rate_Hz) {
         m_settings.sampleRate_Hz = rate_Hz;
         look();
     });
-    m_reason = named(new QLineEdit(box), "importRateReason", tr("Why the file is wrong"));
-    m_reason->setPlaceholderText(m_reason->accessibleName());
-    connect(m_reason, &QLineEdit::textEdited, this, [this](const QString &text) {
-        m_settings.sampleRateReason = text.trimmed().toStdString();
+    connect(m_rate, &ImportRateRow::reasonTyped, this, [this](const QString &reason) {
+        m_settings.sampleRateReason = reason.toStdString();
         showVerdict();
     });
-    m_rateSource = new QLabel(box);
-    m_rateSource->setObjectName("importRateSource");
-    m_useTimes = named(new QPushButton(box), "useTimes", {});
-    m_useHeader = named(new QPushButton(box), "useHeader", {});
-    connect(m_useTimes, &QPushButton::clicked, this, [this] {
-        useRate(m_view.timesRate_Hz.value_or(0.0), false,
-            tr("the time column is right, the header is not"));
+    connect(m_rate, &ImportRateRow::timesPreferred, this, [this](const QString &reason) {
+        useRate(m_view.timesRate_Hz.value_or(0.0), TimeAuto, reason);
     });
-    connect(m_useHeader, &QPushButton::clicked, this, [this] {
-        useRate(m_view.headerRate_Hz.value_or(0.0), true,
-            tr("the header is right, the time column is not"));
+    connect(m_rate, &ImportRateRow::headerPreferred, this, [this](const QString &reason) {
+        useRate(m_view.headerRate_Hz.value_or(0.0), TimeNone, reason);
     });
-    row->addWidget(new QLabel(tr("Sample rate"), box));
-    row->addWidget(m_rate);
-    row->addWidget(m_rateSource);
-    row->addWidget(m_reason, 1);
-    row->addStretch(0);
-    row->addWidget(m_useTimes);
-    row->addWidget(m_useHeader);
-    return box;
+    return m_rate;
 }
 
 QWidget *ImportDialog::buildFoot(int files)
@@ -302,10 +210,9 @@ void ImportDialog::showView(const ImportView &view)
     m_view = view;
     m_looked = true;
     showSettings();
-    showText();
-    showRate();
-    m_datasets->setDatasets(m_view.datasets, m_view.channels);
-    m_channels->setChannels(m_view.channels, m_settings.channelDetails);
+    m_text->showView(m_view, m_settings);
+    m_rate->showView(m_view, m_settings);
+    showChannels();
     showVerdict();
     offerProfile();
 }
@@ -314,207 +221,58 @@ void ImportDialog::showSettings()
 {
     m_format->setCurrentIndex(
         std::max(0, m_format->findData(QString::fromStdString(m_settings.format))));
-    m_separator->setCurrentIndex(positionIn(kSeparators, m_settings.separator));
-    m_decimal->setCurrentIndex(positionIn(kDecimals, m_settings.decimal));
-    {
-        const QSignalBlocker quiet(m_header);
-        m_header->setValue(static_cast<int>(m_settings.skipRows.value_or(kAutomatic)));
-    }
-    if (!m_reason->hasFocus())
-        m_reason->setText(QString::fromStdString(m_settings.sampleRateReason));
+    m_text->showSettings(m_settings);
+    m_rate->showSettings(m_settings);
 }
 
-/// "automatic" says what it found.
-void ImportDialog::showText()
-{
-    m_text->setVisible(m_view.text || m_view.format == "text");
-    m_preview->setVisible(m_view.text.has_value());
-    m_counts->setVisible(m_view.text.has_value());
-    if (!m_view.text)
-        return;
-    const TextPreview &text = *m_view.text;
-    m_separator->setItemText(0, tr("automatic: %1").arg(separatorName(text.separator)));
-    m_decimal->setItemText(0, tr("automatic: %1").arg(decimalName(text.decimal)));
-    m_header->setSpecialValueText(tr("automatic: %1").arg(text.headerLines));
-    m_time->clear();
-    const auto titleOf = [&](Index column) {
-        return QString::fromStdString(text.columnTitles[static_cast<std::size_t>(column)]);
-    };
-    m_time->addItem(!leavesTimesOut(m_settings) && text.timeColumn
-            ? tr("automatic: %1").arg(titleOf(*text.timeColumn))
-            : tr("automatic"));
-    m_time->addItem(tr("no column: the rate is given"));
-    for (Index column = 0; column < static_cast<Index>(text.columnTitles.size()); ++column)
-        m_time->addItem(tr("column %1: %2").arg(column + 1).arg(titleOf(column)));
-    const auto time = m_settings.columns.find("time");
-    m_time->setCurrentIndex(time != m_settings.columns.end()
-            ? TimeFirstColumn + static_cast<int>(time->second)
-            : (leavesTimesOut(m_settings) ? TimeNone : TimeAuto));
-    m_preview->setPreview(text);
-    m_counts->setText(tr("%1 rows looked at, unreadable cells: %2. Text: %3.")
-                          .arg(text.dataRows)
-                          .arg(text.unreadableCells)
-                          .arg(QString::fromStdString(text.encoding)));
-}
-
-void ImportDialog::showRate()
-{
-    const std::optional<double> found
-        = m_view.sampleRate_Hz > 0.0 ? std::optional(m_view.sampleRate_Hz) : std::nullopt;
-    m_reason->setVisible(needsReason());
-    m_rate->setEmptyText(tr("not stated"));
-    m_rate->set(m_settings.sampleRate_Hz, found);
-    const bool contradiction = m_view.headerRate_Hz && m_view.timesRate_Hz;
-    m_useTimes->setVisible(contradiction);
-    m_useHeader->setVisible(contradiction);
-    if (contradiction) {
-        m_useTimes->setText(
-            tr("Use the time column: %1").arg(shownQuantity(*m_view.timesRate_Hz, "Hz")));
-        m_useHeader->setText(
-            tr("Use the header: %1").arg(shownQuantity(*m_view.headerRate_Hz, "Hz")));
-    }
-    if (!found)
-        m_rateSource->setText(m_settings.sampleRate_Hz ? tr("as typed") : QString());
-    else if (m_view.text && m_view.text->timeColumn)
-        m_rateSource->setText(tr("from the time column: %1").arg(shownQuantity(*found, "Hz")));
-    else
-        m_rateSource->setText(tr("the file states %1").arg(shownQuantity(*found, "Hz")));
-}
-
-/// One sentence: what stands in the way, or what to look at, or that all is well.
 void ImportDialog::showVerdict()
 {
-    const bool nameMissing = m_keep->isChecked() && !isProfileName(m_keepName->text());
-    const bool complete = m_looked && m_view.isComplete(m_settings);
-    const bool reasonMissing = needsReason() && m_settings.sampleRateReason.empty();
-    m_import->setEnabled(complete && !nameMissing && !reasonMissing);
-    const auto duts = std::ranges::count(m_view.channels, ChannelRole::Dut, &ImportChannel::role);
-    QString said;
-    if (!m_looked)
-        said = tr("Reading the file...");
-    else if (m_view.headerRate_Hz && m_view.timesRate_Hz)
-        said = QStringLiteral("■ ")
-            + tr("The header says %1, the time column %2. Which one is right?")
-                  .arg(shownQuantity(*m_view.headerRate_Hz, "Hz"),
-                      shownQuantity(*m_view.timesRate_Hz, "Hz"));
-    else if (m_view.problem)
-        said = QStringLiteral("■ ") + translated(m_view.problem->message);
-    else if (m_view.text && m_view.text->unreadableCells > 0)
-        said = QStringLiteral("■ ")
-            + tr("Cells that are no numbers are marked; change separator, decimal mark or header "
-                 "rows.");
-    else if (!complete && m_view.text && m_view.text->decimalAmbiguous)
-        said = QStringLiteral("■ ")
-            + tr("The numbers can be read in two ways: choose the decimal mark; the table shows "
-                 "the effect.");
-    else if (!complete && m_view.sampleRate_Hz <= 0.0 && !m_settings.sampleRate_Hz)
-        said = QStringLiteral("■ ") + tr("The file does not say its sample rate: type it.");
-    else if (reasonMissing)
-        said = QStringLiteral("■ ")
-            + tr("The rate typed differs from that of the file: say why the file is wrong. The "
-                 "results record it.");
-    else if (duts == 0)
-        said = QStringLiteral("■ ") + tr("Choose which channel is the sensor under test (DUT).");
-    else if (duts > 1)
-        said = QStringLiteral("■ ") + tr("Only one channel can be the sensor under test (DUT).");
-    else if (nameMissing)
-        said = QStringLiteral("■ ") + tr("Give the profile a name that a file can have.");
-    else if (m_view.text && *m_view.text->remark.text)
-        said = QStringLiteral("▲ ") + translated(m_view.text->remark);
-    else
-        said = QStringLiteral("● ") + tr("The file can be imported.");
+    const bool lacksName = m_keep->isChecked() && !isProfileName(m_keepName->text());
+    ImportVerdict verdict = importVerdict(m_looked ? &m_view : nullptr, m_settings, lacksName);
+    m_import->setEnabled(verdict.mayImport);
     // The name is in the title: its folder would only make the sentence long.
-    m_verdict->setText(said.replace(m_path, QFileInfo(m_path).fileName()));
+    m_verdict->setText(verdict.sentence.replace(m_path, QFileInfo(m_path).fileName()));
 }
 
-/// As the rules of import have it.
-bool ImportDialog::needsReason() const
+void ImportDialog::showChannels()
 {
-    const double tolerance = 0.01 * CheckSettings{}.rateMismatch_percent;
-    return m_settings.sampleRate_Hz && m_view.sampleRate_Hz > 0.0
-        && std::abs(*m_settings.sampleRate_Hz / m_view.sampleRate_Hz - 1.0) > tolerance;
+    m_datasets->setDatasets(m_view.datasets, m_view.channels);
+    m_channels->setChannels(m_view.channels, m_settings.channelDetails);
 }
 
-/// A reader of HDF5 takes what is named and nothing else, or what it guesses: once one dataset is
-/// named, so are the others that are read now.
-void ImportDialog::nameChannelsRead()
-{
-    for (const ImportChannel &channel : m_view.channels)
-        m_settings.channels.emplace(channel.name, channelRoleName(channel.role));
-}
-
-/// No role: it is not read.
 void ImportDialog::chooseDataset(const QString &channel, std::optional<ChannelRole> role)
 {
-    nameChannelsRead();
-    const std::string name = channel.toStdString();
-    if (role == ChannelRole::Dut) // there is one only
-        for (auto &[other, otherRole] : m_settings.channels)
-            if (channelRoleFromName(otherRole) == ChannelRole::Dut)
-                otherRole = channelRoleName(ChannelRole::Other);
-    if (role)
-        m_settings.channels[name] = channelRoleName(*role);
-    else
-        m_settings.channels.erase(name);
+    chooseDatasetRole(m_settings, m_view, channel.toStdString(), role);
     look();
 }
 
 void ImportDialog::chooseRole(int channel, ChannelRole role)
 {
-    if (!m_view.datasets.empty())
-        nameChannelsRead();
-    const ImportChannel chosen = m_view.channels[static_cast<std::size_t>(channel)];
-    if (role == ChannelRole::Dut) // there is one only
-        for (const ImportChannel &other : m_view.channels)
-            if (other.role == ChannelRole::Dut && other.name != chosen.name)
-                m_settings.channels[other.name] = channelRoleName(ChannelRole::Other);
-    m_settings.channels[chosen.name] = channelRoleName(role);
-    if (leavesTimesOut(m_settings)) {
-        m_settings.columns.clear();
-        applyRoles(m_view, m_settings);
-        nameSampleColumns();
+    const std::string name = m_view.channels[static_cast<std::size_t>(channel)].name;
+    if (dyncal::chooseRole(m_settings, m_view, name, role))
         look();
-    }
-    applyRoles(m_view, m_settings);
-    m_datasets->setDatasets(m_view.datasets, m_view.channels);
-    m_channels->setChannels(m_view.channels, m_settings.channelDetails);
+    showChannels();
     showVerdict();
 }
 
 void ImportDialog::chooseTime(int choice)
 {
-    m_settings.columns.clear();
-    if (choice == TimeNone)
-        nameSampleColumns();
-    else if (choice >= TimeFirstColumn)
-        m_settings.columns["time"] = choice - TimeFirstColumn;
+    chooseTimes(m_settings, m_view, choice);
     look();
 }
 
-/// Naming the columns of samples is how the recipe leaves a column of times out.
-void ImportDialog::nameSampleColumns()
-{
-    for (const ImportChannel &channel : m_view.channels)
-        if (channel.column && channel.role != ChannelRole::Other)
-            m_settings.columns.emplace(channelRoleName(channel.role), *channel.column);
-    const auto first = std::ranges::find_if(
-        m_view.channels, [](const ImportChannel &channel) { return channel.column.has_value(); });
-    if (m_settings.columns.empty() && first != m_view.channels.end())
-        m_settings.columns.emplace(channelRoleName(ChannelRole::Other), *first->column);
-}
-
-void ImportDialog::useRate(double rate_Hz, bool withoutTimes, const QString &reason)
+void ImportDialog::useRate(double rate_Hz, TimeChoice times, const QString &reason)
 {
     m_settings.sampleRate_Hz = rate_Hz;
     m_settings.sampleRateReason = reason.toStdString();
-    chooseTime(withoutTimes ? TimeNone : TimeAuto);
+    chooseTime(times);
 }
 
 void ImportDialog::useProfile(const QString &name)
 {
     const Result<ImportSettings> profile = m_profiles.load(name);
     if (!profile) {
-        m_verdict->setText(QStringLiteral("■ ") + translated(profile.error().message));
+        m_verdict->setText(blockingSentence(translated(profile.error().message)));
         return;
     }
     m_settings = *profile;
@@ -557,7 +315,7 @@ void ImportDialog::accept()
     if (m_keep->isChecked()) {
         const Result<void> saved = m_profiles.save(m_keepName->text(), m_settings);
         if (!saved) {
-            m_verdict->setText(QStringLiteral("■ ") + translated(saved.error().message));
+            m_verdict->setText(blockingSentence(translated(saved.error().message)));
             return;
         }
     }

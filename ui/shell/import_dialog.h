@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "ui/session/import_choices.h"
 #include "ui/session/import_profiles.h"
 #include "ui/session/import_view.h"
 #include "ui/session/job_runner.h"
@@ -13,19 +14,17 @@
 class QCheckBox;
 class QComboBox;
 class QFormLayout;
-class QGroupBox;
 class QLabel;
 class QLineEdit;
 class QPushButton;
 class QRadioButton;
-class QSpinBox;
 
 namespace dyncal {
 
 class ImportChannelTable;
 class ImportDatasetTree;
-class ImportPreviewTable;
-class OptionalEdit;
+class ImportRateRow;
+class ImportTextBox;
 
 /// Says how a file is read, with what it gives beside it: every change shows its effect at once.
 /// Stays open until the file reads without an open question. Changes nothing by itself: the caller
@@ -48,24 +47,20 @@ public:
 
 private:
     void buildFileRow(QFormLayout *form);
-    QGroupBox *buildText();
-    QWidget *buildRate();
+    ImportTextBox *buildText();
+    ImportRateRow *buildRate();
     QWidget *buildFoot(int files);
 
     void look(); ///< soon: reads the file under the settings
     void lookNow();
     void showView(const ImportView &view);
     void showSettings();
-    void showText();
-    void showRate();
+    void showChannels();
     void showVerdict();
     void chooseRole(int channel, ChannelRole role);
     void chooseDataset(const QString &channel, std::optional<ChannelRole> role);
-    void nameChannelsRead();
     void chooseTime(int choice);
-    void nameSampleColumns();
-    void useRate(double rate_Hz, bool withoutTimes, const QString &reason);
-    bool needsReason() const;
+    void useRate(double rate_Hz, TimeChoice times, const QString &reason);
     void useProfile(const QString &name);
     void offerProfile();
 
@@ -79,20 +74,10 @@ private:
 
     QComboBox *m_profile = nullptr;
     QComboBox *m_format = nullptr;
-    QGroupBox *m_text = nullptr;
-    QComboBox *m_separator = nullptr;
-    QComboBox *m_decimal = nullptr;
-    QSpinBox *m_header = nullptr;
-    QComboBox *m_time = nullptr;
-    ImportPreviewTable *m_preview = nullptr;
-    QLabel *m_counts = nullptr;
-    OptionalEdit *m_rate = nullptr;
-    QLabel *m_rateSource = nullptr;
-    QPushButton *m_useTimes = nullptr;
-    QPushButton *m_useHeader = nullptr;
+    ImportTextBox *m_text = nullptr;
+    ImportRateRow *m_rate = nullptr;
     ImportDatasetTree *m_datasets = nullptr;
     ImportChannelTable *m_channels = nullptr;
-    QLineEdit *m_reason = nullptr;
     QRadioButton *m_forAll = nullptr;
     QRadioButton *m_forFile = nullptr;
     QLabel *m_verdict = nullptr;

@@ -8,6 +8,7 @@
 #include <map>
 #include <vector>
 
+class QBoxLayout;
 class QLabel;
 class QPushButton;
 
@@ -31,7 +32,12 @@ public:
 signals:
     void chosen(dyncal::RecoveryAction action);
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+    void paintEvent(QPaintEvent *event) override; ///< follows the palette (light, dark)
+
 private:
+    QBoxLayout *m_layout;
     QLabel *m_sentence;
     std::map<RecoveryAction, QPushButton *> m_buttons;
 };

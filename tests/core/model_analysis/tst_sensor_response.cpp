@@ -311,6 +311,43 @@ private slots:
                 result.frequency_Hz[static_cast<Index>(k)], calibration.settings.frequencies_Hz[k]);
     }
 
+    void frequencyBelowTheBand_isSaid_data()
+    {
+        QTest::addColumn<double>("lowest_Hz");
+        QTest::addColumn<bool>("said");
+        QTest::newRow("at 1/T") << 500.0 << false; // kLength samples are 2 ms
+        QTest::newRow("just below") << 499.9 << true;
+        QTest::newRow("far below") << 10.0 << true;
+    }
+
+    void frequencyBelowTheBand_isSaid()
+    {
+        QFETCH(double, lowest_Hz);
+        QFETCH(bool, said);
+        Calibration calibration = secondOrder(2);
+        calibration.responses[1]
+            = responseOf(calibration.model, 2, 2 * kLength); // not the shortest
+        calibration.settings.frequencies_Hz = {1e4, lowest_Hz, 1e5};
+        const ResponseResult result = calibration.run();
+        QCOMPARE(hasFinding(result.findings, "WIN-005"), said);
+        if (!said)
+            return;
+        const Finding &finding = result.findings.front();
+        QCOMPARE(*finding.value, lowest_Hz);
+        QCOMPARE(*finding.limit, 500.0);
+        QVERIFY(
+            english(finding.message).find("2 ms, resolves steps of 500 Hz") != std::string::npos);
+    }
+
+    void grids_neverGoBelowTheBand()
+    {
+        Calibration calibration = secondOrder();
+        for (const char *grid : {"third-octave", "linear"}) {
+            calibration.settings.grid = grid;
+            QVERIFY(!hasFinding(calibration.run().findings, "WIN-005"));
+        }
+    }
+
     void thirdOctaves_areThePreferredFrequenciesInsideTheBand()
     {
         Calibration calibration = secondOrder();

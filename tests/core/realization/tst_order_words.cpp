@@ -74,10 +74,9 @@ private slots:
             std::string("Singular value 2 is 20 times the next one; above the noise floor lie 2."));
         // Mean 1000 Hz, half of 990..1010; mean 0.1, half of 0.096..0.104.
         QCOMPARE(with(words, "pole at"),
-            std::string("The pole at 1 kHz is stable from order 2 to 4; over these its frequency "
-                        "varies by \xC2\xB1"
-                        "1 % and its damping ratio 0.1 by \xC2\xB1"
-                        "4 %."));
+            std::string("The pole at 1.000 kHz \xC2\xB1 0.010 kHz with damping ratio 0.1000 "
+                        "\xC2\xB1 0.0040 is stable from order 2 to 4; the ranges are those over "
+                        "these orders."));
         QCOMPARE(with(words, "Poles of the other shots"),
             std::string("Poles of the other shots describe a shot best at order 2: they leave 12 "
                         "% of it."));

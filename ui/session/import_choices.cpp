@@ -1,0 +1,92 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/session/import_choices.h"
+
+#include "core/capture/check_settings.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+
+namespace {
+
+/// A reader of HDF5 takes what is named and nothing else, or what it guesses: once one dataset is
+/// named, so are the others that are read now.
+void nameChannelsRead(ImportSettings &settings, const ImportView &view)
+{
+    for (const ImportChannel &channel : view.channels)
+        settings.channels.emplace(channel.name, channelRoleName(channel.role));
+}
+
+/// Naming the columns of samples is how the recipe leaves a column of times out.
+void nameSampleColumns(ImportSettings &settings, const ImportView &view)
+{
+    for (const ImportChannel &channel : view.channels)
+        if (channel.column && channel.role != ChannelRole::Other)
+            settings.columns.emplace(channelRoleName(channel.role), *channel.column);
+    const auto first = std::ranges::find_if(
+        view.channels, [](const ImportChannel &channel) { return channel.column.has_value(); });
+    if (settings.columns.empty() && first != view.channels.end())
+        settings.columns.emplace(channelRoleName(ChannelRole::Other), *first->column);
+}
+
+} // namespace
+
+bool leavesTimesOut(const ImportSettings &settings)
+{
+    return !settings.columns.empty() && !settings.columns.contains("time");
+}
+
+void chooseTimes(ImportSettings &settings, const ImportView &view, int choice)
+{
+    settings.columns.clear();
+    if (choice == TimeNone)
+        nameSampleColumns(settings, view);
+    else if (choice >= TimeFirstColumn)
+        settings.columns["time"] = choice - TimeFirstColumn;
+}
+
+bool chooseRole(
+    ImportSettings &settings, ImportView &view, const std::string &channel, ChannelRole role)
+{
+    if (!view.datasets.empty())
+        nameChannelsRead(settings, view);
+    if (role == ChannelRole::Dut)
+        for (const ImportChannel &other : view.channels)
+            if (other.role == ChannelRole::Dut && other.name != channel)
+                settings.channels[other.name] = channelRoleName(ChannelRole::Other);
+    settings.channels[channel] = channelRoleName(role);
+    const bool again = leavesTimesOut(settings);
+    if (again) {
+        settings.columns.clear();
+        applyRoles(view, settings);
+        nameSampleColumns(settings, view);
+    }
+    applyRoles(view, settings);
+    return again;
+}
+
+void chooseDatasetRole(ImportSettings &settings, const ImportView &view, const std::string &name,
+    std::optional<ChannelRole> role)
+{
+    nameChannelsRead(settings, view);
+    if (role == ChannelRole::Dut)
+        for (auto &[other, otherRole] : settings.channels)
+            if (channelRoleFromName(otherRole) == ChannelRole::Dut)
+                otherRole = channelRoleName(ChannelRole::Other);
+    if (role)
+        settings.channels[name] = channelRoleName(*role);
+    else
+        settings.channels.erase(name);
+}
+
+bool needsRateReason(const ImportSettings &settings, const ImportView &view)
+{
+    const double tolerance = 0.01 * CheckSettings{}.rateMismatch_percent;
+    return settings.sampleRate_Hz && view.sampleRate_Hz > 0.0
+        && std::abs(*settings.sampleRate_Hz / view.sampleRate_Hz - 1.0) > tolerance;
+}
+
+} // namespace dyncal
