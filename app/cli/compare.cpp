@@ -8,7 +8,7 @@
 #include "app/cli/verbs.h"
 
 #include "core/base/number_text.h"
-#include "core/certificate/rounding.h"
+#include "core/base/rounding.h"
 #include "core/pipeline/comparison_json.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "app/cli/run_summary.h"
 
 #include "core/base/number_text.h"
-#include "core/certificate/rounding.h"
+#include "core/base/rounding.h"
 #include "core/pipeline/results_json.h"
 
 #include <algorithm>

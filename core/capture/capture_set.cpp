@@ -6,6 +6,7 @@
 #include "core/base/number_text.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace dyncal {
@@ -87,7 +88,8 @@ void moveInputs(Shot &shot, const std::function<Index(Index)> &newPosition)
 std::optional<double> CaptureSet::tubeNumber(const std::string &key) const
 {
     const auto found = tube.find(key);
-    return found != tube.end() ? parseNumber(found->second) : std::nullopt;
+    const auto number = found != tube.end() ? parseNumber(found->second) : std::nullopt;
+    return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 } // namespace dyncal

@@ -87,7 +87,7 @@ struct CaptureSet
     std::map<std::string, Attributes> instruments;
     Findings findings; ///< raised while reading
 
-    /// A number of `tube`, if it is there and is one.
+    /// A finite number of `tube`, if it is there and is one.
     std::optional<double> tubeNumber(const std::string &key) const;
 };
 

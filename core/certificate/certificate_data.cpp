@@ -4,8 +4,8 @@
 #include "core/certificate/certificate_data.h"
 
 #include "core/base/number_text.h"
+#include "core/base/rounding.h"
 #include "core/certificate/certificate_sections.h"
-#include "core/certificate/rounding.h"
 
 #include <algorithm>
 #include <cmath>

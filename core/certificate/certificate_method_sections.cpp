@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/base/number_text.h"
+#include "core/base/rounding.h"
 #include "core/certificate/certificate_sections.h"
-#include "core/certificate/rounding.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/base/rounding.h"
 #include "core/certificate/certificate_sections.h"
-#include "core/certificate/rounding.h"
 
 #include <cmath>
 
@@ -46,16 +46,18 @@ CertificateTable modeTable(const SensorModel &model)
     return table;
 }
 
-std::vector<Message> sideRow(Message name, const NuisanceEffect::Side &side)
+std::vector<Message> sideRow(
+    Message name, const NuisanceEffect::Side &side, const std::string &gainUnit)
 {
     return {std::move(name), ofPlateau(side.residualRms, side.plateauGain),
         std::abs(side.fit_percent) < kMostPercent ? verbatim(fixedText(side.fit_percent, 2) + " %")
                                                   : dash(),
         printedWithUncertainty(side.f0_Hz, side.u_f0_Hz, "Hz"),
-        printedWithUncertainty(side.zeta, side.u_zeta, ""), printed(side.plateauGain, "", dash())};
+        printedWithUncertainty(side.zeta, side.u_zeta, ""),
+        printed(side.plateauGain, gainUnit == "1" ? "" : gainUnit, dash())};
 }
 
-CertificateTable effectTable(const NuisanceEffect &effect)
+CertificateTable effectTable(const NuisanceEffect &effect, const std::string &gainUnit)
 {
     CertificateTable table;
     table.id = "nuisance-effect";
@@ -67,14 +69,14 @@ CertificateTable effectTable(const NuisanceEffect &effect)
         {{DYNCAL_TEXT("core", "Undamped frequency"), {}}, true},
         {{DYNCAL_TEXT("core", "Damping ratio"), {}}, true},
         {{DYNCAL_TEXT("core", "Plateau gain"), {}}, true}};
-    table.rows = {sideRow({DYNCAL_TEXT("core", "left in"), {}}, effect.before),
-        sideRow({DYNCAL_TEXT("core", "left out"), {}}, effect.after)};
+    table.rows = {sideRow({DYNCAL_TEXT("core", "left in"), {}}, effect.before, gainUnit),
+        sideRow({DYNCAL_TEXT("core", "left out"), {}}, effect.after, gainUnit)};
     return table;
 }
 
 } // namespace
 
-void addNuisance(const SensorModel &model, CertificateSection &section)
+void addNuisance(const SensorModel &model, const std::string &gainUnit, CertificateSection &section)
 {
     CertificateTable modes = modeTable(model);
     if (modes.rows.empty())
@@ -87,7 +89,7 @@ void addNuisance(const SensorModel &model, CertificateSection &section)
              "counts them."),
             {}});
     if (model.nuisanceEffect)
-        section.tables.push_back(effectTable(*model.nuisanceEffect));
+        section.tables.push_back(effectTable(*model.nuisanceEffect, gainUnit));
 }
 
 void addLeftOut(const ModelInput &input, CertificateSection &section)

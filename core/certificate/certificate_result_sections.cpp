@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/base/rounding.h"
 #include "core/certificate/certificate_sections.h"
-#include "core/certificate/rounding.h"
 
 #include <algorithm>
 #include <cmath>
@@ -200,6 +200,15 @@ std::vector<Message> frequencyRow(const ResponseResult &response, Index i)
         cell(kDegreesPerRadian * valueAt(response.modelPhase_rad, i), uPhase, "\xC2\xB0")};
 }
 
+/// Unit of the responses as analysed, which c0 has; "1" where they are remapped.
+std::string gainUnit(const CertificateSources &sources)
+{
+    if (!sources.window || sources.window->responses.empty())
+        return {};
+    const WindowedResponse &response = sources.window->responses.front();
+    return response.valueScale == response.step ? "1" : response.unit;
+}
+
 } // namespace
 
 CertificateSection resultsSection(const CertificateSources &sources)
@@ -290,7 +299,7 @@ CertificateSection modelSection(const CertificateSources &sources)
                  "core", "The model has a pole outside the unit circle: its simulation diverges."),
                 {}});
     section.tables.push_back(poleTable(model));
-    addNuisance(model, section);
+    addNuisance(model, gainUnit(sources), section);
     if (sources.input)
         addLeftOut(*sources.input, section);
     return section;

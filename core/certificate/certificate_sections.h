@@ -25,8 +25,9 @@ CertificateSection statementsSection(const CertificateSources &sources);
 CertificateSection figuresSection(const CertificateSources &sources);
 
 /// Tables of the modes that were left out of the model, and of what that changed; nothing without
-/// any.
-void addNuisance(const SensorModel &model, CertificateSection &section);
+/// any. `gainUnit` is the unit of the responses as analysed: "1" if remapped, empty if not known.
+void addNuisance(
+    const SensorModel &model, const std::string &gainUnit, CertificateSection &section);
 /// Table of the stretches that were left out of the fit; nothing without any.
 void addLeftOut(const ModelInput &input, CertificateSection &section);
 

@@ -7,6 +7,7 @@
 #include "core/realization/nuisance_modes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 
 namespace dyncal {
@@ -37,12 +38,20 @@ void takeOff(const NuisanceTerm &term, double rate_Hz, Eigen::VectorXd &values)
     }
 }
 
-/// What the model has where nothing is to be believed.
+/// What the model has where nothing is to be believed; the range counts from the detected start.
 void bridgeOver(
-    const SampleRange &range, const SeriesFit &fit, double rate_Hz, Eigen::VectorXd &values)
+    const SampleRange &range, const SeriesFit &fit, double rate_Hz, SensorRecord &record)
 {
-    for (Index i = range.begin; i < std::min(range.end, values.size()); ++i)
-        values[i] = fit.recorded.value(static_cast<double>(i) / rate_Hz);
+    const Index end = std::min(range.end, record.values.size() - record.early);
+    for (Index i = range.begin; i < end; ++i)
+        record.values[i + record.early] = fit.recorded.value(static_cast<double>(i) / rate_Hz);
+}
+
+/// The start is detected a little behind the onset: what the response does in between counts too.
+Index samplesBetween(const WindowedResponse &response, double onset_s)
+{
+    return std::clamp<Index>(
+        static_cast<Index>(std::floor(-onset_s * response.sampleRate_Hz)), 0, response.lead);
 }
 
 /// jw/(jw - s) of Re(amplitude e^(s t)).
@@ -68,14 +77,20 @@ std::complex<double> SensorRecord::ofStep(std::complex<double> transform, double
 SensorRecord sensorRecord(
     const WindowedResponse &response, const SensorModel &model, const SeriesFit *fit)
 {
-    SensorRecord record{response.window(), {}};
+    SensorRecord record{response.window(), 0, {}};
     if (!fit)
         return record;
+    record.early = samplesBetween(response, fit->onset_s);
+    record.values
+        = response.values.segment(response.lead - record.early, response.length + record.early);
     const std::vector<NuisanceTerm> terms = termsOfShot(model, response.shot);
-    for (const NuisanceTerm &term : terms)
+    for (NuisanceTerm term : terms) {
+        term.amplitude *= std::exp(
+            -term.rate_rad_s * (static_cast<double>(record.early) / response.sampleRate_Hz));
         takeOff(term, response.sampleRate_Hz, record.values);
+    }
     for (const SampleRange &range : fit->leftOut)
-        bridgeOver(range, *fit, response.sampleRate_Hz, record.values);
+        bridgeOver(range, *fit, response.sampleRate_Hz, record);
     Eigen::ArrayXcd rates(fit->amplitudes.size());
     for (Index i = 0; i < rates.size(); ++i)
         rates[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;

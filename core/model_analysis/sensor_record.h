@@ -27,7 +27,8 @@ struct SensorRecord
         std::complex<double> pressure;
     };
 
-    Eigen::VectorXd values;
+    Eigen::VectorXd values; ///< from the onset on, at least from the detected start
+    Index early = 0; ///< of them, before the detected start
     std::vector<Driven> driven;
 
     /// Response to the step alone from `transform`, that of `values`: (transform + the modes' part

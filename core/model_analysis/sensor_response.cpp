@@ -30,6 +30,13 @@ struct ShotView
     double plateau = 1.0; ///< c0 of this shot, in the unit of its values
     double perPressure = 1.0; ///< physical units of a value, per pascal if known
     SensorRecord record; ///< the window without the modes that are not the sensor's
+    ExponentialSum step; ///< the model's response of this shot, from the onset on
+
+    double onset_s() const ///< behind the record's first value
+    {
+        return (fit ? fit->onset_s : 0.0)
+            + static_cast<double>(record.early) / response->sampleRate_Hz;
+    }
 };
 
 double inputSpan_s(const ModelInput &input)
@@ -70,6 +77,16 @@ double plateauOf(const SeriesFit &fit, const WindowedResponse &response,
     return fit.plateauGain * stepOf(response) / mean;
 }
 
+/// The model's step response of that shot, from the onset on: it ends at the shot's own c0.
+ExponentialSum modelStep(const SensorModel &model, const SeriesFit &fit, double plateau)
+{
+    const double share = fit.plateauGain != 0.0 ? plateau / fit.plateauGain : 1.0;
+    ExponentialSum step{plateau, Eigen::VectorXcd(fit.amplitudes.size()), share * fit.amplitudes};
+    for (Index i = 0; i < step.rates_rad_s.size(); ++i)
+        step.rates_rad_s[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;
+    return step;
+}
+
 std::vector<ShotView> views(const std::vector<WindowedResponse> &responses,
     const SensorModel &model, const ShockConditionsSet &shock, const ResponseSettings &settings,
     bool &isAbsolute)
@@ -82,10 +99,12 @@ std::vector<ShotView> views(const std::vector<WindowedResponse> &responses,
     }
     isAbsolute = isAbsolute && shareOneUnit(responses);
     for (const WindowedResponse &response : responses) {
-        ShotView view{&response, fitOfShot(model, response.shot), 1.0, 1.0, {}};
+        ShotView view{&response, fitOfShot(model, response.shot), 1.0, 1.0, {}, {}};
         view.record = sensorRecord(response, model, view.fit);
-        if (view.fit)
+        if (view.fit) {
             view.plateau = plateauOf(*view.fit, response, responses);
+            view.step = modelStep(model, *view.fit, view.plateau);
+        }
         if (isAbsolute)
             view.perPressure = response.valueScale / *shock.ofShot(response.shot)->step_Pa;
         else if (view.plateau != 0.0)
@@ -122,9 +141,12 @@ Point measuredAt(const std::vector<ShotView> &shots, double span_s, double frequ
     double variance = 0.0;
     for (const ShotView &shot : shots) {
         const WindowedResponse &response = *shot.response;
-        const Index count = samplesUsed(response, span_s, frequency_Hz);
-        const std::complex<double> transform = stepTransform(shot.record.values.head(count),
-            response.sampleRate_Hz, shot.plateau, shot.fit ? shot.fit->onset_s : 0.0, frequency_Hz);
+        const Index count = samplesUsed(response, span_s, frequency_Hz) + shot.record.early;
+        std::complex<double> transform = stepTransform(shot.record.values.head(count),
+            response.sampleRate_Hz, shot.plateau, shot.onset_s(), frequency_Hz);
+        if (shot.fit)
+            transform -= stepTransformError(
+                shot.step, count, response.sampleRate_Hz, shot.onset_s(), frequency_Hz);
         mean.S += shot.perPressure * shot.record.ofStep(transform, frequency_Hz);
         const double u = std::abs(shot.perPressure)
             * std::hypot(stepTransformNoise(count, response.sampleRate_Hz,

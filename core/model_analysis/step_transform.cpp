@@ -65,6 +65,34 @@ std::complex<double> stepTransform(const Eigen::Ref<const Eigen::VectorXd> &y, d
     return D * sampledStepCorrection(x) * std::polar(1.0, w * onset_s);
 }
 
+std::complex<double> stepTransformError(
+    const ExponentialSum &sum, Index samples, double rate_Hz, double onset_s, double frequency_Hz)
+{
+    if (frequency_Hz == 0.0)
+        return 0.0; // the plateau, which every step response reaches
+    const std::complex<double> jw(0.0, 2.0 * std::numbers::pi * frequency_Hz);
+    const double first
+        = std::clamp(std::ceil(onset_s * rate_Hz - 1e-9), 0.0, static_cast<double>(samples));
+    const double end = static_cast<double>(samples);
+    // Sum over the samples from the onset on of e^(s (t - onset)) e^(-jwt).
+    const auto spectrum = [&](std::complex<double> s) {
+        const std::complex<double> perSample = (s - jw) / rate_Hz;
+        return std::exp(-s * onset_s) * (std::exp(perSample * first) - std::exp(perSample * end))
+            / (1.0 - std::exp(perSample));
+    };
+    std::complex<double> Y = sum.constant * spectrum(0.0);
+    std::complex<double> G = sum.constant;
+    for (Index i = 0; i < sum.rates_rad_s.size(); ++i) {
+        const std::complex<double> s = sum.rates_rad_s[i];
+        Y += sum.amplitudes[i] * spectrum(s);
+        G += sum.amplitudes[i] * jw / (jw - s);
+    }
+    const double x = jw.imag() / rate_Hz;
+    const std::complex<double> D
+        = (1.0 - std::polar(1.0, -x)) * Y + sum.constant * std::polar(1.0, -x * end);
+    return D * sampledStepCorrection(x) * std::exp(jw * onset_s) - G;
+}
+
 double stepTransformNoise(Index samples, double rate_Hz, double noiseSd, double frequency_Hz)
 {
     const double x = 2.0 * std::numbers::pi * frequency_Hz / rate_Hz;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/index.h"
+#include "core/realization/exponential_sum.h"
 
 #include <Eigen/Core>
 
@@ -18,6 +19,13 @@ namespace dyncal {
 /// aliasing and truncation.
 std::complex<double> stepTransform(const Eigen::Ref<const Eigen::VectorXd> &y, double rate_Hz,
     double endLevel, double onset_s, double frequency_Hz);
+
+/// What stepTransform() gives of this step response (`sum` from the onset on, 0 before; `onset_s`
+/// in the record), sampled `samples` times and continued by its constant, less its true response
+/// G(f) = c0 + sum c_i jw/(jw - s_i): aliasing, and what the end cuts off; in closed form
+/// (docs/method/response.md).
+std::complex<double> stepTransformError(
+    const ExponentialSum &sum, Index samples, double rate_Hz, double onset_s, double frequency_Hz);
 
 /// Standard deviation of Re S and of Im S from white noise of standard deviation `noiseSd` in y.
 double stepTransformNoise(Index samples, double rate_Hz, double noiseSd, double frequency_Hz);

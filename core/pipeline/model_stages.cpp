@@ -5,6 +5,7 @@
 
 #include "core/pipeline/nuisance_stage.h"
 #include "core/pipeline/shock_stage.h"
+#include "core/pipeline/tube_mode_poles.h"
 
 namespace dyncal {
 
@@ -16,8 +17,14 @@ Index orderOf(const CalibrationResults &results, const Recipe &recipe)
 Result<SensorModel> modelStage(
     const CalibrationResults &results, const Recipe &recipe, Index order, const JobControl &control)
 {
-    return fitModel(*results.input, results.decomposition->hankel, order, recipe.realization,
-        sensorSpectrum(results, recipe), control);
+    const SpectrumResult spectrum = sensorSpectrum(results, recipe);
+    auto model = fitModel(*results.input, results.decomposition->hankel, order, recipe.realization,
+        spectrum, control);
+    if (model) {
+        const ShockConditionsSet &shock = results.expected->conditions;
+        judgeTubeModes(followPeaks(spectrum, *results.window, shock), shock, *model);
+    }
+    return model;
 }
 
 Result<ShockConditionsSet> shockOfModel(

@@ -4,6 +4,7 @@
 #include "core/pipeline/shock_stage.h"
 
 #include "core/base/number_text.h"
+#include "core/project/nearest_word.h"
 #include "core/shock/channel_order.h"
 #include "core/shock/reading_check.h"
 
@@ -81,12 +82,22 @@ Finding movingPeak(const FollowedPeak &peak)
         frequencies += (frequencies.empty() ? "" : "/") + numberWithUnit(p.frequency_Hz, "Hz", 3);
     Finding finding;
     finding.id = "SPC-005";
-    finding.message
-        = {DYNCAL_TEXT("core",
-               "Peak %1 follows the sound speed of the gas (slope %2, u %3): tube mode, "
-               "not the sensor. Nearest: %4."),
-            {frequencies, numberText(peak.test.slope, 3), numberText(peak.test.u_slope, 2),
-                peak.candidate.empty() ? "-" : peak.candidate}};
+    std::vector<std::string> words{
+        frequencies, numberText(peak.test.slope, 2), numberText(peak.test.u_slope, 2)};
+    if (peak.candidate.empty()) {
+        finding.message
+            = {DYNCAL_TEXT("core",
+                   "Peak %1 follows the sound speed of the gas (slope %2, u %3; of a sensor 0): a "
+                   "tube mode, to be left out of the model."),
+                words};
+    } else {
+        words.push_back(peak.candidate);
+        finding.message
+            = {DYNCAL_TEXT("core",
+                   "Peak %1 follows the sound speed of the gas (slope %2, u %3; of a sensor 0): a "
+                   "tube mode, to be left out of the model. The nearest computed is %4."),
+                words};
+    }
     finding.value = peak.test.slope;
     finding.limit = 1.0;
     return finding;
@@ -110,6 +121,22 @@ UncertaintyRequest requestOf(const UncertaintySettings &settings)
         request.stated.push_back(
             {entry.quantity, entry.u, distributionCalled(entry.distribution), entry.dof});
     return request;
+}
+
+/// A name that is misspelt must not leave the usual uncertainty in its place without a word.
+Findings unknownQuantities(const std::vector<BudgetEntry> &budget)
+{
+    Findings findings;
+    for (const BudgetEntry &entry : budget) {
+        if (std::ranges::find(statedQuantities(), entry.quantity) == statedQuantities().end())
+            findings.push_back({"SHK-013", Severity::Caution, 0, {}, {},
+                {DYNCAL_TEXT("core",
+                     "The uncertainty of '%1' in uncertainty.budget is used for nothing; the "
+                     "nearest quantity that counts is '%2'."),
+                    {entry.quantity, nearestKey(entry.quantity, statedQuantities())}},
+                {}, {}});
+    }
+    return findings;
 }
 
 /// When the DUTs felt the shock, as far as it can be known before the window is cut.
@@ -216,6 +243,8 @@ Result<ShockConditionsSet> shockStage(const CaptureSet &set, const ShockConditio
         return shock;
     const Findings misread = checkReadings(window.responses, *shock, recipe.checks);
     shock->findings.insert(shock->findings.end(), misread.begin(), misread.end());
+    const Findings unknown = unknownQuantities(recipe.uncertainty.budget);
+    shock->findings.insert(shock->findings.end(), unknown.begin(), unknown.end());
     shock->followedPeaks = followPeaks(spectrum, window, *shock);
     for (const FollowedPeak &peak : shock->followedPeaks) {
         if (peak.test.followsGas)

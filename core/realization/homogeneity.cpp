@@ -177,11 +177,15 @@ double disagreement(const std::vector<PartFit> &fits, Index pole, Index size, In
     Eigen::VectorXd weighted = Eigen::VectorXd::Zero(size);
     double squares = 0.0;
     Index shots = 0;
+    std::complex<double> first; // differences from it: the squares of the rates themselves would
+                                // cancel to nothing where the noise is small
     for (const PartFit &fit : fits) {
         if (!fit.has(pole))
             continue;
         const Index at = fit.at(pole);
-        const std::complex<double> s = fit.refinement->rates_rad_s[static_cast<std::size_t>(at)];
+        const std::complex<double> rate = fit.refinement->rates_rad_s[static_cast<std::size_t>(at)];
+        first = shots == 0 ? rate : first;
+        const std::complex<double> s = rate - first;
         const Eigen::VectorXd theta = Eigen::Vector2d(s.real(), s.imag()).head(size);
         const Eigen::MatrixXd V = fit.refinement->covariance.block(at, at, size, size);
         const Eigen::LDLT<Eigen::MatrixXd> solver(V);
@@ -257,11 +261,13 @@ struct PoleTest
 };
 
 /// A pole that rings in one shot and is missing in another, where it would ring ten times above
-/// what stands out if the shots had one shape. The statistic: what is missing, as energy over
-/// noise.
+/// what stands out if the shots had one shape: it does not stand out there, or holds a thousandth
+/// of that energy (what is left of fitting poles that are not quite that shot's). The statistic:
+/// what is missing, as energy over noise.
 double missing(const ModelInput &input, const ModelDraft &draft, Index pole)
 {
     constexpr double kClear = 10.0;
+    constexpr double kTrace = 1e-3;
     const auto clarity = [&](std::size_t r) { // of the step
         return std::pow(draft.series[r].constant / input.series[r].noiseSd, 2);
     };
@@ -274,7 +280,8 @@ double missing(const ModelInput &input, const ModelDraft &draft, Index pole)
     for (std::size_t r = 0; r < input.series.size(); ++r) {
         const double expected = largest * clarity(r);
         const double found = energyOf(input, draft, r, pole);
-        if (found <= kStandsOut && expected > kClear * kStandsOut && std::isfinite(expected))
+        const bool isAbsent = found <= std::max(kStandsOut, kTrace * expected);
+        if (isAbsent && expected > kClear * kStandsOut && std::isfinite(expected))
             statistic = std::max(statistic, std::pow(std::sqrt(expected) - std::sqrt(found), 2));
     }
     return statistic;

@@ -35,7 +35,7 @@ void flagAgain(SensorModel &model)
 {
     for (Pole &pole : model.poles)
         std::erase_if(pole.flags, [](const std::string &flag) {
-            return flag != kBelowNoiseFlag && flag != kShotsDisagreeFlag;
+            return flag != kBelowNoiseFlag && flag != kShotsDisagreeFlag && flag != kTubeModeFlag;
         });
     flagPoles(model);
 }

@@ -21,7 +21,12 @@ struct Source
     Index length = 0;
     double rate_Hz = 0.0;
     Eigen::VectorXd noise;
+    double leastNoiseSd = 0.0; ///< of rounding, at the record's rate
+    double roundingSd = 0.0; ///< of it what averaging leaves
 };
+
+/// What is less than this share of the largest value is rounding of the arithmetic.
+constexpr double kArithmetic = 1e-11;
 
 double standardDeviation(const Eigen::VectorXd &values)
 {
@@ -50,6 +55,37 @@ Eigen::VectorXd averageNoise(const std::vector<WindowedResponse> &responses, dou
     return count ? Eigen::VectorXd(sum / static_cast<double>(count)) : sum;
 }
 
+/// Of the errors that rounding makes in a record, in the unit of its values.
+struct Rounding
+{
+    double sd = 0.0;
+    double lastingSd = 0.0; ///< of what averaging does not remove
+};
+
+/// Unknown like the noise where there is no quiet stretch.
+Rounding roundingOf(const WindowedResponse &response)
+{
+    if (response.noise.size() < 2)
+        return {};
+    const double resolution = std::abs(response.resolution / response.valueScale);
+    const double arithmetic = kArithmetic * response.window().cwiseAbs().maxCoeff();
+    return {std::max(resolution / std::sqrt(12.0), arithmetic),
+        std::max(response.roundingSd, arithmetic)};
+}
+
+/// Of the average: the shots are rounded apart from each other.
+Rounding averageRounding(const std::vector<WindowedResponse> &responses)
+{
+    Rounding squares;
+    for (const WindowedResponse &response : responses) {
+        const Rounding one = roundingOf(response);
+        squares.sd += one.sd * one.sd;
+        squares.lastingSd += one.lastingSd * one.lastingSd;
+    }
+    const double count = static_cast<double>(responses.size());
+    return {std::sqrt(squares.sd) / count, std::sqrt(squares.lastingSd) / count};
+}
+
 std::vector<Source> sources(const std::vector<WindowedResponse> &responses,
     const ComponentResult &components, CombineMethod combine)
 {
@@ -57,11 +93,15 @@ std::vector<Source> sources(const std::vector<WindowedResponse> &responses,
     if (combine == CombineMethod::PcaAverage) {
         list.push_back({0, components.average, 0, components.average.size(),
             components.sampleRate_Hz, averageNoise(responses, components.sampleRate_Hz)});
+        const Rounding rounding = averageRounding(responses);
+        list.back().leastNoiseSd = rounding.sd;
+        list.back().roundingSd = rounding.lastingSd;
         return list;
     }
     for (const WindowedResponse &response : responses) {
+        const Rounding rounding = roundingOf(response);
         list.push_back({response.shot, response.values, response.lead, response.length,
-            response.sampleRate_Hz, response.noise});
+            response.sampleRate_Hz, response.noise, rounding.sd, rounding.lastingSd});
     }
     return list;
 }
@@ -117,6 +157,23 @@ double uncertaintyOfMean(const NoiseCovariance &noise)
         / std::abs(1.0 + model.coefficients.sum());
 }
 
+/// What the errors of rounding are like in a response of so many samples, which the record before
+/// the start does not tell: from sample to sample another one where it moves, one and the same for
+/// long where it comes to rest (docs/method/order.md).
+NoiseCovariance withRounding(
+    const NoiseCovariance &noise, double leastSd, double lastingSd, Index samples)
+{
+    constexpr double kShareAlike = 0.1; // of the response, in which these errors are alike
+    NoiseCovariance result = noise;
+    if (noise.count == 0)
+        return result;
+    const double length = kShareAlike * static_cast<double>(samples);
+    for (Index lag = 0; lag < result.values.size(); ++lag)
+        result.values[lag] = lastingSd * lastingSd * std::exp(-static_cast<double>(lag) / length);
+    result.values[0] += std::max(noise.values[0], leastSd * leastSd);
+    return result;
+}
+
 struct Cut
 {
     double offset_s = 0.0;
@@ -132,16 +189,21 @@ ModelSeries makeSeries(
     series.y = decimate(source.values, filter, first, cut.samples);
     series.first_s = static_cast<double>(first - source.lead) / source.rate_Hz;
     series.noise = filteredNoise(source, filter);
-    series.fullRateNoiseSd = standardDeviation(source.noise);
+    series.fullRateNoiseSd = std::max(standardDeviation(source.noise), source.leastNoiseSd);
     series.fullRateNoise = noiseCovariance(source.noise, kLargestNoiseModelOrder);
-    series.u_baseline = uncertaintyOfMean(series.fullRateNoise);
-    series.noiseSd = series.noise.size() ? standardDeviation(series.noise)
-                                         : series.fullRateNoiseSd * filter.taps.norm();
+    series.roundingSd = source.roundingSd;
+    series.u_baseline = std::hypot(uncertaintyOfMean(series.fullRateNoise), series.roundingSd);
+    series.noiseSd = std::hypot(series.noise.size() ? standardDeviation(series.noise)
+                                                    : series.fullRateNoiseSd * filter.taps.norm(),
+        series.roundingSd);
     const Index last = first
         + static_cast<Index>(
             std::floor(static_cast<double>(cut.samples - 1) * filter.factor + 1e-9));
     series.fullRate = source.values.segment(source.lead, last - source.lead + 1);
     series.fullRate_Hz = source.rate_Hz;
+    if (roundingCounts(series))
+        series.fullRateNoise = withRounding(
+            series.fullRateNoise, source.leastNoiseSd, source.roundingSd, series.fullRate.size());
     return series;
 }
 
@@ -178,6 +240,12 @@ Message tooFewSamples(Index shot, Index found, Index needed)
 constexpr Index kFewestSamples = 12; ///< a Hankel matrix of 5 rows
 
 } // namespace
+
+bool roundingCounts(const ModelSeries &series)
+{
+    constexpr double kShare = 0.1; // of the noise
+    return series.roundingSd > kShare * series.noiseSd;
+}
 
 Result<ModelInput> prepareModelInput(const std::vector<WindowedResponse> &responses,
     const SpectrumResult &spectrum, const ComponentResult &components,

@@ -37,12 +37,14 @@ struct ModelSeries
     Eigen::VectorXd y; ///< at the model rate
     double first_s = 0.0; ///< time of y[0] relative to the detected start
     Eigen::VectorXd noise; ///< pre-trigger noise through the same filter, at the model rate
-    double noiseSd = 0.0; ///< of `noise`
+    double noiseSd = 0.0; ///< of `noise`, with what rounding leaves; 0 = not known
+    double roundingSd = 0.0; ///< of what rounding adds to y and averaging does not remove: far
+                             ///< below the noise as a rule (docs/method/order.md)
     AntiAliasFilter filter; ///< identity when nothing was reduced
     /// The same stretch at the shot's own rate, from the start on: what the refinement works on.
     Eigen::VectorXd fullRate;
     double fullRate_Hz = 0.0;
-    double fullRateNoiseSd = 0.0;
+    double fullRateNoiseSd = 0.0; ///< at least that of rounding; 0 = not known
     ShotLevel level = ShotLevel::None;
     double step = 0.0; ///< of the shot, in the unit of its recording; 0 for the average
     NoiseCovariance fullRateNoise = {}; ///< of the pre-trigger noise at the shot's own rate
@@ -54,6 +56,10 @@ struct ModelSeries
     std::vector<LeftOut> leftOut = {}; ///< in order and apart
     Eigen::VectorXd correction = {}; ///< added to y it leaves the sensor alone; empty = none
 };
+
+/// Whether errors of rounding show beside the noise (more than a tenth of it): what the record
+/// before the start says of the noise does not hold for the response then.
+bool roundingCounts(const ModelSeries &series);
 
 struct ModelInput
 {

@@ -38,7 +38,8 @@ SpectrumResult withoutNuisancePeaks(const SpectrumResult &spectrum,
 /// that are left out take no part and are bridged by what was fitted. Findings:
 /// NUI-001 (fewer than two periods in the window), NUI-002 (too near a resonance of the sensor, or
 /// not representable), NUI-003 (not there in a shot), NUI-004 (averaged shots have no modes of
-/// their own); such modes stay in. Only for step treatments and free decays of stacked shots.
+/// their own), NUI-005 (no frequency for a shot); such modes stay in. Only for step treatments and
+/// free decays of stacked shots.
 void separateNuisance(ModelInput &input, const std::vector<WindowedResponse> &responses,
     const std::vector<NuisanceMode> &modes,
     const std::vector<std::optional<double>> &soundSpeeds_m_s, const JobControl &control = {});

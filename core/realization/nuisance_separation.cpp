@@ -331,6 +331,41 @@ double takeFit(ModelInput &input, const Refinement &fit)
     return change;
 }
 
+/// A mode given for some of the shots only.
+void judgeShotsGiven(const NuisanceMode &mode, ModelInput &input)
+{
+    const auto given = std::ssize(mode.frequency_Hz);
+    for (const ModelSeries &series : input.series) {
+        if (given < 2 || series.shot <= given)
+            continue;
+        input.findings.push_back(about("NUI-005", Severity::Caution, series.shot,
+            {DYNCAL_TEXT("core",
+                 "Shot %1: the mode %2 has a frequency for the shots 1 to %3 only; it stays in the "
+                 "response of this one."),
+                {std::to_string(series.shot), nameOf(mode, mode.frequency_Hz.front()),
+                    std::to_string(given)}},
+            static_cast<double>(given), static_cast<double>(series.shot)));
+    }
+}
+
+/// A tube mode whose frequency cannot be carried from the shot where it was read to the others.
+void judgeShotOfReading(const NuisanceMode &mode, ModelInput &input)
+{
+    const std::vector<std::optional<double>> &speeds = input.soundSpeeds_m_s;
+    if (!mode.isTube || mode.frequency_Hz.size() != 1 || mode.shot < 1
+        || std::ranges::none_of(speeds, [](const auto &speed) { return speed.has_value(); }))
+        return;
+    if (mode.shot <= std::ssize(speeds) && speeds[static_cast<std::size_t>(mode.shot - 1)])
+        return;
+    input.findings.push_back(about("NUI-005", Severity::Caution, 0,
+        {DYNCAL_TEXT("core",
+             "The mode %1 was read in shot %2, of which no sound speed is known: it is looked for "
+             "at that frequency in every shot. Read it in another shot, or give one frequency per "
+             "shot."),
+            {nameOf(mode, mode.frequency_Hz.front()), std::to_string(mode.shot)}},
+        static_cast<double>(mode.shot), {}));
+}
+
 /// The modes of every series, as far as they can be found in its tail.
 void searchAll(ModelInput &input, const std::vector<WindowedResponse> &responses)
 {
@@ -342,6 +377,10 @@ void searchAll(ModelInput &input, const std::vector<WindowedResponse> &responses
                 {}},
             {}, {}));
         return;
+    }
+    for (const NuisanceMode &mode : input.nuisanceModes) {
+        judgeShotsGiven(mode, input);
+        judgeShotOfReading(mode, input);
     }
     for (ModelSeries &series : input.series) {
         const WindowedResponse *response = responseOf(responses, series.shot);

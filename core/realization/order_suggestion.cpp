@@ -24,10 +24,27 @@ struct WhitenedInput
 {
     ModelInput input;
     bool isOther = false;
+    std::vector<double> floors = {}; ///< mean square per series below which nothing is information
 };
+
+/// Errors of rounding that the noise does not break up have no colour that the record before the
+/// start could tell: the response as it is, and no residual counts below the noise and the largest
+/// such error, which has three times the mean square of all.
+std::optional<WhitenedInput> roundedInput(const ModelInput &input)
+{
+    if (std::none_of(input.series.begin(), input.series.end(), roundingCounts))
+        return std::nullopt;
+    WhitenedInput result{input};
+    for (const ModelSeries &series : input.series)
+        result.floors.push_back(
+            series.noiseSd * series.noiseSd + 2.0 * series.roundingSd * series.roundingSd);
+    return result;
+}
 
 WhitenedInput whitenedInput(const ModelInput &input)
 {
+    if (auto rounded = roundedInput(input))
+        return std::move(*rounded);
     WhitenedInput result;
     result.input.treatment = input.treatment;
     result.input.sampleRate_Hz = input.sampleRate_Hz;
@@ -51,6 +68,7 @@ WhitenedInput whitenedInput(const ModelInput &input)
         series.noiseSd = std::sqrt(models[i].innovationVariance);
         series.noise.resize(0); // nobody asks for the noise floor of this decomposition
     }
+    result.floors.assign(models.size(), 0.0);
     result.input.samples = result.input.series.front().y.size();
     result.isOther = result.isOther || models.front().order() > 0;
     return result;
@@ -69,18 +87,19 @@ std::optional<HankelDecomposition> decomposeAnew(
     return hankel ? std::optional(std::move(*hankel)) : std::nullopt;
 }
 
-double bicOf(const std::vector<ModelSeries> &series, const std::vector<std::complex<double>> &poles,
+double bicOf(const WhitenedInput &whitened, const std::vector<std::complex<double>> &poles,
     bool withConstant)
 {
+    const std::vector<ModelSeries> &series = whitened.input.series;
     double bic = 0.0;
     double samples = 0.0;
-    for (const ModelSeries &one : series) {
-        const Eigen::VectorXd &y = one.y;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        const Eigen::VectorXd &y = series[i].y;
         const double n = static_cast<double>(y.size());
         const double floor = kRoundingFloor * y.cwiseAbs().maxCoeff();
         const double meanSquare
             = (y - fitAmplitudes(y, poles, withConstant).fitted).squaredNorm() / n;
-        bic += n * std::log(std::max(meanSquare, floor * floor));
+        bic += n * std::log(std::max({meanSquare, floor * floor, whitened.floors[i]}));
         samples += n;
     }
     const double perSeries = static_cast<double>(poles.size()) + (withConstant ? 1.0 : 0.0);
@@ -113,7 +132,6 @@ OrderSuggestion suggestOrder(
     const WhitenedInput whitened = whitenedInput(input);
     const std::optional<HankelDecomposition> anew = decomposeAnew(whitened, control);
     const HankelDecomposition &realized = anew ? *anew : decomposition;
-    const std::vector<ModelSeries> &series = whitened.input.series;
     const Index highest
         = std::min({kHighestTried, largestOrder(realized), whitened.input.samples / 4});
 
@@ -123,7 +141,7 @@ OrderSuggestion suggestOrder(
     OrderSuggestion suggestion;
     suggestion.bic.setZero(std::max<Index>(highest, 1));
     for (Index n = 1; n <= suggestion.bic.size() && !control.stopRequested(); ++n)
-        suggestion.bic[n - 1] = bicOf(series, realizedPoles(realized, n), withConstant);
+        suggestion.bic[n - 1] = bicOf(whitened, realizedPoles(realized, n), withConstant);
     Index best = 0;
     suggestion.bic.minCoeff(&best);
     suggestion.order = best + 1;

@@ -4,9 +4,11 @@
 #include "core/realization/order_words.h"
 
 #include "core/base/number_text.h"
+#include "core/base/rounding.h"
 #include "core/realization/model_findings.h"
 
 #include <cmath>
+#include <string_view>
 
 namespace dyncal {
 namespace {
@@ -14,12 +16,6 @@ namespace {
 constexpr double kEnough = 0.98; ///< of the attainable FIT
 constexpr double kNoiseLimit_percent = 10.0; ///< attainable FIT below which it says nothing
 constexpr std::size_t kMostPoles = 3;
-
-/// The spread in percent with its sign, in as many digits as it is worth.
-std::string spreadText(double part, double whole)
-{
-    return "\xC2\xB1" + numberText(100.0 * part / std::abs(whole), 2);
-}
 
 /// One decimal, as FIT is shown everywhere.
 std::string fitText(double percent)
@@ -48,16 +44,23 @@ Message aboutPair(const HankelDecomposition &decomposition, Index n)
     return {DYNCAL_TEXT("core", "Order %1 splits no oscillating pair."), {std::to_string(n)}};
 }
 
+/// "2.33000 MHz ± 0.00013 MHz".
+std::string withSpread(double value, double spread, std::string_view unit)
+{
+    const RoundedValue rounded = roundedValue(value, spread, unit);
+    const std::string tail = rounded.unit.empty() ? "" : " " + rounded.unit;
+    return rounded.value + tail + (rounded.u.empty() ? "" : " \xC2\xB1 " + rounded.u + tail);
+}
+
 Message aboutPole(const OrderSpread &spread)
 {
-    return {DYNCAL_TEXT("core",
-                "The pole at %1 is stable from order %2 to %3; over these its frequency varies by "
-                "%4 % and its damping ratio %5 by %6 %."),
-        {numberWithUnit(spread.frequency_Hz, "Hz", 4), std::to_string(spread.fromOrder),
-            std::to_string(spread.toOrder),
-            spreadText(spread.frequencySpread_Hz, spread.frequency_Hz),
-            numberText(spread.dampingRatio, 3),
-            spreadText(spread.dampingSpread, spread.dampingRatio)}};
+    return {
+        DYNCAL_TEXT("core",
+            "The pole at %1 with damping ratio %2 is stable from order %3 to %4; the ranges are "
+            "those over these orders."),
+        {withSpread(spread.frequency_Hz, spread.frequencySpread_Hz, "Hz"),
+            withSpread(spread.dampingRatio, spread.dampingSpread, ""),
+            std::to_string(spread.fromOrder), std::to_string(spread.toOrder)}};
 }
 
 /// Poles of the suggested order that stand out of the noise and that the next orders keep.

@@ -23,7 +23,7 @@ constexpr double kRiseTimes = 20.0;
 bool keepsResponse(double rate_Hz, Index factor, const SensorTraits &traits)
 {
     const double reduced_Hz = rate_Hz / static_cast<double>(factor);
-    const double span_s = designAntiAliasFilter(static_cast<double>(factor), rate_Hz).span_s();
+    const double span_s = antiAliasSpan_s(static_cast<double>(factor), rate_Hz);
     if (traits.resonance_Hz)
         return reduced_Hz >= kFewestPerPeriod * *traits.resonance_Hz
             && span_s <= traits.ringTime_s.value_or(0.0);
@@ -62,7 +62,8 @@ Index chooseReduction(double rate_Hz, const SensorTraits &traits)
 {
     static constexpr std::array<Index, 3> kSteps{1, 2, 5};
     Index chosen = 1;
-    for (Index decade = 1; decade <= 100000; decade *= 10) {
+    constexpr Index kBeyondAnyRecord = 1000000000000;
+    for (Index decade = 1; decade < kBeyondAnyRecord; decade *= 10) {
         for (const Index step : kSteps) {
             const Index factor = step * decade;
             if (factor > 1 && !keepsResponse(rate_Hz, factor, traits))
@@ -82,7 +83,7 @@ Index chooseSamples(double rate_Hz, const SensorTraits &traits)
         span_s = kRiseTimes * *traits.riseTime_s;
     else
         return 1000;
-    return std::clamp<Index>(static_cast<Index>(std::ceil(span_s * rate_Hz)), 200, 1000);
+    return static_cast<Index>(std::clamp(std::ceil(span_s * rate_Hz), 200.0, 1000.0));
 }
 
 Result<Findings> judgeRate(double rate_Hz, const SensorTraits &traits)

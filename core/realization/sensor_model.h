@@ -29,6 +29,7 @@ const char *poleClassName(PoleClass poleClass); ///< "sensor", "step", ...
 
 inline constexpr const char *kBelowNoiseFlag = "below-noise";
 inline constexpr const char *kShotsDisagreeFlag = "shots-disagree";
+inline constexpr const char *kTubeModeFlag = "tube-mode"; ///< where the gas of the tube may ring
 
 inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 

@@ -4,7 +4,6 @@
 #include "core/realization/state_space_model.h"
 
 #include "core/base/svd.h"
-#include "core/realization/exponential_sum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +23,9 @@ StateSpaceModel modalStateSpace(const std::vector<std::complex<double>> &poles,
     for (Index i = 0; i < n; ++i) {
         const std::complex<double> p = poles[static_cast<std::size_t>(i)];
         const double gain = std::sqrt(std::abs(residues[i]));
-        if (isUpperOfPair(poles, static_cast<std::size_t>(i))) {
+        // A resonance above the Nyquist frequency, which the refinement finds at the record's own
+        // rate, is folded: the upper half of its pair in s is the lower one in z.
+        if (p.imag() != 0.0) {
             // C (zI - A)^-1 B = 2 Re-form of r/(z-p) + r*/(z-p*), inputs and outputs balanced.
             model.A.block(i, i, 2, 2) << p.real(), p.imag(), -p.imag(), p.real();
             const std::complex<double> output = gain > 0.0 ? residues[i] / gain : 0.0;
@@ -61,25 +62,24 @@ std::vector<std::complex<double>> transmissionZeros(const StateSpaceModel &model
     const Index n = model.order();
     if (n == 0)
         return {};
-    const double scale = impulseResponse(model, 2 * n + 2).cwiseAbs().maxCoeff();
-    const double D = model.D(0, 0);
-    const double CB = (model.C * model.B)(0, 0);
-    Eigen::VectorXcd candidates;
-    if (std::abs(D) > kNegligible * scale)
-        candidates = eigenvalues(model.A - model.B * model.C / D);
-    else if (std::abs(CB) > kNegligible * scale)
-        candidates = eigenvalues(model.A - model.B * (model.C * model.A) / CB);
-    else
+    const Eigen::VectorXd h = impulseResponse(model, 2 * n + 2);
+    const double scale = h.cwiseAbs().maxCoeff();
+    // The first value that is not 0 is h_d = C A^(d-1) B: d samples of delay.
+    Index delay = 0;
+    while (delay < n && !(std::abs(h[delay]) > kNegligible * scale))
+        ++delay;
+    if (!(std::abs(h[delay]) > kNegligible * scale))
         return {};
-    std::vector<std::complex<double>> zeros;
-    // Without feedthrough the matrix has one eigenvalue at 0 (up to rounding) that is no zero.
-    Index skip = -1;
-    if (std::abs(D) <= kNegligible * scale)
-        candidates.cwiseAbs().minCoeff(&skip);
-    for (Index i = 0; i < candidates.size(); ++i) {
-        if (i != skip && std::abs(candidates[i]) < kFarAway)
-            zeros.push_back(candidates[i]);
-    }
+    Eigen::MatrixXd output = model.C;
+    for (Index k = 0; k < delay; ++k)
+        output = (output * model.A).eval();
+    const Eigen::VectorXcd found = eigenvalues(model.A - model.B * output / h[delay]);
+    std::vector<std::complex<double>> zeros(found.begin(), found.end());
+    // One eigenvalue at 0 (up to rounding) for every sample of delay is no zero.
+    std::sort(zeros.begin(), zeros.end(),
+        [](const auto &a, const auto &b) { return std::abs(a) < std::abs(b); });
+    zeros.erase(zeros.begin(), zeros.begin() + delay);
+    std::erase_if(zeros, [](const std::complex<double> &z) { return !(std::abs(z) < kFarAway); });
     std::sort(zeros.begin(), zeros.end(), [](const auto &a, const auto &b) {
         return a.real() != b.real() ? a.real() < b.real() : a.imag() > b.imag();
     });

@@ -24,7 +24,8 @@ struct StateSpaceModel
     Index order() const { return A.rows(); }
 };
 
-/// Real block-diagonal realisation of D + sum r_i / (z - p_i); poles paired as by pairedPoles().
+/// Real block-diagonal realisation of D + sum r_i / (z - p_i); conjugates stand side
+/// by side, lone poles are real.
 StateSpaceModel modalStateSpace(const std::vector<std::complex<double>> &poles,
     const Eigen::VectorXcd &residues, double feedthrough, double sampleInterval_s);
 

@@ -82,4 +82,9 @@ Result<GasModel> gasModel(const GasSettings &settings, const SectionState &state
 Result<ShockStates> shockStatesOf(
     const GasModel &gas, double p1_Pa, double T1_K, double velocity_m_s);
 
+/// Velocity of the shock behind which the pressure is p2: shockStatesOf() turned round, to
+/// rounding. Fails as that does, and (DataBlocked, SHK-001) where p2 does not exceed p1.
+Result<double> velocityOfShockedPressure_m_s(
+    const GasModel &gas, double p1_Pa, double T1_K, double p2_Pa);
+
 } // namespace dyncal

@@ -150,9 +150,8 @@ Result<double> velocityFromPressure(const ShockWork &work, double p1_Pa, double 
     const ShockSettings &settings = work.settings;
     const Gas &gas = work.conditions.drivenGas->constants;
     if (settings.stateFrom == "p2")
-        return machOfPressureRatio(gas, settings.p2_Pa.value_or(0.0) / p1_Pa).map([&](double mach) {
-            return mach * soundSpeed_m_s(gas, T1_K);
-        });
+        return velocityOfShockedPressure_m_s(
+            *work.conditions.drivenGas, p1_Pa, T1_K, settings.p2_Pa.value_or(0.0));
     const double T4_K = firstKnown(settings.T4_K, work.shot.environment.T4_K).value_or(T1_K);
     const auto driver = driverModel(settings.driverGas, T4_K);
     if (!driver)

@@ -267,6 +267,14 @@ private:
 
 } // namespace
 
+const std::vector<std::string> &statedQuantities()
+{
+    static const std::vector<std::string> names{"p1_pa", "t1_k", "gamma", "molar_mass_kg_mol",
+        "relative_humidity", "carbon_dioxide_fraction", "velocity_m_s", "distance_m", "arrival_s",
+        "delay_s", "step_relative"};
+    return names;
+}
+
 std::optional<double> StepUncertainty::u(StepResult result) const
 {
     const bool missing = velocityMissing || (result != StepResult::Velocity && stepMissing);

@@ -56,6 +56,9 @@ struct UncertaintyRequest
     std::vector<StatedUncertainty> stated;
 };
 
+/// The quantities whose uncertainty can be stated; any other name changes nothing.
+const std::vector<std::string> &statedQuantities();
+
 /// GUM over the whole way from arrivals to step, refitting the velocity each time.
 /// p1, T1, gas constants, distances and delays are common to all shots, arrival times and an
 /// estimated scatter are each shot's own. Stated uncertainties win over recorded ones, and those

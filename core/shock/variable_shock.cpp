@@ -138,4 +138,24 @@ Result<ShockStates> shockStatesOf(
     return states;
 }
 
+Result<double> velocityOfShockedPressure_m_s(
+    const GasModel &gas, double p1_Pa, double T1_K, double p2_Pa)
+{
+    const auto mach = machOfPressureRatio(gas.constants, p2_Pa / p1_Pa);
+    if (!mach)
+        return tl::unexpected(mach.error());
+    const double soundSpeed = soundSpeed_m_s(gas.constants, T1_K);
+    double excess = (*mach - 1.0) * (*mach + 1.0); // M^2 - 1, to which p2 - p1 is all but in ratio
+    for (int i = 0; gas.heatCapacity && i < 100; ++i) {
+        const auto states = shockStatesOf(gas, p1_Pa, T1_K, soundSpeed * std::sqrt(1.0 + excess));
+        if (!states)
+            return tl::unexpected(states.error());
+        const double factor = (p2_Pa - p1_Pa) / (states->shocked.pressure_Pa - p1_Pa);
+        excess *= factor;
+        if (std::abs(factor - 1.0) < 1e-15)
+            break;
+    }
+    return soundSpeed * std::sqrt(1.0 + excess);
+}
+
 } // namespace dyncal

@@ -257,7 +257,8 @@ Result<VelocityFit> fitCounters(
     const std::vector<CounterReading> &readings, Attenuation attenuation)
 {
     for (const CounterReading &r : readings) {
-        if (!(r.far_m > r.near_m && r.near_m >= 0.0 && r.time_s > 0.0))
+        const bool isFinite = std::isfinite(r.far_m) && std::isfinite(r.time_s);
+        if (!(isFinite && r.far_m > r.near_m && r.near_m >= 0.0 && r.time_s > 0.0))
             return fail(ErrorKind::Usage,
                 Message{DYNCAL_TEXT("core",
                             "A counter reads %1 s from %2 m to %3 m before the end wall; the time "

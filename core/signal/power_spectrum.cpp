@@ -243,7 +243,8 @@ void addFindings(const SpectrumSettings &settings, SpectrumResult &result)
 Result<PowerSpectrum> computePowerSpectrum(const Eigen::Ref<const Eigen::VectorXd> &values,
     double rate_Hz, const SpectrumSettings &settings)
 {
-    if (values.size() < kLeastSamples || !values.allFinite() || !(rate_Hz > 0.0))
+    const bool isRate = rate_Hz > 0.0 && std::isfinite(rate_Hz);
+    if (values.size() < kLeastSamples || !values.allFinite() || !isRate)
         return fail(ErrorKind::DataBlocked,
             {DYNCAL_TEXT("core",
                  "A power spectrum needs at least %1 valid samples at a known rate; there are %2 "

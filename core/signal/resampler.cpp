@@ -56,14 +56,22 @@ std::complex<double> AntiAliasFilter::gain(std::complex<double> s_rad_s) const
     return sum;
 }
 
+double antiAliasSpan_s(double factor, double rate_Hz)
+{
+    if (factor == 1.0)
+        return 0.0;
+    // Between the inputs the prototype reaches one sample further on one side.
+    const double half
+        = isWhole(factor) ? kHalfLength * factor : std::ceil(kHalfLength * factor) + 1.0;
+    return 2.0 * half / rate_Hz;
+}
+
 AntiAliasFilter designAntiAliasFilter(double factor, double rate_Hz)
 {
     eigen_assert(factor >= 1.0);
     if (factor == 1.0)
         return {1.0, Eigen::VectorXd::Ones(1), rate_Hz};
-    // Between the inputs the prototype reaches one sample further on one side.
-    const Index half = isWhole(factor) ? kHalfLength * static_cast<Index>(factor)
-                                       : static_cast<Index>(std::ceil(kHalfLength * factor)) + 1;
+    const Index half = static_cast<Index>(std::llround(0.5 * antiAliasSpan_s(factor, 1.0)));
     return {factor, tapsAt(factor, half, 0.0), rate_Hz};
 }
 

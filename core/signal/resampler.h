@@ -35,6 +35,9 @@ struct AntiAliasFilter
 /// output's place between the inputs by less than 1e-3.
 AntiAliasFilter designAntiAliasFilter(double factor, double rate_Hz);
 
+/// span_s() of that filter, without designing it.
+double antiAliasSpan_s(double factor, double rate_Hz);
+
 /// Output k is centred on input sample first + k factor. All input samples that the filter
 /// touches must exist: first >= half and first + (count-1) factor + half < size.
 Eigen::VectorXd decimate(const Eigen::Ref<const Eigen::VectorXd> &values,

@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/signal/level_statistics.h"
+#include "core/signal/rounding.h"
 #include "core/signal/start_detection.h"
 #include "core/signal/step_characteristics.h"
 #include "core/signal/window_bands.h"
@@ -183,16 +184,15 @@ private:
 
     void measureLevels()
     {
+        m_response.resolution = resolutionOf(*m_channel, m_bands.window);
         const Eigen::VectorXd quiet
             = physicalValues(*m_channel, m_bands.baseline.begin, m_bands.baseline.size());
         if (quiet.size() > 0) {
             const LineFit line = fitLine(quiet);
-            const double code
-                = countSize(*m_channel, m_channel->samples.at(m_bands.baseline.begin));
             m_response.baseline_s = secondsOf(m_bands.baseline);
             m_response.baseline = line.mean;
             m_response.baselineSlope_per_s = line.slope * m_response.sampleRate_Hz;
-            m_response.noiseSd = std::max(line.sd, code / std::sqrt(12.0));
+            m_response.noiseSd = std::max(line.sd, m_response.resolution / std::sqrt(12.0));
             m_response.noise = withoutLine(quiet);
         }
         m_response.end_s = secondsOf(m_bands.window).end;
@@ -273,6 +273,9 @@ private:
         m_response.values = (values.segment(head, tail - head).array() - m_response.baseline)
             / m_response.valueScale;
         m_response.noise /= m_response.valueScale;
+        const double resolution = std::abs(m_response.resolution / m_response.valueScale);
+        m_response.roundingSd
+            = lastingRounding(noiseBeforeRounding(m_response.noise, resolution), resolution);
         m_response.lead = window.begin - begin - head;
         m_response.length = window.size();
     }

@@ -44,8 +44,9 @@ struct WindowedResponse
     double settled = 0.0; ///< mean of the settle band (impulse treatment: 0)
     double settleSlope_per_s = 0.0;
     double step = 0.0; ///< settled - baseline (impulse treatment: peak excursion, signed)
-    double noiseSd = 0.0; ///< sd about the baseline's line, at least that of the converter's codes
-                          ///< (code/sqrt(12)), in `unit`; 0 = not known (nothing subtracted)
+    double resolution = 0.0; ///< step to which the samples were rounded, in `unit` (rounding.h)
+    double noiseSd = 0.0; ///< sd about the baseline's line, at least that of rounding
+                          ///< (resolution/sqrt(12)), in `unit`; 0 = not known (nothing subtracted)
     double snr_dB = 0.0; ///< 20 log10(|step| / noiseSd); infinite where noiseSd is 0
 
     double valueScale = 1.0; ///< physical = baseline + valueScale * value; the step if remapped
@@ -53,6 +54,7 @@ struct WindowedResponse
     Index lead = 0; ///< samples of `values` before the start
     Index length = 0; ///< samples of the window proper: values[lead .. lead + length)
     Eigen::VectorXd noise; ///< pre-trigger noise in the units of `values`, detrended
+    double roundingSd = 0.0; ///< of what rounding adds to `values` and averaging does not remove
 
     /// Empty below 20 dB SNR; overshoot and settling also below 38 dB, where noise decides them.
     std::optional<double> riseTime_s; ///< 10-90 % of the step, first crossings, interpolated

@@ -208,7 +208,7 @@ Findings windowFindings(const Channel &channel, const WindowedResponse &response
     const WindowContext &context, std::optional<double> plateau_s)
 {
     Findings findings;
-    const double code = countSize(channel, channel.samples.at(response.startSample));
+    const double code = response.resolution;
     if (!channel.adcMin && !channel.adcMax) {
         const double scale = std::abs(response.valueScale);
         if (const auto run = runAtExtreme(response.window(), response.noiseSd / scale, code / scale,

@@ -69,6 +69,7 @@ CandidateCard::CandidateCard(QWidget *parent)
     m_unpin->setAutoRaise(true);
     m_overlay->setObjectName("candidateOverlay");
     m_overlay->setIconSize(kSample);
+    m_text->setObjectName("candidateText");
     m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
 
     auto *head = new QHBoxLayout;

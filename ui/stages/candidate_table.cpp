@@ -72,10 +72,17 @@ std::vector<Cell> cellsOf(const CandidateRow &row, const CandidateRow *reference
     Cell fit = of(&CandidateRow::fit_percent, "%", 4);
     if (row.diverges)
         fit = {QObject::tr("diverges"), {}};
+    const auto result
+        = [&](std::optional<double> CandidateRow::*member, double u, const QString &unit) {
+              Cell made = of(member, unit, 3);
+              if (!reference && row.*member)
+                  made.text = shownResult(*(row.*member), u, unit).value;
+              return made;
+          };
     return {count(static_cast<int>(row.order)), fit, of(&CandidateRow::attainable_percent, "%", 4),
-        of(&CandidateRow::f0_Hz, "Hz", 6), of(&CandidateRow::zeta, {}, 4), count(row.unstable),
-        count(row.nyquist), {probabilityShown(row.whiteness_p), row.whiteness_p},
-        of(&CandidateRow::bic, {}, 6)};
+        result(&CandidateRow::f0_Hz, row.u_f0_Hz, "Hz"),
+        result(&CandidateRow::zeta, row.u_zeta, {}), count(row.unstable), count(row.nyquist),
+        {probabilityShown(row.whiteness_p), row.whiteness_p}, of(&CandidateRow::bic, {}, 6)};
 }
 
 } // namespace

@@ -57,7 +57,9 @@ void describe(const SensorModel &model, CandidateRow &row)
         row.attainable_percent = model.fitAttainable_percent;
     if (const Pole *pole = mainPole(model)) {
         row.f0_Hz = pole->frequency_Hz;
+        row.u_f0_Hz = pole->u_frequency_Hz;
         row.zeta = pole->dampingRatio;
+        row.u_zeta = pole->u_dampingRatio;
     }
 }
 
@@ -101,7 +103,8 @@ QStringList cardLines(const CandidateRow &row)
                          row.attainable_percent ? shownNumber(*row.attainable_percent, 3)
                                                 : QStringLiteral("–"));
     lines << (row.f0_Hz ? QStringLiteral("%1, ζ %2")
-                              .arg(shownQuantity(*row.f0_Hz, "Hz", 4), shownNumber(*row.zeta, 3))
+                              .arg(shownResult(*row.f0_Hz, row.u_f0_Hz, "Hz").value,
+                                  shownResult(*row.zeta, row.u_zeta, {}).value)
                         : CandidateText::tr("no resonance"));
     lines << CandidateText::tr("unstable %1, Nyquist %2, p %3")
                  .arg(row.unstable)

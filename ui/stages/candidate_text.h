@@ -22,6 +22,8 @@ struct CandidateRow
     bool isKnown = false; ///< the model is there; else it is computed, or the note says why not
     bool diverges = false;
     std::optional<double> fit_percent, attainable_percent, f0_Hz, zeta, whiteness_p, bic;
+    double u_f0_Hz = kUnknown; ///< standard uncertainties, where the poles were refined
+    double u_zeta = kUnknown;
     int unstable = 0;
     int nyquist = 0;
     QString note; ///< what the program says of it

@@ -220,9 +220,7 @@ void ModelPage::showReadouts()
     m_listing->setText(model && model->fitListing_percent
             ? tr("%1 % (one sample late)").arg(shownNumber(*model->fitListing_percent, 3))
             : "–");
-    m_uncertainty->setText(model && !model->uncertaintyMethod.empty()
-            ? QString::fromStdString(model->uncertaintyMethod)
-            : "–");
+    m_uncertainty->setText(model && !model->uncertaintyMethod.empty() ? noiseText(*model) : "–");
     const bool isPending = model && !model->isAssessed;
     m_shared->setText(isPending ? tr("Uncertainties of the poles, comparison of the shots and "
                                      "second-order sensor: not yet.")
@@ -231,8 +229,9 @@ void ModelPage::showReadouts()
     m_drawSecondOrder->setEnabled(model && model->secondOrder);
     m_second->setText(model && model->secondOrder
             ? tr("%1, ζ %2, FIT %3 %%4")
-                  .arg(shownQuantity(model->secondOrder->f0_Hz, "Hz", 5),
-                      shownNumber(model->secondOrder->zeta, 4),
+                  .arg(shownResult(model->secondOrder->f0_Hz, model->secondOrder->u_f0_Hz, "Hz")
+                           .value,
+                      shownResult(model->secondOrder->zeta, model->secondOrder->u_zeta, {}).value,
                       shownNumber(model->secondOrder->fit_percent, 3),
                       model->secondOrder->describes ? QString()
                                                     : tr(": does not describe the data"))

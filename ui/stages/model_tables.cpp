@@ -21,11 +21,6 @@ struct ModelTables
     Q_DECLARE_TR_FUNCTIONS(ModelTables)
 };
 
-QString withU(const QString &value, const QString &u)
-{
-    return u == QStringLiteral("–") ? value : value + QStringLiteral(" ± ") + u;
-}
-
 QString shotText(Index shot)
 {
     return shot > 0 ? ModelTables::tr("Shot %1").arg(shot) : ModelTables::tr("Average");
@@ -33,12 +28,9 @@ QString shotText(Index shot)
 
 QStringList trendRow(const QString &name, const LevelPole &pole)
 {
-    return {name,
-        withU(
-            shownQuantity(pole.frequency_Hz, "Hz", 6), shownQuantity(pole.u_frequency_Hz, "Hz", 2)),
-        withU(shownNumber(pole.dampingRatio, 4), shownNumber(pole.u_dampingRatio, 2)),
-        withU(shownNumber(pole.plateauGain, 5), shownNumber(pole.u_plateauGain, 2)),
-        shownNumber(pole.coverageFactor, 3)};
+    return {name, shownWithU(pole.frequency_Hz, pole.u_frequency_Hz, "Hz"),
+        shownWithU(pole.dampingRatio, pole.u_dampingRatio, {}),
+        shownWithU(pole.plateauGain, pole.u_plateauGain, {}), shownNumber(pole.coverageFactor, 3)};
 }
 
 QString levelName(const LevelPole &pole)
@@ -76,17 +68,14 @@ TextTable nuisanceTable(const SensorModel *model)
     for (const NuisanceResult &mode : model->nuisance)
         for (const NuisanceOfShot &shot : mode.perShot)
             table.rows.push_back({QString::fromStdString(mode.mode.label), shotText(shot.shot),
-                withU(shownQuantity(shot.term.frequency_Hz(), "Hz", 5),
-                    shownQuantity(shot.u_frequency_Hz, "Hz", 2)),
-                withU(
-                    shownNumber(shot.term.dampingRatio(), 3), shownNumber(shot.u_dampingRatio, 2)),
+                shownWithU(shot.term.frequency_Hz(), shot.u_frequency_Hz, "Hz"),
+                shownWithU(shot.term.dampingRatio(), shot.u_dampingRatio, {}),
                 shownNumber(100.0 * shot.relativeAmplitude, 3) + QStringLiteral(" %")});
     if (model->nuisanceEffect) {
         const auto side = [&](const QString &name, const NuisanceEffect::Side &at) {
             table.rows.push_back(
                 {name, ModelTables::tr("FIT %1 %").arg(shownNumber(at.fit_percent, 4)),
-                    withU(shownQuantity(at.f0_Hz, "Hz", 6), shownQuantity(at.u_f0_Hz, "Hz", 2)),
-                    withU(shownNumber(at.zeta, 4), shownNumber(at.u_zeta, 2)),
+                    shownWithU(at.f0_Hz, at.u_f0_Hz, "Hz"), shownWithU(at.zeta, at.u_zeta, {}),
                     ModelTables::tr("plateau %1").arg(shownNumber(at.plateauGain, 5))});
         };
         side(ModelTables::tr("Sensor, modes left in"), model->nuisanceEffect->before);
@@ -101,14 +90,12 @@ TextTable secondOrderTable(const SensorModel *model)
     if (!model || !model->secondOrder)
         return table;
     const SecondOrderModel &fit = *model->secondOrder;
-    table.rows
-        = {{ModelTables::tr("f₀"),
-               withU(shownQuantity(fit.f0_Hz, "Hz", 6), shownQuantity(fit.u_f0_Hz, "Hz", 2))},
-            {ModelTables::tr("ζ"), withU(shownNumber(fit.zeta, 4), shownNumber(fit.u_zeta, 2))},
-            {ModelTables::tr("FIT"), shownNumber(fit.fit_percent, 4) + QStringLiteral(" %")}};
+    table.rows = {{ModelTables::tr("f₀"), shownWithU(fit.f0_Hz, fit.u_f0_Hz, "Hz")},
+        {ModelTables::tr("ζ"), shownWithU(fit.zeta, fit.u_zeta, {})},
+        {ModelTables::tr("FIT"), shownNumber(fit.fit_percent, 4) + QStringLiteral(" %")}};
     for (const SecondOrderShot &shot : fit.shots)
         table.rows.push_back({ModelTables::tr("Plateau, %1").arg(shotText(shot.shot)),
-            withU(shownNumber(shot.plateauGain, 5), shownNumber(shot.u_plateauGain, 2))});
+            shownWithU(shot.plateauGain, shot.u_plateauGain, {})});
     return table;
 }
 

@@ -7,6 +7,10 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
 namespace dyncal {
 
 namespace {
@@ -34,6 +38,24 @@ QString classText(PoleClass poleClass)
     return ModelText::tr("other");
 }
 
+/// The flags of results.json in words; one that has none here as it is.
+QString flagText(const std::string &flag)
+{
+    static constexpr std::pair<std::string_view, const char *> kWords[]{
+        {"step", QT_TRANSLATE_NOOP("ModelText", "the step itself")},
+        {"nyquist", QT_TRANSLATE_NOOP("ModelText", "from sampling")},
+        {"unstable", QT_TRANSLATE_NOOP("ModelText", "grows")},
+        {kBelowNoiseFlag, QT_TRANSLATE_NOOP("ModelText", "below the noise")},
+        {kShotsDisagreeFlag, QT_TRANSLATE_NOOP("ModelText", "differs between the shots")},
+        {kTubeModeFlag, QT_TRANSLATE_NOOP("ModelText", "tube mode?")},
+        {"near-cancelled", QT_TRANSLATE_NOOP("ModelText", "nearly cancelled by a zero")},
+        {"integrator", QT_TRANSLATE_NOOP("ModelText", "as slow as a drift")},
+    };
+    const auto found
+        = std::ranges::find(kWords, flag, &std::pair<std::string_view, const char *>::first);
+    return found == std::end(kWords) ? QString::fromStdString(flag) : ModelText::tr(found->second);
+}
+
 } // namespace
 
 QString fitText(const SensorModel &model)
@@ -45,6 +67,16 @@ QString fitText(const SensorModel &model)
         return ModelText::tr("< 0 % of attainable %1 %").arg(attainable);
     return ModelText::tr("%1 % of attainable %2 %")
         .arg(shownNumber(model.fit_percent, 3), attainable);
+}
+
+QString noiseText(const SensorModel &model)
+{
+    QString text = QString::fromStdString(model.uncertaintyMethod);
+    const bool isOfResidual = text.endsWith(QStringLiteral(" of the residual"));
+    text = text.section(' ', 0, 0);
+    if (text == QStringLiteral("white"))
+        text = ModelText::tr("white");
+    return isOfResidual ? ModelText::tr("%1, of the residual").arg(text) : text;
 }
 
 QStringList poleHeaders(PoleColumns columns)
@@ -66,17 +98,17 @@ QVector<QStringList> poleRows(const SensorModel *model, PoleColumns columns)
             continue; // shown with its conjugate
         QStringList flags;
         for (const std::string &flag : pole.flags)
-            flags << QString::fromStdString(flag);
+            flags << flagText(flag);
         const QString kind = classText(pole.poleClass)
             + (pole.z.imag() > 0.0 ? ModelText::tr(" (pair)") : QString());
-        const QString frequency = shownQuantity(pole.frequency_Hz, "Hz", 5);
-        const QString damping = shownNumber(pole.dampingRatio, 4);
+        const ShownResult frequency = shownResult(pole.frequency_Hz, pole.u_frequency_Hz, "Hz");
+        const ShownResult damping = shownResult(pole.dampingRatio, pole.u_dampingRatio, {});
         if (columns == PoleColumns::Few)
-            rows.push_back({frequency, damping, kind});
+            rows.push_back({frequency.value, damping.value, kind});
         else
-            rows.push_back({frequency, shownQuantity(pole.u_frequency_Hz, "Hz", 2), damping,
-                shownNumber(pole.u_dampingRatio, 2), shownNumber(pole.coverageFactor, 3),
-                shownNumber(pole.amplitude, 3), kind, flags.join(", ")});
+            rows.push_back({frequency.value, frequency.u, damping.value, damping.u,
+                shownNumber(pole.coverageFactor, 3), shownNumber(pole.amplitude, 3), kind,
+                flags.join(", ")});
     }
     return rows;
 }

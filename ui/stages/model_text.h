@@ -13,6 +13,9 @@ namespace dyncal {
 /// "FIT 89.4 % of attainable 89.5 %", or that it diverges.
 QString fitText(const SensorModel &model);
 
+/// What is known of the noise that the uncertainties rest on: "white", "AR(3), of the residual".
+QString noiseText(const SensorModel &model);
+
 /// Poles as a table, complex pairs on one line.
 enum class PoleColumns {
     Few,

@@ -37,9 +37,10 @@ QString foundText(const NuisanceResult &result)
 {
     QStringList frequencies;
     for (const NuisanceOfShot &shot : result.perShot)
-        frequencies << NuisanceList::tr("shot %1: %2")
-                           .arg(shot.shot)
-                           .arg(shownQuantity(shot.term.frequency_Hz(), "Hz", 4));
+        frequencies
+            << NuisanceList::tr("shot %1: %2")
+                   .arg(shot.shot)
+                   .arg(shownResult(shot.term.frequency_Hz(), shot.u_frequency_Hz, "Hz").value);
     return frequencies.isEmpty() ? NuisanceList::tr("not taken out of any shot")
                                  : frequencies.join(", ");
 }

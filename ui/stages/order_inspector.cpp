@@ -123,6 +123,14 @@ void OrderInspector::useSuggestion()
         emit orderChosen(static_cast<double>(m_suggested));
 }
 
+void OrderInspector::typeOrder()
+{
+    auto *field = m_order->findChild<QuantityEdit *>();
+    field->setShownOnly(false); // what is typed takes the place of "auto"
+    field->setFocus(Qt::ShortcutFocusReason);
+    field->selectAll();
+}
+
 void OrderInspector::adopt()
 {
     if (!m_mayAdopt)
@@ -180,8 +188,8 @@ void OrderInspector::showModel(const CalibrationResults &results, const SensorMo
     m_score->setText(model ? fitText(*model) : "–");
     const Pole *pole = model ? mainPole(*model) : nullptr;
     m_resonance->setText(pole ? tr("%1, damping %2")
-                                    .arg(shownQuantity(pole->frequency_Hz, "Hz", 5),
-                                        shownNumber(pole->dampingRatio, 4))
+                                    .arg(shownWithU(pole->frequency_Hz, pole->u_frequency_Hz, "Hz"),
+                                        shownWithU(pole->dampingRatio, pole->u_dampingRatio, {}))
                               : "–");
     const auto countOf = [&](PoleClass poleClass) {
         return model ? std::ranges::count(model->poles, poleClass, &Pole::poleClass) : 0;
@@ -201,10 +209,9 @@ void OrderInspector::showModel(const CalibrationResults &results, const SensorMo
     if (results.evidence && pole)
         spread = spreadAround(*results.evidence, model->order, pole->frequency_Hz);
     m_spread->setText(spread
-            ? tr("%1 ± %2, ζ %3 ± %4 (orders %5 to %6)")
-                  .arg(shownQuantity(spread->frequency_Hz, "Hz", 5),
-                      shownQuantity(spread->frequencySpread_Hz, "Hz", 2),
-                      shownNumber(spread->dampingRatio, 3), shownNumber(spread->dampingSpread, 2))
+            ? tr("%1, ζ %2 (orders %3 to %4)")
+                  .arg(shownWithU(spread->frequency_Hz, spread->frequencySpread_Hz, "Hz"),
+                      shownWithU(spread->dampingRatio, spread->dampingSpread, {}))
                   .arg(spread->fromOrder)
                   .arg(spread->toOrder)
             : "–");

@@ -3,6 +3,7 @@
 
 #include "ui/stages/order_page.h"
 
+#include "core/realization/model_findings.h"
 #include "ui/plot/model_curves.h"
 #include "ui/plot/order_curves.h"
 #include "ui/plot/realization_curves.h"
@@ -237,9 +238,27 @@ void OrderPage::setCandidates(std::vector<Index> orders, const QString &label)
     });
 }
 
+/// From the order on show on, the next one that cuts no oscillating pair in two.
+void OrderPage::stepToWholePairs(Index by)
+{
+    if (!results().decomposition)
+        return;
+    const HankelDecomposition &hankel = results().decomposition->hankel;
+    Index order = shownOrder() + by;
+    while (order >= 1 && order < largestOrder() && splitsPair(hankel, order))
+        order += by;
+    setOrder(static_cast<double>(order), kKeysKey);
+}
+
 bool OrderPage::takeKey(const QKeyEvent &event)
 {
-    if (event.modifiers() & ~Qt::KeypadModifier)
+    const Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeypadModifier;
+    if (modifiers == Qt::ShiftModifier
+        && (event.key() == Qt::Key_Left || event.key() == Qt::Key_Right)) {
+        stepToWholePairs(event.key() == Qt::Key_Left ? -1 : 1);
+        return true;
+    }
+    if (modifiers)
         return false;
     const auto step = [this](Index by) {
         setOrder(static_cast<double>(shownOrder() + by), kKeysKey);
@@ -256,6 +275,12 @@ bool OrderPage::takeKey(const QKeyEvent &event)
         return step(kLargeStep);
     case Qt::Key_Home:
         m_controls->useSuggestion();
+        return true;
+    case Qt::Key_End:
+        setOrder(static_cast<double>(largestOrder()), {});
+        return true;
+    case Qt::Key_O:
+        m_controls->typeOrder();
         return true;
     case Qt::Key_Space:
         togglePin(shownOrder());

@@ -39,6 +39,7 @@ private:
     QWidget *buildCandidates();
     void connectPlots();
     bool takeKey(const QKeyEvent &event);
+    void stepToWholePairs(Index by);
     void setOrder(double order, const QString &mergeKey);
     void adopt(const QString &reason);
     void togglePin(Index order);

@@ -32,9 +32,10 @@ QString percent(double share, int digits)
 
 QString withU(double value, const std::optional<double> &u, const QString &unit, int digits)
 {
-    const QString text = shownQuantity(value, unit, digits);
-    return u ? ShockTables::tr("%1, u %2").arg(text, shownQuantityBeside(*u, value, unit, 2))
-             : text;
+    if (!u)
+        return shownQuantity(value, unit, digits);
+    const ShownResult shown = shownResult(value, *u, unit);
+    return ShockTables::tr("%1, u %2").arg(shown.value, shown.u);
 }
 
 std::optional<double> uOf(const ShockConditions &shot, StepResult result)
@@ -217,8 +218,8 @@ ShownTable uncertaintyTable(const ShockConditionsSet &shock, const StepMonteCarl
             const auto &[name, unit] = results[r];
             const double value = shot.uncertainty->budget.value[r];
             const auto u = shot.uncertainty->u(static_cast<StepResult>(r));
-            QStringList row{shotName(shot.shot), name, shownQuantity(value, unit, 6),
-                u ? shownQuantityBeside(*u, value, unit, 3) : kNone,
+            const ShownResult shown = shownResult(value, u.value_or(kUnknown), unit);
+            QStringList row{shotName(shot.shot), name, shown.value, shown.u,
                 u ? percent(*u / value, 3) : kNone};
             if (mc != nullptr && mc->outcome) {
                 const MonteCarloResult &result = mc->outcome->result;

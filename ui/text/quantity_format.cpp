@@ -4,6 +4,7 @@
 #include "ui/text/quantity_format.h"
 
 #include "core/base/number_text.h"
+#include "core/base/rounding.h"
 
 #include <QLocale>
 
@@ -57,6 +58,27 @@ QString shownNumber(double value, int digits)
 QString shownQuantity(const std::optional<double> &value, const QString &unit, int digits)
 {
     return value ? shownQuantity(*value, unit, digits) : nothing();
+}
+
+ShownResult shownResult(double value, double u, const QString &unit)
+{
+    if (!std::isfinite(value))
+        return {nothing(), nothing()};
+    const RoundedValue rounded
+        = roundedValue(value, u, unit == "1" ? std::string() : unit.toStdString());
+    const auto shown = [&rounded](const std::string &number) {
+        const QString text = inLanguage(number);
+        return rounded.unit.empty()
+            ? text
+            : text + QLatin1Char(' ') + QString::fromStdString(rounded.unit);
+    };
+    return {shown(rounded.value), rounded.u.empty() ? nothing() : shown(rounded.u)};
+}
+
+QString shownWithU(double value, double u, const QString &unit)
+{
+    const ShownResult shown = shownResult(value, u, unit);
+    return shown.u == nothing() ? shown.value : shown.value + QStringLiteral(" ± ") + shown.u;
 }
 
 std::optional<double> typedNumber(QString text)

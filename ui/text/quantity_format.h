@@ -20,6 +20,18 @@ QString shownQuantity(const std::optional<double> &value, const QString &unit, i
 /// beside its value.
 QString shownQuantityBeside(double value, double beside, const QString &unit, int digits);
 
+/// A value to the digits of its standard uncertainty, and that uncertainty in the same unit (GUM
+/// 7.2.6, core/base/rounding.h): {"2.329980 MHz", "0.000012 MHz"}. Without a known u five digits
+/// and "–".
+struct ShownResult
+{
+    QString value;
+    QString u;
+};
+ShownResult shownResult(double value, double u, const QString &unit);
+/// "2.329980 MHz ± 0.000012 MHz"; without a known u the value alone.
+QString shownWithU(double value, double u, const QString &unit);
+
 /// A number as people type it: ',' or '.' as decimal mark, blanks around it. Empty if it is none
 /// or not finite.
 std::optional<double> typedNumber(QString text);

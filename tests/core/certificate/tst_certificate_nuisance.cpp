@@ -56,10 +56,10 @@ NuisanceEffect::Side sideOf(double residualRms, double plateau)
     return side;
 }
 
-CertificateSection sectionOf(const SensorModel &model)
+CertificateSection sectionOf(const SensorModel &model, const std::string &unit = "1")
 {
     CertificateSection section;
-    addNuisance(model, section);
+    addNuisance(model, unit, section);
     return section;
 }
 
@@ -113,6 +113,19 @@ private slots:
             QCOMPARE(cellOf(table, 1, 3), std::string("30.123 kHz \xC2\xB1 0.010 kHz (k = 2)"));
             QCOMPARE(cellOf(table, 1, 4), std::string("0.05000 \xC2\xB1 0.00040 (k = 2)"));
         }
+    }
+
+    void plateauGain_hasTheUnitOfTheResponses()
+    {
+        SensorModel model = modelOf(0.0523);
+        model.nuisanceEffect = NuisanceEffect{sideOf(0.001, 0.0523), sideOf(0.001, 0.0524)};
+        const auto gainIn = [&](const std::string &unit, std::size_t row) {
+            return cellOf(sectionOf(model, unit).tables.at(1), row, 5);
+        };
+        QCOMPARE(gainIn("V", 0), std::string("52.300 mV"));
+        QCOMPARE(gainIn("V", 1), std::string("52.400 mV"));
+        QCOMPARE(gainIn("1", 0), std::string("0.052300")); // remapped: a pure number
+        QCOMPARE(gainIn("", 0), std::string("0.052300")); // the recording states none
     }
 
     void freeDecay_hasNoPlateauToCompareWith()

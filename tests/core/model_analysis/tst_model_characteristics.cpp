@@ -332,6 +332,35 @@ private slots:
         }
     }
 
+    void phase_throughANarrowZero_turnsTheRightWay()
+    {
+        // Two sensors in series and (s^2 + 2 zeta w s + w^2)/w^2: the zeros turn the phase back by
+        // pi, or on by pi where they lie in the right half plane. No pole marks the place.
+        const std::vector<std::pair<double, double>> modes{{1e5, 0.05}, {9e5, 0.05}};
+        for (const double zeroFrequency_Hz : {2e5, 3.1e5, 5.55e5}) {
+            for (const double zeta : {0.02, 1e-4, -1e-4, -0.02}) {
+                const double w = kTwoPi * zeroFrequency_Hz;
+                SensorModel model = cascadeModel(modes);
+                for (Index i = 0; i < model.order; ++i) {
+                    const std::complex<double> s = model.poles[static_cast<std::size_t>(i)].s_rad_s;
+                    model.amplitudes[i] *= (s * s + 2.0 * zeta * w * s + w * w) / (w * w);
+                }
+                for (const int count : {2, 30, 601}) {
+                    const ResponseCurve curve = modelCurve(model, kStep, 1e4, 4e6, count);
+                    for (Index k = 0; k < count; ++k) {
+                        const double r = curve.frequency_Hz[k] / zeroFrequency_Hz;
+                        double truth = std::atan2(2.0 * zeta * r, 1.0 - r * r);
+                        for (const auto &[f0_Hz, damping] : modes) {
+                            const double q = curve.frequency_Hz[k] / f0_Hz;
+                            truth -= std::atan2(2.0 * damping * q, 1.0 - q * q);
+                        }
+                        QVERIFY(std::abs(curve.phase_rad[k] - truth) < 1e-6);
+                    }
+                }
+            }
+        }
+    }
+
     void phase_inAnyOrder_andAtNonsense()
     {
         const SensorModel model = cascadeModel({{1e3, 1e-3}, {1.001e3, 1e-3}, {5e3, 0.4}});

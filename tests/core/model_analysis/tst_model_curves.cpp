@@ -140,6 +140,58 @@ private slots:
         }
     }
 
+    void stepTransformError_isThatOfTheSamples()
+    {
+        // Coarsely sampled (aliasing of 12 % at 400 kHz) and cut off before it has settled; the
+        // first sample at, before or behind the onset.
+        const double rate_Hz = 1e6;
+        const SensorModel model = testing::secondOrderModel(300e3, 0.02);
+        ExponentialSum sum{1.0, Eigen::VectorXcd(2), model.amplitudes};
+        sum.rates_rad_s << model.poles[0].s_rad_s, model.poles[1].s_rad_s;
+        for (const Index samples : {Index(30), Index(3000)}) {
+            for (const double first : {0.0, 0.3, 0.99, -2.4}) {
+                const Eigen::VectorXd y
+                    = testing::sampledStep(300e3, 0.02, rate_Hz, samples, first);
+                for (const double f_Hz : {0.0, 1e3, 1e5, 2.9e5, 4e5}) {
+                    const double onset_s = -first / rate_Hz;
+                    const std::complex<double> expected
+                        = stepTransform(y, rate_Hz, 1.0, onset_s, f_Hz)
+                        - modelResponse(model, kStep, f_Hz);
+                    const std::complex<double> found
+                        = stepTransformError(sum, samples, rate_Hz, onset_s, f_Hz);
+                    QVERIFY2(std::abs(found - expected) < 1e-10,
+                        qPrintable(QString::number(std::abs(found - expected))));
+                    if (f_Hz == 4e5 && samples > 1000)
+                        QVERIFY(std::abs(expected) > 0.05); // it is worth taking off
+                }
+            }
+        }
+    }
+
+    void stepTransformError_isPoissonsSum()
+    {
+        // m = +-1 .. +-400 of G(f + m fs) f/(f + m fs) e^(-2 pi j m fs onset): what docs/method
+        // say.
+        const double rate_Hz = 1e6, f_Hz = 1.7e5, onset_s = -0.3e-6;
+        const SensorModel model = testing::secondOrderModel(300e3, 0.02);
+        ExponentialSum sum{1.0, Eigen::VectorXcd(2), model.amplitudes};
+        sum.rates_rad_s << model.poles[0].s_rad_s, model.poles[1].s_rad_s;
+        std::complex<double> aliases = 0.0;
+        for (int m = -400; m <= 400; ++m) {
+            const double at_Hz = f_Hz + m * rate_Hz;
+            const std::complex<double> G = at_Hz > 0.0
+                ? modelResponse(model, kStep, at_Hz)
+                : std::conj(modelResponse(model, kStep, -at_Hz));
+            if (m != 0)
+                aliases += G * f_Hz / at_Hz
+                    * std::polar(1.0, -2.0 * std::numbers::pi * m * rate_Hz * onset_s);
+        }
+        const std::complex<double> found = stepTransformError(sum, 5000, rate_Hz, onset_s, f_Hz);
+        // Terms fall as 1/m^3.
+        QVERIFY2(std::abs(found - aliases) < 1e-6,
+            qPrintable(QString::number(std::abs(found - aliases))));
+    }
+
     void stepTransform_atZeroFrequency_isThePlateau()
     {
         const Eigen::VectorXd y = testing::sampledStep(300e3, 0.02, 1e7, 500, 0.5);

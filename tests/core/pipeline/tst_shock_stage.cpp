@@ -125,6 +125,52 @@ private slots:
         QVERIFY(outcome.results.shock->shots[0].uncertainty->u(StepResult::Step));
     }
 
+    void budgetOfAnUnknownQuantity_isSaidAndChangesNothing()
+    {
+        ResultCache cache;
+        Recipe recipe;
+        const auto plain = runPipeline(m_set, recipe, cache, StageId::Shock).results;
+        recipe.uncertainty.budget = {{"T1_k", 5.0, "normal", {}}, {"delay", 1e-6, "normal", {}}};
+        const auto misspelt = runPipeline(m_set, recipe, cache, StageId::Shock).results;
+        QStringList sentences;
+        for (const Finding &finding : misspelt.shock->findings) {
+            if (finding.id == "SHK-013")
+                sentences << QString::fromStdString(english(finding.message));
+        }
+        QCOMPARE(sentences.size(), qsizetype(2));
+        QVERIFY2(sentences[0].contains("'T1_k'") && sentences[0].contains("'t1_k'"),
+            qPrintable(sentences[0]));
+        QVERIFY2(sentences[1].contains("'delay_s'"), qPrintable(sentences[1]));
+        for (std::size_t shot = 0; shot < 3; ++shot)
+            QCOMPARE(misspelt.shock->shots[shot].uncertainty->u(StepResult::Step),
+                plain.shock->shots[shot].uncertainty->u(StepResult::Step));
+        // Each name that counts is used by some way of knowing the step.
+        recipe.uncertainty.budget.clear();
+        for (const std::string &name : statedQuantities())
+            recipe.uncertainty.budget.push_back({name, 1e-9, "normal", {}});
+        const auto known = runPipeline(m_set, recipe, cache, StageId::Shock).results;
+        for (const Finding &finding : known.shock->findings)
+            QVERIFY(finding.id != "SHK-013");
+    }
+
+    void uShapedQuantity_isDrawnAndNamedSo()
+    {
+        ResultCache cache;
+        Recipe recipe;
+        recipe.uncertainty.budget = {{"step_relative", 0.2, "u-shaped", {}}};
+        recipe.uncertainty.monteCarloTrials = 4000;
+        const auto results = runPipeline(m_set, recipe, cache).results;
+        const auto &lines = results.shock->shots[0].uncertainty->budget.lines;
+        QVERIFY(std::any_of(lines.begin(), lines.end(), [](const BudgetLine &line) {
+            return line.input.distribution == Distribution::UShaped;
+        }));
+        // All else is small: an arcsine of 0.2 ends at sqrt(2) * 0.2, a normal one at 1.96 * 0.2.
+        const auto &drawn = results.monteCarlo->ofShot(1)->outcome->result;
+        constexpr auto kStep = static_cast<Index>(StepResult::Step);
+        const double half = 0.5 * (drawn.high[kStep] - drawn.low[kStep]) / drawn.mean[kStep];
+        QVERIFY2(half > 0.26 && half < 0.31, qPrintable(QString::number(half)));
+    }
+
     void monteCarlo_tooFewTrials_isAMistakeInTheRecipe()
     {
         ResultCache cache;

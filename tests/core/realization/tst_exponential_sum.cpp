@@ -109,6 +109,23 @@ private slots:
         }
     }
 
+    void modalStateSpace_ofAFoldedResonance_hasTheResidues()
+    {
+        // Above the Nyquist frequency the upper half of the pair in s is the lower one in z.
+        const std::vector<Complex> poles{{0.9, -0.2}, {0.9, 0.2}, {0.5}, {-0.3, -0.1}, {-0.3, 0.1}};
+        Eigen::VectorXcd residues(5);
+        residues << Complex(0.3, -0.1), Complex(0.3, 0.1), Complex(-0.2), Complex(0.1, 0.4),
+            Complex(0.1, -0.4);
+        const Eigen::VectorXd h = impulseResponse(modalStateSpace(poles, residues, 0.7, 1e-6), 40);
+        for (Index k = 1; k < 40; ++k) {
+            Complex expected = 0.0;
+            for (Index i = 0; i < 5; ++i)
+                expected
+                    += residues[i] * std::pow(poles[static_cast<std::size_t>(i)], double(k - 1));
+            QVERIFY(std::abs(h[k] - expected.real()) < 1e-13);
+        }
+    }
+
     void zeros_makeTheTransferFunctionVanish()
     {
         const std::vector<Complex> poles{{0.9, 0.2}, {0.9, -0.2}, {0.5}};

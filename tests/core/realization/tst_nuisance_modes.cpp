@@ -192,6 +192,37 @@ private slots:
         QCOMPARE((sensorOnly(input).series[0].y - input.series[0].y).norm(), 0.0);
     }
 
+    void modesThatCannotBeFollowed_areSaid_data()
+    {
+        QTest::addColumn<std::vector<double>>("frequency_Hz");
+        QTest::addColumn<bool>("isTube");
+        QTest::addColumn<int>("shot");
+        QTest::addColumn<int>("said");
+        using List = std::vector<double>;
+        QTest::newRow("first shot") << List{6.8e3} << true << 1 << 0;
+        QTest::newRow("shot left open") << List{6.8e3} << true << 0 << 0;
+        QTest::newRow("no such shot") << List{6.8e3} << true << 9 << 1;
+        QTest::newRow("shot without a shock") << List{6.8e3} << true << 2 << 1;
+        QTest::newRow("moves with nothing") << List{6.8e3} << false << 9 << 0;
+        QTest::newRow("one for each") << List{6.1e3, 6.4e3, 6.8e3} << true << 0 << 0;
+        QTest::newRow("one too few") << List{6.1e3, 6.4e3} << true << 0 << 1;
+    }
+    void modesThatCannotBeFollowed_areSaid()
+    {
+        QFETCH(std::vector<double>, frequency_Hz);
+        QFETCH(bool, isTube);
+        QFETCH(int, shot);
+        QFETCH(int, said);
+        const NuisanceTerm none;
+        std::vector<WindowedResponse> responses;
+        for (const Index number : {1, 2, 3})
+            responses.push_back(windowOf(number, 3e4, 0.05, none, 1e6, 1600, 1e-3));
+        ModelInput input = inputOf(responses, 900);
+        separateNuisance(
+            input, responses, {modeAt(frequency_Hz, isTube, shot)}, {400.0, std::nullopt, 444.0});
+        QCOMPARE(std::ranges::count(input.findings, "NUI-005", &Finding::id), std::ptrdiff_t(said));
+    }
+
     void average_hasNoModesOfItsOwn()
     {
         const NuisanceTerm none;

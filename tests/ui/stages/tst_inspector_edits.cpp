@@ -36,6 +36,7 @@ private slots:
     void shown_quantities_data();
     void shown_quantities();
     void shown_besideAnother_hasItsPrefix();
+    void shown_result_hasTheDigitsOfItsUncertainty();
 };
 
 void TestInspectorEdits::quantity_typed_isSi_data()
@@ -239,6 +240,22 @@ void TestInspectorEdits::shown_besideAnother_hasItsPrefix()
     QCOMPARE(shownQuantityBeside(2e-4, -0.8, "m", 2), QString("0.2 mm"));
     QCOMPARE(shownQuantityBeside(3.9e-7, 0.0, "s", 2), QString("390 ns")); // nothing to go by
     QCOMPARE(shownQuantityBeside(0.0008, 1.25, "", 2), QString("0.0008"));
+}
+
+void TestInspectorEdits::shown_result_hasTheDigitsOfItsUncertainty()
+{
+    const ShownResult f0 = shownResult(2.33e6, 130.0, "Hz");
+    QCOMPARE(f0.value, QString("2.33000 MHz"));
+    QCOMPARE(f0.u, QString("0.00013 MHz"));
+    QCOMPARE(shownWithU(2.33e6, 130.0, "Hz"), QString("2.33000 MHz ± 0.00013 MHz"));
+    QCOMPARE(shownWithU(0.02, 9.3e-5, {}), QString("0.020000 ± 0.000093"));
+    QCOMPARE(shownWithU(1.0, 0.012, "1"), QString("1.000 ± 0.012"));
+    QCOMPARE(shownWithU(2.33e6, std::nan(""), "Hz"), QString("2.3300 MHz"));
+    QCOMPARE(shownResult(2.33e6, 0.0, "Hz").u, QString("–"));
+    QCOMPARE(shownWithU(std::nan(""), 1.0, "Hz"), QString("–"));
+    QLocale::setDefault(QLocale(QLocale::Swedish));
+    QCOMPARE(shownWithU(2.33e6, 130.0, "Hz"), QString("2,33000 MHz ± 0,00013 MHz"));
+    QLocale::setDefault(QLocale::c());
 }
 
 QTEST_MAIN(TestInspectorEdits)

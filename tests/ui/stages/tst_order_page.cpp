@@ -8,11 +8,15 @@
 #include "ui/stages/candidate_table.h"
 #include "ui/stages/model_page.h"
 #include "ui/stages/order_page.h"
+#include "ui/stages/quantity_edit.h"
+#include "ui/text/quantity_format.h"
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QToolButton>
 #include <QtTest>
 
@@ -58,6 +62,10 @@ private slots:
     void note_goesWithItsCard_andUndoBringsItBack();
     void overlays_areFourAtMostInFourStyles();
     void table_sortsByValue_andShowsDifferences();
+    void keys_leadToWholePairsAndToTheLastOrder();
+    void keyO_leadsToTheFieldOfTheOrder();
+    void splitPair_isSaidAndOffersTheWholeOne();
+    void values_haveTheDigitsOfTheirUncertainty();
     void enter_adoptsWithTheProposedReason();
     void adopted_orderChanged_reasonGoesAndUndoBringsItBack();
     void adopt_unstable_isDisabledAndSaysWhy();
@@ -325,6 +333,69 @@ void TestOrderPage::table_sortsByValue_andShowsDifferences()
     QVERIFY(QString("+-").contains(table->item(1, 1)->text().front()));
     control<QCheckBox>("differenceToAdopted")->setChecked(false);
     control<QPushButton>("compareOrders")->setChecked(false);
+}
+
+void TestOrderPage::keys_leadToWholePairsAndToTheLastOrder()
+{
+    PlotWidget *values = plot("singularValuePlot");
+    QTest::keyClick(values, Qt::Key_Left);
+    QCOMPARE(*m_session.recipe().realization.order.value, Index(1)); // half of the pair
+    QTest::keyClick(values, Qt::Key_Right);
+    QTest::keyClick(values, Qt::Key_Right);
+    QTest::keyClick(values, Qt::Key_Left, Qt::ShiftModifier);
+    QCOMPARE(*m_session.recipe().realization.order.value, Index(2));
+    QTest::keyClick(values, Qt::Key_Left);
+    QTest::keyClick(values, Qt::Key_Right, Qt::ShiftModifier);
+    QCOMPARE(*m_session.recipe().realization.order.value, Index(2));
+    QTest::keyClick(values, Qt::Key_Left);
+    QTest::keyClick(values, Qt::Key_Left, Qt::ShiftModifier); // nothing whole is below
+    QCOMPARE(*m_session.recipe().realization.order.value, Index(1));
+    QTest::keyClick(values, Qt::Key_End);
+    QCOMPARE(*m_session.recipe().realization.order.value,
+        m_session.results().decomposition->hankel.singularValues.size());
+    waitComputed();
+}
+
+void TestOrderPage::keyO_leadsToTheFieldOfTheOrder()
+{
+    Recipe recipe = m_session.recipe();
+    recipe.realization.order = {};
+    m_session.apply(recipe, "order");
+    waitComputed();
+    QTest::keyClick(plot("singularValuePlot"), Qt::Key_O);
+    auto *field = m_page->inspector()->findChild<QuantityEdit *>("orderValue");
+    QTest::keyClicks(field, "3");
+    QTest::keyClick(field, Qt::Key_Return);
+    QVERIFY(m_session.recipe().realization.order.value);
+    QCOMPARE(*m_session.recipe().realization.order.value, Index(3));
+    waitComputed();
+}
+
+void TestOrderPage::splitPair_isSaidAndOffersTheWholeOne()
+{
+    choose(1);
+    const Findings findings = m_session.results().findings();
+    const auto split = std::ranges::find(findings, "ORD-001", &Finding::id);
+    QVERIFY(split != findings.end());
+    QCOMPARE(split->mend->key, std::string("realization.order"));
+    QCOMPARE(split->mend->value, std::string("2"));
+    pin({1});
+    QTest::qWait(20);
+    QTRY_VERIFY(find<QLabel>(*cardOf(1), "candidateText")->text().contains("splits a pair"));
+}
+
+void TestOrderPage::values_haveTheDigitsOfTheirUncertainty()
+{
+    const Pole *pole = mainPole(*m_session.results().model);
+    QVERIFY(pole && pole->u_frequency_Hz > 0.0);
+    const QString shown = control<QLabel>("resonanceReadout")->text();
+    QVERIFY2(shown.contains(shownWithU(pole->frequency_Hz, pole->u_frequency_Hz, "Hz")),
+        qPrintable(shown));
+    // "2.33000 MHz ± 0.00013 MHz": as many decimals in both.
+    const QRegularExpression pair("^(\\d+\\.(\\d+)) MHz ± 0\\.(\\d+) MHz");
+    const auto match = pair.match(control<QLabel>("spreadReadout")->text());
+    QVERIFY2(match.hasMatch(), qPrintable(control<QLabel>("spreadReadout")->text()));
+    QCOMPARE(match.captured(2).size(), match.captured(3).size());
 }
 
 void TestOrderPage::enter_adoptsWithTheProposedReason()

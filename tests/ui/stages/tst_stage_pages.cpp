@@ -6,6 +6,7 @@
 #include "ui/stages/components_page.h"
 #include "ui/stages/model_input_page.h"
 #include "ui/stages/model_page.h"
+#include "ui/stages/model_text.h"
 #include "ui/stages/quantity_edit.h"
 #include "ui/stages/shock_page.h"
 #include "ui/stages/spectrum_page.h"
@@ -34,6 +35,8 @@ private slots:
     void modelInput_treatmentAndRate_changeTheRecipe();
     void modelInput_samplesPerPeriod_hasAWord();
     void model_readouts_showTheResults();
+    void poles_flagsAreWords();
+    void noise_isNamedInWords();
     void shock_typedValues_areSi();
     void shock_arrivalDistance_makesOneSensor();
     void shock_states_areListedPerShot();
@@ -142,7 +145,35 @@ void TestStagePages::model_readouts_showTheResults()
     QCOMPARE(bench.control<QLabel>("modelFit")->text(), QString("89.4 % of attainable 89.9 %"));
     QCOMPARE(bench.control<QLabel>("modelRise")->text(), QString("120 ns"));
     QCOMPARE(bench.control<ValueTable>("poleTable")->rowCount(), 1); // a pair is one line
-    QCOMPARE(bench.control<ValueTable>("poleTable")->item(0, 0)->text(), QString("1.5 MHz"));
+    QCOMPARE(bench.control<ValueTable>("poleTable")->item(0, 0)->text(), QString("1.5000 MHz"));
+}
+
+void TestStagePages::poles_flagsAreWords()
+{
+    SensorModel model;
+    Pole pole;
+    pole.z = {0.5, 0.5};
+    pole.frequency_Hz = 2.33e6;
+    pole.u_frequency_Hz = 130.0;
+    pole.dampingRatio = 0.02;
+    pole.u_dampingRatio = 9.3e-5;
+    pole.flags = {kBelowNoiseFlag, kTubeModeFlag, "of-tomorrow"};
+    model.poles = {pole};
+    const QStringList row = poleRows(&model, PoleColumns::All).at(0);
+    QCOMPARE(row.last(), QString("below the noise, tube mode?, of-tomorrow"));
+    QCOMPARE(row.mid(0, 4), (QStringList{"2.33000 MHz", "0.00013 MHz", "0.020000", "0.000093"}));
+}
+
+void TestStagePages::noise_isNamedInWords()
+{
+    const std::pair<const char *, const char *> cases[]{{"white", "white"}, {"AR(3)", "AR(3)"},
+        {"AR(3) of the residual", "AR(3), of the residual"},
+        {"white of the residual", "white, of the residual"}};
+    for (const auto &[method, words] : cases) {
+        SensorModel model;
+        model.uncertaintyMethod = method;
+        QCOMPARE(noiseText(model), QString(words));
+    }
 }
 
 void TestStagePages::shock_typedValues_areSi()

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/certificate/rounding.h"
+#include "core/base/rounding.h"
 
 #include "core/base/number_text.h"
 

@@ -5,7 +5,7 @@
 // every double exactly, and has no part in how the texts are made.
 
 #include "core/base/number_text.h"
-#include "core/certificate/rounding.h"
+#include "core/base/rounding.h"
 #include "tests/support/python_answer.h"
 
 #include <QFile>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/base/number_text.h"
-#include "core/certificate/rounding.h"
+#include "core/base/rounding.h"
 
 #include <QtTest>
 
