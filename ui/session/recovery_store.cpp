@@ -4,13 +4,13 @@
 #include "ui/session/recovery_store.h"
 
 #include "core/base/atomic_file.h"
+#include "ui/session/file_lock.h"
 #include "ui/session/project_file.h"
 
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
 #include <QJsonArray>
-#include <QLockFile>
 
 #include <algorithm>
 
@@ -77,12 +77,11 @@ RecoveryStore::~RecoveryStore() = default;
 
 bool RecoveryStore::lock(const QString &file)
 {
-    auto lock = std::make_unique<QLockFile>(file + kLockSuffix);
-    lock->setStaleLockTime(0); // a program that runs for days keeps its own
-    if (!lock->tryLock())
-        return false;
-    m_locks[file] = std::move(lock);
-    return true;
+    std::unique_ptr<FileLock> lock = FileLock::take(file + kLockSuffix);
+    const bool isOurs = lock != nullptr;
+    if (isOurs)
+        m_locks[file] = std::move(lock);
+    return isOurs;
 }
 
 /// The file of a stopped program, locked by this one now.

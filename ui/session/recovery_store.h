@@ -14,9 +14,9 @@
 #include <memory>
 #include <vector>
 
-class QLockFile;
-
 namespace dyncal {
+
+class FileLock;
 
 /// Unsaved work that a program left behind when it was stopped.
 struct RecoveredWork
@@ -63,7 +63,7 @@ private:
     bool lock(const QString &file);
     void forget(const QString &file);
 
-    std::map<QString, std::unique_ptr<QLockFile>> m_locks; ///< by file
+    std::map<QString, std::unique_ptr<FileLock>> m_locks; ///< by file
     Result<QString> m_file = QString();
     std::vector<RecoveredWork> m_left;
     std::vector<UnreadableWork> m_unreadable;
