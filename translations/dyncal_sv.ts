@@ -489,6 +489,46 @@
         <source>Amplitude</source>
         <translation>Amplitud</translation>
     </message>
+    <message>
+        <source>the step itself</source>
+        <translation>själva steget</translation>
+    </message>
+    <message>
+        <source>from sampling</source>
+        <translation>av samplingen</translation>
+    </message>
+    <message>
+        <source>grows</source>
+        <translation>växer</translation>
+    </message>
+    <message>
+        <source>below the noise</source>
+        <translation>under bruset</translation>
+    </message>
+    <message>
+        <source>differs between the shots</source>
+        <translation>skiljer mellan skotten</translation>
+    </message>
+    <message>
+        <source>tube mode?</source>
+        <translation>rörmod?</translation>
+    </message>
+    <message>
+        <source>nearly cancelled by a zero</source>
+        <translation>nästan upphävd av ett nollställe</translation>
+    </message>
+    <message>
+        <source>as slow as a drift</source>
+        <translation>långsam som en drift</translation>
+    </message>
+    <message>
+        <source>white</source>
+        <translation>vit</translation>
+    </message>
+    <message>
+        <source>%1, of the residual</source>
+        <translation>%1, av residualen</translation>
+    </message>
 </context>
 <context>
     <name>Plots</name>
@@ -1168,6 +1208,10 @@
     <message>
         <source>no</source>
         <translation>nej</translation>
+    </message>
+    <message>
+        <source>u-shaped</source>
+        <translation>U-formad</translation>
     </message>
 </context>
 <context>
@@ -2308,36 +2352,12 @@
         <translation>Ordning %1 delar ett svängande par (singulärvärde %1 och %2 är %3 och %4). Ordning %2 behåller det.</translation>
     </message>
     <message>
-        <source>States above %1 lie at the noise level.</source>
-        <translation>Tillstånd över %1 ligger på brusnivån.</translation>
-    </message>
-    <message>
-        <source>The model of order %1 is unstable: a pole of magnitude %2 at %3. It is not reportable; choose another order.</source>
-        <translation>Modellen av ordning %1 är instabil: en pol med beloppet %2 vid %3. Den kan inte redovisas; välj en annan ordning.</translation>
-    </message>
-    <message>
-        <source>A pole lies at z = %1: dynamics at the Nyquist frequency come from sampling, not from the sensor.</source>
-        <translation>En pol ligger vid z = %1: dynamik vid Nyquistfrekvensen kommer från samplingen, inte från givaren.</translation>
-    </message>
-    <message>
         <source>The pole at z = %1 is the step itself.</source>
         <translation>Polen vid z = %1 är själva steget.</translation>
     </message>
     <message>
-        <source>FIT is %1 % of an attainable %2 %: the model misses part of the response.</source>
-        <translation>FIT är %1 % av uppnåeliga %2 %: modellen missar en del av svaret.</translation>
-    </message>
-    <message>
         <source>FIT %1 % is above the %2 % that the noise allows: order %3 also fits noise.</source>
         <translation>FIT %1 % ligger över de %2 % som bruset tillåter: ordning %3 anpassar även brus.</translation>
-    </message>
-    <message>
-        <source>The spectrum&apos;s resonance at %1 is not in the model, whose nearest lies at %2.</source>
-        <translation>Spektrumets resonans vid %1 finns inte i modellen, vars närmaste ligger vid %2.</translation>
-    </message>
-    <message>
-        <source>The spectrum&apos;s resonance at %1 is not in the model, which has none.</source>
-        <translation>Spektrumets resonans vid %1 finns inte i modellen, som inte har någon.</translation>
     </message>
     <message>
         <source>The model starts at %1 % of the step instead of 0: a fast part of the response is missing; raise the model rate or the order.</source>
@@ -3348,10 +3368,6 @@
         <translation>%1: receptet anger samplingsfrekvensen %2, men tidskolumnen stegar med %3. Vilken stämmer? Ta bort sample_rate_hz ur receptet, eller ange i sample_rate_reason varför tiderna är fel.</translation>
     </message>
     <message>
-        <source>Peak %1 follows the sound speed of the gas (slope %2, u %3): tube mode, not the sensor. Nearest: %4.</source>
-        <translation>Toppen %1 följer gasens ljudhastighet (lutning %2, u %3): rörmod, inte givaren. Närmast: %4.</translation>
-    </message>
-    <message>
         <source>Shot %1: the step reaches &apos;%2&apos; %3 before &apos;%4&apos;, which the shock passes first. The two channels look swapped; exchange their roles in import.channels, for one file in import.files.</source>
         <translation>Skott %1: steget når &apos;%2&apos; %3 före &apos;%4&apos;, som stöten passerar först. De två kanalerna verkar förväxlade; byt deras roller i import.channels, för en enda fil i import.files.</translation>
     </message>
@@ -3532,14 +3548,6 @@
         <translation>Skott %1: stegets osäkerhet kunde inte kontrolleras med Monte Carlo (%2); vad fortplantningslagen ger kan vara fel.</translation>
     </message>
     <message>
-        <source>The shots do not share the pole at %1 (homogeneity test: %2 %). Its uncertainty is the scatter between them; state one value per level.</source>
-        <translation>Skotten har inte polen vid %1 gemensam (homogenitetstest: %2 %). Dess osäkerhet är spridningen mellan dem; ange ett värde per nivå.</translation>
-    </message>
-    <message>
-        <source>The shots do not share the pole at %1 (homogeneity test: %2 %); their main resonances lie at %3 to %4. Its uncertainty is the scatter between them; state one value per level.</source>
-        <translation>Skotten har inte polen vid %1 gemensam (homogenitetstest: %2 %); deras huvudresonanser ligger vid %3 till %4. Dess osäkerhet är spridningen mellan dem; ange ett värde per nivå.</translation>
-    </message>
-    <message>
         <source>Use order %1</source>
         <translation>Använd ordning %1</translation>
     </message>
@@ -3550,10 +3558,6 @@
     <message>
         <source>No clear gap between the singular values: none above the noise is more than %1 times the next. Compare candidates.</source>
         <translation>Inget tydligt språng mellan singulärvärdena: inget över bruset är mer än %1 gånger nästa. Jämför kandidater.</translation>
-    </message>
-    <message>
-        <source>Shot %1: FIT is %2 % with the model, but %3 % with the poles of the other shots alone. The shots do not share their poles; the sensor may not be linear.</source>
-        <translation>Skott %1: FIT är %2 % med modellen, men %3 % med enbart de andra skottens poler. Skotten har inte gemensamma poler; givaren kan vara olinjär.</translation>
     </message>
     <message>
         <source>Shot %1: the window of %2 holds %3 periods of the mode %4; below 2 it cannot be told from the plateau and stays in the response.</source>
@@ -3586,10 +3590,6 @@
     <message>
         <source>Order %1 splits no oscillating pair.</source>
         <translation>Ordning %1 delar inget svängande par.</translation>
-    </message>
-    <message>
-        <source>The pole at %1 is stable from order %2 to %3; over these its frequency varies by %4 % and its damping ratio %5 by %6 %.</source>
-        <translation>Polen vid %1 är stabil från ordning %2 till %3; över dessa varierar frekvensen med %4 % och dämpningen %5 med %6 %.</translation>
     </message>
     <message>
         <source>Poles of the other shots describe a shot best at order %1: they leave %2 % of it.</source>
@@ -3658,6 +3658,118 @@
     <message>
         <source>Shot %1: %2 % of the resonance at %3 is left in the residual, because its arrival differs from the others&apos; by %4 of a sample; aligned, %5 % are left. The average of the shots loses some of its ringing by this, stacked shots do not.</source>
         <translation>Skott %1: %2 % av resonansen vid %3 är kvar i residualen, eftersom dess ankomst skiljer sig från de andras med %4 sampel; efter inpassning är %5 % kvar. Medelvärdet av skotten förlorar något av sin ringning på detta, staplade skott gör det inte.</translation>
+    </message>
+    <message>
+        <source>The quantity %1 = %2 has a standard uncertainty of %3 with %4 degrees of freedom; the first two must be finite, the uncertainty 0 or above, the degrees above 0.</source>
+        <translation>Storheten %1 = %2 har standardosäkerheten %3 med %4 frihetsgrader; de två första måste vara ändliga, osäkerheten minst 0 och frihetsgraderna större än 0.</translation>
+    </message>
+    <message>
+        <source>The quantity %1 is there twice in an uncertainty budget; join the two contributions to one.</source>
+        <translation>Storheten %1 finns två gånger i en osäkerhetsbudget; slå ihop de två bidragen till ett.</translation>
+    </message>
+    <message>
+        <source>The result is not a finite number.</source>
+        <translation>Resultatet är inte ett ändligt tal.</translation>
+    </message>
+    <message>
+        <source>The shortest window, %1, resolves steps of %2, but the response is asked for from %3: below %2 it is not measured. Lengthen the window or take these frequencies out of response.frequencies_hz.</source>
+        <translation>Det kortaste fönstret, %1, upplöser steg om %2, men svaret begärs från %3: under %2 mäts det inte. Förläng fönstret eller ta bort dessa frekvenser ur response.frequencies_hz.</translation>
+    </message>
+    <message>
+        <source>Peak %1 follows the sound speed of the gas (slope %2, u %3; of a sensor 0): a tube mode, to be left out of the model.</source>
+        <translation>Toppen %1 följer gasens ljudhastighet (lutning %2, u %3; för en givare 0): en rörmod, som ska lämnas utanför modellen.</translation>
+    </message>
+    <message>
+        <source>Peak %1 follows the sound speed of the gas (slope %2, u %3; of a sensor 0): a tube mode, to be left out of the model. The nearest computed is %4.</source>
+        <translation>Toppen %1 följer gasens ljudhastighet (lutning %2, u %3; för en givare 0): en rörmod, som ska lämnas utanför modellen. Den närmaste beräknade är %4.</translation>
+    </message>
+    <message>
+        <source>The uncertainty of &apos;%1&apos; in uncertainty.budget is used for nothing; the nearest quantity that counts is &apos;%2&apos;.</source>
+        <translation>Osäkerheten för &apos;%1&apos; i uncertainty.budget används inte till något; den närmaste storhet som räknas är &apos;%2&apos;.</translation>
+    </message>
+    <message>
+        <source>The model holds poles of the tube&apos;s gas: %1 (in brackets the peak that moves with the sound speed, shot by shot). Leave that oscillation out of the model, or it is certified as the sensor&apos;s.</source>
+        <translation>Modellen innehåller poler från gasen i röret: %1 (inom parentes toppen som flyttar sig med ljudhastigheten, skott för skott). Lämna den svängningen utanför modellen, annars intygas den som givarens.</translation>
+    </message>
+    <message>
+        <source>Poles within 3 % of a computed resonance of the tube: %1. If they are not the sensor&apos;s, leave that oscillation out of the model.</source>
+        <translation>Poler inom 3 % från en beräknad resonans hos röret: %1. Om de inte är givarens, lämna den svängningen utanför modellen.</translation>
+    </message>
+    <message>
+        <source>Recipe key uncertainty.budget holds the quantity &quot;%1&quot; twice; join the two contributions to one.</source>
+        <translation>Receptnyckeln uncertainty.budget innehåller storheten &quot;%1&quot; två gånger; slå ihop de två bidragen till ett.</translation>
+    </message>
+    <message>
+        <source>The shots do not share the pole at %1 (their scatter would be chance in %2 % of cases; the limit is 1 %). Its uncertainty is the scatter between them; state one value per level.</source>
+        <translation>Skotten har inte polen vid %1 gemensam (deras spridning vore en slump i %2 % av fallen; gränsen är 1 %). Dess osäkerhet är spridningen mellan dem; ange ett värde per nivå.</translation>
+    </message>
+    <message>
+        <source>The shots do not share the pole at %1 (their scatter would be chance in %2 % of cases; the limit is 1 %); their main resonances lie at %3 to %4. Its uncertainty is the scatter between them; state one value per level.</source>
+        <translation>Skotten har inte polen vid %1 gemensam (deras spridning vore en slump i %2 % av fallen; gränsen är 1 %); deras huvudresonanser ligger vid %3 till %4. Dess osäkerhet är spridningen mellan dem; ange ett värde per nivå.</translation>
+    </message>
+    <message>
+        <source>Order %1 has states at the noise level: singular value %1 is %3, noise alone reaches %4. Order %2 is the highest above it.</source>
+        <translation>Ordning %1 har tillstånd i brusnivån: singulärvärde %1 är %3, enbart brus når %4. Ordning %2 är den högsta däröver.</translation>
+    </message>
+    <message>
+        <source>Order %1 has states at the noise level: singular value %1 is %3, noise alone reaches %4. No value is above it: the response holds nothing that could be identified.</source>
+        <translation>Ordning %1 har tillstånd i brusnivån: singulärvärde %1 är %3, enbart brus når %4. Inget värde ligger däröver: svaret innehåller inget som kan identifieras.</translation>
+    </message>
+    <message>
+        <source>The model of order %1 is unstable: poles that grow, at %2, the largest of magnitude %3 (at most 1). It is not reportable; choose another order.</source>
+        <translation>Modellen av ordning %1 är instabil: växande poler vid %2, den största med beloppet %3 (högst 1). Den kan inte rapporteras; välj en annan ordning.</translation>
+    </message>
+    <message>
+        <source>Poles at the Nyquist frequency, %1: %2. Dynamics there come from sampling, not from the sensor; a lower order or a higher model rate is without them.</source>
+        <translation>Poler vid Nyquistfrekvensen, %1: %2. Dynamik där kommer av samplingen, inte av givaren; en lägre ordning eller en högre samplingsfrekvens hos modellen är utan dem.</translation>
+    </message>
+    <message>
+        <source>The response is treated as a free decay but stays at a level: a pole at z = %1. Treat it as a step, or the step becomes a part of the sensor.</source>
+        <translation>Svaret behandlas som en fri utsvängning men stannar på en nivå: en pol vid z = %1. Behandla det som ett steg, annars blir steget en del av givaren.</translation>
+    </message>
+    <message>
+        <source>Treat as a step</source>
+        <translation>Behandla som steg</translation>
+    </message>
+    <message>
+        <source>FIT is %1 % where the noise allows %2 %: the model misses part of the response. Choose a higher order; the error shows what is missing.</source>
+        <translation>FIT är %1 % där bruset medger %2 %: modellen missar en del av svaret. Välj en högre ordning; felet visar vad som saknas.</translation>
+    </message>
+    <message>
+        <source>The spectrum&apos;s resonance at %1 is not in the model, whose nearest lies at %2 (2 % apart at most). Choose another order or model rate.</source>
+        <translation>Spektrets resonans vid %1 finns inte i modellen, vars närmaste ligger vid %2 (högst 2 % ifrån). Välj en annan ordning eller samplingsfrekvens hos modellen.</translation>
+    </message>
+    <message>
+        <source>The spectrum&apos;s resonance at %1 is not in the model, which has none. Choose a higher order.</source>
+        <translation>Spektrets resonans vid %1 finns inte i modellen, som inte har någon. Välj en högre ordning.</translation>
+    </message>
+    <message>
+        <source>Shot %1: FIT is %2 % with the model, but %3 % with the poles of the other shots alone. The shots do not share their poles: look at that shot; if nothing is wrong with it the sensor is not linear.</source>
+        <translation>Skott %1: FIT är %2 % med modellen men %3 % med enbart de andra skottens poler. Skotten har inte gemensamma poler: granska det skottet; är inget fel med det är givaren inte linjär.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the mode %2 has a frequency for the shots 1 to %3 only; it stays in the response of this one.</source>
+        <translation>Skott %1: moden %2 har en frekvens endast för skotten 1 till %3; den blir kvar i svaret från detta.</translation>
+    </message>
+    <message>
+        <source>The mode %1 was read in shot %2, of which no sound speed is known: it is looked for at that frequency in every shot. Read it in another shot, or give one frequency per shot.</source>
+        <translation>Moden %1 avlästes i skott %2, vars ljudhastighet inte är känd: den söks vid den frekvensen i varje skott. Läs av den i ett annat skott, eller ange en frekvens per skott.</translation>
+    </message>
+    <message>
+        <source>The pole at %1 with damping ratio %2 is stable from order %3 to %4; the ranges are those over these orders.</source>
+        <translation>Polen vid %1 med dämpningsförhållandet %2 är stabil från ordning %3 till %4; intervallen gäller över dessa ordningar.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be made.</source>
+        <translation>Mappen %1 kan inte skapas.</translation>
+    </message>
+    <message>
+        <source>The folder %1 cannot be written to.</source>
+        <translation>Det går inte att skriva i mappen %1.</translation>
+    </message>
+    <message>
+        <source>%1 does not hold the work of a stopped program.</source>
+        <translation>%1 innehåller inte arbete från ett stoppat program.</translation>
     </message>
 </context>
 <context>
@@ -4447,6 +4559,14 @@
     <message>
         <source>Model written to %1</source>
         <translation>Modellen skrevs till %1</translation>
+    </message>
+    <message>
+        <source>Restoring work</source>
+        <translation>Återställer arbete</translation>
+    </message>
+    <message>
+        <source>Work restored; it is not saved yet</source>
+        <translation>Arbetet är återställt; det är inte sparat än</translation>
     </message>
 </context>
 <context>
@@ -5574,10 +5694,6 @@
         <translation>faktor %1 till nästa</translation>
     </message>
     <message>
-        <source>%1 ± %2, ζ %3 ± %4 (orders %5 to %6)</source>
-        <translation>%1 ± %2, ζ %3 ± %4 (ordning %5 till %6)</translation>
-    </message>
-    <message>
         <source>There is no model yet.</source>
         <translation>Det finns ännu ingen modell.</translation>
     </message>
@@ -5592,6 +5708,10 @@
     <message>
         <source>Note on order %1: %2</source>
         <translation>Anmärkning till ordning %1: %2</translation>
+    </message>
+    <message>
+        <source>%1, ζ %2 (orders %3 to %4)</source>
+        <translation>%1, ζ %2 (ordning %3 till %4)</translation>
     </message>
 </context>
 <context>
@@ -5779,6 +5899,37 @@
     <message>
         <source>Import settings of %1</source>
         <translation>Importinställningar för %1</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::RecoveryBanner</name>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Återställ</translation>
+    </message>
+    <message>
+        <source>L&amp;ocate recordings...</source>
+        <translation>Leta &amp;upp registreringar...</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>Ån&amp;gra</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Kasta</translation>
+    </message>
+    <message>
+        <source>&amp;Not now</source>
+        <translation>&amp;Inte nu</translation>
+    </message>
+    <message>
+        <source>It is offered again at the next start</source>
+        <translation>Det erbjuds igen vid nästa start</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Stäng</translation>
     </message>
 </context>
 <context>
@@ -6441,6 +6592,79 @@
     <message>
         <source>Left out of the fit, after the start</source>
         <translation>Utelämnat ur anpassningen, efter starten</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::WorkRecovery</name>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>%1 h</source>
+        <translation>%1 h</translation>
+    </message>
+    <message>
+        <source>%1 days</source>
+        <translation>%1 dagar</translation>
+    </message>
+    <message>
+        <source>an unsaved project</source>
+        <translation>ett osparat projekt</translation>
+    </message>
+    <message>
+        <source>the example</source>
+        <translation>exemplet</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 and %n more</source>
+        <translation>
+            <numerusform>%1 och %n till</numerusform>
+            <numerusform>%1 och %n till</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The recovered work on %1 is discarded.</source>
+        <translation>Det räddade arbetet med %1 är kastat.</translation>
+    </message>
+    <message>
+        <source>Work of a stopped program could not be read: %1 It is kept as %2.</source>
+        <translation>Arbete från ett stoppat program kunde inte läsas: %1 Det finns kvar som %2.</translation>
+    </message>
+    <message>
+        <source>Recovered work on %1 from %2 (%3 before stop).</source>
+        <translation>Räddat arbete med %1 från %2 (%3 före stoppet).</translation>
+    </message>
+    <message>
+        <source>The project was saved after that, at %1.</source>
+        <translation>Projektet sparades efter det, %1.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more after this one.</source>
+        <translation>
+            <numerusform>%n till efter detta.</numerusform>
+            <numerusform>%n till efter detta.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>It is kept, but could not be opened now: %1</source>
+        <translation>Det finns kvar men kunde inte öppnas nu: %1</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>Mapp med registreringarna</translation>
+    </message>
+    <message>
+        <source>Not auto-saved: %1</source>
+        <translation>Inte sparat automatiskt: %1</translation>
+    </message>
+    <message>
+        <source>Auto-saved %1</source>
+        <translation>Sparat automatiskt %1</translation>
     </message>
 </context>
 </TS>
