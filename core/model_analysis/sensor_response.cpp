@@ -87,17 +87,21 @@ ExponentialSum modelStep(const SensorModel &model, const SeriesFit &fit, double 
     return step;
 }
 
+/// Whether the response is in the DUT's unit per pascal: asked for, one unit, every step known.
+bool isPerPressure(const std::vector<WindowedResponse> &responses, const ShockConditionsSet &shock,
+    const ResponseSettings &settings)
+{
+    return settings.reference == "computed-step" && shareOneUnit(responses)
+        && std::all_of(responses.begin(), responses.end(), [&](const WindowedResponse &response) {
+               const ShockConditions *conditions = shock.ofShot(response.shot);
+               return conditions && conditions->step_Pa;
+           });
+}
+
 std::vector<ShotView> views(const std::vector<WindowedResponse> &responses,
-    const SensorModel &model, const ShockConditionsSet &shock, const ResponseSettings &settings,
-    bool &isAbsolute)
+    const SensorModel &model, const ShockConditionsSet &shock, bool isAbsolute)
 {
     std::vector<ShotView> list;
-    isAbsolute = settings.reference == "computed-step";
-    for (const WindowedResponse &response : responses) {
-        const ShockConditions *conditions = shock.ofShot(response.shot);
-        isAbsolute = isAbsolute && conditions && conditions->step_Pa;
-    }
-    isAbsolute = isAbsolute && shareOneUnit(responses);
     for (const WindowedResponse &response : responses) {
         ShotView view{&response, fitOfShot(model, response.shot), 1.0, 1.0, {}, {}};
         view.record = sensorRecord(response, model, view.fit);
@@ -343,8 +347,7 @@ ResponseResult computeModelResponse(const std::vector<WindowedResponse> &respons
     result.fLow_Hz = from_Hz;
     result.fHigh_Hz = to_Hz;
     const bool isStep = isStepTreatment(input.treatment);
-    bool isAbsolute = false;
-    views(responses, model, shock, settings, isAbsolute);
+    const bool isAbsolute = isPerPressure(responses, shock, settings);
     if (isStep)
         describeShots(responses, model, shock, result);
     result.unit = isStep && isAbsolute ? result.sensitivityUnit : "1";
@@ -365,8 +368,8 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
     result.fHigh_Hz = kHighestOfRate * rate_Hz;
     result.characteristics = stepCharacteristics(model, input.treatment);
 
-    bool isAbsolute = false;
-    const std::vector<ShotView> shots = views(responses, model, shock, settings, isAbsolute);
+    const bool isAbsolute = isPerPressure(responses, shock, settings);
+    const std::vector<ShotView> shots = views(responses, model, shock, isAbsolute);
     if (isStep) {
         describeShots(responses, model, shock, result);
         result.fHigh_Hz = upperLimit_Hz(shots, span_s, result.fLow_Hz, rate_Hz);

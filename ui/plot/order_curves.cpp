@@ -32,50 +32,49 @@ std::vector<StabilityLook> stabilityLooks()
         {PoleStability::Unstable, CurveRole::UnstablePole, Plots::tr("Unstable")}};
 }
 
-/// Mean of the shots' spectra at the first one's frequencies; where they differ in their
-/// frequencies, the first one alone.
-PowerSpectrum meanSpectrum(const SpectrumResult &spectrum)
+/// The spectra that have the first one's frequencies, that one included.
+std::vector<const PowerSpectrum *> alikeSpectra(const SpectrumResult &spectrum)
 {
-    if (spectrum.perShot.empty())
-        return {};
-    PowerSpectrum mean = spectrum.perShot.front();
-    double count = 1.0;
-    for (std::size_t i = 1; i < spectrum.perShot.size(); ++i) {
-        const PowerSpectrum &other = spectrum.perShot[i];
-        if (other.frequency_Hz.size() != mean.frequency_Hz.size()
-            || other.frequency_Hz != mean.frequency_Hz)
-            continue;
-        mean.psd += other.psd;
-        count += 1.0;
+    std::vector<const PowerSpectrum *> alike;
+    for (const PowerSpectrum &other : spectrum.perShot) {
+        const Eigen::VectorXd &first = spectrum.perShot.front().frequency_Hz;
+        if (other.frequency_Hz.size() == first.size() && other.frequency_Hz == first)
+            alike.push_back(&other);
     }
-    mean.psd /= count;
-    return mean;
+    return alike;
 }
 
-/// The highest value of each of some hundred bands over the frequencies of the poles: the shape is
-/// all that is asked for.
+/// Of the mean spectrum the highest value of each of some hundred bands over the frequencies of the
+/// poles: the shape is all that is asked for. Drawn at every move of the order: one logarithm a
+/// band, not a bin.
 PlotCurve spectrumBehind(const SpectrumResult &spectrum, double from_Hz, double to_Hz)
 {
-    constexpr Index kBands = 400;
-    const PowerSpectrum mean = meanSpectrum(spectrum);
+    constexpr int kBands = 400;
     PlotCurve curve{Plots::tr("Spectrum"), CurveRole::Noise, CurveStyle::Line, {}, {}, true};
     curve.onSecondAxis = true;
-    const double perBand = std::log(to_Hz / from_Hz) / static_cast<double>(kBands);
-    Index last = -1;
-    for (Index i = 0; i < mean.frequency_Hz.size(); ++i) {
-        const double f_Hz = mean.frequency_Hz[i];
-        if (!(f_Hz >= from_Hz && f_Hz <= to_Hz) || !(mean.psd[i] > 0.0))
-            continue;
-        const double level_dB = 10.0 * std::log10(mean.psd[i]);
-        const auto band = static_cast<Index>(std::log(f_Hz / from_Hz) / perBand);
-        if (band > last) {
-            curve.x.push_back(f_Hz);
-            curve.y.push_back(level_dB);
-        } else if (level_dB > curve.y.back()) {
-            curve.x.back() = f_Hz;
-            curve.y.back() = level_dB;
+    const std::vector<const PowerSpectrum *> alike = alikeSpectra(spectrum);
+    if (alike.empty())
+        return curve;
+    const Eigen::VectorXd &f_Hz = alike.front()->frequency_Hz;
+    const double *const end = f_Hz.data() + f_Hz.size();
+    const double *bin = std::lower_bound(f_Hz.data(), end, from_Hz);
+    for (int band = 0; band < kBands && bin != end; ++band) {
+        const double end_Hz = from_Hz * std::pow(to_Hz / from_Hz, (band + 1.0) / kBands);
+        double highest = 0.0;
+        double at_Hz = 0.0;
+        for (; bin != end && *bin <= end_Hz; ++bin) {
+            double sum = 0.0;
+            for (const PowerSpectrum *one : alike)
+                sum += one->psd[bin - f_Hz.data()];
+            if (sum > highest) {
+                highest = sum;
+                at_Hz = *bin;
+            }
         }
-        last = band;
+        if (!(highest > 0.0))
+            continue;
+        curve.x.push_back(at_Hz);
+        curve.y.push_back(10.0 * std::log10(highest / static_cast<double>(alike.size())));
     }
     return curve;
 }

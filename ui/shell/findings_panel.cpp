@@ -44,22 +44,41 @@ void FindingsPanel::setFindings(const Findings &findings,
     m_shown = findings;
     std::ranges::stable_sort(
         m_shown, [](const Finding &a, const Finding &b) { return a.severity > b.severity; });
-    clear();
-    m_rows.clear();
-    for (std::size_t i = 0; i < m_shown.size(); ++i) {
-        const Finding &finding = m_shown[i];
+    m_mends.clear();
+    QStringList words;
+    for (const Finding &finding : m_shown) {
         QString line = findingLine(finding);
         for (const Acknowledgement &entry : acknowledged)
             if (entry.finding == finding.id && entry.shot == finding.shot)
                 line += " " + tr("Accepted: %1").arg(QString::fromStdString(entry.reason));
-        addItem(line);
+        words << line;
+        m_mends.push_back(mendsOf(finding, captures));
+        for (const Remedy &mend : m_mends.back())
+            words << mend.label;
+    }
+    // While an order is dragged the same sentences come many times a second.
+    if (m_words == words && count() > 0)
+        return;
+    m_words = words;
+    fill();
+}
+
+/// Rows for m_shown and m_mends in the words of m_words.
+void FindingsPanel::fill()
+{
+    clear();
+    m_rows.clear();
+    qsizetype word = 0;
+    for (std::size_t i = 0; i < m_shown.size(); ++i) {
+        addItem(m_words[word]);
+        word += 1 + std::ssize(m_mends[i]);
         m_rows.push_back(i);
         item(count() - 1)
-            ->setToolTip(finding.severity == Severity::Caution
+            ->setToolTip(m_shown[i].severity == Severity::Caution
                     ? tr("Click to go to the stage; right click to give a reason")
                     : tr("Click to go to the stage"));
-        if (const std::vector<Remedy> mends = mendsOf(finding, captures); !mends.empty()) {
-            addButtons(finding, mends);
+        if (!m_mends[i].empty()) {
+            addButtons(i);
             m_rows.push_back(i);
         }
     }
@@ -71,21 +90,24 @@ void FindingsPanel::setFindings(const Findings &findings,
 
 /// A row of its own, so that the sentence above keeps its width, its menu and its place in the
 /// copy.
-void FindingsPanel::addButtons(const Finding &finding, const std::vector<Remedy> &mends)
+void FindingsPanel::addButtons(std::size_t shown)
 {
+    const Finding &finding = m_shown[shown];
     auto *box = new QWidget(this);
     auto *column = new QVBoxLayout(box);
     column->setContentsMargins(kButtonIndent, 0, 4, 6);
     column->setSpacing(3);
-    for (const Remedy &mend : mends) {
-        auto *button = new QPushButton(mend.label, box);
+    for (std::size_t i = 0; i < m_mends[shown].size(); ++i) {
+        auto *button = new QPushButton(m_mends[shown][i].label, box);
         button->setObjectName(
             QString("mend_%1_%2").arg(QString::fromStdString(finding.id)).arg(column->count() + 1));
         button->setAccessibleDescription(findingLine(finding));
         // The panel is filled anew by what the mend changes: not within the click.
-        connect(
-            button, &QPushButton::clicked, this, [this, mend] { emit mendRequested(mend); },
-            Qt::QueuedConnection);
+        connect(button, &QPushButton::clicked, this, [this, shown, i] {
+            QMetaObject::invokeMethod(
+                this, [this, mend = m_mends[shown][i]] { emit mendRequested(mend); },
+                Qt::QueuedConnection);
+        });
         column->addWidget(button, 0, Qt::AlignLeft);
     }
     auto *row = new QListWidgetItem(this);

@@ -37,10 +37,13 @@ protected:
 
 private:
     void request(const QListWidgetItem *item);
-    void addButtons(const Finding &finding, const std::vector<Remedy> &mends);
+    void fill();
+    void addButtons(std::size_t shown);
     const Finding *findingAt(int row) const;
 
     Findings m_shown; ///< the most severe first
+    std::vector<std::vector<Remedy>> m_mends; ///< of each of them
+    QStringList m_words; ///< of the rows: line by line, and labels of their buttons
     std::vector<std::size_t> m_rows; ///< position in m_shown of each row: findings and buttons
 };
 

@@ -76,6 +76,7 @@ private slots:
     void panel_buttons_editTheRecipeAsOneStep();
     void panel_excludeAskedInVain_changesNothing();
     void panel_copy_leavesButtonsOut();
+    void panel_sameFindings_keepRowsAndSelection();
     void ownSettings_readBackAsWanted();
     void settingsForAll_keepWhatIsOfShotsAndOtherFiles();
 };
@@ -265,6 +266,37 @@ void TestFindingMends::panel_copy_leavesButtonsOut()
     for (const QString &line : lines)
         QVERIFY2(!line.trimmed().isEmpty(), qPrintable(lines.join('|')));
     QVERIFY(lines.size() >= 2);
+}
+
+void TestFindingMends::panel_sameFindings_keepRowsAndSelection()
+{
+    FindingsPanel panel;
+    const CaptureSet captures;
+    const auto finding = [](Severity severity, const char *sentence) {
+        return Finding{"ORD-009", severity, 0, {}, {}, {sentence, {}}, {}, {}};
+    };
+    Findings findings{finding(Severity::Info, "First."), finding(Severity::Caution, "Second.")};
+    panel.setFindings(findings, {}, captures);
+    QCOMPARE(panel.count(), 2);
+    QListWidgetItem *top = panel.item(0); // the caution comes first
+    QVERIFY(top->text().contains("Second."));
+    top->setSelected(true);
+    panel.setFindings(findings, {}, captures);
+    QCOMPARE(panel.item(0), top);
+    QVERIFY(top->isSelected());
+
+    findings[1].message.text = "Third.";
+    panel.setFindings(findings, {}, captures);
+    QVERIFY(panel.item(0)->text().contains("Third."));
+    panel.setFindings(findings, {{"ORD-009", 0, "known"}}, captures);
+    QVERIFY(panel.item(0)->text().contains("known"));
+    panel.setFindings({}, {}, captures);
+    QCOMPARE(panel.count(), 1);
+    QVERIFY(!(panel.item(0)->flags() & Qt::ItemIsSelectable));
+    panel.setFindings({}, {}, captures);
+    QCOMPARE(panel.count(), 1);
+    panel.setFindings(findings, {}, captures);
+    QCOMPARE(panel.count(), 2);
 }
 
 void TestFindingMends::ownSettings_readBackAsWanted()
