@@ -99,6 +99,12 @@ Alignment align(const ComponentResult &result, Index column, double frequency_Hz
     return found;
 }
 
+/// Whole per cent, below one the first digit that is not 0.
+std::string percentText(double percent)
+{
+    return percent < 1.0 ? numberText(percent, 1) : numberText(std::round(percent), 4);
+}
+
 /// Shots start at their own fraction of a sample, and the start of each is one of its samples.
 bool startsExplain(const Alignment &alignment)
 {
@@ -113,9 +119,9 @@ Finding startedBetweenSamples(Finding finding, const Alignment &alignment, doubl
                "Shot %1: %2 % of the resonance at %3 is left in the residual, because its arrival "
                "differs from the others' by %4 of a sample; aligned, %5 % are left. The average of "
                "the shots loses some of its ringing by this, stacked shots do not."),
-            {std::to_string(finding.shot), numberText(std::round(100.0 * *finding.value), 4),
+            {std::to_string(finding.shot), percentText(100.0 * *finding.value),
                 numberWithUnit(left_Hz, "Hz", 4), numberText(alignment.delay_samples, 2),
-                numberText(std::round(100.0 * alignment.share), 4)}};
+                percentText(100.0 * alignment.share)}};
     return finding;
 }
 
@@ -133,8 +139,7 @@ void addResonanceLeft(
         {DYNCAL_TEXT("core",
              "Shot %1: %2 % of the resonance at %3 is left in the residual; its amplitude or its "
              "time varies between the shots."),
-            {std::to_string(shot), numberText(std::round(100.0 * share), 4),
-                numberWithUnit(*left_Hz, "Hz", 4)}},
+            {std::to_string(shot), percentText(100.0 * share), numberWithUnit(*left_Hz, "Hz", 4)}},
         share, kTolerableShare);
     if (share <= kTolerableShare)
         finding.severity = Severity::Info;
@@ -151,7 +156,7 @@ void addWhiteness(Index shot, const ResidualAnalysis &residual, Findings &findin
         {DYNCAL_TEXT("core",
              "Shot %1: the residual is not white, %2 % of the lags lie outside the confidence "
              "band."),
-            {std::to_string(shot), numberText(std::round(100.0 * residual.outsideFraction), 4)}},
+            {std::to_string(shot), percentText(100.0 * residual.outsideFraction)}},
         100.0 * residual.outsideFraction, 100.0 * kLargestOutside);
     finding.severity = Severity::Info; // says what one component cannot: no reason to stop
     findings.push_back(std::move(finding));

@@ -136,7 +136,7 @@ double energyOverNoise(const ModelSeries &series, const ExponentialSum &sum, Ind
     const double noise
         = std::max(series.noiseSd * series.noiseSd, kRounding * series.y.squaredNorm());
     const double first
-        = std::norm(sum.amplitudes[i] * series.filter.gain(s) * std::exp(s * series.first_s));
+        = std::norm(sum.amplitudes[i] * series.filter.delayedGain(s, series.first_s));
     const double decay = std::norm(std::exp(s * dt_s));
     const double samples = static_cast<double>(series.y.size());
     const double count = std::abs(1.0 - decay) > 1e-12

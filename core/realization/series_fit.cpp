@@ -102,8 +102,7 @@ Eigen::VectorXd simulate(const ModelSeries &series, const ExponentialSum &sum,
 {
     Eigen::VectorXd y = Eigen::VectorXd::Constant(series.y.size(), sum.constant);
     const auto add = [&](std::complex<double> s, std::complex<double> amplitude) {
-        const std::complex<double> first
-            = amplitude * series.filter.gain(s) * std::exp(s * series.first_s);
+        const std::complex<double> first = amplitude * series.filter.delayedGain(s, series.first_s);
         y += exponentials(s * dt_s, y.size()) * Eigen::Vector2d(first.real(), -first.imag());
     };
     for (Index i = 0; i < sum.rates_rad_s.size(); ++i)

@@ -56,6 +56,16 @@ std::complex<double> AntiAliasFilter::gain(std::complex<double> s_rad_s) const
     return sum;
 }
 
+std::complex<double> AntiAliasFilter::delayedGain(
+    std::complex<double> s_rad_s, double delay_s) const
+{
+    std::complex<double> sum = 0.0;
+    for (Index k = -halfLength(); k <= halfLength(); ++k)
+        sum += taps[halfLength() + k]
+            * std::exp(s_rad_s * (delay_s + static_cast<double>(k) / rate_Hz));
+    return sum;
+}
+
 double antiAliasSpan_s(double factor, double rate_Hz)
 {
     if (factor == 1.0)

@@ -26,6 +26,9 @@ struct AntiAliasFilter
     /// Gain for e^(s t), s complex: sum taps[k] e^(s (k - half) / rate); real on the jw axis.
     /// A decaying exponential passes with exactly this constant gain (docs/adr/0008).
     std::complex<double> gain(std::complex<double> s_rad_s) const;
+    /// gain(s) e^(s delay): finite for every decaying s from a delay of the filter's half length
+    /// on, where the gain alone is beyond all numbers.
+    std::complex<double> delayedGain(std::complex<double> s_rad_s, double delay_s) const;
 };
 
 /// Filter for a reduction by `factor` >= 1 of a record at `rate_Hz`: 12 factor + 1 taps, within

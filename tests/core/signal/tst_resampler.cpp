@@ -42,6 +42,7 @@ private slots:
     void design_anyFactor_meetsStatedFigures();
     void design_factorOne_passesEverything();
     void gain_onFrequencyAxis_isRealAndEven();
+    void delayedGain_isTheGainTimesTheDelay_andFiniteBeyondIt();
     void decimate_sumOfExponentials_keepsPolesAndAppliesGain_data();
     void decimate_sumOfExponentials_keepsPolesAndAppliesGain();
     void decimate_linearRamp_staysExact();
@@ -99,6 +100,25 @@ void TestResampler::gain_onFrequencyAxis_isRealAndEven()
         QCOMPARE(filter.gain({0.0, w}), filter.gain({0.0, -w}));
     }
     QVERIFY(std::abs(filter.gain(0.0) - 1.0) < 1e-15);
+}
+
+void TestResampler::delayedGain_isTheGainTimesTheDelay_andFiniteBeyondIt()
+{
+    const AntiAliasFilter filter = designAntiAliasFilter(10, kRate_Hz);
+    const double half_s = 0.5 * filter.span_s();
+    for (const std::complex<double> s :
+        {std::complex<double>(0.0, 2e6), {-1e5, 1e7}, {-3e6, 0.0}}) {
+        for (const double delay_s : {0.0, half_s, 3.0 * half_s}) {
+            const std::complex<double> expected = filter.gain(s) * std::exp(s * delay_s);
+            const double largest = std::exp(std::abs(s.real()) * half_s + s.real() * delay_s);
+            QVERIFY(std::abs(filter.delayedGain(s, delay_s) - expected)
+                <= 1e-13 * largest * filter.taps.cwiseAbs().sum());
+        }
+    }
+    // A lag far faster than a sample: nothing of it is left, and that is no "inf times 0".
+    const std::complex<double> lag(-1e4 * kRate_Hz, 0.0);
+    QVERIFY(!std::isfinite((filter.gain(lag) * std::exp(lag * 3.0 * half_s)).real()));
+    QCOMPARE(filter.delayedGain(lag, 3.0 * half_s), std::complex<double>(0.0));
 }
 
 void TestResampler::decimate_sumOfExponentials_keepsPolesAndAppliesGain_data()
