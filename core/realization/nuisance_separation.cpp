@@ -221,7 +221,7 @@ void setTerms(const ModelInput &input, ModelSeries &series, std::vector<Nuisance
     for (const NuisanceTerm &term : series.nuisance) {
         const std::complex<double> s = term.rate_rad_s;
         const std::complex<double> first
-            = term.amplitude * series.filter.gain(s) * std::exp(s * series.first_s);
+            = term.amplitude * series.filter.delayedGain(s, series.first_s);
         for (Index k = 0; k < series.y.size(); ++k)
             series.correction[k]
                 -= (first * std::exp(s * (static_cast<double>(k) * sampleInterval_s(input))))

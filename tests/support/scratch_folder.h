@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 namespace dyncal::testing {
@@ -53,5 +54,12 @@ public:
 private:
     std::filesystem::path m_path;
 };
+
+/// All bytes of the file; "(none)" where it cannot be read.
+inline std::string contentOf(const std::string &path)
+{
+    std::ifstream in(path, std::ios::binary);
+    return in ? std::string(std::istreambuf_iterator<char>(in), {}) : "(none)";
+}
 
 } // namespace dyncal::testing

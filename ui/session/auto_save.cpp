@@ -29,9 +29,7 @@ AutoSave::AutoSave(
 
 QDateTime AutoSave::now() const
 {
-    const Result<std::string> text = m_currentUtc();
-    const QDateTime time
-        = text ? QDateTime::fromString(QString::fromStdString(*text), Qt::ISODate) : QDateTime();
+    const QDateTime time = timeOf(m_currentUtc);
     return time.isValid() ? time : QDateTime::fromSecsSinceEpoch(0, Qt::UTC);
 }
 

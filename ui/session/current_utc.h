@@ -5,6 +5,9 @@
 
 #include "core/base/result.h"
 
+#include <QDateTime>
+#include <QString>
+
 #include <functional>
 #include <string>
 
@@ -12,5 +15,12 @@ namespace dyncal {
 
 /// ISO 8601 with Z, from the program: the window reads no clock.
 using CurrentUtc = std::function<Result<std::string>()>;
+
+/// The time that it tells, invalid where it tells none.
+inline QDateTime timeOf(const CurrentUtc &currentUtc)
+{
+    const Result<std::string> text = currentUtc();
+    return text ? QDateTime::fromString(QString::fromStdString(*text), Qt::ISODate) : QDateTime();
+}
 
 } // namespace dyncal

@@ -130,10 +130,7 @@ QString WorkRecovery::offerSentence(const RecoveredWork &work) const
 QString WorkRecovery::timeText(const QDateTime &utc) const
 {
     const QDateTime local = utc.toLocalTime();
-    const Result<std::string> now = m_currentUtc();
-    const QDateTime today = now
-        ? QDateTime::fromString(QString::fromStdString(*now), Qt::ISODate).toLocalTime()
-        : QDateTime();
+    const QDateTime today = timeOf(m_currentUtc).toLocalTime();
     return local.toString(local.date() == today.date() ? QStringLiteral("HH:mm:ss")
                                                        : QStringLiteral("yyyy-MM-dd HH:mm:ss"));
 }

@@ -13,16 +13,11 @@
 #include <iterator>
 
 using dyncal::moveIntoPlace;
+using dyncal::testing::contentOf;
 using dyncal::testing::ScratchFolder;
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string contentOf(const std::string &path)
-{
-    std::ifstream in(path, std::ios::binary);
-    return in ? std::string(std::istreambuf_iterator<char>(in), {}) : "(none)";
-}
 
 std::string written(const ScratchFolder &folder, const char *name, const std::string &text)
 {

@@ -24,17 +24,12 @@
 #include <thread>
 
 using namespace dyncal;
+using dyncal::testing::contentOf;
 using dyncal::testing::python;
 using dyncal::testing::ScratchFolder;
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string contentOf(const std::string &path)
-{
-    std::ifstream in(path, std::ios::binary);
-    return in ? std::string(std::istreambuf_iterator<char>(in), {}) : "(none)";
-}
 
 std::size_t filesBeside(const std::string &path)
 {
