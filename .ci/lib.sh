@@ -72,3 +72,24 @@ build_targets() {
     say "Building ${*:-everything} (release)"
     cmake --build "$build" ${1:+--target "$@"} >&2
 }
+
+# Says how many recordings the tests of the last ctest covered, and fails if a test was skipped for
+# anything but a missing data folder (tests/support/measured_data.h): a skipped test proves nothing.
+# Only the log knows, as ctest takes a skipped function for a passed one.
+check_skips() {
+    local log="$build/Testing/Temporary/LastTest.log" data="${DYNCAL_DATA:-$root/../shared/data}"
+    local skipped forbidden
+    [ -f "$log" ] || return 0
+    sed -nE 's/^QINFO  : [^(]*\([^)]*\) (.*([0-9]+ files:|covered).*)$/\1/p' "$log" \
+        | sed 's/^/Data: /' >&2
+    skipped="$(grep -aE '^SKIP   : ' "$log" || true)"
+    forbidden="$skipped"
+    if [ ! -d "$data" ]; then
+        forbidden="$(grep -avF ' NO DATA: ' <<< "$skipped" || true)"
+        say "No folder of recordings ($data): $(grep -acF ' NO DATA: ' <<< "$skipped") tests skipped"
+    fi
+    [ -n "$forbidden" ] || return 0
+    printf '%s\n' "$forbidden" >&2
+    say "Skipped tests are failures: install what they need, or see why they had nothing to test."
+    return 1
+}

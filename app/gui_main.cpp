@@ -3,7 +3,10 @@
 
 #include "app/gui_main.h"
 
+#include "app/cli/console.h"
 #include "app/clock.h"
+#include "app/interrupt.h"
+#include "app/window_memory.h"
 #include "core/base/version.h"
 #include "core/pipeline/pipeline.h"
 #include "ui/shell/main_window.h"
@@ -13,8 +16,14 @@
 #include <QHashSeed>
 #include <QIcon>
 #include <QStandardPaths>
+#include <QTimer>
 
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
 #include <clocale>
+#include <new>
 #include <string_view>
 
 namespace dyncal {
@@ -22,6 +31,24 @@ namespace dyncal {
 namespace {
 
 constexpr const char *kTourOption = "--screenshot-tour";
+
+constexpr std::chrono::milliseconds kMemoryWatch{500};
+
+/// What finds no memory in the window is left undone, and said by the watch below.
+class Application : public QApplication
+{
+public:
+    using QApplication::QApplication;
+
+    bool notify(QObject *receiver, QEvent *event) override
+    {
+        try {
+            return QApplication::notify(receiver, event);
+        } catch (const std::bad_alloc &) {
+            return false;
+        }
+    }
+};
 
 /// The numbers of C libraries keep '.' whatever the desktop's language.
 void prepareApplication()
@@ -34,6 +61,21 @@ void prepareApplication()
     QApplication::setWindowIcon(QIcon(":/icons/dyncal.svg"));
 }
 
+std::atomic<MainWindow *> shownWindow = nullptr;
+
+/// INT, TERM, HUP: what is not saved is kept for the next start.
+void endInOrder(int signal)
+{
+    constexpr int kSignalled = 128;
+    MainWindow *window = shownWindow;
+    if (!window)
+        ::_exit(kSignalled + signal);
+    QMetaObject::invokeMethod(window, [window, signal] {
+        window->leaveWork();
+        QCoreApplication::exit(kSignalled + signal);
+    });
+}
+
 } // namespace
 
 int runGui(int argc, char **argv, const std::vector<std::string> &files)
@@ -43,9 +85,18 @@ int runGui(int argc, char **argv, const std::vector<std::string> &files)
     const QString tourLanguage(argc == 4 ? argv[3] : "en");
     if (tour && !qEnvironmentVariableIsSet("DISPLAY"))
         qputenv("QT_QPA_PLATFORM", "offscreen");
+    if (!keepMemoryForWindow())
+        return report({ErrorKind::Internal,
+            {DYNCAL_TEXT("core",
+                 "There is not enough memory for a window; close other programs or raise the "
+                 "memory "
+                 "limit."),
+                {}},
+            {}, 0});
     // What is exported must be the same bytes as from the command line.
     QHashSeed::setDeterministicGlobalSeed();
-    QApplication application(argc, argv);
+    onEndRequest(endInOrder);
+    Application application(argc, argv);
     prepareApplication();
 
     Preferences preferences;
@@ -62,7 +113,16 @@ int runGui(int argc, char **argv, const std::vector<std::string> &files)
     for (const std::string &file : files)
         paths << QString::fromStdString(file);
     window.files().openPaths(paths);
-    return QApplication::exec();
+    QTimer watch;
+    QObject::connect(&watch, &QTimer::timeout, &window, [&] {
+        if (wasWindowMemoryUsed())
+            window.files().stopForMemory();
+    });
+    watch.start(kMemoryWatch);
+    shownWindow = &window;
+    const int code = QApplication::exec();
+    shownWindow = nullptr;
+    return code;
 }
 
 } // namespace dyncal

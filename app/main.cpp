@@ -3,18 +3,58 @@
 
 #include "app/cli/command_line.h"
 #include "app/cli/console.h"
+#include "app/cli/terminal_text.h"
 #include "app/gui_main.h"
 
+#include "core/base/content_hash.h"
 #include "core/base/message.h"
 
+#include <sys/resource.h>
+
+#include <csignal>
+#include <cstddef>
 #include <cstdlib>
 #include <filesystem>
+#include <iostream>
+#include <new>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace dyncal {
 namespace {
+
+/// The stack grows where it is touched, and is a crash where no memory is left for that; so it
+/// grows now to what the program needs.
+[[gnu::noinline]] void growStack()
+{
+    constexpr std::size_t kBytes = 1 << 20, kPage = 4096;
+    [[maybe_unused]] volatile char stack[kBytes];
+    for (std::size_t i = 0; i < kBytes; i += kPage)
+        stack[i] = 0;
+}
+
+/// Every recording stays open while it is worked on (docs/adr/0014), and desktops allow 1024 open
+/// files unless they are asked.
+void allowManyFiles()
+{
+    rlimit files{};
+    if (::getrlimit(RLIMIT_NOFILE, &files) != 0)
+        return;
+    files.rlim_cur = files.rlim_max;
+    ::setrlimit(RLIMIT_NOFILE, &files);
+}
+
+/// OpenSSL sets itself up when it is first used, and crashes later where memory failed it half way.
+/// False: it did.
+bool setUpHashing()
+{
+    try {
+        return !sha256Hex(std::string_view()).empty();
+    } catch (const std::bad_alloc &) {
+        return false;
+    }
+}
 
 /// A word that is no file is most likely a misspelt subcommand.
 int refuseMissing(const std::string &word)
@@ -49,11 +89,28 @@ int openWorkbench(int argc, char **argv)
     return runGui(argc, argv, files);
 }
 
+/// A closed pipe and a file that may not grow are errors of writing, which are reported, and no
+/// reason to die in the middle of something.
+void keepWritingErrors()
+{
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+}
+
 } // namespace
 } // namespace dyncal
 
 int main(int argc, char **argv)
 {
+    dyncal::growStack();
+    if (!dyncal::setUpHashing()) {
+        std::cerr << "There is not enough memory to start; raise the memory limit.\n";
+        return 5;
+    }
+    dyncal::allowManyFiles();
+    dyncal::keepWritingErrors();
+    const dyncal::TerminalText answers(std::cout);
+    const dyncal::TerminalText complaints(std::cerr);
     if ((argc == 3 || argc == 4) && std::string_view(argv[1]) == "--screenshot-tour")
         return dyncal::runGui(argc, argv, {});
     return dyncal::isCommandLine(argc, argv) ? dyncal::runCommandLine(argc, argv)

@@ -1056,6 +1056,30 @@
         <source>Dyncal</source>
         <translation>Dyncal</translation>
     </message>
+    <message>
+        <source>Project changed</source>
+        <translation>Projektet har ändrats</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another window or program since it was opened or saved here. Replacing it loses those changes.</source>
+        <translation>%1 har ändrats av ett annat fönster eller program sedan den öppnades eller sparades här. Om den ersätts går de ändringarna förlorade.</translation>
+    </message>
+    <message>
+        <source>%1 was removed or moved since it was opened or saved here.</source>
+        <translation>%1 har tagits bort eller flyttats sedan den öppnades eller sparades här.</translation>
+    </message>
+    <message>
+        <source>Save under another name...</source>
+        <translation>Spara under ett annat namn...</translation>
+    </message>
+    <message>
+        <source>Replace it</source>
+        <translation>Ersätt den</translation>
+    </message>
+    <message>
+        <source>Save it there again</source>
+        <translation>Spara den där igen</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -1492,10 +1516,6 @@
         <translation>Arbetsbänken behöver en bildskärm och det finns ingen; underkommandona fungerar utan, se dyncal --help.</translation>
     </message>
     <message>
-        <source>%1 cannot be written: %2.</source>
-        <translation>%1 kan inte skrivas: %2.</translation>
-    </message>
-    <message>
         <source>%1 cannot be written: something that is no regular file has this name; choose another.</source>
         <translation>%1 kan inte skrivas: något som inte är en vanlig fil har detta namn; välj ett annat.</translation>
     </message>
@@ -1604,14 +1624,6 @@
         <translation>%1 och %2 innehåller identiska data; ett skott som räknas två gånger får spridningen att se mindre ut än den är. Ta bort ett av dem.</translation>
     </message>
     <message>
-        <source>%1 of the inputs cannot be read:%2</source>
-        <translation>%1 av indatafilerna kan inte läsas:%2</translation>
-    </message>
-    <message>
-        <source>No recording was found in the inputs; readable are: %1.%2</source>
-        <translation>Ingen registrering hittades bland indata; läsbara format: %1.%2</translation>
-    </message>
-    <message>
         <source>%1 is an HDF5 file but no capture: its root lacks the attribute format = &quot;dyncal-capture&quot;. Export the recording as LVM or CSV, or write it in the capture layout.</source>
         <translation>%1 är en HDF5-fil men ingen registrering: dess rot saknar attributet format = &quot;dyncal-capture&quot;. Exportera registreringen som LVM eller CSV, eller skriv den i registreringsformatet.</translation>
     </message>
@@ -1662,14 +1674,6 @@
     <message>
         <source>%1 is damaged so badly that the HDF5 library fails on it; take another copy.</source>
         <translation>%1 är så svårt skadad att HDF5-biblioteket inte klarar den; ta en annan kopia.</translation>
-    </message>
-    <message>
-        <source>%1 is not a regular file; give the name of a capture file.</source>
-        <translation>%1 är ingen vanlig fil; ange namnet på en registreringsfil.</translation>
-    </message>
-    <message>
-        <source>Cannot create %1; check that the folder exists and may be written to.</source>
-        <translation>%1 kan inte skapas; kontrollera att mappen finns och är skrivbar.</translation>
     </message>
     <message>
         <source>Writing %1 was cancelled; nothing was left behind.</source>
@@ -2964,10 +2968,6 @@
         <translation>%1: kanal %2 innehåller heltal på mer än 53 bitar, som skulle avrundas; spara dem som 32-bitars heltal med skala och offset, eller som flyttal.</translation>
     </message>
     <message>
-        <source>%1: the samples of channel %2 lie in other files; copy them into one file.</source>
-        <translation>%1: samplen i kanal %2 ligger i andra filer; kopiera dem till en fil.</translation>
-    </message>
-    <message>
         <source>%1: channel %2 would make more than 4 GiB unpacked; save the file without compression.</source>
         <translation>%1: kanal %2 skulle uppta mer än 4 GiB uppackad; spara filen utan komprimering.</translation>
     </message>
@@ -3266,10 +3266,6 @@
     <message>
         <source>%1 is one of the inputs and is not overwritten; give the capture another name.</source>
         <translation>%1 är en av infilerna och skrivs inte över; ge registreringen ett annat namn.</translation>
-    </message>
-    <message>
-        <source>%1 exists already and captures are written once; give the capture another name or remove the old one.</source>
-        <translation>%1 finns redan och registreringar skrivs en gång; ge registreringen ett annat namn eller ta bort den gamla.</translation>
     </message>
     <message>
         <source>Monte Carlo: %1 of %2 trials leave the range of the relations (%3); the stated uncertainties are too large for the value.</source>
@@ -3770,6 +3766,206 @@
     <message>
         <source>%1 does not hold the work of a stopped program.</source>
         <translation>%1 innehåller inte arbete från ett stoppat program.</translation>
+    </message>
+    <message>
+        <source>%1 of the inputs cannot be read:</source>
+        <translation>%1 av indatafilerna kan inte läsas:</translation>
+    </message>
+    <message>
+        <source>No recording was found in the inputs; readable are: %1.</source>
+        <translation>Ingen registrering hittades bland indata; läsbara format: %1.</translation>
+    </message>
+    <message>
+        <source>Shot %1: whether there is a step cannot be told, because the record&apos;s values are not there or too large to compute with; check the channel&apos;s unit and factor, or exclude the shot.</source>
+        <translation>Skott %1: om det finns ett steg går inte att avgöra, eftersom registreringens värden saknas eller är för stora att räkna med; kontrollera kanalens enhet och faktor, eller uteslut skottet.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel %2: no step found, because the record&apos;s values are not there or too large to compute with; check the channel&apos;s unit and factor, or exclude the shot.</source>
+        <translation>Skott %1, kanal %2: inget steg hittades, eftersom registreringens värden saknas eller är för stora att räkna med; kontrollera kanalens enhet och faktor, eller uteslut skottet.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this; close other programs or raise the memory limit.</source>
+        <translation>Minnet räcker inte till detta; stäng andra program eller höj minnesgränsen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory to draw the certificate and the plots, and nothing was written; close other programs or raise the memory limit.</source>
+        <translation>Minnet räcker inte till att rita certifikatet och diagrammen, och inget skrevs; stäng andra program eller höj minnesgränsen.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for a window; close other programs or raise the memory limit.</source>
+        <translation>Minnet räcker inte till ett fönster; stäng andra program eller höj minnesgränsen.</translation>
+    </message>
+    <message>
+        <source>Channel &apos;%1&apos; of shot %2 has no samples. Check the file and the role.</source>
+        <translation>Kanal &apos;%1&apos; i skott %2 har inga sampel. Kontrollera filen och rollen.</translation>
+    </message>
+    <message>
+        <source>Channel &apos;%1&apos; of shot %2 has no valid sample: none of its %3 samples is a number. Check the file and the role.</source>
+        <translation>Kanal &apos;%1&apos; i skott %2 har inget giltigt sampel: inget av dess %3 sampel är ett tal. Kontrollera filen och rollen.</translation>
+    </message>
+    <message>
+        <source>Channel &apos;%1&apos; of shot %2 is flat: all its valid samples (%3) are %4. Check cable and role.</source>
+        <translation>Kanal &apos;%1&apos; i skott %2 är konstant: alla dess giltiga sampel (%3) är %4. Kontrollera kabel och roll.</translation>
+    </message>
+    <message>
+        <source>Channel &apos;%1&apos; of shot %2 has a single valid sample, %4, which is no record. Check the file and the role.</source>
+        <translation>Kanal &apos;%1&apos; i skott %2 har ett enda giltigt sampel, %4, vilket inte är någon registrering. Kontrollera filen och rollen.</translation>
+    </message>
+    <message>
+        <source>Shot %1, %2 looks cut off for %3 at %4, from %5 on. More than 20 % of the response window like that blocks the shot; use a wider range.</source>
+        <translation>Skott %1, %2 ser avskuret ut under %3 vid %4, från och med %5. Om mer än 20 % av svarsfönstret är så blockerar det skottet; använd ett större mätområde.</translation>
+    </message>
+    <message>
+        <source>%1 could not be read, and there is not enough memory to tell whether the file is at fault; close other programs or raise the memory limit.</source>
+        <translation>%1 kunde inte läsas, och minnet räcker inte till att avgöra om felet ligger i filen; stäng andra program eller höj minnesgränsen.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel &apos;%2&apos;: the file gives a sample rate of %3 (an interval of %4), and recordings have %5 to %6. Correct the times or the rate in the file, or give import.sample_rate_hz and import.sample_rate_reason.</source>
+        <translation>Skott %1, kanal &apos;%2&apos;: filen ger samplingsfrekvensen %3 (intervallet %4), och registreringar har %5 till %6. Rätta tiderna eller frekvensen i filen, eller ange import.sample_rate_hz och import.sample_rate_reason.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel &apos;%2&apos;: import.sample_rate_hz is %3 (an interval of %4), and recordings have %5 to %6. Correct the key.</source>
+        <translation>Skott %1, kanal &apos;%2&apos;: import.sample_rate_hz är %3 (intervallet %4), och registreringar har %5 till %6. Rätta nyckeln.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel %2: there are no valid samples to find a start in; exclude the shot.</source>
+        <translation>Skott %1, kanal %2: det finns inga giltiga sampel att söka en start i; uteslut skottet.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel %2 stands still at %3 for %4 % of the response window, the longest time from %5 on, although its baseline shows noise: it was cut off or stuck. The shot cannot be used: exclude it.</source>
+        <translation>Skott %1, kanal %2 står stilla på %3 under %4 % av svarsfönstret, den längsta tiden från och med %5, fast baslinjen visar brus: signalen skars av eller fastnade. Skottet kan inte användas: uteslut det.</translation>
+    </message>
+    <message>
+        <source>The memory is used up, so the work in hand was stopped; save your work, close other programs or choose a shorter window.</source>
+        <translation>Minnet är slut, så det pågående arbetet stoppades; spara ditt arbete, stäng andra program eller välj ett kortare fönster.</translation>
+    </message>
+    <message>
+        <source>%1 is damaged: it states the hashes of a capture, but its attribute format does not say that it is one; take an unchanged copy.</source>
+        <translation>%1 är skadad: den anger en registrerings kontrollsummor, men dess attribut format säger inte att den är en sådan; ta en oförändrad kopia.</translation>
+    </message>
+    <message>
+        <source>%1 changed since it was written: what it says of channel &apos;%2&apos; of shot %3 is not what was recorded. The results are of the changed capture and cannot be certified; take an unchanged copy.</source>
+        <translation>%1 har ändrats sedan den skrevs: det som den säger om kanal &apos;%2&apos; i skott %3 är inte det som registrerades. Resultaten avser den ändrade registreringen och kan inte intygas; ta en oförändrad kopia.</translation>
+    </message>
+    <message>
+        <source>%1 changed since it was written: what it says of shot %2 (%3) is not what was recorded. The results are of the changed capture and cannot be certified; take an unchanged copy.</source>
+        <translation>%1 har ändrats sedan den skrevs: det som den säger om skott %2 (%3) är inte det som registrerades. Resultaten avser den ändrade registreringen och kan inte intygas; ta en oförändrad kopia.</translation>
+    </message>
+    <message>
+        <source>%1 changed since it was written: what it says in %2 is not what was recorded. The results are of the changed capture and cannot be certified; take an unchanged copy.</source>
+        <translation>%1 har ändrats sedan den skrevs: det som den säger i %2 är inte det som registrerades. Resultaten avser den ändrade registreringen och kan inte intygas; ta en oförändrad kopia.</translation>
+    </message>
+    <message>
+        <source>%1 changed since it was written: the hashes it states of itself contradict each other, so that nothing in it can be certified; take an unchanged copy.</source>
+        <translation>%1 har ändrats sedan den skrevs: kontrollsummorna som den anger om sig själv motsäger varandra, så att inget i den kan intygas; ta en oförändrad kopia.</translation>
+    </message>
+    <message>
+        <source>%1 changed since it was written in %2 further places; take an unchanged copy.</source>
+        <translation>%1 har ändrats på ytterligare %2 ställen sedan den skrevs; ta en oförändrad kopia.</translation>
+    </message>
+    <message>
+        <source>Project %1 has no checksum (an older version wrote it), so a change of it is not noticed; save it to give it one.</source>
+        <translation>Projektet %1 har ingen kontrollsumma (en äldre version skrev det), så att en ändring av det inte märks; spara det så får det en.</translation>
+    </message>
+    <message>
+        <source>Project %1 was changed after the program saved it: %2. If that was not you, take an unchanged copy; otherwise look at what changed and save the project.</source>
+        <translation>Projektet %1 har ändrats efter att programmet sparade det: %2. Om det inte var du, ta en oförändrad kopia; se annars på vad som har ändrats och spara projektet.</translation>
+    </message>
+    <message>
+        <source>%1 exists already and captures are written once; give the capture another name, or say --replace.</source>
+        <translation>%1 finns redan och registreringar skrivs en gång; ge registreringen ett annat namn, eller ange --replace.</translation>
+    </message>
+    <message>
+        <source>%1 is in the way: this program did not write it, or an earlier version did, and it is not replaced. Choose another folder, or move it away.</source>
+        <translation>%1 är i vägen: det här programmet skrev det inte, eller så gjorde en tidigare version det, och det ersätts inte. Välj en annan mapp, eller flytta undan det.</translation>
+    </message>
+    <message>
+        <source>%1 was changed since this program wrote it and is not replaced. Choose another folder, or move it away.</source>
+        <translation>%1 har ändrats sedan det här programmet skrev det och ersätts inte. Välj en annan mapp, eller flytta undan det.</translation>
+    </message>
+    <message>
+        <source>The folder %1 holds the recording %2; results are written into a folder that holds none of their recordings. Choose another folder.</source>
+        <translation>Mappen %1 innehåller registreringen %2; resultat skrivs i en mapp som inte innehåller någon av deras registreringar. Välj en annan mapp.</translation>
+    </message>
+    <message>
+        <source>%1 was given to be read and would be replaced by what is written; give it another name or choose another folder.</source>
+        <translation>%1 angavs för att läsas och skulle ersättas av det som skrivs; ge det ett annat namn eller välj en annan mapp.</translation>
+    </message>
+    <message>
+        <source>An earlier write into %1 was interrupted and cannot be completed, because files in it were changed since; what it was writing lies in %2. Choose another folder, or move the changed files away.</source>
+        <translation>En tidigare skrivning i %1 avbröts och kan inte slutföras, eftersom filer i mappen har ändrats sedan dess; det som skrevs ligger i %2. Välj en annan mapp, eller flytta undan de ändrade filerna.</translation>
+    </message>
+    <message>
+        <source>%1 was changed by another program since it was read here, and is not replaced; choose another name, or look at what it holds now.</source>
+        <translation>%1 har ändrats av ett annat program sedan det lästes här och ersätts inte; välj ett annat namn, eller se efter vad det innehåller nu.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2; make room and try again.</source>
+        <translation>%1 kan inte skrivas: %2; frigör utrymme och försök igen.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2; raise the limit on the size of files or choose another place.</source>
+        <translation>%1 kan inte skrivas: %2; höj gränsen för filstorlek eller välj en annan plats.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2; choose a shorter name.</source>
+        <translation>%1 kan inte skrivas: %2; välj ett kortare namn.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2; check that its folder exists.</source>
+        <translation>%1 kan inte skrivas: %2; kontrollera att dess mapp finns.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2; choose another place.</source>
+        <translation>%1 kan inte skrivas: %2; välj en annan plats.</translation>
+    </message>
+    <message>
+        <source>%1 exists already and is not replaced; choose another name.</source>
+        <translation>%1 finns redan och ersätts inte; välj ett annat namn.</translation>
+    </message>
+    <message>
+        <source>%1 is being written by another program at this moment; wait until it has ended or choose another name.</source>
+        <translation>%1 skrivs just nu av ett annat program; vänta tills det är klart eller välj ett annat namn.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be opened because the system allows no more open files; read fewer recordings at once, or raise the limit (ulimit -n).</source>
+        <translation>%1 kan inte öppnas eftersom systemet inte tillåter fler öppna filer; läs färre registreringar på en gång, eller höj gränsen (ulimit -n).</translation>
+    </message>
+    <message>
+        <source>%1: the channels up to %2 would take %3 of memory, more than the %4 that a file of this size may; if you trust the file, raise import.max_expansion in the recipe.</source>
+        <translation>%1: kanalerna till och med %2 skulle ta %3 minne, mer än de %4 som en fil av den här storleken får; om du litar på filen, höj import.max_expansion i receptet.</translation>
+    </message>
+    <message>
+        <source>%1: its %2 columns would take %3 of memory, more than the %4 that a file of this size may; if you trust the file, raise import.max_expansion in the recipe.</source>
+        <translation>%1: dess %2 kolumner skulle ta %3 minne, mer än de %4 som en fil av den här storleken får; om du litar på filen, höj import.max_expansion i receptet.</translation>
+    </message>
+    <message>
+        <source>%1: the rows up to line %2, with the blank lines and empty cells between, would take %3 of memory, more than the %4 that a file of this size may; if you trust the file, raise import.max_expansion in the recipe.</source>
+        <translation>%1: raderna till och med rad %2, med de tomma raderna och cellerna däremellan, skulle ta %3 minne, mer än de %4 som en fil av den här storleken får; om du litar på filen, höj import.max_expansion i receptet.</translation>
+    </message>
+    <message>
+        <source>%1: the segments up to number %2 would take %3 of memory, more than the %4 that a file of this size may; if you trust the file, raise import.max_expansion in the recipe.</source>
+        <translation>%1: segmenten till och med nummer %2 skulle ta %3 minne, mer än de %4 som en fil av den här storleken får; om du litar på filen, höj import.max_expansion i receptet.</translation>
+    </message>
+    <message>
+        <source>%1: the places of its samples, which lie in %2 pieces, would take %3 of memory, more than the %4 that a file of this size may; if you trust the file, raise import.max_expansion in the recipe.</source>
+        <translation>%1: platserna för dess sampel, som ligger i %2 delar, skulle ta %3 minne, mer än de %4 som en fil av den här storleken får; om du litar på filen, höj import.max_expansion i receptet.</translation>
+    </message>
+    <message>
+        <source>%1: names and attributes of the first %2 objects in it would take %3 of memory, more than the %4 that a file of this size may; if you trust the file, raise import.max_expansion in the recipe.</source>
+        <translation>%1: namn och attribut för de första %2 objekten i filen skulle ta %3 minne, mer än de %4 som en fil av den här storleken får; om du litar på filen, höj import.max_expansion i receptet.</translation>
+    </message>
+    <message>
+        <source>%1: channel %2 would take %3 of memory, more than the %4 that a file of this size may; if you trust the file, raise import.max_expansion in the recipe.</source>
+        <translation>%1: kanal %2 skulle ta %3 minne, mer än de %4 som en fil av den här storleken får; om du litar på filen, höj import.max_expansion i receptet.</translation>
+    </message>
+    <message>
+        <source>%1: channel %2 cannot be unpacked: a compressed piece of it is damaged or larger than it declares; copy the file again.</source>
+        <translation>%1: kanal %2 kan inte packas upp: en komprimerad del av den är skadad eller större än den uppger; kopiera filen igen.</translation>
+    </message>
+    <message>
+        <source>%1: the samples of channel %2 lie in another file (%3), which is not opened; copy them into this file, for example with h5repack.</source>
+        <translation>%1: samplen i kanal %2 ligger i en annan fil (%3), som inte öppnas; kopiera in dem i den här filen, till exempel med h5repack.</translation>
     </message>
 </context>
 <context>
@@ -4549,10 +4745,6 @@
         <translation>Exemplet är öppnat</translation>
     </message>
     <message>
-        <source>The model of order %1 diverges, so there is nothing to export; choose another order.</source>
-        <translation>Modellen av ordning %1 divergerar, så det finns inget att exportera; välj en annan ordning.</translation>
-    </message>
-    <message>
         <source>Export the model into a folder</source>
         <translation>Exportera modellen till en mapp</translation>
     </message>
@@ -4567,6 +4759,10 @@
     <message>
         <source>Work restored; it is not saved yet</source>
         <translation>Arbetet är återställt; det är inte sparat än</translation>
+    </message>
+    <message>
+        <source>Written: %1 (results.json and recipe.json alone, because of what blocks)</source>
+        <translation>Skrivet: %1 (endast results.json och recipe.json, på grund av det som blockerar)</translation>
     </message>
 </context>
 <context>
@@ -5987,14 +6183,6 @@
         <translation>Känslighet</translation>
     </message>
     <message>
-        <source>Sensitivity: &lt;b&gt;%1&lt;/b&gt;, mean over the shots.</source>
-        <translation>Känslighet: &lt;b&gt;%1&lt;/b&gt;, medelvärde över skotten.</translation>
-    </message>
-    <message>
-        <source>Sensitivity: &lt;b&gt;not determined&lt;/b&gt;. %1</source>
-        <translation>Känslighet: &lt;b&gt;inte bestämd&lt;/b&gt;. %1</translation>
-    </message>
-    <message>
         <source>Waves in the tube over distance and time</source>
         <translation>Vågor i röret över avstånd och tid</translation>
     </message>
@@ -6033,6 +6221,14 @@
     <message>
         <source>Shot %1 %2</source>
         <translation>Skott %1 %2</translation>
+    </message>
+    <message>
+        <source>Sensitivity: %1, mean over the shots.</source>
+        <translation>Känslighet: %1, medelvärde över skotten.</translation>
+    </message>
+    <message>
+        <source>Sensitivity: not determined. %1</source>
+        <translation>Känslighet: inte bestämd. %1</translation>
     </message>
 </context>
 <context>

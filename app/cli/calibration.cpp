@@ -4,7 +4,7 @@
 #include "app/cli/calibration.h"
 
 #include "app/cli/console.h"
-#include "app/cli/interrupt.h"
+#include "app/interrupt.h"
 
 #include "core/base/number_text.h"
 #include "core/capture/format_registry.h"

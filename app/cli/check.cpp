@@ -3,10 +3,11 @@
 
 #include "app/cli/console.h"
 #include "app/cli/findings_json.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/verbs.h"
+#include "app/interrupt.h"
 
+#include "core/base/json_text.h"
 #include "core/capture/format_registry.h"
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/results_json.h"
@@ -99,8 +100,7 @@ int check(const CheckOptions &options)
     findings.insert(findings.end(), ofShock.begin(), ofShock.end());
     sort(findings);
     if (options.json)
-        std::cout << checkJson(*set, findings).dump(2, ' ', false, Json::error_handler_t::replace)
-                  << '\n';
+        std::cout << jsonText(checkJson(*set, findings));
     else
         print(findings, set->shots.size());
     if (outcome.error && outcome.error->findingId.empty())

@@ -5,6 +5,7 @@
 
 #include "app/cli/console.h"
 #include "app/cli/verbs.h"
+#include "app/interrupt.h"
 
 #include "core/base/message.h"
 #include "core/base/version.h"
@@ -16,6 +17,8 @@
 #include <iostream>
 #include <new>
 #include <string_view>
+#include <system_error>
+#include <vector>
 
 namespace dyncal {
 namespace {
@@ -50,7 +53,7 @@ int parseAndAct(int argc, char **argv)
     program.require_subcommand(0, 1); // asked for below, so that a wrong option is named first
     program.footer("Example:\n  dyncal simulate -o example.h5\n  dyncal run example.h5 -o out\n\n"
                    "Exit codes: 0 done, 1 done with cautions, 2 blocked by data quality, 3 a file "
-                   "cannot be read,\n4 wrong usage, 5 internal error.");
+                   "cannot be read,\n4 wrong usage, 5 internal error, 130 stopped on request.");
     VerbAction action;
     addSimulate(program, action);
     addInfo(program, action);
@@ -79,6 +82,19 @@ Error internalError(const char *what)
         {}, 0};
 }
 
+Error notEnoughMemory()
+{
+    return {ErrorKind::Internal,
+        {DYNCAL_TEXT("core",
+             "There is not enough memory for this; close other programs or raise the memory "
+             "limit."),
+            {}},
+        {}, 0};
+}
+
+/// So much is kept back for the sentence that says that nothing is left.
+constexpr std::size_t kLastWords = 1 << 16;
+
 } // namespace
 
 bool isCommandLine(int argc, const char *const *argv)
@@ -92,10 +108,19 @@ bool isCommandLine(int argc, const char *const *argv)
 int runCommandLine(int argc, char **argv)
 {
     int code = 0;
+    std::vector<char> lastWords(kLastWords);
+    const auto reportMemory = [&] {
+        lastWords = {};
+        return report(notEnoughMemory());
+    };
     try {
+        interruptToken(); // before any thread
         code = parseAndAct(argc, argv);
     } catch (const std::bad_alloc &) {
-        code = report(internalError("not enough memory"));
+        code = reportMemory();
+    } catch (const std::system_error &e) { // a thread that the system could not give
+        const bool noThread = e.code() == std::errc::resource_unavailable_try_again;
+        code = noThread ? reportMemory() : report(internalError(e.what()));
     } catch (const std::exception &e) {
         code = report(internalError(e.what()));
     }

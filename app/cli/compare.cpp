@@ -3,10 +3,11 @@
 
 #include "app/cli/calibration.h"
 #include "app/cli/console.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/verbs.h"
+#include "app/interrupt.h"
 
+#include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
 #include "core/pipeline/comparison_json.h"
@@ -90,7 +91,8 @@ void print(const CalibrationResults &results, const std::vector<ComparedOrder> &
     printTable(rows);
     for (const ComparedOrder &compared : orders)
         if (!compared.note.empty())
-            std::cout << "order " << compared.order << ": " << compared.note << '\n';
+            std::cout << "order " << compared.order << ": " << presentableInBrief(compared.note)
+                      << '\n';
     std::cout << english(results.decomposition->suggestion.reason) << '\n';
 }
 

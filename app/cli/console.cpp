@@ -4,11 +4,23 @@
 #include "app/cli/console.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <iostream>
 
 #include <unistd.h>
 
 namespace dyncal {
+
+namespace {
+
+/// Replaces what the terminal's line shows. Not by the stream, which lets no controls pass.
+void onLine(const std::string &text)
+{
+    std::fprintf(stderr, "\r%s\033[K", text.c_str());
+    std::fflush(stderr);
+}
+
+} // namespace
 
 ExitCode exitCodeOf(const Error &error)
 {
@@ -76,7 +88,7 @@ ProgressLine::ProgressLine(const char *work)
 ProgressLine::~ProgressLine()
 {
     if (m_percent >= 0)
-        std::cerr << "\r\033[K" << std::flush;
+        onLine({});
 }
 
 ProgressSink ProgressLine::sink()
@@ -88,7 +100,7 @@ ProgressSink ProgressLine::sink()
         if (percent == m_percent)
             return;
         m_percent = percent;
-        std::cerr << '\r' << m_work << ' ' << percent << " %\033[K" << std::flush;
+        onLine(std::string(m_work) + ' ' + std::to_string(percent) + " %");
     };
 }
 

@@ -3,17 +3,17 @@
 
 #include "app/cli/calibration.h"
 #include "app/cli/console.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/verbs.h"
+#include "app/interrupt.h"
 
-#include "core/base/atomic_file.h"
+#include "core/base/foreign_text.h"
 #include "core/capture/capture_seal.h"
 #include "core/pipeline/model_export.h"
+#include "core/pipeline/publication.h"
 #include "core/pipeline/run_files.h"
 #include "ui/session/project_file.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -67,28 +67,20 @@ Result<ProjectState> readJob(const ExportOptions &options)
     return state;
 }
 
-Result<void> writeModel(const CalibrationResults &results, const ExportOptions &options)
+/// What else was read: it must not be written over.
+std::vector<std::string> readBeside(const ExportOptions &options)
 {
-    const std::vector<ModelFile> files = modelFiles(results);
-    if (files.empty()) {
-        return fail(ErrorKind::DataBlocked,
-            {DYNCAL_TEXT("core",
-                 "The model of order %1 diverges, so there is nothing to export; choose another "
-                 "order."),
-                {std::to_string(results.model->order)}},
-            "MOD-001");
-    }
-    if (const Result<void> made = makeFolder(options.output); !made)
-        return made;
-    for (const ModelFile &file : files) {
-        if (std::ranges::find(options.formats, file.format) == options.formats.end())
-            continue;
-        const std::string path = (std::filesystem::path(options.output) / file.name).string();
-        if (const Result<void> written = writeFileAtomically(path, file.bytes); !written)
-            return written;
-        std::cout << path << '\n';
-    }
-    return {};
+    std::vector<std::string> files = options.recipe.files();
+    if (isProject(options.files))
+        files.push_back(options.files.front());
+    return files;
+}
+
+int reportBlocked(const PipelineOutcome &outcome)
+{
+    const int code = reportOutcome(outcome);
+    std::cerr << "No model was written.\n";
+    return code;
 }
 
 int exportJob(const ExportOptions &options)
@@ -99,11 +91,19 @@ int exportJob(const ExportOptions &options)
     const Result<Recipe> recipe = withOrder(job->recipe, options.order);
     if (!recipe)
         return report(recipe.error());
+    Result<FolderWrite> folder
+        = FolderWrite::begin(modelFolder(options.output, *job->captures, readBeside(options)));
+    if (!folder)
+        return report(folder.error());
     const PipelineOutcome outcome = calibrate(*job->captures, *recipe, StageId::Assessment);
-    if (outcome.error)
-        return reportOutcome(outcome);
-    if (const Result<void> written = writeModel(outcome.results, options); !written)
-        return report(written.error());
+    if (!mayPublish(outcome))
+        return reportBlocked(outcome);
+    const auto paths
+        = writeModelFiles(outcome.results, options.formats, *folder, {interruptToken(), {}});
+    if (!paths)
+        return report(paths.error());
+    for (const std::string &path : *paths)
+        std::cout << presentable(path) << '\n';
     return reportOutcome(outcome);
 }
 

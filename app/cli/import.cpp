@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "app/cli/capture_target.h"
 #include "app/cli/console.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/verbs.h"
 #include "app/clock.h"
+#include "app/interrupt.h"
 
+#include "core/base/foreign_text.h"
 #include "core/capture/format_registry.h"
 #include "core/capture/formats/hdf5_capture.h"
 #include "core/capture/import_rules.h"
@@ -23,27 +25,13 @@ struct ImportOptions
     std::vector<std::string> files;
     RecipeOptions recipe;
     std::string output;
+    bool replace = false;
 };
 
 /// Captures are written once: nothing that exists is replaced, least of all an input.
-Result<void> checkOutput(const ImportOptions &options)
+CaptureTarget target(const ImportOptions &options)
 {
-    std::error_code error;
-    if (!std::filesystem::exists(options.output, error))
-        return {};
-    for (const std::string &file : options.files) {
-        if (std::filesystem::equivalent(file, options.output, error))
-            return fail(ErrorKind::Usage,
-                {DYNCAL_TEXT("core",
-                     "%1 is one of the inputs and is not overwritten; give the capture another "
-                     "name."),
-                    {options.output}});
-    }
-    return fail(ErrorKind::Usage,
-        {DYNCAL_TEXT("core",
-             "%1 exists already and captures are written once; give the capture another name or "
-             "remove the old one."),
-            {options.output}});
+    return {options.output, options.replace};
 }
 
 Result<CaptureSet> readAndApply(const ImportOptions &options, const Recipe &recipe)
@@ -61,7 +49,7 @@ Result<void> write(const CaptureSet &set, const ImportOptions &options, const st
     ProgressLine progress("Writing");
     const std::string title = std::filesystem::path(options.output).stem().string();
     return writeHdf5Capture(
-        set, options.output, created, title, {}, {interruptToken(), progress.sink()});
+        set, target(options), created, title, {}, {interruptToken(), progress.sink()});
 }
 
 int importFiles(const ImportOptions &options)
@@ -72,14 +60,20 @@ int importFiles(const ImportOptions &options)
     const Result<Recipe> recipe = options.recipe.read();
     if (!recipe)
         return report(recipe.error());
-    if (const Result<void> free = checkOutput(options); !free)
+    if (const Result<void> free = checkCaptureTarget(target(options), options.files); !free)
         return report(free.error());
     const Result<CaptureSet> set = readAndApply(options, *recipe);
     if (!set)
         return report(set.error());
+    if (worstSeverity(set->findings)
+        == Severity::Block) { // it would be given hashes that are right
+        reportFindings(set->findings);
+        std::cerr << "No capture was written.\n";
+        return static_cast<int>(exitCodeOf(set->findings));
+    }
     if (const Result<void> written = write(*set, options, *created); !written)
         return report(written.error());
-    std::cout << "Wrote " << options.output << ": " << set->shots.size()
+    std::cout << "Wrote " << presentable(options.output) << ": " << set->shots.size()
               << (set->shots.size() == 1 ? " shot" : " shots") << " from " << set->inputs.size()
               << (set->inputs.size() == 1 ? " file\n" : " files\n");
     reportFindings(set->findings);
@@ -96,9 +90,10 @@ void addImport(CLI::App &program, VerbAction &action)
     verb->add_option("files", options->files, "Recordings of one sensor, or folders of them")
         ->required()
         ->type_name("FILE");
-    verb->add_option("-o,--output", options->output, "Capture to write (.h5); must not exist")
+    verb->add_option("-o,--output", options->output, "Capture to write (.h5)")
         ->required()
         ->type_name("CAPTURE");
+    verb->add_flag("--replace", options->replace, "Replace a file of this name");
     options->recipe.declare(*verb);
     verb->footer("The import section of the recipe is applied once, here: leave it out of the "
                  "recipe of the run.\n\n"

@@ -3,11 +3,14 @@
 
 #include "app/cli/console.h"
 #include "app/cli/findings_json.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/verbs.h"
+#include "app/interrupt.h"
 
+#include "core/base/foreign_text.h"
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
+#include "core/capture/content_statement.h"
 #include "core/capture/format_registry.h"
 
 #include <algorithm>
@@ -64,11 +67,25 @@ Json shotJson(const CaptureSet &set, std::size_t i)
         {"included", shot.included}, {"channels", std::move(channels)}};
 }
 
+bool isCapture(const InputFile &input)
+{
+    return input.format == "dyncal-capture";
+}
+
+/// Empty for other formats, and for captures in which a changed label is not noticed.
+std::string contentHashOf(const InputFile &input)
+{
+    return isCapture(input) ? statedContentHashOf(input.path) : std::string();
+}
+
 Json infoJson(const CaptureSet &set)
 {
     Json files = Json::array();
-    for (const InputFile &input : set.inputs)
-        files.push_back({{"file", input.file}, {"format", input.format}, {"sha256", input.sha256}});
+    for (const InputFile &input : set.inputs) {
+        const std::string contentHash = contentHashOf(input);
+        files.push_back({{"file", input.file}, {"format", input.format}, {"sha256", input.sha256},
+            {"content_sha256", orNull(!contentHash.empty(), contentHash)}});
+    }
     Json shots = Json::array();
     for (std::size_t i = 0; i < set.shots.size(); ++i)
         shots.push_back(shotJson(set, i));
@@ -81,9 +98,9 @@ void printAttributes(const std::string &title, const Attributes &attributes)
 {
     if (attributes.empty())
         return;
-    std::cout << title << ":\n";
+    std::cout << presentableInBrief(title) << ":\n";
     for (const auto &[key, value] : attributes)
-        std::cout << "  " << key << " = " << value << '\n';
+        std::cout << "  " << presentableInBrief(key) << " = " << presentableInBrief(value) << '\n';
 }
 
 /// "int16", with the converter's bits where they are known: "int16/14".
@@ -96,14 +113,15 @@ std::string precisionText(const Channel &channel)
 void printChannel(const Channel &channel, std::size_t nameWidth)
 {
     const bool timed = channel.sampleRate_Hz > 0.0;
-    std::cout << "    " << std::left << std::setw(static_cast<int>(nameWidth) + 2) << channel.name
-              << std::setw(13) << channelRoleName(channel.role) << std::right << std::setw(10)
+    std::cout << "    " << std::left << std::setw(static_cast<int>(nameWidth) + 2)
+              << presentableInBrief(channel.name) << std::setw(13) << channelRoleName(channel.role)
+              << std::right << std::setw(10)
               << (timed ? numberWithUnit(channel.sampleRate_Hz, "Hz") : "rate ?") << std::setw(12)
               << channel.samples.size() << " samples  " << std::setw(9)
               << (timed ? numberWithUnit(channel.duration_s(), "s") : "?") << "  from "
               << std::setw(9) << numberWithUnit(channel.t0_s, "s") << "  " << std::setw(8)
-              << precisionText(channel) << "  " << (channel.unit.empty() ? "unit ?" : channel.unit)
-              << '\n';
+              << precisionText(channel) << "  "
+              << (channel.unit.empty() ? "unit ?" : presentableInBrief(channel.unit)) << '\n';
 }
 
 void printShots(const CaptureSet &set)
@@ -111,16 +129,17 @@ void printShots(const CaptureSet &set)
     std::size_t width = 0;
     for (const Shot &shot : set.shots) {
         for (const Channel &channel : shot.channels)
-            width = std::max(width, channel.name.size());
+            width = std::max(width, presentableInBrief(channel.name).size());
     }
     for (std::size_t i = 0; i < set.shots.size(); ++i) {
         const Shot &shot = set.shots[i];
         std::cout << "Shot " << i + 1;
         if (!shot.label.empty())
-            std::cout << " \"" << shot.label << '"';
+            std::cout << " \"" << presentableInBrief(shot.label) << '"';
         if (shot.level != ShotLevel::None)
             std::cout << ", level " << shotLevelName(shot.level);
-        std::cout << ", " << set.inputs.at(static_cast<std::size_t>(shot.input)).file
+        std::cout << ", "
+                  << presentableInBrief(set.inputs.at(static_cast<std::size_t>(shot.input)).file)
                   << (shot.included ? "\n" : ", excluded\n");
         for (const Channel &channel : shot.channels)
             printChannel(channel, width);
@@ -130,7 +149,10 @@ void printShots(const CaptureSet &set)
 void printInfo(const CaptureSet &set)
 {
     for (const InputFile &input : set.inputs)
-        std::cout << input.file << ": " << input.format << ", sha256 " << input.sha256 << '\n';
+        std::cout << presentableInBrief(input.file) << ": " << input.format << ", sha256 "
+                  << input.sha256
+                  << (isCapture(input) && contentHashOf(input).empty() ? ", no content hash\n"
+                                                                       : "\n");
     printShots(set);
     printAttributes("Tube", set.tube);
     for (const auto &[id, attributes] : set.sensors)
@@ -150,7 +172,7 @@ int info(const InfoOptions &options)
     if (!set)
         return report(set.error());
     if (options.json)
-        std::cout << infoJson(*set).dump(2, ' ', false, Json::error_handler_t::replace) << '\n';
+        std::cout << jsonText(infoJson(*set));
     else
         printInfo(*set);
     reportFindings(set->findings);

@@ -13,4 +13,13 @@ void RecipeOptions::declare(CLI::App &verb)
         ->type_name("PROFILE");
 }
 
+std::vector<std::string> RecipeOptions::files() const
+{
+    std::vector<std::string> given;
+    for (const std::string &file : {recipe, profile})
+        if (!file.empty())
+            given.push_back(file);
+    return given;
+}
+
 } // namespace dyncal

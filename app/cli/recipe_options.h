@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 
 #include <string>
+#include <vector>
 
 namespace dyncal {
 
@@ -20,6 +21,8 @@ struct RecipeOptions
     void declare(CLI::App &verb);
     /// The recipe over the profile; the default recipe where neither is given.
     Result<Recipe> read() const { return readRecipeFiles(recipe, profile); }
+    /// The paths given.
+    std::vector<std::string> files() const;
 };
 
 } // namespace dyncal

@@ -9,6 +9,8 @@
 #include "app/cli/verbs.h"
 #include "app/clock.h"
 
+#include "core/base/foreign_text.h"
+
 #include <iostream>
 #include <memory>
 
@@ -41,7 +43,7 @@ int conclude(
 {
     std::cout << runSummary(outcome, recipe) << "Written:\n";
     for (const std::string &path : paths)
-        std::cout << "  " << path << '\n';
+        std::cout << "  " << presentable(path) << '\n';
     return reportOutcome(outcome);
 }
 
@@ -56,13 +58,14 @@ int run(const RunOptions &options)
     const Result<CaptureSet> set = readForCalibration(options.files, *recipe);
     if (!set)
         return report(set.error());
-    if (const Result<void> made = makeFolder(options.output); !made)
-        return report(made.error());
+    Result<FolderWrite> folder
+        = FolderWrite::begin(runFolder(options.output, *set, options.recipe.files()));
+    if (!folder)
+        return report(folder.error());
     const PipelineOutcome outcome = calibrate(*set, *recipe);
     if (outcome.error && !keepsResults(*outcome.error))
         return report(*outcome.error);
-    const Result<std::vector<std::string>> paths
-        = writeRun(outcome, *recipe, *created, options.output);
+    const Result<std::vector<std::string>> paths = writeRun(outcome, *recipe, *created, *folder);
     if (!paths)
         return report(paths.error());
     return conclude(outcome, *recipe, *paths);

@@ -10,6 +10,6 @@ namespace dyncal {
 /// Draws what `dyncal run` promises and writes it all (writeRunFiles). Certificate and plots only
 /// of a run that came to its end. Without a window: makes what drawing needs.
 Result<std::vector<std::string>> writeRun(const PipelineOutcome &outcome, const Recipe &recipe,
-    const std::string &createdUtc, const std::string &folder);
+    const std::string &createdUtc, FolderWrite &folder);
 
 } // namespace dyncal

@@ -3,8 +3,10 @@
 
 #include "app/cli/run_summary.h"
 
+#include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
+#include "core/pipeline/publication.h"
 #include "core/pipeline/results_json.h"
 
 #include <algorithm>
@@ -74,11 +76,11 @@ void addSensitivity(
     }
     // The prefix belongs to the numerator, so "V/Pa" becomes "uV/Pa".
     addLine(text, "Plateau sensitivity",
-        numberWithUnit(*response.sensitivity, response.sensitivityUnit, 5));
+        numberWithUnit(*response.sensitivity, presentable(response.sensitivityUnit), 5));
     for (const ShotSensitivity &shot : response.shots) {
         if (shot.sensitivity)
             addLine(text, "  shot " + std::to_string(shot.shot),
-                numberWithUnit(*shot.sensitivity, shot.unit, 5));
+                numberWithUnit(*shot.sensitivity, presentable(shot.unit), 5));
     }
 }
 
@@ -125,6 +127,9 @@ void addFindings(std::string &text, const PipelineOutcome &outcome)
         count(Severity::Block, " blocking", " blocking") + ", "
             + count(Severity::Caution, " caution", " cautions") + ", "
             + count(Severity::Info, " note", " notes"));
+    if (!mayPublish(outcome))
+        addLine(
+            text, "Not written", "certificate, plots, tables and model, because of what blocks");
 }
 
 } // namespace

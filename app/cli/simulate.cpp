@@ -1,11 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "app/cli/capture_target.h"
 #include "app/cli/console.h"
-#include "app/cli/interrupt.h"
 #include "app/cli/verbs.h"
 #include "app/clock.h"
+#include "app/interrupt.h"
 
+#include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/synthesis/shot_generator.h"
 
@@ -19,6 +21,7 @@ namespace {
 struct SimulateOptions
 {
     std::string output;
+    bool replace = false;
     std::string preset = "optic3";
     std::optional<double> f0_Hz;
     std::optional<double> zeta;
@@ -108,6 +111,9 @@ int simulate(const SimulateOptions &options)
     const Result<SimulationSettings> settings = settingsOf(options);
     if (!settings)
         return report(settings.error());
+    const CaptureTarget target{options.output, options.replace};
+    if (const Result<void> free = checkCaptureTarget(target, {}); !free)
+        return report(free.error());
     ProgressLine progress("Simulating");
     const JobControl control{interruptToken(), progress.sink()};
     const Result<SimulatedCapture> capture = simulateShots(*settings, control);
@@ -115,11 +121,11 @@ int simulate(const SimulateOptions &options)
         return report(capture.error());
     const std::string title = "Simulated sensor " + settings->sensor.name;
     if (const Result<void> written
-        = writeHdf5Capture(capture->set, options.output, *created, title, capture->truth, control);
+        = writeHdf5Capture(capture->set, target, *created, title, capture->truth, control);
         !written)
         return report(written.error());
-    std::cout << "Wrote " << options.output << ": " << title << ", " << capture->set.shots.size()
-              << " shots, seed " << settings->seed << '\n';
+    std::cout << "Wrote " << presentable(options.output) << ": " << title << ", "
+              << capture->set.shots.size() << " shots, seed " << settings->seed << '\n';
     printTruth(*capture);
     return static_cast<int>(ExitCode::Done);
 }
@@ -133,6 +139,7 @@ void addSimulate(CLI::App &program, VerbAction &action)
     verb->add_option("-o,--output", options->output, "Capture to write (.h5)")
         ->required()
         ->type_name("CAPTURE");
+    verb->add_flag("--replace", options->replace, "Replace a file of this name");
     verb->add_option("--preset", options->preset, "Sensor: piezo, optic1, optic2, optic3, optic4")
         ->capture_default_str();
     CLI::Option *f0 = verb->add_option(

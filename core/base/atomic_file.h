@@ -5,16 +5,26 @@
 
 #include "core/base/result.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
 namespace dyncal {
 
-/// Writes a file whole or not at all: a temporary file beside it, fsync, rename, fsync of the
-/// folder. An existing regular file is replaced; anything else of that name (a folder, a device, a
-/// pipe) is refused. On failure the temporary is removed and what was there before is untouched.
-/// Fails (Usage) where the place cannot be written to, (Internal) where writing fails, e.g. on a
-/// full disk.
+/// Finding id of the error of a file that another program changed meanwhile.
+inline constexpr const char *kChangedMeanwhile = "FIL-001";
+
+/// Writes a file whole or not at all: a temporary file beside it, flushed, renamed, the folder
+/// flushed (core/base/writing/pending_file.h). An existing regular file is replaced and keeps its
+/// permissions; of a link the link is replaced, never its target; anything else of that name (a
+/// folder, a device, a pipe) is refused. On failure what was there before is untouched. Fails
+/// (Usage) where the place cannot be written to or another program writes this file now,
+/// (Internal) where writing fails, e.g. on a full disk.
 Result<void> writeFileAtomically(const std::string &path, std::string_view bytes);
+
+/// The same for a file that must still be the one that was read or written before, told by its
+/// SHA-256 (nullopt: there must be none). Fails (Usage, finding kChangedMeanwhile) if it is not.
+Result<void> replaceUnchangedFile(const std::string &path, std::string_view bytes,
+    const std::optional<std::string> &expectedSha256);
 
 } // namespace dyncal

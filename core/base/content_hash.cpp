@@ -5,12 +5,28 @@
 
 #include <openssl/evp.h>
 
+#include <algorithm>
 #include <array>
+#include <filesystem>
 #include <fstream>
 #include <memory>
+#include <new>
+#include <system_error>
 #include <vector>
 
 namespace dyncal {
+
+namespace {
+
+/// OpenSSL fails here for nothing but lack of memory; a hash that was not computed must not pass
+/// for one.
+void needs(int done)
+{
+    if (done != 1)
+        throw std::bad_alloc();
+}
+
+} // namespace
 
 struct Sha256::State
 {
@@ -21,21 +37,22 @@ struct Sha256::State
 Sha256::Sha256()
     : m_state(std::make_unique<State>())
 {
-    EVP_DigestInit_ex(m_state->context.get(), EVP_sha256(), nullptr);
+    needs(m_state->context ? 1 : 0);
+    needs(EVP_DigestInit_ex(m_state->context.get(), EVP_sha256(), nullptr));
 }
 
 Sha256::~Sha256() = default;
 
 void Sha256::add(std::span<const std::byte> bytes)
 {
-    EVP_DigestUpdate(m_state->context.get(), bytes.data(), bytes.size());
+    needs(EVP_DigestUpdate(m_state->context.get(), bytes.data(), bytes.size()));
 }
 
 std::string Sha256::hex()
 {
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
     unsigned int length = 0;
-    EVP_DigestFinal_ex(m_state->context.get(), digest.data(), &length);
+    needs(EVP_DigestFinal_ex(m_state->context.get(), digest.data(), &length));
     static constexpr char kDigits[] = "0123456789abcdef";
     std::string text;
     for (unsigned int i = 0; i < length; ++i) {
@@ -63,7 +80,11 @@ std::string sha256OfFile(const std::string &path, const std::function<bool(std::
     if (!file)
         return {};
     Sha256 hash;
-    std::vector<char> block(1 << 20);
+    constexpr std::uintmax_t kBlock = 1 << 20;
+    std::error_code unknown; // fresh memory costs more than a small file
+    const std::uintmax_t size = std::filesystem::file_size(path, unknown);
+    std::vector<char> block(
+        static_cast<std::size_t>(unknown ? kBlock : std::min(size + 1, kBlock)));
     std::uintmax_t done = 0;
     while (file) {
         file.read(block.data(), std::ssize(block));

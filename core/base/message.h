@@ -20,10 +20,12 @@ struct Message
 {
     const char *text = "";
     std::vector<std::string> arguments;
+    std::vector<Message> below = {}; ///< further sentences, each on a line of its own
 
     bool operator==(const Message &other) const
     {
-        return std::string_view(text) == other.text && arguments == other.arguments;
+        return std::string_view(text) == other.text && arguments == other.arguments
+            && below == other.below;
     }
 };
 
@@ -31,7 +33,10 @@ struct Message
 std::string english(const Message &message);
 
 /// Puts `arguments` into the places %1..%9 of `text` in one pass (an argument that itself holds
-/// "%1" is not expanded again).
-std::string fillPlaces(std::string_view text, const std::vector<std::string> &arguments);
+/// "%1" is not expanded again). The text is ours, the arguments are foreign: they come out as
+/// presentableInBrief() makes them, or in full with their line breaks.
+enum class ArgumentText { Brief, Full };
+std::string fillPlaces(std::string_view text, const std::vector<std::string> &arguments,
+    ArgumentText shown = ArgumentText::Brief);
 
 } // namespace dyncal

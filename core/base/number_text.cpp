@@ -10,7 +10,24 @@
 
 namespace dyncal {
 
+namespace {
+
+/// What stands where a number would: a dash where there is none.
+std::string notFinite(double value)
+{
+    if (std::isnan(value))
+        return "\xE2\x80\x93";
+    return value > 0.0 ? "\xE2\x88\x9E" : "-\xE2\x88\x9E";
+}
+
+} // namespace
+
 std::string numberText(double value)
+{
+    return std::isfinite(value) ? exactNumber(value) : notFinite(value);
+}
+
+std::string exactNumber(double value)
 {
     std::array<char, 32> buffer;
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
@@ -19,6 +36,8 @@ std::string numberText(double value)
 
 std::string numberText(double value, int digits)
 {
+    if (!std::isfinite(value))
+        return notFinite(value);
     std::array<char, 64> buffer;
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
         std::chars_format::general, std::clamp(digits, 1, 17));
@@ -41,7 +60,7 @@ std::string numberWithUnit(double value, std::string_view unit, int digits)
     };
     static constexpr std::array<Prefix, 9> kPrefixes{{{1e9, "G"}, {1e6, "M"}, {1e3, "k"}, {1.0, ""},
         {1e-3, "m"}, {1e-6, "\xC2\xB5"}, {1e-9, "n"}, {1e-12, "p"}, {1e-15, "f"}}};
-    if (unit == "1")
+    if (unit == "1" || std::isnan(value))
         unit = {};
     Prefix chosen{1.0, ""};
     if (std::isfinite(value) && value != 0.0 && !unit.empty()) {

@@ -9,9 +9,14 @@
 
 namespace dyncal {
 
+// For sentences, tables and files of numbers: what is not finite reads as a dash or the sign of
+// infinity, never as "nan" or "inf", which a reader may take for a word.
+
 /// Shortest text that reads back as the same double, '.' as decimal mark whatever the locale.
-/// Not finite: "nan", "inf", "-inf".
 std::string numberText(double value);
+
+/// The same for text that a program reads back: "nan", "inf" and "-inf" where it is not finite.
+std::string exactNumber(double value);
 
 /// `digits` significant digits (1..17), '.' as decimal mark, exponent only outside 1e-4..1e15.
 std::string numberText(double value, int digits);

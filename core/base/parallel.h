@@ -7,14 +7,16 @@
 
 #include <atomic>
 #include <exception>
+#include <system_error>
 #include <thread>
 
 namespace dyncal {
 
 /// Calls f(0) .. f(parts - 1), each once, on one thread or on two. The caller cuts the work into
 /// parts that do not depend on the number of threads, so neither does the result. Starting a thread
-/// costs some 50 us: set `worthAThread` only for work of a millisecond or more. An exception of a
-/// part is thrown again here once all have ended.
+/// costs some 50 us: set `worthAThread` only for work of a millisecond or more. Where the system
+/// gives no thread the caller's does it all. An exception of a part is thrown again here once all
+/// have ended.
 template <typename Function>
 void forEachPart(Index parts, bool worthAThread, const Function &f)
 {
@@ -34,7 +36,11 @@ void forEachPart(Index parts, bool worthAThread, const Function &f)
         }
     };
     {
-        const std::jthread second([&] { work(problems[1]); });
+        std::jthread second;
+        try {
+            second = std::jthread([&] { work(problems[1]); });
+        } catch (const std::system_error &) { // no memory or no number for one more
+        }
         work(problems[0]);
     }
     for (const std::exception_ptr &problem : problems) {

@@ -109,6 +109,8 @@ std::string withUnit(const std::string &number, const std::string &unit)
 
 std::string fixedText(double value, int decimals)
 {
+    if (!std::isfinite(value))
+        return numberText(value);
     if (decimals < 0) {
         const double grain = std::pow(10.0, -decimals);
         value = std::round(value / grain) * grain;

@@ -34,7 +34,7 @@ std::string roundedText(double value, double u, std::string_view unit);
 std::string roundedTextWithU(double value, double u, std::string_view unit);
 
 /// `value` with `decimals` digits behind the point; negative: rounded to tens, hundreds... Never
-/// "-0".
+/// "-0"; not finite as numberText().
 std::string fixedText(double value, int decimals);
 
 } // namespace dyncal

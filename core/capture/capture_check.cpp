@@ -34,7 +34,9 @@ public:
     {
         if (!m_survey.readable) {
             addUnreadable();
-        } else if (m_survey.size == 0 || m_survey.isConstant()) {
+        } else if (m_survey.invalid == m_survey.size) {
+            addEmpty();
+        } else if (m_survey.isConstant()) {
             addConstant();
         } else if (isFlat()) {
             addFlat();
@@ -70,12 +72,34 @@ private:
                 {std::to_string(m_shot), m_channel.name}});
     }
 
+    void addEmpty()
+    {
+        const char *none = DYNCAL_TEXT(
+            "core", "Channel '%1' of shot %2 has no samples. Check the file and the role.");
+        const char *invalid = DYNCAL_TEXT("core",
+            "Channel '%1' of shot %2 has no valid sample: none of its %3 samples is a number. "
+            "Check the file and the role.");
+        add("CAP-008", ofFlat(), {},
+            {m_survey.size == 0 ? none : invalid,
+                {m_channel.name, std::to_string(m_shot), std::to_string(m_survey.size)}});
+    }
+
     void addConstant()
     {
+        const char *all = DYNCAL_TEXT("core",
+            "Channel '%1' of shot %2 is flat: all %3 samples are %4. Check cable and role.");
+        const char *valid = DYNCAL_TEXT("core",
+            "Channel '%1' of shot %2 is flat: all its valid samples (%3) are %4. Check cable and "
+            "role.");
+        const char *single = DYNCAL_TEXT("core",
+            "Channel '%1' of shot %2 has a single valid sample, %4, which is no record. Check the "
+            "file and the role.");
+        const Index count = m_survey.size - m_survey.invalid;
         add("CAP-008", ofFlat(), {},
-            {DYNCAL_TEXT("core",
-                 "Channel '%1' of shot %2 is flat: all %3 samples are %4. Check cable and role."),
-                {m_channel.name, std::to_string(m_shot), std::to_string(m_survey.size),
+            {count == 1                    ? single
+                    : m_survey.invalid > 0 ? valid
+                                           : all,
+                {m_channel.name, std::to_string(m_shot), std::to_string(count),
                     numberWithUnit(physicalValue(m_channel, m_survey.lowest), m_channel.unit)}});
     }
 
@@ -106,18 +130,23 @@ private:
             static_cast<double>(m_survey.invalid));
     }
 
-    /// Where the rail is known only what reaches it is saturated.
+    /// Where the rail is known only what reaches it is saturated, and blocks inside the window;
+    /// else the window stage blocks what stands still for long.
     void checkSaturation(const EqualRun &run, const std::optional<double> &rail, bool atRail)
     {
         if (run.count < m_settings.saturationRun)
             return;
         if (rail ? !atRail : !isCutOff(m_channel.samples, m_survey, run))
             return;
+        const char *known = DYNCAL_TEXT("core",
+            "Shot %1, %2 is saturated for %3 at %4, from %5 on. Inside the response window "
+            "that blocks the shot; use a wider range.");
+        const char *unknown = DYNCAL_TEXT("core",
+            "Shot %1, %2 looks cut off for %3 at %4, from %5 on. More than 20 % of the response "
+            "window like that blocks the shot; use a wider range.");
         const double time_s = m_channel.timeOf_s(run.begin);
         add("CAP-007", Severity::Caution, time_s,
-            {DYNCAL_TEXT("core",
-                 "Shot %1, %2 is saturated for %3 at %4, from %5 on. Inside the response window "
-                 "that blocks the shot; use a wider range."),
+            {rail ? known : unknown,
                 {std::to_string(m_shot), m_channel.name,
                     numberWithUnit(
                         static_cast<double>(run.count) / m_channel.sampleRate_Hz, "s", 3),

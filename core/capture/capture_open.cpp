@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/base/free_memory.h"
 #include "core/capture/capture_seal.h"
 #include "core/capture/channel_files.h"
 #include "core/capture/format_registry.h"
@@ -79,7 +80,7 @@ public:
     {
         if (part)
             append(m_set, std::move(*part));
-        else if (file.named)
+        else if (file.named || part.error().kind == ErrorKind::Internal) // no shot is lost unsaid
             addProblem(part.error());
         else
             m_set.findings.push_back(skippedFile(part.error()));
@@ -104,23 +105,21 @@ private:
         Error joined = m_problems.front();
         if (m_problems.size() == 1)
             return joined;
-        std::string sentences;
+        joined.message = {DYNCAL_TEXT("core", "%1 of the inputs cannot be read:"),
+            {std::to_string(m_problems.size())}};
         for (const Error &problem : m_problems)
-            sentences.append("\n").append(english(problem.message));
-        joined.message = {DYNCAL_TEXT("core", "%1 of the inputs cannot be read:%2"),
-            {std::to_string(m_problems.size()), sentences}};
+            joined.message.below.push_back(problem.message);
         return joined;
     }
 
     Error nothingRead() const
     {
-        std::string sentences;
+        Message message{
+            DYNCAL_TEXT("core", "No recording was found in the inputs; readable are: %1."),
+            {readableFormatsText()}};
         for (const Finding &finding : m_set.findings)
-            sentences.append("\n").append(english(finding.message));
-        return {ErrorKind::FileUnreadable,
-            {DYNCAL_TEXT("core", "No recording was found in the inputs; readable are: %1.%2"),
-                {readableFormatsText(), sentences}},
-            "CAP-001", 0};
+            message.below.push_back(finding.message);
+        return {ErrorKind::FileUnreadable, std::move(message), "CAP-001", 0};
     }
 
     CaptureSet m_set;
@@ -164,6 +163,24 @@ Result<CaptureSet> joinCaptures(const std::vector<std::string> &paths,
     return joiner.finish(settings);
 }
 
+/// What a reader and its helper process may need before they can tell what is wrong with a file.
+constexpr std::size_t kReadingBytes = std::size_t(256) << 20U;
+
+/// Libraries say of a file that it is damaged when it is memory that they lack.
+Error inDoubt(const Error &error, const std::string &path)
+{
+    std::error_code unknown;
+    if (error.kind != ErrorKind::FileUnreadable || isMemoryLeft(kReadingBytes)
+        || !fs::exists(path, unknown))
+        return error;
+    return {ErrorKind::Internal,
+        {DYNCAL_TEXT("core",
+             "%1 could not be read, and there is not enough memory to tell whether the file is at "
+             "fault; close other programs or raise the memory limit."),
+            {path}},
+        {}, 0};
+}
+
 } // namespace
 
 Result<CaptureSet> openCapture(
@@ -172,11 +189,11 @@ Result<CaptureSet> openCapture(
     const ImportSettings own = settingsOfFile(settings, path);
     const Result<const CaptureFormat *> format = formatOf(path, own);
     if (!format)
-        return tl::unexpected(format.error());
+        return tl::unexpected(inDoubt(format.error(), path));
     const InputFile input = stampedInput(path, (*format)->id);
     Result<CaptureSet> set = (*format)->read(path, own, control);
     if (!set)
-        return set;
+        return tl::unexpected(inDoubt(set.error(), path));
     set->inputs = {input};
     for (std::size_t i = 0; i < set->shots.size(); ++i) {
         set->shots[i].input = 0;

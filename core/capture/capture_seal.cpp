@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <future>
 #include <system_error>
+#include <unordered_map>
 
 namespace dyncal {
 namespace {
@@ -192,12 +193,11 @@ private:
 Findings equalInputs(const CaptureSet &set)
 {
     Findings findings;
-    for (std::size_t i = 1; i < set.inputs.size(); ++i) {
+    std::unordered_map<std::string, const InputFile *> earlier; // by hash
+    for (std::size_t i = 0; i < set.inputs.size(); ++i) {
         const InputFile &input = set.inputs[i];
-        const auto end = set.inputs.begin() + static_cast<std::ptrdiff_t>(i);
-        const auto twin = std::find_if(set.inputs.begin(), end,
-            [&](const InputFile &earlier) { return earlier.sha256 == input.sha256; });
-        if (twin == end)
+        const auto [twin, isNew] = earlier.try_emplace(input.sha256, &input);
+        if (isNew)
             continue;
         const auto shot = std::find_if(set.shots.begin(), set.shots.end(),
             [&](const Shot &s) { return comesFrom(s, static_cast<Index>(i)); });
@@ -206,7 +206,7 @@ Findings equalInputs(const CaptureSet &set)
             {DYNCAL_TEXT("core",
                  "%1 and %2 hold identical data; a shot counted twice makes the scatter look "
                  "smaller than it is. Take one of them out."),
-                {twin->path, input.path}},
+                {twin->second->path, input.path}},
             {}, {}});
     }
     return findings;

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dyncal {
 namespace {
@@ -28,6 +29,31 @@ tl::unexpected<Error> missingRate(const Channel &channel, Index shot)
                     "Shot %1, channel '%2': the file states no sample rate and has no time column; "
                     "give import.sample_rate_hz in the recipe."),
             {std::to_string(shot), channel.name}},
+        "CAP-003", shot);
+}
+
+/// A rate written as an interval may be off by its rounding.
+bool isCredible(double rate_Hz)
+{
+    return rate_Hz >= kLowestRate_Hz * (1.0 - kSameRate)
+        && rate_Hz <= kHighestRate_Hz * (1.0 + kSameRate);
+}
+
+tl::unexpected<Error> incredibleRate(const Channel &channel, Index shot, double rate_Hz, bool typed)
+{
+    const char *ofFile = DYNCAL_TEXT("core",
+        "Shot %1, channel '%2': the file gives a sample rate of %3 (an interval of %4), and "
+        "recordings have %5 to %6. Correct the times or the rate in the file, or give "
+        "import.sample_rate_hz and import.sample_rate_reason.");
+    const char *ofRecipe = DYNCAL_TEXT("core",
+        "Shot %1, channel '%2': import.sample_rate_hz is %3 (an interval of %4), and recordings "
+        "have %5 to %6. Correct the key.");
+    const double interval_s = 1.0 / std::max(rate_Hz, std::numeric_limits<double>::min());
+    return fail(ErrorKind::DataBlocked,
+        Message{typed ? ofRecipe : ofFile,
+            {std::to_string(shot), channel.name, numberText(rate_Hz, 6) + " Hz",
+                numberText(interval_s, 6) + " s", numberWithUnit(kLowestRate_Hz, "Hz"),
+                numberWithUnit(kHighestRate_Hz, "Hz")}},
         "CAP-003", shot);
 }
 
@@ -129,6 +155,8 @@ Result<void> setSampleRate(Channel &channel, Index shot, const ImportSettings &s
     const double rate_Hz = settings.sampleRate_Hz.value_or(stated_Hz);
     if (!isRate(rate_Hz))
         return missingRate(channel, shot);
+    if (!isCredible(rate_Hz))
+        return incredibleRate(channel, shot, rate_Hz, settings.sampleRate_Hz.has_value());
     const double difference = isRate(stated_Hz) ? std::abs(rate_Hz / stated_Hz - 1.0) : 0.0;
     const bool contradicts = difference > kPercent * checks.rateMismatch_percent;
     if (contradicts && settings.sampleRateReason.empty())

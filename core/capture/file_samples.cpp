@@ -135,6 +135,13 @@ Result<std::shared_ptr<const SampleFile>> SampleFile::open(const std::string &pa
     if (descriptor >= 0 && ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode))
         return std::shared_ptr<const SampleFile>(new SampleFile(
             descriptor, static_cast<std::uint64_t>(status.st_size), changeTime_ns(status)));
+    if (descriptor < 0 && (errno == EMFILE || errno == ENFILE))
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core",
+                 "%1 cannot be opened because the system allows no more open files; read fewer "
+                 "recordings at once, or raise the limit (ulimit -n)."),
+                {path}},
+            "CAP-018");
     if (descriptor >= 0)
         ::close(descriptor);
     return fail(ErrorKind::FileUnreadable,

@@ -4,6 +4,7 @@
 #include "core/capture/format_registry.h"
 
 #include "core/capture/file_kind.h"
+#include "core/capture/file_samples.h"
 #include "core/capture/formats/delimited_text.h"
 #include "core/capture/formats/foreign_hdf5.h"
 #include "core/capture/formats/hdf5_capture.h"
@@ -17,8 +18,9 @@
 #include "core/capture/formats/tdms.h"
 #include "core/capture/formats/wav.h"
 
+#include <algorithm>
 #include <filesystem>
-#include <fstream>
+#include <span>
 #include <system_error>
 
 namespace dyncal {
@@ -41,17 +43,18 @@ Result<std::string> headOf(const std::string &path)
                  "are: %2."),
                 {path, readableFormatsText()}},
             "CAP-001");
-    std::ifstream file(path, std::ios::binary);
-    std::string head(kHeadBytes, '\0');
-    file.read(head.data(), static_cast<std::streamsize>(head.size()));
-    if (file.bad() || !file.is_open())
+    const auto file = SampleFile::open(path);
+    if (!file)
+        return tl::unexpected(file.error());
+    std::string head(
+        static_cast<std::size_t>(std::min<std::uint64_t>(kHeadBytes, (*file)->size())), '\0');
+    if (!(*file)->read(0, head.size(), std::as_writable_bytes(std::span(head)).data()))
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
                  "%1 cannot be opened; check that you may read it and that no "
                  "other program holds it."),
                 {path}},
             "CAP-018");
-    head.resize(static_cast<std::size_t>(file.gcount()));
     return head;
 }
 

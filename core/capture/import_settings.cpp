@@ -54,6 +54,7 @@ ImportSettings settingsOfFile(const ImportSettings &settings, const std::string 
     replace(merged.reference, own.reference);
     replace(merged.skipRows, own.skipRows);
     replace(merged.interpolateInvalid, own.interpolateInvalid);
+    replace(merged.maxExpansion, own.maxExpansion);
     return merged;
 }
 

@@ -15,6 +15,9 @@ namespace dyncal {
 /// ImportSettings::channelFiles: files of one recording become one shot.
 inline constexpr const char *kJoinChannelFiles = "join";
 
+/// ImportSettings::maxExpansion where nothing else is said.
+inline constexpr double kUsualExpansion = 20.0;
+
 /// A shot taken out of the calibration, by number from 1, with the reason that the certificate
 /// prints.
 struct ExcludedShot
@@ -54,6 +57,7 @@ struct FileImport
     std::string reference;
     std::optional<Index> skipRows;
     std::optional<Index> interpolateInvalid;
+    std::optional<double> maxExpansion;
     bool operator==(const FileImport &) const = default;
 };
 
@@ -75,6 +79,7 @@ struct ImportSettings
     std::string reference; ///< "", "gauge" or "absolute": the DUT's pressures
     std::optional<Index> skipRows; ///< text files: rows before the data
     Index interpolateInvalid = 0; ///< fill gaps of at most this many invalid samples
+    double maxExpansion = kUsualExpansion; ///< memory for what a file holds, in times its size
     std::string channelFiles = kJoinChannelFiles; ///< or "apart": see channel_files.h
     std::vector<std::string> levels; ///< one per shot: "low", "medium", "high" or ""
     std::vector<ExcludedShot> exclude;

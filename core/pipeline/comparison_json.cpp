@@ -3,6 +3,7 @@
 
 #include "core/pipeline/comparison_json.h"
 
+#include "core/base/json_text.h"
 #include "core/pipeline/json_record.h"
 
 #include <algorithm>
@@ -90,7 +91,7 @@ std::string comparisonJson(
     for (const ComparedOrder &compared : orders)
         list.push_back(orderJson(compared));
     root.set("orders", std::move(list));
-    return root.take().dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return jsonText(root.take());
 }
 
 } // namespace dyncal

@@ -3,6 +3,7 @@
 
 #include "core/pipeline/csv_table.h"
 
+#include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 
 #include <algorithm>
@@ -39,10 +40,11 @@ std::string CsvTable::text() const
 
 std::string csvCell(std::string_view text)
 {
-    if (text.find_first_of(",\"\r\n") == std::string_view::npos)
-        return std::string(text);
+    const std::string shown = spreadsheetText(text);
+    if (shown.find_first_of(",;\"") == std::string::npos)
+        return shown;
     std::string cell(1, '"');
-    for (const char c : text) {
+    for (const char c : shown) {
         if (c == '"')
             cell += '"';
         cell += c;

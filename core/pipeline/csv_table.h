@@ -28,7 +28,8 @@ private:
     std::vector<Eigen::VectorXd> m_columns;
 };
 
-/// A header cell; quoted where it holds a comma, a quote or a line break (RFC 4180).
+/// A header cell: as spreadsheetText(), quoted where it holds a comma, a semicolon or a quote (RFC
+/// 4180).
 std::string csvCell(std::string_view text);
 
 } // namespace dyncal

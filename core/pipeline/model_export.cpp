@@ -3,6 +3,7 @@
 
 #include "core/pipeline/model_export.h"
 
+#include "core/base/json_text.h"
 #include "core/base/number_text.h"
 #include "core/base/version.h"
 #include "core/pipeline/csv_table.h"
@@ -96,7 +97,7 @@ std::string jsonFile(const SensorModel &model, const CalibrationResults &results
     root.text("sensitivity_unit",
         response && response->sensitivity ? response->sensitivityUnit : "",
         "No pressure step is known.");
-    return root.take().dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return jsonText(root.take());
 }
 
 std::string matrixCsv(const Eigen::MatrixXd &matrix)
@@ -104,7 +105,7 @@ std::string matrixCsv(const Eigen::MatrixXd &matrix)
     std::string text;
     for (const auto &row : matrix.rowwise()) {
         for (Index i = 0; i < row.size(); ++i)
-            text += (i > 0 ? "," : "") + numberText(row[i]);
+            text += (i > 0 ? "," : "") + exactNumber(row[i]);
         text += '\n';
     }
     return text;

@@ -3,6 +3,7 @@
 
 #include "core/pipeline/results_json.h"
 
+#include "core/base/json_text.h"
 #include "core/base/version.h"
 #include "core/pipeline/results_sections.h"
 
@@ -142,7 +143,7 @@ std::string resultsJson(
     addFindings(root, context);
     addError(root, outcome);
     // Names in foreign files need not be UTF-8; results.json always is.
-    return root.take().dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return jsonText(root.take());
 }
 
 } // namespace dyncal

@@ -3,11 +3,13 @@
 
 #include "core/pipeline/run_files.h"
 
-#include "core/base/atomic_file.h"
 #include "core/pipeline/model_export.h"
+#include "core/pipeline/publication.h"
 #include "core/pipeline/results_csv.h"
 #include "core/pipeline/results_json.h"
 
+#include <algorithm>
+#include <array>
 #include <filesystem>
 
 namespace dyncal {
@@ -15,67 +17,32 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void removeFilesIn(const fs::path &folder, const char *extension)
+constexpr std::array<std::string_view, 4> kDocuments{
+    "results.json", "recipe.json", "certificate.pdf", "dcc.xml"};
+
+bool isModelName(const std::string &name)
 {
-    std::error_code ignored;
-    for (const fs::directory_entry &entry : fs::directory_iterator(folder, ignored)) {
-        if (entry.is_regular_file(ignored) && entry.path().extension() == extension)
-            fs::remove(entry.path(), ignored);
-    }
+    return std::ranges::find(modelFileNames(), name) != modelFileNames().end();
 }
 
-/// Only in a folder that an earlier run wrote.
-void removeEarlierRun(const fs::path &folder)
+/// A list of written files that claims anything else is not a run's.
+bool isRunName(const std::string &name)
 {
-    std::error_code ignored;
-    if (!fs::is_regular_file(folder / "recipe.json", ignored))
-        return;
-    for (const char *name : {"results.json", "certificate.pdf", "dcc.xml", "recipe.json"})
-        fs::remove(folder / name, ignored);
-    for (const std::string &name : modelFileNames())
-        fs::remove(folder / "model" / name, ignored);
-    removeFilesIn(folder / "csv", ".csv");
-    removeFilesIn(folder / "plots", ".svg");
+    const fs::path path(name);
+    const std::string folder = path.parent_path().string();
+    return std::ranges::find(kDocuments, name) != kDocuments.end()
+        || (folder == "csv" && path.extension() == ".csv")
+        || (folder == "plots" && path.extension() == ".svg")
+        || (folder == "model" && isModelName(path.filename().string()));
 }
 
-/// Writes file after file of one run; after a failure or a stop it writes no more.
-class RunWriter
+std::vector<std::string> recordingsOf(const CaptureSet &set)
 {
-public:
-    RunWriter(const std::string &folder, std::size_t files, const JobControl &control)
-        : m_folder(folder)
-        , m_count(files)
-        , m_control(control)
-    {
-    }
-
-    void write(const std::string &name, std::string_view bytes)
-    {
-        if (!m_problem && m_control.stopRequested())
-            m_problem = Error{ErrorKind::Cancelled, {DYNCAL_TEXT("core", "Cancelled."), {}}, {}, 0};
-        const fs::path path = m_folder / name;
-        if (!m_problem && path.has_parent_path())
-            note(makeFolder(path.parent_path().string()));
-        if (!m_problem)
-            note(writeFileAtomically(path.string(), bytes));
-        m_control.report(static_cast<double>(++m_written) / static_cast<double>(m_count));
-    }
-
-    const std::optional<Error> &problem() const { return m_problem; }
-
-private:
-    void note(const Result<void> &done)
-    {
-        if (!done)
-            m_problem = done.error();
-    }
-
-    fs::path m_folder;
-    std::size_t m_count = 1;
-    std::size_t m_written = 0;
-    const JobControl &m_control;
-    std::optional<Error> m_problem;
-};
+    std::vector<std::string> paths;
+    for (const InputFile &input : set.inputs)
+        paths.push_back(input.path);
+    return paths;
+}
 
 /// Documents are shown one by one, plots and tables as their folders.
 std::vector<std::string> shownPaths(
@@ -98,37 +65,68 @@ std::vector<std::string> shownPaths(
 
 } // namespace
 
-Result<void> makeFolder(const std::string &folder)
+FolderRequest runFolder(
+    const std::string &folder, const CaptureSet &set, std::vector<std::string> settings)
 {
-    std::error_code error;
-    fs::create_directories(folder, error);
-    if (!error && fs::is_directory(folder, error))
-        return {};
-    return fail(ErrorKind::Usage,
-        {DYNCAL_TEXT("core", "The folder %1 cannot be made: %2."),
-            {folder, error ? error.message() : "something else has this name"}});
+    std::vector<std::string> names{"csv/", "plots/", "model/"};
+    names.insert(names.end(), kDocuments.begin(), kDocuments.end());
+    return {folder, "run", isRunName, std::move(names), recordingsOf(set), std::move(settings)};
 }
 
 Result<std::vector<std::string>> writeRunFiles(
-    const RunFiles &run, const std::string &folder, const JobControl &control)
+    const RunFiles &run, FolderWrite &folder, const JobControl &control)
 {
-    const std::vector<CsvFile> tables = resultsCsv(run.outcome.results);
-    const std::vector<ModelFile> model = modelFiles(run.outcome.results);
+    if (!run.drawn.empty() && !mayPublish(run.outcome))
+        return writeRunFiles({run.outcome, run.recipe, run.createdUtc, {}}, folder, control);
+    const CalibrationResults shown
+        = mayPublish(run.outcome) ? run.outcome.results : CalibrationResults();
+    const std::vector<CsvFile> tables = resultsCsv(shown);
+    const std::vector<ModelFile> model = modelFiles(shown);
+    const std::string recipe = recipeJson(run.recipe);
     const std::string json = resultsJson(run.outcome, run.recipe, run.createdUtc);
-    if (!control.stopRequested())
-        removeEarlierRun(folder);
-    RunWriter writer(folder, tables.size() + model.size() + run.drawn.size() + 2, control);
-    writer.write("recipe.json", recipeJson(run.recipe));
+    std::vector<FolderFile> files{{"recipe.json", recipe}};
     for (const CsvFile &table : tables)
-        writer.write("csv/" + table.name, table.text);
+        files.push_back({"csv/" + table.name, table.text});
     for (const ModelFile &file : model)
-        writer.write("model/" + file.name, file.bytes);
+        files.push_back({"model/" + file.name, file.bytes});
     for (const DrawnFile &file : run.drawn)
-        writer.write(file.name, file.bytes);
-    writer.write("results.json", json);
-    if (writer.problem())
-        return tl::unexpected<Error>(*writer.problem());
-    return shownPaths(run, folder, !tables.empty(), !model.empty());
+        files.push_back({file.name, file.bytes});
+    files.push_back({"results.json", json});
+    if (const Result<void> written = folder.commit(files, control); !written)
+        return tl::unexpected<Error>(written.error());
+    return shownPaths(run, folder.folder(), !tables.empty(), !model.empty());
+}
+
+FolderRequest modelFolder(
+    const std::string &folder, const CaptureSet &set, std::vector<std::string> settings)
+{
+    return {
+        folder, "export", isModelName, modelFileNames(), recordingsOf(set), std::move(settings)};
+}
+
+Result<std::vector<std::string>> writeModelFiles(const CalibrationResults &results,
+    const std::vector<std::string> &formats, FolderWrite &folder, const JobControl &control)
+{
+    const std::vector<ModelFile> model = modelFiles(results);
+    if (model.empty()) {
+        return fail(ErrorKind::DataBlocked,
+            {DYNCAL_TEXT("core",
+                 "The model of order %1 diverges, so there is nothing to export; choose another "
+                 "order."),
+                {std::to_string(results.model->order)}},
+            "MOD-001");
+    }
+    std::vector<FolderFile> files;
+    std::vector<std::string> paths;
+    for (const ModelFile &file : model) {
+        if (std::ranges::find(formats, file.format) == formats.end())
+            continue;
+        files.push_back({file.name, file.bytes});
+        paths.push_back((fs::path(folder.folder()) / file.name).string());
+    }
+    if (const Result<void> written = folder.commit(files, control); !written)
+        return tl::unexpected<Error>(written.error());
+    return paths;
 }
 
 } // namespace dyncal

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/base/writing/folder_write.h"
 #include "core/pipeline/pipeline.h"
 
 #include <string>
@@ -23,18 +24,29 @@ struct RunFiles
     PipelineOutcome outcome;
     Recipe recipe;
     std::string createdUtc; ///< ISO 8601 with Z
-    std::vector<DrawnFile> drawn; ///< none of a run that did not come to its end
+    std::vector<DrawnFile> drawn; ///< none of a run that may not be published
 };
 
-/// Makes the folder (Usage if it cannot be made).
-Result<void> makeFolder(const std::string &folder);
+/// The folder of a run: what it writes there, and that it may hold no recording of `set`.
+/// `settings`: paths of the recipe and profile that were given.
+FolderRequest runFolder(
+    const std::string &folder, const CaptureSet &set, std::vector<std::string> settings = {});
 
-/// Writes what `dyncal run` promises into an existing folder: recipe.json, csv/*.csv, model/*, the
-/// drawn documents, and results.json last, so that a folder with results.json is complete. What an
-/// earlier run left there goes first: no certificate of other data stays beside new results.
-/// Returns the paths to show, results.json first. Asked to stop between two files it leaves a
-/// folder without results.json (Cancelled).
+/// Writes what `dyncal run` promises as one transaction: recipe.json, csv/*.csv, model/*, the drawn
+/// documents, results.json, and written.json, which lists them with their hashes; of a run that may
+/// not be published (publication.h) recipe.json and results.json alone. What an earlier run left
+/// there goes in the same step: no certificate of other data stays beside new results. Returns the
+/// paths to show, results.json first. Fails as FolderWrite::commit; the folder is then what it was.
 Result<std::vector<std::string>> writeRunFiles(
-    const RunFiles &run, const std::string &folder, const JobControl &control = {});
+    const RunFiles &run, FolderWrite &folder, const JobControl &control = {});
+
+/// The folder of an exported model.
+FolderRequest modelFolder(
+    const std::string &folder, const CaptureSet &set, std::vector<std::string> settings = {});
+
+/// Writes the model in the given formats (modelFormats) as one transaction; the paths. Fails as
+/// FolderWrite::commit, and with MOD-001 (DataBlocked) if the model diverges.
+Result<std::vector<std::string>> writeModelFiles(const CalibrationResults &results,
+    const std::vector<std::string> &formats, FolderWrite &folder, const JobControl &control = {});
 
 } // namespace dyncal

@@ -14,7 +14,7 @@ std::string surroundingsOf(const Environment &e)
     std::string text;
     for (const double value : {e.p1_Pa, e.u_p1_Pa, e.T1_K, e.u_T1_K, e.p4_Pa, e.T4_K,
              e.ambientPressure_Pa, e.ambientT_K, e.relativeHumidity})
-        text += numberText(value) + ' ';
+        text += exactNumber(value) + ' ';
     return text + '\n';
 }
 
@@ -23,9 +23,9 @@ std::string scalingOf(const Channel &channel)
     std::string text = channel.unit + ' ' + pressureReferenceName(channel.reference);
     for (const double value : {channel.polarity, channel.userScale,
              channel.adcMin.value_or(kUnknown), channel.adcMax.value_or(kUnknown)})
-        text += ' ' + numberText(value);
+        text += ' ' + exactNumber(value);
     for (const double coefficient : channel.polynomial)
-        text += ' ' + numberText(coefficient);
+        text += ' ' + exactNumber(coefficient);
     return text + '\n';
 }
 
@@ -68,7 +68,7 @@ std::string describedChannel(const Channel &channel)
     return channel.name + ' ' + channelRoleName(channel.role) + ' ' + channel.sha256 + ' '
         + channel.statedSha256 + ' ' + channel.quantity + ' ' + channel.recordedUnit + ' '
         + channel.sensorId + ' ' + std::to_string(channel.adcBits) + ' '
-        + numberText(channel.sampleRate_Hz) + ' ' + numberText(channel.t0_s) + ' '
+        + exactNumber(channel.sampleRate_Hz) + ' ' + exactNumber(channel.t0_s) + ' '
         + scalingOf(channel);
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/project/recipe.h"
 
+#include "core/base/json_text.h"
 #include "core/project/json_merge.h"
 #include "core/project/recipe_fields.h"
 
@@ -144,7 +145,7 @@ Result<Recipe> parseRecipe(const std::string &json)
 
 std::string recipeJson(const Recipe &recipe)
 {
-    return recipeCodec().write(recipe).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return jsonText(recipeCodec().write(recipe));
 }
 
 Result<Recipe> readRecipeFile(const std::string &path)

@@ -12,6 +12,8 @@ constexpr Index kMostColumns = 100000;
 constexpr Index kMostShots = 100000;
 constexpr Index kMostRows = 1000000000;
 constexpr Index kLongestGap = 1000;
+constexpr double kLeastExpansion = 1.0;
+constexpr double kMostExpansion = 1e4; ///< no filter in use shrinks real samples more
 constexpr double kFastestRate_Hz = 1e12;
 constexpr double kMostReadingFactor = 1e6;
 constexpr double kLeastStepSigmas = 4.0; ///< below, noise alone is found to be a step
@@ -204,6 +206,7 @@ Codec<FileImport> fileImport()
         field("reference", &F::reference, reference()),
         field("skip_rows", &F::skipRows, orNull(whole(0, kMostRows))),
         field("interpolate_invalid", &F::interpolateInvalid, orNull(whole(0, kLongestGap))),
+        field("max_expansion", &F::maxExpansion, orNull(number(kLeastExpansion, kMostExpansion))),
     });
     codec.paths.clear(); // documented once, under import
     return codec;
@@ -228,6 +231,7 @@ Codec<ImportSettings> importCodec()
         field("reference", &S::reference, reference()),
         field("skip_rows", &S::skipRows, orNull(whole(0, kMostRows))),
         field("interpolate_invalid", &S::interpolateInvalid, whole(0, kLongestGap)),
+        field("max_expansion", &S::maxExpansion, number(kLeastExpansion, kMostExpansion)),
         field("channel_files", &S::channelFiles, oneOf({kJoinChannelFiles, "apart"})),
         field("levels", &S::levels, listOrNull(oneOf({"low", "medium", "high", ""}))),
         field("exclude", &S::exclude, list(excludedShot())),

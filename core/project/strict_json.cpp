@@ -54,17 +54,15 @@ public:
         return refuse({DYNCAL_TEXT("core",
                            "%1 is not valid JSON: line %2, column %3, near %4; correct it there."),
             {m_what, std::to_string(line), std::to_string(end - lineStart + 1),
-                atEnd ? "the end" : printable(found)}});
+                atEnd ? "the end" : lastOf(found)}});
     }
 
 private:
-    static std::string printable(std::string text)
+    static std::string lastOf(std::string text)
     {
         constexpr std::size_t kShown = 30;
         if (text.size() > kShown)
             text.erase(0, text.size() - kShown);
-        std::replace_if(
-            text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
         return text;
     }
 

@@ -64,8 +64,7 @@ Result<BlockScan> scanBlocks(const Channel &channel, const JobControl &control)
     const Index size = channel.samples.size();
     const Index block = std::max(size / kBlocks, kLeastBlock);
     const Index blocks = size / block;
-    BlockScan scan{block, Eigen::VectorXd::Zero(blocks), Eigen::VectorXd::Zero(blocks)};
-    bool isValidYet = false;
+    BlockScan scan{block, Eigen::VectorXd::Zero(blocks), Eigen::VectorXd::Zero(blocks), false};
     for (Index b = 0; b < blocks; ++b) {
         if (b % 64 == 0 && control.stopRequested())
             return fail(ErrorKind::Cancelled, {DYNCAL_TEXT("core", "Stopped on request."), {}});
@@ -74,9 +73,9 @@ Result<BlockScan> scanBlocks(const Channel &channel, const JobControl &control)
             scan.level[b] = values.mean();
         else if (b > 0)
             scan.level[b] = scan.level[b - 1];
-        if (values.size() > 0 && !isValidYet) // an invalid begin is no change of level
+        if (values.size() > 0 && !scan.anyValid) // an invalid begin is no change of level
             scan.level.head(b).setConstant(scan.level[b]);
-        isValidYet = isValidYet || values.size() > 0;
+        scan.anyValid = scan.anyValid || values.size() > 0;
         scan.excursion[b] = largestDistance(values, scan.level[std::max<Index>(b - 2, 0)]);
         control.report(static_cast<double>(b + 1) / static_cast<double>(blocks));
     }

@@ -24,6 +24,7 @@ struct BlockScan
     Index blockSize = 0;
     Eigen::VectorXd level; ///< mean of each block; of an invalid block: that of a neighbour
     Eigen::VectorXd excursion; ///< largest distance of a block from the level two blocks before
+    bool anyValid = false;
 };
 
 /// Reads the record once, block by block. At least 32 samples. Fails only when stopped.

@@ -236,6 +236,13 @@ private:
             uncertainty *= std::sqrt(1.0 / static_cast<double>(m_bands.settle.size())
                 + 1.0 / static_cast<double>(std::max<Index>(m_bands.baseline.size(), 1)));
         const double needed = m_context.checks.stepSigmas * uncertainty;
+        if (!std::isfinite(needed) || !std::isfinite(m_response.step))
+            return error({DYNCAL_TEXT("core",
+                              "Shot %1: whether there is a step cannot be told, because the "
+                              "record's values are not there or too large to compute with; check "
+                              "the channel's unit and factor, or exclude the shot."),
+                             {std::to_string(m_response.shot)}},
+                "CAP-009");
         if (std::abs(m_response.step) > needed)
             return std::nullopt;
         return error({DYNCAL_TEXT("core",

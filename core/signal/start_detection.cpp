@@ -133,6 +133,14 @@ Index firstHalfHeight(const Channel &channel, Index begin, Index end, const Cros
 Error noStepFound(
     const Channel &channel, Index shot, double height, double noiseSd, double eventSigmas)
 {
+    if (!std::isfinite(height) || !std::isfinite(noiseSd))
+        return {ErrorKind::DataBlocked,
+            {DYNCAL_TEXT("core",
+                 "Shot %1, channel %2: no step found, because the record's values are not there or "
+                 "too large to compute with; check the channel's unit and factor, or exclude the "
+                 "shot."),
+                {std::to_string(shot), channel.name}},
+            "CAP-009", shot};
     return {ErrorKind::DataBlocked,
         {DYNCAL_TEXT("core",
              "Shot %1, channel %2: no step found. The largest change is %3 with noise of %4, and "
@@ -163,6 +171,16 @@ Error tooShort(const Channel &channel, Index shot)
              "needed. Set window.start by hand."),
             {std::to_string(shot), channel.name, std::to_string(channel.samples.size()),
                 std::to_string(kLeastSamples)}},
+        "CAP-009", shot};
+}
+
+Error nothingValid(const Channel &channel, Index shot)
+{
+    return {ErrorKind::DataBlocked,
+        {DYNCAL_TEXT("core",
+             "Shot %1, channel %2: there are no valid samples to find a start in; exclude the "
+             "shot."),
+            {std::to_string(shot), channel.name}},
         "CAP-009", shot};
 }
 
@@ -294,6 +312,8 @@ Result<DetectedStart> detectStart(
     const Result<BlockScan> scan = scanBlocks(channel, control);
     if (!scan)
         return tl::unexpected(scan.error());
+    if (!scan->anyValid)
+        return tl::unexpected(nothingValid(channel, shot));
     return StartSearch(channel, *scan, shot, eventSigmas).run();
 }
 

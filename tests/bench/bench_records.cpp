@@ -257,8 +257,8 @@ BENCHMARK_CAPTURE(replotOfRole, points, false)
 
 int make(const std::string &path, int channels, Index samples)
 {
-    const auto written
-        = writeHdf5Capture(recording(channels, samples), path, "2026-01-01T00:00:00Z", "benchmark");
+    const auto written = writeHdf5Capture(
+        recording(channels, samples), {path, true}, "2026-01-01T00:00:00Z", "benchmark");
     if (!written)
         std::cerr << written.error().message.text << '\n';
     return written ? 0 : 1;

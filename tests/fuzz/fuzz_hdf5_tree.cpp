@@ -28,7 +28,8 @@ const dyncal::testing::ScratchFolder &folder()
 std::vector<std::byte> described(const std::uint8_t *data, std::size_t size)
 {
     if (dyncal::hasHdf5Signature({reinterpret_cast<const char *>(data), size})) {
-        if (const auto file = dyncal::openHdf5(folder().write("seed.h5", data, size), {}))
+        if (const auto file
+            = dyncal::openHdf5(folder().write("seed.h5", data, size), dyncal::kUsualExpansion, {}))
             return dyncal::packed(file->tree);
     }
     const auto bytes = std::as_bytes(std::span(data, size));
@@ -54,7 +55,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
         return 0;
     const auto samples = dyncal::SampleFile::open(path);
     dyncal::fuzz::require(samples.has_value());
-    const dyncal::Hdf5File file{path, *samples, std::move(*tree)};
+    const dyncal::Hdf5File file{
+        path, *samples, std::move(*tree), std::make_shared<dyncal::ExpansionBudget>(kFileBytes)};
     dyncal::fuzz::requireSound(dyncal::readHdf5Capture(file, {}));
     dyncal::fuzz::requireSound(dyncal::readForeignHdf5(file, {}, {}));
     dyncal::fuzz::requireSound(dyncal::readMat73(file, {}, {}));

@@ -14,6 +14,10 @@
 #include <string>
 #include <vector>
 
+/// The one way in which a test may be skipped: `what` it misses lies in that folder. ./test knows
+/// the words and fails for every other QSKIP (.ci/lib.sh, check_skips).
+#define DYNCAL_SKIP_WITHOUT_DATA(what) QSKIP("NO DATA: " what)
+
 /// Files with measured data that are not part of the source tree. They are looked for in the folder
 /// DYNCAL_DATA, else in "../shared/data" beside the source tree; tests skip loudly without them.
 namespace dyncal::testing {

@@ -10,6 +10,10 @@
 #include <QString>
 #include <QStringList>
 
+#include <sys/resource.h>
+
+#include <cstdint>
+
 /// What one call of the program answered.
 struct Answer
 {
@@ -27,9 +31,21 @@ struct Answer
     QJsonObject json() const { return QJsonDocument::fromJson(out).object(); }
 };
 
+/// Bytes of address space that the process may have; 0 = no limit.
+inline void limitAddressSpace(QProcess &process, std::uint64_t bytes)
+{
+    if (bytes == 0)
+        return;
+    process.setChildProcessModifier([bytes] {
+        const rlimit limit{bytes, bytes};
+        ::setrlimit(RLIMIT_AS, &limit);
+    });
+}
+
 /// Calls the built program ($DYNCAL_BINARY) without a display and waits for its end. `extra` are
-/// further environment variables ("NAME=value").
-inline Answer runDyncal(const QStringList &arguments, const QStringList &extra = {})
+/// further environment variables ("NAME=value"), `addressSpace` its limit in bytes.
+inline Answer runDyncal(
+    const QStringList &arguments, const QStringList &extra = {}, std::uint64_t addressSpace = 0)
 {
     constexpr int kLongest_ms = 240000;
     QProcess process;
@@ -39,6 +55,7 @@ inline Answer runDyncal(const QStringList &arguments, const QStringList &extra =
     for (const QString &variable : extra)
         environment.insert(variable.section('=', 0, 0), variable.section('=', 1));
     process.setProcessEnvironment(environment);
+    limitAddressSpace(process, addressSpace);
     process.start(qEnvironmentVariable("DYNCAL_BINARY"), arguments);
     Answer answer;
     if (process.waitForFinished(kLongest_ms) && process.exitStatus() == QProcess::NormalExit)

@@ -153,7 +153,8 @@ private slots:
         QVERIFY2(answer.exitCode <= 1, answer.err);
         const QString run = path("run-export");
         runDyncal({"run", m_capture, "--order", "3", "-o", run});
-        const QStringList names = QDir(out).entryList(QDir::Files);
+        QStringList names = QDir(out).entryList(QDir::Files);
+        QVERIFY(names.removeOne("written.json"));
         QCOMPARE(names, QDir(run + "/model").entryList(QDir::Files));
         QVERIFY(names.contains("model.mat") && names.contains("model.py"));
         for (const QString &name : names)
@@ -178,11 +179,63 @@ private slots:
         QCOMPARE(runDyncal({"export", path("no.dyncal"), "-o", out}).exitCode, 3);
     }
 
+    void export_ofAChangedRecording_writesNoModel()
+    {
+        QVERIFY(writeBytes(path("changed.dyncal"),
+            R"({"format": "dyncal-project", "version": 1, "recipe": {},
+                "captures": [{"path": "example.h5", "sha256": ")"
+                + QByteArray(64, 'a') + R"("}]})"));
+        const QString out = path("of-changed");
+        const Answer answer = runDyncal({"export", path("changed.dyncal"), "-o", out});
+        QCOMPARE(answer.exitCode, 2);
+        QVERIFY2(answer.err.contains("CAP-015 (block): example.h5 changed"), answer.err);
+        QVERIFY2(answer.err.contains("No model was written."), answer.err);
+        QVERIFY(answer.out.isEmpty());
+        QVERIFY(!QFile::exists(out));
+    }
+
+    void changedCapture_isBlockedInEveryVerb()
+    {
+        QByteArray bytes = fileBytes(m_capture);
+        const qsizetype creator = bytes.indexOf("dyncal ");
+        QVERIFY(creator > 0);
+        bytes[creator] = 'D';
+        const QString changed = path("changed.h5");
+        QVERIFY(writeBytes(changed, bytes));
+        const QString out = path("of-changed-capture");
+        for (const QStringList &call : {QStringList{"info", changed}, {"check", changed},
+                 {"compare", changed, "--orders", "2"}, {"run", changed, "-o", out},
+                 {"export", changed, "-o", path("model-of-changed")},
+                 {"import", changed, "-o", path("washed.h5")}}) {
+            const Answer answer = runDyncal(call);
+            QVERIFY2(answer.exitCode == 2, call[0].toLatin1() + ": " + answer.err);
+            QVERIFY2((answer.err + answer.out).contains("CAP-015 (block)"), answer.err);
+            QVERIFY2(
+                (answer.err + answer.out).contains("changed since it was written"), answer.err);
+        }
+        QCOMPARE(QDir(out).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
+            QStringList({"recipe.json", "results.json", "written.json"}));
+        QVERIFY(fileJson(out + "/results.json")["model"].isObject());
+        QVERIFY(!QFile::exists(path("model-of-changed")));
+        QVERIFY(!QFile::exists(path("washed.h5")));
+    }
+
+    void info_saysWhetherACaptureStatesItsContent()
+    {
+        QCOMPARE(runDyncal({"info", m_capture, "--json"})
+                     .json()["files"][0]["content_sha256"]
+                     .toString()
+                     .size(),
+            64);
+        QVERIFY(!runDyncal({"info", m_capture}).out.contains("no content hash"));
+    }
+
     void export_someFormats_andWrongOnes()
     {
         const QString out = path("some");
         QVERIFY(runDyncal({"export", m_capture, "--format", "json,m", "-o", out}).exitCode <= 1);
-        QCOMPARE(QDir(out).entryList(QDir::Files), QStringList({"model.json", "model.m"}));
+        QCOMPARE(QDir(out).entryList(QDir::Files),
+            QStringList({"model.json", "model.m", "written.json"}));
         QCOMPARE(runDyncal({"export", m_capture, "--format", "xls", "-o", out}).exitCode, 4);
         QCOMPARE(runDyncal({"export", m_capture, "--what", "plots", "-o", out}).exitCode, 4);
         QCOMPARE(runDyncal({"export", m_capture}).exitCode, 4);

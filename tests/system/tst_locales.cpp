@@ -4,6 +4,8 @@
 #include "tests/system/dyncal_process.h"
 
 #include <QDir>
+#include <QDirIterator>
+#include <QMap>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
@@ -11,7 +13,7 @@
 #include <cmath>
 
 /// The same bytes come out wherever the program runs: with a decimal comma (de_DE) and with letters
-/// whose case changes otherwise (tr_TR: I and i are different letters).
+/// whose case changes otherwise (tr_TR: I and i are different letters), in every time zone.
 class TestLocales : public QObject
 {
     Q_OBJECT
@@ -64,6 +66,32 @@ private:
     }
 
 private slots:
+    void run_inEveryTimeZone_givesTheSameBytes()
+    {
+        const QString table = writeTable();
+        const auto filesOf = [&](const QString &zone) {
+            const QString folder = path("zone " + QString(zone).replace('/', '-'));
+            const Answer answer = runDyncal({"run", table, "--order", "4", "-o", folder},
+                {"TZ=" + zone, "SOURCE_DATE_EPOCH=1767225600"});
+            QMap<QString, QByteArray> files;
+            QDirIterator entry(folder, QDir::Files, QDirIterator::Subdirectories);
+            while (answer.exitCode <= 1 && entry.hasNext()) {
+                const QString file = entry.next();
+                files[QDir(folder).relativeFilePath(file)] = fileBytes(file);
+            }
+            return files;
+        };
+        const QMap<QString, QByteArray> utc = filesOf("UTC");
+        QVERIFY(utc.size() > 10 && utc["certificate.pdf"].size() > 10000);
+        // As names of the time zone data and as rules that need no data.
+        for (const char *zone : {"Pacific/Kiritimati", "Etc/GMT+12", "X-14", "X+12", "X-5:45"}) {
+            const QMap<QString, QByteArray> there = filesOf(zone);
+            QCOMPARE(there.keys(), utc.keys());
+            for (const QString &file : utc.keys())
+                QVERIFY2(there[file] == utc[file], qPrintable(file + " in " + zone));
+        }
+    }
+
     void run_ofATableWithDecimalCommas_givesTheSameBytes_data()
     {
         QTest::addColumn<QString>("locale");

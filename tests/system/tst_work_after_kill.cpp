@@ -120,6 +120,24 @@ private slots:
         QVERIFY2(window.waitFor(kOffer, "Recovered work on job"), window.last());
     }
 
+    /// TERM and HUP keep what was typed a moment before, without waiting for the next auto-save.
+    void askedToEnd_whileEdited_keepsTheLastChange()
+    {
+        for (const int signal : {SIGTERM, SIGHUP}) {
+            QVERIFY(QDir(home()).removeRecursively());
+            {
+                WindowProcess window(home(), {path("work/job.dyncal")});
+                QVERIFY2(window.waitFor("title", "job"), window.last());
+                edit(window, "Second");
+                window.stop(signal);
+                QCOMPARE(window.exitCode(), 128 + signal);
+            }
+            WindowProcess window(home(), {});
+            QVERIFY2(window.waitFor(kOffer, "Recovered work on job"), window.last());
+            window.stop(SIGKILL);
+        }
+    }
+
     void terminated_unanswered_isOfferedAgain()
     {
         editAndKill(path("work/job.dyncal"), "Second");

@@ -3,19 +3,24 @@
 
 #pragma once
 
+#include "tests/system/dyncal_process.h"
+
 #include <QProcess>
 #include <QString>
 #include <QStringList>
 #include <QTest>
 
 #include <csignal>
+#include <cstdint>
+#include <utility>
 
 /// The built program with its window, without a display, and a user of its own: everything it
 /// keeps lies in `home`. window_driver.cpp is its hands and eyes ($DYNCAL_WINDOW_DRIVER).
 class WindowProcess
 {
 public:
-    WindowProcess(const QString &home, const QStringList &files)
+    /// `addressSpace`: bytes that it may have, 0 = no limit.
+    WindowProcess(const QString &home, const QStringList &files, std::uint64_t addressSpace = 0)
     {
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         for (const char *name : {"DISPLAY", "WAYLAND_DISPLAY", "SOURCE_DATE_EPOCH"})
@@ -27,6 +32,7 @@ public:
         environment.insert("QT_PLUGIN_PATH", qEnvironmentVariable("DYNCAL_WINDOW_DRIVER"));
         environment.insert("QT_QPA_GENERIC_PLUGINS", "dyncal_window_driver");
         m_process.setProcessEnvironment(environment);
+        limitAddressSpace(m_process, addressSpace);
         m_process.start(qEnvironmentVariable("DYNCAL_BINARY"), files);
     }
     ~WindowProcess() { stop(SIGKILL); }
@@ -57,6 +63,13 @@ public:
         return false;
     }
     QByteArray last() const { return m_last.toUtf8() + '|' + errors(); }
+    bool isRunning() { return m_process.state() != QProcess::NotRunning; }
+    /// How it ended and what it said on stderr; -1: by a signal.
+    std::pair<int, QByteArray> end()
+    {
+        const bool normal = m_process.exitStatus() == QProcess::NormalExit;
+        return {normal ? m_process.exitCode() : -1, errors()};
+    }
 
     /// Ends it by a signal, SIGKILL: at once, with no chance to tidy up.
     void stop(int signal)
@@ -66,6 +79,14 @@ public:
             return;
         ::kill(static_cast<pid_t>(m_process.processId()), signal);
         m_process.waitForFinished(kPatience_ms);
+    }
+    /// -1 while it runs and after a signal.
+    int exitCode() const
+    {
+        return m_process.state() == QProcess::NotRunning
+                && m_process.exitStatus() == QProcess::NormalExit
+            ? m_process.exitCode()
+            : -1;
     }
     /// Whether it has ended by itself, without complaint.
     bool hasEndedWell()

@@ -3,6 +3,8 @@
 
 #include "ui/plot/curve_building.h"
 
+#include "ui/text/shown_text.h"
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -171,9 +173,8 @@ PlotAxis responseAxisMeaning(const WindowResult &window)
         [](const WindowedResponse &response) { return response.valueScale != 1.0; });
     if (remapped)
         return {Plots::tr("Response, remapped"), QString()};
-    const QString unit = window.responses.empty()
-        ? QString()
-        : QString::fromStdString(window.responses.front().unit);
+    const QString unit
+        = window.responses.empty() ? QString() : shownText(window.responses.front().unit);
     return {Plots::tr("Response"), unit};
 }
 

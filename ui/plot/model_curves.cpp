@@ -5,6 +5,7 @@
 
 #include "ui/plot/axis_prefix.h"
 #include "ui/plot/curve_building.h"
+#include "ui/text/shown_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -238,7 +239,7 @@ PlotContent bodeMagnitudeCurves(const ResponseResult &response)
     PlotContent content;
     content.title = Plots::tr("Frequency response, magnitude");
     content.xAxis = frequencyAxisMeaning();
-    const QString unit = QString::fromStdString(response.unit);
+    const QString unit = shownText(response.unit);
     content.yAxis = {Plots::tr("Magnitude"), unit == QLatin1String("1") ? QString() : unit, true};
     content.curves.push_back({Plots::tr("Model"), CurveRole::Model, CurveStyle::Line,
         toVector(response.modelCurve.frequency_Hz), toVector(response.modelCurve.magnitude), true});

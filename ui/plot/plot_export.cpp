@@ -4,9 +4,11 @@
 #include "ui/plot/plot_export.h"
 
 #include "core/base/number_text.h"
+#include "core/pipeline/csv_table.h"
 #include "ui/plot/axis_prefix.h"
 #include "ui/plot/qcp_handles.h"
 #include "ui/plot/qcp_scene.h"
+#include "ui/text/shown_text.h"
 
 #include <QFileInfo>
 #include <QPdfWriter>
@@ -64,8 +66,9 @@ bool saveSvg(const PlotPicture &picture, QSize size, QIODevice &device)
     generator.setResolution(kPageDpi);
     generator.setSize(size);
     generator.setViewBox(QRect(QPoint(0, 0), size));
-    generator.setTitle(picture.content->title);
-    generator.setDescription(picture.content->summary);
+    // Qt 6.4 writes both as they are, markup and all.
+    generator.setTitle(picture.content->title.toHtmlEscaped());
+    generator.setDescription(picture.content->summary.toHtmlEscaped());
     QPainter painter;
     if (!painter.begin(&generator))
         return false;
@@ -89,25 +92,17 @@ bool savePdf(const PlotPicture &picture, QSize size, QIODevice &device)
     return painter.end();
 }
 
-QString csvCell(const QString &text)
-{
-    if (!text.contains(QLatin1Char(',')) && !text.contains(QLatin1Char('"')))
-        return text;
-    return QLatin1Char('"') + QString(text).replace(QLatin1String("\""), QLatin1String("\"\""))
-        + QLatin1Char('"');
-}
-
 QString csvNumber(const std::vector<double> &values, std::size_t row)
 {
     if (row >= values.size() || !std::isfinite(values[row]))
         return {};
-    return QString::fromStdString(numberText(values[row]));
+    return rawText(numberText(values[row]));
 }
 
 QString csvHeading(const QString &name, const PlotAxis &axis)
 {
     const QString quantity = name.isEmpty() ? axis.quantity : name;
-    return csvCell(axisLabel(quantity, axis.unit, {}));
+    return rawText(csvCell(axisLabel(quantity, axis.unit, {}).toStdString()));
 }
 
 } // namespace

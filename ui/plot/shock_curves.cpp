@@ -6,6 +6,7 @@
 #include "ui/plot/axis_prefix.h"
 #include "ui/plot/curve_building.h"
 #include "ui/plot/record_samples.h"
+#include "ui/text/shown_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -103,8 +104,8 @@ void addSensors(const TubeDiagram &diagram, PlotContent &content)
     const double wall_m = diagram.waves.geometry.drivenLength_m;
     for (const TubeSensor &sensor : diagram.sensors) {
         const double x_m = wall_m - sensor.distance_m;
-        const QString name = sensor.distance_m > 0.0 ? QString::fromStdString(sensor.channel)
-                                                     : Plots::tr("end wall");
+        const QString name
+            = sensor.distance_m > 0.0 ? shownText(sensor.channel) : Plots::tr("end wall");
         content.marks.push_back({x_m, name, CurveRole::Reference});
         if (!sensor.arrival_s)
             continue;
@@ -138,8 +139,7 @@ const SideArrival *arrivalOf(const ShockConditions &shot, const Channel &channel
 
 PlotCurve recordOf(const Channel &channel, const EnvelopeSource &envelopeOf)
 {
-    PlotCurve curve{
-        QString::fromStdString(channel.name), CurveRole::Measured, CurveStyle::Line, {}, {}, true};
+    PlotCurve curve{shownText(channel.name), CurveRole::Measured, CurveStyle::Line, {}, {}, true};
     if (!isLongRecord(channel)) {
         curve.x = timeAxis(channel.t0_s, 1.0 / channel.sampleRate_Hz, channel.samples.size());
         curve.y = toVector(physicalValues(channel, 0, channel.samples.size()));
@@ -243,10 +243,9 @@ PlotContent arrivalCurves(const Channel &channel, const ShockConditions &shot, d
 {
     PlotContent content;
     content.title = Plots::tr("Arrival at %1, shot %2")
-                        .arg(QString::fromStdString(channel.name))
-                        .arg(shot.shot);
+                        .arg(shownText(channel.name), QString::number(shot.shot));
     content.xAxis = timeAxisMeaning();
-    content.yAxis = {Plots::tr("Signal"), QString::fromStdString(channel.unit)};
+    content.yAxis = {Plots::tr("Signal"), shownText(channel.unit)};
     if (channel.sampleRate_Hz > 0.0)
         content.curves.push_back(recordOf(channel, envelopeOf));
     const SideArrival *arrival = arrivalOf(shot, channel);

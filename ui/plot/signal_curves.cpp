@@ -6,6 +6,7 @@
 #include "ui/plot/axis_prefix.h"
 #include "ui/plot/curve_building.h"
 #include "ui/plot/record_samples.h"
+#include "ui/text/shown_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -139,7 +140,7 @@ PlotContent rawCurves(const CaptureSet &set, ChannelRole role, const EnvelopeSou
         if (!shot.included || !channel || !(channel->sampleRate_Hz > 0.0))
             continue;
         if (content.curves.empty())
-            content.yAxis.unit = QString::fromStdString(channel->unit);
+            content.yAxis.unit = shownText(channel->unit);
         content.curves.push_back(
             rawCurve(*channel, shotStyle(static_cast<Index>(i) + 1, shot.level), envelopeOf));
         extendView(*channel, content);

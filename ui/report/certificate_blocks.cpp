@@ -35,6 +35,12 @@ QFont font(int pixels, bool bold = false)
     return made;
 }
 
+/// A certificate shortens nothing, and keeps the lines of what was typed.
+QString inFull(const Message &message)
+{
+    return translated(message, ArgumentText::Full);
+}
+
 class BlockMaker
 {
 public:
@@ -77,8 +83,8 @@ public:
     FlowBlock field(const CertificateField &field) const
     {
         const double labelWidth = kLabelShare * m_width;
-        const FlowText label(translated(field.label), m_style.body, labelWidth - 8.0, m_device);
-        const FlowText value(translated(field.value), field.missing ? m_style.body : m_style.bold,
+        const FlowText label(inFull(field.label), m_style.body, labelWidth - 8.0, m_device);
+        const FlowText value(inFull(field.value), field.missing ? m_style.body : m_style.bold,
             m_width - labelWidth, m_device);
         FlowBlock block;
         block.height = std::max(label.height(), value.height()) + kRowPadding;
@@ -95,7 +101,7 @@ public:
     {
         const std::vector<double> widths = tableWidths(table);
         if (!table.caption.arguments.empty() || *table.caption.text) {
-            blocks.push_back(text(translated(table.caption), m_style.body, m_style.text, 8.0));
+            blocks.push_back(text(inFull(table.caption), m_style.body, m_style.text, 8.0));
             blocks.back().keepWithNext = true;
             blocks.back().height += 3.0;
         }
@@ -147,14 +153,14 @@ private:
                 = std::max(least[column], FlowText::longestWord(words, face, m_device) + padding);
         };
         for (std::size_t c = 0; c < table.columns.size(); ++c) {
-            const QString words = translated(table.columns[c].heading);
+            const QString words = inFull(table.columns[c].heading);
             // Headings may wrap: only their longest word counts as natural.
             const double word
                 = FlowText::longestWord(words, m_style.tableBold, m_device) + 2.0 * kCellPadding;
             natural[c] = std::max(natural[c], word);
             least[c] = std::max(least[c], word);
             for (const std::vector<Message> &cells : table.rows)
-                include(c, translated(cells[c]), m_style.table);
+                include(c, inFull(cells[c]), m_style.table);
         }
         return columnWidths(natural, least, m_width);
     }
@@ -166,7 +172,7 @@ private:
         double height = 0.0;
         for (std::size_t c = 0; c < cells.size(); ++c) {
             const Qt::Alignment side = table.columns[c].number ? Qt::AlignRight : Qt::AlignLeft;
-            texts.emplace_back(translated(cells[c]), isHeader ? m_style.tableBold : m_style.table,
+            texts.emplace_back(inFull(cells[c]), isHeader ? m_style.tableBold : m_style.table,
                 widths[c] - 2.0 * kCellPadding, m_device, side);
             height = std::max(height, texts.back().height());
         }
@@ -196,7 +202,7 @@ private:
 /// What the map of poles cannot show is said in its caption.
 QString figureCaption(const CertificateFigure &figure, const PlotContent &content)
 {
-    const QString caption = translated(figure.caption);
+    const QString caption = inFull(figure.caption);
     return content.equalAspect ? caption + QStringLiteral("; ") + content.summary : caption;
 }
 
@@ -205,7 +211,7 @@ void addMissing(const CertificateData &data, const CertificateStyle &style, cons
 {
     QStringList labels;
     for (const Message &label : data.missingFields())
-        labels += translated(label);
+        labels += inFull(label);
     if (labels.isEmpty())
         return;
     blocks.push_back(
@@ -252,13 +258,13 @@ std::vector<FlowBlock> certificateBlocks(const CertificateData &data,
 {
     const BlockMaker make(style, width, device);
     std::vector<FlowBlock> blocks;
-    blocks.push_back(make.text(translated(data.title), style.title, style.text, 0.0));
+    blocks.push_back(make.text(inFull(data.title), style.title, style.text, 0.0));
     addMissing(data, style, make, blocks);
     int figureNumber = 0;
     for (const CertificateSection &section : data.sections) {
         std::vector<FlowBlock> body;
         for (const Message &paragraph : section.paragraphs)
-            body.push_back(make.text(translated(paragraph), style.body, style.text, 4.0));
+            body.push_back(make.text(inFull(paragraph), style.body, style.text, 4.0));
         for (std::size_t i = 0; i < section.fields.size(); ++i) {
             body.push_back(make.field(section.fields[i]));
             body.back().spaceBefore = i == 0 ? 5.0 : 0.0;
@@ -269,7 +275,7 @@ std::vector<FlowBlock> certificateBlocks(const CertificateData &data,
         if (!section.notes.empty() && !body.empty())
             body.back().keepWithNext = true; // what a note explains is above it
         for (const Message &note : section.notes)
-            body.push_back(make.text(translated(note), style.small, style.quiet, 5.0));
+            body.push_back(make.text(inFull(note), style.small, style.quiet, 5.0));
         for (const CertificateFigure &figure : section.figures)
             if (const PlotContent *content = findFigure(figures, figure.id))
                 body.push_back(make.figure(*content,
@@ -278,7 +284,7 @@ std::vector<FlowBlock> certificateBlocks(const CertificateData &data,
                         .arg(figureCaption(figure, *content))));
         if (body.empty())
             continue; // a section without content has no heading
-        blocks.push_back(make.heading(translated(section.title)));
+        blocks.push_back(make.heading(inFull(section.title)));
         std::move(body.begin(), body.end(), std::back_inserter(blocks));
     }
     blocks.push_back(make.text(QCoreApplication::translate("Report", "End of the certificate"),

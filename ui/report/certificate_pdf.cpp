@@ -6,6 +6,7 @@
 #include "ui/report/certificate_blocks.h"
 #include "ui/report/pdf_bytes.h"
 #include "ui/text/core_text.h"
+#include "ui/text/shown_text.h"
 
 #include <QBuffer>
 #include <QCoreApplication>
@@ -30,10 +31,10 @@ struct FrameTexts
         , number(
               QCoreApplication::translate("Report", "No. %1")
                   .arg(data.number.empty() ? QCoreApplication::translate("Report", "no number yet")
-                                           : QString::fromStdString(data.number)))
+                                           : shownText(data.number)))
         , page(QCoreApplication::translate("Report", "page %1 of %2"))
-        , computed(QCoreApplication::translate("Report", "Computed %1")
-                       .arg(QString::fromStdString(data.createdUtc)))
+        , computed(
+              QCoreApplication::translate("Report", "Computed %1").arg(rawText(data.createdUtc)))
     {
         if (!data.draft)
             return;
@@ -117,8 +118,7 @@ void setUp(QPdfWriter &writer, const CertificateData &data)
     writer.setResolution(kPageDpi);
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(QMarginsF(0.0, 0.0, 0.0, 0.0));
-    writer.setTitle(
-        translated(data.title) + QLatin1Char(' ') + QString::fromStdString(data.number));
+    writer.setTitle(translated(data.title) + QLatin1Char(' ') + shownText(data.number));
     writer.setCreator(QStringLiteral("Dyncal"));
 }
 
@@ -148,7 +148,7 @@ CertificatePdf::CertificatePdf(
     const CertificateData &data, const std::vector<ReportFigure> &figures)
     : d(std::make_unique<Private>())
 {
-    d->createdUtc = QString::fromStdString(data.createdUtc);
+    d->createdUtc = rawText(data.createdUtc);
     d->buffer.open(QIODevice::WriteOnly);
     d->writer = std::make_unique<QPdfWriter>(&d->buffer);
     setUp(*d->writer, data);

@@ -3,6 +3,8 @@
 
 #include "ui/report/report_language.h"
 
+#include "ui/text/shown_text.h"
+
 #include <QCoreApplication>
 #include <QEvent>
 
@@ -11,7 +13,7 @@ namespace dyncal {
 ReportLanguage::ReportLanguage(const std::string &code)
 {
     // A code without a translation leaves this empty: English.
-    if (!load(QStringLiteral("dyncal_") + QString::fromStdString(code), QStringLiteral(":/i18n")))
+    if (!load(QStringLiteral("dyncal_") + rawText(code), QStringLiteral(":/i18n")))
         (void)load(QStringLiteral("dyncal_en"), QStringLiteral(":/i18n"));
 }
 

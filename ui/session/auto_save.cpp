@@ -33,11 +33,12 @@ QDateTime AutoSave::now() const
     return time.isValid() ? time : QDateTime::fromSecsSinceEpoch(0, Qt::UTC);
 }
 
-void AutoSave::setProject(const QString &path)
+void AutoSave::setProject(const QString &path, const ProjectFileHash &sha256)
 {
-    if (path == m_project)
+    if (path == m_project && sha256 == m_projectSha256)
         return;
     m_project = path;
+    m_projectSha256 = sha256;
     follow();
 }
 
@@ -65,8 +66,9 @@ void AutoSave::write()
     const QDateTime time = now();
     m_beat.start();
     m_jobs->start<void>(
-        [file = *m_store.file(), state = m_session.state(), project = m_project, time](
-            const JobControl &) { return writeRecoveryFile(file, state, project, time); },
+        [file = *m_store.file(), state = m_session.state(), project = m_project, time,
+            sha256 = m_projectSha256](
+            const JobControl &) { return writeRecoveryFile(file, state, project, time, sha256); },
         [this, time](const Result<void> &written) {
             if (written) {
                 emit saved(time);
@@ -110,6 +112,17 @@ void AutoSave::adopt(const QString &file)
     m_jobs.emplace(this); // after what the old one still does
     m_store.adopt(file);
     m_beat.start();
+}
+
+void AutoSave::leave()
+{
+    const bool isBehind = m_rest.isActive() || m_latest.isActive();
+    for (QTimer *timer : {&m_rest, &m_latest, &m_beat})
+        timer->stop();
+    m_jobs.reset(); // waits for what is being written
+    if (isBehind && m_store.file())
+        (void)writeRecoveryFile(
+            *m_store.file(), m_session.state(), m_project, now(), m_projectSha256);
 }
 
 void AutoSave::end()

@@ -36,11 +36,13 @@ public:
         const AutoSaveDelays &delays = {});
 
     /// The project that the session's changes are of; empty = never saved.
-    void setProject(const QString &path);
+    void setProject(const QString &path, const ProjectFileHash &sha256 = {});
     /// Goes on with a file left behind, whose work has just been taken over.
     void adopt(const QString &file);
     /// Waits for what is being written and removes the file: the program ends in good order.
     void end();
+    /// The program must end now: what is not in the file yet is written, and the file stays.
+    void leave();
 
 signals:
     void saved(const QDateTime &utc);
@@ -58,6 +60,7 @@ private:
     RecoveryStore &m_store;
     CurrentUtc m_currentUtc;
     QString m_project;
+    ProjectFileHash m_projectSha256; ///< of the file that the job is a change of
     QTimer m_rest;
     QTimer m_latest;
     QTimer m_beat; ///< active: there is a file

@@ -4,14 +4,15 @@
 #include "ui/session/capture_edit.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace dyncal {
 
-CaptureSet joinedCaptures(const CaptureSet &first, const CaptureSet &second)
+CaptureSet joinedCaptures(CaptureSet first, const CaptureSet &second)
 {
-    CaptureSet all = first;
     const auto inputs = static_cast<Index>(first.inputs.size());
     const auto shots = static_cast<Index>(first.shots.size());
+    CaptureSet all = std::move(first);
     all.inputs.insert(all.inputs.end(), second.inputs.begin(), second.inputs.end());
     for (Shot shot : second.shots) {
         moveInputs(shot, [&](Index input) { return input + inputs; });
@@ -51,13 +52,26 @@ void removePosition(std::vector<T> &list, std::size_t position)
 /// Drops recordings' files that no shot comes from any more.
 void removeUnusedInputs(CaptureSet &set)
 {
-    for (Index i = static_cast<Index>(set.inputs.size()) - 1; i >= 0; --i) {
-        if (std::ranges::any_of(set.shots, [&](const Shot &shot) { return comesFrom(shot, i); }))
-            continue;
-        set.inputs.erase(set.inputs.begin() + i);
-        for (Shot &shot : set.shots)
-            moveInputs(shot, [&](Index input) { return input > i ? input - 1 : input; });
+    std::vector<bool> used(set.inputs.size(), false);
+    for (Shot &shot : set.shots)
+        moveInputs(shot, [&](Index input) {
+            if (input >= 0 && input < std::ssize(used))
+                used[static_cast<std::size_t>(input)] = true;
+            return input;
+        });
+    std::vector<Index> place;
+    std::vector<InputFile> kept;
+    for (std::size_t i = 0; i < used.size(); ++i) {
+        place.push_back(std::ssize(kept));
+        if (used[i])
+            kept.push_back(std::move(set.inputs[i]));
     }
+    set.inputs = std::move(kept);
+    for (Shot &shot : set.shots)
+        moveInputs(shot, [&](Index input) {
+            return input >= 0 && input < std::ssize(place) ? place[static_cast<std::size_t>(input)]
+                                                           : input;
+        });
 }
 
 } // namespace
@@ -77,10 +91,23 @@ void forgetMissingNames(ImportSettings &settings, const CaptureSet &set)
     std::erase_if(settings.channelDetails, missing);
 }
 
-CaptureSet withoutShot(CaptureSet set, Index number)
+CaptureSet withoutShots(CaptureSet set, const std::function<bool(const Shot &)> &isOut)
 {
-    removePosition(set.shots, static_cast<std::size_t>(number - 1));
-    removeNumbered(set.findings, number);
+    std::vector<Shot> kept;
+    std::vector<Index> numbers{0}; // of the set; 0: is out
+    for (Shot &shot : set.shots) {
+        const bool out = isOut(shot);
+        if (!out)
+            kept.push_back(std::move(shot));
+        numbers.push_back(out ? 0 : std::ssize(kept));
+    }
+    set.shots = std::move(kept);
+    std::erase_if(set.findings, [&](Finding &finding) {
+        if (finding.shot <= 0 || finding.shot >= std::ssize(numbers))
+            return false;
+        finding.shot = numbers[static_cast<std::size_t>(finding.shot)];
+        return finding.shot == 0;
+    });
     removeUnusedInputs(set);
     return set;
 }
@@ -90,8 +117,9 @@ ProjectState withoutShot(const ProjectState &state, Index number)
     const auto position = static_cast<std::size_t>(number - 1);
     if (number < 1 || position >= state.captures->shots.size())
         return state;
-    ProjectState next{
-        std::make_shared<const CaptureSet>(withoutShot(*state.captures, number)), state.recipe};
+    ProjectState next{std::make_shared<const CaptureSet>(withoutShots(*state.captures,
+                          [&, at = Index(0)](const Shot &) mutable { return ++at == number; })),
+        state.recipe};
     forgetMissingNames(next.recipe.import, *next.captures);
     removePosition(next.recipe.import.levels, position);
     removeNumbered(next.recipe.import.exclude, number);

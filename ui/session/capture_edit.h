@@ -5,17 +5,20 @@
 
 #include "ui/session/project_state.h"
 
+#include <functional>
+
 namespace dyncal {
 
 /// The recordings of `first` followed by those of `second`; shot numbers of the second's findings
 /// are moved on. Tube and sensor data of the first win.
-CaptureSet joinedCaptures(const CaptureSet &first, const CaptureSet &second);
+CaptureSet joinedCaptures(CaptureSet first, const CaptureSet &second);
 
 /// Takes out what names files and channels that the recordings do not have: a recipe may not.
 void forgetMissingNames(ImportSettings &settings, const CaptureSet &set);
 
-/// The recordings without shot `number` (from 1, must exist) and without files that only it used.
-CaptureSet withoutShot(CaptureSet set, Index number);
+/// The recordings without the shots for which `isOut` says so, and without files that only they
+/// used.
+CaptureSet withoutShots(CaptureSet set, const std::function<bool(const Shot &)> &isOut);
 
 /// The job without shot `number` (from 1): later shots move up by one, and every part of the
 /// recipe that goes by shot number moves with them.

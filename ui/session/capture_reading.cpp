@@ -9,7 +9,10 @@
 #include "ui/session/example.h"
 
 #include <algorithm>
+#include <iterator>
+#include <map>
 #include <set>
+#include <utility>
 
 namespace dyncal {
 
@@ -28,9 +31,13 @@ using ShotName = std::pair<std::string, Index>; ///< of its file, its place ther
 std::set<ShotName> namesOf(const CaptureSet &set, const Shot &shot)
 {
     std::set<ShotName> names;
-    for (std::size_t i = 0; i < set.inputs.size(); ++i)
-        if (comesFrom(shot, static_cast<Index>(i)))
-            names.emplace(set.inputs[i].path, shot.inFile);
+    const auto add = [&](Index input) {
+        if (input >= 0 && input < std::ssize(set.inputs))
+            names.emplace(set.inputs[static_cast<std::size_t>(input)].path, shot.inFile);
+    };
+    add(shot.input);
+    for (const Channel &channel : shot.channels)
+        add(channel.input.value_or(shot.input));
     return names;
 }
 
@@ -51,7 +58,7 @@ Result<CapturesRead> readEach(const std::vector<std::string> &paths, const Impor
     for (std::size_t i = 0; i < paths.size(); ++i) {
         Result<CaptureSet> part = readOne(paths[i], settings, control.part(i, paths.size()));
         if (part)
-            read.set = joinedCaptures(read.set, *part);
+            read.set = joinedCaptures(std::move(read.set), *part);
         else if (part.error().kind == ErrorKind::Cancelled)
             return tl::unexpected(part.error());
         else
@@ -70,19 +77,22 @@ Result<CapturesRead> readAgain(
     Result<CapturesRead> read = readEach(paths, settings, control);
     if (!read)
         return read;
+    std::map<std::string, const InputFile *> known;
+    for (const InputFile &input : captures.inputs)
+        known.try_emplace(input.path, &input);
     for (InputFile &input : read->set.inputs) {
-        const auto same = std::ranges::find(captures.inputs, input.path, &InputFile::path);
-        if (same != captures.inputs.end())
-            input.expectedSha256 = same->expectedSha256;
+        const auto same = known.find(input.path);
+        if (same != known.end())
+            input.expectedSha256 = same->second->expectedSha256;
     }
+    std::ranges::copy_if(captures.findings, std::back_inserter(read->set.findings),
+        [](const Finding &finding) { return finding.id.starts_with("PRJ-"); });
     std::set<ShotName> before;
     for (const Shot &shot : captures.shots)
         before.merge(namesOf(captures, shot));
-    const CaptureSet all = read->set;
     const auto wasThere = [&](const ShotName &name) { return before.contains(name); };
-    for (std::size_t i = all.shots.size(); i > 0; --i)
-        if (std::ranges::none_of(namesOf(all, all.shots[i - 1]), wasThere))
-            read->set = withoutShot(read->set, static_cast<Index>(i));
+    read->set = withoutShots(read->set,
+        [&](const Shot &shot) { return std::ranges::none_of(namesOf(read->set, shot), wasThere); });
     return read;
 }
 

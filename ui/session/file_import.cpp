@@ -61,6 +61,7 @@ ImportSettings withOwnSettings(
     if (wanted.skipRows != settings.skipRows)
         own.skipRows = wanted.skipRows;
     own.interpolateInvalid = ownValue(settings.interpolateInvalid, wanted.interpolateInvalid);
+    own.maxExpansion = ownValue(settings.maxExpansion, wanted.maxExpansion);
     ImportSettings next = settings;
     next.files.erase(baseName(path));
     if (!(own == FileImport{}))

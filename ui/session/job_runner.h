@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/base/free_memory.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
 
@@ -52,6 +53,13 @@ public:
         m_running = true;
         m_age.start();
         const JobControl control{m_stop.get_token(), throttled(std::move(progress))};
+        if (!isMemoryLeft(kThreadBytes)) { // Qt would keep silent about a thread that never runs
+            post(control.stop, [this, deliver] {
+                m_running = false;
+                deliver(notEnoughMemory());
+            });
+            return;
+        }
         m_pool.start([this, job = std::move(job), deliver = std::move(deliver), control] {
             auto result = std::make_shared<Result<T>>(guarded<T>(job, control));
             post(control.stop, [this, result, deliver] {
@@ -84,6 +92,16 @@ public:
 
 private:
     static constexpr qint64 kProgressInterval_ms = 100;
+    static constexpr std::size_t kThreadBytes = std::size_t(12) << 20U; ///< its stack, and some
+
+    static tl::unexpected<Error> notEnoughMemory()
+    {
+        return fail(ErrorKind::Internal,
+            {DYNCAL_TEXT("core",
+                 "There is not enough memory for this work; close other "
+                 "programs or choose a shorter window."),
+                {}});
+    }
 
     void post(std::stop_token stop, std::function<void()> call)
     {
@@ -98,11 +116,7 @@ private:
                 return fail(ErrorKind::Cancelled, {DYNCAL_TEXT("core", "Cancelled."), {}});
             return job(control);
         } catch (const std::bad_alloc &) {
-            return fail(ErrorKind::Internal,
-                {DYNCAL_TEXT("core",
-                     "There is not enough memory for this work; close other "
-                     "programs or choose a shorter window."),
-                    {}});
+            return notEnoughMemory();
         } catch (const std::exception &problem) {
             return fail(ErrorKind::Internal,
                 {DYNCAL_TEXT("core",

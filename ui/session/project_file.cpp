@@ -3,10 +3,13 @@
 
 #include "ui/session/project_file.h"
 
+#include "core/base/atomic_file.h"
+#include "core/base/content_hash.h"
 #include "core/capture/capture_seal.h"
 #include "ui/session/capture_edit.h"
 #include "ui/session/capture_reading.h"
 #include "ui/session/example.h"
+#include "ui/session/project_checksum.h"
 
 #include <QDir>
 #include <QFile>
@@ -14,7 +17,6 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QSaveFile>
 
 #include <set>
 
@@ -100,13 +102,11 @@ CaptureReference locate(const QJsonObject &entry, const QDir &folder, const QStr
 /// Without the shots that do not belong to the job.
 CaptureSet onlyReferenced(CaptureSet set, const std::vector<CaptureReference> &references)
 {
-    for (std::size_t i = set.shots.size(); i > 0; --i) {
-        const auto input = static_cast<std::size_t>(set.shots[i - 1].input);
+    return withoutShots(std::move(set), [&](const Shot &shot) {
+        const auto input = static_cast<std::size_t>(shot.input);
         const bool known = input < references.size() && !references[input].shots.empty();
-        if (known && !references[input].shots.contains(set.shots[i - 1].inFile))
-            set = withoutShot(std::move(set), static_cast<Index>(i));
-    }
-    return set;
+        return known && !references[input].shots.contains(shot.inFile);
+    });
 }
 
 /// A project is whole or not opened at all.
@@ -135,7 +135,7 @@ void expectHashes(CaptureSet &set, const std::vector<CaptureReference> &referenc
 
 } // namespace
 
-Result<QJsonObject> readProjectObject(const QString &path)
+Result<ProjectFile> readProjectFile(const QString &path)
 {
     const std::string name = QFileInfo(path).fileName().toStdString();
     QFile file(path);
@@ -159,7 +159,7 @@ Result<QJsonObject> readProjectObject(const QString &path)
                  "Project %1 has version %2, this program reads version %3; open "
                  "it with the program that wrote it."),
                 {name, std::to_string(version), std::to_string(kVersion)}});
-    return document.object();
+    return ProjectFile{path, document.object(), sha256Hex(bytes.toStdString())};
 }
 
 Result<Recipe> recipeOfProject(const QJsonObject &project)
@@ -178,39 +178,56 @@ QByteArray projectBytes(
     project["version"] = kVersion;
     project["recipe"] = recipe.object();
     project["captures"] = captureReferences(state, QDir(folder));
-    return QJsonDocument(project).toJson();
+    return QJsonDocument(withChecksums(project)).toJson();
 }
 
-Result<void> saveProject(const QString &path, const ProjectState &state)
+ProjectFileHash projectFileHash(const QString &path)
 {
-    QSaveFile file(path);
-    const QByteArray bytes = projectBytes(state, QFileInfo(path).absolutePath());
-    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size() || !file.commit())
-        return fail(ErrorKind::FileUnreadable,
-            {DYNCAL_TEXT("core",
-                 "The project could not be saved as %1 (%2); choose another "
-                 "place."),
-                {path.toStdString(), file.errorString().toStdString()}});
-    return {};
+    const QFileInfo file(path);
+    if (!file.exists() && !file.isSymLink())
+        return std::nullopt;
+    return sha256OfFile(path.toStdString());
+}
+
+Result<std::string> saveProject(
+    const QString &path, const ProjectState &state, const ProjectFileHash &expected)
+{
+    const std::string bytes = projectBytes(state, QFileInfo(path).absolutePath()).toStdString();
+    const Result<void> written = replaceUnchangedFile(path.toStdString(), bytes, expected);
+    if (written)
+        return sha256Hex(bytes);
+    if (written.error().findingId == kChangedMeanwhile)
+        return tl::unexpected(written.error());
+    return fail(ErrorKind::FileUnreadable,
+        {DYNCAL_TEXT("core",
+             "The project could not be saved as %1 (%2); choose another "
+             "place."),
+            {path.toStdString(), english(written.error().message)}});
 }
 
 Result<ProjectState> openProject(
     const QString &path, const JobControl &control, const QString &otherFolder)
 {
-    const Result<QJsonObject> project = readProjectObject(path);
-    if (!project)
-        return tl::unexpected(project.error());
-    Result<Recipe> recipe = recipeOfProject(*project);
+    const Result<ProjectFile> file = readProjectFile(path);
+    if (!file)
+        return tl::unexpected(file.error());
+    return openProject(*file, control, otherFolder);
+}
+
+Result<ProjectState> openProject(
+    const ProjectFile &file, const JobControl &control, const QString &otherFolder)
+{
+    Result<Recipe> recipe = recipeOfProject(file.content);
     if (!recipe)
         return tl::unexpected(recipe.error());
 
+    const QDir folder = QFileInfo(file.path).absoluteDir();
     std::vector<CaptureReference> references;
     QStringList missing;
-    for (const auto &entry : (*project)["captures"].toArray()) {
-        references.push_back(locate(entry.toObject(), QFileInfo(path).absoluteDir(), otherFolder));
+    for (const auto &entry : file.content["captures"].toArray()) {
+        references.push_back(locate(entry.toObject(), folder, otherFolder));
         if (!references.back().found)
-            missing << QDir::cleanPath(
-                QFileInfo(path).absoluteDir().absoluteFilePath(references.back().path));
+            missing << QDir::cleanPath(folder.absoluteFilePath(references.back().path));
     }
     if (!missing.isEmpty())
         return fail(ErrorKind::FileUnreadable,
@@ -222,6 +239,8 @@ Result<ProjectState> openProject(
     if (!set)
         return tl::unexpected(set.error());
     expectHashes(*set, references);
+    const Findings ofProject = checkProject(file.content, QFileInfo(file.path).fileName());
+    set->findings.insert(set->findings.begin(), ofProject.begin(), ofProject.end());
     CaptureSet kept = onlyReferenced(std::move(*set), references);
     return ProjectState{std::make_shared<const CaptureSet>(std::move(kept)), std::move(*recipe)};
 }

@@ -10,18 +10,44 @@
 #include <QJsonObject>
 #include <QString>
 
+#include <optional>
+#include <string>
+
 namespace dyncal {
 
-/// Writes the job as a project file (JSON: format, version, recipe, and the recordings by path
-/// relative to the project and the SHA-256 that they were taken in with; never the recordings
-/// themselves). Through a temporary file that replaces the old one when complete. Fails
-/// (FileUnreadable) naming the file and why.
-Result<void> saveProject(const QString &path, const ProjectState &state);
+/// What is known of a project file: the SHA-256 of its bytes, nullopt if there is none.
+using ProjectFileHash = std::optional<std::string>;
 
-/// Reads a project and opens its recordings, which can be shown then; they are not sealed. Fails
-/// when the file is no project, is of a newer version, or when recordings are missing (all are
-/// named). Sealing finds a recording whose bytes have changed since (CAP-015, which blocks).
+/// Of the file as it is now; empty text if something of that name cannot be read.
+ProjectFileHash projectFileHash(const QString &path);
+
+/// Writes the job as a project file (JSON: format, version, recipe, checksums, and the recordings
+/// by path relative to the project and the SHA-256 that they were taken in with; never the
+/// recordings themselves) in the place of the file that `expected` tells of. Returns the hash of
+/// the file written. Fails (Usage, finding kChangedMeanwhile) if another file is there, or
+/// (FileUnreadable) naming the file and why.
+Result<std::string> saveProject(
+    const QString &path, const ProjectState &state, const ProjectFileHash &expected);
+
+/// A project as it was read, all from the same bytes.
+struct ProjectFile
+{
+    QString path;
+    QJsonObject content;
+    std::string sha256; ///< of the file's bytes
+};
+
+/// Fails when the file is no project or is of a newer version.
+Result<ProjectFile> readProjectFile(const QString &path);
+
+/// Opens the recordings of a project, which can be shown then; they are not sealed. Fails when
+/// recordings are missing (all are named). Sealing finds a recording whose bytes have changed since
+/// (CAP-015, which blocks). A project that was changed by others is a caution (PRJ-001).
 /// Recordings that are not where they were are taken from `otherFolder`, if that is given, by name.
+Result<ProjectState> openProject(
+    const ProjectFile &file, const JobControl &control = {}, const QString &otherFolder = {});
+
+/// Reads a project and opens it.
 Result<ProjectState> openProject(
     const QString &path, const JobControl &control = {}, const QString &otherFolder = {});
 
@@ -30,8 +56,6 @@ Result<ProjectState> openProject(
 QByteArray projectBytes(
     const ProjectState &state, const QString &folder, const QJsonObject &moreKeys = {});
 
-/// A project file as it is written, its recordings not looked at. Fails as openProject does.
-Result<QJsonObject> readProjectObject(const QString &path);
 Result<Recipe> recipeOfProject(const QJsonObject &project);
 
 } // namespace dyncal

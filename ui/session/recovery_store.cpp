@@ -124,11 +124,12 @@ void RecoveryStore::discard(const QString &file)
     m_locks.erase(file);
 }
 
-Result<void> writeRecoveryFile(
-    const QString &file, const ProjectState &state, const QString &project, const QDateTime &now)
+Result<void> writeRecoveryFile(const QString &file, const ProjectState &state,
+    const QString &project, const QDateTime &now, const ProjectFileHash &projectSha256)
 {
     const QJsonObject about{
         {"project", project.isEmpty() ? QString() : QFileInfo(project).absoluteFilePath()},
+        {"project_sha256", QString::fromStdString(projectSha256.value_or(""))},
         {"saved_utc", now.toUTC().toString(Qt::ISODate)}};
     const QByteArray bytes
         = projectBytes(state, QFileInfo(file).absolutePath(), {{QString(kKey), about}});
@@ -147,16 +148,17 @@ void markAlive(const QString &file, const QDateTime &now)
 
 Result<RecoveredWork> readRecoveryFile(const QString &file)
 {
-    const Result<QJsonObject> project = readProjectObject(file);
+    const Result<ProjectFile> project = readProjectFile(file);
     if (!project)
         return tl::unexpected(project.error());
-    if (const Result<Recipe> recipe = recipeOfProject(*project); !recipe)
+    if (const Result<Recipe> recipe = recipeOfProject(project->content); !recipe)
         return tl::unexpected(recipe.error());
-    const QJsonObject about = (*project)[QLatin1String(kKey)].toObject();
+    const QJsonObject about = project->content[QLatin1String(kKey)].toObject();
     RecoveredWork work{file, about["project"].toString(),
         QDateTime::fromString(about["saved_utc"].toString(), Qt::ISODate),
-        QFileInfo(file).lastModified().toUTC(), {}};
-    for (const auto &capture : (*project)["captures"].toArray())
+        QFileInfo(file).lastModified().toUTC(), {},
+        about["project_sha256"].toString().toStdString()};
+    for (const auto &capture : project->content["captures"].toArray())
         work.recordings << QFileInfo(capture.toObject()["path"].toString()).fileName();
     if (!work.saved.isValid() || work.recordings.contains(QString()))
         return fail(ErrorKind::FileUnreadable,

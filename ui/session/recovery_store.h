@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "ui/session/project_state.h"
+#include "ui/session/project_file.h"
 
 #include <QDateTime>
 #include <QString>
@@ -26,6 +26,7 @@ struct RecoveredWork
     QDateTime saved; ///< when the file was written
     QDateTime stopped; ///< last sign of life
     QStringList recordings; ///< base names
+    std::string projectSha256; ///< of the project's file then; empty = not known
 };
 
 /// A recovery file that cannot be read, and where it was put for somebody to look at.
@@ -71,8 +72,8 @@ private:
 
 /// Writes the job whole or not at all, with the project that it is a change of. Fails as
 /// writeFileAtomically does.
-Result<void> writeRecoveryFile(
-    const QString &file, const ProjectState &state, const QString &project, const QDateTime &now);
+Result<void> writeRecoveryFile(const QString &file, const ProjectState &state,
+    const QString &project, const QDateTime &now, const ProjectFileHash &projectSha256 = {});
 /// Notes on the file that its program still runs; the work in it stays as old as it is.
 void markAlive(const QString &file, const QDateTime &now);
 /// What the file holds; its recordings are not looked at. Fails (FileUnreadable, Usage) where it

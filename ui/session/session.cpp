@@ -6,6 +6,7 @@
 #include "core/capture/capture_seal.h"
 #include "core/pipeline/results_json.h"
 #include "ui/session/order_candidates.h"
+#include "ui/text/shown_text.h"
 
 #include <QUndoCommand>
 
@@ -35,7 +36,7 @@ class ReplaceState : public QUndoCommand
 {
 public:
     ReplaceState(Session &session, ProjectState after, const QString &label, QString mergeKey)
-        : QUndoCommand(label)
+        : QUndoCommand(withoutMnemonic(label)) // it becomes a part of the menu's text
         , m_session(session)
         , m_before(session.state())
         , m_after(std::move(after))

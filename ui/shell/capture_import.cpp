@@ -7,6 +7,7 @@
 #include "ui/session/import_view.h"
 #include "ui/shell/import_dialog.h"
 #include "ui/shell/preferences.h"
+#include "ui/text/shown_text.h"
 
 #include <algorithm>
 
@@ -117,7 +118,7 @@ void CaptureImport::start(const Request &request)
 
 void CaptureImport::deliver(const Request &request, const std::shared_ptr<const Outcome> &outcome)
 {
-    const QString question = QString::fromStdString(outcome->question);
+    const QString question = rawText(outcome->question);
     if (request.mayAsk && !question.isEmpty() && question != request.asked)
         ask(question, request, outcome);
     else

@@ -3,6 +3,9 @@
 
 #include "ui/shell/export_job.h"
 
+#include "core/base/free_memory.h"
+#include "core/pipeline/publication.h"
+
 namespace dyncal {
 
 namespace {
@@ -11,6 +14,18 @@ namespace {
 constexpr std::chrono::milliseconds kDrawingTime{15};
 /// Of the progress: drawing takes about this part of the whole.
 constexpr double kDrawingShare = 0.7;
+/// What drawing takes at most: Qt would end the program where it gets no memory.
+constexpr std::size_t kDrawingBytes = std::size_t(96) << 20U;
+
+Error notEnoughMemory()
+{
+    return {ErrorKind::Internal,
+        {DYNCAL_TEXT("core",
+             "There is not enough memory to draw the certificate and the plots, and nothing was "
+             "written; close other programs or raise the memory limit."),
+            {}},
+        {}, 0};
+}
 
 } // namespace
 
@@ -25,6 +40,10 @@ ExportJob::ExportJob(QObject *parent)
 void ExportJob::start(RunFiles run, ReportParts parts, Write write)
 {
     cancel();
+    if (!isMemoryLeft(kDrawingBytes)) {
+        emit failed(notEnoughMemory());
+        return;
+    }
     m_run = std::move(run);
     m_write = std::move(write);
     m_drawing = std::make_unique<ReportDrawing>(
@@ -36,24 +55,27 @@ void ExportJob::cancel()
 {
     m_tick.stop();
     m_drawing.reset();
+    m_write = {}; // and with it the claim on the folder
     m_jobs.cancel();
 }
 
 void ExportJob::drawSome()
 {
-    // A run that did not come to its end has tables, but no certificate.
-    if (!m_run.outcome.error)
+    const bool isDrawn = mayPublish(m_run.outcome);
+    if (isDrawn)
         m_drawing->draw(kDrawingTime);
     emit progress(kDrawingShare * m_drawing->fraction());
-    if (!m_run.outcome.error && !m_drawing->isDone())
+    if (isDrawn && !m_drawing->isDone())
         return;
     m_tick.stop();
     Result<std::vector<DrawnFile>> drawn = m_drawing->take();
     m_drawing.reset();
-    if (drawn)
+    if (drawn) {
         write(std::move(*drawn));
-    else
-        emit failed(drawn.error());
+        return;
+    }
+    m_write = {};
+    emit failed(drawn.error());
 }
 
 void ExportJob::write(std::vector<DrawnFile> drawn)
@@ -62,15 +84,15 @@ void ExportJob::write(std::vector<DrawnFile> drawn)
     // The job owns the run: the results may be large, and go with it.
     const auto run = std::make_shared<const RunFiles>(std::exchange(m_run, {}));
     m_jobs.start<bool>(
-        [run, write = m_write](const JobControl &control) -> Result<bool> {
+        [run, write = std::exchange(m_write, {})](const JobControl &control) -> Result<bool> {
             const Result<void> written = write(*run, control);
             if (!written)
                 return tl::unexpected<Error>(written.error());
-            return true;
+            return mayPublish(run->outcome);
         },
         [this](const Result<bool> &outcome) {
             if (outcome)
-                emit finished();
+                emit finished(*outcome);
             else
                 emit failed(outcome.error());
         },

@@ -30,7 +30,7 @@ public:
 
 signals:
     void progress(double fraction);
-    void finished();
+    void finished(bool isWhole); ///< false: of a run that may not be published
     void failed(const dyncal::Error &error);
 
 private:

@@ -6,9 +6,10 @@
 #include "core/base/atomic_file.h"
 #include "core/capture/format_registry.h"
 #include "core/pipeline/model_export.h"
+#include "core/pipeline/publication.h"
 #include "ui/session/example.h"
-#include "ui/session/project_file.h"
 #include "ui/text/core_text.h"
+#include "ui/text/shown_text.h"
 
 #include <QDir>
 #include <QFileInfo>
@@ -18,6 +19,23 @@ namespace dyncal {
 namespace {
 
 constexpr const char *kProjectSuffix = "dyncal";
+
+struct OpenedProject
+{
+    ProjectState state;
+    std::string sha256; ///< of the file that was read
+};
+
+Result<OpenedProject> openedProject(const QString &path, const JobControl &control)
+{
+    const Result<ProjectFile> file = readProjectFile(path);
+    if (!file)
+        return tl::unexpected<Error>(file.error());
+    Result<ProjectState> state = openProject(*file, control);
+    if (!state)
+        return tl::unexpected<Error>(state.error());
+    return OpenedProject{std::move(*state), file->sha256};
+}
 
 bool isProject(const QString &path)
 {
@@ -29,7 +47,7 @@ QString captureFilter()
     QStringList patterns;
     for (const CaptureFormat &format : captureFormats())
         for (const std::string &extension : format.extensions)
-            patterns << "*." + QString::fromStdString(extension);
+            patterns << "*." + rawText(extension);
     patterns.removeDuplicates();
     return FileActions::tr("Recordings (%1)").arg(patterns.join(' ')) + ";;"
         + FileActions::tr("All files (*)");
@@ -61,8 +79,13 @@ FileActions::FileActions(Session &session, CurrentUtc currentUtc, Prompts &promp
         [this](const ProjectState &state) { startJob(state, {}); });
     connect(&m_export, &ExportJob::progress, this, &FileActions::progress);
     connect(&m_export, &ExportJob::failed, this, &FileActions::showProblem);
-    connect(&m_export, &ExportJob::finished, this,
-        [this] { emit idle(tr("Written: %1").arg(m_exportTarget)); });
+    connect(&m_export, &ExportJob::finished, this, [this](bool isWhole) {
+        const QString target = shownText(m_exportTarget);
+        emit idle(isWhole ? tr("Written: %1").arg(target)
+                          : tr("Written: %1 (results.json and recipe.json alone, because of "
+                               "what blocks)")
+                                .arg(target));
+    });
     connect(&session.undoStack(), &QUndoStack::cleanChanged, this, &FileActions::projectChanged);
 }
 
@@ -134,9 +157,11 @@ void FileActions::readRecordings(const QStringList &paths, bool add)
         m_captures.read(paths, add);
 }
 
-void FileActions::startJob(const ProjectState &state, const QString &path)
+void FileActions::startJob(
+    const ProjectState &state, const QString &path, const ProjectFileHash &onDisk)
 {
     m_path = path;
+    m_onDisk = onDisk;
     m_session.reset(state);
     emit projectChanged();
 }
@@ -175,17 +200,17 @@ void FileActions::openProjectFile(const QString &path)
     if (isExporting())
         return;
     emit busy(tr("Opening project"));
-    m_jobs.start<ProjectState>(
-        [path](const JobControl &control) { return dyncal::openProject(path, control); },
-        [this, path](Result<ProjectState> state) {
-            if (!state) {
-                showProblem(state.error());
+    m_jobs.start<OpenedProject>(
+        [path](const JobControl &control) { return openedProject(path, control); },
+        [this, path](Result<OpenedProject> opened) {
+            if (!opened) {
+                showProblem(opened.error());
                 return;
             }
             m_preferences.setLastFolder(QFileInfo(path).absolutePath());
             m_preferences.addRecentFile(path);
             emit idle(tr("Project opened"));
-            startJob(*state, path);
+            startJob(opened->state, path, opened->sha256);
         },
         [this](double done) { emit progress(done); });
 }
@@ -205,7 +230,7 @@ void FileActions::restoreWork(const RecoveredWork &work, const QString &recordin
                 emit restoreFailed(work.file, state.error());
                 return;
             }
-            startJob(*state, work.project);
+            startJob(*state, work.project, work.projectSha256);
             m_session.undoStack().resetClean();
             emit workRestored(work.file);
         },
@@ -214,17 +239,22 @@ void FileActions::restoreWork(const RecoveredWork &work, const QString &recordin
 
 bool FileActions::save()
 {
-    return m_path.isEmpty() ? saveAs() : saveTo(m_path);
+    return m_path.isEmpty() ? saveAs() : saveTo(m_path, m_onDisk);
 }
 
 bool FileActions::saveAs()
 {
     const QString path = m_prompts.saveFile(m_window, tr("Save project"), projectFilter(),
         proposedPath(projectName() + "." + kProjectSuffix), kProjectSuffix);
-    return !path.isEmpty() && saveTo(path);
+    if (path.isEmpty())
+        return false;
+    // What the dialog asked about is what is there now; of its own file the window knows better.
+    const bool isOwn = QFileInfo(path) == QFileInfo(m_path);
+    return saveTo(path, isOwn ? m_onDisk : projectFileHash(path));
 }
 
-bool FileActions::saveTo(const QString &path)
+/// Another file than expected is replaced only if the operator says so, and only that one.
+bool FileActions::saveTo(const QString &path, const ProjectFileHash &expected)
 {
     if (!m_session.isSealed()) {
         m_prompts.showProblem(m_window,
@@ -232,12 +262,22 @@ bool FileActions::saveTo(const QString &path)
                "try again in a moment."));
         return false;
     }
-    const Result<void> saved = saveProject(path, m_session.state());
+    Result<std::string> saved = saveProject(path, m_session.state(), expected);
+    while (!saved && saved.error().findingId == kChangedMeanwhile) {
+        const ProjectFileHash now = projectFileHash(path);
+        const ChangedProject answer = m_prompts.changedProject(m_window, path, now.has_value());
+        if (answer == ChangedProject::Cancel)
+            return false;
+        if (answer == ChangedProject::OtherName)
+            return saveAs();
+        saved = saveProject(path, m_session.state(), now);
+    }
     if (!saved) {
         showProblem(saved.error());
         return false;
     }
     m_path = path;
+    m_onDisk = *saved;
     m_preferences.setLastFolder(QFileInfo(path).absolutePath());
     m_preferences.addRecentFile(path);
     m_session.undoStack().setClean();
@@ -262,12 +302,26 @@ bool FileActions::hasResults()
     return problem.isEmpty();
 }
 
+PipelineOutcome FileActions::outcome() const
+{
+    return {m_session.results(), m_session.error(), m_session.failedStage()};
+}
+
+/// Says what blocks.
+bool FileActions::isBlocked()
+{
+    const std::optional<Error> obstacle = publicationObstacle(outcome());
+    if (obstacle)
+        showProblem(*obstacle);
+    return obstacle.has_value();
+}
+
 bool FileActions::isExporting()
 {
     if (m_export.isRunning())
         m_prompts.showProblem(m_window,
             tr("Results are still being written to %1; wait until they are, or press Cancel.")
-                .arg(m_exportTarget));
+                .arg(shownText(m_exportTarget)));
     return m_export.isRunning();
 }
 
@@ -284,10 +338,16 @@ void FileActions::exportResults()
         m_window, tr("Export results into a folder"), m_preferences.lastFolder());
     if (folder.isEmpty())
         return;
+    Result<FolderWrite> begun
+        = FolderWrite::begin(runFolder(folder.toStdString(), *m_session.state().captures));
+    if (!begun) {
+        showProblem(begun.error());
+        return;
+    }
     startExport(folder, ReportParts::CertificateAndPlots,
-        [folder = folder.toStdString()](
+        [target = std::make_shared<FolderWrite>(std::move(*begun))](
             const RunFiles &run, const JobControl &control) -> Result<void> {
-            const auto written = writeRunFiles(run, folder, control);
+            const auto written = writeRunFiles(run, *target, control);
             if (!written)
                 return tl::unexpected<Error>(written.error());
             return {};
@@ -296,12 +356,8 @@ void FileActions::exportResults()
 
 void FileActions::exportCertificate()
 {
-    if (isExporting() || !hasResults())
+    if (isExporting() || !hasResults() || isBlocked())
         return;
-    if (m_session.error()) { // a calibration that did not come to its end has no certificate
-        showProblem(*m_session.error());
-        return;
-    }
     const QString path = m_prompts.saveFile(m_window, tr("Export certificate"),
         tr("PDF documents (*.pdf)"), proposedPath("certificate.pdf"), "pdf");
     if (path.isEmpty())
@@ -314,28 +370,20 @@ void FileActions::exportCertificate()
 
 void FileActions::exportModel()
 {
-    if (isExporting() || !hasResults())
+    if (isExporting() || !hasResults() || isBlocked())
         return;
-    const std::vector<ModelFile> files = modelFiles(m_session.results());
-    if (files.empty()) {
-        m_prompts.showProblem(m_window,
-            tr("The model of order %1 diverges, so there is nothing to export; choose another "
-               "order.")
-                .arg(m_session.results().model->order));
-        return;
-    }
     const QString folder = m_prompts.folder(
         m_window, tr("Export the model into a folder"), m_preferences.lastFolder());
     if (folder.isEmpty())
         return;
-    for (const ModelFile &file : files) {
-        const QString path = QDir(folder).filePath(QString::fromStdString(file.name));
-        if (const auto written = writeFileAtomically(path.toStdString(), file.bytes); !written) {
-            showProblem(written.error());
-            return;
-        }
-    }
-    emit idle(tr("Model written to %1").arg(folder));
+    Result<FolderWrite> target
+        = FolderWrite::begin(modelFolder(folder.toStdString(), *m_session.state().captures));
+    const auto written = target ? writeModelFiles(m_session.results(), modelFormats(), *target)
+                                : tl::unexpected<Error>(target.error());
+    if (written)
+        emit idle(tr("Model written to %1").arg(shownText(folder)));
+    else
+        showProblem(written.error());
 }
 
 void FileActions::startExport(
@@ -347,9 +395,8 @@ void FileActions::startExport(
         return;
     }
     m_exportTarget = target;
-    emit busy(tr("Writing %1").arg(QFileInfo(target).fileName()));
-    const PipelineOutcome outcome{m_session.results(), m_session.error(), m_session.failedStage()};
-    m_export.start({outcome, m_session.recipe(), *created, {}}, parts, write);
+    emit busy(tr("Writing %1").arg(shownText(QFileInfo(target).fileName())));
+    m_export.start({outcome(), m_session.recipe(), *created, {}}, parts, write);
 }
 
 void FileActions::cancel()
@@ -358,6 +405,18 @@ void FileActions::cancel()
     m_captures.cancel();
     m_export.cancel();
     emit idle(tr("Cancelled"));
+}
+
+void FileActions::stopForMemory()
+{
+    cancel();
+    m_session.cancelComputation();
+    showProblem({ErrorKind::Internal,
+        {DYNCAL_TEXT("core",
+             "The memory is used up, so the work in hand was stopped; save your work, close other "
+             "programs or choose a shorter window."),
+            {}},
+        {}, 0});
 }
 
 void FileActions::showProblem(const Error &error)

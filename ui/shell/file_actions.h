@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ui/session/current_utc.h"
+#include "ui/session/project_file.h"
 #include "ui/session/recovery_store.h"
 #include "ui/session/session.h"
 #include "ui/shell/capture_import.h"
@@ -57,9 +58,11 @@ public:
     /// False, and said why, while results are being written: quitting would leave half of them.
     bool mayQuit();
     void cancel();
+    void stopForMemory(); ///< cancels everything, and says why
 
     QString projectName() const;
     QString projectPath() const { return m_path; } ///< empty = never saved
+    const ProjectFileHash &projectHash() const { return m_onDisk; }
 
     /// Length of the built-in example; tests shorten it.
     void setExampleDuration(double seconds) { m_exampleDuration_s = seconds; }
@@ -75,10 +78,13 @@ signals:
 private:
     QStringList askForCaptures();
     void readRecordings(const QStringList &paths, bool add);
-    void startJob(const ProjectState &state, const QString &path);
-    bool saveTo(const QString &path);
+    void startJob(
+        const ProjectState &state, const QString &path, const ProjectFileHash &onDisk = {});
+    bool saveTo(const QString &path, const ProjectFileHash &expected);
     bool hasResults();
     bool isExporting();
+    bool isBlocked();
+    PipelineOutcome outcome() const;
     void startExport(const QString &target, ReportParts parts, const ExportJob::Write &write);
     void showProblem(const Error &error);
     QString proposedPath(const QString &fileName) const;
@@ -89,6 +95,7 @@ private:
     Preferences &m_preferences;
     QWidget *m_window;
     QString m_path; ///< of the project; empty = never saved
+    ProjectFileHash m_onDisk; ///< the project's file as it was read or saved last
     double m_exampleDuration_s = 0.02;
     QString m_exportTarget; ///< as it is told when it has been written
     JobRunner m_jobs;

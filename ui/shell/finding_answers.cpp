@@ -6,12 +6,13 @@
 #include "core/project/recipe_mend.h"
 #include "ui/shell/main_window.h"
 #include "ui/text/core_text.h"
+#include "ui/text/shown_text.h"
 
 namespace dyncal {
 
 void acknowledge(const Finding &finding, Session &session, Prompts &prompts, QWidget *parent)
 {
-    const QString id = QString::fromStdString(finding.id);
+    const QString id = rawText(finding.id);
     const std::optional<QString> reason = prompts.sentence(parent,
         MainWindow::tr("Reason for %1").arg(id),
         MainWindow::tr("Why is the result used all the same? The certificate prints the reason."));

@@ -5,6 +5,7 @@
 
 #include "ui/session/capture_edit.h"
 #include "ui/text/core_text.h"
+#include "ui/text/shown_text.h"
 
 #include <QCoreApplication>
 
@@ -59,7 +60,7 @@ std::vector<Remedy> chooseDut(const Shot *shot)
     for (const Channel &channel : shot ? shot->channels : std::vector<Channel>()) {
         if (mends.size() == kMostChannels)
             break;
-        const QString name = QString::fromStdString(channel.name);
+        const QString name = shownText(channel.name);
         mends.push_back(edit(Mends::tr("\"%1\" is the DUT").arg(name),
             Mends::tr("Choose %1 as the DUT").arg(name),
             [name = channel.name](ImportSettings &settings, const std::string &) {
@@ -84,7 +85,7 @@ std::vector<Remedy> swapChannels(const Shot *shot, const CaptureSet &set)
     const QString step = Mends::tr("Swap DUT and driven side");
     const InputFile *file = fileOf(shot, set);
     if (file && set.inputs.size() > 1)
-        mends.push_back(edit(Mends::tr("Swap in %1").arg(QString::fromStdString(file->file)), step,
+        mends.push_back(edit(Mends::tr("Swap in %1").arg(shownText(file->file)), step,
             [swapIn, name = file->file](ImportSettings &settings, const std::string &) {
                 swapIn(settings.files[name].channels);
             }));
@@ -115,12 +116,12 @@ std::vector<Remedy> useUnit(const Finding &finding, const std::string &file)
     if (words.size() <= kUnitArgument || words[kUnitArgument].empty())
         return {};
     const std::string unit = words[kUnitArgument];
-    return {edit(Mends::tr("The unit is %1").arg(QString::fromStdString(unit)),
-        Mends::tr("Change the DUT's unit"),
-        [unit, file, channel = finding.channel](ImportSettings &settings, const std::string &) {
-            ChannelImport *details = detailsOf(settings, file, channel);
-            (details && details->unit ? details->unit : settings.unit) = unit;
-        })};
+    return {
+        edit(Mends::tr("The unit is %1").arg(shownText(unit)), Mends::tr("Change the DUT's unit"),
+            [unit, file, channel = finding.channel](ImportSettings &settings, const std::string &) {
+                ChannelImport *details = detailsOf(settings, file, channel);
+                (details && details->unit ? details->unit : settings.unit) = unit;
+            })};
 }
 
 Remedy invertPolarity(const Finding &finding, const std::string &file)
@@ -154,7 +155,7 @@ std::vector<Remedy> showImport(const Finding &finding, const Shot *shot, const C
                 file = &input;
     if (!file)
         return {};
-    return {{Mends::tr("Import settings..."), {}, {}, {}, QString::fromStdString(file->path), {}}};
+    return {{Mends::tr("Import settings..."), {}, {}, {}, rawText(file->path), {}}};
 }
 
 /// What mends the finding itself, shot by shot or for all.

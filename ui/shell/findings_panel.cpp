@@ -4,6 +4,7 @@
 #include "ui/shell/findings_panel.h"
 
 #include "ui/text/finding_text.h"
+#include "ui/text/shown_text.h"
 
 #include <QApplication>
 #include <QClipboard>
@@ -50,7 +51,7 @@ void FindingsPanel::setFindings(const Findings &findings,
         QString line = findingLine(finding);
         for (const Acknowledgement &entry : acknowledged)
             if (entry.finding == finding.id && entry.shot == finding.shot)
-                line += " " + tr("Accepted: %1").arg(QString::fromStdString(entry.reason));
+                line += " " + tr("Accepted: %1").arg(shownText(entry.reason));
         words << line;
         m_mends.push_back(mendsOf(finding, captures));
         for (const Remedy &mend : m_mends.back())
@@ -98,9 +99,9 @@ void FindingsPanel::addButtons(std::size_t shown)
     column->setContentsMargins(kButtonIndent, 0, 4, 6);
     column->setSpacing(3);
     for (std::size_t i = 0; i < m_mends[shown].size(); ++i) {
-        auto *button = new QPushButton(m_mends[shown][i].label, box);
+        auto *button = new QPushButton(withoutMnemonic(m_mends[shown][i].label), box);
         button->setObjectName(
-            QString("mend_%1_%2").arg(QString::fromStdString(finding.id)).arg(column->count() + 1));
+            QString("mend_%1_%2").arg(rawText(finding.id)).arg(column->count() + 1));
         button->setAccessibleDescription(findingLine(finding));
         // The panel is filled anew by what the mend changes: not within the click.
         connect(button, &QPushButton::clicked, this, [this, shown, i] {
@@ -152,7 +153,7 @@ void FindingsPanel::keyPressEvent(QKeyEvent *event)
     QStringList lines;
     for (int row = 0; row < count(); ++row)
         if (!itemWidget(item(row)) && (selectedItems().isEmpty() || item(row)->isSelected()))
-            lines << item(row)->text();
+            lines << pasted(item(row)->text());
     QApplication::clipboard()->setText(lines.join('\n'));
 }
 

@@ -55,7 +55,9 @@ void showShortcuts(QWidget *parent)
     QDialog dialog(parent);
     dialog.setWindowTitle(Help::tr("Keyboard and mouse"));
     auto *layout = new QVBoxLayout(&dialog);
-    layout->addWidget(new QLabel(shortcutTable(), &dialog));
+    auto *table = new QLabel(shortcutTable(), &dialog);
+    table->setTextFormat(Qt::RichText);
+    layout->addWidget(table);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, &dialog);
     QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
     layout->addWidget(buttons);
@@ -64,11 +66,15 @@ void showShortcuts(QWidget *parent)
 
 void showAbout(QWidget *parent)
 {
-    QMessageBox::about(parent, Help::tr("About Dyncal"),
+    QMessageBox box(QMessageBox::NoIcon, Help::tr("About Dyncal"),
         Help::tr("<h3>Dyncal %1</h3><p>Dynamic calibration of pressure sensors.</p>"
                  "<p>Build %2</p><p>Copyright 2026 The Dyncal authors. Free software under the "
                  "GNU General Public License, version 3 or later. It comes with no warranty.</p>")
-            .arg(versionText(), buildText()));
+            .arg(versionText(), buildText()),
+        QMessageBox::Ok, parent);
+    box.setTextFormat(Qt::RichText);
+    box.setIconPixmap(parent->windowIcon().pixmap(64));
+    box.exec();
 }
 
 } // namespace dyncal

@@ -5,6 +5,7 @@
 
 #include "ui/stages/quantity_edit.h"
 #include "ui/text/level_text.h"
+#include "ui/text/shown_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -85,7 +86,7 @@ void ImportChannelTable::setChannels(
 
 void ImportChannelTable::makeRow(int row, const ImportChannel &channel)
 {
-    const QString name = QString::fromStdString(channel.name);
+    const QString name = shownText(channel.name);
     const auto put = [&](int column, QWidget *control, const char *id, const QString &accessible) {
         const QString objectName = QString("%1%2").arg(id).arg(row + 1);
         if (auto *number = qobject_cast<OptionalEdit *>(control))
@@ -149,15 +150,15 @@ void ImportChannelTable::makeRow(int row, const ImportChannel &channel)
 void ImportChannelTable::fillRow(int row, const ImportChannel &channel)
 {
     const ChannelImport &details = m_details[static_cast<std::size_t>(row)];
-    setItem(row, Name, fixedItem(QString::fromStdString(channel.name)));
+    setItem(row, Name, fixedItem(shownText(channel.name)));
     setItem(row, Samples,
         fixedItem(channel.samples > 0 ? QString::number(channel.samples) : QString()));
     static_cast<QComboBox *>(cellWidget(row, Role))
         ->setCurrentIndex(positionIn(kRoles, channel.role));
     auto *unit = static_cast<QLineEdit *>(cellWidget(row, Unit));
-    unit->setPlaceholderText(QString::fromStdString(channel.unit));
+    unit->setPlaceholderText(shownText(channel.unit));
     if (!unit->hasFocus())
-        unit->setText(QString::fromStdString(details.unit.value_or("")));
+        unit->setText(rawText(details.unit.value_or("")));
     static_cast<OptionalEdit *>(cellWidget(row, Factor))->set(details.scale);
     static_cast<OptionalEdit *>(cellWidget(row, Gain))->set(details.gain);
     static_cast<OptionalEdit *>(cellWidget(row, Sensitivity))->set(details.sensitivity);

@@ -5,6 +5,7 @@
 
 #include "ui/text/core_text.h"
 #include "ui/text/level_text.h"
+#include "ui/text/shown_text.h"
 
 #include <QComboBox>
 #include <QHeaderView>
@@ -34,8 +35,7 @@ QString attributesText(const Attributes &attributes)
 {
     QStringList lines;
     for (const auto &[name, value] : attributes)
-        lines << QStringLiteral("%1 = %2").arg(
-            QString::fromStdString(name), QString::fromStdString(value));
+        lines << QStringLiteral("%1 = %2").arg(shownText(name), shownText(value));
     return lines.join(QStringLiteral("; "));
 }
 
@@ -73,7 +73,7 @@ void ImportDatasetTree::setDatasets(
     setVisible(!datasets.empty());
     for (QComboBox *choice : findChildren<QComboBox *>()) {
         const auto read = std::ranges::find(channels, choice->property("channel").toString(),
-            [](const ImportChannel &channel) { return QString::fromStdString(channel.name); });
+            [](const ImportChannel &channel) { return rawText(channel.name); });
         const auto role
             = read == channels.end() ? kRoles.end() : std::ranges::find(kRoles, read->role);
         choice->setCurrentIndex(
@@ -83,25 +83,25 @@ void ImportDatasetTree::setDatasets(
 
 void ImportDatasetTree::addDataset(const DatasetEntry &dataset)
 {
-    const QString path = QString::fromStdString(dataset.path);
+    const QString path = rawText(dataset.path);
     const qsizetype slash = path.lastIndexOf('/');
     QTreeWidgetItem *group = groupOf(path.left(std::max<qsizetype>(slash, 0)));
     auto *item = new QTreeWidgetItem(group);
-    item->setText(Name, path.mid(slash + 1));
+    item->setText(Name, shownText(path.mid(slash + 1)));
     item->setText(Extents, shapeText(dataset.shape));
-    item->setText(Type, QString::fromStdString(dataset.type));
+    item->setText(Type, shownText(dataset.type));
     const QString attributes = attributesText(dataset.attributes);
     const QString about = dataset.channels.empty() ? translated(dataset.whyNot) : attributes;
     item->setText(About, about);
     item->setToolTip(About, attributes.isEmpty() ? about : attributes);
     if (dataset.channels.size() == 1)
-        addChoice(item, QString::fromStdString(dataset.channels.front()));
+        addChoice(item, rawText(dataset.channels.front()));
     for (const std::string &channel : dataset.channels) {
         if (dataset.channels.size() == 1)
             break;
         auto *column = new QTreeWidgetItem(item);
-        column->setText(Name, QString::fromStdString(channel));
-        addChoice(column, QString::fromStdString(channel));
+        column->setText(Name, shownText(channel));
+        addChoice(column, rawText(channel));
     }
 }
 
@@ -113,11 +113,12 @@ QTreeWidgetItem *ImportDatasetTree::groupOf(const QString &path)
         QTreeWidgetItem *next = nullptr;
         for (int i = 0; i < group->childCount() && next == nullptr; ++i) {
             QTreeWidgetItem *child = group->child(i);
-            next = child->text(Name) == name && child->text(Type).isEmpty() ? child : nullptr;
+            next = child->text(Name) == shownText(name) && child->text(Type).isEmpty() ? child
+                                                                                       : nullptr;
         }
         if (next == nullptr) {
             next = new QTreeWidgetItem(group);
-            next->setText(Name, name);
+            next->setText(Name, shownText(name));
             next->setText(Extents, tr("group"));
         }
         group = next;
@@ -129,7 +130,7 @@ void ImportDatasetTree::addChoice(QTreeWidgetItem *item, const QString &channel)
 {
     auto *choice = new QComboBox(this);
     choice->setObjectName("readAs:" + channel);
-    choice->setAccessibleName(tr("What %1 is read as").arg(channel));
+    choice->setAccessibleName(tr("What %1 is read as").arg(shownText(channel)));
     choice->setProperty("channel", channel);
     choice->addItem(tr("not read"));
     for (const ChannelRole role : kRoles)

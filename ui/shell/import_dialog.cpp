@@ -12,6 +12,7 @@
 #include "ui/shell/import_verdict.h"
 #include "ui/shell/named_control.h"
 #include "ui/text/core_text.h"
+#include "ui/text/shown_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -46,7 +47,7 @@ ImportDialog::ImportDialog(const QString &path, const ImportSettings &settings, 
 {
     m_settings.files.clear(); // put over the others already
     setObjectName("importDialog");
-    setWindowTitle(tr("Import %1").arg(QFileInfo(path).fileName()));
+    setWindowTitle(tr("Import %1").arg(asTitle(QFileInfo(path).fileName())));
     auto *column = new QVBoxLayout(this);
     auto *form = new QFormLayout;
     buildFileRow(form);
@@ -81,7 +82,7 @@ void ImportDialog::buildFileRow(QFormLayout *form)
     m_format = named(new QComboBox(this), "importFormat", tr("Format"));
     m_format->addItem(tr("automatic"), "auto");
     for (const CaptureFormat &format : captureFormats())
-        m_format->addItem(QString::fromStdString(format.title), QString::fromStdString(format.id));
+        m_format->addItem(rawText(format.title), rawText(format.id));
     connect(m_format, &QComboBox::activated, this, [this] {
         m_settings.format = m_format->currentData().toString().toStdString();
         look();
@@ -219,8 +220,7 @@ void ImportDialog::showView(const ImportView &view)
 
 void ImportDialog::showSettings()
 {
-    m_format->setCurrentIndex(
-        std::max(0, m_format->findData(QString::fromStdString(m_settings.format))));
+    m_format->setCurrentIndex(std::max(0, m_format->findData(rawText(m_settings.format))));
     m_text->showSettings(m_settings);
     m_rate->showSettings(m_settings);
 }
@@ -231,7 +231,8 @@ void ImportDialog::showVerdict()
     ImportVerdict verdict = importVerdict(m_looked ? &m_view : nullptr, m_settings, lacksName);
     m_import->setEnabled(verdict.mayImport);
     // The name is in the title: its folder would only make the sentence long.
-    m_verdict->setText(verdict.sentence.replace(m_path, QFileInfo(m_path).fileName()));
+    m_verdict->setText(
+        verdict.sentence.replace(shownText(m_path), shownText(QFileInfo(m_path).fileName())));
 }
 
 void ImportDialog::showChannels()

@@ -4,6 +4,7 @@
 #include "ui/shell/import_preview_table.h"
 
 #include "core/base/number_text.h"
+#include "ui/text/shown_text.h"
 
 #include <QHeaderView>
 
@@ -57,8 +58,8 @@ void ImportPreviewTable::setPreview(const TextPreview &preview)
     QStringList titles;
     for (int c = 0; c < columns; ++c) {
         const auto at = static_cast<std::size_t>(c);
-        const QString unit = QString::fromStdString(preview.units[at]);
-        QString title = QString::fromStdString(preview.columnTitles[at]);
+        const QString unit = shownText(preview.units[at]);
+        QString title = shownText(preview.columnTitles[at]);
         if (!unit.isEmpty())
             title += QStringLiteral(" [%1]").arg(unit);
         titles << (preview.timeColumn == Index(c) ? tr("%1 (time)").arg(title) : title);
@@ -80,7 +81,7 @@ void ImportPreviewTable::fillRow(
         const bool there = static_cast<std::size_t>(c) < cells.size();
         const std::string cell = there ? cells[static_cast<std::size_t>(c)] : std::string();
         const bool good = there && isNumber(cell, preview.decimal);
-        QTableWidgetItem *item = fixedItem(QString::fromStdString(cell));
+        QTableWidgetItem *item = fixedItem(shownText(cell));
         item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
         if (!good) { // a sign, not colour alone
             ++m_marked;

@@ -8,6 +8,7 @@
 #include "ui/shell/named_control.h"
 #include "ui/stages/quantity_edit.h"
 #include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -52,7 +53,7 @@ ImportRateRow::ImportRateRow(QWidget *parent)
 void ImportRateRow::showSettings(const ImportSettings &settings)
 {
     if (!m_reason->hasFocus())
-        m_reason->setText(QString::fromStdString(settings.sampleRateReason));
+        m_reason->setText(rawText(settings.sampleRateReason));
 }
 
 void ImportRateRow::showView(const ImportView &view, const ImportSettings &settings)

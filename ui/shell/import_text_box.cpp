@@ -7,6 +7,7 @@
 #include "ui/shell/import_dialog.h"
 #include "ui/shell/import_preview_table.h"
 #include "ui/shell/named_control.h"
+#include "ui/text/shown_text.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -113,14 +114,14 @@ void ImportTextBox::showView(const ImportView &view, const ImportSettings &setti
     m_counts->setText(ImportDialog::tr("%1 rows looked at, unreadable cells: %2. Text: %3.")
                           .arg(text.dataRows)
                           .arg(text.unreadableCells)
-                          .arg(QString::fromStdString(text.encoding)));
+                          .arg(shownText(text.encoding)));
 }
 
 void ImportTextBox::showTimes(const TextPreview &text, const ImportSettings &settings)
 {
     m_time->clear();
     const auto titleOf = [&](Index column) {
-        return QString::fromStdString(text.columnTitles[static_cast<std::size_t>(column)]);
+        return shownText(text.columnTitles[static_cast<std::size_t>(column)]);
     };
     m_time->addItem(!leavesTimesOut(settings) && text.timeColumn
             ? ImportDialog::tr("automatic: %1").arg(titleOf(*text.timeColumn))

@@ -6,6 +6,7 @@
 #include "ui/shell/help_dialogs.h"
 #include "ui/shell/main_window.h"
 #include "ui/stages/stage_page.h"
+#include "ui/text/shown_text.h"
 
 #include <QAction>
 #include <QDockWidget>
@@ -82,7 +83,7 @@ void MainMenus::fillRecent()
     m_recent->clear();
     const QStringList recent = m_parts.preferences.recentFiles();
     for (const QString &path : recent)
-        addAction(m_recent, {}, path, {}, [this, path] {
+        addAction(m_recent, {}, withoutMnemonic(shownText(path)), {}, [this, path] {
             if (m_parts.files.mayDiscard())
                 m_parts.files.openProjectFile(path);
         });

@@ -22,6 +22,7 @@
 #include "ui/stages/shock_page.h"
 #include "ui/stages/spectrum_page.h"
 #include "ui/stages/window_page.h"
+#include "ui/text/shown_text.h"
 
 #include <QCloseEvent>
 #include <QDockWidget>
@@ -54,7 +55,8 @@ constexpr int kFindingsHeight = 230;
 
 MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Preferences &preferences,
     Prompts &prompts, Language &language)
-    : m_preferences(preferences)
+    : m_plainText(this)
+    , m_preferences(preferences)
     , m_prompts(prompts)
     , m_language(language)
     , m_currentUtc(std::move(currentUtc))
@@ -112,6 +114,13 @@ void MainWindow::keepWork(const QString &folder, const AutoSaveDelays &delays)
 {
     m_recovery = new WorkRecovery({m_session, *m_files, m_prompts, *m_banner, *statusBar()},
         m_currentUtc, folder, delays, this);
+}
+
+void MainWindow::leaveWork()
+{
+    m_files->cancel();
+    if (m_recovery)
+        m_recovery->leave();
 }
 
 void MainWindow::buildDocks()
@@ -298,7 +307,7 @@ void MainWindow::showStage(StageId stage)
 void MainWindow::showTitle()
 {
     const QString name = m_files->projectName();
-    setWindowTitle(name.isEmpty() ? QString("Dyncal") : name + "[*] – Dyncal");
+    setWindowTitle(name.isEmpty() ? QString("Dyncal") : asTitle(name) + "[*] – Dyncal");
     setWindowModified(!name.isEmpty() && m_files->isModified());
 }
 

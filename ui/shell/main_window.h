@@ -9,6 +9,7 @@
 #include "ui/shell/language.h"
 #include "ui/shell/preferences.h"
 #include "ui/shell/prompts.h"
+#include "ui/text/plain_text_rule.h"
 
 #include <QMainWindow>
 
@@ -48,6 +49,9 @@ public:
     /// From now on unsaved work is kept in `folder`, and what stopped programs left there offered.
     /// Without this call neither is done.
     void keepWork(const QString &folder, const AutoSaveDelays &delays = {});
+    /// The program is asked to end at once: work in hand stops, unsaved work is kept and offered at
+    /// the next start.
+    void leaveWork();
 
 protected:
     void showEvent(QShowEvent *event) override;
@@ -71,6 +75,7 @@ private:
     void sizeDocks();
     void showInspector();
 
+    PlainTextRule m_plainText; ///< first: before any label is made
     Preferences &m_preferences;
     Prompts &m_prompts;
     Language &m_language;

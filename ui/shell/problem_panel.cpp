@@ -4,6 +4,7 @@
 #include "ui/shell/problem_panel.h"
 
 #include "ui/text/core_text.h"
+#include "ui/text/shown_text.h"
 
 #include <QClipboard>
 #include <QFileInfo>
@@ -26,14 +27,13 @@ enum Column { File, Sentence, Action, ColumnCount };
 
 QString fileName(const FileProblem &problem)
 {
-    return QFileInfo(QString::fromStdString(problem.path)).fileName();
+    return shownText(QFileInfo(rawText(problem.path)).fileName());
 }
 
 /// The name stands beside the sentence: its folder would only make it long.
 QString sentence(const FileProblem &problem)
 {
-    return translated(problem.error.message)
-        .replace(QString::fromStdString(problem.path), fileName(problem));
+    return translated(problem.error.message).replace(shownText(problem.path), fileName(problem));
 }
 
 } // namespace
@@ -102,9 +102,9 @@ void ProblemPanel::showProblems()
 
 void ProblemPanel::addRow(int row, const FileProblem &problem)
 {
-    const QString path = QString::fromStdString(problem.path);
+    const QString path = rawText(problem.path);
     auto *name = new QTableWidgetItem(fileName(problem));
-    name->setToolTip(path);
+    name->setToolTip(shownText(path));
     m_table->setItem(row, File, name);
     m_table->setItem(row, Sentence, new QTableWidgetItem(sentence(problem)));
     if (!QFileInfo(path).isFile())
@@ -122,7 +122,7 @@ QStringList ProblemPanel::paths() const
 {
     QStringList paths;
     for (const FileProblem &problem : m_problems)
-        paths << QString::fromStdString(problem.path);
+        paths << rawText(problem.path);
     return paths;
 }
 
@@ -130,8 +130,9 @@ void ProblemPanel::copy() const
 {
     QStringList lines;
     for (const FileProblem &problem : m_problems)
-        lines << QString::fromStdString(problem.error.findingId) + '\t'
-                + QString::fromStdString(problem.path) + '\t' + translated(problem.error.message);
+        lines << QStringList{rawText(problem.error.findingId), pasted(rawText(problem.path)),
+            pasted(translated(problem.error.message))}
+                     .join('\t');
     QGuiApplication::clipboard()->setText(lines.join('\n'));
 }
 

@@ -14,6 +14,7 @@ class QWidget;
 namespace dyncal {
 
 enum class Answer { Save, Discard, Cancel };
+enum class ChangedProject { OtherName, Replace, Cancel };
 
 /// Every dialog that asks the operator something. Tests make it scripted: then nothing opens, the
 /// answers put in are given in order (Cancel when there is none), and messages are kept.
@@ -31,6 +32,9 @@ public:
         const QString &proposed, const QString &suffix);
     QString folder(QWidget *parent, const QString &title, const QString &folder);
     Answer saveChanges(QWidget *parent, const QString &project);
+    /// What to do where the project's file is not the one that this window read or saved: another
+    /// window or program wrote it, or (not `isThere`) took it away.
+    ChangedProject changedProject(QWidget *parent, const QString &path, bool isThere);
     std::optional<QString> sentence(QWidget *parent, const QString &title, const QString &label);
     void showProblem(QWidget *parent, const QString &sentence);
 
@@ -38,6 +42,9 @@ public:
     void setNextFile(const QString &path) { setNextFiles({path}); }
     void setNextFiles(const QStringList &paths) { m_files.enqueue(paths); }
     void setNextAnswer(Answer answer) { m_answers.enqueue(answer); }
+    void setNextChangedProject(ChangedProject answer) { m_changedProjects.enqueue(answer); }
+    int changedProjectsAsked() const { return m_asked; }
+    void dropAnswers(); ///< those that were put in and not asked for
     void setNextSentence(const QString &text) { m_sentences.enqueue(text); }
     const QStringList &shownProblems() const { return m_problems; }
 
@@ -47,6 +54,8 @@ private:
     bool m_scripted = false;
     QQueue<QStringList> m_files;
     QQueue<Answer> m_answers;
+    QQueue<ChangedProject> m_changedProjects;
+    int m_asked = 0; ///< about changed projects
     QQueue<QString> m_sentences;
     QStringList m_problems;
 };

@@ -48,7 +48,6 @@ RecoveryBanner::RecoveryBanner(QWidget *parent)
     setObjectName("recoveryBanner");
     setFrameShape(QFrame::StyledPanel);
     m_sentence->setObjectName("recoverySentence");
-    m_sentence->setTextFormat(Qt::PlainText);
     m_sentence->setWordWrap(true);
     m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_layout->addWidget(m_sentence, 1);

@@ -4,6 +4,7 @@
 #include "ui/shell/shot_chips.h"
 
 #include "ui/text/level_text.h"
+#include "ui/text/shown_text.h"
 
 #include <QHBoxLayout>
 #include <QLabel>
@@ -31,15 +32,14 @@ void ShotChips::setShots(const CaptureSet &set)
     qDeleteAll(findChildren<QLabel *>());
     for (std::size_t i = 0; i < std::min(set.shots.size(), kMostChips); ++i) {
         const Shot &shot = set.shots[i];
-        QString text = QString::number(i + 1) + " " + levelText(shot.level);
-        if (!shot.included)
-            text = "<s>" + text + "</s>";
+        const QString text = QString::number(i + 1) + " " + levelText(shot.level);
         auto *chip = new QLabel(text, this);
+        QFont face = chip->font();
+        face.setStrikeOut(!shot.included);
+        chip->setFont(face);
         chip->setToolTip(shot.included
-                ? tr("Shot %1: %2").arg(i + 1).arg(QString::fromStdString(shot.label))
-                : tr("Shot %1 is excluded: %2")
-                      .arg(i + 1)
-                      .arg(QString::fromStdString(shot.excludeReason)));
+                ? tr("Shot %1: %2").arg(i + 1).arg(shownText(shot.label))
+                : tr("Shot %1 is excluded: %2").arg(i + 1).arg(shownText(shot.excludeReason)));
         layout()->addWidget(chip);
     }
     if (set.shots.size() > kMostChips)

@@ -6,6 +6,7 @@
 #include "ui/session/example.h"
 #include "ui/shell/recovery_banner.h"
 #include "ui/text/core_text.h"
+#include "ui/text/shown_text.h"
 
 #include <QFileInfo>
 #include <QLabel>
@@ -34,15 +35,15 @@ QString durationText(qint64 seconds)
 QString nameOf(const RecoveredWork &work)
 {
     if (!work.project.isEmpty())
-        return QFileInfo(work.project).completeBaseName();
+        return shownText(QFileInfo(work.project).completeBaseName());
     if (work.recordings.isEmpty())
         return WorkRecovery::tr("an unsaved project");
     if (work.recordings.first() == kExamplePath)
         return WorkRecovery::tr("the example");
     if (work.recordings.size() == 1)
-        return work.recordings.first();
+        return shownText(work.recordings.first());
     return WorkRecovery::tr("%1 and %n more", nullptr, static_cast<int>(work.recordings.size()) - 1)
-        .arg(work.recordings.first());
+        .arg(shownText(work.recordings.first()));
 }
 
 } // namespace
@@ -61,16 +62,20 @@ WorkRecovery::WorkRecovery(const Parts &parts, const CurrentUtc &currentUtc, con
     m_status->setObjectName("autoSaveStatus");
     m_status->setMinimumWidth(1); // a long reason is cut; the tool tip has all of it
     parts.statusBar.addPermanentWidget(m_status);
-    connect(&parts.files, &FileActions::projectChanged, this,
-        [this] { m_autoSave.setProject(m_parts.files.projectPath()); });
+    connect(&parts.files, &FileActions::projectChanged, this, [this] { followProject(); });
     connect(&parts.files, &FileActions::workRestored, this, &WorkRecovery::takeRestored);
     connect(&parts.files, &FileActions::restoreFailed, this, &WorkRecovery::showFailedRestore);
     connect(&parts.banner, &RecoveryBanner::chosen, this, &WorkRecovery::obey);
     connect(&m_autoSave, &AutoSave::saved, this, &WorkRecovery::showSaved);
     connect(&m_autoSave, &AutoSave::failed, this, &WorkRecovery::showFailure);
     connect(&m_autoSave, &AutoSave::nothingToSave, this, [this] { showSaved({}); });
-    m_autoSave.setProject(parts.files.projectPath());
+    followProject();
     showNext();
+}
+
+void WorkRecovery::followProject()
+{
+    m_autoSave.setProject(m_parts.files.projectPath(), m_parts.files.projectHash());
 }
 
 void WorkRecovery::showWords()
@@ -102,7 +107,7 @@ void WorkRecovery::showNext()
     } else if (!m_notes.empty()) {
         m_parts.banner.present(
             tr("Work of a stopped program could not be read: %1 It is kept as %2.")
-                .arg(translated(m_notes.front().error.message), m_notes.front().keptAs),
+                .arg(translated(m_notes.front().error.message), shownText(m_notes.front().keptAs)),
             {Close});
     } else {
         m_parts.banner.hide();

@@ -37,8 +37,10 @@ public:
 
     void showWords(); ///< in the language of the moment
     void end(); ///< the window closes in good order
+    void leave() { m_autoSave.leave(); } ///< it has to end now; the work is offered again
 
 private:
+    void followProject();
     void showNext();
     void obey(RecoveryAction action);
     void restore(const QString &recordings);

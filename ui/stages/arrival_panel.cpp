@@ -10,6 +10,7 @@
 #include "ui/stages/stage_page.h"
 #include "ui/text/level_text.h"
 #include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -42,7 +43,7 @@ QStringList channelWords(const CaptureSet &set)
         words << QString::fromLatin1(channelRoleName(role));
     if (!set.shots.empty()) {
         for (const Channel &channel : set.shots.front().channels)
-            words << QString::fromStdString(channel.name);
+            words << rawText(channel.name);
     }
     words.removeDuplicates();
     return words;
@@ -51,7 +52,7 @@ QStringList channelWords(const CaptureSet &set)
 QString channelText(const QString &word)
 {
     const ChannelRole role = channelRoleFromName(word.toStdString());
-    return role == ChannelRole::Other ? word : roleText(role);
+    return role == ChannelRole::Other ? shownText(word) : roleText(role);
 }
 
 /// The last of a channel, or of the DUT, that the velocity was computed from; null = none.
@@ -240,7 +241,7 @@ void ArrivalPanel::showSensors()
     const int chosen = m_sensor->currentIndex();
     m_sensor->clear();
     for (const ArrivalSensor &sensor : list)
-        m_sensor->addItem(tr("%1, %2").arg(channelText(QString::fromStdString(sensor.channel)),
+        m_sensor->addItem(tr("%1, %2").arg(channelText(rawText(sensor.channel)),
             shownQuantity(sensor.distanceToEndWall_m, "m", 4)));
     m_sensor->addItem(roleText(ChannelRole::Dut));
     m_sensor->setCurrentIndex(std::clamp(chosen, 0, m_sensor->count() - 1));
@@ -257,8 +258,7 @@ void ArrivalPanel::showFields()
     const bool mayAdd = isSensor || list.empty();
     const ArrivalSensor sensor = isSensor ? list[shownSensor()] : ArrivalSensor{};
     const bool typed = !m_session.recipe().shock.arrivalSensors.empty();
-    m_channel->setCurrentIndex(
-        std::max(m_channel->findData(QString::fromStdString(sensor.channel)), 0));
+    m_channel->setCurrentIndex(std::max(m_channel->findData(rawText(sensor.channel)), 0));
     const auto distance_m = notZero(sensor.distanceToEndWall_m);
     m_distance->set(typed ? distance_m : std::nullopt, distance_m);
     m_distanceUncertainty->set(

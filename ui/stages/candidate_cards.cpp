@@ -5,6 +5,7 @@
 
 #include "ui/plot/candidate_curves.h"
 #include "ui/plot/plot_theme.h"
+#include "ui/text/shown_text.h"
 
 #include <QCheckBox>
 #include <QHBoxLayout>
@@ -127,7 +128,7 @@ void CandidateCard::set(const CandidateRow &row, bool mayOverlay)
     const QString text = cardLines(row).join('\n');
     m_text->setText(text);
     setAccessibleName(heading);
-    setAccessibleDescription(row.remark.isEmpty() ? text : text + '\n' + row.remark);
+    setAccessibleDescription(row.remark.isEmpty() ? text : text + '\n' + shownText(row.remark));
     layout()->activate();
     updateGeometry(); // else the row still knows the height of the text before
 }

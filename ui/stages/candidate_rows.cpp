@@ -5,6 +5,7 @@
 
 #include "ui/session/order_candidates.h"
 #include "ui/session/session.h"
+#include "ui/text/shown_text.h"
 
 namespace dyncal {
 
@@ -33,7 +34,7 @@ std::vector<CandidateRow> candidateRows(const Session &session)
     std::size_t drawn = 0;
     for (const Index order : session.recipe().realization.candidates) {
         CandidateRow row = candidateRow(order, candidates.find(order), session.results());
-        row.remark = QString::fromStdString(noteOnOrder(session.recipe(), order));
+        row.remark = rawText(noteOnOrder(session.recipe(), order));
         if (candidates.waitsForWholeSet(order))
             row.note = QObject::tr("waits for all singular values");
         row.isChosen = order == chosenOrder(session);

@@ -4,6 +4,7 @@
 #include "ui/stages/candidate_table.h"
 
 #include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
 
 #include <QHeaderView>
 
@@ -116,7 +117,7 @@ void CandidateTable::setRows(const std::vector<CandidateRow> &rows, const Candid
         if (row.isAdopted)
             note = note.isEmpty() ? tr("adopted") : tr("adopted, ") + note;
         if (!row.remark.isEmpty())
-            note = note.isEmpty() ? row.remark : note + QStringLiteral("; ") + row.remark;
+            note += (note.isEmpty() ? QString() : QStringLiteral("; ")) + shownText(row.remark);
         setItem(at, columnCount() - 1, new QTableWidgetItem(note));
     }
     setSortingEnabled(true);

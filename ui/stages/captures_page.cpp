@@ -12,6 +12,7 @@
 #include "ui/stages/quantity_edit.h"
 #include "ui/text/level_text.h"
 #include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -197,18 +198,18 @@ void CapturesPage::fillRow(int row, const Shot &shot)
     const Channel *dut = shot.channelWithRole(ChannelRole::Dut);
     const auto &inputs = shownSet().inputs;
     const auto input = static_cast<std::size_t>(dut ? inputOf(shot, *dut) : shot.input);
-    const QString hash = input < inputs.size() ? QString::fromStdString(inputs[input].sha256) : "";
+    const QString hash = input < inputs.size() ? shownText(inputs[input].sha256) : "";
     const QStringList texts{QString::number(row + 1), {},
-        input < inputs.size() ? QString::fromStdString(inputs[input].file) : QString(),
+        input < inputs.size() ? shownText(inputs[input].file) : QString(),
         dut ? shownQuantity(dut->sampleRate_Hz, "Hz") : tr("no DUT"),
         dut ? QString::number(dut->samples.size()) : QString(),
-        dut ? QString::fromStdString(dut->unit) : QString(), hash.left(10)};
+        dut ? shownText(dut->unit) : QString(), hash.left(10)};
     for (int column = 0; column < ColumnCount; ++column) {
         auto *item = new QTableWidgetItem(texts[column]);
         if (column == Use)
             item->setCheckState(shot.included ? Qt::Checked : Qt::Unchecked);
         if (column == Use && !shot.included)
-            item->setToolTip(tr("Excluded: %1").arg(QString::fromStdString(shot.excludeReason)));
+            item->setToolTip(tr("Excluded: %1").arg(shownText(shot.excludeReason)));
         if (column == Hash)
             item->setToolTip(hash);
         if (column == Rate || column == Samples)
@@ -231,7 +232,7 @@ void CapturesPage::showChannels()
     QStringList names;
     for (const Shot &shot : shownSet().shots)
         for (const Channel &channel : shot.channels)
-            names << QString::fromStdString(channel.name);
+            names << rawText(channel.name);
     names.removeDuplicates();
     auto *layout = static_cast<QFormLayout *>(m_channels->layout());
     if (names != m_channelNames) {
@@ -242,19 +243,19 @@ void CapturesPage::showChannels()
         for (const QString &name : names) {
             auto *box = new QComboBox(m_channels);
             box->setObjectName("roleOf_" + name);
-            box->setAccessibleName(tr("Role of channel %1").arg(name));
+            box->setAccessibleName(tr("Role of channel %1").arg(shownText(name)));
             for (const ChannelRole role : kRoles)
                 box->addItem(roleText(role));
             connect(box, &QComboBox::activated, this, [this, name](int choice) {
                 setRole(name, kRoles[static_cast<std::size_t>(choice)]);
             });
-            layout->addRow(name, box);
+            layout->addRow(withoutMnemonic(shownText(name)), box);
             m_roles.push_back(box);
         }
     }
     for (const Shot &shot : shownSet().shots)
         for (const Channel &channel : shot.channels) {
-            const auto at = m_channelNames.indexOf(QString::fromStdString(channel.name));
+            const auto at = m_channelNames.indexOf(rawText(channel.name));
             m_roles[static_cast<std::size_t>(at)]->setCurrentIndex(
                 positionIn(kRoles, channel.role));
         }
@@ -262,7 +263,7 @@ void CapturesPage::showChannels()
 
 void CapturesPage::setRole(const QString &channel, ChannelRole role)
 {
-    change(tr("Change the role of %1").arg(channel), [&](Recipe &r) {
+    change(tr("Change the role of %1").arg(shownText(channel)), [&](Recipe &r) {
         if (std::ranges::any_of(shownSet().inputs, readsOnlyNamedChannels))
             for (const Shot &shot : shownSet().shots)
                 for (const Channel &other : shot.channels)
@@ -277,8 +278,8 @@ void CapturesPage::showRecipe()
     const Channel *dut = shownSet().shots.empty()
         ? nullptr
         : shownSet().shots.front().channelWithRole(ChannelRole::Dut);
-    m_unit->setText(QString::fromStdString(import.unit.value_or("")));
-    m_unit->setPlaceholderText(dut ? QString::fromStdString(dut->unit) : QString());
+    m_unit->setText(rawText(import.unit.value_or("")));
+    m_unit->setPlaceholderText(dut ? shownText(dut->unit) : QString());
     m_scale->setSi(import.scale);
     m_inverted->setChecked(import.polarity < 0);
     m_reference->setCurrentIndex(positionIn(kReferences, import.reference));
@@ -353,7 +354,7 @@ void CapturesPage::requestImport()
         return;
     const auto input = static_cast<std::size_t>(set.shots[row].input);
     if (input < set.inputs.size())
-        emit importRequested(QString::fromStdString(set.inputs[input].path));
+        emit importRequested(rawText(set.inputs[input].path));
 }
 
 void CapturesPage::removeSelected()

@@ -7,6 +7,7 @@
 #include "ui/report/certificate_sources.h"
 #include "ui/text/core_text.h"
 #include "ui/text/finding_text.h"
+#include "ui/text/shown_text.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -145,7 +146,7 @@ QString CertificatePage::field(const std::string &key) const
 {
     const auto &fields = recipe().certificate.fields;
     const auto found = fields.find(key);
-    return found == fields.end() ? QString() : QString::fromStdString(found->second);
+    return found == fields.end() ? QString() : rawText(found->second);
 }
 
 void CertificatePage::setField(const std::string &key, const QString &text, const QString &mergeKey)

@@ -6,6 +6,7 @@
 #include "ui/stages/candidate_text.h"
 #include "ui/text/level_text.h"
 #include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
 
 #include <QCoreApplication>
 
@@ -67,7 +68,7 @@ TextTable nuisanceTable(const SensorModel *model)
         return table;
     for (const NuisanceResult &mode : model->nuisance)
         for (const NuisanceOfShot &shot : mode.perShot)
-            table.rows.push_back({QString::fromStdString(mode.mode.label), shotText(shot.shot),
+            table.rows.push_back({shownText(mode.mode.label), shotText(shot.shot),
                 shownWithU(shot.term.frequency_Hz(), shot.u_frequency_Hz, "Hz"),
                 shownWithU(shot.term.dampingRatio(), shot.u_dampingRatio, {}),
                 shownNumber(100.0 * shot.relativeAmplitude, 3) + QStringLiteral(" %")});

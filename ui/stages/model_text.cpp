@@ -4,6 +4,7 @@
 #include "ui/stages/model_text.h"
 
 #include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
 
 #include <QCoreApplication>
 
@@ -53,7 +54,7 @@ QString flagText(const std::string &flag)
     };
     const auto found
         = std::ranges::find(kWords, flag, &std::pair<std::string_view, const char *>::first);
-    return found == std::end(kWords) ? QString::fromStdString(flag) : ModelText::tr(found->second);
+    return found == std::end(kWords) ? rawText(flag) : ModelText::tr(found->second);
 }
 
 } // namespace
@@ -71,7 +72,7 @@ QString fitText(const SensorModel &model)
 
 QString noiseText(const SensorModel &model)
 {
-    QString text = QString::fromStdString(model.uncertaintyMethod);
+    QString text = rawText(model.uncertaintyMethod);
     const bool isOfResidual = text.endsWith(QStringLiteral(" of the residual"));
     text = text.section(' ', 0, 0);
     if (text == QStringLiteral("white"))

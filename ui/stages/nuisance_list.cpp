@@ -5,6 +5,7 @@
 
 #include "ui/stages/quantity_edit.h"
 #include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -94,7 +95,7 @@ void NuisanceList::showModes(
     m_modes->clear();
     for (std::size_t i = 0; i < modes.size(); ++i) {
         const NuisanceMode &mode = modes[i];
-        QString text = QString::fromStdString(mode.label);
+        QString text = shownText(mode.label);
         if (!mode.frequency_Hz.empty())
             text
                 += (text.isEmpty() ? "" : ", ") + shownQuantity(mode.frequency_Hz.front(), "Hz", 4);
@@ -103,7 +104,7 @@ void NuisanceList::showModes(
         if (known)
             text += "\n" + foundText(results.model->nuisance[i]);
         auto *item = new QListWidgetItem(text, m_modes);
-        item->setToolTip(QString::fromStdString(mode.reason));
+        item->setToolTip(shownText(mode.reason));
     }
     m_modes->setCurrentRow(std::min(row, m_modes->count() - 1));
     allowWhatIsComplete();
@@ -127,8 +128,7 @@ void NuisanceList::showCandidates(const CalibrationResults &results)
         if (frequency_Hz * window_s < kFewestPeriods)
             return;
         m_offered.push_back({{frequency_Hz}, first.shot, isTube, label, {}});
-        m_candidates->addItem(
-            QString::fromStdString(label) + ", " + shownQuantity(frequency_Hz, "Hz", 4));
+        m_candidates->addItem(shownText(label) + ", " + shownQuantity(frequency_Hz, "Hz", 4));
     };
     const ShockConditions *shock
         = results.expected ? results.expected->conditions.ofShot(first.shot) : nullptr;

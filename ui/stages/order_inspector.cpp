@@ -8,6 +8,7 @@
 #include "ui/stages/quantity_edit.h"
 #include "ui/text/core_text.h"
 #include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
 
 #include <QCheckBox>
 #include <QLineEdit>
@@ -23,7 +24,7 @@ QString obstacleToAdopting(const SensorModel &model)
     const auto block = std::ranges::find(model.findings, Severity::Block, &Finding::severity);
     return block == model.findings.end()
         ? QString()
-        : QString::fromStdString(block->id) + QStringLiteral(": ") + translated(block->message);
+        : rawText(block->id) + QStringLiteral(": ") + translated(block->message);
 }
 
 OrderInspector::OrderInspector(InspectorForm &form, Change change, QObject *parent)
@@ -148,7 +149,7 @@ void OrderInspector::showRecipe(
     };
     m_remarks.clear();
     for (const OrderNote &note : settings.candidateNotes)
-        m_remarks.insert(note.order, QString::fromStdString(note.note));
+        m_remarks.insert(note.order, rawText(note.note));
     m_order->set(asDouble(settings.order), static_cast<double>(order));
     m_largest->setSi(static_cast<double>(settings.maxOrder));
     std::optional<double> rows;
@@ -159,7 +160,7 @@ void OrderInspector::showRecipe(
     m_stableFrequency->setSi(settings.stableFrequency);
     m_stableDamping->setSi(settings.stableDamping);
     if (!m_reason->hasFocus())
-        m_reason->setText(QString::fromStdString(settings.adoptedReason));
+        m_reason->setText(rawText(settings.adoptedReason));
 }
 
 void OrderInspector::showResults(const CalibrationResults &results, bool isCurrent, bool isAdopted)
@@ -231,7 +232,7 @@ void OrderInspector::showAdoption(const CalibrationResults &results, bool isCurr
     const QString remark = model ? m_remarks.value(model->order) : QString();
     QStringList lines{isAdopted ? tr("This order is adopted.") : obstacle};
     if (!remark.isEmpty())
-        lines << tr("Note on order %1: %2").arg(model->order).arg(remark);
+        lines << tr("Note on order %1: %2").arg(model->order).arg(shownText(remark));
     lines.removeAll(QString());
     m_adoption->setText(lines.join('\n'));
 }

@@ -3,6 +3,7 @@
 
 #include "ui/stages/shock_tables.h"
 #include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
 
 #include <QCoreApplication>
 
@@ -51,11 +52,10 @@ std::pair<QString, QString> wordsFor(const std::string &quantity)
             continue;
         QString name = ShockBudget::tr(words.name);
         if (bracket != std::string::npos)
-            name = name.arg(QString::fromStdString(
-                quantity.substr(bracket + 1, quantity.size() - bracket - 2)));
+            name = name.arg(shownText(quantity.substr(bracket + 1, quantity.size() - bracket - 2)));
         return {name, words.unit};
     }
-    return {QString::fromStdString(quantity), {}};
+    return {shownText(quantity), {}};
 }
 
 /// In the unit of the value, unless that makes a row of zeros of it.

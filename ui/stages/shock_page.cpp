@@ -11,6 +11,7 @@
 #include "ui/text/core_text.h"
 #include "ui/text/level_text.h"
 #include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -180,14 +181,13 @@ void ShockPage::showSensitivity()
     if (response)
         for (const ShotSensitivity &shot : response->shots)
             rows.push_back({tr("Shot %1").arg(shot.shot),
-                shot.sensitivity
-                    ? shownQuantity(*shot.sensitivity, QString::fromStdString(shot.unit), 5)
-                    : tr("not determined")});
+                shot.sensitivity ? shownQuantity(*shot.sensitivity, rawText(shot.unit), 5)
+                                 : tr("not determined")});
     m_sensitivity->setValues({tr("Shot"), tr("Sensitivity")}, rows);
     if (response && response->sensitivity) {
-        m_reason->setText(tr("Sensitivity: <b>%1</b>, mean over the shots.")
-                              .arg(shownQuantity(*response->sensitivity,
-                                  QString::fromStdString(response->sensitivityUnit), 5)));
+        m_reason->setText(
+            tr("Sensitivity: %1, mean over the shots.")
+                .arg(shownQuantity(*response->sensitivity, rawText(response->sensitivityUnit), 5)));
         return;
     }
     QStringList reasons;
@@ -195,7 +195,7 @@ void ShockPage::showSensitivity()
         for (const Finding &finding : results().shock->findings)
             reasons << translated(finding.message);
     reasons.removeDuplicates();
-    m_reason->setText(tr("Sensitivity: <b>not determined</b>. %1").arg(reasons.join(' ')));
+    m_reason->setText(tr("Sensitivity: not determined. %1").arg(reasons.join(' ')));
 }
 
 } // namespace dyncal

@@ -4,6 +4,7 @@
 #include "ui/stages/shock_tables.h"
 
 #include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
 
 #include <QCoreApplication>
 
@@ -169,9 +170,9 @@ ShownTable measuredTable(const ShockConditionsSet &shock)
         {}};
     for (const ShockConditions &shot : shock.shots) {
         for (const MeasuredPressure &m : shot.measured)
-            table.rows.push_back({shotName(shot.shot), QString::fromStdString(m.region),
-                QString::fromStdString(m.channel), shownQuantity(m.measured_Pa, "Pa", 4),
-                shownQuantity(m.predicted_Pa, "Pa", 4), percent(m.deviation(), 3),
+            table.rows.push_back({shotName(shot.shot), shownText(m.region), shownText(m.channel),
+                shownQuantity(m.measured_Pa, "Pa", 4), shownQuantity(m.predicted_Pa, "Pa", 4),
+                percent(m.deviation(), 3),
                 m.wasGauge ? ShockTables::tr("gauge") : ShockTables::tr("absolute")});
     }
     return table;
@@ -190,7 +191,7 @@ ShownTable arrivalTable(const ShockConditionsSet &shock)
             // Two places give the velocity exactly: what is left then is rounding.
             const bool fitted = shot.velocityFit && shot.velocityFit->dof > 0
                 && shot.velocityFit->residual.size() == std::ssize(shot.sightings);
-            table.rows.push_back({shotName(shot.shot), QString::fromStdString(s.channel),
+            table.rows.push_back({shotName(shot.shot), shownText(s.channel),
                 shownQuantity(s.distance_m, "m", 5),
                 s.u_distance_m > 0.0 ? shownQuantity(s.u_distance_m, "m", 2) : kNone,
                 shownQuantity(s.time_s, "s", 7), shownQuantity(s.u_time_s, "s", 2),
@@ -248,7 +249,7 @@ ShownTable followedPeakTable(const ShockConditionsSet &shock)
             frequencies << shownQuantity(p.frequency_Hz, "Hz", 4);
         table.rows.push_back({frequencies.join(QStringLiteral(" / ")),
             shownNumber(peak.test.slope, 3), shownNumber(peak.test.u_slope, 2), verdict(peak.test),
-            peak.candidate.empty() ? kNone : QString::fromStdString(peak.candidate)});
+            peak.candidate.empty() ? kNone : shownText(peak.candidate)});
     }
     return table;
 }

@@ -5,6 +5,7 @@
 
 #include "ui/stages/quantity_edit.h"
 #include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
 
 #include <QComboBox>
 #include <QFormLayout>
@@ -42,7 +43,7 @@ QString rowText(const StretchRow &row)
                        .arg(shotsText(stretch.shots), shownQuantity(stretch.span_s.begin, "s"),
                            shownQuantity(stretch.span_s.end, "s"));
     if (!stretch.reason.empty())
-        text += "\n" + QString::fromStdString(stretch.reason);
+        text += "\n" + shownText(stretch.reason);
     if (!row.remark.isEmpty())
         text += "\n" + row.remark;
     return text;
@@ -215,7 +216,7 @@ void StretchList::showFields()
     m_end->setSi(shown.stretch.span_s.end);
     offerShots(shown.stretch.shots);
     if (!(m_reason->hasFocus() && m_reason->isModified()))
-        m_reason->setText(QString::fromStdString(shown.stretch.reason));
+        m_reason->setText(rawText(shown.stretch.reason));
     m_note->setText(shown.remark);
 }
 

@@ -3,6 +3,8 @@
 
 #include "ui/stages/value_table.h"
 
+#include "ui/text/shown_text.h"
+
 #include <QApplication>
 #include <QClipboard>
 #include <QHeaderView>
@@ -78,7 +80,7 @@ QString ValueTable::selectedText() const
         QStringList cells;
         for (int column = 0; column < columnCount(); ++column)
             if (item(row, column) && (all || item(row, column)->isSelected()))
-                cells << item(row, column)->text();
+                cells << pasted(item(row, column)->text());
         if (!cells.isEmpty())
             lines << cells.join('\t');
     }

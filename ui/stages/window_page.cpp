@@ -10,6 +10,7 @@
 #include "ui/stages/window_starts.h"
 #include "ui/text/level_text.h"
 #include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -325,7 +326,7 @@ void WindowPage::showTable()
     QVector<QStringList> rows;
     if (const auto &window = results().window) {
         for (const WindowedResponse &r : window->responses) {
-            const QString unit = QString::fromStdString(r.unit);
+            const QString unit = rawText(r.unit);
             rows.push_back({QString("%1 %2").arg(r.shot).arg(levelText(r.level)),
                 shownQuantity(r.start_s, "s", 8), shownQuantity(r.baseline, unit),
                 shownQuantity(r.settled, unit), shownQuantity(r.step, unit),

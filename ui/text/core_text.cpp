@@ -7,10 +7,14 @@
 
 namespace dyncal {
 
-QString translated(const Message &message)
+QString translated(const Message &message, ArgumentText shown)
 {
     const QString text = QCoreApplication::translate("core", message.text);
-    return QString::fromStdString(fillPlaces(text.toStdString(), message.arguments));
+    QString sentences
+        = QString::fromStdString(fillPlaces(text.toStdString(), message.arguments, shown));
+    for (const Message &sentence : message.below)
+        sentences += QLatin1Char('\n') + translated(sentence, shown);
+    return sentences;
 }
 
 } // namespace dyncal

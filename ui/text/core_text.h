@@ -10,6 +10,6 @@
 namespace dyncal {
 
 /// The sentence in the language of the program, places filled in.
-QString translated(const Message &message);
+QString translated(const Message &message, ArgumentText shown = ArgumentText::Brief);
 
 } // namespace dyncal

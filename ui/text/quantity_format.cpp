@@ -3,6 +3,7 @@
 
 #include "ui/text/quantity_format.h"
 
+#include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
 
@@ -33,7 +34,8 @@ QString shownQuantity(double value, const QString &unit, int digits)
         return nothing();
     if (unit.isEmpty() || unit == "1")
         return shownNumber(value, digits);
-    const QString text = QString::fromStdString(numberWithUnit(value, unit.toStdString(), digits));
+    const QString text
+        = QString::fromStdString(numberWithUnit(value, presentable(unit.toStdString()), digits));
     const auto blank = text.indexOf(' '); // units may hold a '.', numbers come first
     return inLanguage(text.left(blank).toStdString()) + text.mid(blank);
 }
@@ -43,7 +45,7 @@ QString shownQuantityBeside(double value, double beside, const QString &unit, in
     if (!std::isfinite(value) || !std::isfinite(beside) || unit.isEmpty() || beside == 0.0)
         return shownQuantity(value, unit, digits);
     constexpr int kAllDigits = 17;
-    const std::string other = numberWithUnit(beside, unit.toStdString(), kAllDigits);
+    const std::string other = numberWithUnit(beside, presentable(unit.toStdString()), kAllDigits);
     const auto blank = other.find(' ');
     const double number = parseNumber(other.substr(0, blank)).value_or(beside);
     const double prefix = std::pow(10.0, std::round(std::log10(beside / number)));
@@ -65,7 +67,7 @@ ShownResult shownResult(double value, double u, const QString &unit)
     if (!std::isfinite(value))
         return {nothing(), nothing()};
     const RoundedValue rounded
-        = roundedValue(value, u, unit == "1" ? std::string() : unit.toStdString());
+        = roundedValue(value, u, unit == "1" ? std::string() : presentable(unit.toStdString()));
     const auto shown = [&rounded](const std::string &number) {
         const QString text = inLanguage(number);
         return rounded.unit.empty()

@@ -25,7 +25,7 @@ void withholdShort(ForeignChannels &channels, const std::string &path)
 
 Result<std::vector<DatasetEntry>> listDatasets(const std::string &path, const JobControl &control)
 {
-    const Result<Hdf5File> file = openHdf5(path, control);
+    const Result<Hdf5File> file = openHdf5(path, kUsualExpansion, control);
     if (!file)
         return tl::unexpected(file.error());
     const bool matlab = isMat73(path);

@@ -363,7 +363,7 @@ int recogniseForeignHdf5(const std::string &, std::string_view head)
 Result<CaptureSet> readForeignHdf5(
     const std::string &path, const ImportSettings &settings, const JobControl &control)
 {
-    const Result<Hdf5File> file = openHdf5(path, control);
+    const Result<Hdf5File> file = openHdf5(path, settings.maxExpansion, control);
     if (!file)
         return tl::unexpected(file.error());
     return readForeignHdf5(*file, settings, control);

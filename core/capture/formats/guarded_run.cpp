@@ -11,6 +11,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <fstream>
@@ -25,6 +26,7 @@ using Clock = std::chrono::steady_clock;
 /// Work that waits (for a lock, for a disk that is gone) uses no processor time.
 constexpr std::chrono::seconds kSilence{30};
 constexpr std::size_t kPipeBytes = 1 << 20;
+constexpr std::size_t kReceiveBytes = 1 << 16; ///< fresh memory costs more than a description
 
 /// Owns one end of the pipe.
 class PipeEnd
@@ -49,9 +51,13 @@ private:
     int m_descriptor;
 };
 
+/// Never raises what is in force already.
 void limit(int resource, std::uint64_t value)
 {
-    const rlimit wanted{static_cast<rlim_t>(value), static_cast<rlim_t>(value)};
+    rlimit now{};
+    ::getrlimit(static_cast<__rlimit_resource>(resource), &now);
+    const rlim_t least = std::min(static_cast<rlim_t>(value), now.rlim_cur);
+    const rlimit wanted{least, least};
     ::setrlimit(static_cast<__rlimit_resource>(resource), &wanted);
 }
 
@@ -97,7 +103,7 @@ GuardedOutcome receiveAll(int descriptor,
     const std::function<bool(std::span<const std::byte>)> &receive, const std::stop_token &stop)
 {
     constexpr int kLook_ms = 20;
-    std::vector<std::byte> buffer(kPipeBytes);
+    std::vector<std::byte> buffer(kReceiveBytes);
     for (auto heard = Clock::now(); Clock::now() - heard < kSilence;) {
         if (stop.stop_requested())
             return GuardedOutcome::Stopped;

@@ -3,12 +3,7 @@
 
 #include "core/capture/formats/hdf5_attributes.h"
 
-#include "core/base/number_text.h"
-
 #include <algorithm>
-#include <array>
-#include <cmath>
-#include <string_view>
 
 namespace dyncal {
 namespace {
@@ -16,44 +11,6 @@ namespace {
 /// Longer texts and longer lists are none of this layout; a broken size must not be allocated.
 constexpr hsize_t kMaxTextBytes = 1 << 20;
 constexpr hssize_t kMaxNumbers = 64;
-
-bool isIdentifier(std::string_view key)
-{
-    static constexpr std::array<std::string_view, 7> kIdentifiers{"serial", "model", "manufacturer",
-        "vendor", "certificate", "conditioner", "calibration_date"};
-    return std::find(kIdentifiers.begin(), kIdentifiers.end(), key) != kIdentifiers.end();
-}
-
-bool writeAttribute(hid_t object, const std::string &name, hid_t stored, hid_t memory, hid_t space,
-    const void *data)
-{
-    Hdf5Handle attribute(
-        H5Acreate2(object, name.c_str(), stored, space, H5P_DEFAULT, H5P_DEFAULT), &H5Aclose);
-    return attribute.valid() && H5Awrite(attribute.id(), memory, data) >= 0 && attribute.close();
-}
-
-bool writeScalar(
-    hid_t object, const std::string &name, hid_t stored, hid_t memory, const void *data)
-{
-    const Hdf5Handle space(H5Screate(H5S_SCALAR), &H5Sclose);
-    return space.valid() && writeAttribute(object, name, stored, memory, space.id(), data);
-}
-
-bool writeList(hid_t object, const std::string &name, hid_t stored, hid_t memory, std::size_t size,
-    const void *data)
-{
-    const hsize_t extent = size;
-    const Hdf5Handle space(H5Screate_simple(1, &extent, nullptr), &H5Sclose);
-    return space.valid() && writeAttribute(object, name, stored, memory, space.id(), data);
-}
-
-Hdf5Handle variableTextType()
-{
-    Hdf5Handle type(H5Tcopy(H5T_C_S1), &H5Tclose);
-    const bool usable = type.valid() && H5Tset_size(type.id(), H5T_VARIABLE) >= 0
-        && H5Tset_cset(type.id(), H5T_CSET_UTF8) >= 0;
-    return usable ? std::move(type) : Hdf5Handle();
-}
 
 /// An opened attribute with its type and number of elements; elements 0 = not usable.
 struct OpenAttribute
@@ -142,56 +99,20 @@ Hdf5Value valueOf(const OpenAttribute &opened)
 
 } // namespace
 
-bool writeTextAttribute(hid_t object, const std::string &name, const std::string &text)
+Hdf5Attributes readAttributes(hid_t object, DescribedBytes &bytes)
 {
-    const Hdf5Handle type = variableTextType();
-    const char *data = text.c_str();
-    return type.valid() && writeScalar(object, name, type.id(), type.id(), &data);
-}
-
-bool writeNumberAttribute(hid_t object, const std::string &name, double value)
-{
-    return writeScalar(object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, &value);
-}
-
-bool writeIntegerAttribute(hid_t object, const std::string &name, int value)
-{
-    return writeScalar(object, name, H5T_STD_I32LE, H5T_NATIVE_INT, &value);
-}
-
-bool writeByteAttribute(hid_t object, const std::string &name, int value)
-{
-    return writeScalar(object, name, H5T_STD_I8LE, H5T_NATIVE_INT, &value);
-}
-
-bool writeNumbersAttribute(hid_t object, const std::string &name, const std::vector<double> &values)
-{
-    return writeList(object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, values.size(), values.data());
-}
-
-bool writeIntegersAttribute(hid_t object, const std::string &name, const std::vector<int> &values)
-{
-    return writeList(object, name, H5T_STD_I32LE, H5T_NATIVE_INT, values.size(), values.data());
-}
-
-bool writeAttributes(hid_t object, const Attributes &attributes)
-{
-    return std::all_of(attributes.begin(), attributes.end(), [&](const auto &entry) {
-        const auto &[key, text] = entry;
-        const std::optional<double> number = isIdentifier(key) ? std::nullopt : parseNumber(text);
-        return number ? writeNumberAttribute(object, key, *number)
-                      : writeTextAttribute(object, key, text);
-    });
-}
-
-Hdf5Attributes readAttributes(hid_t object)
-{
+    constexpr std::size_t kEntry = sizeof(Hdf5Attributes::value_type) + 4 * sizeof(void *);
     std::vector<std::string> names;
     Hdf5Attributes attributes;
     if (H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, &collectName, &names) < 0)
         return attributes;
-    for (const std::string &name : names)
-        attributes[name] = valueOf(openAttribute(object, name));
+    for (const std::string &name : names) {
+        if (bytes.tooMany())
+            break;
+        const Hdf5Value &value = attributes[name] = valueOf(openAttribute(object, name));
+        bytes.count
+            += kEntry + name.size() + value.text.size() + value.numbers.size() * sizeof(double);
+    }
     return attributes;
 }
 

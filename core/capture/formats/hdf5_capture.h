@@ -32,10 +32,17 @@ Result<CaptureSet> readHdf5Capture(const Hdf5File &file, const JobControl &contr
 /// reads them.
 using ShotTruth = std::map<std::string, double>;
 
+/// Where a capture goes.
+struct CaptureTarget
+{
+    std::string path;
+    bool replace = false; ///< a regular file of this name; captures are written once otherwise
+};
+
 /// Writes a capture: chunks of 1 Mi samples, no filters, sha256 per channel, through a temporary
-/// file that is renamed when complete (every HDF5 return code is checked, the temporary is removed
-/// on failure). `createdUtc` ISO 8601 with Z. The same input gives the same bytes.
-Result<void> writeHdf5Capture(const CaptureSet &set, const std::string &path,
+/// file that gets its name when complete (PendingFile; every HDF5 return code is checked and all
+/// samples are read back). `createdUtc` ISO 8601 with Z. The same input gives the same bytes.
+Result<void> writeHdf5Capture(const CaptureSet &set, const CaptureTarget &target,
     const std::string &createdUtc, const std::string &title,
     const std::vector<ShotTruth> &truth = {}, const JobControl &control = {});
 

@@ -4,6 +4,7 @@
 #include "core/capture/formats/hdf5_capture.h"
 
 #include "core/base/number_text.h"
+#include "core/capture/formats/hdf5_content.h"
 #include "core/capture/formats/hdf5_layout.h"
 #include "core/capture/formats/hdf5_open.h"
 
@@ -52,6 +53,7 @@ public:
     {
         if (const Result<void> head = checkHead(m_file.root()); !head)
             return tl::unexpected(head.error());
+        checkWhatItSays();
         readSetup();
         if (const Result<void> shots = readShots(); !shots)
             return tl::unexpected(shots.error());
@@ -85,8 +87,21 @@ private:
             [](const Hdf5Link &link) { return link.target != Hdf5Link::kElsewhere; });
     }
 
+    /// Findings of change come first: they are of the whole file.
+    void checkWhatItSays()
+    {
+        for (Finding &finding : checkContent(m_file.tree, m_file.path))
+            m_set.findings.push_back(std::move(finding));
+    }
+
     Result<void> checkHead(const Hdf5Object &root)
     {
+        if (textAttribute(root, "format") != kCaptureFormatName && statesContent(root.attributes))
+            return damaged(DYNCAL_TEXT("core",
+                               "%1 is damaged: it states the hashes of a capture, but its "
+                               "attribute format does not say that it is one; take an unchanged "
+                               "copy."),
+                {});
         if (textAttribute(root, "format") != kCaptureFormatName)
             return fail(ErrorKind::FileUnreadable,
                 {DYNCAL_TEXT("core",
@@ -337,13 +352,14 @@ int recogniseHdf5Capture(const std::string &path, std::string_view head)
         return kCertain;
     const Hdf5Attributes root = hdf5RootAttributes(path); // the name may lie anywhere in the file
     const auto format = root.find("format");
-    return format != root.end() && format->second.text == kCaptureFormatName ? kCertain : 0;
+    const bool isNamed = format != root.end() && format->second.text == kCaptureFormatName;
+    return isNamed || statesContent(root) ? kCertain : 0;
 }
 
 Result<CaptureSet> readHdf5Capture(
-    const std::string &path, const ImportSettings &, const JobControl &control)
+    const std::string &path, const ImportSettings &settings, const JobControl &control)
 {
-    const Result<Hdf5File> file = openHdf5(path, control);
+    const Result<Hdf5File> file = openHdf5(path, settings.maxExpansion, control);
     if (!file)
         return tl::unexpected(file.error());
     return readHdf5Capture(*file, control);

@@ -4,21 +4,20 @@
 #include "core/capture/formats/hdf5_capture.h"
 
 #include "core/base/content_hash.h"
-#include "core/base/durable_file.h"
 #include "core/base/version.h"
-#include "core/capture/formats/hdf5_attributes.h"
+#include "core/base/writing/pending_file.h"
+#include "core/capture/formats/hdf5_content.h"
 #include "core/capture/formats/hdf5_create.h"
 #include "core/capture/formats/hdf5_handle.h"
 #include "core/capture/formats/hdf5_layout.h"
 #include "core/capture/formats/hdf5_open.h"
 #include "core/capture/formats/hdf5_samples.h"
+#include "core/capture/formats/hdf5_scribe.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <mutex>
 #include <optional>
 #include <set>
-#include <system_error>
 
 namespace dyncal {
 namespace {
@@ -53,6 +52,13 @@ struct WrittenChannel
     std::string sha256;
 };
 
+/// What a complete file must say.
+struct Written
+{
+    std::vector<WrittenChannel> channels;
+    std::string list; ///< contentList
+};
+
 /// Writes one capture into an open file; any false means that the file is not complete.
 class CaptureWriter
 {
@@ -72,23 +78,29 @@ public:
     bool write(hid_t file, const std::string &createdUtc, const std::string &title,
         const std::vector<ShotTruth> &truth)
     {
-        return writeHead(file, createdUtc, title) && writeSetup(file) && writeShots(file)
-            && (truth.empty() || writeTruth(file, truth));
+        Hdf5Scribe root(file, m_said);
+        return root.valid() && writeHead(root, createdUtc, title) && writeSetup(root)
+            && writeShots(root) && (truth.empty() || writeTruth(root, truth)) && writeContent(root)
+            && root.close();
     }
 
-    const std::vector<WrittenChannel> &channels() const { return m_channels; }
+    Written written() const { return {m_channels, contentList(m_said)}; }
 
 private:
-    bool writeHead(hid_t file, const std::string &createdUtc, const std::string &title)
+    bool writeHead(Hdf5Scribe &root, const std::string &createdUtc, const std::string &title)
     {
-        return writeTextAttribute(file, "format", kCaptureFormatName)
-            && writeIntegersAttribute(
-                file, "format_version", {kCaptureMajorVersion, kCaptureMinorVersion})
-            && writeTextAttribute(file, "creator", std::string("dyncal ") + versionText())
-            && writeTextAttribute(file, "created_utc", createdUtc)
-            && writeTextAttribute(file, "uuid", contentUuid(createdUtc, title))
-            && writeTextAttribute(file, "title", title)
-            && writeTextAttribute(file, "default", "shots");
+        return root.text("format", kCaptureFormatName)
+            && root.integers("format_version", {kCaptureMajorVersion, kCaptureMinorVersion})
+            && root.text("creator", std::string("dyncal ") + versionText())
+            && root.text("created_utc", createdUtc)
+            && root.text("uuid", contentUuid(createdUtc, title)) && root.text("title", title)
+            && root.text("default", "shots");
+    }
+
+    bool writeContent(Hdf5Scribe &root)
+    {
+        const std::string list = contentList(m_said);
+        return root.text(kContentList, list) && root.text(kContentHash, sha256Hex(list));
     }
 
     /// Derived from the content (UUID version 8), so that the same capture has the same one.
@@ -109,60 +121,58 @@ private:
             + hex.substr(16, 4) + '-' + hex.substr(20, 12);
     }
 
-    bool writeSetup(hid_t file)
+    bool writeSetup(Hdf5Scribe &root)
     {
-        Hdf5Handle setup = createGroup(file, "setup");
+        Hdf5Scribe setup = root.group("setup");
         if (!setup.valid())
             return false;
-        Hdf5Handle tube = createGroup(setup.id(), "tube");
-        return tube.valid() && writeAttributes(tube.id(), m_set.tube) && tube.close()
-            && writeCatalogue(setup.id(), "sensors", m_set.sensors)
-            && writeCatalogue(setup.id(), "instruments", m_set.instruments) && setup.close();
+        Hdf5Scribe tube = setup.group("tube");
+        return tube.valid() && tube.attributes(m_set.tube) && tube.close()
+            && writeCatalogue(setup, "sensors", m_set.sensors)
+            && writeCatalogue(setup, "instruments", m_set.instruments) && setup.close();
     }
 
     static bool writeCatalogue(
-        hid_t setup, const char *name, const std::map<std::string, Attributes> &entries)
+        Hdf5Scribe &setup, const char *name, const std::map<std::string, Attributes> &entries)
     {
-        Hdf5Handle catalogue = createGroup(setup, name);
+        Hdf5Scribe catalogue = setup.group(name);
         std::set<std::string> used;
         const bool written = catalogue.valid()
             && std::all_of(entries.begin(), entries.end(), [&](const auto &entry) {
-                   Hdf5Handle group = createGroup(catalogue.id(), linkName(entry.first, used));
-                   return group.valid() && writeAttributes(group.id(), entry.second)
-                       && group.close();
+                   Hdf5Scribe group = catalogue.group(linkName(entry.first, used));
+                   return group.valid() && group.attributes(entry.second) && group.close();
                });
         return written && catalogue.close();
     }
 
-    bool writeShots(hid_t file)
+    bool writeShots(Hdf5Scribe &root)
     {
-        Hdf5Handle shots = createGroup(file, "shots");
+        Hdf5Scribe shots = root.group("shots");
         if (!shots.valid())
             return false;
         for (std::size_t i = 0; i < m_set.shots.size(); ++i) {
             const std::string number = paddedNumber(i + 1);
-            Hdf5Handle group = createGroup(shots.id(), number);
+            Hdf5Scribe group = shots.group(number);
             m_folder = "/shots/" + number + "/channels/";
-            if (!group.valid() || !writeShot(group.id(), m_set.shots[i]) || !group.close())
+            if (!group.valid() || !writeShot(group, m_set.shots[i]) || !group.close())
                 return false;
         }
         return shots.close();
     }
 
-    bool writeShot(hid_t group, const Shot &shot)
+    bool writeShot(Hdf5Scribe &group, const Shot &shot)
     {
-        const bool described = writeTextAttribute(group, "label", shot.label)
-            && writeTextAttribute(group, "level", shotLevelName(shot.level))
-            && writeByteAttribute(group, "valid", shot.included ? 1 : 0)
-            && writeTextAttribute(group, "reject_reason", shot.excludeReason)
-            && writeOrigin(group, shot) && writeAttributes(group, ownNotes(shot))
-            && writeEnvironment(group, shot.environment);
-        Hdf5Handle channels = described ? createGroup(group, "channels") : Hdf5Handle();
+        const bool described = group.text("label", shot.label)
+            && group.text("level", shotLevelName(shot.level))
+            && group.byte("valid", shot.included ? 1 : 0)
+            && group.text("reject_reason", shot.excludeReason) && writeOrigin(group, shot)
+            && group.attributes(ownNotes(shot)) && writeEnvironment(group, shot.environment);
+        Hdf5Scribe channels = described ? group.group("channels") : Hdf5Scribe();
         if (!channels.valid())
             return false;
         std::set<std::string> used;
         return std::all_of(shot.channels.begin(), shot.channels.end(), [&](const Channel &channel) {
-            return writeChannel(channels.id(), channel, linkName(channel.name, used));
+            return writeChannel(channels, channel, linkName(channel.name, used));
         }) && channels.close();
     }
 
@@ -173,33 +183,32 @@ private:
         return notes;
     }
 
-    bool writeOrigin(hid_t group, const Shot &shot)
+    bool writeOrigin(Hdf5Scribe &group, const Shot &shot)
     {
         if (shot.input < 0 || shot.input >= static_cast<Index>(m_set.inputs.size()))
             return true;
         const InputFile &input = m_set.inputs[static_cast<std::size_t>(shot.input)];
-        return writeTextAttribute(group, "imported_from", input.file)
-            && writeTextAttribute(group, "import_sha256", input.sha256);
+        return group.text("imported_from", input.file) && group.text("import_sha256", input.sha256);
     }
 
-    static bool writeEnvironment(hid_t shot, const Environment &environment)
+    static bool writeEnvironment(Hdf5Scribe &shot, const Environment &environment)
     {
-        Hdf5Handle group = createGroup(shot, "environment");
+        Hdf5Scribe group = shot.group("environment");
         return group.valid()
             && std::all_of(kEnvironmentEntries.begin(), kEnvironmentEntries.end(),
                 [&](const EnvironmentEntry &entry) {
-                    return writeNumberAttribute(group.id(), entry.name, environment.*entry.value);
+                    return group.number(entry.name, environment.*entry.value);
                 })
             && group.close();
     }
 
-    bool writeChannel(hid_t group, const Channel &channel, const std::string &link)
+    bool writeChannel(Hdf5Scribe &channels, const Channel &channel, const std::string &link)
     {
         m_channels[m_channel].path = m_folder + link;
-        Hdf5Handle dataset = createSampleDataset(group, link, channel.samples);
+        Hdf5Scribe dataset = channels.dataset(link, channel.samples);
         const bool written = dataset.valid() && writeSamples(dataset.id(), channel.samples)
-            && (link == channel.name || writeTextAttribute(dataset.id(), "name", channel.name))
-            && writeChannelAttributes(dataset.id(), channel) && dataset.close();
+            && (link == channel.name || dataset.text("name", channel.name))
+            && writeChannelAttributes(dataset, channel) && dataset.close();
         ++m_channel;
         return written;
     }
@@ -226,49 +235,45 @@ private:
         return written;
     }
 
-    bool writeChannelAttributes(hid_t dataset, const Channel &channel)
+    bool writeChannelAttributes(Hdf5Scribe &dataset, const Channel &channel)
     {
-        return writeNumberAttribute(dataset, "sample_rate_Hz", channel.sampleRate_Hz)
-            && writeNumberAttribute(dataset, "t0_s", channel.t0_s)
-            && writeCalibration(dataset, channel)
-            && writeTextAttribute(dataset, "unit", channel.unit)
-            && writeTextAttribute(dataset, "quantity", channel.quantity)
-            && writeTextAttribute(dataset, "role", channelRoleName(channel.role))
-            && writeTextAttribute(
-                dataset, "pressure_reference", pressureReferenceName(channel.reference))
-            && writeTextAttribute(dataset, "sensor",
+        return dataset.number("sample_rate_Hz", channel.sampleRate_Hz)
+            && dataset.number("t0_s", channel.t0_s) && writeCalibration(dataset, channel)
+            && dataset.text("unit", channel.unit) && dataset.text("quantity", channel.quantity)
+            && dataset.text("role", channelRoleName(channel.role))
+            && dataset.text("pressure_reference", pressureReferenceName(channel.reference))
+            && dataset.text("sensor",
                 channel.sensorId.empty()
                     ? ""
                     : std::string(kSensorFolder) + memberName(channel.sensorId))
-            && writeIntegerAttribute(dataset, "adc_bits", channel.adcBits)
-            && (!channel.adcMin || writeNumberAttribute(dataset, "adc_min", *channel.adcMin))
-            && (!channel.adcMax || writeNumberAttribute(dataset, "adc_max", *channel.adcMax))
-            && writeTextAttribute(dataset, "raw_sha256", m_channels[m_channel].sha256);
+            && dataset.integer("adc_bits", channel.adcBits)
+            && (!channel.adcMin || dataset.number("adc_min", *channel.adcMin))
+            && (!channel.adcMax || dataset.number("adc_max", *channel.adcMax))
+            && dataset.text("raw_sha256", m_channels[m_channel].sha256);
     }
 
     /// The layout has no polarity and no operator's factor: they go into the coefficients, so that
     /// every reader gets the same physical values.
-    static bool writeCalibration(hid_t dataset, const Channel &channel)
+    static bool writeCalibration(Hdf5Scribe &dataset, const Channel &channel)
     {
         std::vector<double> coefficients = channel.polynomial;
         coefficients.resize(std::max<std::size_t>(coefficients.size(), 2), 0.0);
         for (double &coefficient : coefficients)
             coefficient *= channel.polarity * channel.userScale;
         if (coefficients.size() > 2)
-            return writeNumbersAttribute(dataset, "poly", coefficients);
-        return writeNumberAttribute(dataset, "scale", coefficients[1])
-            && writeNumberAttribute(dataset, "offset", coefficients[0]);
+            return dataset.numbers("poly", coefficients);
+        return dataset.number("scale", coefficients[1])
+            && dataset.number("offset", coefficients[0]);
     }
 
-    static bool writeTruth(hid_t file, const std::vector<ShotTruth> &truth)
+    static bool writeTruth(Hdf5Scribe &root, const std::vector<ShotTruth> &truth)
     {
-        Hdf5Handle group = createGroup(file, "truth");
+        Hdf5Scribe group = root.group("truth");
         for (std::size_t i = 0; group.valid() && i < truth.size(); ++i) {
-            Hdf5Handle shot = createGroup(group.id(), "shot_" + paddedNumber(i + 1));
+            Hdf5Scribe shot = group.group("shot_" + paddedNumber(i + 1));
             const bool written = shot.valid()
-                && std::all_of(truth[i].begin(), truth[i].end(), [&](const auto &entry) {
-                       return writeNumberAttribute(shot.id(), entry.first, entry.second);
-                   });
+                && std::all_of(truth[i].begin(), truth[i].end(),
+                    [&](const auto &entry) { return shot.number(entry.first, entry.second); });
             if (!written || !shot.close())
                 return false;
         }
@@ -277,6 +282,7 @@ private:
 
     const CaptureSet &m_set;
     const JobControl &m_control;
+    Hdf5Tree m_said;
     std::vector<WrittenChannel> m_channels; ///< of every shot, in order
     std::size_t m_channel = 0; ///< position of the channel being written
     std::string m_folder; ///< where the channels of the shot being written go
@@ -286,10 +292,11 @@ private:
 
 /// Reads back what has just been written, as any reader would: a full disk is not always reported
 /// when it happens.
-bool readsBack(const std::string &path, const std::vector<WrittenChannel> &channels)
+bool readsBack(const std::string &path, const Written &written)
 {
-    const Result<Hdf5File> file = openHdf5(path, {});
-    return file
+    const std::vector<WrittenChannel> &channels = written.channels;
+    const Result<Hdf5File> file = openHdf5(path, kUsualExpansion, {});
+    return file && contentList(file->tree) == written.list
         && std::all_of(channels.begin(), channels.end(), [&](const WrittenChannel &channel) {
                const Hdf5Object *object = objectAt(file->tree, channel.path);
                if (object == nullptr || object->dataset.obstacle != Hdf5Obstacle::None)
@@ -300,55 +307,19 @@ bool readsBack(const std::string &path, const std::vector<WrittenChannel> &chann
            });
 }
 
-/// The channels written; empty if anything went wrong.
-std::optional<std::vector<WrittenChannel>> writeFile(Hdf5Handle file, CaptureWriter writer,
+/// What was written; empty if anything went wrong.
+std::optional<Written> writeFile(Hdf5Handle file, CaptureWriter writer,
     const std::string &createdUtc, const std::string &title, const std::vector<ShotTruth> &truth)
 {
     const bool written = writer.write(file.id(), createdUtc, title, truth)
         && H5Fflush(file.id(), H5F_SCOPE_GLOBAL) >= 0;
     if (!file.close() || !written)
         return std::nullopt;
-    return writer.channels();
+    return writer.written();
 }
 
-/// Invalid if it cannot be created; then nothing is left behind.
-Hdf5Handle createTemporary(const std::string &path)
+tl::unexpected<Error> notWritten(const std::string &path, const JobControl &control)
 {
-    std::error_code error;
-    const bool isNew = !std::filesystem::exists(path, error); // else maybe another writer's
-    Hdf5Handle file = createFile(path);
-    if (!file.valid() && isNew)
-        std::filesystem::remove(path, error);
-    return file;
-}
-
-} // namespace
-
-Result<void> writeHdf5Capture(const CaptureSet &set, const std::string &path,
-    const std::string &createdUtc, const std::string &title, const std::vector<ShotTruth> &truth,
-    const JobControl &control)
-{
-    std::error_code error;
-    if (std::filesystem::exists(path, error) && !std::filesystem::is_regular_file(path, error))
-        return fail(ErrorKind::Usage,
-            {DYNCAL_TEXT("core", "%1 is not a regular file; give the name of a capture file."),
-                {path}});
-    // A fixed name: what a killed run left behind is overwritten, not collected.
-    const std::string temporary = path + ".part";
-    std::unique_lock lock(hdf5Mutex());
-    silenceHdf5();
-    Hdf5Handle file = createTemporary(temporary);
-    if (!file.valid())
-        return fail(ErrorKind::Usage,
-            {DYNCAL_TEXT(
-                 "core", "Cannot create %1; check that the folder exists and may be written to."),
-                {path}});
-    const auto written
-        = writeFile(std::move(file), CaptureWriter(set, control), createdUtc, title, truth);
-    lock.unlock();
-    if (written && readsBack(temporary, *written) && moveIntoPlace(temporary, path))
-        return {};
-    std::filesystem::remove(temporary, error);
     if (control.stopRequested())
         return fail(ErrorKind::Cancelled,
             {DYNCAL_TEXT("core", "Writing %1 was cancelled; nothing was left behind."), {path}});
@@ -357,6 +328,29 @@ Result<void> writeHdf5Capture(const CaptureSet &set, const std::string &path,
              "%1 could not be written completely and was not created; check the space on the "
              "disk."),
             {path}});
+}
+
+} // namespace
+
+Result<void> writeHdf5Capture(const CaptureSet &set, const CaptureTarget &target,
+    const std::string &createdUtc, const std::string &title, const std::vector<ShotTruth> &truth,
+    const JobControl &control)
+{
+    Result<PendingFile> pending = PendingFile::create(
+        target.path, {target.replace ? Existing::Rule::Replaced : Existing::Rule::Refused});
+    if (!pending)
+        return tl::unexpected<Error>(pending.error());
+    std::unique_lock lock(hdf5Mutex());
+    silenceHdf5();
+    Hdf5Handle file = createFile(pending->openPath());
+    if (!file.valid())
+        return notWritten(target.path, control);
+    const auto written
+        = writeFile(std::move(file), CaptureWriter(set, control), createdUtc, title, truth);
+    lock.unlock();
+    if (!written || !readsBack(pending->openPath(), *written))
+        return notWritten(target.path, control);
+    return pending->commit();
 }
 
 } // namespace dyncal

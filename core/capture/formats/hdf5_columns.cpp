@@ -13,7 +13,12 @@ namespace dyncal {
 namespace {
 
 /// The slowest filter unpacks some 60 MB/s, and pieces are a few MiB.
-constexpr GuardedLimits kUnpackLimits{640U << 20, std::chrono::seconds(5)};
+constexpr std::chrono::seconds kTimeToUnpack{5};
+constexpr std::uint64_t kPieces = 24U << 20; ///< one as it is read, and what the library needs
+constexpr std::uint64_t kChunkCopies = 4; ///< filters double their buffers
+constexpr double kPlaceBytes = 2.0 * sizeof(SampleExtent);
+constexpr std::uint64_t kLeastCache = 16U << 20;
+constexpr std::uint64_t kLargestCache = 192U << 20;
 constexpr double kMaxUnpackedBytes = 4.0 * 1024 * 1024 * 1024;
 constexpr double kExactIntegers = 9007199254740992.0; ///< 2^53
 
@@ -38,8 +43,7 @@ RawSamples::Counts emptyCounts(SampleType type)
     return std::vector<double>();
 }
 
-/// Takes in what the helper unpacks for one dataset. It allocates what arrives, not what was
-/// claimed.
+/// Takes in what the helper unpacks for one dataset, which the budget allows.
 class UnpackedDataset
 {
 public:
@@ -47,6 +51,9 @@ public:
         : m_order(order)
         , m_columns(static_cast<std::size_t>(order.columns), emptyCounts(order.type))
     {
+        for (RawSamples::Counts &column : m_columns) // growing would hold twice as much
+            std::visit(
+                [&](auto &v) { v.reserve(static_cast<std::size_t>(order.samples)); }, column);
     }
 
     bool complete() const { return m_begin >= m_order.samples || m_order.columns == 0; }
@@ -156,10 +163,14 @@ private:
             return incomplete(i);
         for (Index column = 0; column < extents->columns; ++column) {
             std::optional<SampleLayout> layout = layoutOfColumn(m_wishes[i], column);
+            const double placesBytes = static_cast<double>(kBytesOfChannel)
+                + static_cast<double>(layout ? layout->extents.size() : 0) * kPlaceBytes;
             std::optional<RawSamples> samples
                 = layout ? samplesInFile(m_file.file, std::move(*layout)) : std::nullopt;
             if (!samples)
                 return incomplete(i);
+            if (const Result<void> allowed = allow(i, placesBytes); !allowed)
+                return allowed;
             m_columns[i].push_back(std::move(*samples));
         }
         return {};
@@ -172,16 +183,45 @@ private:
             return incomplete(i);
         const Hdf5Wish &wish = m_wishes[i];
         m_orders.push_back({wish.address, wish.dataset->type, wish.sampleAxis, extents->samples,
-            extents->columns});
+            extents->columns, wish.dataset->chunkBytes});
         m_ordered.push_back(i);
-        m_unpackedBytes += static_cast<double>(extents->samples)
+        const double bytes = static_cast<double>(extents->samples)
             * static_cast<double>(extents->columns)
             * static_cast<double>(bytesPerSample(wish.dataset->type));
+        if (const Result<void> allowed = allow(i, bytes); !allowed)
+            return allowed;
+        m_unpackedBytes += bytes;
         if (m_unpackedBytes <= kMaxUnpackedBytes)
             return {};
         Hdf5Dataset dataset;
         dataset.obstacle = Hdf5Obstacle::TooLarge;
         return hdf5ObstacleError(m_file.path, wish.name, dataset);
+    }
+
+    /// What all datasets together may take: `bytes` to hold, and chunks on the way.
+    Result<void> allow(std::size_t i, double bytes)
+    {
+        const auto whole = static_cast<std::uint64_t>(std::min(bytes, 0x1p62));
+        const std::uint64_t needed = std::max(whole, m_wishes[i].dataset->unpackedBytes);
+        m_wanted += std::min(needed, std::uint64_t(1) << 62);
+        if (m_file.budget->take(needed))
+            return {};
+        const Expanding what = m_wanted > needed ? Expanding::ChannelsUpTo : Expanding::Channel;
+        return m_file.budget->exceededBy(m_file.path, what, m_wishes[i].name, m_wanted);
+    }
+
+    /// What the helper needs for the largest chunk.
+    GuardedLimits limits() const
+    {
+        std::uint64_t chunk = 0;
+        for (const UnpackOrder &order : m_orders)
+            chunk = std::max(chunk, std::min(order.chunkBytes, m_file.budget->allowed()));
+        return {kPieces + cacheBytes() + kChunkCopies * chunk, kTimeToUnpack};
+    }
+
+    std::size_t cacheBytes() const
+    {
+        return std::clamp(m_file.budget->allowed() / kChunkCopies, kLeastCache, kLargestCache);
     }
 
     Result<void> unpack()
@@ -201,10 +241,10 @@ private:
             }
             return bytes.empty();
         };
-        const auto work
-            = [&](GuardedOutput &output) { (void)unpackDatasets(m_file.path, m_orders, output); };
-        const Result<void> ran
-            = runHdf5Helper(m_file.path, work, receive, kUnpackLimits, m_control);
+        const auto work = [&](GuardedOutput &output) {
+            (void)unpackDatasets(m_file.path, m_orders, cacheBytes(), output);
+        };
+        const Result<void> ran = runHdf5Helper(m_file.path, work, receive, limits(), m_control);
         return ran ? keep(unpacked) : ran;
     }
 
@@ -212,13 +252,25 @@ private:
     {
         for (std::size_t k = 0; k < unpacked.size(); ++k) {
             const std::size_t i = m_ordered[k];
-            if (!unpacked[k].complete() || !m_file.file->unchanged())
+            if (!m_file.file->unchanged())
                 return incomplete(i);
+            if (!unpacked[k].complete())
+                return notUnpacked(i);
             m_columns[i] = unpacked[k].columns();
             if (m_wishes[i].dataset->fidelity == Hdf5Fidelity::MayRound && wasRounded(i))
                 return rounded(i);
         }
         return {};
+    }
+
+    tl::unexpected<Error> notUnpacked(std::size_t i) const
+    {
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core",
+                 "%1: channel %2 cannot be unpacked: a compressed piece of it is damaged or larger "
+                 "than it declares; copy the file again."),
+                {m_file.path, m_wishes[i].name}},
+            "CAP-018");
     }
 
     bool wasRounded(std::size_t i) const
@@ -250,6 +302,7 @@ private:
     std::vector<UnpackOrder> m_orders;
     std::vector<std::size_t> m_ordered; ///< the wish of each order
     double m_unpackedBytes = 0.0;
+    std::uint64_t m_wanted = 0; ///< for the budget's sentence
 };
 
 } // namespace

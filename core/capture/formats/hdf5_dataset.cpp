@@ -6,13 +6,13 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 
 namespace dyncal {
 namespace {
 
-/// Deflate, the strongest standard filter, cannot shrink more than this.
-constexpr hsize_t kMaxCompression = 1100;
-constexpr hsize_t kSmallBytes = 1 << 16;
+/// Of a chunk as it is unpacked: filters double their buffers, and the library keeps one.
+constexpr hsize_t kChunkCopies = 4;
 constexpr hsize_t kMaxUnpackedBytes = hsize_t(4) << 30;
 
 /// The library finds one chunk by walking over all: beyond this many they are unpacked instead.
@@ -92,17 +92,21 @@ public:
         , m_file(file)
         , m_type(H5Dget_type(dataset), &H5Tclose)
         , m_creation(H5Dget_create_plist(dataset), &H5Pclose)
-        , m_space(H5Dget_space(dataset), &H5Sclose)
     {
     }
 
     std::optional<Hdf5Dataset> make()
     {
-        const bool known = m_type.valid() && m_creation.valid() && m_space.valid()
-            && H5Dget_storage_size(m_dataset) <= m_file.bytes;
-        if (!known)
+        if (!m_type.valid() || !m_creation.valid())
             return std::nullopt;
         m_made.typeText = nameOfType(m_type.id());
+        if (findElsewhere()) { // even its shape may be asked of the other file
+            m_made.obstacle = isNumbers() ? Hdf5Obstacle::Elsewhere : Hdf5Obstacle::NotNumbers;
+            return m_made;
+        }
+        m_space = Hdf5Handle(H5Dget_space(m_dataset), &H5Sclose);
+        if (!m_space.valid() || H5Dget_storage_size(m_dataset) > m_file.bytes)
+            return std::nullopt;
         m_made.obstacle = readShape() ? obstacle() : Hdf5Obstacle::Shape;
         if (m_made.obstacle == Hdf5Obstacle::None)
             place();
@@ -110,6 +114,27 @@ public:
     }
 
 private:
+    bool isNumbers() const
+    {
+        const H5T_class_t typeClass = H5Tget_class(m_type.id());
+        return typeClass == H5T_INTEGER || typeClass == H5T_FLOAT;
+    }
+
+    /// Names the other file that holds the samples, if one does.
+    bool findElsewhere()
+    {
+        std::array<char, 1024> name{};
+        if (H5Pget_layout(m_creation.id()) == H5D_VIRTUAL) {
+            H5Pget_virtual_filename(m_creation.id(), 0, name.data(), name.size() - 1);
+        } else if (H5Pget_external_count(m_creation.id()) > 0) {
+            H5Pget_external(m_creation.id(), 0, name.size() - 1, name.data(), nullptr, nullptr);
+        } else {
+            return false;
+        }
+        m_made.elsewhere = name.data();
+        return true;
+    }
+
     bool readShape()
     {
         const H5S_class_t kind = H5Sget_simple_extent_type(m_space.id());
@@ -122,12 +147,8 @@ private:
 
     Hdf5Obstacle obstacle()
     {
-        const H5T_class_t typeClass = H5Tget_class(m_type.id());
-        if (typeClass != H5T_INTEGER && typeClass != H5T_FLOAT)
+        if (!isNumbers())
             return Hdf5Obstacle::NotNumbers;
-        if (H5Pget_layout(m_creation.id()) == H5D_VIRTUAL
-            || H5Pget_external_count(m_creation.id()) > 0)
-            return Hdf5Obstacle::Elsewhere;
         if (const Hdf5Obstacle filter = filterObstacle(); filter != Hdf5Obstacle::None)
             return filter;
         return claimObstacle();
@@ -179,8 +200,7 @@ private:
     {
         const hsize_t bytes = H5Tget_size(m_type.id());
         const hsize_t stored = H5Dget_storage_size(m_dataset);
-        const hsize_t credible = isFiltered() ? stored * kMaxCompression + kSmallBytes : stored;
-        if (bytes == 0 || m_made.elements() > credible / bytes)
+        if (bytes == 0 || (!isFiltered() && m_made.elements() > stored / bytes))
             return Hdf5Obstacle::Incomplete;
         const bool chunked = H5Pget_layout(m_creation.id()) == H5D_CHUNKED;
         if (chunked && !(readChunkShape() && allChunksThere()))
@@ -190,10 +210,14 @@ private:
 
     bool allChunksThere()
     {
-        hsize_t needed = 1;
-        for (std::size_t d = 0; d < m_made.shape.size(); ++d)
-            needed *= gridExtent(d); // at most the elements, which were believed
-        return H5Dget_num_chunks(m_dataset, m_space.id(), &m_chunks) >= 0 && m_chunks >= needed;
+        for (std::size_t d = 0; d < m_made.shape.size(); ++d) {
+            const hsize_t along = gridExtent(d); // what the file cannot list is not there
+            if (along > m_file.bytes || (along > 0 && m_neededChunks > m_file.bytes / along))
+                return false;
+            m_neededChunks *= along;
+        }
+        return H5Dget_num_chunks(m_dataset, m_space.id(), &m_chunks) >= 0
+            && m_chunks >= m_neededChunks;
     }
 
     hsize_t gridExtent(std::size_t d) const
@@ -213,13 +237,33 @@ private:
             m_made.storage = Hdf5Storage::InFile;
             return;
         }
+        m_made.storage = Hdf5Storage::Packed;
+        findUnpackedSize();
         m_made.blockShape.clear();
         m_made.blockOffsets.clear();
-        m_made.storage = Hdf5Storage::Packed;
-        if (m_made.elements() > kMaxUnpackedBytes / sizeof(double)) {
-            m_made.storage = Hdf5Storage::Nowhere;
+        if (m_made.unpackedBytes > m_file.allowedBytes)
+            m_made.obstacle = Hdf5Obstacle::OverBudget;
+        else if (m_made.elements() > kMaxUnpackedBytes / sizeof(double))
             m_made.obstacle = Hdf5Obstacle::TooLarge;
-        }
+        if (m_made.obstacle != Hdf5Obstacle::None)
+            m_made.storage = Hdf5Storage::Nowhere;
+        m_made.allowedBytes = m_file.allowedBytes;
+    }
+
+    /// All chunks as they come out of their filters, or the samples as they are delivered; and at
+    /// least what one chunk takes by itself. All factors are below the file's size or 2^32.
+    void findUnpackedSize()
+    {
+        const auto delivered = static_cast<hsize_t>(bytesPerSample(m_made.type));
+        m_made.unpackedBytes = m_made.elements() * delivered;
+        if (!isFiltered())
+            return;
+        m_made.chunkBytes = chunkElements() * H5Tget_size(m_type.id());
+        const std::uint64_t chunks = std::max(m_neededChunks, kChunkCopies);
+        constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+        const std::uint64_t all
+            = m_made.chunkBytes > kMost / chunks ? kMost : chunks * m_made.chunkBytes;
+        m_made.unpackedBytes = std::max(m_made.unpackedBytes, all);
     }
 
     Hdf5Fidelity fidelity(bool plain) const
@@ -278,6 +322,7 @@ private:
     Hdf5Handle m_creation;
     Hdf5Handle m_space;
     hsize_t m_chunks = 0;
+    hsize_t m_neededChunks = 1; ///< for the extents
     bool m_damaged = false; ///< it states what cannot be
     Hdf5Dataset m_made;
 };

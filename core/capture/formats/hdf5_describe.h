@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/capture/formats/expansion_budget.h"
 #include "core/capture/formats/hdf5_handle.h"
 #include "core/capture/formats/hdf5_tree.h"
 
@@ -16,20 +17,23 @@ namespace dyncal {
 /// How much of a file is described.
 enum class Hdf5Depth { RootAttributes, Everything };
 
-/// Opens for reading; invalid if it cannot be opened as HDF5.
-Hdf5Handle openHdf5File(const std::string &path);
+/// Opens for reading, with so much memory for chunks of each dataset; invalid if it cannot be
+/// opened as HDF5.
+Hdf5Handle openHdf5File(const std::string &path, std::size_t cacheBytes);
 
 /// The objects of the file and what they state; no samples are read. Links to elsewhere are not
 /// followed; groups nested deeper than 64 and objects beyond 20 000 are not read. Empty if the file
 /// or any object in it cannot be opened, or states what cannot be: next to such damage nothing in
-/// the file can be trusted.
-std::optional<Hdf5Tree> describeHdf5(const std::string &path, Hdf5Depth depth);
+/// the file can be trusted. The description takes no more memory than the budget allows.
+std::optional<Hdf5Tree> describeHdf5(
+    const std::string &path, Hdf5Depth depth, const ExpansionBudget &budget);
 
 /// What must be known of the file to judge what its datasets claim.
 struct Hdf5FileFacts
 {
     hsize_t bytes = 0;
     hsize_t userBlockBytes = 0; ///< before the HDF5 part
+    std::uint64_t allowedBytes = 0; ///< of the ExpansionBudget
 };
 
 /// A dataset by itself; empty if it states what cannot be.

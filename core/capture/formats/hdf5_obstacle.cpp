@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/capture/formats/expansion_budget.h"
 #include "core/capture/formats/hdf5_open.h"
 
 namespace dyncal {
@@ -11,8 +12,9 @@ Message sentenceOf(const Hdf5Dataset &dataset, const std::string &path, const st
     switch (dataset.obstacle) {
     case Hdf5Obstacle::Elsewhere:
         return {DYNCAL_TEXT("core",
-                    "%1: the samples of channel %2 lie in other files; copy them into one file."),
-            {path, name}};
+                    "%1: the samples of channel %2 lie in another file (%3), which is not opened; "
+                    "copy them into this file, for example with h5repack."),
+            {path, name, dataset.elsewhere}};
     case Hdf5Obstacle::Incomplete:
         return {DYNCAL_TEXT("core",
                     "%1: channel %2 claims more samples than the file holds; the copy is "
@@ -33,6 +35,9 @@ Message sentenceOf(const Hdf5Dataset &dataset, const std::string &path, const st
                     "%1: channel %2 would make more than 4 GiB unpacked; save the file without "
                     "compression."),
             {path, name}};
+    case Hdf5Obstacle::OverBudget:
+        return expansionSentence(
+            path, Expanding::Channel, name, dataset.unpackedBytes, dataset.allowedBytes);
     case Hdf5Obstacle::None:
     case Hdf5Obstacle::NotNumbers:
     case Hdf5Obstacle::Shape:

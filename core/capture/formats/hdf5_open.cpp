@@ -9,6 +9,7 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <mutex>
 
 namespace dyncal {
@@ -17,8 +18,8 @@ namespace {
 constexpr std::string_view kSignature("\x89HDF\r\n\x1a\n", 8);
 
 /// Honest descriptions take milliseconds and some MiB.
-constexpr GuardedLimits kDescribeLimits{256U << 20, std::chrono::seconds(2)};
-constexpr std::size_t kMaxDescriptionBytes = 64U << 20;
+constexpr std::uint64_t kMostToDescribe = 256U << 20;
+constexpr std::chrono::seconds kTimeToDescribe{2};
 
 tl::unexpected<Error> notHdf5(const std::string &path)
 {
@@ -51,19 +52,20 @@ FileIdentity identityOf(const std::string &path)
 }
 
 /// No tree if the file cannot be opened.
-Result<std::optional<Hdf5Tree>> describeAside(
-    const std::string &path, Hdf5Depth depth, const JobControl &control)
+Result<std::optional<Hdf5Tree>> describeAside(const std::string &path, Hdf5Depth depth,
+    const ExpansionBudget &budget, const JobControl &control)
 {
+    const GuardedLimits limits{std::min(budget.allowed(), kMostToDescribe), kTimeToDescribe};
     std::vector<std::byte> received;
     const auto describe = [&](GuardedOutput &output) {
-        if (const std::optional<Hdf5Tree> tree = describeHdf5(path, depth))
+        if (const std::optional<Hdf5Tree> tree = describeHdf5(path, depth, budget))
             output.write(packed(*tree));
     };
     const auto receive = [&](std::span<const std::byte> bytes) {
         received.insert(received.end(), bytes.begin(), bytes.end());
-        return received.size() <= kMaxDescriptionBytes;
+        return received.size() <= limits.memoryBytes;
     };
-    const Result<void> done = runHdf5Helper(path, describe, receive, kDescribeLimits, control);
+    const Result<void> done = runHdf5Helper(path, describe, receive, limits, control);
     if (!done)
         return tl::unexpected(done.error());
     return unpackedTree(received);
@@ -100,23 +102,28 @@ Result<void> runHdf5Helper(const std::string &path,
         "CAP-018");
 }
 
-Result<Hdf5File> openHdf5(const std::string &path, const JobControl &control)
+Result<Hdf5File> openHdf5(const std::string &path, double maxExpansion, const JobControl &control)
 {
     const FileIdentity before = identityOf(path);
     const auto file = SampleFile::open(path);
     if (!file)
-        return notHdf5(path);
-    Result<std::optional<Hdf5Tree>> tree = describeAside(path, Hdf5Depth::Everything, control);
+        return tl::unexpected(file.error());
+    const auto budget = std::make_shared<ExpansionBudget>((*file)->size(), maxExpansion);
+    Result<std::optional<Hdf5Tree>> tree
+        = describeAside(path, Hdf5Depth::Everything, *budget, control);
     if (!tree)
         return tl::unexpected(tree.error());
     if (!*tree || !(identityOf(path) == before) || !(*file)->unchanged())
         return notHdf5(path);
-    return Hdf5File{path, *file, std::move(**tree)};
+    if ((*tree)->tooManyBytes > 0)
+        return budget->exceededBy(path, Expanding::Objects, std::to_string((*tree)->objects.size()),
+            (*tree)->tooManyBytes * kDescriptionCopies);
+    return Hdf5File{path, *file, std::move(**tree), budget};
 }
 
 Hdf5Attributes hdf5RootAttributes(const std::string &path)
 {
-    const auto tree = describeAside(path, Hdf5Depth::RootAttributes, {});
+    const auto tree = describeAside(path, Hdf5Depth::RootAttributes, ExpansionBudget(0), {});
     return tree && *tree ? (*tree)->objects.front().attributes : Hdf5Attributes();
 }
 

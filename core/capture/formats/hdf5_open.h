@@ -6,6 +6,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/capture/file_samples.h"
+#include "core/capture/formats/expansion_budget.h"
 #include "core/capture/formats/hdf5_places.h"
 #include "core/capture/formats/hdf5_tree.h"
 
@@ -23,12 +24,14 @@ struct Hdf5File
     std::string path;
     std::shared_ptr<const SampleFile> file;
     Hdf5Tree tree;
+    std::shared_ptr<ExpansionBudget> budget; ///< of all that is read of the file
 
     const Hdf5Object &root() const { return tree.objects.front(); }
 };
 
-/// Describes the file; no samples are read. Fails with CAP-018.
-Result<Hdf5File> openHdf5(const std::string &path, const JobControl &control);
+/// Describes the file; no samples are read. `maxExpansion` as import.max_expansion. Fails with
+/// CAP-018.
+Result<Hdf5File> openHdf5(const std::string &path, double maxExpansion, const JobControl &control);
 
 /// Attributes of the root alone; empty if they cannot be read.
 Hdf5Attributes hdf5RootAttributes(const std::string &path);
@@ -38,7 +41,8 @@ bool hasHdf5Signature(std::string_view head);
 
 /// The samples of each wish, column by column (one of a 1-D dataset or a single value). What lies
 /// in the file as it is stays there; the rest is unpacked into memory by a helper process. What
-/// the description claims is not believed. Errors name dataset and file (CAP-018).
+/// the description claims is not believed; what the samples take is counted in the file's budget.
+/// Errors name dataset and file (CAP-018).
 Result<std::vector<std::vector<RawSamples>>> hdf5Columns(
     const Hdf5File &file, const std::vector<Hdf5Wish> &wishes, const JobControl &control);
 

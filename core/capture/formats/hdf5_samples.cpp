@@ -108,10 +108,10 @@ Index UnpackOrder::samplesPerPiece() const
     return std::max<Index>(1, RawSamples::kBlock / std::max<Index>(columns, 1));
 }
 
-bool unpackDatasets(
-    const std::string &path, const std::vector<UnpackOrder> &orders, GuardedOutput &output)
+bool unpackDatasets(const std::string &path, const std::vector<UnpackOrder> &orders,
+    std::size_t cacheBytes, GuardedOutput &output)
 {
-    const Hdf5Handle file = openHdf5File(path);
+    const Hdf5Handle file = openHdf5File(path, cacheBytes);
     return file.valid() && std::all_of(orders.begin(), orders.end(), [&](const UnpackOrder &order) {
         const Hdf5Handle dataset(H5Oopen_by_addr(file.id(), order.address), &H5Oclose);
         if (!dataset.valid() || H5Iget_type(dataset.id()) != H5I_DATASET)

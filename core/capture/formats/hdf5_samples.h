@@ -35,15 +35,17 @@ struct UnpackOrder
     Index sampleAxis = 0; ///< the dimension along which time runs
     Index samples = 0; ///< its extent
     Index columns = 1; ///< extent of the other dimension, if any
+    std::uint64_t chunkBytes = 0; ///< unpacked as a whole; 0: no filter
 
     /// Samples of each column per piece; a piece holds all columns one behind the other.
     Index samplesPerPiece() const;
 };
 
 /// Unpacks datasets and writes piece by piece, in the byte order of this machine. For the helper
-/// process. False if one of them is not what the order says or cannot be read.
-bool unpackDatasets(
-    const std::string &path, const std::vector<UnpackOrder> &orders, GuardedOutput &output);
+/// process, with so much memory for unpacked chunks. False if one of them is not what the order
+/// says or cannot be read.
+bool unpackDatasets(const std::string &path, const std::vector<UnpackOrder> &orders,
+    std::size_t cacheBytes, GuardedOutput &output);
 
 /// Writes `count` samples of this memory type to [begin, begin + count) of the dataset.
 bool writeSampleBlock(hid_t dataset, hid_t memoryType, hsize_t begin,

@@ -22,6 +22,7 @@ template <typename Stream>
 static void transfer(Stream &stream, Hdf5Dataset &dataset)
 {
     stream(dataset.typeText, dataset.shape, dataset.obstacle, dataset.missingFilter,
+        dataset.elsewhere, dataset.unpackedBytes, dataset.allowedBytes, dataset.chunkBytes,
         dataset.storage, dataset.type, dataset.fidelity, dataset.bigEndian, dataset.blockShape,
         dataset.blockOffsets);
 }
@@ -51,7 +52,7 @@ bool isKnown(Enum value, Enum last)
 bool isSound(const Hdf5Object &object, Index objects)
 {
     const Hdf5Dataset &dataset = object.dataset;
-    return isKnown(dataset.obstacle, Hdf5Obstacle::TooLarge)
+    return isKnown(dataset.obstacle, Hdf5Obstacle::OverBudget)
         && isKnown(dataset.storage, Hdf5Storage::Packed)
         && isKnown(dataset.type, SampleType::UInt16)
         && isKnown(dataset.fidelity, Hdf5Fidelity::MayRound)
@@ -76,7 +77,7 @@ std::optional<std::string> textOf(const Hdf5Value &value)
     if (value.kind == Hdf5ValueKind::Text)
         return value.text;
     const bool isNumber = value.kind == Hdf5ValueKind::Numbers && value.numbers.size() == 1;
-    return isNumber ? std::optional(numberText(value.numbers.front())) : std::nullopt;
+    return isNumber ? std::optional(exactNumber(value.numbers.front())) : std::nullopt;
 }
 
 } // namespace
@@ -93,7 +94,7 @@ std::uint64_t Hdf5Dataset::elements() const
 std::vector<std::byte> packed(const Hdf5Tree &tree)
 {
     BytePacker packer;
-    packer(tree.objects);
+    packer(tree.objects, tree.tooManyBytes);
     return packer.bytes();
 }
 
@@ -101,7 +102,7 @@ std::optional<Hdf5Tree> unpackedTree(std::span<const std::byte> bytes)
 {
     ByteUnpacker unpacker(bytes);
     Hdf5Tree tree;
-    unpacker(tree.objects);
+    unpacker(tree.objects, tree.tooManyBytes);
     const Index objects = std::ssize(tree.objects);
     const bool sound = unpacker.ok() && unpacker.atEnd() && objects > 0
         && std::all_of(tree.objects.begin(), tree.objects.end(),

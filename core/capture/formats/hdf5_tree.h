@@ -42,6 +42,7 @@ enum class Hdf5Obstacle {
     Filter, ///< a filter that is not installed
     LargeChunk, ///< compressed in chunks that must be unpacked over and over
     TooLarge, ///< more to unpack than memory can be trusted with
+    OverBudget, ///< more to unpack than a file of this size may (ExpansionBudget)
 };
 
 /// Where the numbers of a dataset are.
@@ -64,6 +65,10 @@ struct Hdf5Dataset
     std::vector<std::uint64_t> shape; ///< empty = one value
     Hdf5Obstacle obstacle = Hdf5Obstacle::NotNumbers;
     std::int32_t missingFilter = 0;
+    std::string elsewhere; ///< the other file, where the samples are Elsewhere
+    std::uint64_t unpackedBytes = 0; ///< what all chunks become; of Packed and OverBudget
+    std::uint64_t allowedBytes = 0; ///< of OverBudget
+    std::uint64_t chunkBytes = 0; ///< of Packed: a chunk, which is unpacked as a whole
     Hdf5Storage storage = Hdf5Storage::Nowhere;
     SampleType type = SampleType::Float64; ///< as in the file, or as unpacked
     Hdf5Fidelity fidelity = Hdf5Fidelity::Exact;
@@ -98,7 +103,13 @@ struct Hdf5Object
 struct Hdf5Tree
 {
     std::vector<Hdf5Object> objects; ///< the first is the root; hard links may make circles
+    /// If not 0, names and attributes have at least so many bytes, more than is described of a file
+    /// of this size; then the objects are not all of it.
+    std::uint64_t tooManyBytes = 0;
 };
+
+/// Of a description, as tree and as bytes, in the helper and where they arrive; vectors double.
+constexpr std::uint64_t kDescriptionCopies = 8;
 
 std::vector<std::byte> packed(const Hdf5Tree &tree);
 

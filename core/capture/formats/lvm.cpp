@@ -21,16 +21,20 @@ constexpr Index kChannelBytes = 2; ///< what a channel of a segment takes in a f
 class LvmReader
 {
 public:
-    LvmReader(const std::string &path, const ImportSettings &settings, const JobControl &control)
+    LvmReader(const std::string &path, std::string_view text, const ImportSettings &settings,
+        const JobControl &control)
         : m_path(path)
         , m_settings(settings)
         , m_control(control)
+        , m_text(text)
+        , m_budget(text.size(), settings.maxExpansion)
     {
+        takeText();
     }
 
-    Result<CaptureSet> read(std::string_view text)
+    Result<CaptureSet> read()
     {
-        m_text = text;
+        const std::string_view text = m_text;
         LineCursor lines(text);
         LvmTags tags;
         const char separator = lvmSeparator(text);
@@ -59,6 +63,13 @@ public:
     }
 
 private:
+    /// The text and the numbers that are in it, which is no claim.
+    void takeText()
+    {
+        constexpr std::uint64_t kTimes = 6;
+        m_budget.take(std::min(kTimes * m_text.size(), m_budget.allowed() / 2));
+    }
+
     tl::unexpected<Error> endsInHeader() const
     {
         return fail(ErrorKind::FileUnreadable,
@@ -97,15 +108,14 @@ private:
         }
         if (const Result<void> counted = countChannels(); !counted)
             return counted;
-        LvmRows rows(m_header, m_file, static_cast<Index>(m_text.size()) / 2);
+        LvmRows rows(m_header, m_file, m_budget);
         const Result<void> read = readRows(lines, line, rows);
         if (!read)
             return read;
         m_file.decimal = rows.decimal();
         if (rows.isEmpty())
             return endEarly();
-        addShot(std::move(rows));
-        return {};
+        return addShot(std::move(rows));
     }
 
     /// Rows from `line` on up to a blank line.
@@ -214,11 +224,16 @@ private:
             "CAP-018");
     }
 
-    void addShot(LvmRows rows)
+    Result<void> addShot(LvmRows rows)
     {
         const auto number = static_cast<Index>(m_set.shots.size()) + 1;
         m_set.shots.push_back(
             lvmShot(m_path, number, m_header, m_file, std::move(rows), m_set.findings));
+        const std::uint64_t bytes = (m_set.shots.back().channels.size() + 1) * kBytesOfChannel;
+        if (m_budget.take(bytes))
+            return {};
+        return m_budget.exceededBy(
+            m_path, Expanding::SegmentsUpTo, std::to_string(number), m_budget.taken() + bytes);
     }
 
     void nameShots()
@@ -235,6 +250,7 @@ private:
     const ImportSettings &m_settings;
     const JobControl &m_control;
     std::string_view m_text;
+    ExpansionBudget m_budget;
     LvmFileHeader m_file;
     LvmSegment m_header; ///< holds until the next one
     Index m_channels = 0; ///< of all shots
@@ -262,7 +278,7 @@ Result<CaptureSet> readLvm(
                  "Measurement\"."),
                 {path}},
             "CAP-001");
-    return LvmReader(path, settings, control).read(text->view());
+    return LvmReader(path, text->view(), settings, control).read();
 }
 
 } // namespace dyncal

@@ -18,12 +18,12 @@ constexpr Index kCarefulEvery = 1024; ///< and now and then
 
 } // namespace
 
-LvmRows::LvmRows(const LvmSegment &segment, const LvmFileHeader &file, Index fillBudget)
+LvmRows::LvmRows(const LvmSegment &segment, const LvmFileHeader &file, ExpansionBudget &budget)
     : m_file(file)
     , m_columns(segment.channels.back().column + 1)
     , m_decimal(file.decimal)
     , m_values(segment.channels.size())
-    , m_fillBudget(fillBudget)
+    , m_budget(budget)
 {
     if (file.xColumns != LvmXColumns::None)
         m_x.resize(file.xColumns == LvmXColumns::One ? 1 : segment.channels.size());
@@ -82,6 +82,9 @@ Result<void> LvmRows::add(const std::string &path, std::string_view line, Index 
     bool plain = true;
     for (std::string_view cell; column < m_columns && cells.next(cell); ++column) {
         const CellKind kind = addCell(column, cell);
+        if (m_refused > 0)
+            return m_budget.exceededBy(
+                path, Expanding::RowsUpTo, std::to_string(number), m_refused);
         if (kind == CellKind::Unreadable)
             return unreadableCell(path, number, column + 1, cell);
         const bool counts = kind == CellKind::Number || (column == 0 && m_x.empty());
@@ -131,11 +134,16 @@ CellKind LvmRows::addX(Index index, std::string_view cell)
                                                               : CellKind::Unreadable;
 }
 
-/// False if the file is too short for all the empty cells that this value claims before it.
+/// False if there is no room for all the empty cells that this value claims before it.
 bool LvmRows::store(SampleColumn &column, double value)
 {
-    m_fillBudget -= m_rows - column.size();
-    if (m_fillBudget < 0)
+    constexpr std::uint64_t kBytesOfCell = 2 * sizeof(double); // columns grow by doubling
+    const Index gap = m_rows - column.size();
+    if (gap > 0) {
+        const std::uint64_t bytes = static_cast<std::uint64_t>(gap) * kBytesOfCell;
+        m_refused = m_budget.take(bytes) ? 0 : m_budget.taken() + bytes;
+    }
+    if (m_refused > 0)
         return false;
     column.addValueAt(m_rows, value);
     return true;

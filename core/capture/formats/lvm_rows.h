@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/capture/formats/expansion_budget.h"
 #include "core/capture/formats/lvm_header.h"
 #include "core/capture/formats/text_table.h"
 
@@ -18,9 +19,9 @@ namespace dyncal {
 class LvmRows
 {
 public:
-    /// `fillBudget` bounds how many invalid samples may stand in for cells that are not in the
-    /// file.
-    LvmRows(const LvmSegment &segment, const LvmFileHeader &file, Index fillBudget);
+    /// The budget, which is that of all segments, bounds how many invalid samples may stand in for
+    /// cells that are not in the file.
+    LvmRows(const LvmSegment &segment, const LvmFileHeader &file, ExpansionBudget &budget);
 
     /// Reads the next line of `rest` if it is like most lines; what is behind it, or null.
     const char *addPlain(std::string_view rest);
@@ -62,7 +63,8 @@ private:
     Index m_rows = 0;
     Index m_plainCells
         = 0; ///< leading numbers of the last line read with care; 0: it was not plain
-    Index m_fillBudget;
+    ExpansionBudget &m_budget;
+    std::uint64_t m_refused = 0; ///< bytes that it does not have
 };
 
 } // namespace dyncal

@@ -23,12 +23,12 @@ constexpr std::size_t kNamesShown = 10;
 /// A matrix seen as channels side by side: time runs along its longer side.
 struct Signals
 {
-    const MatVariable *variable = nullptr;
+    MatVariable *variable = nullptr;
     Index channels = 0, length = 0;
     Index channelStep = 0, sampleStep = 0; ///< from number to number in the file
 };
 
-Signals signalsOf(const MatVariable &variable)
+Signals signalsOf(MatVariable &variable)
 {
     if (variable.rows >= variable.columns)
         return {&variable, variable.columns, variable.rows, variable.rows, 1};
@@ -43,18 +43,24 @@ public:
         : m_path(path)
         , m_control(control)
         , m_file(std::move(file))
+        , m_budget(m_file->size(), settings.maxExpansion)
         , m_time(path, settings.sampleRate_Hz)
     {
     }
 
     Result<CaptureSet> read()
     {
-        const Result<std::vector<MatVariable>> variables = listMatFile(m_path, m_file, m_control);
+        Result<std::vector<MatVariable>> variables
+            = listMatFile(m_path, m_file, m_budget, m_control);
         if (!variables)
             return tl::unexpected(variables.error());
         Index longest = 0;
-        for (const MatVariable &variable : *variables)
-            longest = std::max(longest, sort(variable));
+        for (MatVariable &variable : *variables) {
+            const Result<Index> length = sort(variable);
+            if (!length)
+                return tl::unexpected(length.error());
+            longest = std::max(longest, *length);
+        }
         for (const Signals &signal : m_signals) {
             if (signal.length < kFewValues && longest >= kFewValues)
                 leaveOut(signal.variable->name, "few values");
@@ -68,7 +74,7 @@ public:
 
 private:
     /// Gives a variable its place; the length of a signal.
-    Index sort(const MatVariable &variable)
+    Result<Index> sort(MatVariable &variable)
     {
         if (!variable.isNumeric()) {
             leaveOut(variable.name, variable.kind);
@@ -81,12 +87,39 @@ private:
             return 0;
         }
         if (signal.channels == 1 && m_time.isTimeName(variable.name)) {
+            if (const Result<void> room = makeRoom(variable); !room)
+                return tl::unexpected(room.error());
             if (const auto times = samplesOf(signal, 0))
                 m_time.addVector(variable.name, *times);
+            dropExpanded(variable, 0);
             return signal.length;
         }
         m_signals.push_back(signal);
         return signal.length;
+    }
+
+    /// Compressed numbers are there twice while they become samples.
+    Result<void> makeRoom(const MatVariable &variable)
+    {
+        if (!variable.expanded || m_budget.take(largestCopy(variable)))
+            return {};
+        return m_budget.exceededBy(
+            m_path, Expanding::Channel, variable.name, m_budget.taken() + largestCopy(variable));
+    }
+
+    static std::uint64_t largestCopy(const MatVariable &variable)
+    {
+        return static_cast<std::uint64_t>(variable.size()) * sizeof(double);
+    }
+
+    /// The samples, which take so many bytes, are all that is left.
+    void dropExpanded(MatVariable &variable, std::uint64_t keptBytes)
+    {
+        if (!variable.expanded)
+            return;
+        m_budget.giveBack(variable.expanded->size() + largestCopy(variable));
+        m_budget.take(keptBytes);
+        variable.expanded.reset();
     }
 
     std::optional<RawSamples> samplesOf(const Signals &signal, Index channel) const
@@ -97,7 +130,10 @@ private:
 
     Result<void> addChannels(const Signals &signal)
     {
+        if (const Result<void> room = makeRoom(*signal.variable); !room)
+            return room;
         std::vector<RawSamples> samples;
+        std::uint64_t keptBytes = 0;
         for (Index c = 0; c < signal.channels; ++c) {
             std::optional<RawSamples> one = samplesOf(signal, c);
             if (!one)
@@ -107,8 +143,10 @@ private:
                          "as double."),
                         {m_path, signal.variable->name}},
                     "CAP-001");
+            keptBytes += static_cast<std::uint64_t>(one->size() * bytesPerSample(one->type()));
             samples.push_back(std::move(*one));
         }
+        dropExpanded(*signal.variable, keptBytes);
         const std::optional<Index> timeColumn
             = signal.channels > 1 ? m_time.columnOf(samples) : std::nullopt;
         const MatRate rate = timeColumn ? m_time.rateByColumn(signal.variable->name, *timeColumn,
@@ -162,6 +200,7 @@ private:
     const std::string &m_path;
     const JobControl &m_control;
     std::shared_ptr<const SampleFile> m_file;
+    ExpansionBudget m_budget;
     MatTime m_time;
     std::vector<Signals> m_signals;
     Shot m_shot;

@@ -103,7 +103,7 @@ ForeignChannels mat73ChannelsOf(const ForeignDataset &variable, const std::strin
 Result<CaptureSet> readMat73(
     const std::string &path, const ImportSettings &settings, const JobControl &control)
 {
-    const Result<Hdf5File> file = openHdf5(path, control);
+    const Result<Hdf5File> file = openHdf5(path, settings.maxExpansion, control);
     if (!file)
         return tl::unexpected(file.error());
     return readMat73(*file, settings, control);

@@ -151,12 +151,12 @@ bool isOldHeader(std::string_view head, std::endian order)
 class MatLister
 {
 public:
-    MatLister(
-        const std::string &path, std::shared_ptr<const SampleFile> file, const JobControl &control)
+    MatLister(const std::string &path, std::shared_ptr<const SampleFile> file,
+        ExpansionBudget &budget, const JobControl &control)
         : m_path(path)
         , m_file(std::move(file))
+        , m_budget(budget)
         , m_control(control)
-        , m_budget((std::uint64_t{64} << 20) + 100 * m_file->size())
     {
     }
 
@@ -181,10 +181,22 @@ public:
             if (!added)
                 return tl::unexpected(added.error());
         }
+        if (const Result<void> expanded = expandAll(); !expanded)
+            return tl::unexpected(expanded.error());
         return std::move(m_variables);
     }
 
 private:
+    /// A compressed element whose numbers are wanted.
+    struct Compressed
+    {
+        std::uint64_t content;
+        std::uint32_t size;
+        std::size_t dataAt; ///< in what it expands to
+        std::uint64_t dataBytes;
+        std::size_t variable; ///< position in the list
+    };
+
     tl::unexpected<Error> cut() const
     {
         return fail(ErrorKind::FileUnreadable,
@@ -205,13 +217,13 @@ private:
             "CAP-018");
     }
 
-    tl::unexpected<Error> badStream() const
+    tl::unexpected<Error> badStream(std::size_t variable) const
     {
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
                  "%1 is damaged: its compressed variable number %2 does not expand to what it "
                  "declares; copy the file again."),
-                {m_path, std::to_string(m_variables.size() + 1)}},
+                {m_path, std::to_string(variable + 1)}},
             "CAP-018");
     }
 
@@ -254,37 +266,45 @@ private:
         const bool isMatrix = bytes.next<std::uint32_t>() == kMatrix;
         bytes.skip(4);
         if (!stream.ok() || !bytes.ok() || !isMatrix)
-            return badStream();
+            return badStream(m_variables.size());
         const std::span<const std::byte> there = bytes.take(bytes.remaining());
         std::optional<MatrixHead> head = headOf(there, m_order);
         if (!head)
             return damaged();
-        if (head->dataBytes > 0) {
-            if (head->dataBytes > m_budget)
-                return badStream();
-            m_budget -= head->dataBytes;
-            auto numbers = std::make_shared<std::vector<std::byte>>(
-                static_cast<std::size_t>(head->dataBytes));
-            if (!expand(stream, there.subspan(head->dataAt), *numbers))
-                return badStream();
-            head->variable.expanded = std::move(numbers);
+        const bool numbers = head->dataBytes > 0;
+        if (numbers && !m_budget.take(head->dataBytes)) {
+            const Expanding what
+                = m_budget.taken() > 0 ? Expanding::ChannelsUpTo : Expanding::Channel;
+            return m_budget.exceededBy(
+                m_path, what, head->variable.name, m_budget.taken() + head->dataBytes);
         }
+        const std::size_t before = m_variables.size();
         add(std::move(head->variable));
+        if (numbers && m_variables.size() > before)
+            m_compressed.push_back({content, size, 8 + head->dataAt, head->dataBytes, before});
         return {};
     }
 
-    /// `begin` has been expanded already; what follows the numbers is at most their padding.
-    static bool expand(
-        ZlibStream &stream, std::span<const std::byte> begin, std::span<std::byte> numbers)
+    /// Once all variables are known to fit into the budget together.
+    Result<void> expandAll()
     {
-        const std::size_t known = std::min(begin.size(), numbers.size());
-        std::copy_n(begin.begin(), known, numbers.begin());
-        const std::size_t rest = numbers.size() - known;
-        if (stream.read(numbers.subspan(known)) != rest)
-            return false;
-        std::array<std::byte, 64> padding{};
-        stream.read(padding);
-        return stream.ok() && stream.ended(); // the checksum is behind the last byte
+        for (const Compressed &place : m_compressed) {
+            if (m_control.stopRequested())
+                return fail(ErrorKind::Cancelled,
+                    {DYNCAL_TEXT("core", "Reading %1 was cancelled."), {m_path}});
+            ZlibStream stream(m_file, place.content, place.size);
+            std::vector<std::byte> head(place.dataAt);
+            auto numbers = std::make_shared<std::vector<std::byte>>(
+                static_cast<std::size_t>(place.dataBytes));
+            std::array<std::byte, 64> padding{}; // at most that follows the numbers
+            const bool whole
+                = stream.read(head) == head.size() && stream.read(*numbers) == numbers->size();
+            stream.read(padding);
+            if (!whole || !stream.ok() || !stream.ended()) // the checksum is behind the last byte
+                return badStream(place.variable);
+            m_variables[place.variable].expanded = std::move(numbers);
+        }
+        return {};
     }
 
     void add(MatVariable variable)
@@ -322,22 +342,25 @@ private:
         if (complex && variable.kind.empty())
             variable.kind = "complex";
         variable.offset = m_position + bytes.position();
-        const std::uint64_t dataBytes = static_cast<std::uint64_t>(variable.size())
-            * static_cast<std::uint64_t>(bytesOfMatNumber(variable.number)) * (complex ? 2 : 1);
-        if (variable.offset > m_file->size() || dataBytes > m_file->size() - variable.offset)
+        const auto numbers = static_cast<std::uint64_t>(variable.size()); // below 2^62
+        const std::uint64_t bytesEach
+            = static_cast<std::uint64_t>(bytesOfMatNumber(variable.number)) * (complex ? 2 : 1);
+        if (variable.offset > m_file->size()
+            || numbers > (m_file->size() - variable.offset) / bytesEach)
             return cut();
-        m_position = variable.offset + dataBytes;
+        m_position = variable.offset + numbers * bytesEach;
         add(std::move(variable));
         return {};
     }
 
     const std::string &m_path;
     std::shared_ptr<const SampleFile> m_file;
+    ExpansionBudget &m_budget;
     const JobControl &m_control;
-    std::uint64_t m_budget; ///< bytes that may still be expanded
     std::endian m_order = std::endian::little;
     std::uint64_t m_position = 0;
     std::vector<MatVariable> m_variables;
+    std::vector<Compressed> m_compressed;
 };
 
 } // namespace
@@ -352,9 +375,10 @@ int matVersion(std::string_view head)
 }
 
 Result<std::vector<MatVariable>> listMatFile(const std::string &path,
-    const std::shared_ptr<const SampleFile> &file, const JobControl &control)
+    const std::shared_ptr<const SampleFile> &file, ExpansionBudget &budget,
+    const JobControl &control)
 {
-    return MatLister(path, file, control).list();
+    return MatLister(path, file, budget, control).list();
 }
 
 } // namespace dyncal

@@ -6,6 +6,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/capture/file_samples.h"
+#include "core/capture/formats/expansion_budget.h"
 
 #include <cstdint>
 #include <memory>
@@ -54,10 +55,11 @@ struct MatVariable
 int matVersion(std::string_view head);
 
 /// Lists the variables of a MAT file of version 4 or 5 to 7.2. Compressed matrices are expanded
-/// into memory: at most 64 MiB and 100 times the size of the file together, more fails. Fails with
-/// CAP-018 where the file is cut or contradicts itself.
+/// into memory as far as the budget goes, more fails. Fails with CAP-018 where the file is cut or
+/// contradicts itself.
 Result<std::vector<MatVariable>> listMatFile(const std::string &path,
-    const std::shared_ptr<const SampleFile> &file, const JobControl &control);
+    const std::shared_ptr<const SampleFile> &file, ExpansionBudget &budget,
+    const JobControl &control);
 
 /// The numbers first, first + step, ... of a numeric variable, `count` of them, which must be
 /// there: left in the file where they can be; whole numbers of 32 bits without sign and of 64 bits

@@ -177,8 +177,8 @@ Result<ImportedTable> importTable(const TextPart &part, const TextDialect &diale
     if (const auto checked = checkBefore(part.path, settings, dialect, part.text); !checked)
         return tl::unexpected(checked.error());
     const TextSource here(part.text);
-    Result<TableColumns> parsed
-        = parseTable(part.path, part.all != nullptr ? *part.all : here, dialect, control);
+    Result<TableColumns> parsed = parseTable(
+        part.path, part.all != nullptr ? *part.all : here, dialect, control, settings.maxExpansion);
     if (!parsed)
         return tl::unexpected(parsed.error());
     ImportedTable table;

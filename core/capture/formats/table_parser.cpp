@@ -21,9 +21,11 @@ constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 class TableParser
 {
 public:
-    TableParser(const std::string &path, const TextSource &text, const TextDialect &dialect)
+    TableParser(const std::string &path, const TextSource &text, const TextDialect &dialect,
+        double maxExpansion)
         : m_path(path)
         , m_text(text)
+        , m_budget(text.size(), maxExpansion)
         , m_dialect(dialect)
         , m_blocks(text)
         , m_lines({})
@@ -35,6 +37,11 @@ public:
 
     Result<TableColumns> parse(const JobControl &control)
     {
+        // The text itself is in memory too.
+        if (const std::uint64_t bytes = m_row.size() * kBytesOfChannel + m_text.size();
+            !m_budget.take(bytes))
+            return m_budget.exceededBy(
+                m_path, Expanding::Columns, std::to_string(m_row.size()), bytes);
         std::string_view line;
         while (m_lines.number() < m_dialect.headerLines() && nextBlock(m_text.size())
             && m_lines.next(line)) { }
@@ -47,13 +54,17 @@ public:
             if (const Result<void> going = pause(control); !going)
                 return tl::unexpected(going.error());
             if (m_lines.rest().empty()) {
-                if (takeAhead(ahead, plain))
+                if (takeAhead(ahead, plain)) {
+                    if (m_refused > 0)
+                        return tooLarge();
                     continue;
+                }
                 if (!nextBlock(ahead.nextBegin().value_or(m_text.size())))
                     break;
             }
             if (const char *behind = plain ? m_plain.read(m_lines.rest(), m_row) : nullptr) {
-                append();
+                if (!append())
+                    return tooLarge();
                 m_lines.take(behind, 1);
                 continue;
             }
@@ -97,8 +108,8 @@ private:
     void append(const PlainRowsAhead::Taken &part)
     {
         const auto more = static_cast<std::size_t>(part.rows.rows());
-        if (m_table.columns[0].size() + more > m_table.columns[0].capacity())
-            makeRoom(more);
+        if (m_table.columns[0].size() + more > m_table.columns[0].capacity() && !makeRoom(more))
+            return;
         for (std::size_t i = 0; i < m_table.columns.size(); ++i) {
             const std::span<const double> values = part.rows.column(i);
             m_table.columns[i].insert(m_table.columns[i].end(), values.begin(), values.end());
@@ -107,17 +118,25 @@ private:
         m_lines = LineCursor({}, m_lines.number() + part.rows.rows());
     }
 
-    void append()
+    /// False if there is no room for the row.
+    bool append()
     {
-        if (m_table.columns[0].size() == m_table.columns[0].capacity())
-            makeRoom(1);
+        if (m_table.columns[0].size() == m_table.columns[0].capacity() && !makeRoom(1))
+            return false;
         for (std::size_t i = 0; i < m_row.size(); ++i)
             m_table.columns[i].push_back(m_row[i]);
+        return true;
+    }
+
+    tl::unexpected<Error> tooLarge() const
+    {
+        return m_budget.exceededBy(
+            m_path, Expanding::RowsUpTo, std::to_string(m_lines.number()), m_refused);
     }
 
     /// For as many rows as the text will have if all are as long as those so far, and some more:
-    /// doubling would hold up to three times the values at the end.
-    void makeRoom(std::size_t more)
+    /// doubling would hold up to three times the values at the end. False if the budget has none.
+    bool makeRoom(std::size_t more)
     {
         constexpr std::size_t kFirstRows = 1024;
         constexpr double kSpare = 1.02;
@@ -127,10 +146,18 @@ private:
         const std::size_t room = rows + kFirstRows
             + (rows < kFirstRows ? 0 : static_cast<std::size_t>(all * kSpare) - rows);
         const std::size_t most = rows + m_text.size() / m_row.size() + 1; // a cell takes a byte
+        const std::size_t wanted = std::max(std::min(room, most), rows + more);
+        const std::size_t before = m_table.columns[0].capacity();
+        const std::uint64_t bytes = (wanted - before) * m_row.size() * sizeof(double);
+        if (!m_budget.take(bytes)) {
+            m_refused = m_budget.taken() + bytes;
+            return false;
+        }
         for (std::vector<double> &column : m_table.columns) {
-            column.reserve(std::max(std::min(room, most), rows + more));
+            column.reserve(wanted);
             preferLargePages(column.data() + rows, (column.capacity() - rows) * sizeof(double));
         }
+        return true;
     }
 
     Result<void> pause(const JobControl &control) const
@@ -173,8 +200,10 @@ private:
                                "holds two tables."),
                 {std::to_string(number), std::to_string(m_blankRows)});
         std::fill(m_row.begin(), m_row.end(), kNan);
-        for (; m_blankRows > 0; --m_blankRows)
-            append();
+        for (; m_blankRows > 0; --m_blankRows) {
+            if (!append())
+                return tooLarge();
+        }
         return {};
     }
 
@@ -195,7 +224,8 @@ private:
         }
         if (count < m_row.size())
             return wrongLength(number, static_cast<Index>(count));
-        append();
+        if (!append())
+            return tooLarge();
         return {};
     }
 
@@ -248,6 +278,8 @@ private:
 
     const std::string &m_path;
     const TextSource &m_text;
+    ExpansionBudget m_budget;
+    std::uint64_t m_refused = 0; ///< bytes that the budget does not have
     const TextDialect &m_dialect;
     LineBlocks m_blocks;
     LineCursor m_lines;
@@ -261,9 +293,9 @@ private:
 } // namespace
 
 Result<TableColumns> parseTable(const std::string &path, const TextSource &text,
-    const TextDialect &dialect, const JobControl &control)
+    const TextDialect &dialect, const JobControl &control, double maxExpansion)
 {
-    return TableParser(path, text, dialect).parse(control);
+    return TableParser(path, text, dialect, maxExpansion).parse(control);
 }
 
 } // namespace dyncal

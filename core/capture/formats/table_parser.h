@@ -6,6 +6,7 @@
 #include "core/base/finding.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/capture/formats/expansion_budget.h"
 #include "core/capture/formats/text_dialect.h"
 #include "core/capture/formats/text_source.h"
 
@@ -25,8 +26,9 @@ struct TableColumns
 /// Reads the rows behind the header of the text. Every row must be readable: an empty or "nan" cell
 /// and each blank line within the data is an invalid sample, anything else that is no number fails
 /// with line and column (CAP-018). Comment lines ("#", "%") may follow the data, not interrupt it.
-/// A file that changes meanwhile fails, too. Memory: the values, at most eight times the text.
+/// A file that changes meanwhile fails, too, and one whose blank lines claim more memory than its
+/// size times `maxExpansion` (ExpansionBudget).
 Result<TableColumns> parseTable(const std::string &path, const TextSource &text,
-    const TextDialect &dialect, const JobControl &control);
+    const TextDialect &dialect, const JobControl &control, double maxExpansion = kUsualExpansion);
 
 } // namespace dyncal

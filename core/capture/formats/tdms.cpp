@@ -257,9 +257,9 @@ int recogniseTdms(const std::string &, std::string_view head)
 }
 
 Result<CaptureSet> readTdms(
-    const std::string &path, const ImportSettings &, const JobControl &control)
+    const std::string &path, const ImportSettings &settings, const JobControl &control)
 {
-    const Result<TdmsContents> contents = readTdmsContents(path, control);
+    const Result<TdmsContents> contents = readTdmsContents(path, control, settings.maxExpansion);
     if (!contents)
         return tl::unexpected(contents.error());
     return TdmsReader(path, *contents).read();

@@ -76,8 +76,10 @@ bool sameStreams(const std::vector<TdmsStream> &a, const std::vector<TdmsStream>
 class ContainerReader
 {
 public:
-    ContainerReader(std::shared_ptr<const SampleFile> file, const std::string &path)
+    ContainerReader(
+        std::shared_ptr<const SampleFile> file, const std::string &path, double maxExpansion)
         : m_path(path)
+        , m_budget(file->size(), maxExpansion)
         , m_cursor(*file)
         , m_fileBytes(file->size())
         , m_workLeft(kWorkAtLeast + file->size() / kBytesPerWork)
@@ -92,7 +94,11 @@ public:
             if (count % kSegmentsPerCheck == 0 && control.stopRequested())
                 return fail(ErrorKind::Cancelled,
                     {DYNCAL_TEXT("core", "Reading %1 was cancelled."), {m_path}});
-            if (const auto segment = readSegment(); !segment) {
+            const auto segment = readSegment();
+            if (m_refused > 0)
+                return m_budget.exceededBy(
+                    m_path, Expanding::Pieces, std::to_string(m_refused / kBytesOfRun), m_refused);
+            if (!segment) {
                 if (count == 0)
                     return fail(ErrorKind::FileUnreadable, sentence(segment.error()), "CAP-018");
                 m_contents.damage = sentence(segment.error());
@@ -107,6 +113,9 @@ private:
     /// without end. A real one needs less than one per byte of samples.
     static constexpr std::uint64_t kWorkAtLeast = 1'000'000;
     static constexpr std::uint64_t kBytesPerWork = 2;
+
+    /// Lists grow by doubling, and a channel has its own.
+    static constexpr std::uint64_t kBytesOfRun = 3 * (sizeof(TdmsRun) + sizeof(Index));
 
     Message sentence(const TdmsProblem &problem) const
     {
@@ -294,7 +303,22 @@ private:
         region.interleaved = lead.has(kInterleaved);
         region.bigEndian = lead.has(kBigEndian);
         region.ended = m_ended;
-        return placeTdmsRegion(region, objects);
+        const std::size_t before = runsOf(objects);
+        const auto placed = placeTdmsRegion(region, objects);
+        const std::uint64_t places = (runsOf(objects) - before) * kBytesOfRun;
+        m_refused = m_budget.take(places) ? 0 : m_budget.taken() + places;
+        m_ended = m_ended || m_refused > 0;
+        return placed;
+    }
+
+    static std::size_t runsOf(const std::vector<TdmsObject *> &objects)
+    {
+        std::size_t runs = 0;
+        for (const TdmsObject *object : objects) {
+            for (const TdmsStream &stream : object->streams)
+                runs += stream.runs.runs().size();
+        }
+        return runs;
     }
 
     std::vector<std::size_t> listedWithData() const
@@ -306,6 +330,8 @@ private:
     }
 
     const std::string &m_path;
+    ExpansionBudget m_budget;
+    std::uint64_t m_refused = 0; ///< bytes that it does not have
     TdmsContents m_contents;
     TdmsCursor m_cursor;
     std::uint64_t m_fileBytes;
@@ -356,14 +382,15 @@ const TdmsObject *TdmsContents::group(const std::string &name) const
     return found != objects.end() ? &*found : nullptr;
 }
 
-Result<TdmsContents> readTdmsContents(const std::string &path, const JobControl &control)
+Result<TdmsContents> readTdmsContents(
+    const std::string &path, const JobControl &control, double maxExpansion)
 {
     Result<std::shared_ptr<const SampleFile>> file = SampleFile::open(path);
     if (!file)
         return tl::unexpected(file.error());
     if (const Result<void> known = checkTag(**file, path); !known)
         return tl::unexpected(known.error());
-    return ContainerReader(std::move(*file), path).read(control);
+    return ContainerReader(std::move(*file), path, maxExpansion).read(control);
 }
 
 } // namespace dyncal

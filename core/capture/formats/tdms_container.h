@@ -5,6 +5,7 @@
 
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "core/capture/formats/expansion_budget.h"
 #include "core/capture/formats/tdms_layout.h"
 
 #include <memory>
@@ -27,7 +28,9 @@ struct TdmsContents
 
 /// Reads lead-ins and metadata of all segments; of the samples only the place is noted. What a
 /// damaged segment and all behind it say is not used at all. Fails (CAP-018) if the first segment
-/// is damaged or there is none, (CAP-001) if it is no TDMS file or only the index of one.
-Result<TdmsContents> readTdmsContents(const std::string &path, const JobControl &control);
+/// is damaged or there is none or their places take more memory than the file's size times
+/// `maxExpansion` (ExpansionBudget), (CAP-001) if it is no TDMS file or only the index of one.
+Result<TdmsContents> readTdmsContents(
+    const std::string &path, const JobControl &control, double maxExpansion = kUsualExpansion);
 
 } // namespace dyncal

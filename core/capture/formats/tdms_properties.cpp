@@ -138,7 +138,7 @@ std::string valueText(const TdmsValue &value)
         [](const auto &held) -> std::string {
             using Held = std::decay_t<decltype(held)>;
             if constexpr (std::is_same_v<Held, double>)
-                return numberText(held);
+                return exactNumber(held);
             else if constexpr (std::is_integral_v<Held>)
                 return std::to_string(held);
             else if constexpr (std::is_same_v<Held, std::string>)

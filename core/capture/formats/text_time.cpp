@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace dyncal {
 namespace {
@@ -169,7 +170,9 @@ private:
 
     void take(const TimeAxis &axis, double scale_s)
     {
-        m_time.sampleRate_Hz = 1.0 / (axis.step * scale_s);
+        // Stays a number, so that a step out of all reason can be named.
+        m_time.sampleRate_Hz = std::clamp(1.0 / (axis.step * scale_s),
+            std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
         m_time.first_s = axis.first * scale_s;
     }
 

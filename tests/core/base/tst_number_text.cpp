@@ -2,10 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/base/number_text.h"
+#include "core/base/rounding.h"
+#include "tests/support/decimal_comma.h"
 
 #include <QTest>
 
-#include <clocale>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -38,9 +39,22 @@ private slots:
     {
         QCOMPARE(numberText(0.1), std::string("0.1"));
         QCOMPARE(numberText(-3.0), std::string("-3"));
-        QCOMPARE(numberText(std::numeric_limits<double>::infinity()), std::string("inf"));
-        QCOMPARE(numberText(-std::numeric_limits<double>::infinity()), std::string("-inf"));
-        QCOMPARE(numberText(std::nan("")), std::string("nan"));
+        QCOMPARE(exactNumber(std::numeric_limits<double>::infinity()), std::string("inf"));
+        QCOMPARE(exactNumber(-std::numeric_limits<double>::infinity()), std::string("-inf"));
+        QCOMPARE(exactNumber(std::nan("")), std::string("nan"));
+    }
+
+    void notFinite_isNoWord()
+    {
+        const double infinity = std::numeric_limits<double>::infinity();
+        for (const int digits : {1, 3, 17}) {
+            QCOMPARE(numberText(std::nan(""), digits), std::string("\u2013"));
+            QCOMPARE(numberText(infinity, digits), std::string("\u221e"));
+            QCOMPARE(fixedText(-infinity, digits), std::string("-\u221e"));
+            QCOMPARE(fixedText(std::nan(""), -digits), std::string("\u2013"));
+        }
+        QCOMPARE(numberText(infinity), std::string("\u221e"));
+        QCOMPARE(numberText(-std::nan("")), std::string("\u2013"));
     }
 
     void digits_areSignificantAndClamped()
@@ -58,15 +72,10 @@ private slots:
 
     void text_doesNotFollowTheLocale()
     {
-        // Where no locale with a decimal comma is installed, the C locale still checks the form.
-        const std::string before = std::setlocale(LC_ALL, nullptr);
-        for (const char *name : {"de_DE.UTF-8", "fr_FR.UTF-8", "sv_SE.UTF-8"}) {
-            if (std::setlocale(LC_ALL, name))
-                break;
-        }
+        const dyncal::testing::DecimalComma locale;
+        QVERIFY(locale.isInForce());
         const std::string shown = numberText(1.5) + numberText(1.25, 3);
         const auto read = parseNumber("2.5");
-        std::setlocale(LC_ALL, before.c_str());
         QCOMPARE(shown, std::string("1.51.25"));
         QCOMPARE(read, std::optional<double>(2.5));
     }
@@ -120,8 +129,8 @@ private slots:
     void withUnit_notFinite_hasNoPrefix()
     {
         QCOMPARE(
-            numberWithUnit(std::numeric_limits<double>::infinity(), "V"), std::string("inf V"));
-        QCOMPARE(numberWithUnit(std::nan(""), "V"), std::string("nan V"));
+            numberWithUnit(std::numeric_limits<double>::infinity(), "V"), std::string("\u221e V"));
+        QCOMPARE(numberWithUnit(std::nan(""), "V"), std::string("\u2013"));
     }
 
     void parse_takesWholeNumbersOnly()

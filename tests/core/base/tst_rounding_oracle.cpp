@@ -88,7 +88,8 @@ sys.exit(1 if bad else 0)
 QByteArray line(double value, double u, const char *unit)
 {
     const RoundedValue shown = roundedValue(value, u, unit);
-    std::string text = numberText(value) + "\t" + numberText(u) + "\t" + unit + "\t" + shown.value;
+    std::string text
+        = exactNumber(value) + "\t" + exactNumber(u) + "\t" + unit + "\t" + shown.value;
     text += "\t" + shown.u + "\t" + shown.unit + "\n";
     return QByteArray::fromStdString(text);
 }

@@ -156,11 +156,41 @@ private slots:
         QVERIFY(checksOf(counts).empty());
     }
 
-    void emptyOrInvalidChannel_isFlatAndDoesNotCrash()
+    void emptyOrInvalidChannel_isFlatAndSaysWhy_data()
     {
-        QVERIFY(find(checksOf(Counts()), "CAP-008"));
-        QVERIFY(find(checksOf(std::vector<double>{kNan, kNan}), "CAP-008"));
+        QTest::addColumn<std::vector<double>>("values");
+        QTest::addColumn<QString>("words");
+        const double inf = std::numeric_limits<double>::infinity();
+        QTest::newRow("empty") << std::vector<double>{} << "has no samples";
+        QTest::newRow("NaN") << std::vector<double>{kNan, kNan}
+                             << "none of its 2 samples is a number";
+        QTest::newRow("infinite") << std::vector<double>{inf, -inf, kNan}
+                                  << "none of its 3 samples is a number";
+        QTest::newRow("one") << std::vector<double>{0.5} << "a single valid sample, 500 mV";
+        QTest::newRow("one and NaN")
+            << std::vector<double>{kNan, 0.5, kNan} << "a single valid sample, 500 mV";
+        QTest::newRow("equal and NaN")
+            << std::vector<double>{0.5, kNan, 0.5} << "all its valid samples (2) are 500 mV";
+        QTest::newRow("equal") << std::vector<double>{0.5, 0.5} << "all 2 samples are 500 mV";
+    }
+
+    void emptyOrInvalidChannel_isFlatAndSaysWhy()
+    {
+        QFETCH(std::vector<double>, values);
+        QFETCH(QString, words);
+        const Findings findings = checksOf(values);
+        const Finding *flat = find(findings, "CAP-008");
+        QVERIFY(flat);
+        QCOMPARE(flat->severity, Severity::Block);
+        const QString sentence = QString::fromStdString(english(flat->message));
+        QVERIFY2(sentence.contains(words), qPrintable(sentence));
+        QVERIFY2(!sentence.contains("nan") && !sentence.contains("inf"), qPrintable(sentence));
+    }
+
+    void noCaptures_haveNoFindings()
+    {
         QVERIFY(checkCaptures({}).empty());
+        QVERIFY(find(checksOf(Counts()), "CAP-008"));
     }
 
     void knownRails_decideAlone()

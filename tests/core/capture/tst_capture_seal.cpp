@@ -202,7 +202,7 @@ private slots:
         CaptureSet set;
         set.shots = {shotOf(kCounts)};
         const std::string path = file("capture.h5").toStdString();
-        QVERIFY(writeHdf5Capture(set, path, "2026-01-02T03:04:05Z", "t").has_value());
+        QVERIFY(writeHdf5Capture(set, {path, true}, "2026-01-02T03:04:05Z", "t").has_value());
         const Result<CaptureSet> opened = openCaptures({path}, {});
         QVERIFY2(opened.has_value(), sentence(opened).c_str());
         QVERIFY(opened->inputs[0].sha256.empty());

@@ -4,12 +4,11 @@
 #include "core/capture/formats/delimited_text.h"
 
 #include "tests/core/capture/capture_test_support.h"
+#include "tests/support/decimal_comma.h"
 
 #include <QDirIterator>
 #include <QElapsedTimer>
 #include <QTemporaryDir>
-
-#include <clocale>
 
 namespace dyncal {
 
@@ -585,14 +584,10 @@ private slots:
     {
         const QByteArray text = table(20, 0.5, ";", ',');
         const std::vector<double> before = valuesOf(read(text)->shots.at(0).channels.at(1));
-        const char *set = nullptr;
-        for (const char *name : {"de_DE.UTF-8", "de_DE.utf8", "de_DE", "da_DK.UTF-8"})
-            set = set != nullptr ? set : std::setlocale(LC_ALL, name);
+        const DecimalComma locale;
+        QVERIFY(locale.isInForce());
         const std::vector<double> after = valuesOf(read(text)->shots.at(0).channels.at(1));
-        std::setlocale(LC_ALL, "C");
         QCOMPARE(after, before);
-        if (set == nullptr)
-            QSKIP("no locale with a decimal comma is installed here");
     }
 
     void recognise_textsAndOthers_byContent()
@@ -633,7 +628,7 @@ private slots:
     {
         const QString folder = recordingsFolder();
         if (folder.isEmpty())
-            QSKIP("the folder of recordings is missing (DYNCAL_DATA)");
+            DYNCAL_SKIP_WITHOUT_DATA("the folder of recordings is missing (DYNCAL_DATA)");
         struct Expectation
         {
             QString pattern, folder;

@@ -68,7 +68,8 @@ private slots:
     {
         const QString folder = recordingsFolder();
         if (folder.isEmpty() || !QDir(folder).exists())
-            QSKIP("NOT TESTED: the folder of recordings is missing (DYNCAL_DATA); 0 files covered");
+            DYNCAL_SKIP_WITHOUT_DATA(
+                "NOT TESTED: the folder of recordings is missing (DYNCAL_DATA); 0 files covered");
         const QStringList files = everyFile(folder);
         int read = 0;
         int notCaptures = 0;
@@ -115,7 +116,8 @@ private slots:
     {
         const QString folder = recordingsFolder();
         if (folder.isEmpty() || !QDir(folder).exists())
-            QSKIP("NOT TESTED: the folder of recordings is missing (DYNCAL_DATA); 0 files covered");
+            DYNCAL_SKIP_WITHOUT_DATA(
+                "NOT TESTED: the folder of recordings is missing (DYNCAL_DATA); 0 files covered");
         int covered = 0;
         for (const QString &file : everyFile(folder)) {
             if (!file.endsWith(".json") && !file.endsWith(".xml"))

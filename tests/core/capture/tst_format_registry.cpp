@@ -24,7 +24,7 @@ std::string writeCapture(const QString &path, std::int16_t mark, const std::stri
     if (!tube.empty())
         set.tube = {{"name", tube}};
     set.sensors["s"] = {{"serial", tube}};
-    if (!writeHdf5Capture(set, path.toStdString(), "2026-01-02T03:04:05Z", "t"))
+    if (!writeHdf5Capture(set, {path.toStdString()}, "2026-01-02T03:04:05Z", "t"))
         qFatal("cannot write the capture");
     return path.toStdString();
 }

@@ -90,7 +90,7 @@ private:
 
     std::string written(const char *name, const CaptureSet &set) const
     {
-        const Result<void> done = writeHdf5Capture(set, path(name), kCreated, "Title");
+        const Result<void> done = writeHdf5Capture(set, {path(name), true}, kCreated, "Title");
         if (!done)
             qFatal("%s", english(done.error().message).c_str());
         return path(name);
@@ -201,10 +201,10 @@ private slots:
     void write_impossibleTarget_saysSoAndLeavesNothing()
     {
         const Result<void> noFolder
-            = writeHdf5Capture(richSet(), path("no/such/folder.h5"), kCreated, "");
+            = writeHdf5Capture(richSet(), {path("no/such/folder.h5")}, kCreated, "");
         QVERIFY(!noFolder && contains(sentence(noFolder), "folder exists"));
-        QVERIFY(!writeHdf5Capture(richSet(), "/dev/full", kCreated, ""));
-        QVERIFY(!writeHdf5Capture(richSet(), m_folder.path().toStdString(), kCreated, ""));
+        QVERIFY(!writeHdf5Capture(richSet(), {"/dev/full", true}, kCreated, ""));
+        QVERIFY(!writeHdf5Capture(richSet(), {m_folder.path().toStdString(), true}, kCreated, ""));
     }
 
     void write_stopRequested_keepsTheOldFile()
@@ -215,7 +215,7 @@ private slots:
         JobControl control;
         control.stop = stop.get_token();
         const Result<void> done
-            = writeHdf5Capture(richSet(), path("kept.h5"), kCreated, "other", {}, control);
+            = writeHdf5Capture(richSet(), {path("kept.h5"), true}, kCreated, "other", {}, control);
         QVERIFY(!done && done.error().kind == ErrorKind::Cancelled);
         QCOMPARE(sha256OfFile(path("kept.h5")), before);
         QVERIFY(!std::filesystem::exists(path("kept.h5.part")));
@@ -223,8 +223,8 @@ private slots:
 
     void write_withTruth_independentReaderFindsIt()
     {
-        const Result<void> done = writeHdf5Capture(richSet(), path("truth.h5"), kCreated, "T",
-            {{{"f0_Hz", 2.33e6}, {"zeta", 0.02}}, {{"f0_Hz", 1e6}}});
+        const Result<void> done = writeHdf5Capture(richSet(), {path("truth.h5"), true}, kCreated,
+            "T", {{{"f0_Hz", 2.33e6}, {"zeta", 0.02}}, {{"f0_Hz", 1e6}}});
         QVERIFY(done);
         const QString script
             = "import sys, h5py, hashlib\n"
@@ -391,7 +391,12 @@ private slots:
         QTest::newRow("external file")
             << "c.create_dataset('a', shape=(100,), dtype='i2', external=[('/etc/passwd', 0, 200)])"
             << "CAP-018"
-            << "lie in other files";
+            << "another file (/etc/passwd), which is not opened";
+        QTest::newRow("large external file")
+            << "c.create_dataset('a', shape=(10**9,), dtype='i2', external=[('/etc/passwd', 0, "
+               "2 * 10**9)])"
+            << "CAP-018"
+            << "another file (/etc/passwd), which is not opened";
         QTest::newRow("external link") << "c['a'] = h5py.ExternalLink('/tmp/x.h5', '/a')"
                                        << "CAP-018"
                                        << "channels of its own";
@@ -432,7 +437,7 @@ private slots:
     {
         const QString folder = recordingsFolder();
         if (folder.isEmpty())
-            QSKIP("data folder missing: 0 captures of other writers covered");
+            DYNCAL_SKIP_WITHOUT_DATA("data folder missing: 0 captures of other writers covered");
         const QString file = folder + "/derived/ds1_capture_v1_shots123.h5";
         const Result<CaptureSet> read = readSealed(file.toStdString());
         QVERIFY2(read, sentence(read).c_str());
@@ -456,7 +461,7 @@ private slots:
         const QString folder = recordingsFolder() + "/hdf5_crashers";
         const QStringList files = QDir(folder).entryList({"*.h5"}, QDir::Files);
         if (files.isEmpty())
-            QSKIP("data folder missing: 0 files that crash libhdf5 covered");
+            DYNCAL_SKIP_WITHOUT_DATA("data folder missing: 0 files that crash libhdf5 covered");
         for (const QString &file : files) {
             const Result<CaptureSet> read = readSealed((folder + "/" + file).toStdString());
             QVERIFY(!read && read.error().kind == ErrorKind::FileUnreadable);

@@ -11,9 +11,11 @@
 
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 
 namespace dyncal {
 
@@ -54,7 +56,13 @@ Outcome outcomeOfFailure(
         return kOtherError;
     if (sha256OfFile(path) != oldHash)
         return kOldFileChanged;
-    return std::filesystem::exists(path + ".part") ? kTemporaryLeft : kAsItShouldBe;
+    const std::filesystem::directory_iterator folder(std::filesystem::path(path).parent_path());
+    return std::any_of(std::filesystem::begin(folder), std::filesystem::end(folder),
+               [](const auto &entry) {
+                   return entry.path().filename().string().starts_with(".dyncal-");
+               })
+        ? kTemporaryLeft
+        : kAsItShouldBe;
 }
 
 } // namespace
@@ -77,7 +85,7 @@ private slots:
         CaptureSet old;
         old.shots = {shotOf(std::vector<std::int16_t>{1, 2, 3})};
         const std::string target = path("full.h5");
-        QVERIFY(writeHdf5Capture(old, target, kCreated, ""));
+        QVERIFY(writeHdf5Capture(old, {target, true}, kCreated, ""));
         const std::string oldHash = sha256OfFile(target);
         const CaptureSet set = setToWrite();
         std::vector<rlim_t> sizes{0, 1, 7, 8, 47, 48, 95, 96, 511, 512, 1023, 1024, 2047, 2048};
@@ -87,12 +95,12 @@ private slots:
             const int code = exitCodeOf([&] {
                 limitFileSize(bytes);
                 return outcomeOfFailure(
-                    writeHdf5Capture(set, target, kCreated, ""), target, oldHash);
+                    writeHdf5Capture(set, {target, true}, kCreated, ""), target, oldHash);
             });
             QVERIFY2(code == kAsItShouldBe,
                 qPrintable(QString("limit of %1 bytes: %2").arg(bytes).arg(code)));
         }
-        QVERIFY(writeHdf5Capture(set, target, kCreated, ""));
+        QVERIFY(writeHdf5Capture(set, {target, true}, kCreated, ""));
         QVERIFY(std::filesystem::file_size(target) > 400'000);
         QVERIFY(std::filesystem::file_size(target) < kWholeFile);
     }
@@ -103,11 +111,11 @@ private slots:
         const int code = exitCodeOf([&] {
             for (const rlim_t bytes : {rlim_t(0), rlim_t(3000), rlim_t(150'000)}) {
                 limitFileSize(bytes);
-                if (writeHdf5Capture(setToWrite(), target, kCreated, ""))
+                if (writeHdf5Capture(setToWrite(), {target, true}, kCreated, ""))
                     return int(kWritten);
             }
             limitFileSize(kWholeFile);
-            const Result<void> done = writeHdf5Capture(setToWrite(), target, kCreated, "");
+            const Result<void> done = writeHdf5Capture(setToWrite(), {target, true}, kCreated, "");
             return int(done ? kAsItShouldBe : kOtherError);
         });
         QCOMPARE(code, int(kAsItShouldBe));
@@ -117,13 +125,30 @@ private slots:
             read->shots[1].channels[0].samples, setToWrite().shots[1].channels[0].samples));
     }
 
-    void write_temporaryOfAnotherWriter_notRemovedWhenItCannotBeCreated()
+    void write_overAnything_onlyWhereReplacingIsAskedFor()
     {
         const std::string target = path("taken.h5");
-        std::filesystem::create_directory(target + ".part"); // cannot be created over
-        QVERIFY(!writeHdf5Capture(setToWrite(), target, kCreated, ""));
-        QVERIFY(std::filesystem::exists(target + ".part"));
-        QVERIFY(!std::filesystem::exists(target));
+        QVERIFY(writeHdf5Capture(setToWrite(), {target}, kCreated, ""));
+        const std::string hash = sha256OfFile(target);
+        const Result<void> again = writeHdf5Capture(setToWrite(), {target}, kCreated, "other");
+        QVERIFY(!again);
+        QCOMPARE(again.error().kind, ErrorKind::Usage);
+        QVERIFY2(english(again.error().message).starts_with(target + " exists already"),
+            english(again.error().message).c_str());
+        QCOMPARE(sha256OfFile(target), hash);
+        QVERIFY(writeHdf5Capture(setToWrite(), {target, true}, kCreated, "other"));
+        QVERIFY(sha256OfFile(target) != hash);
+    }
+
+    void write_whatLiesBesideUnderOldTemporaryNames_isNotTouched()
+    {
+        const std::string target = path("beside.h5");
+        const std::string precious = path("precious");
+        std::ofstream(precious) << "precious";
+        std::filesystem::create_symlink(precious, target + ".part");
+        QVERIFY(writeHdf5Capture(setToWrite(), {target}, kCreated, ""));
+        QVERIFY(std::filesystem::is_symlink(target + ".part"));
+        QCOMPARE(std::filesystem::file_size(precious), std::uintmax_t(8));
     }
 };
 

@@ -230,7 +230,7 @@ private slots:
         const QString folder = recordingsFolder() + "/hdf5_crashers";
         const QStringList files = QDir(folder).entryList({"*.h5"}, QDir::Files);
         if (files.isEmpty())
-            QSKIP("data folder missing: 0 files that crash libhdf5 covered");
+            DYNCAL_SKIP_WITHOUT_DATA("data folder missing: 0 files that crash libhdf5 covered");
         for (const QString &name : files) {
             const std::string file = (folder + "/" + name).toStdString();
             QElapsedTimer timer;
@@ -286,7 +286,7 @@ private slots:
             QSKIP("no Python with h5py here: deflate bomb of 8 GiB not covered");
         const Result<CaptureSet> set = openWithinBounds(file);
         QCOMPARE(findingId(set), std::string("CAP-018"));
-        QVERIFY2(contains(sentence(set), "4 GiB"), sentence(set).c_str());
+        QVERIFY2(contains(sentence(set), "import.max_expansion"), sentence(set).c_str());
     }
 
     void open_manyAttributes_refused()
@@ -378,7 +378,7 @@ private slots:
         }
         const Result<CaptureSet> set = openWithinBounds(path());
         QCOMPARE(findingId(set), std::string("CAP-018"));
-        QVERIFY2(contains(sentence(set), "other files"), sentence(set).c_str());
+        QVERIFY2(contains(sentence(set), "lie in another file"), sentence(set).c_str());
     }
 
     void open_cutAtEveryByte_errorOrWhatWasWritten()
@@ -447,7 +447,7 @@ private slots:
             (set ? read : refused) += 1;
         }
         if (read + refused == 0)
-            QSKIP("data folder missing: 0 HDF5 recordings covered");
+            DYNCAL_SKIP_WITHOUT_DATA("data folder missing: 0 HDF5 recordings covered");
         qInfo("HDF5 recordings covered: %d read, %d refused", read, refused);
     }
 };

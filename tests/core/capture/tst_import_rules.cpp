@@ -5,6 +5,8 @@
 #include "core/capture/capture_check.h"
 #include "core/capture/import_rules.h"
 
+#include "core/base/number_text.h"
+
 #include <QTest>
 
 #include <algorithm>
@@ -105,6 +107,41 @@ private slots:
         const auto done = applyImportSettings(set({{channel("x", ramp(9), 0.0)}}), settings);
         QVERIFY(done && done->shots[0].channels[0].sampleRate_Hz == 5e4);
         QVERIFY(!find(done->findings, "CAP-025"));
+    }
+
+    void rateThatNoRecordingHas_isRefused_data()
+    {
+        QTest::addColumn<double>("rate_Hz");
+        QTest::addColumn<bool>("credible");
+        for (const double rate_Hz : {0.1, 1.0 / 10.0, 1e12, 1.0 / 1e-12})
+            QTest::addRow("%g Hz", rate_Hz) << rate_Hz << true;
+        for (const double rate_Hz : {1e-300, 5e-324, 0.0999, 1.001e12, 1e300, 1.7e308})
+            QTest::addRow("%g Hz", rate_Hz) << rate_Hz << false;
+    }
+
+    void rateThatNoRecordingHas_isRefused()
+    {
+        QFETCH(double, rate_Hz);
+        QFETCH(bool, credible);
+        ImportSettings typed;
+        typed.sampleRate_Hz = rate_Hz;
+        const auto ofFile = applyImportSettings(set({{channel("x", ramp(9), rate_Hz)}}), {});
+        const auto ofRecipe = applyImportSettings(set({{channel("x", ramp(9), 0.0)}}), typed);
+        for (const auto *done : {&ofFile, &ofRecipe}) {
+            QCOMPARE(done->has_value(), credible);
+            if (credible)
+                continue;
+            QCOMPARE(done->error().findingId, std::string("CAP-003"));
+            QCOMPARE(done->error().kind, ErrorKind::DataBlocked);
+            const std::string sentence = english(done->error().message);
+            const std::string found = numberText(rate_Hz, 6) + " Hz";
+            for (const char *part : {found.c_str(), "100 mHz to 1000 GHz"})
+                QVERIFY2(sentence.find(part) != std::string::npos, sentence.c_str());
+            QVERIFY2(sentence.find("inf") == std::string::npos, sentence.c_str());
+        }
+        typed.sampleRate_Hz = 1e6; // with a reason the file may be as wrong as it likes
+        typed.sampleRateReason = "the times are nonsense";
+        QVERIFY(applyImportSettings(set({{channel("x", ramp(9), rate_Hz)}}), typed));
     }
 
     void rateThatContradictsTheFile_needsAReason()

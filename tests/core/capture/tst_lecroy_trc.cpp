@@ -388,7 +388,7 @@ void TestLecroyTrc::corpus_isReadOrRefused()
 {
     const QStringList files = corpusFiles("rigolwfm/files/trc", {".trc", ".000"});
     if (files.isEmpty())
-        QSKIP("DYNCAL_DATA has no folder rigolwfm: 0 files covered");
+        DYNCAL_SKIP_WITHOUT_DATA("DYNCAL_DATA has no folder rigolwfm: 0 files covered");
     int known = 0;
     const auto check = [&](const QString &path, const CaptureSet &set) {
         const auto fact = std::find_if(std::begin(kKnown), std::end(kKnown),

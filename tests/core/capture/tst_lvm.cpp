@@ -4,14 +4,13 @@
 #include "core/capture/formats/lvm.h"
 
 #include "tests/core/capture/capture_test_support.h"
+#include "tests/support/decimal_comma.h"
 
 #include <QDirIterator>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
-
-#include <clocale>
 
 namespace dyncal {
 
@@ -504,19 +503,17 @@ private slots:
     {
         Recipe recipe;
         recipe.decimal = ',';
-        const char *name = std::setlocale(LC_ALL, "de_DE.UTF-8");
+        const DecimalComma locale;
+        QVERIFY(locale.isInForce());
         const Result<CaptureSet> set = read(lvm(recipe));
-        std::setlocale(LC_ALL, "C");
         QVERIFY(isAsMade(*set, recipe));
-        if (name == nullptr)
-            QSKIP("the locale de_DE.UTF-8 is not installed here");
     }
 
     void read_impactTests_haveTheExpectedExtremes()
     {
         const QString folder = recordingsFolder();
         if (folder.isEmpty())
-            QSKIP("the folder of recordings is missing (DYNCAL_DATA)");
+            DYNCAL_SKIP_WITHOUT_DATA("the folder of recordings is missing (DYNCAL_DATA)");
         const QJsonObject expected
             = QJsonDocument::fromJson(bytesOf(folder + "/expected/ds5_lvm.json")).object();
         QDirIterator entry(
@@ -566,7 +563,7 @@ private slots:
     {
         const QString folder = recordingsFolder();
         if (folder.isEmpty())
-            QSKIP("the folder of recordings is missing (DYNCAL_DATA)");
+            DYNCAL_SKIP_WITHOUT_DATA("the folder of recordings is missing (DYNCAL_DATA)");
         struct Expectation
         {
             QString file;

@@ -592,7 +592,7 @@ void TestMat::corpus_isReadOrRefused()
 {
     const QStringList files = corpusFiles("mat_corpus", {".mat"});
     if (files.isEmpty())
-        QSKIP("DYNCAL_DATA has no folder mat_corpus: 0 files covered");
+        DYNCAL_SKIP_WITHOUT_DATA("DYNCAL_DATA has no folder mat_corpus: 0 files covered");
     int read = 0, refused = 0, otherReader = 0;
     for (const QString &path : files) {
         const QByteArray bytes = bytesOf(path);
@@ -637,7 +637,8 @@ void TestMat::dropTower_timesInMilliseconds_areAQuestion()
 {
     const QStringList files = corpusFiles("highrate_ds1_droptower", {".mat"});
     if (files.isEmpty())
-        QSKIP("DYNCAL_DATA has no folder highrate_ds1_droptower: 0 files covered");
+        DYNCAL_SKIP_WITHOUT_DATA(
+            "DYNCAL_DATA has no folder highrate_ds1_droptower: 0 files covered");
     int covered = 0;
     for (const QString &path : files) {
         if (!path.contains("Unit105"))
@@ -667,7 +668,7 @@ void TestMat::derived_shotsAreThoseOfTheMatrix()
 {
     const QStringList files = corpusFiles("derived", {"_v5.mat"});
     if (files.isEmpty())
-        QSKIP("DYNCAL_DATA has no folder derived: 0 files covered");
+        DYNCAL_SKIP_WITHOUT_DATA("DYNCAL_DATA has no folder derived: 0 files covered");
     const QString script = R"(
 import sys, numpy as np, scipy.io as sio
 sio.loadmat(sys.argv[1])['Y'].T.astype('<f8').tofile(sys.argv[2])

@@ -240,7 +240,7 @@ void TestRigolWfm::corpus_isReadOrRefused()
 {
     const QStringList files = corpusFiles("rigolwfm/files/wfm", {".wfm"});
     if (files.isEmpty())
-        QSKIP("DYNCAL_DATA has no folder rigolwfm: 0 files covered");
+        DYNCAL_SKIP_WITHOUT_DATA("DYNCAL_DATA has no folder rigolwfm: 0 files covered");
     const int read = readCorpus(
         "Rigol .wfm", files, {"CAP-001", "CAP-018"}, [](const QString &, const CaptureSet &set) {
             QVERIFY(set.shots[0].channels.at(0).sampleRate_Hz > 0.0);
@@ -285,7 +285,7 @@ void TestRigolWfm::twins_writtenByTheOscilloscope_agree()
     }
     qInfo("Rigol .wfm against the oscilloscope's CSV: %d files covered", covered);
     if (covered == 0)
-        QSKIP("DYNCAL_DATA has no folder rigolwfm: 0 files covered");
+        DYNCAL_SKIP_WITHOUT_DATA("DYNCAL_DATA has no folder rigolwfm: 0 files covered");
 }
 
 } // namespace dyncal

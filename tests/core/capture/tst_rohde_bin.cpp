@@ -305,7 +305,7 @@ void TestRohdeBin::corpus_isReadOrRefused()
 {
     const QStringList files = corpusFiles("rigolwfm/files/rs", {".bin"});
     if (files.isEmpty())
-        QSKIP("DYNCAL_DATA has no folder rigolwfm: 0 files covered");
+        DYNCAL_SKIP_WITHOUT_DATA("DYNCAL_DATA has no folder rigolwfm: 0 files covered");
     const int read = readCorpus("Rohde & Schwarz", files, {"CAP-001"},
         [](const QString &, const CaptureSet &set) { QVERIFY(set.findings.empty()); });
     QVERIFY(read >= 3);
@@ -351,7 +351,7 @@ void TestRohdeBin::twins_writtenByTheOscilloscope_agree()
         QVERIFY(std::abs(set->shots[0].channels[0].polynomial[1] - 0.015810277) < 1e-9);
     }
     if (covered == 0)
-        QSKIP("DYNCAL_DATA has no folder rigolwfm: 0 files covered");
+        DYNCAL_SKIP_WITHOUT_DATA("DYNCAL_DATA has no folder rigolwfm: 0 files covered");
 }
 
 } // namespace dyncal

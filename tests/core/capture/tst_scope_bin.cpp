@@ -347,7 +347,7 @@ void TestScopeBin::corpus_isReadOrRefused()
 {
     const QStringList files = corpusFiles("rigolwfm/files/bin", {".bin"});
     if (files.isEmpty())
-        QSKIP("DYNCAL_DATA has no folder rigolwfm: 0 files covered");
+        DYNCAL_SKIP_WITHOUT_DATA("DYNCAL_DATA has no folder rigolwfm: 0 files covered");
     int read = 0, refused = 0, known = 0;
     for (const QString &path : files) {
         const auto set = readCapture(path.toStdString(), {});

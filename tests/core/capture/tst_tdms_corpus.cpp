@@ -202,7 +202,7 @@ private slots:
         qInfo("TDMS corpus: %d files in %s", int(m_files.size()),
             m_folder.isEmpty() ? "(the folder of recordings is missing)" : qPrintable(m_folder));
         if (m_files.isEmpty())
-            QSKIP("The folder of recordings is missing: no file was covered.");
+            DYNCAL_SKIP_WITHOUT_DATA("The folder of recordings is missing: no file was covered.");
     }
 
     void everyFile_isReadOrRefusedAsItMustBe()

@@ -132,7 +132,7 @@ private slots:
     {
         const QString folder = recordingsFolder();
         if (folder.isEmpty())
-            QSKIP("the folder of recordings is missing (DYNCAL_DATA)");
+            DYNCAL_SKIP_WITHOUT_DATA("the folder of recordings is missing (DYNCAL_DATA)");
         int readable = 0, refused = 0, others = 0;
         QStringList faults;
         for (const QString &path : textsIn(folder)) {
@@ -163,7 +163,7 @@ private slots:
         qInfo("%d files read, %d refused, %d no captures", readable, refused, others);
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join("\n")));
         if (readable == 0)
-            QSKIP("the folder of recordings holds no texts");
+            DYNCAL_SKIP_WITHOUT_DATA("the folder of recordings holds no texts");
     }
 };
 

@@ -431,7 +431,7 @@ void TestWav::corpus_isReadOrRefused()
 {
     const QStringList files = corpusFiles("wav_corpus", {".wav"});
     if (files.isEmpty())
-        QSKIP("DYNCAL_DATA has no folder wav_corpus: 0 files covered");
+        DYNCAL_SKIP_WITHOUT_DATA("DYNCAL_DATA has no folder wav_corpus: 0 files covered");
     const QString script = R"(
 import sys, warnings, numpy as np
 warnings.simplefilter('ignore')

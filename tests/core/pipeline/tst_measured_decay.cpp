@@ -72,7 +72,7 @@ private slots:
             QString::fromStdString((testing::dataFolder() / "expected/ds5_era.json").string()));
         const auto files = shots();
         if (files.empty() || !file.open(QIODevice::ReadOnly))
-            QSKIP("The folder of measured data is missing: 0 files covered.");
+            DYNCAL_SKIP_WITHOUT_DATA("The folder of measured data is missing: 0 files covered.");
         const QJsonObject expected
             = QJsonDocument::fromJson(file.readAll()).object()["files"].toObject();
         int covered = 0;
@@ -96,7 +96,7 @@ private slots:
     {
         const auto files = shots();
         if (files.empty())
-            QSKIP("The folder of measured data is missing: 0 files covered.");
+            DYNCAL_SKIP_WITHOUT_DATA("The folder of measured data is missing: 0 files covered.");
         const auto pole = calibrated(files);
         QVERIFY(pole.has_value());
         qInfo("%.3f Hz, damping %.5f", pole->frequency_Hz, pole->dampingRatio);
@@ -108,7 +108,7 @@ private slots:
     {
         const auto folder = testing::dataFolder() / "highrate_ds5_impact/data/dataset-2/data-1";
         if (!std::filesystem::exists(folder / "Test_017.lvm"))
-            QSKIP("The folder of measured data is missing: 0 files covered.");
+            DYNCAL_SKIP_WITHOUT_DATA("The folder of measured data is missing: 0 files covered.");
         Recipe recipe;
         recipe.import.channels = {{"Acceleration_0", "dut"}};
         recipe.shock.enabled = false;

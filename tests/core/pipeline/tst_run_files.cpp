@@ -28,6 +28,14 @@ RunFiles exampleRun()
     return run;
 }
 
+Result<std::vector<std::string>> writeInto(
+    const QString &folder, const RunFiles &run, const JobControl &control = {})
+{
+    Result<FolderWrite> target = FolderWrite::begin(runFolder(folder.toStdString(), {}));
+    return target ? writeRunFiles(run, *target, control)
+                  : Result<std::vector<std::string>>(tl::unexpected(target.error()));
+}
+
 QByteArray bytesOf(const QString &path)
 {
     QFile file(path);
@@ -43,12 +51,14 @@ class TestRunFiles : public QObject
 private slots:
     void write_completeRun_givesEveryFile();
     void write_runWithoutResults_givesRecipeAndResultsOnly();
+    void write_blockedRun_givesRecipeAndResultsOnly();
     void write_overAnEarlierRun_removesItsFilesOnly();
     void write_resultsJson_isTheLast();
-    void write_stoppedAtAnyFile_leavesNoResultsJson();
+    void write_stoppedAtAnyFile_changesNothing();
+    void write_overAFolderOfAnOlderVersion_isRefused();
+    void model_isWrittenBesideARun();
     void write_stoppedBefore_changesNothing();
     void write_tablesNameTaken_failsAndNamesIt();
-    void makeFolder_nestedOrTaken();
     void progress_risesToOne();
 };
 
@@ -56,7 +66,7 @@ void TestRunFiles::write_completeRun_givesEveryFile()
 {
     const QTemporaryDir folder;
     const RunFiles run = exampleRun();
-    const auto paths = writeRunFiles(run, folder.path().toStdString());
+    const auto paths = writeInto(folder.path(), run);
     QVERIFY(paths.has_value());
     QCOMPARE(*paths,
         (std::vector<std::string>{folder.filePath("results.json").toStdString(),
@@ -86,36 +96,54 @@ void TestRunFiles::write_runWithoutResults_givesRecipeAndResultsOnly()
     RunFiles run;
     run.createdUtc = kCreated;
     run.outcome.error = Error{ErrorKind::DataBlocked, {"Blocked.", {}}, "CAP-009", 1};
-    const auto paths = writeRunFiles(run, folder.path().toStdString());
+    const auto paths = writeInto(folder.path(), run);
     QVERIFY(paths.has_value());
     QCOMPARE(paths->size(), std::size_t(2));
     QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
-        QStringList({"recipe.json", "results.json"}));
+        QStringList({"recipe.json", "results.json", "written.json"}));
+}
+
+void TestRunFiles::write_blockedRun_givesRecipeAndResultsOnly()
+{
+    const QTemporaryDir folder;
+    RunFiles run = exampleRun(); // complete, but for what one stage found
+    auto response = std::make_shared<ResponseResult>(*run.outcome.results.response);
+    response->findings.push_back({"CAP-015", Severity::Block, 0, {}, {}, {"Changed.", {}}, {}, {}});
+    run.outcome.results.response = response;
+    QVERIFY(writeInto(folder.path(), run));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
+        QStringList({"recipe.json", "results.json", "written.json"}));
+    QVERIFY(bytesOf(folder.filePath("results.json")).contains("CAP-015"));
 }
 
 void TestRunFiles::write_overAnEarlierRun_removesItsFilesOnly()
 {
     const QTemporaryDir folder;
-    const auto put = [&](const char *name) {
-        const QString path = folder.filePath(name);
-        QVERIFY(QFileInfo(path).dir().mkpath("."));
-        QVERIFY(writeFileAtomically(path.toStdString(), "old"));
-    };
-    for (const char *name : {"dcc.xml", "certificate.pdf", "csv/old.csv", "plots/99-old.svg",
-             "model/model.mat", "notes.txt", "csv/notes.txt", "plots/photo.png", "model/my.m"})
-        put(name);
+    QVERIFY(writeInto(folder.path(), exampleRun()));
+    QVERIFY(QFile::exists(folder.filePath("model/model.mat")));
+    for (const char *name : {"notes.txt", "csv/notes.csv", "plots/photo.svg", "model/my.m"})
+        QVERIFY(writeFileAtomically(folder.filePath(name).toStdString(), "mine"));
     RunFiles run = exampleRun();
     run.drawn.clear();
     run.outcome.results.model = nullptr; // nor does its model stay
-    QVERIFY(writeRunFiles(run, folder.path().toStdString())); // no recipe.json: not ours
-    QVERIFY(QFile::exists(folder.filePath("dcc.xml")));
-    QVERIFY(QFile::exists(folder.filePath("csv/old.csv")));
-    QVERIFY(writeRunFiles(run, folder.path().toStdString()));
+    QVERIFY(writeInto(folder.path(), run));
     for (const char *gone :
-        {"dcc.xml", "certificate.pdf", "csv/old.csv", "plots/99-old.svg", "model/model.mat"})
+        {"certificate.pdf", "plots/01-a.svg", "plots/02-b.svg", "model/model.mat"})
         QVERIFY2(!QFile::exists(folder.filePath(gone)), gone);
-    for (const char *kept : {"notes.txt", "csv/notes.txt", "plots/photo.png", "model/my.m"})
-        QCOMPARE(bytesOf(folder.filePath(kept)), QByteArray("old"));
+    for (const char *kept : {"notes.txt", "csv/notes.csv", "plots/photo.svg", "model/my.m"})
+        QCOMPARE(bytesOf(folder.filePath(kept)), QByteArray("mine"));
+}
+
+void TestRunFiles::write_overAFolderOfAnOlderVersion_isRefused()
+{
+    const QTemporaryDir folder;
+    for (const char *name : {"recipe.json", "results.json", "certificate.pdf"})
+        QVERIFY(writeFileAtomically(folder.filePath(name).toStdString(), "old"));
+    const auto paths = writeInto(folder.path(), exampleRun());
+    QVERIFY(!paths.has_value());
+    QCOMPARE(paths.error().kind, ErrorKind::Usage);
+    for (const char *name : {"recipe.json", "results.json", "certificate.pdf"})
+        QCOMPARE(bytesOf(folder.filePath(name)), QByteArray("old"));
 }
 
 void TestRunFiles::write_resultsJson_isTheLast()
@@ -128,17 +156,18 @@ void TestRunFiles::write_resultsJson_isTheLast()
                                  ++reports;
                                  withResults += QFile::exists(results) ? 1 : 0;
                              }};
-    QVERIFY(writeRunFiles(exampleRun(), folder.path().toStdString(), control));
+    QVERIFY(writeInto(folder.path(), exampleRun(), control));
     QVERIFY(reports > 5);
-    QCOMPARE(withResults, 1);
+    QCOMPARE(withResults, 0); // all files appear at once, behind the last of them
+    QVERIFY(QFile::exists(results));
 }
 
-void TestRunFiles::write_stoppedAtAnyFile_leavesNoResultsJson()
+void TestRunFiles::write_stoppedAtAnyFile_changesNothing()
 {
     const CalibrationResults results = exampleRun().outcome.results;
     const auto files
         = static_cast<int>(resultsCsv(results).size() + modelFiles(results).size() + 3 + 2);
-    for (int stopAfter = 1; stopAfter < files; ++stopAfter) {
+    for (int stopAfter = 1; stopAfter <= files; ++stopAfter) {
         const QTemporaryDir folder;
         std::stop_source stop;
         int written = 0;
@@ -146,49 +175,60 @@ void TestRunFiles::write_stoppedAtAnyFile_leavesNoResultsJson()
                                      if (++written == stopAfter)
                                          stop.request_stop();
                                  }};
-        const auto paths = writeRunFiles(exampleRun(), folder.path().toStdString(), control);
+        const auto paths = writeInto(folder.path(), exampleRun(), control);
         QVERIFY(!paths.has_value());
         QCOMPARE(paths.error().kind, ErrorKind::Cancelled);
-        QVERIFY(!QFile::exists(folder.filePath("results.json")));
-        // The next run must know that what is there is a run's.
-        QVERIFY(QFile::exists(folder.filePath("recipe.json")));
+        QVERIFY(
+            QDir(folder.path()).isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot));
     }
 }
 
 void TestRunFiles::write_stoppedBefore_changesNothing()
 {
     const QTemporaryDir folder;
-    for (const char *name : {"recipe.json", "results.json"})
-        QVERIFY(writeFileAtomically(folder.filePath(name).toStdString(), "old"));
+    QVERIFY(writeInto(folder.path(), exampleRun()));
+    const QByteArray before = bytesOf(folder.filePath("written.json"));
     std::stop_source stop;
     stop.request_stop();
-    QVERIFY(!writeRunFiles(exampleRun(), folder.path().toStdString(), {stop.get_token(), {}}));
-    QCOMPARE(bytesOf(folder.filePath("results.json")), QByteArray("old"));
-    QCOMPARE(bytesOf(folder.filePath("recipe.json")), QByteArray("old"));
+    QVERIFY(!writeInto(folder.path(), exampleRun(), {stop.get_token(), {}}));
+    QCOMPARE(bytesOf(folder.filePath("written.json")), before);
+    QVERIFY(QFile::exists(folder.filePath("results.json")));
+}
+
+/// Each kind of writer replaces what it wrote itself.
+void TestRunFiles::model_isWrittenBesideARun()
+{
+    const QTemporaryDir folder;
+    const auto exportModel = [&](const std::vector<std::string> &formats) {
+        Result<FolderWrite> target
+            = FolderWrite::begin(modelFolder(folder.path().toStdString(), {}));
+        return target && writeModelFiles(exampleRun().outcome.results, formats, *target);
+    };
+    QVERIFY(exportModel({"mat", "py"}));
+    QVERIFY(writeInto(folder.path(), exampleRun()));
+    QVERIFY(QFile::exists(folder.filePath("model.mat")));
+    QVERIFY(exportModel({"json"}));
+    QVERIFY(!QFile::exists(folder.filePath("model.mat")));
+    QVERIFY(QFile::exists(folder.filePath("model.json")));
+    QVERIFY(QFile::exists(folder.filePath("results.json")));
+    QVERIFY(writeInto(folder.path(), exampleRun()));
+    QVERIFY(QFile::exists(folder.filePath("model.json")));
+    QVERIFY(writeFileAtomically(folder.filePath("model.json").toStdString(), "edited"));
+    QVERIFY(!exportModel({"json"}));
+    QCOMPARE(bytesOf(folder.filePath("model.json")), QByteArray("edited"));
 }
 
 void TestRunFiles::write_tablesNameTaken_failsAndNamesIt()
 {
     const QTemporaryDir folder;
     QVERIFY(writeFileAtomically(folder.filePath("csv").toStdString(), "a file"));
-    const auto paths = writeRunFiles(exampleRun(), folder.path().toStdString());
+    const auto paths = writeInto(folder.path(), exampleRun());
     QVERIFY(!paths.has_value());
     QCOMPARE(paths.error().kind, ErrorKind::Usage);
     const std::string sentence = english(paths.error().message);
-    QVERIFY2(sentence.find("csv cannot be made") != std::string::npos, sentence.c_str());
+    QVERIFY2(sentence.find("csv is in the way") != std::string::npos, sentence.c_str());
     QVERIFY(!QFile::exists(folder.filePath("results.json")));
     QCOMPARE(bytesOf(folder.filePath("csv")), QByteArray("a file"));
-}
-
-void TestRunFiles::makeFolder_nestedOrTaken()
-{
-    const QTemporaryDir folder;
-    QVERIFY(makeFolder(folder.filePath("a/b/c").toStdString()));
-    QVERIFY(makeFolder(folder.filePath("a/b/c").toStdString())); // there already
-    QVERIFY(QDir(folder.filePath("a/b/c")).exists());
-    QVERIFY(writeFileAtomically(folder.filePath("taken").toStdString(), "x"));
-    QVERIFY(!makeFolder(folder.filePath("taken").toStdString()));
-    QVERIFY(!makeFolder(folder.filePath("taken/below").toStdString()));
 }
 
 void TestRunFiles::progress_risesToOne()
@@ -200,7 +240,7 @@ void TestRunFiles::progress_risesToOne()
                                  rises = rises && done > last;
                                  last = done;
                              }};
-    QVERIFY(writeRunFiles(exampleRun(), folder.path().toStdString(), control));
+    QVERIFY(writeInto(folder.path(), exampleRun(), control));
     QVERIFY(rises);
     QCOMPARE(last, 1.0);
 }

@@ -25,6 +25,7 @@ inline Recipe fullRecipe()
         .reference = "absolute",
         .skipRows = 3,
         .interpolateInvalid = 5,
+        .maxExpansion = 50.0,
         .channelFiles = "apart",
         .levels = {"low", "high"},
         .exclude = {{2, "diaphragm leaked"}},
@@ -42,7 +43,8 @@ inline Recipe fullRecipe()
                 .polarity = -1,
                 .reference = "gauge",
                 .skipRows = 2,
-                .interpolateInvalid = 4}}}};
+                .interpolateInvalid = 4,
+                .maxExpansion = 30.0}}}};
     r.checks = {.saturationRun = 4,
         .flatCodes = 2.0,
         .leastCodes = 32.0,

@@ -131,7 +131,8 @@ private slots:
     {
         const auto folder = testing::dataFolder() / "synthetic";
         if (!testing::textColumn(folder / "syn_imp2.csv", 0))
-            QSKIP("The folder of measured data is missing: 0 of 4 series covered.");
+            DYNCAL_SKIP_WITHOUT_DATA(
+                "The folder of measured data is missing: 0 of 4 series covered.");
         const auto read = [&](const char *name) { return *testing::textColumn(folder / name, 0); };
         verify({read("syn_imp2.csv"), 2, {5.134922909707, 4.642215237670},
             withPair(0.9731166382, 0.1853941599, {}), 81.15496884, 100.0});

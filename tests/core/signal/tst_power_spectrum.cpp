@@ -481,7 +481,7 @@ void TestPowerSpectrum::measured_impact_showsItsPlateMode()
             / "highrate_ds5_impact/data/dataset-1/data-1/PCB_repeated_shock_trials/acc_pcb_a0.txt",
         1);
     if (!values)
-        QSKIP("Measured data are missing: set DYNCAL_DATA");
+        DYNCAL_SKIP_WITHOUT_DATA("Measured data are missing: set DYNCAL_DATA");
     const Eigen::VectorXd window = values->segment(1250, 2000).array() - values->tail(1000).mean();
     const auto result = analyseSpectra({responseOf(window, 50e3)}, {});
     describe(*result);

@@ -751,7 +751,7 @@ void TestResponseWindow::measured_impact_matchesIndependentBaseline()
             / "highrate_ds5_impact/data/dataset-1/data-1/PCB_repeated_shock_trials/acc_pcb_a0.txt",
         1);
     if (!values)
-        QSKIP("Measured data are missing: set DYNCAL_DATA");
+        DYNCAL_SKIP_WITHOUT_DATA("Measured data are missing: set DYNCAL_DATA");
     WindowSettings settings; // as in expected/ds5_era.json
     settings.start_s = {0.025};
     settings.end_s = 0.04;
@@ -774,7 +774,7 @@ void TestResponseWindow::measured_badShot_isLeftOut()
             = textColumn(dataFolder() / "highrate_ds5_impact/data/dataset-2/data-1" / name, 1,
                 "***End_of_Header***");
         if (!values)
-            QSKIP("Measured data are missing: set DYNCAL_DATA");
+            DYNCAL_SKIP_WITHOUT_DATA("Measured data are missing: set DYNCAL_DATA");
         channels.push_back(doubleChannel(*values, 51200.0));
     }
     const auto result = cutWindows(captureSetOf(channels), {}, impulseContext());

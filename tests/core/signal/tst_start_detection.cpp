@@ -238,7 +238,7 @@ void TestStartDetection::detect_invalidSamples_areSkipped()
     values.head(390).setConstant(kNan);
     compareNoStart(detectStart(doubleChannel(values, 1e6)), "quiet samples");
     values.setConstant(kNan);
-    compareNoStart(detectStart(doubleChannel(values, 1e6)), "window.start");
+    compareNoStart(detectStart(doubleChannel(values, 1e6)), "no valid samples");
 }
 
 void TestStartDetection::detect_stepAtTheVeryEnd_staysInside()
@@ -386,7 +386,7 @@ void TestStartDetection::detect_impactRecords_startBeforeTheirPeak()
     }
     qInfo("%d of 11 impact records covered", covered);
     if (covered == 0)
-        QSKIP("Measured data are missing: set DYNCAL_DATA");
+        DYNCAL_SKIP_WITHOUT_DATA("Measured data are missing: set DYNCAL_DATA");
 }
 
 void TestStartDetection::detect_labviewRecords_startBeforeTheirPeak_data()
@@ -413,7 +413,7 @@ void TestStartDetection::detect_labviewRecords_startBeforeTheirPeak()
         = dataFolder() / "highrate_ds5_impact/data/dataset-2/data-1" / name.toStdString();
     const auto values = textColumn(file, static_cast<std::size_t>(column), "***End_of_Header***");
     if (!values)
-        QSKIP("Measured data are missing: set DYNCAL_DATA");
+        DYNCAL_SKIP_WITHOUT_DATA("Measured data are missing: set DYNCAL_DATA");
     const auto start = detectStart(doubleChannel(*values, 51200.0));
     compareStart(start, peak - 60, peak);
     QCOMPARE(start->baselineAtRest, atRest);
@@ -432,7 +432,7 @@ void TestStartDetection::detect_syntheticSeriesWithoutLead_isBlocked()
     }
     qInfo("%d of 4 synthetic series covered", covered);
     if (covered == 0)
-        QSKIP("Synthetic series are missing: set DYNCAL_DATA");
+        DYNCAL_SKIP_WITHOUT_DATA("Synthetic series are missing: set DYNCAL_DATA");
 }
 
 void TestStartDetection::crossing_ramp_isExact()

@@ -57,7 +57,8 @@ void TestSimulatedFile::writtenAndRead_sameCapture()
     QTemporaryDir folder;
     const std::string path = folder.filePath("simulated.h5").toStdString();
     const SimulatedCapture made = smallCapture();
-    const auto written = writeHdf5Capture(made.set, path, kCreated, "simulated", made.truth);
+    const auto written
+        = writeHdf5Capture(made.set, {path, true}, kCreated, "simulated", made.truth);
     QVERIFY2(written.has_value(), written ? "" : english(written.error().message).c_str());
     const auto read = readHdf5Capture(path, {}, {});
     QVERIFY2(read.has_value(), read ? "" : english(read.error().message).c_str());
@@ -81,7 +82,8 @@ void TestSimulatedFile::writtenTwice_sameBytes()
     const std::string second = folder.filePath("second.h5").toStdString();
     for (const std::string &path : {first, second}) {
         const SimulatedCapture made = smallCapture();
-        QVERIFY(writeHdf5Capture(made.set, path, kCreated, "simulated", made.truth).has_value());
+        QVERIFY(writeHdf5Capture(made.set, {path, true}, kCreated, "simulated", made.truth)
+                    .has_value());
     }
     QVERIFY(!sha256OfFile(first).empty());
     QCOMPARE(sha256OfFile(first), sha256OfFile(second));

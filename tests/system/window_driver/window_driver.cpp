@@ -8,7 +8,9 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
+#include <QMessageBox>
 #include <QSocketNotifier>
+#include <QTableWidget>
 #include <QTest>
 
 #include <cstdio>
@@ -18,11 +20,13 @@
 /// (QT_QPA_GENERIC_PLUGINS). It takes one command a line from stdin and answers with one line.
 ///   title                what the window's title says, with its modified mark
 ///   text NAME            what the label or line edit shows; "-" if it is not on show
-///   list NAME            all items of the list, in one line
+///   list NAME            all items of the list or table, in one line
 ///   click NAME           presses a button
 ///   trigger NAME         takes a menu's action
-///   type NAME WORDS      replaces what a line edit holds and leaves it
-///   key KEYS             presses a shortcut, such as Alt+9
+///   start NAME           the same, without waiting for the dialog that it opens
+///   accept               presses OK in a message box and answers what it said; "-" if there is
+///   none type NAME WORDS      replaces what a line edit holds and leaves it key KEYS presses a
+///   shortcut, such as Alt+9
 class WindowDriver : public QObject
 {
     Q_OBJECT
@@ -69,6 +73,8 @@ private:
             return "-";
         if (verb == "title")
             return (top->windowTitle() + (top->isWindowModified() ? " modified" : "")).toUtf8();
+        if (verb == "accept")
+            return acceptBox().toUtf8();
         if (verb == "key") {
             QTest::keySequence(top, QKeySequence(name));
             return "done";
@@ -77,11 +83,15 @@ private:
             action->trigger();
             return "done";
         }
+        if (auto *action = top->findChild<QAction *>(name); verb == "start" && action) {
+            QMetaObject::invokeMethod(action, &QAction::trigger, Qt::QueuedConnection);
+            return "done";
+        }
         auto *widget = top->findChild<QWidget *>(name);
         if (!widget || !widget->isVisible())
             return "-";
         if (verb == "list")
-            return itemsOf(qobject_cast<QListWidget *>(widget)).toUtf8();
+            return itemsOf(widget).toUtf8();
         if (verb == "text")
             return textOf(widget).toUtf8();
         if (auto *button = qobject_cast<QAbstractButton *>(widget); verb == "click" && button)
@@ -93,6 +103,18 @@ private:
         return "done";
     }
 
+    static QString acceptBox()
+    {
+        for (QWidget *widget : QApplication::topLevelWidgets()) {
+            auto *box = qobject_cast<QMessageBox *>(widget);
+            if (!box || !box->isVisible())
+                continue;
+            QMetaObject::invokeMethod(box, &QDialog::accept, Qt::QueuedConnection);
+            return box->text().simplified();
+        }
+        return QStringLiteral("-");
+    }
+
     static QString textOf(QWidget *widget)
     {
         if (const auto *label = qobject_cast<QLabel *>(widget))
@@ -101,11 +123,16 @@ private:
         return edit ? edit->text() : QString("-");
     }
 
-    static QString itemsOf(const QListWidget *list)
+    static QString itemsOf(const QWidget *widget)
     {
         QStringList items;
+        const auto *list = qobject_cast<const QListWidget *>(widget);
         for (int i = 0; list && i < list->count(); ++i)
             items << list->item(i)->text().simplified();
+        const auto *table = qobject_cast<const QTableWidget *>(widget);
+        for (int i = 0; table && i < table->rowCount() * table->columnCount(); ++i)
+            if (const auto *item = table->item(i / table->columnCount(), i % table->columnCount()))
+                items << item->text().simplified();
         return items.join(" | ");
     }
 

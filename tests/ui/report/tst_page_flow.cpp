@@ -5,8 +5,12 @@
 #include "ui/report/page_flow.h"
 #include "ui/report/pdf_bytes.h"
 
+#include <QBuffer>
+#include <QPainter>
+#include <QPdfWriter>
 #include <QtTest>
 
+#include <ctime>
 #include <numeric>
 #include <random>
 
@@ -42,6 +46,7 @@ private slots:
     void place_randomBlocks_neverOverlapNorLeaveThePage();
     void widths_anyInput_sumToTotal();
     void dates_inPdf_areReplacedInPlace();
+    void pdf_inEveryTimeZone_hasTheSameBytes();
 };
 
 void TestPageFlow::place_whatFits_staysOnOnePage()
@@ -160,6 +165,33 @@ void TestPageFlow::dates_inPdf_areReplacedInPlace()
         QByteArray(made).replace("20250102", "20190908").replace("0011", "ffee"),
         "2026-11-21T03:04:05Z");
     QCOMPARE(other, fixed);
+}
+
+void TestPageFlow::pdf_inEveryTimeZone_hasTheSameBytes()
+{
+    const QByteArray zoneBefore = qgetenv("TZ");
+    const auto written = [](const char *zone) {
+        qputenv("TZ", zone);
+        ::tzset();
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        {
+            QPdfWriter writer(&buffer);
+            QPainter painter(&writer);
+            painter.drawText(QPointF(100.0, 100.0), "text");
+        }
+        return dyncal::withFixedDates(bytes, "2026-11-21T03:04:05Z");
+    };
+    const QByteArray utc = written("UTC0");
+    QVERIFY(utc.contains("CreationDate (D:20261121030405Z)"));
+    const qsizetype stated = utc.lastIndexOf("startxref\n") + 10;
+    QCOMPARE(utc.mid(utc.mid(stated, utc.indexOf('\n', stated) - stated).toLongLong(), 5),
+        QByteArray("xref\n"));
+    for (const char *zone : {"A-14", "B+12", "C-5:45", "D+3:30"})
+        QVERIFY2(written(zone) == utc, zone);
+    zoneBefore.isNull() ? qunsetenv("TZ") : qputenv("TZ", zoneBefore);
+    ::tzset();
 }
 
 QTEST_MAIN(TestPageFlow)

@@ -57,10 +57,10 @@ struct Bench
     bool hasFile() const { return QFile::exists(*store.file()); }
     Index keptOrder() const
     {
-        const Result<QJsonObject> json = readProjectObject(*store.file());
-        if (!json)
+        const Result<ProjectFile> project = readProjectFile(*store.file());
+        if (!project)
             return 0;
-        const Result<Recipe> recipe = recipeOfProject(*json);
+        const Result<Recipe> recipe = recipeOfProject(project->content);
         return recipe ? recipe->realization.order.value.value_or(0) : 0;
     }
 };
@@ -179,7 +179,7 @@ void TestAutoSave::sealed_recordingsGetTheirHash()
     next.captures = std::make_shared<const CaptureSet>(set);
     bench.session.applyState(next, "Recordings");
     const auto kept = [&] {
-        return (*readProjectObject(*bench.store.file()))["captures"][0]["sha256"].toString();
+        return readProjectFile(*bench.store.file())->content["captures"][0]["sha256"].toString();
     };
     QTRY_COMPARE(kept(), QString(64, 'b'));
 }

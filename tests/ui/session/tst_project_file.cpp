@@ -1,11 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/base/atomic_file.h"
 #include "core/capture/capture_seal.h"
 #include "core/capture/format_registry.h"
+#include "tests/support/trial_count.h"
 #include "ui/session/capture_edit.h"
 #include "ui/session/capture_reading.h"
 #include "ui/session/example.h"
+#include "ui/session/project_checksum.h"
 #include "ui/session/project_file.h"
 
 #include <QDir>
@@ -15,6 +18,8 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 #include <QtTest>
+
+#include <random>
 
 using namespace dyncal;
 
@@ -60,8 +65,21 @@ private slots:
     void otherFiles_areRefusedByName();
     void newerVersion_isRefused();
     void unwritablePlace_isSaidAndLeavesNothing();
+    void editedProject_opensWithACautionThatNamesTheParts_data();
+    void editedProject_opensWithACautionThatNamesTheParts();
+    void reformattedProject_isTheSame();
+    void projectOfAnOlderVersion_opensMarked();
+    void everyFlippedBit_isSeenOrSaysTheSame();
+    void otherFileInItsPlace_isNotReplaced();
 
 private:
+    /// Text of a project without recordings.
+    QByteArray smallProject() const
+    {
+        ProjectState state;
+        state.recipe = m_state.recipe;
+        return projectBytes(state, m_folder.path());
+    }
     QTemporaryDir m_folder;
     ProjectState m_state;
 };
@@ -80,7 +98,7 @@ void TestProjectFile::initTestCase()
 void TestProjectFile::example_savedAndOpened_isTheSame()
 {
     const QString path = m_folder.filePath("a.dyncal");
-    QVERIFY(saveProject(path, m_state));
+    QVERIFY(saveProject(path, m_state, projectFileHash(path)));
     const Result<ProjectState> opened = openProject(path);
     QVERIFY(opened);
     QVERIFY(opened->recipe == m_state.recipe);
@@ -97,7 +115,7 @@ void TestProjectFile::removedShot_staysOut()
     const QString path = m_folder.filePath("removed.dyncal");
     const ProjectState state = withoutShot(m_state, 1);
     QCOMPARE(state.recipe.import.exclude.at(0).shot, Index(1)); // was shot 2
-    QVERIFY(saveProject(path, state));
+    QVERIFY(saveProject(path, state, projectFileHash(path)));
     const Result<ProjectState> opened = openProject(path);
     QVERIFY(opened);
     QCOMPARE(opened->captures->shots.size(), std::size_t(2));
@@ -117,7 +135,7 @@ void TestProjectFile::recipe_everyNumber_survives()
     state.recipe.shock.p1_Pa = 101325.00000000001;
     state.recipe.input.sampleRate_Hz = 1e7 / 3.0;
     state.recipe.window.start_s = {0.1, 1e-300, -2.0 / 7.0};
-    QVERIFY(saveProject(path, state));
+    QVERIFY(saveProject(path, state, projectFileHash(path)));
     const Result<ProjectState> opened = openProject(path);
     QVERIFY(opened);
     QVERIFY(opened->recipe == state.recipe);
@@ -130,7 +148,7 @@ void TestProjectFile::recordings_areNamedRelativeToTheProject()
     set.inputs = {{m_folder.filePath("data/low.h5").toStdString(), "low.h5", "00", "test"}};
     state.captures = std::make_shared<const CaptureSet>(set);
     const QString path = m_folder.filePath("relative.dyncal");
-    QVERIFY(saveProject(path, state));
+    QVERIFY(saveProject(path, state, projectFileHash(path)));
     const QJsonObject json = readJson(path);
     QCOMPARE(json["format"].toString(), QString("dyncal-project"));
     const QJsonObject entry = json["captures"].toArray().at(0).toObject();
@@ -141,7 +159,7 @@ void TestProjectFile::recordings_areNamedRelativeToTheProject()
 void TestProjectFile::changedRecording_isReportedAndBlocks()
 {
     const QString path = m_folder.filePath("changed.dyncal");
-    QVERIFY(saveProject(path, m_state));
+    QVERIFY(saveProject(path, m_state, projectFileHash(path)));
     QJsonObject json = readJson(path);
     QJsonArray captures = json["captures"].toArray();
     QJsonObject entry = captures[0].toObject();
@@ -166,7 +184,7 @@ void TestProjectFile::recordingInAFile_isOpenedUnsealedAndHeldAgainstItsHash()
     QVERIFY(read);
     state.captures = std::make_shared<const CaptureSet>(*read);
     const QString path = m_folder.filePath("own.dyncal");
-    QVERIFY(saveProject(path, state));
+    QVERIFY(saveProject(path, state, projectFileHash(path)));
 
     const auto sealedAgain = [&] {
         const Result<ProjectState> opened = openProject(path);
@@ -189,7 +207,8 @@ void TestProjectFile::recordingInAFile_isOpenedUnsealedAndHeldAgainstItsHash()
     QCOMPARE(changed.findings.back().severity, Severity::Block);
 
     // Saving the project does not make the changed recording the right one.
-    QVERIFY(saveProject(path, {std::make_shared<const CaptureSet>(changed), {}}));
+    QVERIFY(saveProject(
+        path, {std::make_shared<const CaptureSet>(changed), {}}, projectFileHash(path)));
     QCOMPARE(sealedAgain().findings.back().id, std::string("CAP-015"));
 }
 
@@ -200,7 +219,8 @@ void TestProjectFile::movedRecording_isFoundInTheFolderGiven()
     const Result<CaptureSet> read = readCaptures({recording.toStdString()}, {});
     QVERIFY(read);
     const QString path = m_folder.filePath("moved.dyncal");
-    QVERIFY(saveProject(path, {std::make_shared<const CaptureSet>(*read), {}}));
+    QVERIFY(
+        saveProject(path, {std::make_shared<const CaptureSet>(*read), {}}, projectFileHash(path)));
     QVERIFY(QDir(m_folder.path()).mkpath("elsewhere"));
     const QString there = m_folder.filePath("elsewhere/moved.csv");
     QVERIFY(QFile::rename(recording, there));
@@ -241,7 +261,7 @@ void TestProjectFile::missingRecordings_areAllNamed()
         {"/nowhere/low.h5", "low.h5", "00", "test"}, {"/nowhere/high.h5", "high.h5", "11", "test"}};
     state.captures = std::make_shared<const CaptureSet>(set);
     const QString path = m_folder.filePath("missing.dyncal");
-    QVERIFY(saveProject(path, state));
+    QVERIFY(saveProject(path, state, projectFileHash(path)));
     const Result<ProjectState> opened = openProject(path);
     QVERIFY(!opened);
     QCOMPARE(opened.error().kind, ErrorKind::FileUnreadable);
@@ -284,9 +304,123 @@ void TestProjectFile::newerVersion_isRefused()
 void TestProjectFile::unwritablePlace_isSaidAndLeavesNothing()
 {
     const QString path = m_folder.filePath("no/such/folder/a.dyncal");
-    const Result<void> saved = saveProject(path, m_state);
+    const Result<std::string> saved = saveProject(path, m_state, projectFileHash(path));
     QVERIFY(!saved);
     QVERIFY(said(saved.error()).contains("a.dyncal"));
+    QVERIFY(!QFile::exists(path));
+}
+
+void TestProjectFile::editedProject_opensWithACautionThatNamesTheParts_data()
+{
+    QTest::addColumn<QByteArray>("before");
+    QTest::addColumn<QByteArray>("after");
+    QTest::addColumn<QString>("named");
+    QTest::newRow("order") << QByteArray("\"order\": 3") << QByteArray("\"order\": 4")
+                           << ": recipe.realization. ";
+    QTest::newRow("text") << QByteArray("& Co") << QByteArray("& co") << ": recipe.certificate. ";
+    QTest::newRow("recordings") << QByteArray("\"captures\": [\n")
+                                << QByteArray("\"captures\": [null\n") << ": captures. ";
+    QTest::newRow("another key") << QByteArray("\"captures\": [")
+                                 << QByteArray("\"note\": 1, \"captures\": [") << ": note. ";
+    QTest::newRow("checksum") << QByteArray("\"sha256\": \"") << QByteArray("\"sha256\": \"0")
+                              << ": sha256. ";
+}
+
+void TestProjectFile::editedProject_opensWithACautionThatNamesTheParts()
+{
+    QFETCH(QByteArray, before);
+    QFETCH(QByteArray, after);
+    QFETCH(QString, named);
+    QByteArray bytes = smallProject();
+    QCOMPARE(bytes.count(before), 1);
+    bytes.replace(before, after);
+    const QJsonObject project = QJsonDocument::fromJson(bytes).object();
+    QVERIFY(!project.isEmpty());
+    const Findings findings = checkProject(project, "a.dyncal");
+    QCOMPARE(findings.size(), std::size_t(1));
+    QCOMPARE(findings[0].id, std::string("PRJ-001"));
+    QCOMPARE(findings[0].severity, Severity::Caution);
+    const QString sentence = QString::fromStdString(english(findings[0].message));
+    QVERIFY2(sentence.contains(named), qPrintable(sentence));
+}
+
+void TestProjectFile::reformattedProject_isTheSame()
+{
+    const QString path = m_folder.filePath("compact.dyncal");
+    QVERIFY(saveProject(path, m_state, projectFileHash(path)));
+    writeBytes(path, QJsonDocument(readJson(path)).toJson(QJsonDocument::Compact));
+    const Result<ProjectState> opened = openProject(path);
+    QVERIFY(opened);
+    QVERIFY(opened->captures->findings == m_state.captures->findings);
+}
+
+void TestProjectFile::projectOfAnOlderVersion_opensMarked()
+{
+    const QString path = m_folder.filePath("older.dyncal");
+    QVERIFY(saveProject(path, m_state, projectFileHash(path)));
+    QJsonObject json = readJson(path);
+    json.remove("sha256");
+    json.remove("sha256_of");
+    writeBytes(path, QJsonDocument(json).toJson());
+    const Result<ProjectState> opened = openProject(path);
+    QVERIFY(opened);
+    QVERIFY(opened->recipe == m_state.recipe);
+    QCOMPARE(opened->captures->findings.front().id, std::string("PRJ-002"));
+    QCOMPARE(opened->captures->findings.front().severity, Severity::Info);
+    json["sha256_of"] = QJsonObject(); // one of the two alone is no older version
+    QCOMPARE(checkProject(json, "x")[0].id, std::string("PRJ-001"));
+}
+
+void TestProjectFile::everyFlippedBit_isSeenOrSaysTheSame()
+{
+    const QString path = m_folder.filePath("flipped.dyncal");
+    const QByteArray bytes = smallProject();
+    const auto contentOf = [](QJsonObject project) {
+        project.remove("sha256");
+        project.remove("sha256_of");
+        return project;
+    };
+    const QJsonObject content = contentOf(QJsonDocument::fromJson(bytes).object());
+    const auto bits = static_cast<int>(8 * bytes.size());
+    int refused = 0;
+    int cautioned = 0;
+    int same = 0;
+    const int count = std::min(trials::count(5000, bits), bits);
+    std::mt19937 random(12);
+    for (int trial = 0; trial < count; ++trial) {
+        const int bit
+            = count == bits ? trial : static_cast<int>(random() % static_cast<unsigned int>(bits));
+        QByteArray flipped = bytes;
+        flipped[bit / 8] = static_cast<char>(flipped[bit / 8] ^ (1 << (bit % 8)));
+        writeBytes(path, flipped);
+        const Result<ProjectFile> file = readProjectFile(path);
+        if (!file || !recipeOfProject(file->content))
+            ++refused;
+        else if (worstSeverity(checkProject(file->content, "x")) == Severity::Caution)
+            ++cautioned;
+        else if (contentOf(file->content) == content)
+            ++same;
+        else
+            QFAIL(qPrintable(QString("bit %1 of byte %2").arg(bit % 8).arg(bit / 8)));
+    }
+    qInfo("%d of %d bits: %d refused, %d cautions, %d say the same", count, bits, refused,
+        cautioned, same);
+    QVERIFY(refused > 0 && cautioned > 0);
+}
+
+void TestProjectFile::otherFileInItsPlace_isNotReplaced()
+{
+    const QString path = m_folder.filePath("own-or-not.dyncal");
+    const Result<std::string> mine = saveProject(path, m_state, std::nullopt);
+    QVERIFY(mine);
+    QCOMPARE(*projectFileHash(path), *mine);
+    QCOMPARE(readProjectFile(path)->sha256, *mine);
+    QCOMPARE(
+        saveProject(path, m_state, std::nullopt).error().findingId, std::string(kChangedMeanwhile));
+    writeBytes(path, "of another program");
+    QCOMPARE(saveProject(path, m_state, *mine).error().findingId, std::string(kChangedMeanwhile));
+    QVERIFY(QFile::remove(path));
+    QCOMPARE(saveProject(path, m_state, *mine).error().findingId, std::string(kChangedMeanwhile));
     QVERIFY(!QFile::exists(path));
 }
 

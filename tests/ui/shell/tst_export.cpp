@@ -75,6 +75,7 @@ private slots:
     void progress_isShownWhileWriting();
     void export_cancelledWhileDrawing_changesNothingOnDisk();
     void export_intoUnwritablePlace_saysSoOnce();
+    void results_overFilesOfSomebodyElse_areNotExported();
     void certificate_exported_writesOneFile();
     void quit_whileWriting_isRefused();
     void edit_whileWriting_isNotInWhatIsWritten();
@@ -176,12 +177,10 @@ void TestExport::results_exported_neverHoldTheWindow()
 void TestExport::results_exportedAgain_replaceTheEarlierRun()
 {
     const QString folder = makeFolder("again");
-    QVERIFY(writeBytes(folder + "/recipe.json", "{}")); // an earlier run, of other data
-    QVERIFY(writeBytes(folder + "/dcc.xml", "old"));
-    QVERIFY(writeBytes(folder + "/mine.txt", "mine"));
-    QVERIFY(QDir().mkpath(folder + "/plots"));
-    QVERIFY(writeBytes(folder + "/plots/77-old.svg", "old"));
     exportTo(folder);
+    QVERIFY(writeBytes(folder + "/mine.txt", "mine"));
+    exportTo(folder);
+    QCOMPARE(newProblems(), QStringList());
     QCOMPARE(fileBytes(folder + "/mine.txt"), QByteArray("mine"));
     QVERIFY(QFile::remove(folder + "/mine.txt"));
     compareWithCommandLine(folder);
@@ -211,8 +210,7 @@ void TestExport::progress_isShownWhileWriting()
 void TestExport::export_cancelledWhileDrawing_changesNothingOnDisk()
 {
     const QString folder = makeFolder("cancelled");
-    QVERIFY(writeBytes(folder + "/recipe.json", "earlier"));
-    QVERIFY(writeBytes(folder + "/results.json", "earlier"));
+    QVERIFY(writeBytes(folder + "/notes.txt", "earlier"));
     auto *bar = m_window->findChild<QProgressBar *>("progressBar");
     startExport(folder);
     QTRY_VERIFY(bar->value() > 10);
@@ -220,18 +218,31 @@ void TestExport::export_cancelledWhileDrawing_changesNothingOnDisk()
     QVERIFY(!m_window->files().isBusy());
     QVERIFY(!bar->isVisible());
     QTest::qWait(100);
-    QCOMPARE(filesBelow(folder), QStringList({"recipe.json", "results.json"}));
-    QCOMPARE(fileBytes(folder + "/results.json"), QByteArray("earlier"));
+    QCOMPARE(filesBelow(folder), QStringList("notes.txt"));
+    QCOMPARE(fileBytes(folder + "/notes.txt"), QByteArray("earlier"));
     QCOMPARE(newProblems(), QStringList());
 }
 
 void TestExport::export_intoUnwritablePlace_saysSoOnce()
 {
     QVERIFY(writeBytes(path("file"), "no folder"));
-    exportTo(path("file"));
+    startExport(path("file"));
+    QVERIFY(!m_window->files().isBusy());
     QCOMPARE(newProblems().size(), 1);
     QVERIFY2(newProblems()[0].contains("file"), qPrintable(newProblems()[0]));
     QCOMPARE(fileBytes(path("file")), QByteArray("no folder"));
+}
+
+void TestExport::results_overFilesOfSomebodyElse_areNotExported()
+{
+    const QString folder = makeFolder("foreign");
+    QVERIFY(writeBytes(folder + "/recipe.json", "mine"));
+    startExport(folder);
+    QVERIFY(!m_window->files().isBusy());
+    QCOMPARE(newProblems().size(), 1);
+    QVERIFY2(newProblems()[0].contains("recipe.json is in the way"), qPrintable(newProblems()[0]));
+    QCOMPARE(filesBelow(folder), QStringList("recipe.json"));
+    QCOMPARE(fileBytes(folder + "/recipe.json"), QByteArray("mine"));
 }
 
 void TestExport::certificate_exported_writesOneFile()

@@ -49,7 +49,7 @@ struct Bench : test::WindowBench
         test::writeFile(recording, test::tableText({}));
         const auto read = readEach({recording.toStdString()}, {}, {});
         state.captures = std::make_shared<const CaptureSet>(read->set);
-        if (!saveProject(project, state))
+        if (!saveProject(project, state, projectFileHash(project)))
             qFatal("no project");
         QFile file(project);
         if (!file.open(QIODevice::ReadWrite)
@@ -65,7 +65,7 @@ struct Bench : test::WindowBench
         ProjectState edited = state;
         edited.recipe.certificate.fields["customer"] = customer;
         const QString file = place + QString("/work-%1.dyncal").arg(number);
-        if (!writeRecoveryFile(file, edited, ofProject, at(saved)))
+        if (!writeRecoveryFile(file, edited, ofProject, at(saved), projectFileHash(ofProject)))
             qFatal("nothing left");
         markAlive(file, at(stopped));
         return file;

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <iosfwd>
+#include <streambuf>
+#include <string>
+
+namespace dyncal {
+
+/// While it lives, nothing that goes to one of the standard streams acts on a terminal: controls
+/// and bytes that are no UTF-8 are shown instead (core/base/foreign_text.h). The last resort behind
+/// those who print: they know what must stay on one line.
+class TerminalText : private std::streambuf
+{
+public:
+    explicit TerminalText(std::ostream &stream);
+    ~TerminalText() override;
+    TerminalText(const TerminalText &) = delete;
+    TerminalText &operator=(const TerminalText &) = delete;
+
+private:
+    int_type overflow(int_type byte) override;
+    int sync() override;
+    bool pass();
+
+    std::ostream &m_stream;
+    std::streambuf *m_target;
+    std::string m_line;
+};
+
+} // namespace dyncal

@@ -1,0 +1,42 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/writing/file_descriptor.h"
+#include "core/base/writing/write_claim.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dyncal {
+
+/// What a claim file says.
+struct ClaimText
+{
+    std::string temporary; ///< name of the temporary file or folder
+    ClaimKind kind = ClaimKind::File;
+    std::string target; ///< name in the same folder, or "."
+};
+
+/// A claim file found in a folder.
+struct FoundClaim
+{
+    ClaimText text;
+    FileDescriptor file; ///< locked by us if the program that made it is gone
+    bool isLive = false;
+};
+
+/// Name of the claim file of a temporary name.
+std::string claimFileName(const std::string &temporary);
+
+/// Makes a claim file, whole and locked; its name must be free. Invalid with errno EEXIST if it is
+/// not, or another errno.
+FileDescriptor createClaimFile(int folder, const ClaimText &text);
+
+/// The claims in the folder: those that are held, and those that this user's programs left. What
+/// has such a name and is no claim (a link, a pipe, other content) is passed over.
+std::vector<FoundClaim> findClaims(int folder);
+
+} // namespace dyncal

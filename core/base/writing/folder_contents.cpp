@@ -1,0 +1,195 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/base/writing/folder_contents.h"
+
+#include "core/base/content_hash.h"
+#include "core/base/writing/write_problem.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <filesystem>
+#include <set>
+#include <utility>
+
+#include <fcntl.h>
+#include <sys/stat.h>
+
+namespace dyncal {
+namespace {
+
+namespace fs = std::filesystem;
+
+using FileNumber = std::pair<dev_t, ino_t>;
+
+constexpr std::size_t kLongestList = 16U << 20U;
+
+std::string pathIn(const FolderPlace &place, const std::string &name)
+{
+    return (fs::path(place.shown) / name).string();
+}
+
+tl::unexpected<Error> isForeign(const FolderPlace &place, const std::string &name)
+{
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "%1 is in the way: this program did not write it, or an earlier version did, and it "
+             "is not replaced. Choose another folder, or move it away."),
+            {pathIn(place, name)}});
+}
+
+tl::unexpected<Error> isChanged(const FolderPlace &place, const std::string &name)
+{
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "%1 was changed since this program wrote it and is not replaced. Choose another "
+             "folder, or move it away."),
+            {pathIn(place, name)}});
+}
+
+tl::unexpected<Error> holdsRecording(const FolderPlace &place, const std::string &recording)
+{
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "The folder %1 holds the recording %2; results are written into a folder that holds "
+             "none of their recordings. Choose another folder."),
+            {place.shown, recording}});
+}
+
+bool liesIn(const fs::path &path, const fs::path &folder)
+{
+    const auto [end, ignored]
+        = std::mismatch(folder.begin(), folder.end(), path.begin(), path.end());
+    return end == folder.end();
+}
+
+/// The recording's own file, or a second name of it in the folder or one level below.
+Result<void> checkRecordings(
+    const FolderPlace &place, const FolderRequest &request, const std::set<FileNumber> &inside)
+{
+    for (const std::string &recording : request.recordings) {
+        std::error_code error;
+        const fs::path real = fs::canonical(recording, error);
+        struct stat status = {};
+        if (error || ::stat(recording.c_str(), &status) != 0)
+            continue;
+        if (liesIn(real, place.path) || inside.contains({status.st_dev, status.st_ino}))
+            return holdsRecording(place, recording);
+    }
+    return {};
+}
+
+/// What was read must not be under a name that is written.
+Result<void> checkSettings(const FolderPlace &place, const FolderRequest &request)
+{
+    for (const std::string &given : request.settings) {
+        std::error_code error;
+        const bool isWritten = std::ranges::any_of(request.names, [&](const std::string &name) {
+            return fs::equivalent(given, fs::path(place.path) / name, error);
+        });
+        if (isWritten)
+            return fail(ErrorKind::Usage,
+                {DYNCAL_TEXT("core",
+                     "%1 was given to be read and would be replaced by what is written; give it "
+                     "another name or choose another folder."),
+                    {given}});
+    }
+    return {};
+}
+
+/// Of all that is in the folder and one level below: a recording may be a second name of it.
+std::set<FileNumber> filesIn(int folder)
+{
+    std::set<FileNumber> files;
+    for (const std::string &name : namesIn(folder)) {
+        const auto identity = identityOf(folder, name);
+        if (!identity)
+            continue;
+        if (identity->type == FileType::Regular)
+            files.insert({identity->device, identity->inode});
+        const FileDescriptor below(
+            identity->type == FileType::Folder ? openFolderAt(folder, name) : -1);
+        for (const std::string &deeper :
+            below.valid() ? namesIn(below.get()) : std::vector<std::string>())
+            if (const auto file = identityOf(below.get(), deeper))
+                files.insert({file->device, file->inode});
+    }
+    return files;
+}
+
+/// Sorts the listed files; those that are gone are no longer listed.
+Result<void> readList(
+    const FolderPlace &place, const FolderRequest &request, FolderContents &contents)
+{
+    contents.list = identityOf(contents.folder.get(), kWrittenList);
+    if (!contents.list)
+        return {};
+    const auto text = textAt(contents.folder.get(), kWrittenList, kLongestList);
+    const auto list = text ? parseWrittenList(*text) : std::nullopt;
+    if (!list)
+        return isForeign(place, kWrittenList);
+    contents.listSha256 = sha256Hex(*text);
+    for (const WrittenFile &file : *list) {
+        if (file.by != request.writer) {
+            contents.others.push_back(file);
+            continue;
+        }
+        if (!request.mayWrite(file.file))
+            return isForeign(place, kWrittenList);
+        const auto identity = identityOf(contents.folder.get(), file.file);
+        if (!identity)
+            continue;
+        if (sha256At(contents.folder.get(), file.file) != file.sha256)
+            return isChanged(place, file.file);
+        contents.own.push_back({file, *identity});
+    }
+    return {};
+}
+
+Result<void> checkName(const FolderPlace &place, const FolderContents &contents, std::string name)
+{
+    const bool wantsFolder = name.ends_with('/');
+    if (wantsFolder)
+        name.pop_back();
+    if (const std::size_t slash = name.rfind('/'); slash != std::string::npos) {
+        const Result<void> parent = checkName(place, contents, name.substr(0, slash + 1));
+        if (!parent)
+            return parent;
+    }
+    const auto identity = identityOf(contents.folder.get(), name);
+    if (!identity || (wantsFolder && identity->type == FileType::Folder))
+        return {};
+    const bool isList = name == kWrittenList && contents.list; // read, so it is ours
+    const bool isOwn = isList || std::ranges::any_of(contents.own, [&](const OwnFile &own) {
+        return own.listed.file == name;
+    });
+    return isOwn && !wantsFolder ? Result<void>() : isForeign(place, name);
+}
+
+} // namespace
+
+Result<FolderContents> inspectFolder(
+    const FolderPlace &place, const FolderRequest &request, const std::vector<std::string> &names)
+{
+    FolderContents contents;
+    contents.folder = FileDescriptor(
+        ::open(place.path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+    if (!contents.folder.valid()) {
+        if (errno == ENOENT && place.claimTarget != ".")
+            return contents;
+        return cannotWrite(place.shown);
+    }
+    const Result<void> recordings = checkRecordings(place, request, filesIn(contents.folder.get()));
+    if (!recordings)
+        return tl::unexpected<Error>(recordings.error());
+    if (const Result<void> settings = checkSettings(place, request); !settings)
+        return tl::unexpected<Error>(settings.error());
+    if (const Result<void> listed = readList(place, request, contents); !listed)
+        return tl::unexpected<Error>(listed.error());
+    for (const std::string &name : names)
+        if (const Result<void> free = checkName(place, contents, name); !free)
+            return tl::unexpected<Error>(free.error());
+    return contents;
+}
+
+} // namespace dyncal

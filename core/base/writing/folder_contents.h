@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/result.h"
+#include "core/base/writing/file_descriptor.h"
+#include "core/base/writing/file_identity.h"
+#include "core/base/writing/written_list.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace dyncal {
+
+/// What is to be written where, and what may not be touched.
+struct FolderRequest
+{
+    std::string folder; ///< as given; a link to a folder stands for that folder
+    std::string writer; ///< "run", "export": whose listed files are replaced
+    /// Names that this writer may give to files; a list that claims others is not believed.
+    std::function<bool(const std::string &)> mayWrite;
+    std::vector<std::string> names; ///< files and folders ("csv/") that it is known to write
+    std::vector<std::string> recordings; ///< paths; the folder may hold none of them
+    std::vector<std::string> settings; ///< paths of recipe and profile as given; may be empty
+};
+
+/// Where a folder lies.
+struct FolderPlace
+{
+    std::string shown; ///< as given, for messages
+    std::string path; ///< without links
+    std::string claimFolder; ///< where claim and staging lie: the parent, or the folder itself
+    std::string claimTarget; ///< its name there, or "."
+    bool exists = false;
+    std::vector<std::string> made; ///< parents that were made, the deepest last
+};
+
+/// Finds the place and makes the parents. Usage if it is no folder.
+Result<FolderPlace> locateFolder(const std::string &folder);
+
+/// A file that the folder's list names, as it is now.
+struct OwnFile
+{
+    WrittenFile listed;
+    FileIdentity identity;
+};
+
+/// What an existing folder holds.
+struct FolderContents
+{
+    FileDescriptor folder; ///< open; invalid where there is no folder yet
+    std::vector<OwnFile> own; ///< of this writer: unchanged, there
+    WrittenList others; ///< listed by other writers
+    std::optional<FileIdentity> list; ///< of written.json
+    std::string listSha256;
+};
+
+/// Looks at the folder and refuses as FolderWrite::begin says; `names` as in FolderRequest.
+Result<FolderContents> inspectFolder(
+    const FolderPlace &place, const FolderRequest &request, const std::vector<std::string> &names);
+
+} // namespace dyncal

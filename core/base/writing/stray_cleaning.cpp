@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/base/writing/stray_cleaning.h"
+
+#include "core/base/writing/folder_staging.h"
+#include "core/base/writing/write_problem.h"
+
+namespace dyncal {
+
+Result<void> clearStray(int folder, const ClaimText &claim)
+{
+    const auto identity = identityOf(folder, claim.temporary);
+    if (!identity)
+        return {};
+    if (claim.kind == ClaimKind::Folder && identity->type == FileType::Folder)
+        return recoverFolder(folder, claim.temporary, claim.target);
+    const bool isOurs = claim.kind == ClaimKind::File && identity->type == FileType::Regular;
+    if (isOurs && ::unlinkat(folder, claim.temporary.c_str(), 0) != 0)
+        return cannotWrite(claim.temporary);
+    return {}; // anything else was put there by somebody else
+}
+
+} // namespace dyncal

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/result.h"
+
+#include <string>
+
+namespace dyncal {
+
+/// "PATH cannot be written: REASON; WHAT TO DO." for an errno: Usage where the place is at fault,
+/// Internal where writing itself is (a full disk, a limit).
+tl::unexpected<Error> cannotWrite(const std::string &path, int errorNumber);
+
+/// The same for the errno at hand.
+tl::unexpected<Error> cannotWrite(const std::string &path);
+
+/// Usage: something that may not be replaced has the name already.
+tl::unexpected<Error> existsAlready(const std::string &path);
+
+/// Usage: another program is writing there now.
+tl::unexpected<Error> isBeingWritten(const std::string &path);
+
+} // namespace dyncal
