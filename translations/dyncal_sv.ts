@@ -1680,8 +1680,8 @@
         <translation>Skrivningen av %1 avbröts; inget lämnades kvar.</translation>
     </message>
     <message>
-        <source>%1 could not be written completely and was not created; check the space on the disk.</source>
-        <translation>%1 kunde inte skrivas i sin helhet och skapades inte; kontrollera diskutrymmet.</translation>
+        <source>%1 could not be written completely and was not created; check the space on the disk and the free memory.</source>
+        <translation>%1 kunde inte skrivas i sin helhet och skapades inte; kontrollera diskutrymmet och det lediga minnet.</translation>
     </message>
     <message>
         <source>%1: channel %2 is no list of numbers; a channel is a one-dimensional dataset of integers or floating point numbers.</source>
@@ -2540,8 +2540,8 @@
         <translation>Skott %1, kanal %2: inget steg hittades. Den största ändringen är %3 med brus på %4, och mer än %5 gånger bruset behövs: sätt window.start för hand eller uteslut skottet.</translation>
     </message>
     <message>
-        <source>Shot %1, channel %2: the start cannot be detected, because the record moves from sample %3 (%4) on and at least %5 quiet samples are needed before. Set window.start by hand.</source>
-        <translation>Skott %1, kanal %2: starten kan inte detekteras, eftersom registreringen rör sig från och med sampel %3 (%4) och minst %5 lugna sampel behövs dessförinnan. Sätt window.start för hand.</translation>
+        <source>Shot %1, channel %2: the start cannot be detected, because the record moves or holds no numbers from sample %3 (%4) on and at least %5 quiet samples are needed before. Set window.start by hand.</source>
+        <translation>Skott %1, kanal %2: starten kan inte detekteras, eftersom registreringen rör sig eller saknar tal från och med sampel %3 (%4) och minst %5 lugna sampel behövs dessförinnan. Sätt window.start för hand.</translation>
     </message>
     <message>
         <source>Shot %1, channel %2: the start cannot be detected in %3 samples, at least %4 are needed. Set window.start by hand.</source>
@@ -3786,6 +3786,10 @@
     <message>
         <source>There is not enough memory for this; close other programs or raise the memory limit.</source>
         <translation>Minnet räcker inte till detta; stäng andra program eller höj minnesgränsen.</translation>
+    </message>
+    <message>
+        <source>The certificate and the plots could not be drawn, most likely because there is not enough memory, and nothing was written; close other programs or raise the memory limit.</source>
+        <translation>Certifikatet och diagrammen kunde inte ritas, troligen för att minnet inte räcker, och inget skrevs; stäng andra program eller höj minnesgränsen.</translation>
     </message>
     <message>
         <source>There is not enough memory to draw the certificate and the plots, and nothing was written; close other programs or raise the memory limit.</source>

@@ -124,9 +124,9 @@ Result<std::vector<DrawnFile>> drawWithoutWindow(
     if (!files)
         return fail(ErrorKind::Internal,
             {DYNCAL_TEXT("core",
-                 "There is not enough memory to draw the certificate and the plots, and nothing "
-                 "was "
-                 "written; close other programs or raise the memory limit."),
+                 "The certificate and the plots could not be drawn, most likely because there is "
+                 "not enough memory, and nothing was written; close other programs or raise the "
+                 "memory limit."),
                 {}});
     return std::move(*files);
 }

@@ -99,9 +99,9 @@ std::string readableFormatsText()
 {
     std::string text;
     for (const CaptureFormat &format : captureFormats()) {
-        text += (text.empty() ? "" : ", ") + format.title + " (";
+        text += std::string(text.empty() ? "" : ", ") + format.title + " (";
         for (std::size_t i = 0; i < format.extensions.size(); ++i)
-            text += (i == 0 ? "." : ", .") + format.extensions[i];
+            text += std::string(i == 0 ? "." : ", .") + format.extensions[i];
         text += ")";
     }
     return text;

@@ -105,7 +105,7 @@ std::string matrixCsv(const Eigen::MatrixXd &matrix)
     std::string text;
     for (const auto &row : matrix.rowwise()) {
         for (Index i = 0; i < row.size(); ++i)
-            text += (i > 0 ? "," : "") + exactNumber(row[i]);
+            text += std::string(i > 0 ? "," : "") + exactNumber(row[i]);
         text += '\n';
     }
     return text;

@@ -79,7 +79,8 @@ Finding movingPeak(const FollowedPeak &peak)
 {
     std::string frequencies;
     for (const PeakOfShot &p : peak.peaks)
-        frequencies += (frequencies.empty() ? "" : "/") + numberWithUnit(p.frequency_Hz, "Hz", 3);
+        frequencies += std::string(frequencies.empty() ? "" : "/")
+            + numberWithUnit(p.frequency_Hz, "Hz", 3);
     Finding finding;
     finding.id = "SPC-005";
     std::vector<std::string> words{

@@ -39,8 +39,8 @@ std::vector<Mode> seenModes(const std::vector<FollowedPeak> &peaks)
         Mode mode{{peak.peaks.front().frequency_Hz, peak.peaks.front().frequency_Hz}, {}, true};
         for (const PeakOfShot &shot : peak.peaks) {
             extend(mode.span_Hz, shot.frequency_Hz);
-            mode.name
-                += (mode.name.empty() ? "" : "/") + numberWithUnit(shot.frequency_Hz, "Hz", 3);
+            mode.name += std::string(mode.name.empty() ? "" : "/")
+                + numberWithUnit(shot.frequency_Hz, "Hz", 3);
         }
         modes.push_back(std::move(mode));
     }
@@ -81,7 +81,7 @@ std::string listed(const Named &named)
 {
     std::string list;
     for (const std::string &name : named)
-        list += (list.empty() ? "" : ", ") + name;
+        list += std::string(list.empty() ? "" : ", ") + name;
     return list;
 }
 

@@ -56,7 +56,7 @@ std::string rangeWords(double least, double most, Bound bound)
     if (std::isinf(least) && std::isinf(most))
         return "a number";
     if (std::isinf(most))
-        return (open ? "a number above " : "a number of at least ") + numberText(least);
+        return std::string(open ? "a number above " : "a number of at least ") + numberText(least);
     return std::string("a number between ") + numberText(least) + " and " + numberText(most)
         + (open ? " (without these)" : "");
 }

@@ -98,7 +98,7 @@ std::string frequenciesOf(const std::vector<const Pole *> &poles)
 {
     std::string list;
     for (std::size_t i = 0; i < std::min(poles.size(), kMostNamed); ++i)
-        list += (i > 0 ? ", " : "") + numberWithUnit(poles[i]->frequency_Hz, "Hz", 4);
+        list += std::string(i > 0 ? ", " : "") + numberWithUnit(poles[i]->frequency_Hz, "Hz", 4);
     return poles.size() > kMostNamed ? list + ", \xE2\x80\xA6" : list;
 }
 

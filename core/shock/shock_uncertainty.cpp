@@ -180,7 +180,7 @@ private:
         const auto &sightings = m_measurement.velocity.sightings;
         for (Index i = 0; i < std::ssize(sightings); ++i) {
             const Sighting &s = sightings[static_cast<std::size_t>(i)];
-            const std::string place = "[" + nameOf(sightings, i) + "]";
+            const std::string place = std::string("[").append(nameOf(sightings, i)) + "]";
             const bool known = addKnown("distance_m" + place, "distance_m", s.distance_m,
                 s.u_distance_m, Distribution::Normal, true,
                 [i](StepPoint &p, double x) { p.distance_m[i] = x; });

@@ -155,9 +155,9 @@ Error noQuiet(const Channel &channel, Index shot, Index start)
 {
     return {ErrorKind::DataBlocked,
         {DYNCAL_TEXT("core",
-             "Shot %1, channel %2: the start cannot be detected, because the record moves from "
-             "sample %3 (%4) on and at least %5 quiet samples are needed before. Set window.start "
-             "by hand."),
+             "Shot %1, channel %2: the start cannot be detected, because the record moves or holds "
+             "no numbers from sample %3 (%4) on and at least %5 quiet samples are needed before. "
+             "Set window.start by hand."),
             {std::to_string(shot), channel.name, std::to_string(start),
                 numberWithUnit(channel.timeOf_s(start), "s", 6), std::to_string(kLeastQuiet)}},
         "CAP-009", shot};

@@ -34,7 +34,7 @@ std::string presetNames()
 {
     std::string names;
     for (const SensorSpec &preset : sensorPresets())
-        names += (names.empty() ? "" : ", ") + preset.name;
+        names += std::string(names.empty() ? "" : ", ") + preset.name;
     return names;
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "tests/support/python_answer.h"
+#include "tests/support/test_program.h"
 #include "tests/system/dyncal_process.h"
 
 #include <QDir>
@@ -129,5 +130,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestAudit)
+DYNCAL_TEST(TestAudit)
 #include "tst_audit.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "tests/system/dyncal_process.h"
 
 #include <QJsonArray>
@@ -235,5 +236,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCheckAndImport)
+DYNCAL_TEST(TestCheckAndImport)
 #include "tst_check_and_import.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "tests/system/dyncal_process.h"
 
 #include <QCryptographicHash>
@@ -257,5 +258,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestCompareAndExport)
+DYNCAL_TEST(TestCompareAndExport)
 #include "tst_compare_and_export.moc"

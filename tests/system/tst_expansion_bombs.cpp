@@ -3,6 +3,7 @@
 
 #include "tests/support/measured_run.h"
 #include "tests/support/python_answer.h"
+#include "tests/support/test_program.h"
 #include "tests/system/dyncal_process.h"
 #include "tests/system/sound_stderr.h"
 
@@ -96,5 +97,5 @@ private slots:
 
 } // namespace dyncal
 
-QTEST_GUILESS_MAIN(dyncal::TestExpansionBombs)
+DYNCAL_TEST(dyncal::TestExpansionBombs)
 #include "tst_expansion_bombs.moc"

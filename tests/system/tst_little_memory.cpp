@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 #include "tests/system/dyncal_process.h"
 #include "tests/system/window_process.h"
@@ -210,5 +211,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestLittleMemory)
+DYNCAL_TEST(TestLittleMemory)
 #include "tst_little_memory.moc"

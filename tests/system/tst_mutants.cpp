@@ -3,6 +3,7 @@
 
 #include "tests/support/measured_run.h"
 #include "tests/support/python_answer.h"
+#include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 #include "tests/system/dyncal_process.h"
 #include "tests/system/mutation.h"
@@ -211,5 +212,5 @@ private slots:
 
 } // namespace dyncal
 
-QTEST_GUILESS_MAIN(dyncal::TestMutants)
+DYNCAL_TEST(dyncal::TestMutants)
 #include "tst_mutants.moc"

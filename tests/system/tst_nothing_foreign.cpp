@@ -4,12 +4,13 @@
 // Whatever lies in and around the folders that the program writes to, it changes nothing that is
 // not its own; and a program that is killed leaves the old or the new, whole.
 
+#include "tests/support/test_program.h"
 #include "tests/system/dyncal_process.h"
+#include "tests/system/own_files.h"
 #include "tests/system/random_layout.h"
 
 #include "tests/support/trial_count.h"
 
-#include <QJsonArray>
 #include <QtTest>
 
 #include <chrono>
@@ -36,22 +37,6 @@ std::string simulated(const ScratchFolder &folder, const std::string &name, int 
     if (answer.exitCode != 0)
         qFatal("%s", answer.err.constData());
     return path.toStdString();
-}
-
-/// Files that an earlier call listed and that nobody changed.
-std::set<std::string> ownFiles(const fs::path &root)
-{
-    std::set<std::string> own;
-    for (const char *folder : {"out", "out/sub"}) {
-        const QString base = QString::fromStdString((root / folder).string());
-        const QJsonArray files = fileJson(base + "/written.json")["files"].toArray();
-        for (const auto &file : files)
-            own.insert(
-                std::string(folder) + '/' + file.toObject()["file"].toString().toStdString());
-        if (!files.isEmpty())
-            own.insert(std::string(folder) + "/written.json");
-    }
-    return own;
 }
 
 /// A call of the program: its arguments, and what it may leave.
@@ -159,7 +144,7 @@ private slots:
             RandomLayout layout(root, capture, kSeed + static_cast<unsigned>(i));
             for (int calls = 0; calls < 2; ++calls) {
                 const Snapshot before = snapshotOf(root);
-                const std::set<std::string> own = ownFiles(root);
+                const std::set<std::string> own = ownFiles(root, {"out", "out/sub"});
                 const Call call = randomCall(layout, root);
                 const Answer answer = runDyncal(call.arguments, kFixedClock);
                 const QString what
@@ -272,5 +257,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestNothingForeign)
+DYNCAL_TEST(TestNothingForeign)
 #include "tst_nothing_foreign.moc"

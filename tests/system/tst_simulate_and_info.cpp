@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "tests/system/dyncal_process.h"
 
 #include <QDir>
@@ -137,5 +138,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestSimulateAndInfo)
+DYNCAL_TEST(TestSimulateAndInfo)
 #include "tst_simulate_and_info.moc"

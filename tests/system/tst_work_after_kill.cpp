@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "tests/system/dyncal_process.h"
 #include "tests/system/window_process.h"
 
@@ -205,5 +206,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestWorkAfterKill)
+DYNCAL_TEST(TestWorkAfterKill)
 #include "tst_work_after_kill.moc"

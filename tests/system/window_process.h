@@ -50,6 +50,14 @@ public:
         return QString::fromUtf8(m_process.readLine()).chopped(1);
     }
 
+    /// Gives a command and goes on at once: the answer stays unread.
+    void tell(const QString &command)
+    {
+        constexpr int kPatience_ms = 20000;
+        m_process.write(command.toUtf8() + '\n');
+        m_process.waitForBytesWritten(kPatience_ms);
+    }
+
     /// Asks until the answer holds these words.
     bool waitFor(const QString &command, const QString &words)
     {

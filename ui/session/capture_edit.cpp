@@ -4,6 +4,7 @@
 #include "ui/session/capture_edit.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 namespace dyncal {
@@ -28,6 +29,14 @@ CaptureSet joinedCaptures(CaptureSet first, const CaptureSet &second)
     all.sensors.insert(second.sensors.begin(), second.sensors.end());
     all.instruments.insert(second.instruments.begin(), second.instruments.end());
     return all;
+}
+
+bool isRecordingOf(const CaptureSet &set, const std::string &path)
+{
+    return std::ranges::any_of(set.inputs, [&](const InputFile &input) {
+        std::error_code none; // no such file, and so no recording
+        return std::filesystem::equivalent(input.path, path, none);
+    });
 }
 
 namespace {

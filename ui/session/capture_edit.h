@@ -6,12 +6,16 @@
 #include "ui/session/project_state.h"
 
 #include <functional>
+#include <string>
 
 namespace dyncal {
 
 /// The recordings of `first` followed by those of `second`; shot numbers of the second's findings
 /// are moved on. Tube and sensor data of the first win.
 CaptureSet joinedCaptures(CaptureSet first, const CaptureSet &second);
+
+/// Whether this name is one of a recording's: to write there would destroy what was measured.
+bool isRecordingOf(const CaptureSet &set, const std::string &path);
 
 /// Takes out what names files and channels that the recordings do not have: a recipe may not.
 void forgetMissingNames(ImportSettings &settings, const CaptureSet &set);

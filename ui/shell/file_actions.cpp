@@ -4,9 +4,11 @@
 #include "ui/shell/file_actions.h"
 
 #include "core/base/atomic_file.h"
+#include "core/base/writing/write_problem.h"
 #include "core/capture/format_registry.h"
 #include "core/pipeline/model_export.h"
 #include "core/pipeline/publication.h"
+#include "ui/session/capture_edit.h"
 #include "ui/session/example.h"
 #include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
@@ -248,6 +250,10 @@ bool FileActions::saveAs()
         proposedPath(projectName() + "." + kProjectSuffix), kProjectSuffix);
     if (path.isEmpty())
         return false;
+    if (isRecordingOf(*m_session.state().captures, path.toStdString())) {
+        showProblem(existsAlready(path.toStdString()).value());
+        return false;
+    }
     // What the dialog asked about is what is there now; of its own file the window knows better.
     const bool isOwn = QFileInfo(path) == QFileInfo(m_path);
     return saveTo(path, isOwn ? m_onDisk : projectFileHash(path));
@@ -362,6 +368,10 @@ void FileActions::exportCertificate()
         tr("PDF documents (*.pdf)"), proposedPath("certificate.pdf"), "pdf");
     if (path.isEmpty())
         return;
+    if (isRecordingOf(*m_session.state().captures, path.toStdString())) {
+        showProblem(existsAlready(path.toStdString()).value());
+        return;
+    }
     startExport(path, ReportParts::Certificate,
         [path = path.toStdString()](const RunFiles &run, const JobControl &) {
             return writeFileAtomically(path, run.drawn.front().bytes);

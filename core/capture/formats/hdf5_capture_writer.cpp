@@ -326,7 +326,7 @@ tl::unexpected<Error> notWritten(const std::string &path, const JobControl &cont
     return fail(ErrorKind::Internal,
         {DYNCAL_TEXT("core",
              "%1 could not be written completely and was not created; check the space on the "
-             "disk."),
+             "disk and the free memory."),
             {path}});
 }
 

@@ -67,7 +67,7 @@ std::string nameOfType(hid_t type)
         = H5Tget_size(type) > 1 && H5Tget_order(type) == H5T_ORDER_BE ? " big-endian" : "";
     switch (H5Tget_class(type)) {
     case H5T_INTEGER:
-        return (H5Tget_sign(type) == H5T_SGN_NONE ? "uint" : "int") + bits + order;
+        return std::string(H5Tget_sign(type) == H5T_SGN_NONE ? "uint" : "int") + bits + order;
     case H5T_FLOAT:
         return "float" + bits + order;
     case H5T_STRING:

@@ -65,7 +65,8 @@ std::string dateText(ByteReader bytes)
     const auto year = bytes.next<std::int16_t>();
     if (year <= 0 || !std::isfinite(seconds))
         return {};
-    const auto two = [](int number) { return (number < 10 ? "0" : "") + std::to_string(number); };
+    const auto two
+        = [](int number) { return std::string(number < 10 ? "0" : "") + std::to_string(number); };
     return std::to_string(year) + "-" + two(month) + "-" + two(day) + " " + two(hour) + ":"
         + two(minute) + ":" + (seconds < 10.0 ? "0" : "") + numberText(seconds, 11);
 }

@@ -174,7 +174,7 @@ private:
     void leaveOut(const std::string &name, const std::string &kind)
     {
         if (m_leftOut++ < kNamesShown)
-            m_leftOutNames += (m_leftOutNames.empty() ? "" : ", ") + name;
+            m_leftOutNames += std::string(m_leftOutNames.empty() ? "" : ", ") + name;
         m_leftOutKinds.insert(kind);
     }
 
@@ -187,7 +187,7 @@ private:
         if (m_leftOut > 0) {
             std::string kinds;
             for (const std::string &kind : m_leftOutKinds)
-                kinds += (kinds.empty() ? "" : ", ") + kind;
+                kinds += std::string(kinds.empty() ? "" : ", ") + kind;
             if (m_leftOut > kNamesShown)
                 m_leftOutNames += ", ...";
             set.findings.push_back(leftOut(m_path, m_leftOutNames, kinds));

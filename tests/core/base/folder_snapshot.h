@@ -20,7 +20,8 @@ inline Snapshot snapshotOf(const std::filesystem::path &folder)
     Snapshot seen;
     std::error_code error;
     for (const auto &entry : fs::recursive_directory_iterator(folder, error)) {
-        const std::string name = fs::relative(entry.path(), folder).string();
+        // Not fs::relative: that follows links, and a link would stand under its target's name.
+        const std::string name = entry.path().lexically_relative(folder).string();
         if (entry.is_symlink())
             seen[name] = "-> " + fs::read_symlink(entry.path()).string();
         else if (entry.is_directory())

@@ -8,6 +8,7 @@
 #include "core/base/message.h"
 #include "core/base/result.h"
 #include "core/shock/pressure_units.h"
+#include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
 #include <QTest>
@@ -178,5 +179,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestBaseValues)
+DYNCAL_TEST(TestBaseValues)
 #include "tst_base_values.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/base/distributions.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -102,5 +103,5 @@ void TestDistributions::studentQuantile_withoutDegreesOfFreedom_isUnknownAtOnce(
         QVERIFY(std::isnan(dyncal::studentQuantile(0.975, dof)));
 }
 
-QTEST_APPLESS_MAIN(TestDistributions)
+DYNCAL_TEST(TestDistributions)
 #include "tst_distributions.moc"

@@ -6,6 +6,7 @@
 
 #include "core/base/distributions.h"
 #include "tests/support/python_answer.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -281,5 +282,5 @@ void TestDistributionsExact::survival_falls()
     }
 }
 
-QTEST_APPLESS_MAIN(TestDistributionsExact)
+DYNCAL_TEST(TestDistributionsExact)
 #include "tst_distributions_exact.moc"

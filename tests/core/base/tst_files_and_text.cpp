@@ -8,6 +8,7 @@
 #include "core/base/number_text.h"
 #include "tests/support/python_answer.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -336,5 +337,5 @@ void TestFilesAndText::numbersWithUnit_keepTheirValue()
     }
 }
 
-QTEST_APPLESS_MAIN(TestFilesAndText)
+DYNCAL_TEST(TestFilesAndText)
 #include "tst_files_and_text.moc"

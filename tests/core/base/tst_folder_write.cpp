@@ -5,6 +5,7 @@
 #include "tests/core/base/folder_snapshot.h"
 #include "tests/core/capture/guarded_test_child.h"
 #include "tests/support/failing_calls.h"
+#include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 
 #include "core/base/content_hash.h"
@@ -464,5 +465,5 @@ void TestFolderWrite::foldersAndLinks_areSaid()
     QVERIFY(fs::exists(place.file("slash/results.json")));
 }
 
-QTEST_APPLESS_MAIN(TestFolderWrite)
+DYNCAL_TEST(TestFolderWrite)
 #include "tst_folder_write.moc"

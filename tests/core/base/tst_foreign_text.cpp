@@ -6,6 +6,7 @@
 #include "core/base/message.h"
 #include "core/pipeline/csv_table.h"
 #include "tests/support/hostile_text.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -170,5 +171,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestForeignText)
+DYNCAL_TEST(TestForeignText)
 #include "tst_foreign_text.moc"

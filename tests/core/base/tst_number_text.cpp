@@ -4,6 +4,7 @@
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
 #include "tests/support/decimal_comma.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -149,5 +150,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestNumberText)
+DYNCAL_TEST(TestNumberText)
 #include "tst_number_text.moc"

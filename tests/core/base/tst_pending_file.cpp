@@ -5,6 +5,7 @@
 #include "tests/core/base/folder_snapshot.h"
 #include "tests/core/capture/guarded_test_child.h"
 #include "tests/support/failing_calls.h"
+#include "tests/support/test_program.h"
 
 #include "core/base/atomic_file.h"
 #include "core/base/content_hash.h"
@@ -251,5 +252,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPendingFile)
+DYNCAL_TEST(TestPendingFile)
 #include "tst_pending_file.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/base/portable_math.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -145,5 +146,5 @@ void TestPortableMath::sineCosine_quadrants()
     }
 }
 
-QTEST_APPLESS_MAIN(TestPortableMath)
+DYNCAL_TEST(TestPortableMath)
 #include "tst_portable_math.moc"

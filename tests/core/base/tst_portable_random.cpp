@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/base/portable_random.h"
+#include "tests/support/test_program.h"
 
 #include <QElapsedTimer>
 #include <QtTest>
@@ -234,5 +235,5 @@ void TestPortableRandom::addNormal_eighteenMillion_inAboutASecond()
 #endif
 }
 
-QTEST_APPLESS_MAIN(TestPortableRandom)
+DYNCAL_TEST(TestPortableRandom)
 #include "tst_portable_random.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/base/propagation.h"
+#include "tests/support/test_program.h"
 
 #include "core/base/distributions.h"
 
@@ -280,5 +281,5 @@ void TestPropagation::validation_linearYes_stronglyCurvedNo()
     QVERIFY(!validated(6.0));
 }
 
-QTEST_APPLESS_MAIN(TestPropagation)
+DYNCAL_TEST(TestPropagation)
 #include "tst_propagation.moc"

@@ -4,6 +4,7 @@
 // What every budget must satisfy whatever the measurement is, and inputs that are none.
 
 #include "core/base/propagation.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -153,7 +154,8 @@ void TestPropagationInputs::gum_ofALinearMap_isTheClosedForm()
     const Eigen::Vector4d x(3.0, -1.0, 1e4, 2e-3), u(0.1, 0.2, 3.0, 1e-5), dof(5.0, 1e3, 2.5, 9.0);
     std::vector<UncertainInput> inputs;
     for (Index i = 0; i < 4; ++i)
-        inputs.push_back(input("x" + std::to_string(i), x[i], u[i], Distribution::Normal, dof[i]));
+        inputs.push_back(input(
+            std::string("x").append(std::to_string(i)), x[i], u[i], Distribution::Normal, dof[i]));
     const auto budget = propagateGum(
         inputs, [&](const Eigen::VectorXd &v) -> Result<Eigen::VectorXd> { return A * v; });
     QVERIFY(budget.has_value());
@@ -384,5 +386,5 @@ void TestPropagationInputs::stop_isCancelled()
     }
 }
 
-QTEST_APPLESS_MAIN(TestPropagationInputs)
+DYNCAL_TEST(TestPropagationInputs)
 #include "tst_propagation_inputs.moc"

@@ -3,6 +3,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -168,5 +169,5 @@ void TestRounding::fixed_largestDouble_isWritten()
     QCOMPARE(fixedText(std::numeric_limits<double>::max(), 3).size(), std::size_t(313));
 }
 
-QTEST_APPLESS_MAIN(TestRounding)
+DYNCAL_TEST(TestRounding)
 #include "tst_rounding.moc"

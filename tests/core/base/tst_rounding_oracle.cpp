@@ -7,6 +7,7 @@
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
 #include "tests/support/python_answer.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -189,5 +190,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestRoundingOracle)
+DYNCAL_TEST(TestRoundingOracle)
 #include "tst_rounding_oracle.moc"

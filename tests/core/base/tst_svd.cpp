@@ -3,6 +3,7 @@
 
 #include "core/base/svd.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -113,5 +114,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSvd)
+DYNCAL_TEST(TestSvd)
 #include "tst_svd.moc"

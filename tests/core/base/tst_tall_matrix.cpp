@@ -4,6 +4,7 @@
 #include "core/base/parallel.h"
 #include "core/base/svd.h"
 #include "core/base/tall_matrix.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -126,5 +127,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTallMatrix)
+DYNCAL_TEST(TestTallMatrix)
 #include "tst_tall_matrix.moc"

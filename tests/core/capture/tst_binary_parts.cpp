@@ -9,6 +9,7 @@
 #include "core/capture/formats/zlib_stream.h"
 #include "tests/support/memory_file.h"
 #include "tests/support/signals.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -262,5 +263,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestBinaryParts)
+DYNCAL_TEST(TestBinaryParts)
 #include "tst_binary_parts.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/capture/capture_check.h"
+#include "tests/support/test_program.h"
 
 #include "core/capture/flat_top.h"
 #include "core/capture/record_survey.h"
@@ -420,5 +421,5 @@ private slots:
 
 } // namespace dyncal
 
-QTEST_APPLESS_MAIN(dyncal::TestCaptureCheck)
+DYNCAL_TEST(dyncal::TestCaptureCheck)
 #include "tst_capture_check.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/capture/capture_seal.h"
+#include "tests/support/test_program.h"
 
 #include "core/base/content_hash.h"
 #include "core/capture/file_samples.h"
@@ -217,5 +218,5 @@ private slots:
 
 } // namespace dyncal
 
-QTEST_GUILESS_MAIN(dyncal::TestCaptureSeal)
+DYNCAL_TEST(dyncal::TestCaptureSeal)
 #include "tst_capture_seal.moc"

@@ -6,6 +6,7 @@
 #include "core/capture/channel.h"
 #include "core/capture/natural_order.h"
 #include "core/capture/raw_samples.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -325,5 +326,5 @@ void TestChannel::naturalLess_longDigits_doNotOverflow()
     QVERIFY(naturalLess("18446744073709551615", "18446744073709551616"));
 }
 
-QTEST_APPLESS_MAIN(TestChannel)
+DYNCAL_TEST(TestChannel)
 #include "tst_channel.moc"

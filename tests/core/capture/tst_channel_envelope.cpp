@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/capture/channel_envelope.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -225,5 +226,5 @@ void TestChannelEnvelope::conversion_toInfinity_isNoNumber()
     QVERIFY(envelope->extremes().invalid);
 }
 
-QTEST_APPLESS_MAIN(TestChannelEnvelope)
+DYNCAL_TEST(TestChannelEnvelope)
 #include "tst_channel_envelope.moc"

@@ -4,6 +4,7 @@
 // Oscilloscope files that hold one channel each: what is one recording, and what only looks so.
 
 #include "core/capture/channel_files.h"
+#include "tests/support/test_program.h"
 
 #include "core/capture/import_rules.h"
 #include "tests/core/capture/capture_test_support.h"
@@ -247,5 +248,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestChannelFiles)
+DYNCAL_TEST(TestChannelFiles)
 #include "tst_channel_files.moc"

@@ -3,6 +3,7 @@
 
 #include "core/capture/channel_rules.h"
 #include "tests/support/signals.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -293,5 +294,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestChannelRules)
+DYNCAL_TEST(TestChannelRules)
 #include "tst_channel_rules.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/capture/formats/delimited_text.h"
+#include "tests/support/test_program.h"
 
 #include "tests/core/capture/capture_test_support.h"
 #include "tests/support/decimal_comma.h"
@@ -680,5 +681,5 @@ private slots:
 
 } // namespace dyncal
 
-QTEST_GUILESS_MAIN(dyncal::TestDelimitedText)
+DYNCAL_TEST(dyncal::TestDelimitedText)
 #include "tst_delimited_text.moc"

@@ -3,6 +3,7 @@
 
 #include "core/capture/envelope_pyramid.h"
 #include "core/capture/file_samples.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -419,5 +420,5 @@ void TestEnvelopePyramid::file_changed_saysSo()
     QCOMPARE(pyramid.error().findingId, std::string("CAP-018"));
 }
 
-QTEST_APPLESS_MAIN(TestEnvelopePyramid)
+DYNCAL_TEST(TestEnvelopePyramid)
 #include "tst_envelope_pyramid.moc"

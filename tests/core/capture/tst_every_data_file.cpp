@@ -4,6 +4,7 @@
 #include "core/capture/capture_check.h"
 #include "core/capture/format_registry.h"
 #include "tests/core/capture/capture_test_support.h"
+#include "tests/support/test_program.h"
 
 #include <QDirIterator>
 #include <QSet>
@@ -132,5 +133,5 @@ private slots:
 
 } // namespace dyncal
 
-QTEST_GUILESS_MAIN(dyncal::TestEveryDataFile)
+DYNCAL_TEST(dyncal::TestEveryDataFile)
 #include "tst_every_data_file.moc"

@@ -5,6 +5,7 @@
 #include "core/capture/formats/expansion_budget.h"
 #include "tests/core/capture/capture_test_support.h"
 #include "tests/core/capture/hdf5_test_file.h"
+#include "tests/support/test_program.h"
 
 #include <QElapsedTimer>
 #include <QFileInfo>
@@ -130,8 +131,9 @@ private slots:
             H5Tset_size(text, value.size());
             const hid_t space = H5Screate(H5S_SCALAR);
             for (int i = 0; i < 1000; ++i) {
-                const hid_t group = H5Gcreate2(
-                    made, ("g" + std::to_string(i)).c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+                const hid_t group
+                    = H5Gcreate2(made, std::string("g").append(std::to_string(i)).c_str(),
+                        H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
                 const hid_t attribute
                     = H5Acreate2(group, "a", text, space, H5P_DEFAULT, H5P_DEFAULT);
                 H5Awrite(attribute, text, value.data());
@@ -153,5 +155,5 @@ private slots:
 
 } // namespace dyncal
 
-QTEST_GUILESS_MAIN(dyncal::TestExpansionBudget)
+DYNCAL_TEST(dyncal::TestExpansionBudget)
 #include "tst_expansion_budget.moc"

@@ -3,6 +3,7 @@
 
 #include "core/capture/channel.h"
 #include "core/capture/file_samples.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QTemporaryDir>
@@ -158,5 +159,5 @@ void TestFileSamples::inMemory_copiesExactly()
     QVERIFY(part.isInMemory() && part.size() == 5 && part.at(0) == double(values[10]));
 }
 
-QTEST_APPLESS_MAIN(TestFileSamples)
+DYNCAL_TEST(TestFileSamples)
 #include "tst_file_samples.moc"

@@ -7,6 +7,7 @@
 #include "core/capture/formats/foreign_hdf5.h"
 #include "tests/core/capture/capture_test_support.h"
 #include "tests/core/capture/hdf5_test_file.h"
+#include "tests/support/test_program.h"
 
 #include <QElapsedTimer>
 #include <QTemporaryDir>
@@ -682,6 +683,6 @@ private slots:
 
 } // namespace dyncal
 
-QTEST_GUILESS_MAIN(dyncal::TestForeignHdf5)
+DYNCAL_TEST(dyncal::TestForeignHdf5)
 
 #include "tst_foreign_hdf5.moc"

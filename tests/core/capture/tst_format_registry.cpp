@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/capture/format_registry.h"
+#include "tests/support/test_program.h"
 
 #include "core/base/content_hash.h"
 #include "core/capture/formats/hdf5_capture.h"
@@ -192,5 +193,5 @@ private slots:
 
 } // namespace dyncal
 
-QTEST_GUILESS_MAIN(dyncal::TestFormatRegistry)
+DYNCAL_TEST(dyncal::TestFormatRegistry)
 #include "tst_format_registry.moc"

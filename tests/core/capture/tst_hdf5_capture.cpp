@@ -4,6 +4,7 @@
 #include "core/capture/capture_seal.h"
 #include "core/capture/formats/hdf5_capture.h"
 #include "tests/core/capture/capture_test_support.h"
+#include "tests/support/test_program.h"
 
 #include "core/base/content_hash.h"
 
@@ -517,6 +518,6 @@ private:
 
 } // namespace dyncal
 
-QTEST_GUILESS_MAIN(dyncal::TestHdf5Capture)
+DYNCAL_TEST(dyncal::TestHdf5Capture)
 
 #include "tst_hdf5_capture.moc"

@@ -6,6 +6,7 @@
 #include "core/capture/format_registry.h"
 #include "core/capture/formats/hdf5_capture.h"
 #include "tests/core/capture/capture_test_support.h"
+#include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 
 #include <QFile>
@@ -336,5 +337,5 @@ assert hashlib.sha256(text.encode()).hexdigest() == f.attrs['content_sha256']
 
 } // namespace dyncal
 
-QTEST_GUILESS_MAIN(dyncal::TestHdf5Content)
+DYNCAL_TEST(dyncal::TestHdf5Content)
 #include "tst_hdf5_content.moc"

@@ -4,6 +4,7 @@
 #include "core/capture/formats/hdf5_capture.h"
 #include "tests/core/capture/capture_test_support.h"
 #include "tests/core/capture/guarded_test_child.h"
+#include "tests/support/test_program.h"
 
 #include "core/base/content_hash.h"
 
@@ -154,6 +155,6 @@ private slots:
 
 } // namespace dyncal
 
-QTEST_GUILESS_MAIN(dyncal::TestHdf5FullDisk)
+DYNCAL_TEST(dyncal::TestHdf5FullDisk)
 
 #include "tst_hdf5_full_disk.moc"

@@ -8,6 +8,7 @@
 #include "core/capture/formats/hdf5_capture.h"
 #include "tests/core/capture/capture_test_support.h"
 #include "tests/core/capture/hdf5_test_file.h"
+#include "tests/support/test_program.h"
 
 #include <QDirIterator>
 #include <QElapsedTimer>
@@ -295,7 +296,7 @@ private slots:
             const Hdf5TestFile file(path(), 0, true);
             file.dataset("/a", {200}, {H5T_STD_I16LE, {}}, H5T_NATIVE_INT16, counts(200).data());
             for (int i = 0; i < 20'000; ++i)
-                file.number("/a", "a" + std::to_string(i), i);
+                file.number("/a", std::string("a").append(std::to_string(i)), i);
         }
         const Result<CaptureSet> set = openWithinBounds(path());
         QCOMPARE(findingId(set), std::string("CAP-018"));
@@ -454,6 +455,6 @@ private slots:
 
 } // namespace dyncal
 
-QTEST_GUILESS_MAIN(dyncal::TestHdf5Guarded)
+DYNCAL_TEST(dyncal::TestHdf5Guarded)
 
 #include "tst_hdf5_guarded.moc"

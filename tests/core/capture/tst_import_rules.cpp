@@ -4,6 +4,7 @@
 #include "core/base/content_hash.h"
 #include "core/capture/capture_check.h"
 #include "core/capture/import_rules.h"
+#include "tests/support/test_program.h"
 
 #include "core/base/number_text.h"
 
@@ -414,5 +415,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestImportRules)
+DYNCAL_TEST(TestImportRules)
 #include "tst_import_rules.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/capture/formats/lvm.h"
+#include "tests/support/test_program.h"
 
 #include "tests/core/capture/capture_test_support.h"
 #include "tests/support/decimal_comma.h"
@@ -610,5 +611,5 @@ private slots:
 
 } // namespace dyncal
 
-QTEST_GUILESS_MAIN(dyncal::TestLvm)
+DYNCAL_TEST(dyncal::TestLvm)
 #include "tst_lvm.moc"

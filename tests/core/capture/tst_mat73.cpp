@@ -5,7 +5,8 @@
 #include "core/capture/format_registry.h"
 #include "core/capture/formats/mat73.h"
 #include "tests/core/capture/capture_test_support.h"
-#include "tests/core/capture/hdf5_test_file.h"
+#include "tests/core/capture/mat73_test_file.h"
+#include "tests/support/test_program.h"
 
 #include <QDirIterator>
 #include <QTemporaryDir>
@@ -15,52 +16,11 @@
 namespace dyncal {
 
 using namespace testing;
+using namespace testing::mat73;
 
 namespace {
 
 using Names = std::vector<std::string>;
-
-/// Writes variables as MATLAB does: dimensions in reverse, MATLAB_class on each.
-class MatFile
-{
-public:
-    explicit MatFile(const std::string &path)
-        : m_file(path, 512)
-    {
-    }
-
-    const Hdf5TestFile &hdf5() const { return m_file; }
-
-    /// An N x k matrix, column by column as MATLAB keeps it.
-    void matrix(const std::string &name, hsize_t rows, hsize_t columns,
-        const std::vector<double> &values, const std::string &matlabClass = "double",
-        hid_t type = -1, bool packed = false) const
-    {
-        StoredAs as{type < 0 ? H5T_IEEE_F64LE : type, {}};
-        if (packed) {
-            as.chunk = {std::max<hsize_t>(columns / 2, 1), std::max<hsize_t>(rows / 3, 1)};
-            as.deflate = 3;
-        }
-        m_file.dataset('/' + name, {columns, rows}, as, H5T_NATIVE_DOUBLE, values.data());
-        m_file.text('/' + name, "MATLAB_class", matlabClass);
-    }
-
-private:
-    Hdf5TestFile m_file;
-};
-
-/// The text that MATLAB puts into the user block.
-void writeHead(const std::string &path)
-{
-    QFile file(QString::fromStdString(path));
-    if (!file.open(QIODevice::ReadWrite))
-        qFatal("cannot write the user block");
-    QByteArray head("MATLAB 7.3 MAT-file, Platform: GLNXA64, Created on: Mon Jan  1 00:00:00 2024 "
-                    "HDF5 schema 1.00 .");
-    head = head.leftJustified(124, ' ');
-    head.append("\0\2IM", 4);
-    file.write(head);
-}
 
 std::vector<double> ramp(Index count, double step = 1.0, double first = 0.0)
 {
@@ -296,6 +256,6 @@ private slots:
 
 } // namespace dyncal
 
-QTEST_GUILESS_MAIN(dyncal::TestMat73)
+DYNCAL_TEST(dyncal::TestMat73)
 
 #include "tst_mat73.moc"

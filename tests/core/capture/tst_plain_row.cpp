@@ -5,6 +5,7 @@
 // no answer.
 
 #include "core/capture/formats/plain_row.h"
+#include "tests/support/test_program.h"
 
 #include "core/capture/formats/text_table.h"
 
@@ -183,5 +184,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPlainRow)
+DYNCAL_TEST(TestPlainRow)
 #include "tst_plain_row.moc"

@@ -4,6 +4,7 @@
 // Tables so long that several threads read them, against one line after the other.
 
 #include "core/capture/formats/table_parser.h"
+#include "tests/support/test_program.h"
 
 #include "core/capture/formats/plain_rows_ahead.h"
 #include "core/capture/formats/text_table.h"
@@ -337,5 +338,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTableParser)
+DYNCAL_TEST(TestTableParser)
 #include "tst_table_parser.moc"

@@ -4,6 +4,7 @@
 #include "core/capture/format_registry.h"
 #include "core/capture/formats/tdms_types.h"
 #include "tests/core/capture/tdms_test_support.h"
+#include "tests/support/test_program.h"
 
 #include <complex>
 #include <random>
@@ -76,7 +77,7 @@ public:
         const auto channels = 1 + below(5);
         for (std::uint64_t i = 0; i < channels; ++i) {
             ModelChannel channel;
-            channel.name = "c" + std::to_string(i);
+            channel.name = std::string("c").append(std::to_string(i));
             channel.path = "/'g'/'" + channel.name + "'";
             channel.type = kTypes[below(kTypes.size())];
             m_channels.push_back(channel);
@@ -591,5 +592,5 @@ private:
     TdmsFolder m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestTdms)
+DYNCAL_TEST(TestTdms)
 #include "tst_tdms.moc"

@@ -7,6 +7,7 @@
 
 #include "core/capture/format_registry.h"
 #include "tests/core/capture/capture_test_support.h"
+#include "tests/support/test_program.h"
 
 #include <QDirIterator>
 #include <QJsonArray>
@@ -366,5 +367,5 @@ private:
     QStringList m_files;
 };
 
-QTEST_GUILESS_MAIN(TestTdmsCorpus)
+DYNCAL_TEST(TestTdmsCorpus)
 #include "tst_tdms_corpus.moc"

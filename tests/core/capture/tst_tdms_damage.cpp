@@ -5,6 +5,7 @@
 // crashes, hangs or allocates what a header claims.
 
 #include "tests/core/capture/tdms_test_support.h"
+#include "tests/support/test_program.h"
 
 #include <QElapsedTimer>
 
@@ -298,7 +299,7 @@ private slots:
         TdmsBytes metadata;
         metadata.add(1U).text(kA).add(0xFFFFFFFFU).add(kProperties);
         for (std::uint32_t i = 0; i < kProperties; ++i)
-            metadata.text("p" + std::to_string(i)).add(3U).add(i);
+            metadata.text(std::string("p").append(std::to_string(i))).add(3U).add(i);
         const auto size = metadata.bytes().size();
         const std::string path = m_folder.write(withLead(metadata.bytes(), size, size));
         QElapsedTimer clock;
@@ -432,5 +433,5 @@ private:
     TdmsFolder m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestTdmsDamage)
+DYNCAL_TEST(TestTdmsDamage)
 #include "tst_tdms_damage.moc"

@@ -5,6 +5,7 @@
 // scales, not computed by the code under test.
 
 #include "tests/core/capture/tdms_test_support.h"
+#include "tests/support/test_program.h"
 
 #include <functional>
 
@@ -517,5 +518,5 @@ private:
     TdmsFolder m_folder;
 };
 
-QTEST_GUILESS_MAIN(TestTdmsScales)
+DYNCAL_TEST(TestTdmsScales)
 #include "tst_tdms_scales.moc"

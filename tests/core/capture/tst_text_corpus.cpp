@@ -4,6 +4,7 @@
 // Every text of the folder of recordings is in one of three lists: read, refused, no capture.
 
 #include "core/capture/format_registry.h"
+#include "tests/support/test_program.h"
 
 #include "tests/core/capture/capture_test_support.h"
 
@@ -169,5 +170,5 @@ private slots:
 
 } // namespace dyncal
 
-QTEST_GUILESS_MAIN(dyncal::TestTextCorpus)
+DYNCAL_TEST(dyncal::TestTextCorpus)
 #include "tst_text_corpus.moc"

@@ -10,6 +10,7 @@
 #include "core/capture/formats/text_table.h"
 #include "core/capture/formats/text_time.h"
 #include "core/capture/formats/time_axis.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -607,5 +608,5 @@ void TestTextParts::lvmSegment_badNumbers_areUnknown()
     QCOMPARE(segment->channels[0].deltaX, 0.0);
 }
 
-QTEST_APPLESS_MAIN(TestTextParts)
+DYNCAL_TEST(TestTextParts)
 #include "tst_text_parts.moc"

@@ -6,6 +6,7 @@
 
 #include "core/capture/format_registry.h"
 #include "core/capture/text_preview.h"
+#include "tests/support/test_program.h"
 
 #include "tests/core/capture/capture_test_support.h"
 
@@ -386,5 +387,5 @@ private slots:
 
 } // namespace dyncal
 
-QTEST_GUILESS_MAIN(dyncal::TestTextRobustness)
+DYNCAL_TEST(dyncal::TestTextRobustness)
 #include "tst_text_robustness.moc"

@@ -8,6 +8,7 @@
 #include "core/capture/formats/time_axis.h"
 #include "core/capture/formats/time_words.h"
 #include "core/capture/text_preview.h"
+#include "tests/support/test_program.h"
 
 #include "tests/core/capture/capture_test_support.h"
 
@@ -411,5 +412,5 @@ private slots:
 
 } // namespace dyncal
 
-QTEST_GUILESS_MAIN(dyncal::TestTextTime)
+DYNCAL_TEST(dyncal::TestTextTime)
 #include "tst_text_time.moc"

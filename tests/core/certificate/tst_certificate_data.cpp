@@ -3,6 +3,7 @@
 
 #include "core/certificate/certificate_data.h"
 #include "tests/support/example_results.h"
+#include "tests/support/test_program.h"
 
 #include <limits>
 
@@ -331,5 +332,5 @@ void TestCertificateData::text_never_containsNan()
     QVERIFY2(!text.contains("inf "), "an infinite signal to noise ratio is printed as a dash");
 }
 
-QTEST_APPLESS_MAIN(TestCertificateData)
+DYNCAL_TEST(TestCertificateData)
 #include "tst_certificate_data.moc"

@@ -7,6 +7,7 @@
 #include "core/certificate/certificate_data.h"
 #include "core/certificate/certificate_sections.h"
 #include "tests/support/example_results.h"
+#include "tests/support/test_program.h"
 
 #include <QRegularExpression>
 #include <QTest>
@@ -279,5 +280,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCertificateHostile)
+DYNCAL_TEST(TestCertificateHostile)
 #include "tst_certificate_hostile.moc"

@@ -4,6 +4,7 @@
 // What a certificate says of oscillations and stretches that are not in the model.
 
 #include "core/certificate/certificate_sections.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -185,5 +186,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestCertificateNuisance)
+DYNCAL_TEST(TestCertificateNuisance)
 #include "tst_certificate_nuisance.moc"

@@ -5,6 +5,7 @@
 
 #include "core/certificate/certificate_sections.h"
 #include "tests/support/example_results.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -300,5 +301,5 @@ void TestCertificateSections::section_unknown_isNone()
     QVERIFY(data.missingFields().size() > 5);
 }
 
-QTEST_APPLESS_MAIN(TestCertificateSections)
+DYNCAL_TEST(TestCertificateSections)
 #include "tst_certificate_sections.moc"

@@ -5,6 +5,7 @@
 #include "core/decomposition/principal_components.h"
 #include "core/signal/resampler.h"
 #include "tests/support/signals.h"
+#include "tests/support/test_program.h"
 
 #include <Eigen/QR>
 #include <QElapsedTimer>
@@ -471,5 +472,5 @@ void TestPrincipalComponents::components_longShots_areFast()
         < 1e-12);
 }
 
-QTEST_APPLESS_MAIN(TestPrincipalComponents)
+DYNCAL_TEST(TestPrincipalComponents)
 #include "tst_principal_components.moc"

@@ -3,6 +3,7 @@
 
 #include "core/decomposition/residual_analysis.h"
 #include "tests/support/signals.h"
+#include "tests/support/test_program.h"
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -186,5 +187,5 @@ void TestResidualAnalysis::residual_tooShort_isBlocked()
     QCOMPARE(result.error().kind, ErrorKind::DataBlocked);
 }
 
-QTEST_APPLESS_MAIN(TestResidualAnalysis)
+DYNCAL_TEST(TestResidualAnalysis)
 #include "tst_residual_analysis.moc"

@@ -9,6 +9,7 @@
 #include "core/model_analysis/unwrapped_phase.h"
 #include "tests/support/cascade_model.h"
 #include "tests/support/second_order_model.h"
+#include "tests/support/test_program.h"
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -414,5 +415,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestModelCharacteristics)
+DYNCAL_TEST(TestModelCharacteristics)
 #include "tst_model_characteristics.moc"

@@ -5,6 +5,7 @@
 #include "core/model_analysis/step_transform.h"
 #include "tests/support/model_inputs.h"
 #include "tests/support/second_order_model.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -216,5 +217,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestModelCurves)
+DYNCAL_TEST(TestModelCurves)
 #include "tst_model_curves.moc"

@@ -7,6 +7,7 @@
 #include "core/model_analysis/sensor_response.h"
 #include "tests/support/model_inputs.h"
 #include "tests/support/second_order_model.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -322,5 +323,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestResponseProperties)
+DYNCAL_TEST(TestResponseProperties)
 #include "tst_response_properties.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/model_analysis/sensor_record.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -186,5 +187,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSensorRecord)
+DYNCAL_TEST(TestSensorRecord)
 #include "tst_sensor_record.moc"

@@ -7,6 +7,7 @@
 #include "tests/support/model_inputs.h"
 #include "tests/support/second_order_model.h"
 #include "tests/support/signals.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -445,5 +446,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSensorResponse)
+DYNCAL_TEST(TestSensorResponse)
 #include "tst_sensor_response.moc"

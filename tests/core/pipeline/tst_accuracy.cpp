@@ -6,6 +6,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/synthesis/shot_generator.h"
 #include "tests/accuracy/noise_bound.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -149,5 +150,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestAccuracy)
+DYNCAL_TEST(TestAccuracy)
 #include "tst_accuracy.moc"

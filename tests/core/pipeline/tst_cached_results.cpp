@@ -9,6 +9,7 @@
 #include "core/pipeline/stage_keys.h"
 #include "tests/core/project/full_recipe.h"
 #include "tests/support/simulated_example.h"
+#include "tests/support/test_program.h"
 
 #include <nlohmann/json.hpp>
 
@@ -257,5 +258,5 @@ void TestCachedResults::aSmallCache_givesTheSame()
     }
 }
 
-QTEST_APPLESS_MAIN(TestCachedResults)
+DYNCAL_TEST(TestCachedResults)
 #include "tst_cached_results.moc"

@@ -5,6 +5,7 @@
 #include "core/realization/realized_poles.h"
 #include "core/realization/sensor_model.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -178,5 +179,5 @@ void TestCancel::model_stopsAtOnce()
     QVERIFY(longestToStop_s(what.c_str(), work) < kLimit_s);
 }
 
-QTEST_GUILESS_MAIN(TestCancel)
+DYNCAL_TEST(TestCancel)
 #include "tst_cancel.moc"

@@ -5,6 +5,7 @@
 
 #include "core/pipeline/pipeline.h"
 #include "core/synthesis/shot_generator.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -187,5 +188,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLeftOut)
+DYNCAL_TEST(TestLeftOut)
 #include "tst_left_out.moc"

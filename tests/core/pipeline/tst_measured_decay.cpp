@@ -7,6 +7,7 @@
 #include "core/capture/format_registry.h"
 #include "core/pipeline/pipeline.h"
 #include "tests/support/measured_data.h"
+#include "tests/support/test_program.h"
 
 #include <QFile>
 #include <QJsonDocument>
@@ -132,5 +133,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMeasuredDecay)
+DYNCAL_TEST(TestMeasuredDecay)
 #include "tst_measured_decay.moc"

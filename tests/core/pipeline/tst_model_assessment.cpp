@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/realization/model_assessment.h"
+#include "tests/support/test_program.h"
 
 #include "core/pipeline/model_stages.h"
 #include "core/pipeline/pipeline.h"
@@ -183,5 +184,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestModelAssessment)
+DYNCAL_TEST(TestModelAssessment)
 #include "tst_model_assessment.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/pipeline/model_export.h"
+#include "tests/support/test_program.h"
 
 #include "core/pipeline/mat_writer.h"
 #include "core/synthesis/shot_generator.h"
@@ -235,5 +236,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestModelExport)
+DYNCAL_TEST(TestModelExport)
 #include "tst_model_export.moc"

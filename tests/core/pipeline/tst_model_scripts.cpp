@@ -8,6 +8,7 @@
 #include "core/realization/state_space_model.h"
 #include "tests/support/python_answer.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/test_program.h"
 
 #include <QStringList>
 #include <QTest>
@@ -175,5 +176,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestModelScripts)
+DYNCAL_TEST(TestModelScripts)
 #include "tst_model_scripts.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/pipeline/order_comparison.h"
+#include "tests/support/test_program.h"
 
 #include "core/pipeline/comparison_json.h"
 #include "core/pipeline/results_json.h"
@@ -211,5 +212,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestOrderComparison)
+DYNCAL_TEST(TestOrderComparison)
 #include "tst_order_comparison.moc"

@@ -6,6 +6,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/results_json.h"
 #include "core/synthesis/shot_generator.h"
+#include "tests/support/test_program.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -350,5 +351,5 @@ void TestPipelineDefects::order_thatDiverges_hasNullFitAndAReason()
     QVERIFY(!findingsOf(outcome, "MOD-001").empty());
 }
 
-QTEST_APPLESS_MAIN(TestPipelineDefects)
+DYNCAL_TEST(TestPipelineDefects)
 #include "tst_pipeline_defects.moc"

@@ -3,6 +3,7 @@
 
 #include "core/pipeline/publication.h"
 #include "tests/support/example_results.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -59,5 +60,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPublication)
+DYNCAL_TEST(TestPublication)
 #include "tst_publication.moc"

@@ -7,6 +7,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/synthesis/shot_generator.h"
 #include "tests/support/quiet_captures.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -203,5 +204,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestQuietRecords)
+DYNCAL_TEST(TestQuietRecords)
 #include "tst_quiet_records.moc"

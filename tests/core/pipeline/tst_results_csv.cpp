@@ -3,6 +3,7 @@
 
 #include "core/pipeline/csv_table.h"
 #include "core/pipeline/results_csv.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -86,5 +87,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestResultsCsv)
+DYNCAL_TEST(TestResultsCsv)
 #include "tst_results_csv.moc"

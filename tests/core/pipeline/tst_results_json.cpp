@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/pipeline/results_json.h"
+#include "tests/support/test_program.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -506,5 +507,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestResultsJson)
+DYNCAL_TEST(TestResultsJson)
 #include "tst_results_json.moc"

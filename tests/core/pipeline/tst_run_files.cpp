@@ -7,6 +7,7 @@
 #include "core/pipeline/results_json.h"
 #include "core/pipeline/run_files.h"
 #include "tests/support/example_results.h"
+#include "tests/support/test_program.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -245,5 +246,5 @@ void TestRunFiles::progress_risesToOne()
     QCOMPARE(last, 1.0);
 }
 
-QTEST_APPLESS_MAIN(TestRunFiles)
+DYNCAL_TEST(TestRunFiles)
 #include "tst_run_files.moc"

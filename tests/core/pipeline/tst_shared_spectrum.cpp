@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/pipeline/shared_spectrum.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -76,5 +77,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSharedSpectrum)
+DYNCAL_TEST(TestSharedSpectrum)
 #include "tst_shared_spectrum.moc"

@@ -3,6 +3,7 @@
 
 #include "core/pipeline/pipeline.h"
 #include "tests/support/simulated_example.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -228,5 +229,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestShockStage)
+DYNCAL_TEST(TestShockStage)
 #include "tst_shock_stage.moc"

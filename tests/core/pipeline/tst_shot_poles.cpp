@@ -6,6 +6,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/pipeline/results_json.h"
 #include "core/synthesis/shot_generator.h"
+#include "tests/support/test_program.h"
 
 #include <nlohmann/json.hpp>
 
@@ -121,5 +122,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestShotPoles)
+DYNCAL_TEST(TestShotPoles)
 #include "tst_shot_poles.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/pipeline/stage_keys.h"
+#include "tests/support/test_program.h"
 
 #include "core/pipeline/result_cache.h"
 
@@ -331,5 +332,5 @@ void TestStageKeys::cache_keepsTheFirstOfAKey()
     QCOMPARE(cache.find<int>("a"), first);
 }
 
-QTEST_APPLESS_MAIN(TestStageKeys)
+DYNCAL_TEST(TestStageKeys)
 #include "tst_stage_keys.moc"

@@ -3,6 +3,7 @@
 
 #include "core/pipeline/tube_mode_poles.h"
 #include "tests/support/second_order_model.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -140,5 +141,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTubeModePoles)
+DYNCAL_TEST(TestTubeModePoles)
 #include "tst_tube_mode_poles.moc"

@@ -7,6 +7,7 @@
 
 #include "core/pipeline/pipeline.h"
 #include "core/synthesis/shot_generator.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -300,5 +301,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestTubeModes)
+DYNCAL_TEST(TestTubeModes)
 #include "tst_tube_modes.moc"

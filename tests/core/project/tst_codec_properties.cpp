@@ -7,6 +7,7 @@
 #include "core/project/json_codec.h"
 #include "core/project/nearest_word.h"
 #include "core/project/recipe.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -209,5 +210,5 @@ void TestCodecProperties::everyMisspeltKey_leadsToItself()
     QVERIFY(tried > 3000);
 }
 
-QTEST_APPLESS_MAIN(TestCodecProperties)
+DYNCAL_TEST(TestCodecProperties)
 #include "tst_codec_properties.moc"

@@ -3,6 +3,7 @@
 
 #include "core/project/gas_names.h"
 #include "core/shock/gas_model.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -88,5 +89,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestGasNames)
+DYNCAL_TEST(TestGasNames)
 #include "tst_gas_names.moc"

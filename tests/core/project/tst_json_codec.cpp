@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/project/json_codec.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -232,12 +233,12 @@ private slots:
 
     void foundValue_isCutInTheSentence()
     {
-        const std::string json = "\"" + std::string(500, 'x') + "\"";
+        const std::string json = std::string("\"").append(500, 'x') + "\"";
         const std::string sentence = refusal(anyNumber(), json.c_str());
         QVERIFY(sentence.size() < 120);
         QVERIFY(sentence.find("xxx...") != std::string::npos);
     }
 };
 
-QTEST_APPLESS_MAIN(TestJsonCodec)
+DYNCAL_TEST(TestJsonCodec)
 #include "tst_json_codec.moc"

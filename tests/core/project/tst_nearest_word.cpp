@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/project/nearest_word.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -57,5 +58,5 @@ private slots:
     void nearestKey_ofNothing_isEmpty() { QCOMPARE(nearestKey("a", {}), std::string()); }
 };
 
-QTEST_APPLESS_MAIN(TestNearestWord)
+DYNCAL_TEST(TestNearestWord)
 #include "tst_nearest_word.moc"

@@ -8,6 +8,7 @@
 #include "core/project/recipe.h"
 #include "tests/core/project/full_recipe.h"
 #include "tests/support/scratch_folder.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -173,5 +174,5 @@ void TestProfile::foldersAndUnicodeNames()
     }
 }
 
-QTEST_APPLESS_MAIN(TestProfile)
+DYNCAL_TEST(TestProfile)
 #include "tst_profile.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/project/recipe.h"
+#include "tests/support/test_program.h"
 
 #include "tests/core/project/full_recipe.h"
 
@@ -391,5 +392,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRecipe)
+DYNCAL_TEST(TestRecipe)
 #include "tst_recipe.moc"

@@ -3,6 +3,7 @@
 
 #include "core/project/recipe_mend.h"
 #include "tests/core/project/full_recipe.h"
+#include "tests/support/test_program.h"
 
 #include <nlohmann/json.hpp>
 
@@ -128,5 +129,5 @@ void TestRecipeMend::everyKeyByItself_makesTheWholeRecipe()
     QVERIFY(recipe == fullRecipe());
 }
 
-QTEST_APPLESS_MAIN(TestRecipeMend)
+DYNCAL_TEST(TestRecipeMend)
 #include "tst_recipe_mend.moc"

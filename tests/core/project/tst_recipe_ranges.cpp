@@ -6,6 +6,7 @@
 
 #include "core/project/recipe.h"
 #include "tests/core/project/full_recipe.h"
+#include "tests/support/test_program.h"
 
 #include <nlohmann/json.hpp>
 
@@ -342,5 +343,5 @@ void TestRecipeRanges::byteOrderMark_isNoDamage()
     QVERIFY(!parseRecipe("\xFF\xFE{\0}\0"));
 }
 
-QTEST_APPLESS_MAIN(TestRecipeRanges)
+DYNCAL_TEST(TestRecipeRanges)
 #include "tst_recipe_ranges.moc"

@@ -3,6 +3,7 @@
 
 #include "core/realization/coloured_covariance.h"
 #include "tests/support/simulated_calibration.h"
+#include "tests/support/test_program.h"
 
 #include <Eigen/LU>
 
@@ -244,5 +245,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestColouredCovariance)
+DYNCAL_TEST(TestColouredCovariance)
 #include "tst_coloured_covariance.moc"

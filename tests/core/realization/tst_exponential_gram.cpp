@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/realization/exponential_gram.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -113,5 +114,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestExponentialGram)
+DYNCAL_TEST(TestExponentialGram)
 #include "tst_exponential_gram.moc"

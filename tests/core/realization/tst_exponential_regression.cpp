@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/realization/exponential_regression.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -173,5 +174,5 @@ void TestExponentialRegression::equations_ofTheModelItself_haveNoCost()
     QVERIFY(std::sqrt(found.cost / static_cast<double>(y.size())) < 1e-13);
 }
 
-QTEST_APPLESS_MAIN(TestExponentialRegression)
+DYNCAL_TEST(TestExponentialRegression)
 #include "tst_exponential_regression.moc"

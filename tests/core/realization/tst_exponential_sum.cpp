@@ -5,6 +5,7 @@
 #include "core/realization/onset.h"
 #include "core/realization/state_space_model.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -164,5 +165,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestExponentialSum)
+DYNCAL_TEST(TestExponentialSum)
 #include "tst_exponential_sum.moc"

@@ -5,6 +5,7 @@
 #include "core/realization/hankel_decomposition.h"
 #include "core/realization/realized_poles.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -226,5 +227,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestHankelDecomposition)
+DYNCAL_TEST(TestHankelDecomposition)
 #include "tst_hankel_decomposition.moc"

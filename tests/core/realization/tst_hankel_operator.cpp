@@ -5,6 +5,7 @@
 #include "core/realization/hankel_operator.h"
 #include "core/realization/hankel_triplets.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -104,5 +105,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestHankelOperator)
+DYNCAL_TEST(TestHankelOperator)
 #include "tst_hankel_operator.moc"

@@ -3,6 +3,7 @@
 
 #include "core/realization/sensor_model.h"
 #include "tests/support/pole_coverage.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -181,5 +182,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestHomogeneity)
+DYNCAL_TEST(TestHomogeneity)
 #include "tst_homogeneity.moc"

@@ -5,6 +5,7 @@
 #include "core/realization/hankel_triplets.h"
 #include "core/realization/lanczos.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -267,5 +268,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLanczos)
+DYNCAL_TEST(TestLanczos)
 #include "tst_lanczos.moc"

@@ -8,6 +8,7 @@
 #include "core/signal/resampler.h"
 #include "tests/support/model_inputs.h"
 #include "tests/support/signals.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -394,5 +395,5 @@ void TestLeftOutSamples::average_knowsNoStretches()
     QVERIFY(!hasFinding(scene.input.findings, "WIN-007"));
 }
 
-QTEST_APPLESS_MAIN(TestLeftOutSamples)
+DYNCAL_TEST(TestLeftOutSamples)
 #include "tst_left_out_samples.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/realization/levenberg_marquardt.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -297,5 +298,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestLevenbergMarquardt)
+DYNCAL_TEST(TestLevenbergMarquardt)
 #include "tst_levenberg_marquardt.moc"

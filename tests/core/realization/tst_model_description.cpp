@@ -7,6 +7,7 @@
 #include "core/realization/model_description.h"
 #include "core/realization/series_fit.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -162,5 +163,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestModelDescription)
+DYNCAL_TEST(TestModelDescription)
 #include "tst_model_description.moc"

@@ -8,6 +8,7 @@
 #include "core/realization/series_fit.h"
 #include "core/signal/resampler.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -238,5 +239,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestModelDraft)
+DYNCAL_TEST(TestModelDraft)
 #include "tst_model_draft.moc"

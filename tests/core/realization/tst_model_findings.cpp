@@ -7,6 +7,7 @@
 #include "tests/support/model_inputs.h"
 #include "tests/support/second_order_model.h"
 #include "tests/support/signals.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -415,5 +416,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestModelFindings)
+DYNCAL_TEST(TestModelFindings)
 #include "tst_model_findings.moc"

@@ -9,6 +9,7 @@
 #include "core/realization/realized_poles.h"
 #include "core/realization/sensor_model.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -370,5 +371,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestModelSymmetries)
+DYNCAL_TEST(TestModelSymmetries)
 #include "tst_model_symmetries.moc"

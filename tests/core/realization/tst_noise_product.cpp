@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/realization/noise_product.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -279,5 +280,5 @@ void TestNoiseProduct::sensitivities_areTheDerivativesOfTheModel()
     }
 }
 
-QTEST_APPLESS_MAIN(TestNoiseProduct)
+DYNCAL_TEST(TestNoiseProduct)
 #include "tst_noise_product.moc"

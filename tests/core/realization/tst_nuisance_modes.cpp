@@ -4,6 +4,7 @@
 #include "core/realization/nuisance_modes.h"
 #include "core/realization/pole_refinement.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -247,5 +248,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestNuisanceModes)
+DYNCAL_TEST(TestNuisanceModes)
 #include "tst_nuisance_modes.moc"

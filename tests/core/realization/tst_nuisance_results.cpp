@@ -4,6 +4,7 @@
 #include "core/realization/nuisance_results.h"
 #include "core/realization/pole_uncertainty.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -187,5 +188,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestNuisanceResults)
+DYNCAL_TEST(TestNuisanceResults)
 #include "tst_nuisance_results.moc"

@@ -6,6 +6,7 @@
 
 #include "core/realization/onset.h"
 #include "tests/support/cascade_model.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -164,5 +165,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestOnset)
+DYNCAL_TEST(TestOnset)
 #include "tst_onset.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/realization/order_evidence.h"
+#include "tests/support/test_program.h"
 
 #include "core/realization/cross_shot.h"
 #include "core/realization/model_findings.h"
@@ -434,5 +435,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestOrderEvidence)
+DYNCAL_TEST(TestOrderEvidence)
 #include "tst_order_evidence.moc"

@@ -3,6 +3,7 @@
 
 #include "core/realization/shot_combination.h"
 #include "tests/support/order_trials.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -162,5 +163,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestOrderSuggestion)
+DYNCAL_TEST(TestOrderSuggestion)
 #include "tst_order_suggestion.moc"

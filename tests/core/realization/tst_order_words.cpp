@@ -5,6 +5,7 @@
 // them must be the one that the evidence holds.
 
 #include "core/realization/order_words.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -188,5 +189,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestOrderWords)
+DYNCAL_TEST(TestOrderWords)
 #include "tst_order_words.moc"

@@ -4,6 +4,7 @@
 // A short version of tests/accuracy/pole_coverage (docs/accuracy.md).
 
 #include "tests/support/pole_coverage.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -43,5 +44,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPoleCoverage)
+DYNCAL_TEST(TestPoleCoverage)
 #include "tst_pole_coverage.moc"

@@ -3,6 +3,7 @@
 
 #include "core/realization/pole_refinement.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/test_program.h"
 
 #include <Eigen/LU>
 
@@ -399,5 +400,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPoleRefinement)
+DYNCAL_TEST(TestPoleRefinement)
 #include "tst_pole_refinement.moc"

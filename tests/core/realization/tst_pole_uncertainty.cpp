@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/realization/pole_uncertainty.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -153,5 +154,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestPoleUncertainty)
+DYNCAL_TEST(TestPoleUncertainty)
 #include "tst_pole_uncertainty.moc"

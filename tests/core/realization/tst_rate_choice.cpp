@@ -6,6 +6,7 @@
 
 #include "core/realization/rate_choice.h"
 #include "core/signal/resampler.h"
+#include "tests/support/test_program.h"
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -234,5 +235,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRateChoice)
+DYNCAL_TEST(TestRateChoice)
 #include "tst_rate_choice.moc"

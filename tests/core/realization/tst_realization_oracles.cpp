@@ -5,6 +5,7 @@
 #include "core/realization/hankel_decomposition.h"
 #include "core/realization/realized_poles.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -211,5 +212,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRealizationOracles)
+DYNCAL_TEST(TestRealizationOracles)
 #include "tst_realization_oracles.moc"

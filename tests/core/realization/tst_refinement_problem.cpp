@@ -3,6 +3,7 @@
 
 #include "core/realization/refinement_problem.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -195,5 +196,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRefinementProblem)
+DYNCAL_TEST(TestRefinementProblem)
 #include "tst_refinement_problem.moc"

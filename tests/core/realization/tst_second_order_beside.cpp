@@ -6,6 +6,7 @@
 
 #include "core/realization/second_order_beside.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -167,5 +168,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSecondOrderBeside)
+DYNCAL_TEST(TestSecondOrderBeside)
 #include "tst_second_order_beside.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/realization/second_order_fit.h"
+#include "tests/support/test_program.h"
 
 #include "core/realization/model_draft.h"
 #include "core/realization/sensor_model.h"
@@ -364,5 +365,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSecondOrderFit)
+DYNCAL_TEST(TestSecondOrderFit)
 #include "tst_second_order_fit.moc"

@@ -6,6 +6,7 @@
 #include "core/realization/realized_poles.h"
 #include "core/realization/sensor_model.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -244,5 +245,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSensorModel)
+DYNCAL_TEST(TestSensorModel)
 #include "tst_sensor_model.moc"

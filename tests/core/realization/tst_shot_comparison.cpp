@@ -8,6 +8,7 @@
 #include "core/realization/homogeneity.h"
 #include "core/realization/pole_uncertainty.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -527,5 +528,5 @@ void TestShotComparison::judgement_saysPoleProbabilityAndRange()
     QVERIFY(judgeShots(model).empty());
 }
 
-QTEST_APPLESS_MAIN(TestShotComparison)
+DYNCAL_TEST(TestShotComparison)
 #include "tst_shot_comparison.moc"

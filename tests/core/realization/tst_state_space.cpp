@@ -9,6 +9,7 @@
 #include "core/realization/sensor_model.h"
 #include "tests/support/model_inputs.h"
 #include "tests/support/python_answer.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -345,5 +346,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestStateSpace)
+DYNCAL_TEST(TestStateSpace)
 #include "tst_state_space.moc"

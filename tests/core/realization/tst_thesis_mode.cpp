@@ -9,6 +9,7 @@
 #include "core/realization/sensor_model.h"
 #include "tests/support/measured_data.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -177,5 +178,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestThesisMode)
+DYNCAL_TEST(TestThesisMode)
 #include "tst_thesis_mode.moc"

@@ -3,6 +3,7 @@
 
 #include "core/realization/whitening.h"
 #include "tests/support/simulated_calibration.h"
+#include "tests/support/test_program.h"
 
 #include <Eigen/Cholesky>
 
@@ -153,5 +154,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestWhitening)
+DYNCAL_TEST(TestWhitening)
 #include "tst_whitening.moc"

@@ -3,6 +3,7 @@
 
 #include "core/shock/gas_model.h"
 #include "core/shock/moist_air.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -305,5 +306,5 @@ void TestGasModel::names_unknownOrWithoutHeatCapacity_usage()
     QCOMPARE(std::string(gasModel({1.4, 0.028966, "air"}, state)->source), std::string("typed"));
 }
 
-QTEST_APPLESS_MAIN(TestGasModel)
+DYNCAL_TEST(TestGasModel)
 #include "tst_gas_model.moc"

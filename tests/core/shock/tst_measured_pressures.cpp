@@ -3,6 +3,7 @@
 
 #include "core/shock/pressure_units.h"
 #include "core/shock/shock_conditions.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -247,5 +248,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMeasuredPressures)
+DYNCAL_TEST(TestMeasuredPressures)
 #include "tst_measured_pressures.moc"

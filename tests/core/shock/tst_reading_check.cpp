@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/shock/reading_check.h"
+#include "tests/support/test_program.h"
 
 #include "core/capture/channel_units.h"
 
@@ -92,5 +93,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestReadingCheck)
+DYNCAL_TEST(TestReadingCheck)
 #include "tst_reading_check.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/shock/shock_conditions.h"
+#include "tests/support/test_program.h"
 
 #include "core/base/number_text.h"
 
@@ -461,5 +462,5 @@ void TestShockConditions::settings_nonsense_usage()
     }
 }
 
-QTEST_APPLESS_MAIN(TestShockConditions)
+DYNCAL_TEST(TestShockConditions)
 #include "tst_shock_conditions.moc"

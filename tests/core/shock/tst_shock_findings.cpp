@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/shock/shock_conditions.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -334,5 +335,5 @@ void TestShockFindings::typedStep_hasNoUncertaintyOfTheStep()
     QVERIFY(c.stepTyped && !c.uncertainty);
 }
 
-QTEST_APPLESS_MAIN(TestShockFindings)
+DYNCAL_TEST(TestShockFindings)
 #include "tst_shock_findings.moc"

@@ -8,6 +8,7 @@
 #include "core/shock/moist_air.h"
 #include "core/shock/shock_conditions.h"
 #include "tests/support/python_answer.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -497,5 +498,5 @@ void TestShockProperties::tubeOfNonsense_hasNoPlateau()
     QVERIFY(near(*plateauOf("1.94"), 2.0 * *plateauOf("0.97")));
 }
 
-QTEST_APPLESS_MAIN(TestShockProperties)
+DYNCAL_TEST(TestShockProperties)
 #include "tst_shock_properties.moc"

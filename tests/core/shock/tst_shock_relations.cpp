@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/shock/shock_relations.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -493,5 +494,5 @@ void TestShockRelations::reflectedRatio_bothWays_agree()
     }
 }
 
-QTEST_APPLESS_MAIN(TestShockRelations)
+DYNCAL_TEST(TestShockRelations)
 #include "tst_shock_relations.moc"

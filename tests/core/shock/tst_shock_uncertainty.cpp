@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/shock/shock_uncertainty.h"
+#include "tests/support/test_program.h"
 
 #include "tests/support/velocity_coverage.h"
 
@@ -330,5 +331,5 @@ void TestShockUncertainty::coverage_threeSensorsScatter_between93And97Percent()
     QVERIFY(c.percent() >= 93.0 && c.percent() <= 97.0);
 }
 
-QTEST_APPLESS_MAIN(TestShockUncertainty)
+DYNCAL_TEST(TestShockUncertainty)
 #include "tst_shock_uncertainty.moc"

@@ -3,6 +3,7 @@
 
 #include "core/shock/shock_velocity.h"
 #include "tests/support/signals.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -296,5 +297,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestShockVelocity)
+DYNCAL_TEST(TestShockVelocity)
 #include "tst_shock_velocity.moc"

@@ -3,6 +3,7 @@
 
 #include "core/shock/side_arrival.h"
 #include "tests/support/signals.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -188,5 +189,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestSideArrival)
+DYNCAL_TEST(TestSideArrival)
 #include "tst_side_arrival.moc"

@@ -3,6 +3,7 @@
 
 #include "core/shock/tube_resonances.h"
 #include "core/shock/tube_waves.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -390,5 +391,5 @@ void TestTube::sideWall_averaging()
     QVERIFY(std::abs(sideWallAveraging(10.0, 5.5e-3, 512.8) - 1.0) < 1e-6);
 }
 
-QTEST_APPLESS_MAIN(TestTube)
+DYNCAL_TEST(TestTube)
 #include "tst_tube.moc"

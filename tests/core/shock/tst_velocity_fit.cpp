@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/shock/velocity_fit.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -248,5 +249,5 @@ void TestVelocityFit::nonsense_refused()
         ErrorKind::Usage);
 }
 
-QTEST_APPLESS_MAIN(TestVelocityFit)
+DYNCAL_TEST(TestVelocityFit)
 #include "tst_velocity_fit.moc"

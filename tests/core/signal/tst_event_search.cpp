@@ -3,6 +3,7 @@
 
 #include "core/signal/event_search.h"
 #include "tests/support/signals.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -194,5 +195,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestEventSearch)
+DYNCAL_TEST(TestEventSearch)
 #include "tst_event_search.moc"

@@ -3,6 +3,7 @@
 
 #include "core/signal/fft.h"
 #include "tests/support/signals.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -164,5 +165,5 @@ void TestFft::fastFftLength_anyN_equalsSearch()
     QCOMPARE(fastFftLength(100'000'001), Index(100'663'296)); // 2^25 * 3
 }
 
-QTEST_APPLESS_MAIN(TestFft)
+DYNCAL_TEST(TestFft)
 #include "tst_fft.moc"

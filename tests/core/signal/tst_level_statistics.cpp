@@ -3,6 +3,7 @@
 
 #include "core/signal/level_statistics.h"
 #include "tests/support/signals.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -140,5 +141,5 @@ void TestLevelStatistics::countSize_linearAndCurved()
     QCOMPARE(countSize(doubleChannel(Eigen::VectorXd::Zero(4), 1.0), 1.0), 0.0);
 }
 
-QTEST_APPLESS_MAIN(TestLevelStatistics)
+DYNCAL_TEST(TestLevelStatistics)
 #include "tst_level_statistics.moc"

@@ -5,6 +5,7 @@
 #include "core/signal/resonance_search.h"
 #include "tests/support/measured_data.h"
 #include "tests/support/signals.h"
+#include "tests/support/test_program.h"
 
 #include <QElapsedTimer>
 #include <QTest>
@@ -490,5 +491,5 @@ void TestPowerSpectrum::measured_impact_showsItsPlateMode()
     QVERIFY(std::abs(result->resonances[0].frequency_Hz - 803.737) < 0.8);
 }
 
-QTEST_APPLESS_MAIN(TestPowerSpectrum)
+DYNCAL_TEST(TestPowerSpectrum)
 #include "tst_power_spectrum.moc"

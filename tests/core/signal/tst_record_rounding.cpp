@@ -3,6 +3,7 @@
 
 #include "core/signal/rounding.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -179,5 +180,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRecordRounding)
+DYNCAL_TEST(TestRecordRounding)
 #include "tst_record_rounding.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/signal/record_starts.h"
+#include "tests/support/test_program.h"
 
 #include "tests/support/signals.h"
 
@@ -103,5 +104,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestRecordStarts)
+DYNCAL_TEST(TestRecordStarts)
 #include "tst_record_starts.moc"

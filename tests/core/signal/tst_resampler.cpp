@@ -3,6 +3,7 @@
 
 #include "core/signal/resampler.h"
 #include "tests/support/signals.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -223,5 +224,5 @@ void TestResampler::reductionFactor_ratios_wholeWhereTheyAre()
     QVERIFY(!reductionFactor(1e30, 1e-30));
 }
 
-QTEST_APPLESS_MAIN(TestResampler)
+DYNCAL_TEST(TestResampler)
 #include "tst_resampler.moc"

@@ -6,6 +6,7 @@
 #include "core/signal/window_checks.h"
 #include "tests/support/measured_data.h"
 #include "tests/support/signals.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -784,5 +785,5 @@ void TestResponseWindow::measured_badShot_isLeftOut()
     QCOMPARE(findingOf(result, "CAP-020")->shot, Index(2));
 }
 
-QTEST_APPLESS_MAIN(TestResponseWindow)
+DYNCAL_TEST(TestResponseWindow)
 #include "tst_response_window.moc"

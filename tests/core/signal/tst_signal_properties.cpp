@@ -13,6 +13,7 @@
 #include "core/signal/window_checks.h"
 #include "tests/support/python_answer.h"
 #include "tests/support/signals.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -497,5 +498,5 @@ void TestSignalProperties::fftLength_ofAnything_isDefined()
     }
 }
 
-QTEST_APPLESS_MAIN(TestSignalProperties)
+DYNCAL_TEST(TestSignalProperties)
 #include "tst_signal_properties.moc"

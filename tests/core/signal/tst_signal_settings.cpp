@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/signal/signal_settings.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -46,5 +47,5 @@ void TestSignalSettings::effectiveCombine_followsTreatment()
     QVERIFY(settings.effectiveCombine() == CombineMethod::Stacked);
 }
 
-QTEST_APPLESS_MAIN(TestSignalSettings)
+DYNCAL_TEST(TestSignalSettings)
 #include "tst_signal_settings.moc"

@@ -4,6 +4,7 @@
 #include "core/signal/start_detection.h"
 #include "tests/support/measured_data.h"
 #include "tests/support/signals.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -467,5 +468,5 @@ void TestStartDetection::crossing_acrossChunks_isFound()
     }
 }
 
-QTEST_APPLESS_MAIN(TestStartDetection)
+DYNCAL_TEST(TestStartDetection)
 #include "tst_start_detection.moc"

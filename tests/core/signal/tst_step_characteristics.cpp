@@ -3,6 +3,7 @@
 
 #include "core/signal/step_characteristics.h"
 #include "tests/support/signals.h"
+#include "tests/support/test_program.h"
 
 #include <QTest>
 
@@ -125,5 +126,5 @@ void TestStepCharacteristics::tinyWindows_doNotCrash()
         stepCharacteristics(Eigen::VectorXd::LinSpaced(length, 0.0, 2.0), 0, length, 0.0);
 }
 
-QTEST_APPLESS_MAIN(TestStepCharacteristics)
+DYNCAL_TEST(TestStepCharacteristics)
 #include "tst_step_characteristics.moc"

@@ -6,6 +6,7 @@
 #include "core/signal/stuck_values.h"
 #include "tests/support/measured_data.h"
 #include "tests/support/signals.h"
+#include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 
 #include <QTest>
@@ -207,5 +208,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(TestStuckValues)
+DYNCAL_TEST(TestStuckValues)
 #include "tst_stuck_values.moc"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/synthesis/sensor_simulator.h"
+#include "tests/support/test_program.h"
 
 #include "core/base/number_text.h"
 #include "core/synthesis/step_response.h"
@@ -340,5 +341,5 @@ void TestSensorSimulator::checkSensor_nonsense_usage()
         std::string("The simulated sensor 'test' has zeta = 11; it must lie in 1e-04 .. 10."));
 }
 
-QTEST_APPLESS_MAIN(TestSensorSimulator)
+DYNCAL_TEST(TestSensorSimulator)
 #include "tst_sensor_simulator.moc"

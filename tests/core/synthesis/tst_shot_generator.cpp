@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/synthesis/shot_generator.h"
+#include "tests/support/test_program.h"
 
 #include "core/base/content_hash.h"
 #include "core/base/number_text.h"
@@ -670,5 +671,5 @@ void TestShotGenerator::defaultCapture_fast()
 #endif
 }
 
-QTEST_APPLESS_MAIN(TestShotGenerator)
+DYNCAL_TEST(TestShotGenerator)
 #include "tst_shot_generator.moc"

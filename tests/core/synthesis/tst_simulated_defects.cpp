@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/synthesis/shot_generator.h"
+#include "tests/support/test_program.h"
 
 #include "core/base/content_hash.h"
 #include "core/synthesis/defects.h"
@@ -389,5 +390,5 @@ void TestSimulatedDefects::several_defectsAtOnce()
     QVERIFY(dut.samples.size() < dutOf(capture, 2).samples.size() / 2);
 }
 
-QTEST_APPLESS_MAIN(TestSimulatedDefects)
+DYNCAL_TEST(TestSimulatedDefects)
 #include "tst_simulated_defects.moc"

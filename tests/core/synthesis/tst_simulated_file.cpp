@@ -4,6 +4,7 @@
 #include "core/base/content_hash.h"
 #include "core/capture/formats/hdf5_capture.h"
 #include "core/synthesis/shot_generator.h"
+#include "tests/support/test_program.h"
 
 #include <QTemporaryDir>
 #include <QtTest>
@@ -89,5 +90,5 @@ void TestSimulatedFile::writtenTwice_sameBytes()
     QCOMPARE(sha256OfFile(first), sha256OfFile(second));
 }
 
-QTEST_APPLESS_MAIN(TestSimulatedFile)
+DYNCAL_TEST(TestSimulatedFile)
 #include "tst_simulated_file.moc"

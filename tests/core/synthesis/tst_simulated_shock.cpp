@@ -4,6 +4,7 @@
 #include "core/shock/shock_conditions.h"
 #include "core/signal/start_detection.h"
 #include "core/synthesis/shot_generator.h"
+#include "tests/support/test_program.h"
 
 #include <QtTest>
 
@@ -183,5 +184,5 @@ void TestSimulatedShock::noShockData_nothingGuessed()
     }
 }
 
-QTEST_APPLESS_MAIN(TestSimulatedShock)
+DYNCAL_TEST(TestSimulatedShock)
 #include "tst_simulated_shock.moc"

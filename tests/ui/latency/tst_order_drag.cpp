@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "tests/ui/shell/window_bench.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/stages/stage_page.h"
@@ -280,5 +281,5 @@ void TestOrderDrag::release_showsTheFullResult()
     QVERIFY(session().results().response);
 }
 
-QTEST_MAIN(TestOrderDrag)
+DYNCAL_TEST(TestOrderDrag)
 #include "tst_order_drag.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "ui/plot/curve_envelope.h"
 
 #include <QtTest>
@@ -189,5 +190,5 @@ void TestCurveEnvelope::extremes_emptyAndSmall_work()
     QCOMPARE(envelope.extremes(0, 3).max, 3.0);
 }
 
-QTEST_APPLESS_MAIN(TestCurveEnvelope)
+DYNCAL_TEST(TestCurveEnvelope)
 #include "tst_curve_envelope.moc"

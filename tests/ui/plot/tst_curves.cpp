@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "tests/support/example_results.h"
+#include "tests/support/test_program.h"
 #include "ui/plot/component_curves.h"
 #include "ui/plot/curve_building.h"
 #include "ui/plot/model_curves.h"
@@ -423,5 +424,5 @@ void TestCurves::figures_ofPartialResults_areFewer()
     QCOMPARE(reportFigures(partial).size(), std::size_t(3));
 }
 
-QTEST_MAIN(TestCurves)
+DYNCAL_TEST(TestCurves)
 #include "tst_curves.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "ui/plot/dashes.h"
 
 #include <QtTest>
@@ -94,5 +95,5 @@ void TestDashes::farPoints_endAtOnce()
     QVERIFY(parts.size() > 100);
 }
 
-QTEST_APPLESS_MAIN(TestDashes)
+DYNCAL_TEST(TestDashes)
 #include "tst_dashes.moc"

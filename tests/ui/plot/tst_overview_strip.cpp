@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "ui/plot/overview_strip.h"
 #include "ui/plot/plot_widget.h"
 
@@ -204,5 +205,5 @@ void TestOverviewStrip::picture_showsTheCurve()
     QVERIFY(low > high);
 }
 
-QTEST_MAIN(TestOverviewStrip)
+DYNCAL_TEST(TestOverviewStrip)
 #include "tst_overview_strip.moc"

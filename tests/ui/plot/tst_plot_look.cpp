@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "ui/plot/axis_prefix.h"
 #include "ui/plot/plot_theme.h"
 
@@ -191,5 +192,5 @@ void TestPlotLook::contrast_blackOnWhite_isTwentyOne()
     QVERIFY(contrastRatio(QColor("#777777"), Qt::white) < 4.5);
 }
 
-QTEST_MAIN(TestPlotLook)
+DYNCAL_TEST(TestPlotLook)
 #include "tst_plot_look.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "ui/plot/plot_widget.h"
 
 #include <QSignalSpy>
@@ -131,5 +132,5 @@ private:
     double m_pixel = 0.0;
 };
 
-QTEST_MAIN(TestPlotMarking)
+DYNCAL_TEST(TestPlotMarking)
 #include "tst_plot_marking.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/plot/signal_curves.h"
 
@@ -912,5 +913,5 @@ void TestPlotWidget::longRecord_csv_isOfTheView()
     QCOMPARE(rows()[6], QString("1.234567,1"));
 }
 
-QTEST_MAIN(TestPlotWidget)
+DYNCAL_TEST(TestPlotWidget)
 #include "tst_plot_widget.moc"

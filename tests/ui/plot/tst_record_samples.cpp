@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "ui/plot/record_samples.h"
 #include "ui/plot/signal_curves.h"
 
@@ -243,5 +244,5 @@ void TestRecordSamples::longRecords_areThoseOfPlottedRolesAndIncludedShots()
     QVERIFY(longRecords(set)[0].samples.sharesWith(set.shots[0].channels[0].samples));
 }
 
-QTEST_APPLESS_MAIN(TestRecordSamples)
+DYNCAL_TEST(TestRecordSamples)
 #include "tst_record_samples.moc"

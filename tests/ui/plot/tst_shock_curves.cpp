@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "ui/plot/shock_curves.h"
 
 #include <QtTest>
@@ -175,5 +176,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestShockCurves)
+DYNCAL_TEST(TestShockCurves)
 #include "tst_shock_curves.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "ui/report/certificate_blocks.h"
 #include "ui/report/page_flow.h"
 #include "ui/report/pdf_bytes.h"
@@ -194,5 +195,5 @@ void TestPageFlow::pdf_inEveryTimeZone_hasTheSameBytes()
     ::tzset();
 }
 
-QTEST_MAIN(TestPageFlow)
+DYNCAL_TEST(TestPageFlow)
 #include "tst_page_flow.moc"

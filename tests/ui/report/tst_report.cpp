@@ -3,6 +3,7 @@
 
 #include "core/base/atomic_file.h"
 #include "tests/support/example_results.h"
+#include "tests/support/test_program.h"
 #include "ui/report/report_drawing.h"
 
 #include <QApplication>
@@ -374,5 +375,5 @@ void TestReport::draw_betweenSteps_leavesLanguageAndNumbersOfTheWindow()
     QVERIFY(QByteArray::fromStdString(drawn->front().bytes) == bytesOf(certificate()));
 }
 
-QTEST_MAIN(TestReport)
+DYNCAL_TEST(TestReport)
 #include "tst_report.moc"

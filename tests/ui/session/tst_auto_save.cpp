@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "tests/ui/support/sample_results.h"
 #include "ui/session/auto_save.h"
 #include "ui/session/project_file.h"
@@ -262,5 +263,5 @@ void TestAutoSave::adopted_goesOnInThatFile()
     QTRY_VERIFY(!QFile::exists(left));
 }
 
-QTEST_GUILESS_MAIN(TestAutoSave)
+DYNCAL_TEST(TestAutoSave)
 #include "tst_auto_save.moc"

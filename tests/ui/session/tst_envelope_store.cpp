@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "ui/session/envelope_store.h"
 
 #include <QSignalSpy>
@@ -154,5 +155,5 @@ void TestEnvelopeStore::deleted_whileBuilding_stops()
     }
 }
 
-QTEST_GUILESS_MAIN(TestEnvelopeStore)
+DYNCAL_TEST(TestEnvelopeStore)
 #include "tst_envelope_store.moc"

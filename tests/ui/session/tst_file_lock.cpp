@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "ui/session/file_lock.h"
 
 #include <QFile>
@@ -83,5 +84,5 @@ void TestFileLock::impossiblePlace_isNotTaken()
     QVERIFY(!FileLock::take(m_folder.path())); // a folder
 }
 
-QTEST_GUILESS_MAIN(TestFileLock)
+DYNCAL_TEST(TestFileLock)
 #include "tst_file_lock.moc"

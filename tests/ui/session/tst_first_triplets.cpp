@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/project/recipe.h"
+#include "tests/support/test_program.h"
 #include "ui/session/example.h"
 #include "ui/session/order_candidates.h"
 #include "ui/session/session.h"
@@ -398,5 +399,5 @@ void TestFirstTriplets::runs_stoppedAtAnyMoment_leaveNothingHalfDoneInTheCache()
     QCOMPARE(last.results.findings().size(), whole.findings().size());
 }
 
-QTEST_GUILESS_MAIN(TestFirstTriplets)
+DYNCAL_TEST(TestFirstTriplets)
 #include "tst_first_triplets.moc"

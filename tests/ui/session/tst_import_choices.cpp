@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "ui/session/import_choices.h"
 
 #include <QtTest>
@@ -143,5 +144,5 @@ void TestImportChoices::reason_isNeededWhereTheFileSaysOtherwise()
     QVERIFY(!needsRateReason(settings, view));
 }
 
-QTEST_GUILESS_MAIN(TestImportChoices)
+DYNCAL_TEST(TestImportChoices)
 #include "tst_import_choices.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "ui/session/job_runner.h"
 
 #include <QThread>
@@ -157,5 +158,5 @@ void TestJobRunner::progress_isThrottled()
     QVERIFY2(reports <= 20, qPrintable(QString::number(reports)));
 }
 
-QTEST_GUILESS_MAIN(TestJobRunner)
+DYNCAL_TEST(TestJobRunner)
 #include "tst_job_runner.moc"

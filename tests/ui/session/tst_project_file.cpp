@@ -4,6 +4,7 @@
 #include "core/base/atomic_file.h"
 #include "core/capture/capture_seal.h"
 #include "core/capture/format_registry.h"
+#include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 #include "ui/session/capture_edit.h"
 #include "ui/session/capture_reading.h"
@@ -424,5 +425,5 @@ void TestProjectFile::otherFileInItsPlace_isNotReplaced()
     QVERIFY(!QFile::exists(path));
 }
 
-QTEST_GUILESS_MAIN(TestProjectFile)
+DYNCAL_TEST(TestProjectFile)
 #include "tst_project_file.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "tests/ui/support/sample_results.h"
 #include "ui/session/example.h"
 #include "ui/session/project_file.h"
@@ -288,5 +289,5 @@ void TestRecoveryStore::adopt_givesUpItsOwn()
     QCOMPARE(RecoveryStore(m_place).leftBehind().size(), std::size_t(1));
 }
 
-QTEST_GUILESS_MAIN(TestRecoveryStore)
+DYNCAL_TEST(TestRecoveryStore)
 #include "tst_recovery_store.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "ui/session/capture_edit.h"
 #include "ui/session/session.h"
 
@@ -405,5 +406,5 @@ void TestSession::findingIds_leadToStages()
     QVERIFY(!stageOfFinding(""));
 }
 
-QTEST_GUILESS_MAIN(TestSession)
+DYNCAL_TEST(TestSession)
 #include "tst_session.moc"

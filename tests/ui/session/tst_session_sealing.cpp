@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/capture/capture_seal.h"
+#include "tests/support/test_program.h"
 #include "ui/session/session.h"
 
 #include <QFile>
@@ -139,5 +140,5 @@ void TestSessionSealing::otherJob_meanwhile_dropsTheFirst()
     QVERIFY(session.isSealed());
 }
 
-QTEST_GUILESS_MAIN(TestSessionSealing)
+DYNCAL_TEST(TestSessionSealing)
 #include "tst_session_sealing.moc"

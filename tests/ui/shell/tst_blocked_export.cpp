@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "tests/support/example_results.h"
+#include "tests/support/test_program.h"
 #include "ui/shell/file_actions.h"
 
 #include <QDir>
@@ -91,5 +92,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestBlockedExport)
+DYNCAL_TEST(TestBlockedExport)
 #include "tst_blocked_export.moc"

@@ -5,6 +5,7 @@
 #include "core/capture/import_rules.h"
 #include "tests/core/capture/hdf5_test_file.h"
 #include "tests/support/measured_data.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/event_loop_watchdog.h"
 #include "tests/ui/support/recording_files.h"
@@ -814,5 +815,5 @@ void TestCaptureImport::manyFiles_neverHoldTheWindow()
     QVERIFY(watchdog.longestGap_ms() < kLongestGap_ms);
 }
 
-QTEST_MAIN(TestCaptureImport)
+DYNCAL_TEST(TestCaptureImport)
 #include "tst_capture_import.moc"

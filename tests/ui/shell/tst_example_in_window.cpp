@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/pipeline/results_json.h"
+#include "tests/support/test_program.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/session/example.h"
 #include "ui/shell/main_window.h"
@@ -142,5 +143,5 @@ void TestExampleInWindow::undoRedo_everyEdit_givesTheSameResults()
     QCOMPARE(QString::fromStdString(shownJson()), QString::fromStdString(end));
 }
 
-QTEST_MAIN(TestExampleInWindow)
+DYNCAL_TEST(TestExampleInWindow)
 #include "tst_example_in_window.moc"

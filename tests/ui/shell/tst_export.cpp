@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/base/atomic_file.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/support/event_loop_watchdog.h"
 #include "ui/shell/main_window.h"
 
@@ -283,5 +284,5 @@ void TestExport::edit_whileWriting_isNotInWhatIsWritten()
     QTRY_VERIFY_WITH_TIMEOUT(!m_window->session().isComputing(), kPatience_ms);
 }
 
-QTEST_MAIN(TestExport)
+DYNCAL_TEST(TestExport)
 #include "tst_export.moc"

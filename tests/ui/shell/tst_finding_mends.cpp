@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/capture/import_rules.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/sample_results.h"
 #include "ui/session/file_import.h"
@@ -354,5 +355,5 @@ void TestFindingMends::ownMend_ofAFinding_isOffered()
     QVERIFY(mends.front().ofFinding == celsius.mend);
 }
 
-QTEST_MAIN(TestFindingMends)
+DYNCAL_TEST(TestFindingMends)
 #include "tst_finding_mends.moc"

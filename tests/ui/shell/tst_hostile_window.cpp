@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "tests/support/hostile_text.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/sample_results.h"
 #include "ui/plot/plot_content.h"
@@ -405,5 +406,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestHostileWindow)
+DYNCAL_TEST(TestHostileWindow)
 #include "tst_hostile_window.moc"

@@ -3,6 +3,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/pipeline/results_json.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/sample_results.h"
 #include "ui/plot/plot_widget.h"
@@ -354,5 +355,5 @@ void TestMainWindow::caution_reasonGiven_isInTheRecipe()
     QVERIFY(bench.window->session().recipe().acknowledge.empty());
 }
 
-QTEST_MAIN(TestMainWindow)
+DYNCAL_TEST(TestMainWindow)
 #include "tst_main_window.moc"

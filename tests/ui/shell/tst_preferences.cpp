@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "ui/shell/preferences.h"
 #include "ui/shell/prompts.h"
 
@@ -92,5 +93,5 @@ void TestPreferences::saveFile_withoutSuffix_getsOne()
     QCOMPARE(prompts.saveFile(nullptr, {}, {}, {}, "dyncal"), QString("/tmp/a.dyncal"));
 }
 
-QTEST_MAIN(TestPreferences)
+DYNCAL_TEST(TestPreferences)
 #include "tst_preferences.moc"

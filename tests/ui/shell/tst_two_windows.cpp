@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 #include "ui/shell/file_actions.h"
 
@@ -340,5 +341,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestTwoWindows)
+DYNCAL_TEST(TestTwoWindows)
 #include "tst_two_windows.moc"

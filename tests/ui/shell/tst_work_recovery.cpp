@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/recording_files.h"
 #include "tests/ui/support/sample_results.h"
@@ -426,5 +427,5 @@ void TestWorkRecovery::language_switched_isFollowed()
         bench.window->grab().save(folder + "/recovery.png");
 }
 
-QTEST_MAIN(TestWorkRecovery)
+DYNCAL_TEST(TestWorkRecovery)
 #include "tst_work_recovery.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "ui/stages/interval_edit.h"
 #include "ui/stages/quantity_edit.h"
 #include "ui/stages/value_table.h"
@@ -258,5 +259,5 @@ void TestInspectorEdits::shown_result_hasTheDigitsOfItsUncertainty()
     QLocale::setDefault(QLocale::c());
 }
 
-QTEST_MAIN(TestInspectorEdits)
+DYNCAL_TEST(TestInspectorEdits)
 #include "tst_inspector_edits.moc"

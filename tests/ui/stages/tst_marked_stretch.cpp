@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "ui/stages/marked_stretch.h"
 #include "ui/stages/window_starts.h"
 
@@ -112,5 +113,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(TestMarkedStretch)
+DYNCAL_TEST(TestMarkedStretch)
 #include "tst_marked_stretch.moc"

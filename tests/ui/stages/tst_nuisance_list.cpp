@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "ui/stages/nuisance_list.h"
 #include "ui/stages/quantity_edit.h"
 
@@ -161,5 +162,5 @@ private:
     QuantityEdit *m_frequency = nullptr;
 };
 
-QTEST_MAIN(TestNuisanceList)
+DYNCAL_TEST(TestNuisanceList)
 #include "tst_nuisance_list.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/session/example.h"
 #include "ui/session/order_candidates.h"
@@ -503,5 +504,5 @@ void TestOrderPage::everyControl_hasAName()
     }
 }
 
-QTEST_MAIN(TestOrderPage)
+DYNCAL_TEST(TestOrderPage)
 #include "tst_order_page.moc"

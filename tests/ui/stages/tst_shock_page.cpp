@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "tests/support/simulated_example.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/support/page_bench.h"
 #include "ui/stages/quantity_edit.h"
 #include "ui/stages/shock_page.h"
@@ -176,5 +177,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestShockPage)
+DYNCAL_TEST(TestShockPage)
 #include "tst_shock_page.moc"

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "tests/support/test_program.h"
 #include "tests/ui/support/page_bench.h"
 #include "ui/stages/certificate_page.h"
 #include "ui/stages/components_page.h"
@@ -279,5 +280,5 @@ void TestStagePages::undo_anyPage_setsTheControlsBack()
     QCOMPARE(kept->value(), 3.0);
 }
 
-QTEST_MAIN(TestStagePages)
+DYNCAL_TEST(TestStagePages)
 #include "tst_stage_pages.moc"

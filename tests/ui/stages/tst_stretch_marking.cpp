@@ -4,6 +4,7 @@
 #include "core/certificate/certificate_data.h"
 #include "core/pipeline/results_json.h"
 #include "tests/support/simulated_example.h"
+#include "tests/support/test_program.h"
 #include "tests/ui/support/page_bench.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/report/certificate_sources.h"
@@ -255,5 +256,5 @@ private slots:
     }
 };
 
-QTEST_MAIN(TestStretchMarking)
+DYNCAL_TEST(TestStretchMarking)
 #include "tst_stretch_marking.moc"
