@@ -72,19 +72,30 @@ bool isCapture(const InputFile &input)
     return input.format == "dyncal-capture";
 }
 
-/// Empty for other formats, and for captures in which a changed label is not noticed.
-std::string contentHashOf(const InputFile &input)
+/// Of each input: empty for other formats, and for captures in which a changed label is not
+/// noticed.
+std::vector<std::string> contentHashes(const CaptureSet &set)
 {
-    return isCapture(input) ? statedContentHashOf(input.path) : std::string();
+    std::vector<std::string> captures;
+    for (const InputFile &input : set.inputs) {
+        if (isCapture(input))
+            captures.push_back(input.path);
+    }
+    const std::vector<std::string> stated = statedContentHashes(captures);
+    std::vector<std::string> hashes;
+    for (std::size_t next = 0; const InputFile &input : set.inputs)
+        hashes.push_back(isCapture(input) ? stated[next++] : std::string());
+    return hashes;
 }
 
 Json infoJson(const CaptureSet &set)
 {
     Json files = Json::array();
-    for (const InputFile &input : set.inputs) {
-        const std::string contentHash = contentHashOf(input);
+    const std::vector<std::string> hashes = contentHashes(set);
+    for (std::size_t i = 0; i < set.inputs.size(); ++i) {
+        const InputFile &input = set.inputs[i];
         files.push_back({{"file", input.file}, {"format", input.format}, {"sha256", input.sha256},
-            {"content_sha256", orNull(!contentHash.empty(), contentHash)}});
+            {"content_sha256", orNull(!hashes[i].empty(), hashes[i])}});
     }
     Json shots = Json::array();
     for (std::size_t i = 0; i < set.shots.size(); ++i)
@@ -148,11 +159,13 @@ void printShots(const CaptureSet &set)
 
 void printInfo(const CaptureSet &set)
 {
-    for (const InputFile &input : set.inputs)
+    const std::vector<std::string> hashes = contentHashes(set);
+    for (std::size_t i = 0; i < set.inputs.size(); ++i) {
+        const InputFile &input = set.inputs[i];
         std::cout << presentableInBrief(input.file) << ": " << input.format << ", sha256 "
                   << input.sha256
-                  << (isCapture(input) && contentHashOf(input).empty() ? ", no content hash\n"
-                                                                       : "\n");
+                  << (isCapture(input) && hashes[i].empty() ? ", no content hash\n" : "\n");
+    }
     printShots(set);
     printAttributes("Tube", set.tube);
     for (const auto &[id, attributes] : set.sensors)

@@ -32,6 +32,9 @@ Error changedFile(const InputFile &input)
         "CAP-015", 0};
 }
 
+/// Below that a thread costs more than it saves.
+constexpr double kWorthAThread = 1 << 20; // bytes
+
 /// Computes the hashes and keeps account of the bytes done.
 class Sealer
 {
@@ -52,7 +55,8 @@ public:
     Result<void> run()
     {
         constexpr std::chrono::milliseconds kReport{50};
-        std::future<Result<void>> files = std::async([this] { return sealInputs(); });
+        const auto when = m_totalBytes < kWorthAThread ? std::launch::deferred : std::launch::async;
+        std::future<Result<void>> files = std::async(when, [this] { return sealInputs(); });
         const Result<void> channels = sealChannels();
         m_givenUp = !channels;
         while (files.wait_for(kReport) == std::future_status::timeout)

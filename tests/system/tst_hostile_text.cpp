@@ -77,17 +77,24 @@ private:
         return folder;
     }
 
-    /// A script that runs the program and has strace write what it looks for into "opened". The
-    /// program is the script's own process (-D), so that a signal ends it and not strace alone.
+    /// A script that runs the program and has strace write what it looks for into "opened".
     QByteArray tracedProgram() const
     {
         const QString script = path("strace");
         writeBytes(script,
-            "#!/bin/sh\nexec strace -D -f -q -e "
+            "#!/bin/sh\nexec strace -f -qq -e "
             "trace=open,openat,openat2,access,stat,newfstatat,statx -o '"
                 + path("opened").toUtf8() + "' '" + qgetenv("DYNCAL_BINARY") + "' \"$@\"\n");
         QFile(script).setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
         return script.toUtf8();
+    }
+
+    /// Signals the program itself, which strace names first in its lines and ends after.
+    void signalTraced(int signal) const
+    {
+        const QByteArray opened = fileBytes(path("opened"));
+        if (const int process = opened.left(opened.indexOf(' ')).toInt(); process > 0)
+            ::kill(process, signal);
     }
 
 private slots:
@@ -158,7 +165,7 @@ private slots:
         const std::vector<QString> imported{"a.csv", "keysight.bin"};
         int asked = 0;
         int turn = 0;
-        for (const std::string &text : texts(6, 1)) {
+        for (const std::string &text : texts(5, 1)) {
             const QDir folder(makeFolder(text));
             const QStringList files = folder.entryList(QDir::Files);
             for (const QString &file : chosen(std::vector(files.begin(), files.end()), 6, turn))
@@ -205,7 +212,7 @@ private slots:
     void recipes_brokenOrFull_areShownAsText()
     {
         writeBytes(path("p.csv"), csv("p"));
-        for (const std::string &text : texts(4, 3)) {
+        for (const std::string &text : texts(3, 3)) {
             const nlohmann::json broken{{text, 1}};
             const nlohmann::json wrong{{"import", {{"format", text}, {"unit", text}}}};
             for (const QByteArray &json :
@@ -223,7 +230,7 @@ private slots:
     void run_everyFile_holdsTextOnly()
     {
         int runs = 0;
-        for (const std::string &text : texts(3, 6)) {
+        for (const std::string &text : texts(2, 6)) {
             const QString out = path(QString("out%1").arg(runs++));
             QVERIFY(writeCapture(path("c.h5").toStdString(), text));
             writeBytes(path("r.json"), recipe(text));
@@ -254,16 +261,20 @@ private slots:
         // A table is asked about; a calibration is shown, and has several findings in the end.
         for (const auto &[file, shown] :
             {std::pair{"image.csv", "list importPreview"}, {"image.h5", "list findingsPanel"}}) {
+            QFile::remove(path("opened"));
             WindowProcess window(path("home"), {path(file)});
+            const auto ended = qScopeGuard([&] { // a failed test leaves no window behind either
+                if (window.isRunning())
+                    signalTraced(SIGKILL);
+            });
             QVERIFY2(window.waitFor(shown, " | "), window.last());
             for (int page = 1; page <= 9; ++page) {
                 QCOMPARE(window.ask(QString("key Alt+%1").arg(page)), QString("done"));
                 QTest::qWait(50); // until it is painted
             }
             QVERIFY(!window.ask("list findingsPanel").isEmpty());
-            window.stop(SIGTERM);
-            const QByteArray ended = fileBytes(path("opened")).split(' ').front() + " +++ ";
-            QTRY_VERIFY(fileBytes(path("opened")).contains(ended));
+            signalTraced(SIGTERM);
+            QTRY_VERIFY_WITH_TIMEOUT(!window.isRunning(), 20000);
             const QByteArray opened = fileBytes(path("opened"));
             QVERIFY2(opened.contains(file), "strace must have seen the recording opened");
             QVERIFY2(!opened.contains(bait.toUtf8() + '"'), opened.right(2000));

@@ -148,6 +148,7 @@ private slots:
 
     void killedAtRandomMoments_isTheOldOrTheNewWhole()
     {
+        QVERIFY2(whichIsThere() >= 0, "undisturbed_isWhole must come before");
         const int kills = dyncal::trials::count(4, 100);
         std::mt19937 random(kSeed);
         std::uniform_int_distribution<std::int64_t> moment_us(0, 2 * m_usual.count());

@@ -15,8 +15,8 @@
 #include <cerrno>
 #include <csignal>
 #include <fstream>
+#include <memory>
 #include <utility>
-#include <vector>
 
 namespace dyncal {
 namespace {
@@ -103,17 +103,17 @@ GuardedOutcome receiveAll(int descriptor,
     const std::function<bool(std::span<const std::byte>)> &receive, const std::stop_token &stop)
 {
     constexpr int kLook_ms = 20;
-    std::vector<std::byte> buffer(kReceiveBytes);
+    const auto buffer = std::make_unique_for_overwrite<std::byte[]>(kReceiveBytes);
     for (auto heard = Clock::now(); Clock::now() - heard < kSilence;) {
         if (stop.stop_requested())
             return GuardedOutcome::Stopped;
         pollfd wait{descriptor, POLLIN, 0};
         if (::poll(&wait, 1, kLook_ms) <= 0)
             continue;
-        const ssize_t got = ::read(descriptor, buffer.data(), buffer.size());
+        const ssize_t got = ::read(descriptor, buffer.get(), kReceiveBytes);
         if (got == 0)
             return GuardedOutcome::Finished;
-        if (got > 0 && !receive(std::span(buffer.data(), static_cast<std::size_t>(got))))
+        if (got > 0 && !receive(std::span(buffer.get(), static_cast<std::size_t>(got))))
             return GuardedOutcome::Died;
         if (got < 0 && errno != EINTR && errno != EAGAIN)
             return GuardedOutcome::Died;

@@ -5,12 +5,15 @@
 
 #include "core/base/content_hash.h"
 #include "core/capture/content_statement.h"
-#include "core/capture/formats/hdf5_open.h"
+#include "core/capture/formats/hdf5_describe.h"
+#include "core/capture/formats/hdf5_helper.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <chrono>
 #include <deque>
+#include <span>
 #include <utility>
 
 namespace dyncal {
@@ -206,6 +209,24 @@ Message sentence(
         {file, path}};
 }
 
+std::span<const std::byte> bytesOf(std::string_view text)
+{
+    return std::as_bytes(std::span(text));
+}
+
+/// In a helper process: empty if it is no hash.
+std::string statedIn(const std::string &path)
+{
+    const auto tree = describeHdf5(path, Hdf5Depth::RootAttributes, ExpansionBudget(0));
+    if (!tree)
+        return {};
+    const Hdf5Attributes &root = tree->objects.front().attributes;
+    const auto stated = root.find(kContentHash);
+    const bool isHash = stated != root.end() && stated->second.text.size() == kHashDigits
+        && stated->second.text.find('\n') == std::string::npos;
+    return isHash ? stated->second.text : std::string();
+}
+
 Finding changed(Message message, Index shot = 0, const std::string &channel = {})
 {
     return {"CAP-015", Severity::Block, shot, channel, {}, std::move(message), {}, {}};
@@ -221,11 +242,31 @@ std::string contentList(const Hdf5Tree &tree)
     return list;
 }
 
-std::string statedContentHashOf(const std::string &path)
+std::vector<std::string> statedContentHashes(const std::vector<std::string> &paths)
 {
-    const Hdf5Attributes root = hdf5RootAttributes(path);
-    const auto stated = root.find(kContentHash);
-    return stated != root.end() ? stated->second.text : std::string();
+    constexpr std::uint64_t kMostMemory = 256U << 20;
+    constexpr std::chrono::seconds kTime{2}; // for each file
+    std::vector<std::string> hashes;
+    while (hashes.size() < paths.size()) {
+        std::string lines;
+        const auto tell = [&](GuardedOutput &output) {
+            for (std::size_t i = hashes.size(); i < paths.size(); ++i)
+                output.write(bytesOf(statedIn(paths[i]) + '\n'));
+        };
+        const auto receive = [&](std::span<const std::byte> bytes) {
+            lines.append(reinterpret_cast<const char *>(bytes.data()), bytes.size());
+            return lines.size() <= (kHashDigits + 1) * paths.size();
+        };
+        const Result<void> done
+            = runHdf5Helper(paths[hashes.size()], tell, receive, {kMostMemory, kTime}, {});
+        for (std::size_t end = lines.find('\n'); end != lines.npos; end = lines.find('\n')) {
+            hashes.push_back(lines.substr(0, end));
+            lines.erase(0, end + 1);
+        }
+        if (hashes.size() < paths.size() && !done)
+            hashes.emplace_back(); // of the file on which the helper ended
+    }
+    return hashes;
 }
 
 bool statesContent(const Hdf5Attributes &root)

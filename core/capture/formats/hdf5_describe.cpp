@@ -178,7 +178,12 @@ std::optional<Hdf5Tree> describeHdf5(
     const std::string &path, Hdf5Depth depth, const ExpansionBudget &budget)
 {
     const Hdf5Handle file = openHdf5File(path, 0); // no chunk is read
-    return file.valid() ? TreeMaker(file.id(), budget).make(depth) : std::nullopt;
+    return file.valid() ? describeHdf5(file.id(), depth, budget) : std::nullopt;
+}
+
+std::optional<Hdf5Tree> describeHdf5(hid_t file, Hdf5Depth depth, const ExpansionBudget &budget)
+{
+    return TreeMaker(file, budget).make(depth);
 }
 
 } // namespace dyncal

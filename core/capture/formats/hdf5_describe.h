@@ -27,6 +27,8 @@ Hdf5Handle openHdf5File(const std::string &path, std::size_t cacheBytes);
 /// the file can be trusted. The description takes no more memory than the budget allows.
 std::optional<Hdf5Tree> describeHdf5(
     const std::string &path, Hdf5Depth depth, const ExpansionBudget &budget);
+/// The same of a file that is open.
+std::optional<Hdf5Tree> describeHdf5(hid_t file, Hdf5Depth depth, const ExpansionBudget &budget);
 
 /// What must be known of the file to judge what its datasets claim.
 struct Hdf5FileFacts

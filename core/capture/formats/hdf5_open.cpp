@@ -6,6 +6,7 @@
 #include "core/capture/formats/guarded_run.h"
 #include "core/capture/formats/hdf5_describe.h"
 #include "core/capture/formats/hdf5_helper.h"
+#include "core/capture/formats/hdf5_warm_up.h"
 
 #include <sys/stat.h>
 
@@ -80,6 +81,7 @@ Result<void> runHdf5Helper(const std::string &path,
 {
     const std::scoped_lock lock(hdf5Mutex());
     silenceHdf5();
+    warmHdf5Up();
     switch (runGuarded(work, receive, limits, control.stop)) {
     case GuardedOutcome::Finished:
         return {};
