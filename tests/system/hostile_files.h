@@ -110,7 +110,7 @@ inline QByteArray mat(const std::string &text)
 }
 
 /// A sound calibration whose every text is this one.
-inline bool writeCapture(const std::string &path, const std::string &text)
+inline Result<void> writeCapture(const std::string &path, const std::string &text)
 {
     SimulationSettings settings;
     settings.shots = {ShotLevel::Low};
@@ -118,11 +118,11 @@ inline bool writeCapture(const std::string &path, const std::string &text)
     settings.duration_s = 0.005;
     const auto sensor = sensorPreset("optic3");
     if (!sensor)
-        return false;
+        return tl::unexpected(sensor.error());
     settings.sensor = *sensor;
     auto made = simulateShots(settings);
     if (!made)
-        return false;
+        return tl::unexpected(made.error());
     CaptureSet &set = made->set;
     set.tube[asName(text)] = text;
     set.instruments[asName(text)]["model"] = text;
@@ -136,7 +136,7 @@ inline bool writeCapture(const std::string &path, const std::string &text)
         }
     }
     set.sensors[asName(text)]["serial"] = text;
-    return writeHdf5Capture(set, {path, true}, kCreated, text).has_value();
+    return writeHdf5Capture(set, {path, true}, kCreated, text);
 }
 
 inline QByteArray jsonBytes(const nlohmann::json &json)

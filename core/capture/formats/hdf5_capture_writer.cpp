@@ -22,10 +22,11 @@
 namespace dyncal {
 namespace {
 
-/// A name that HDF5 takes for a member.
+/// A name that HDF5 takes for a member, and takes whole.
 std::string memberName(std::string name)
 {
     std::replace(name.begin(), name.end(), '/', '|');
+    std::replace(name.begin(), name.end(), '\0', '|');
     return name.empty() || name == "." ? "unnamed" : name;
 }
 

@@ -21,6 +21,13 @@ bool isIdentifier(std::string_view key)
     return std::find(kIdentifiers.begin(), kIdentifiers.end(), key) != kIdentifiers.end();
 }
 
+/// HDF5 would end names and texts there, and make two channels out of "a\0b" and "a\0c" one.
+std::string withoutZeros(std::string text)
+{
+    std::replace(text.begin(), text.end(), '\0', '|');
+    return text;
+}
+
 bool writeAttribute(hid_t object, const std::string &name, hid_t stored, hid_t memory, hid_t space,
     const void *data)
 {
@@ -99,8 +106,9 @@ bool Hdf5Scribe::keep(bool written, const std::string &name, std::vector<double>
 bool Hdf5Scribe::text(const std::string &name, const std::string &text)
 {
     const Hdf5Handle type = variableTextType();
-    const char *data = text.c_str();
-    said().attributes[name] = {Hdf5ValueKind::Text, data, {}}; // the file ends it at a zero too
+    const std::string whole = withoutZeros(text);
+    const char *data = whole.c_str();
+    said().attributes[name] = {Hdf5ValueKind::Text, whole, {}};
     return type.valid() && writeScalar(id(), name, type.id(), type.id(), &data);
 }
 
@@ -137,7 +145,8 @@ bool Hdf5Scribe::integers(const std::string &name, const std::vector<int> &value
 bool Hdf5Scribe::attributes(const Attributes &attributes)
 {
     return std::all_of(attributes.begin(), attributes.end(), [&](const auto &entry) {
-        const auto &[key, value] = entry;
+        const auto &[given, value] = entry;
+        const std::string key = withoutZeros(given);
         const std::optional<double> parsed = isIdentifier(key) ? std::nullopt : parseNumber(value);
         return parsed ? number(key, *parsed) : text(key, value);
     });
