@@ -34,6 +34,7 @@ Error changedFile(const InputFile &input)
 
 /// Below that a thread costs more than it saves.
 constexpr double kWorthAThread = 1 << 20; // bytes
+constexpr auto kThreadWhereThereIsOne = std::launch::async | std::launch::deferred;
 
 /// Computes the hashes and keeps account of the bytes done.
 class Sealer
@@ -55,7 +56,8 @@ public:
     Result<void> run()
     {
         constexpr std::chrono::milliseconds kReport{50};
-        const auto when = m_totalBytes < kWorthAThread ? std::launch::deferred : std::launch::async;
+        const auto when
+            = m_totalBytes < kWorthAThread ? std::launch::deferred : kThreadWhereThereIsOne;
         std::future<Result<void>> files = std::async(when, [this] { return sealInputs(); });
         const Result<void> channels = sealChannels();
         m_givenUp = !channels;

@@ -259,10 +259,9 @@ std::vector<std::string> statedContentHashes(const std::vector<std::string> &pat
         };
         const Result<void> done
             = runHdf5Helper(paths[hashes.size()], tell, receive, {kMostMemory, kTime}, {});
-        for (std::size_t end = lines.find('\n'); end != lines.npos; end = lines.find('\n')) {
-            hashes.push_back(lines.substr(0, end));
-            lines.erase(0, end + 1);
-        }
+        std::size_t begin = 0;
+        for (std::size_t end; (end = lines.find('\n', begin)) != lines.npos; begin = end + 1)
+            hashes.push_back(lines.substr(begin, end - begin));
         if (hashes.size() < paths.size() && !done)
             hashes.emplace_back(); // of the file on which the helper ended
     }

@@ -3,6 +3,7 @@
 
 #include "core/capture/formats/hdf5_warm_up.h"
 
+#include "core/base/free_memory.h"
 #include "core/capture/formats/hdf5_create.h"
 #include "core/capture/formats/hdf5_describe.h"
 #include "core/capture/formats/hdf5_scribe.h"
@@ -15,6 +16,7 @@ namespace dyncal {
 namespace {
 
 constexpr std::size_t kGrowth = std::size_t(1) << 16U;
+constexpr std::size_t kPlenty = std::size_t(64) << 20U;
 constexpr int kTexts = 12; ///< more than an object's header takes, as in our captures
 
 Hdf5Handle memoryAccess()
@@ -57,6 +59,8 @@ std::vector<std::byte> smallFile()
 void warmHdf5Up()
 {
     [[maybe_unused]] static const bool done = [] {
+        if (!isMemoryLeft(kPlenty)) // the library crashes where it gets none
+            return false;
         std::vector<std::byte> bytes = smallFile();
         const Hdf5Handle access = memoryAccess();
         if (bytes.empty() || H5Pset_file_image(access.id(), bytes.data(), bytes.size()) < 0)
