@@ -89,8 +89,7 @@ int runGui(int argc, char **argv, const std::vector<std::string> &files)
         return report({ErrorKind::Internal,
             {DYNCAL_TEXT("core",
                  "There is not enough memory for a window; close other programs or raise the "
-                 "memory "
-                 "limit."),
+                 "memory limit."),
                 {}},
             {}, 0});
     // What is exported must be the same bytes as from the command line.

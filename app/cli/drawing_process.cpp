@@ -45,11 +45,6 @@ constexpr char kAlive = '.';
 constexpr char kFiles = 'F';
 constexpr char kEnd = 'E';
 
-std::span<const std::byte> bytesOf(std::string_view text)
-{
-    return std::as_bytes(std::span(text));
-}
-
 void sendDrawing(const CalibrationResults &results, const Recipe &recipe,
     const std::string &createdUtc, GuardedOutput &output)
 {
@@ -65,17 +60,17 @@ void sendDrawing(const CalibrationResults &results, const Recipe &recipe,
     ReportDrawing drawing(results, recipe, createdUtc, ReportParts::CertificateAndPlots);
     while (!drawing.isDone()) {
         drawing.draw(kBeat);
-        output.write(bytesOf({&kAlive, 1}));
+        output.write(std::string_view(&kAlive, 1));
     }
     const Result<std::vector<DrawnFile>> drawn = drawing.take();
     if (!drawn)
         return;
-    output.write(bytesOf({&kFiles, 1}));
+    output.write(std::string_view(&kFiles, 1));
     for (const DrawnFile &file : *drawn) {
-        output.write(bytesOf(file.name + '\n' + std::to_string(file.bytes.size()) + '\n'));
-        output.write(bytesOf(file.bytes));
+        output.write(file.name + '\n' + std::to_string(file.bytes.size()) + '\n');
+        output.write(file.bytes);
     }
-    output.write(bytesOf({&kEnd, 1}));
+    output.write(std::string_view(&kEnd, 1));
 }
 
 /// The files of such a message; empty if it is not whole.

@@ -15,8 +15,9 @@
 #include <vector>
 
 namespace dyncal {
-
 namespace {
+
+constexpr char kHexDigits[] = "0123456789abcdef";
 
 /// OpenSSL fails here for nothing but lack of memory; a hash that was not computed must not pass
 /// for one.
@@ -53,11 +54,10 @@ std::string Sha256::hex()
     std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
     unsigned int length = 0;
     needs(EVP_DigestFinal_ex(m_state->context.get(), digest.data(), &length));
-    static constexpr char kDigits[] = "0123456789abcdef";
     std::string text;
     for (unsigned int i = 0; i < length; ++i) {
-        text += kDigits[digest[i] >> 4];
-        text += kDigits[digest[i] & 0xf];
+        text += kHexDigits[digest[i] >> 4];
+        text += kHexDigits[digest[i] & 0xf];
     }
     return text;
 }
@@ -72,6 +72,12 @@ std::string sha256Hex(std::span<const std::byte> bytes)
 std::string sha256Hex(std::string_view text)
 {
     return sha256Hex(std::as_bytes(std::span(text.data(), text.size())));
+}
+
+bool isSha256Hex(std::string_view text)
+{
+    return text.size() == kSha256Digits
+        && text.find_first_not_of(kHexDigits) == std::string_view::npos;
 }
 
 std::string sha256OfFile(const std::string &path, const std::function<bool(std::uintmax_t)> &goOn)

@@ -34,9 +34,14 @@ private:
     std::unique_ptr<State> m_state;
 };
 
+inline constexpr std::size_t kSha256Digits = 64;
+
 /// SHA-256 as 64 lower-case hexadecimal digits.
 std::string sha256Hex(std::span<const std::byte> bytes);
 std::string sha256Hex(std::string_view text);
+
+/// Whether a text can be one: 64 lower-case hexadecimal digits.
+bool isSha256Hex(std::string_view text);
 
 /// SHA-256 of a file's bytes, read in blocks; empty if it cannot be read. `goOn` is told the bytes
 /// done after each block and says whether to go on; empty too where it says no.

@@ -5,23 +5,10 @@
 
 #include "core/base/index.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <Eigen/SVD>
 
 namespace dyncal {
-namespace {
-
-template <typename Matrix>
-Matrix solve(const Matrix &A, const Matrix &B)
-{
-    Eigen::ColPivHouseholderQR<Matrix> qr(A);
-    qr.setThreshold(1e-14);
-    return qr.solve(B);
-}
-
-} // namespace
-
 ThinSvd thinSvd(const Eigen::MatrixXd &matrix)
 {
     const Eigen::BDCSVD<Eigen::MatrixXd> svd(matrix, Eigen::ComputeThinU | Eigen::ComputeThinV);
@@ -39,27 +26,6 @@ LeftSvd leftSvd(const Eigen::MatrixXd &matrix)
     }
     const Eigen::BDCSVD<Eigen::MatrixXd> svd(small, Eigen::ComputeThinU);
     return {svd.matrixU(), svd.singularValues()};
-}
-
-SymmetricEigen symmetricEigen(const Eigen::MatrixXd &matrix)
-{
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(matrix);
-    return {solver.eigenvalues(), solver.eigenvectors()};
-}
-
-Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd &matrix)
-{
-    return matrix.eigenvalues();
-}
-
-Eigen::MatrixXcd leastSquares(const Eigen::MatrixXcd &A, const Eigen::MatrixXcd &B)
-{
-    return solve(A, B);
-}
-
-Eigen::MatrixXd leastSquares(const Eigen::MatrixXd &A, const Eigen::MatrixXd &B)
-{
-    return solve(A, B);
 }
 
 } // namespace dyncal

@@ -3,7 +3,7 @@
 
 #include "core/realization/exponential_sum.h"
 
-#include "core/base/svd.h"
+#include "core/base/least_squares.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 
 #include "core/realization/lanczos.h"
 
+#include "core/base/eigenvalues.h"
 #include "core/base/portable_random.h"
-#include "core/base/svd.h"
 #include "core/base/tall_matrix.h"
 
 #include <algorithm>

@@ -3,8 +3,8 @@
 
 #include "core/realization/nuisance_modes.h"
 
+#include "core/base/least_squares.h"
 #include "core/base/number_text.h"
-#include "core/base/svd.h"
 #include "core/realization/hankel_decomposition.h"
 #include "core/realization/left_out.h"
 #include "core/realization/model_draft.h"

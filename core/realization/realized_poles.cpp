@@ -3,7 +3,7 @@
 
 #include "core/realization/realized_poles.h"
 
-#include "core/base/svd.h"
+#include "core/base/eigenvalues.h"
 #include "core/realization/exponential_sum.h"
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 #include "core/realization/shared_fit.h"
 
 #include "core/base/index.h"
-#include "core/base/svd.h"
+#include "core/base/least_squares.h"
 
 namespace dyncal {
 namespace {

@@ -3,7 +3,7 @@
 
 #include "core/realization/state_space_model.h"
 
-#include "core/base/svd.h"
+#include "core/base/eigenvalues.h"
 
 #include <algorithm>
 #include <cmath>

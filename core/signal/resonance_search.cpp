@@ -4,7 +4,7 @@
 #include "core/signal/resonance_search.h"
 
 #include "core/base/distributions.h"
-#include "core/base/svd.h"
+#include "core/base/least_squares.h"
 #include "core/signal/level_statistics.h"
 
 #include <algorithm>

@@ -5,7 +5,7 @@
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
-#include "tests/system/dyncal_process.h"
+#include "tests/system/short_capture.h"
 
 #include <filesystem>
 
@@ -25,10 +25,7 @@ private:
     QString simulated(const char *name, int seed)
     {
         const QString path = QString::fromStdString(m_captures.file(name));
-        const Answer answer
-            = runDyncal({"simulate", "-o", path, "--preset", "piezo", "--duration-s", "0.003",
-                "--sample-rate-hz", "1e7", "--shots", "low", "--seed", QString::number(seed)});
-        return answer.exitCode == 0 ? path : QString();
+        return simulateShortCapture(path, seed) ? path : QString();
     }
 
     static Answer runOnFullDisk(const QStringList &arguments, int from)

@@ -3,7 +3,7 @@
 
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
-#include "tests/system/dyncal_process.h"
+#include "tests/system/short_capture.h"
 #include "tests/system/window_process.h"
 
 #include <QDir>
@@ -114,11 +114,7 @@ private slots:
     void initTestCase()
     {
         QVERIFY(QDir().mkpath(path("work")));
-        QCOMPARE(
-            runDyncal({"simulate", "-o", path("work/a.h5"), "--preset", "piezo", "--sample-rate-hz",
-                          "1e7", "--duration-s", "0.003", "--shots", "low"})
-                .exitCode,
-            0);
+        QVERIFY(simulateShortCapture(path("work/a.h5"), 1));
         const QJsonObject info = runDyncal({"info", path("work/a.h5"), "--json"}).json();
         const QJsonObject capture{
             {"path", "a.h5"}, {"sha256", info["files"][0]["sha256"]}, {"shots", QJsonArray{1}}};

@@ -8,6 +8,7 @@
 #include "tests/system/dyncal_process.h"
 #include "tests/system/own_files.h"
 #include "tests/system/random_layout.h"
+#include "tests/system/short_capture.h"
 
 #include "tests/support/trial_count.h"
 
@@ -30,12 +31,8 @@ const QStringList kFixedClock{"SOURCE_DATE_EPOCH=1700000000"};
 std::string simulated(const ScratchFolder &folder, const std::string &name, int seed)
 {
     const QString path = QString::fromStdString(folder.file(name));
-    const Answer answer = runDyncal(
-        {"simulate", "-o", path, "--preset", "piezo", "--duration-s", "0.003", "--sample-rate-hz",
-            "1e7", "--shots", "low", "--seed", QString::number(seed)},
-        kFixedClock);
-    if (answer.exitCode != 0)
-        qFatal("%s", answer.err.constData());
+    if (!simulateShortCapture(path, seed))
+        qFatal("There is no capture %s to work with.", qPrintable(path));
     return path.toStdString();
 }
 

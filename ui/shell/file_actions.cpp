@@ -244,16 +244,22 @@ bool FileActions::save()
     return m_path.isEmpty() ? saveAs() : saveTo(m_path, m_onDisk);
 }
 
+bool FileActions::refusesRecording(const QString &path)
+{
+    const bool isRecording = isRecordingOf(*m_session.state().captures, path.toStdString());
+    if (isRecording)
+        showProblem(existsAlready(path.toStdString()).value());
+    return isRecording;
+}
+
 bool FileActions::saveAs()
 {
     const QString path = m_prompts.saveFile(m_window, tr("Save project"), projectFilter(),
         proposedPath(projectName() + "." + kProjectSuffix), kProjectSuffix);
     if (path.isEmpty())
         return false;
-    if (isRecordingOf(*m_session.state().captures, path.toStdString())) {
-        showProblem(existsAlready(path.toStdString()).value());
+    if (refusesRecording(path))
         return false;
-    }
     // What the dialog asked about is what is there now; of its own file the window knows better.
     const bool isOwn = QFileInfo(path) == QFileInfo(m_path);
     return saveTo(path, isOwn ? m_onDisk : projectFileHash(path));
@@ -368,10 +374,8 @@ void FileActions::exportCertificate()
         tr("PDF documents (*.pdf)"), proposedPath("certificate.pdf"), "pdf");
     if (path.isEmpty())
         return;
-    if (isRecordingOf(*m_session.state().captures, path.toStdString())) {
-        showProblem(existsAlready(path.toStdString()).value());
+    if (refusesRecording(path))
         return;
-    }
     startExport(path, ReportParts::Certificate,
         [path = path.toStdString()](const RunFiles &run, const JobControl &) {
             return writeFileAtomically(path, run.drawn.front().bytes);

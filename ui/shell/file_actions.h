@@ -80,6 +80,7 @@ private:
     void readRecordings(const QStringList &paths, bool add);
     void startJob(
         const ProjectState &state, const QString &path, const ProjectFileHash &onDisk = {});
+    bool refusesRecording(const QString &path); ///< says so; whatever the dialog has asked
     bool saveTo(const QString &path, const ProjectFileHash &expected);
     bool hasResults();
     bool isExporting();

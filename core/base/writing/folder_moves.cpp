@@ -33,11 +33,6 @@ bool moveFile(int from, const std::string &source, int to, const std::string &ta
             targetFolder.get(), target.substr(target.rfind('/') + 1));
 }
 
-bool contains(const WrittenList &list, const std::string &name)
-{
-    return std::ranges::any_of(list, [&](const WrittenFile &file) { return file.file == name; });
-}
-
 class Moves
 {
 public:
@@ -80,7 +75,7 @@ private:
     bool retire(const WrittenFile &file) const
     {
         const bool isPlacedAlready
-            = contains(m_plan.placed, file.file) && !isThere(m_staging, m_tree + file.file);
+            = listed(m_plan.placed, file.file) && !isThere(m_staging, m_tree + file.file);
         if (isThere(m_staging, m_old + file.file) || isPlacedAlready
             || !isThere(m_folder, file.file))
             return true;
@@ -111,7 +106,7 @@ bool linkEntry(
     int from, int to, const std::string &below, const std::string &name, const WrittenList &retired)
 {
     const std::string whole = below + name;
-    if (contains(retired, whole))
+    if (listed(retired, whole))
         return true;
     const auto identity = identityOf(from, name);
     if (!identity)

@@ -14,12 +14,6 @@ namespace {
 
 constexpr int kMostNames = 1000;
 
-const WrittenFile *listed(const WrittenList &list, const std::string &name)
-{
-    const auto found = std::ranges::find(list, name, &WrittenFile::file);
-    return found == list.end() ? nullptr : &*found;
-}
-
 /// Somebody else's, or changed since: it goes into the new folder, whatever its name is there.
 bool rescue(int from, const std::string &name, int to)
 {

@@ -3,6 +3,7 @@
 
 #include "core/base/writing/written_list.h"
 
+#include "core/base/content_hash.h"
 #include "core/base/json_text.h"
 
 #include <nlohmann/json.hpp>
@@ -15,7 +16,6 @@ namespace {
 using Json = nlohmann::json;
 
 constexpr const char *kSchema = "dyncal-written/1";
-constexpr std::size_t kHashDigits = 64;
 
 bool isPlainName(std::string_view name)
 {
@@ -31,12 +31,6 @@ bool isPlainName(std::string_view name)
     return plain;
 }
 
-bool isHash(std::string_view text)
-{
-    return text.size() == kHashDigits
-        && text.find_first_not_of("0123456789abcdef") == std::string_view::npos;
-}
-
 std::optional<std::string> textOf(const Json &object, const char *key)
 {
     const auto found = object.find(key);
@@ -45,6 +39,12 @@ std::optional<std::string> textOf(const Json &object, const char *key)
 }
 
 } // namespace
+
+const WrittenFile *listed(const WrittenList &list, const std::string &file)
+{
+    const auto found = std::ranges::find(list, file, &WrittenFile::file);
+    return found == list.end() ? nullptr : &*found;
+}
 
 std::string writtenListText(WrittenList list)
 {
@@ -66,7 +66,7 @@ std::optional<WrittenList> parseWrittenList(std::string_view text)
         const auto file = entry.is_object() ? textOf(entry, "file") : std::nullopt;
         const auto by = file ? textOf(entry, "by") : std::nullopt;
         const auto hash = by ? textOf(entry, "sha256") : std::nullopt;
-        if (!hash || !isPlainName(*file) || !isHash(*hash))
+        if (!hash || !isPlainName(*file) || !isSha256Hex(*hash))
             return std::nullopt;
         list.push_back({*file, *by, *hash});
     }

@@ -25,6 +25,9 @@ struct WrittenFile
 
 using WrittenList = std::vector<WrittenFile>;
 
+/// The entry of a file; null if it is not listed.
+const WrittenFile *listed(const WrittenList &list, const std::string &file);
+
 /// UTF-8 JSON, schema "dyncal-written/1", sorted by file, two-space indent, LF.
 std::string writtenListText(WrittenList list);
 

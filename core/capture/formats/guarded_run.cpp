@@ -3,6 +3,8 @@
 
 #include "core/capture/formats/guarded_run.h"
 
+#include "core/base/writing/file_descriptor.h"
+
 #include <fcntl.h>
 #include <poll.h>
 #include <sys/prctl.h>
@@ -16,7 +18,6 @@
 #include <csignal>
 #include <fstream>
 #include <memory>
-#include <utility>
 
 namespace dyncal {
 namespace {
@@ -27,29 +28,6 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds kSilence{30};
 constexpr std::size_t kPipeBytes = 1 << 20;
 constexpr std::size_t kReceiveBytes = 1 << 16; ///< fresh memory costs more than a description
-
-/// Owns one end of the pipe.
-class PipeEnd
-{
-public:
-    explicit PipeEnd(int descriptor)
-        : m_descriptor(descriptor)
-    {
-    }
-    PipeEnd(const PipeEnd &) = delete;
-    PipeEnd &operator=(const PipeEnd &) = delete;
-    ~PipeEnd() { close(); }
-
-    int descriptor() const { return m_descriptor; }
-    void close()
-    {
-        if (m_descriptor >= 0)
-            ::close(std::exchange(m_descriptor, -1));
-    }
-
-private:
-    int m_descriptor;
-};
 
 /// Never raises what is in force already.
 void limit(int resource, std::uint64_t value)
@@ -166,16 +144,16 @@ GuardedOutcome runGuarded(const std::function<void(GuardedOutput &)> &work,
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0)
         return GuardedOutcome::NotStarted;
-    PipeEnd out(ends[0]);
-    PipeEnd in(ends[1]);
-    ::fcntl(in.descriptor(), F_SETPIPE_SZ, static_cast<int>(kPipeBytes)); // faster, if it may be
+    const FileDescriptor out(ends[0]);
+    FileDescriptor in(ends[1]);
+    ::fcntl(in.get(), F_SETPIPE_SZ, static_cast<int>(kPipeBytes)); // faster, if it may be
     const pid_t child = ::fork();
     if (child < 0)
         return GuardedOutcome::NotStarted;
     if (child == 0)
-        runAsChild(work, in.descriptor(), limits, addressSpace);
+        runAsChild(work, in.get(), limits, addressSpace);
     in.close();
-    const GuardedOutcome received = receiveAll(out.descriptor(), receive, stop);
+    const GuardedOutcome received = receiveAll(out.get(), receive, stop);
     if (received != GuardedOutcome::Finished)
         ::kill(child, SIGKILL);
     const bool well = exitedWell(child);

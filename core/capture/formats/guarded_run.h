@@ -9,6 +9,7 @@
 #include <functional>
 #include <span>
 #include <stop_token>
+#include <string_view>
 
 namespace dyncal {
 
@@ -34,6 +35,7 @@ public:
 
     /// Blocks while the receiver is busy; does not return once nobody listens any more.
     void write(std::span<const std::byte> bytes);
+    void write(std::string_view text) { write(std::as_bytes(std::span(text))); }
 
 private:
     void restartClock() const;

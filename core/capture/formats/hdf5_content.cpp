@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <chrono>
 #include <deque>
 #include <span>
 #include <utility>
@@ -21,7 +20,6 @@ namespace {
 
 /// Places that are named one by one.
 constexpr std::size_t kMostNamed = 5;
-constexpr std::size_t kHashDigits = 64;
 constexpr std::string_view kShots = "/shots/";
 
 using Hashes = std::map<std::string, std::string>; ///< by path
@@ -143,8 +141,8 @@ Hashes hashesIn(std::string_view list)
     while (!list.empty()) {
         const std::string_view line = list.substr(0, list.find('\n'));
         list.remove_prefix(std::min(line.size() + 1, list.size()));
-        if (line.size() > kHashDigits + 2)
-            hashes.emplace(line.substr(kHashDigits + 2), line.substr(0, kHashDigits));
+        if (line.size() > kSha256Digits + 2)
+            hashes.emplace(line.substr(kSha256Digits + 2), line.substr(0, kSha256Digits));
     }
     return hashes;
 }
@@ -209,11 +207,6 @@ Message sentence(
         {file, path}};
 }
 
-std::span<const std::byte> bytesOf(std::string_view text)
-{
-    return std::as_bytes(std::span(text));
-}
-
 /// In a helper process: empty if it is no hash.
 std::string statedIn(const std::string &path)
 {
@@ -222,8 +215,7 @@ std::string statedIn(const std::string &path)
         return {};
     const Hdf5Attributes &root = tree->objects.front().attributes;
     const auto stated = root.find(kContentHash);
-    const bool isHash = stated != root.end() && stated->second.text.size() == kHashDigits
-        && stated->second.text.find('\n') == std::string::npos;
+    const bool isHash = stated != root.end() && isSha256Hex(stated->second.text);
     return isHash ? stated->second.text : std::string();
 }
 
@@ -244,21 +236,19 @@ std::string contentList(const Hdf5Tree &tree)
 
 std::vector<std::string> statedContentHashes(const std::vector<std::string> &paths)
 {
-    constexpr std::uint64_t kMostMemory = 256U << 20;
-    constexpr std::chrono::seconds kTime{2}; // for each file
     std::vector<std::string> hashes;
     while (hashes.size() < paths.size()) {
         std::string lines;
         const auto tell = [&](GuardedOutput &output) {
             for (std::size_t i = hashes.size(); i < paths.size(); ++i)
-                output.write(bytesOf(statedIn(paths[i]) + '\n'));
+                output.write(statedIn(paths[i]) + '\n');
         };
         const auto receive = [&](std::span<const std::byte> bytes) {
             lines.append(reinterpret_cast<const char *>(bytes.data()), bytes.size());
-            return lines.size() <= (kHashDigits + 1) * paths.size();
+            return lines.size() <= (kSha256Digits + 1) * paths.size();
         };
         const Result<void> done
-            = runHdf5Helper(paths[hashes.size()], tell, receive, {kMostMemory, kTime}, {});
+            = runHdf5Helper(paths[hashes.size()], tell, receive, kDescribingLimits, {});
         std::size_t begin = 0;
         for (std::size_t end; (end = lines.find('\n', begin)) != lines.npos; begin = end + 1)
             hashes.push_back(lines.substr(begin, end - begin));

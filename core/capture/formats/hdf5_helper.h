@@ -13,6 +13,9 @@
 
 namespace dyncal {
 
+/// Of describing a file: honest descriptions take milliseconds and some MiB.
+inline constexpr GuardedLimits kDescribingLimits{256U << 20, std::chrono::seconds(2)};
+
 /// runGuarded for work with libhdf5 on the file `path`, while no other thread of ours is inside the
 /// library. A helper that died is the file's fault (CAP-018).
 Result<void> runHdf5Helper(const std::string &path,

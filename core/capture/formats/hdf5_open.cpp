@@ -18,10 +18,6 @@ namespace {
 
 constexpr std::string_view kSignature("\x89HDF\r\n\x1a\n", 8);
 
-/// Honest descriptions take milliseconds and some MiB.
-constexpr std::uint64_t kMostToDescribe = 256U << 20;
-constexpr std::chrono::seconds kTimeToDescribe{2};
-
 tl::unexpected<Error> notHdf5(const std::string &path)
 {
     return fail(ErrorKind::FileUnreadable,
@@ -56,7 +52,8 @@ FileIdentity identityOf(const std::string &path)
 Result<std::optional<Hdf5Tree>> describeAside(const std::string &path, Hdf5Depth depth,
     const ExpansionBudget &budget, const JobControl &control)
 {
-    const GuardedLimits limits{std::min(budget.allowed(), kMostToDescribe), kTimeToDescribe};
+    const GuardedLimits limits{
+        std::min(budget.allowed(), kDescribingLimits.memoryBytes), kDescribingLimits.time};
     std::vector<std::byte> received;
     const auto describe = [&](GuardedOutput &output) {
         if (const std::optional<Hdf5Tree> tree = describeHdf5(path, depth, budget))

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/base/eigenvalues.h"
+#include "core/base/least_squares.h"
 #include "core/base/svd.h"
 #include "tests/support/model_inputs.h"
 #include "tests/support/test_program.h"

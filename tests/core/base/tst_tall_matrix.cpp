@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/base/eigenvalues.h"
 #include "core/base/parallel.h"
 #include "core/base/svd.h"
 #include "core/base/tall_matrix.h"

@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/base/eigenvalues.h"
+#include "core/base/least_squares.h"
 #include "core/base/svd.h"
 #include "core/realization/hankel_decomposition.h"
 #include "core/realization/realized_poles.h"

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/base/svd.h"
+#include "core/base/eigenvalues.h"
 #include "core/realization/hankel_decomposition.h"
 #include "core/realization/realized_poles.h"
 #include "tests/support/model_inputs.h"

@@ -8,6 +8,7 @@
 #include "tests/support/trial_count.h"
 #include "tests/system/own_files.h"
 #include "tests/system/random_layout.h"
+#include "tests/system/short_capture.h"
 #include "tests/ui/shell/window_bench.h"
 
 #include <QFileInfo>
@@ -194,9 +195,7 @@ private slots:
     {
         if (!QFile::exists(qEnvironmentVariable("DYNCAL_BINARY")))
             QSKIP("the program is not built: there is nothing to simulate a recording with");
-        const ::Answer simulated = runDyncal({"simulate", "-o", text(m_capture), "--preset",
-            "piezo", "--duration-s", "0.003", "--sample-rate-hz", "1e7", "--shots", "low"});
-        QVERIFY2(simulated.exitCode == 0, simulated.err.constData());
+        QVERIFY(simulateShortCapture(text(m_capture), 1));
         m_bench = std::make_unique<Bench>();
     }
 

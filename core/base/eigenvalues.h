@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <Eigen/Core>
+
+#include <complex>
+
+namespace dyncal {
+
+/// X = V diag(t) V^T of a symmetric matrix, t ascending.
+struct SymmetricEigen
+{
+    Eigen::VectorXd values;
+    Eigen::MatrixXd vectors;
+};
+
+/// Apart from the SVD, in a translation unit of its own, for the time that Eigen's templates take.
+SymmetricEigen symmetricEigen(const Eigen::MatrixXd &matrix);
+
+/// Eigenvalues of a real square matrix.
+Eigen::VectorXcd eigenvalues(const Eigen::MatrixXd &matrix);
+
+} // namespace dyncal
