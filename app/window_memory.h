@@ -13,7 +13,7 @@ namespace dyncal {
 /// its limits have too little for a window.
 bool keepMemoryForWindow();
 
-/// Whether the part had to be used since the last call; takes it back if there is room again.
+/// Whether the part had to be used since the last call.
 bool wasWindowMemoryUsed();
 
 } // namespace dyncal

@@ -18,6 +18,7 @@ public:
     MemoryBlock &operator=(const MemoryBlock &) = delete;
 
     bool isHeld() const noexcept { return m_begin != nullptr; }
+    void *begin() const noexcept { return m_begin; }
     bool take() noexcept; ///< again; false if there is no room
     void release() noexcept;
 

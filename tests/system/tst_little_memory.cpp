@@ -86,6 +86,7 @@ private:
         QDir().mkpath(path("exported"));
         WindowProcess window(path("home"), {capture()}, limit_MiB * kMiB);
         QString said = "nothing";
+        QString state;
         bool asked = false;
         QElapsedTimer time;
         for (time.start(); time.elapsed() < 60000; QTest::qWait(50)) {
@@ -111,7 +112,11 @@ private:
                 break;
             }
             asked = askForExport(window, asked && box.size() <= 1);
+            state = box + '|' + window.ask("text statusMessage") + '|'
+                + window.ask("text progressBar") + '|' + window.ask("list findingsPanel");
         }
+        if (said == "nothing")
+            said += " within a minute: " + state;
         window.ask("title"); // it still answers
         return window.isRunning() ? said : refused(window);
     }
