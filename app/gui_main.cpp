@@ -3,10 +3,10 @@
 
 #include "app/gui_main.h"
 
+#include "app/base/clock.h"
+#include "app/base/interrupt.h"
+#include "app/base/window_memory.h"
 #include "app/cli/console.h"
-#include "app/clock.h"
-#include "app/interrupt.h"
-#include "app/window_memory.h"
 #include "core/base/version.h"
 #include "core/pipeline/pipeline.h"
 #include "ui/shell/main_window.h"

@@ -2,33 +2,51 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # Checks the dependency rule of docs/architecture.md: cmake -DROOT=... -P check_layers.cmake
-# core knows no Qt; inside core a folder includes only folders before it in the list; plots only in
-# ui/plot; nothing includes upward.
-set(order base capture signal shock decomposition realization model_analysis uncertainty
-    certificate project pipeline synthesis)
+# core knows no Qt; inside core and ui a folder includes only folders before it in its list; plots
+# only in ui/plot; nothing includes upward.
 set(errors "")
+
+# A file includes only files of its own room and of rooms before it in its layer's list.
+set(rooms_of_core base base/writing capture
+    capture/formats/bytes capture/formats/text capture/formats/lvm capture/formats/tdms
+    capture/formats/hdf5 capture/formats/foreign capture/formats/matlab
+    capture/formats/instruments capture/formats/preview capture/opening
+    signal shock decomposition
+    realization/exponentials realization/input realization/hankel realization/refinement
+    realization/nuisance realization/second_order realization/model realization/order
+    model_analysis uncertainty project pipeline certificate results synthesis)
+set(rooms_of_ui text session plot/values plot/curves plot/qcp plot/widget report
+    stages/frame stages/candidates stages/shock stages/window stages/spectrum stages/model
+    stages/order stages
+    shell/preferences shell/import shell/findings shell/files shell/recovery shell)
+
+function(check_room layer file line)
+    string(REGEX REPLACE "^${layer}/(.*)/[^/]*$" "\\1" room "${file}")
+    list(FIND rooms_of_${layer} "${room}" rank)
+    if(rank LESS 0)
+        list(APPEND errors "${file}: '${room}' is not in the list of the rooms of ${layer}")
+    elseif(line MATCHES "[\"<]${layer}/(.*)/[^/]*$")
+        list(FIND rooms_of_${layer} "${CMAKE_MATCH_1}" used)
+        if(used LESS 0 OR used GREATER rank)
+            list(APPEND errors "${file}: ${line}: '${room}' may include only rooms before it")
+        endif()
+    elseif(line MATCHES "\"[^/\"]*\"")
+        list(APPEND errors "${file}: ${line}: the path begins at the top of the project")
+    endif()
+    set(errors "${errors}" PARENT_SCOPE)
+endfunction()
 
 file(GLOB_RECURSE core_files RELATIVE "${ROOT}" "${ROOT}/core/*.h" "${ROOT}/core/*.cpp")
 foreach(file IN LISTS core_files)
     file(STRINGS "${ROOT}/${file}" includes REGEX "^#include")
-    string(REGEX REPLACE "^core/([a-z_]+)/.*" "\\1" folder "${file}")
-    list(FIND order "${folder}" rank)
-    if(rank LESS 0)
-        list(APPEND errors "${file}: folder '${folder}' is not in the order of the core's folders")
-    endif()
     foreach(line IN LISTS includes)
+        check_room(core "${file}" "${line}")
         if(line MATCHES "<Q|[\"<](ui|app|tests)/|qcustomplot")
             list(APPEND errors "${file}: ${line}: core must know nothing of Qt, ui and app")
         endif()
-        if(line MATCHES "\"core/([a-z_]+)/")
-            list(FIND order "${CMAKE_MATCH_1}" used)
-            if(used GREATER rank)
-                list(APPEND errors "${file}: ${line}: '${folder}' may include only folders before it")
-            endif()
-        endif()
-        if(line MATCHES "\"core/capture/formats/" AND NOT file MATCHES "^core/capture/(formats/|format_registry|file_kind)"
-            AND NOT folder STREQUAL "synthesis")
-            list(APPEND errors "${file}: ${line}: only the format registry knows the readers")
+        if(line MATCHES "\"core/capture/formats/"
+            AND NOT file MATCHES "^core/(capture/formats|capture/opening|synthesis)/")
+            list(APPEND errors "${file}: ${line}: only core/capture/opening knows the readers")
         endif()
         if(line MATCHES "Eigen/SVD" AND NOT file STREQUAL "core/base/svd.cpp")
             list(APPEND errors "${file}: ${line}: SVD code belongs to core/base/svd.cpp (compile time)")
@@ -43,15 +61,30 @@ foreach(file IN LISTS ui_files)
         if(line MATCHES "[\"<](app|tests)/")
             list(APPEND errors "${file}: ${line}: ui must not include app")
         endif()
-        if(line MATCHES "qcustomplot" AND NOT file MATCHES "^ui/plot/[a-z_]+\\.cpp$"
-            AND NOT file MATCHES "^ui/plot/qcp_")
+        check_room(ui "${file}" "${line}")
+        if(line MATCHES "qcustomplot" AND NOT file MATCHES "^ui/plot/(qcp/|widget/[a-z_]+\\.cpp$)")
             list(APPEND errors "${file}: ${line}: only sources in ui/plot know QCustomPlot")
         endif()
-        if(line MATCHES "\"ui/(plot|stages|shell|report)/" AND file MATCHES "^ui/session/")
-            list(APPEND errors "${file}: ${line}: the session knows no views")
+        if(line MATCHES "\"ui/plot/qcp/" AND NOT file MATCHES "^ui/plot/")
+            list(APPEND errors "${file}: ${line}: QCustomPlot stays inside ui/plot")
         endif()
-        if(line MATCHES "\"ui/(session|stages|shell|report)/" AND file MATCHES "^ui/plot/")
-            list(APPEND errors "${file}: ${line}: plots know values only")
+        # The order lets them; they are told everything as values.
+        if(line MATCHES "\"ui/session/" AND file MATCHES "^ui/(plot|report)/")
+            list(APPEND errors "${file}: ${line}: plots and reports know values only")
+        endif()
+    endforeach()
+endforeach()
+
+# ui and app open files through core/capture/opening. What an import dialog shows before a file is
+# read is theirs too, and the program writes captures.
+file(GLOB_RECURSE front_files RELATIVE "${ROOT}" "${ROOT}/ui/*.h" "${ROOT}/ui/*.cpp"
+    "${ROOT}/app/*.h" "${ROOT}/app/*.cpp")
+foreach(file IN LISTS front_files)
+    file(STRINGS "${ROOT}/${file}" includes REGEX "^#include \"core/capture/formats/")
+    foreach(line IN LISTS includes)
+        if(NOT line MATCHES "\"core/capture/formats/preview/"
+            AND NOT (file MATCHES "^app/" AND line MATCHES "/hdf5_capture_writer\\.h\""))
+            list(APPEND errors "${file}: ${line}: only core/capture/opening knows the readers")
         endif()
     endforeach()
 endforeach()

@@ -80,6 +80,21 @@
     </message>
 </context>
 <context>
+    <name>FindingAnswers</name>
+    <message>
+        <source>Reason for %1</source>
+        <translation>Skäl för %1</translation>
+    </message>
+    <message>
+        <source>Why is the result used all the same? The certificate prints the reason.</source>
+        <translation>Varför används resultatet ändå? Skälet skrivs ut i kalibreringsbeviset.</translation>
+    </message>
+    <message>
+        <source>Give a reason for %1</source>
+        <translation>Ange ett skäl för %1</translation>
+    </message>
+</context>
+<context>
     <name>FindingText</name>
     <message>
         <source>Info</source>
@@ -92,30 +107,6 @@
     <message>
         <source>Blocked</source>
         <translation>Blockerat</translation>
-    </message>
-    <message>
-        <source>not started</source>
-        <translation>ej påbörjat</translation>
-    </message>
-    <message>
-        <source>blocked</source>
-        <translation>blockerat</translation>
-    </message>
-    <message>
-        <source>computing</source>
-        <translation>beräknar</translation>
-    </message>
-    <message>
-        <source>out of date</source>
-        <translation>inaktuellt</translation>
-    </message>
-    <message>
-        <source>done</source>
-        <translation>klart</translation>
-    </message>
-    <message>
-        <source>cautions</source>
-        <translation>varningar</translation>
     </message>
     <message>
         <source>, shot %1</source>
@@ -255,6 +246,49 @@
     <message>
         <source>mark a stretch to be left out of the fit</source>
         <translation>markera en sträcka som ska utelämnas ur anpassningen</translation>
+    </message>
+</context>
+<context>
+    <name>ImportVerdict</name>
+    <message>
+        <source>The header says %1, the time column %2. Which one is right?</source>
+        <translation>Huvudet anger %1, tidskolumnen %2. Vilken stämmer?</translation>
+    </message>
+    <message>
+        <source>Cells that are no numbers are marked; change separator, decimal mark or header rows.</source>
+        <translation>Celler som inte är tal är markerade; ändra skiljetecken, decimaltecken eller huvudrader.</translation>
+    </message>
+    <message>
+        <source>The numbers can be read in two ways: choose the decimal mark; the table shows the effect.</source>
+        <translation>Talen kan läsas på två sätt: välj decimaltecken; tabellen visar verkan.</translation>
+    </message>
+    <message>
+        <source>The file does not say its sample rate: type it.</source>
+        <translation>Filen anger inte sin samplingsfrekvens: skriv in den.</translation>
+    </message>
+    <message>
+        <source>The rate typed differs from that of the file: say why the file is wrong. The results record it.</source>
+        <translation>Den inskrivna frekvensen avviker från filens: ange varför filen har fel. Det följer med resultaten.</translation>
+    </message>
+    <message>
+        <source>Choose which channel is the sensor under test (DUT).</source>
+        <translation>Välj vilken kanal som är givaren under provning (DUT).</translation>
+    </message>
+    <message>
+        <source>Only one channel can be the sensor under test (DUT).</source>
+        <translation>Bara en kanal kan vara givaren under provning (DUT).</translation>
+    </message>
+    <message>
+        <source>Give the profile a name that a file can have.</source>
+        <translation>Ge profilen ett namn som en fil kan ha.</translation>
+    </message>
+    <message>
+        <source>Reading the file...</source>
+        <translation>Läser filen...</translation>
+    </message>
+    <message>
+        <source>The file can be imported.</source>
+        <translation>Filen kan importeras.</translation>
     </message>
 </context>
 <context>
@@ -1467,6 +1501,33 @@
     <message>
         <source>Nearest tube mode (computed)</source>
         <translation>Närmaste rörmod (beräknad)</translation>
+    </message>
+</context>
+<context>
+    <name>StatusText</name>
+    <message>
+        <source>not started</source>
+        <translation>ej påbörjat</translation>
+    </message>
+    <message>
+        <source>blocked</source>
+        <translation>blockerat</translation>
+    </message>
+    <message>
+        <source>computing</source>
+        <translation>beräknar</translation>
+    </message>
+    <message>
+        <source>out of date</source>
+        <translation>inaktuellt</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>klart</translation>
+    </message>
+    <message>
+        <source>cautions</source>
+        <translation>varningar</translation>
     </message>
 </context>
 <context>
@@ -4991,22 +5052,6 @@
 <context>
     <name>dyncal::ImportDialog</name>
     <message>
-        <source>comma</source>
-        <translation>komma</translation>
-    </message>
-    <message>
-        <source>point</source>
-        <translation>punkt</translation>
-    </message>
-    <message>
-        <source>tab</source>
-        <translation>tabb</translation>
-    </message>
-    <message>
-        <source>blanks</source>
-        <translation>blanksteg</translation>
-    </message>
-    <message>
         <source>Import %1</source>
         <translation>Importera %1</translation>
     </message>
@@ -5025,46 +5070,6 @@
     <message>
         <source>none</source>
         <translation>ingen</translation>
-    </message>
-    <message>
-        <source>Text table</source>
-        <translation>Texttabell</translation>
-    </message>
-    <message>
-        <source>Separator</source>
-        <translation>Skiljetecken</translation>
-    </message>
-    <message>
-        <source>comma ,</source>
-        <translation>komma ,</translation>
-    </message>
-    <message>
-        <source>semicolon ;</source>
-        <translation>semikolon ;</translation>
-    </message>
-    <message>
-        <source>bar |</source>
-        <translation>streck |</translation>
-    </message>
-    <message>
-        <source>Decimal mark</source>
-        <translation>Decimaltecken</translation>
-    </message>
-    <message>
-        <source>point .</source>
-        <translation>punkt .</translation>
-    </message>
-    <message>
-        <source>Header rows</source>
-        <translation>Huvudrader</translation>
-    </message>
-    <message>
-        <source>Time from</source>
-        <translation>Tid från</translation>
-    </message>
-    <message>
-        <source>Sample rate</source>
-        <translation>Samplingsfrekvens</translation>
     </message>
     <message>
         <source>Remember as profile</source>
@@ -5086,20 +5091,54 @@
         <translation>Avbryt</translation>
     </message>
     <message>
-        <source>automatic: %1</source>
-        <translation>automatiskt: %1</translation>
+        <source>for all files</source>
+        <translation>för alla filer</translation>
     </message>
     <message>
-        <source>no column: the rate is given</source>
-        <translation>ingen kolumn: frekvensen anges</translation>
+        <source>for this file</source>
+        <translation>för denna fil</translation>
     </message>
     <message>
-        <source>column %1: %2</source>
-        <translation>kolumn %1: %2</translation>
+        <source>These settings hold</source>
+        <translation>Inställningarna gäller</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::ImportPreviewTable</name>
+    <message>
+        <source>First rows of the file</source>
+        <translation>Filens första rader</translation>
     </message>
     <message>
-        <source>%1 rows looked at, unreadable cells: %2. Text: %3.</source>
-        <translation>%1 rader lästa på prov, oläsbara celler: %2. Text: %3.</translation>
+        <source>%1 (time)</source>
+        <translation>%1 (tid)</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>saknas</translation>
+    </message>
+    <message>
+        <source>No number under these settings</source>
+        <translation>Inget tal med dessa inställningar</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::ImportRateRow</name>
+    <message>
+        <source>Why the file is wrong</source>
+        <translation>Varför filen har fel</translation>
+    </message>
+    <message>
+        <source>Sample rate</source>
+        <translation>Samplingsfrekvens</translation>
+    </message>
+    <message>
+        <source>the time column is right, the header is not</source>
+        <translation>tidskolumnen stämmer, inte huvudet</translation>
+    </message>
+    <message>
+        <source>the header is right, the time column is not</source>
+        <translation>huvudet stämmer, inte tidskolumnen</translation>
     </message>
     <message>
         <source>not stated</source>
@@ -5125,88 +5164,80 @@
         <source>the file states %1</source>
         <translation>filen anger %1</translation>
     </message>
-    <message>
-        <source>Reading the file...</source>
-        <translation>Läser filen...</translation>
-    </message>
-    <message>
-        <source>Cells that are no numbers are marked; change separator, decimal mark or header rows.</source>
-        <translation>Celler som inte är tal är markerade; ändra skiljetecken, decimaltecken eller huvudrader.</translation>
-    </message>
-    <message>
-        <source>The numbers can be read in two ways: choose the decimal mark; the table shows the effect.</source>
-        <translation>Talen kan läsas på två sätt: välj decimaltecken; tabellen visar verkan.</translation>
-    </message>
-    <message>
-        <source>The file does not say its sample rate: type it.</source>
-        <translation>Filen anger inte sin samplingsfrekvens: skriv in den.</translation>
-    </message>
-    <message>
-        <source>Choose which channel is the sensor under test (DUT).</source>
-        <translation>Välj vilken kanal som är givaren under provning (DUT).</translation>
-    </message>
-    <message>
-        <source>Only one channel can be the sensor under test (DUT).</source>
-        <translation>Bara en kanal kan vara givaren under provning (DUT).</translation>
-    </message>
-    <message>
-        <source>Give the profile a name that a file can have.</source>
-        <translation>Ge profilen ett namn som en fil kan ha.</translation>
-    </message>
-    <message>
-        <source>The file can be imported.</source>
-        <translation>Filen kan importeras.</translation>
-    </message>
-    <message>
-        <source>Why the file is wrong</source>
-        <translation>Varför filen har fel</translation>
-    </message>
-    <message>
-        <source>the time column is right, the header is not</source>
-        <translation>tidskolumnen stämmer, inte huvudet</translation>
-    </message>
-    <message>
-        <source>the header is right, the time column is not</source>
-        <translation>huvudet stämmer, inte tidskolumnen</translation>
-    </message>
-    <message>
-        <source>for all files</source>
-        <translation>för alla filer</translation>
-    </message>
-    <message>
-        <source>for this file</source>
-        <translation>för denna fil</translation>
-    </message>
-    <message>
-        <source>These settings hold</source>
-        <translation>Inställningarna gäller</translation>
-    </message>
-    <message>
-        <source>The header says %1, the time column %2. Which one is right?</source>
-        <translation>Huvudet anger %1, tidskolumnen %2. Vilken stämmer?</translation>
-    </message>
-    <message>
-        <source>The rate typed differs from that of the file: say why the file is wrong. The results record it.</source>
-        <translation>Den inskrivna frekvensen avviker från filens: ange varför filen har fel. Det följer med resultaten.</translation>
-    </message>
 </context>
 <context>
-    <name>dyncal::ImportPreviewTable</name>
+    <name>dyncal::ImportTextBox</name>
     <message>
-        <source>First rows of the file</source>
-        <translation>Filens första rader</translation>
+        <source>comma</source>
+        <translation>komma</translation>
     </message>
     <message>
-        <source>%1 (time)</source>
-        <translation>%1 (tid)</translation>
+        <source>point</source>
+        <translation>punkt</translation>
     </message>
     <message>
-        <source>missing</source>
-        <translation>saknas</translation>
+        <source>tab</source>
+        <translation>tabb</translation>
     </message>
     <message>
-        <source>No number under these settings</source>
-        <translation>Inget tal med dessa inställningar</translation>
+        <source>blanks</source>
+        <translation>blanksteg</translation>
+    </message>
+    <message>
+        <source>Text table</source>
+        <translation>Texttabell</translation>
+    </message>
+    <message>
+        <source>Separator</source>
+        <translation>Skiljetecken</translation>
+    </message>
+    <message>
+        <source>Decimal mark</source>
+        <translation>Decimaltecken</translation>
+    </message>
+    <message>
+        <source>Header rows</source>
+        <translation>Huvudrader</translation>
+    </message>
+    <message>
+        <source>Time from</source>
+        <translation>Tid från</translation>
+    </message>
+    <message>
+        <source>comma ,</source>
+        <translation>komma ,</translation>
+    </message>
+    <message>
+        <source>semicolon ;</source>
+        <translation>semikolon ;</translation>
+    </message>
+    <message>
+        <source>bar |</source>
+        <translation>streck |</translation>
+    </message>
+    <message>
+        <source>point .</source>
+        <translation>punkt .</translation>
+    </message>
+    <message>
+        <source>automatic: %1</source>
+        <translation>automatiskt: %1</translation>
+    </message>
+    <message>
+        <source>%1 rows looked at, unreadable cells: %2. Text: %3.</source>
+        <translation>%1 rader lästa på prov, oläsbara celler: %2. Text: %3.</translation>
+    </message>
+    <message>
+        <source>automatic</source>
+        <translation>automatiskt</translation>
+    </message>
+    <message>
+        <source>no column: the rate is given</source>
+        <translation>ingen kolumn: frekvensen anges</translation>
+    </message>
+    <message>
+        <source>column %1: %2</source>
+        <translation>kolumn %1: %2</translation>
     </message>
 </context>
 <context>
@@ -5229,35 +5260,7 @@
     </message>
 </context>
 <context>
-    <name>dyncal::MainWindow</name>
-    <message>
-        <source>Computing</source>
-        <translation>Beräknar</translation>
-    </message>
-    <message>
-        <source>Stages</source>
-        <translation>Arbetssteg</translation>
-    </message>
-    <message>
-        <source>Inspector</source>
-        <translation>Inspektor</translation>
-    </message>
-    <message>
-        <source>Findings</source>
-        <translation>Iakttagelser</translation>
-    </message>
-    <message>
-        <source>Cancel</source>
-        <translation>Avbryt</translation>
-    </message>
-    <message>
-        <source>Cancel the work under way</source>
-        <translation>Avbryt pågående arbete</translation>
-    </message>
-    <message>
-        <source>Progress</source>
-        <translation>Förlopp</translation>
-    </message>
+    <name>dyncal::MainMenus</name>
     <message>
         <source>&amp;Edit</source>
         <translation>&amp;Redigera</translation>
@@ -5303,6 +5306,10 @@
         <translation>Exportera res&amp;ultat...</translation>
     </message>
     <message>
+        <source>Export &amp;model...</source>
+        <translation>Exportera &amp;modell...</translation>
+    </message>
+    <message>
         <source>Export cer&amp;tificate...</source>
         <translation>Exportera kali&amp;breringsbevis...</translation>
     </message>
@@ -5346,29 +5353,28 @@
         <source>&amp;About Dyncal</source>
         <translation>&amp;Om Dyncal</translation>
     </message>
+</context>
+<context>
+    <name>dyncal::MainWindow</name>
+    <message>
+        <source>Stages</source>
+        <translation>Arbetssteg</translation>
+    </message>
+    <message>
+        <source>Inspector</source>
+        <translation>Inspektor</translation>
+    </message>
+    <message>
+        <source>Findings</source>
+        <translation>Iakttagelser</translation>
+    </message>
     <message>
         <source>Findings (%1)</source>
         <translation>Iakttagelser (%1)</translation>
     </message>
     <message>
-        <source>Reason for %1</source>
-        <translation>Skäl för %1</translation>
-    </message>
-    <message>
-        <source>Why is the result used all the same? The certificate prints the reason.</source>
-        <translation>Varför används resultatet ändå? Skälet skrivs ut i kalibreringsbeviset.</translation>
-    </message>
-    <message>
-        <source>Give a reason for %1</source>
-        <translation>Ange ett skäl för %1</translation>
-    </message>
-    <message>
         <source>Files that could not be read</source>
         <translation>Filer som inte kunde läsas</translation>
-    </message>
-    <message>
-        <source>Export &amp;model...</source>
-        <translation>Exportera &amp;modell...</translation>
     </message>
 </context>
 <context>
@@ -6865,6 +6871,25 @@
     <message>
         <source>Auto-saved %1</source>
         <translation>Sparat automatiskt %1</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::WorkStatus</name>
+    <message>
+        <source>Computing</source>
+        <translation>Beräknar</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Cancel the work under way</source>
+        <translation>Avbryt pågående arbete</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Förlopp</translation>
     </message>
 </context>
 </TS>

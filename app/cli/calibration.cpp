@@ -3,11 +3,12 @@
 
 #include "app/cli/calibration.h"
 
+#include "app/base/interrupt.h"
 #include "app/cli/console.h"
-#include "app/interrupt.h"
 
 #include "core/base/number_text.h"
-#include "core/capture/format_registry.h"
+#include "core/capture/opening/capture_open.h"
+#include "core/pipeline/stage_table.h"
 
 #include <algorithm>
 #include <memory>
@@ -68,7 +69,7 @@ PipelineOutcome calibrate(const CaptureSet &set, const Recipe &recipe, StageId l
 
 int reportOutcome(const PipelineOutcome &outcome)
 {
-    const Findings findings = outcome.results.findings();
+    const Findings findings = allFindings(outcome.results);
     reportFindings(findings);
     if (outcome.error)
         return isSaid(*outcome.error, findings) ? static_cast<int>(exitCodeOf(*outcome.error))

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "core/capture/formats/hdf5_capture.h"
+#include "core/capture/formats/hdf5/hdf5_capture_writer.h"
 
 #include <string>
 #include <vector>

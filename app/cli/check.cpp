@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "app/base/interrupt.h"
 #include "app/cli/console.h"
 #include "app/cli/findings_json.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/verbs.h"
-#include "app/interrupt.h"
 
 #include "core/base/json_text.h"
-#include "core/capture/format_registry.h"
+#include "core/capture/opening/capture_open.h"
 #include "core/pipeline/pipeline.h"
-#include "core/pipeline/results_json.h"
+#include "core/results/results_json.h"
 #include "core/shock/reading_check.h"
 
 #include <algorithm>

@@ -3,9 +3,9 @@
 
 #include "app/cli/command_line.h"
 
+#include "app/base/interrupt.h"
 #include "app/cli/console.h"
 #include "app/cli/verbs.h"
-#include "app/interrupt.h"
 
 #include "core/base/message.h"
 #include "core/base/version.h"

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "app/base/interrupt.h"
 #include "app/cli/calibration.h"
 #include "app/cli/console.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/verbs.h"
-#include "app/interrupt.h"
 
 #include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
-#include "core/pipeline/comparison_json.h"
+#include "core/results/comparison_json.h"
 
 #include <algorithm>
 #include <cmath>

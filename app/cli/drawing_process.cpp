@@ -3,9 +3,9 @@
 
 #include "app/cli/drawing_process.h"
 
-#include "app/interrupt.h"
+#include "app/base/interrupt.h"
 
-#include "core/capture/formats/guarded_run.h"
+#include "core/base/guarded_run.h"
 #include "ui/report/report_drawing.h"
 
 #include <QApplication>

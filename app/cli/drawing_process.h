@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "core/pipeline/run_files.h"
+#include "core/results/run_files.h"
 
 #include <string>
 #include <vector>

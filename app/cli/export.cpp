@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "app/base/interrupt.h"
 #include "app/cli/calibration.h"
 #include "app/cli/console.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/verbs.h"
-#include "app/interrupt.h"
 
 #include "core/base/foreign_text.h"
 #include "core/capture/capture_seal.h"
-#include "core/pipeline/model_export.h"
-#include "core/pipeline/publication.h"
-#include "core/pipeline/run_files.h"
+#include "core/results/model_export.h"
+#include "core/results/publication.h"
+#include "core/results/run_files.h"
 #include "ui/session/project_file.h"
 
 #include <filesystem>

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "app/base/clock.h"
+#include "app/base/interrupt.h"
 #include "app/cli/capture_target.h"
 #include "app/cli/console.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/verbs.h"
-#include "app/clock.h"
-#include "app/interrupt.h"
 
 #include "core/base/foreign_text.h"
-#include "core/capture/format_registry.h"
-#include "core/capture/formats/hdf5_capture.h"
+#include "core/capture/formats/hdf5/hdf5_capture_writer.h"
 #include "core/capture/import_rules.h"
+#include "core/capture/opening/capture_open.h"
 
 #include <filesystem>
 #include <iostream>

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "app/base/interrupt.h"
 #include "app/cli/console.h"
 #include "app/cli/findings_json.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/verbs.h"
-#include "app/interrupt.h"
 
 #include "core/base/foreign_text.h"
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
-#include "core/capture/content_statement.h"
-#include "core/capture/format_registry.h"
+#include "core/capture/opening/capture_open.h"
+#include "core/capture/opening/content_statement.h"
 
 #include <algorithm>
 #include <array>

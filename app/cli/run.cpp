@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "app/base/clock.h"
 #include "app/cli/calibration.h"
 #include "app/cli/console.h"
 #include "app/cli/recipe_options.h"
 #include "app/cli/run_output.h"
 #include "app/cli/run_summary.h"
 #include "app/cli/verbs.h"
-#include "app/clock.h"
 
 #include "core/base/foreign_text.h"
 

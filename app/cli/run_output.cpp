@@ -3,9 +3,9 @@
 
 #include "app/cli/run_output.h"
 
+#include "app/base/interrupt.h"
 #include "app/cli/drawing_process.h"
-#include "app/interrupt.h"
-#include "core/pipeline/publication.h"
+#include "core/results/publication.h"
 
 namespace dyncal {
 

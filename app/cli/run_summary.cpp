@@ -6,8 +6,8 @@
 #include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
-#include "core/pipeline/publication.h"
-#include "core/pipeline/results_json.h"
+#include "core/results/publication.h"
+#include "core/results/results_json.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,14 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "app/base/clock.h"
+#include "app/base/interrupt.h"
 #include "app/cli/capture_target.h"
 #include "app/cli/console.h"
 #include "app/cli/verbs.h"
-#include "app/clock.h"
-#include "app/interrupt.h"
 
 #include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
+#include "core/capture/formats/hdf5/hdf5_capture_writer.h"
+#include "core/synthesis/defects.h"
+#include "core/synthesis/sensor_simulator.h"
 #include "core/synthesis/shot_generator.h"
 
 #include <iomanip>

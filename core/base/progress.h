@@ -25,12 +25,19 @@ struct JobControl
             progress(fraction);
     }
 
-    /// For one of `count` equal parts of this work; reports into this one, which must outlive it.
+    /// For the part of this work that takes it from one done fraction to another; reports into
+    /// this one, which must outlive it.
+    JobControl between(double begin, double end) const
+    {
+        return {stop,
+            [this, begin, end](double fraction) { report(begin + fraction * (end - begin)); }};
+    }
+
+    /// For one of `count` equal parts of this work, as between().
     JobControl part(std::size_t index, std::size_t count) const
     {
-        return {stop, [this, index, count](double fraction) {
-                    report((static_cast<double>(index) + fraction) / static_cast<double>(count));
-                }};
+        return between(static_cast<double>(index) / static_cast<double>(count),
+            static_cast<double>(index + 1) / static_cast<double>(count));
     }
 };
 

@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/certificate/certificate_sections.h"
+#include "core/certificate/certificate_header_sections.h"
+
+#include "core/certificate/certificate_words.h"
 
 namespace dyncal {
 

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/certificate/certificate_method_sections.h"
+
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
-#include "core/certificate/certificate_sections.h"
+#include "core/certificate/certificate_words.h"
+#include "core/realization/order/order_spread.h"
 
 #include <algorithm>
 #include <cmath>

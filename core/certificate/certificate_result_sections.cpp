@@ -1,8 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/certificate/certificate_result_sections.h"
+
 #include "core/base/rounding.h"
-#include "core/certificate/certificate_sections.h"
+#include "core/certificate/certificate_nuisance.h"
+#include "core/certificate/certificate_words.h"
 
 #include <algorithm>
 #include <cmath>

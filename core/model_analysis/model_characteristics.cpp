@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/model_analysis/sensor_response.h"
+#include "core/model_analysis/model_characteristics.h"
+
+#include "core/model_analysis/model_response.h"
 #include "core/model_analysis/unwrapped_phase.h"
-#include "core/realization/exponential_sum.h"
+#include "core/realization/exponentials/exponential_sum.h"
 
 #include <algorithm>
 #include <cmath>

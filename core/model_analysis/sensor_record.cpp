@@ -3,8 +3,9 @@
 
 #include "core/model_analysis/sensor_record.h"
 
-#include "core/realization/exponential_sum.h"
-#include "core/realization/nuisance_modes.h"
+#include "core/realization/exponentials/exponential_sum.h"
+#include "core/realization/nuisance/nuisance_modes.h"
+#include "core/signal/window_bands.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 #include "core/model_analysis/sensor_response.h"
 
 #include "core/base/number_text.h"
+#include "core/model_analysis/model_response.h"
 #include "core/model_analysis/sensor_record.h"
 #include "core/model_analysis/step_transform.h"
 #include "core/model_analysis/unwrapped_phase.h"

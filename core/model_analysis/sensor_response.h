@@ -4,50 +4,23 @@
 #pragma once
 
 #include "core/base/finding.h"
+#include "core/base/index.h"
 #include "core/base/result.h"
+#include "core/model_analysis/model_characteristics.h"
+#include "core/model_analysis/model_curves.h"
 #include "core/model_analysis/response_settings.h"
-#include "core/realization/sensor_model.h"
+#include "core/realization/input/model_input.h"
+#include "core/realization/model/sensor_model.h"
 #include "core/shock/shock_conditions.h"
 #include "core/signal/response_window.h"
 
 #include <Eigen/Core>
 
-#include <complex>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace dyncal {
-
-/// Continuous response of the model at one frequency: G(jw) = c0 + sum c_i jw/(jw - s_i)
-/// (docs/method/response.md; impulse: sum c_i/(jw - s_i)).
-std::complex<double> modelResponse(
-    const SensorModel &model, ResponseTreatment treatment, double frequency_Hz);
-
-/// One curve of the response over frequency; phase unwrapped from 0 at f -> 0, lag negative.
-struct ResponseCurve
-{
-    Eigen::VectorXd frequency_Hz;
-    Eigen::VectorXd magnitude;
-    Eigen::VectorXd phase_rad;
-};
-
-/// Bode curve of the model on `count` log-spaced frequencies.
-ResponseCurve modelCurve(const SensorModel &model, ResponseTreatment treatment, double from_Hz,
-    double to_Hz, Index count);
-
-/// Characteristics of the model's step response and bands, all from the parametric model.
-struct StepCharacteristics
-{
-    std::optional<double> riseTime_s;
-    std::optional<double> overshoot_percent;
-    std::optional<double> settlingTime_s;
-    std::optional<double> within5percent_Hz;
-    std::optional<double> within10percent_Hz;
-    std::optional<double> minus3dB_Hz;
-};
-
-StepCharacteristics stepCharacteristics(const SensorModel &model, ResponseTreatment treatment);
 
 /// Sensitivity of one shot: c0 times its step over the pressure step.
 struct ShotSensitivity

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/base/index.h"
-#include "core/realization/exponential_sum.h"
+#include "core/realization/exponentials/exponential_sum.h"
 
 #include <Eigen/Core>
 

@@ -3,7 +3,7 @@
 
 #include "core/model_analysis/unwrapped_phase.h"
 
-#include "core/model_analysis/sensor_response.h"
+#include "core/model_analysis/model_response.h"
 
 #include <algorithm>
 #include <cmath>

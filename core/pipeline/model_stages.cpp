@@ -6,6 +6,8 @@
 #include "core/pipeline/nuisance_stage.h"
 #include "core/pipeline/shock_stage.h"
 #include "core/pipeline/tube_mode_poles.h"
+#include "core/realization/model/model_fit.h"
+#include "core/shock/peak_tracking.h"
 
 namespace dyncal {
 

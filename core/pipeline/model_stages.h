@@ -3,7 +3,10 @@
 
 #pragma once
 
-#include "core/pipeline/pipeline.h"
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/pipeline/calibration_results.h"
+#include "core/project/recipe.h"
 
 namespace dyncal {
 

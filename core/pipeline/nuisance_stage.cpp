@@ -3,8 +3,10 @@
 
 #include "core/pipeline/nuisance_stage.h"
 
-#include "core/realization/left_out.h"
-#include "core/realization/nuisance_modes.h"
+#include "core/realization/input/input_preparation.h"
+#include "core/realization/input/left_out.h"
+#include "core/realization/nuisance/nuisance_modes.h"
+#include "core/realization/nuisance/nuisance_separation.h"
 
 namespace dyncal {
 namespace {

@@ -4,12 +4,12 @@
 #include "core/pipeline/order_comparison.h"
 
 #include "core/base/distributions.h"
-#include "core/decomposition/principal_components.h"
+#include "core/decomposition/residual_analysis.h"
 #include "core/pipeline/model_stages.h"
-#include "core/realization/model_assessment.h"
-#include "core/realization/model_findings.h"
-#include "core/realization/realized_poles.h"
-#include "core/realization/whitening.h"
+#include "core/realization/hankel/hankel_gap.h"
+#include "core/realization/hankel/realized_poles.h"
+#include "core/realization/input/whitening.h"
+#include "core/realization/model/model_assessment.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,13 +5,18 @@
 
 #include "core/capture/capture_check.h"
 #include "core/capture/import_rules.h"
+#include "core/decomposition/component_analysis.h"
 #include "core/pipeline/model_stages.h"
 #include "core/pipeline/nuisance_stage.h"
 #include "core/pipeline/stage_keys.h"
-#include "core/realization/model_assessment.h"
-#include "core/realization/model_findings.h"
-#include "core/realization/nuisance_modes.h"
+#include "core/pipeline/stage_table.h"
+#include "core/realization/hankel/order_suggestion.h"
+#include "core/realization/model/model_assessment.h"
+#include "core/realization/nuisance/nuisance_modes.h"
+#include "core/realization/order/order_scan.h"
 #include "core/shock/shock_velocity.h"
+#include "core/shock/step_monte_carlo.h"
+#include "core/signal/window_cutting.h"
 
 #include <algorithm>
 #include <exception>
@@ -55,10 +60,10 @@ Result<WindowResult> window(
 Result<DecompositionResult> decompose(
     const ModelInput &input, const RealizationSettings &settings, const JobControl &control)
 {
-    auto hankel = decomposeHankel(input, settings, control);
+    auto hankel = decomposeHankel(input, settings, control.part(0, 2));
     if (!hankel)
         return tl::unexpected(hankel.error());
-    OrderSuggestion suggestion = suggestOrder(input, *hankel, control);
+    OrderSuggestion suggestion = suggestOrder(input, *hankel, control.part(1, 2));
     return DecompositionResult{std::move(*hankel), std::move(suggestion)};
 }
 
@@ -84,7 +89,7 @@ public:
         if (!found) {
             if (m_control.stopRequested())
                 return stop(id, Error{ErrorKind::Cancelled, {}, {}, 0});
-            Result<T> result = compute();
+            Result<T> result = compute(controlOf(id));
             if (!result)
                 return stop(id, std::move(result.error()));
             if (m_control.stopRequested()) // what it gave may be half of a result
@@ -93,7 +98,7 @@ public:
             m_cache.store(key, found);
         }
         m_outcome.results.*member = std::move(found);
-        m_control.report((static_cast<double>(id) + 1.0) / kStageCount);
+        reach(progressAfter(id, m_last));
         return *this;
     }
 
@@ -116,50 +121,77 @@ private:
         return *this;
     }
 
+    /// What a stage reports is of the part that lies between the stages done and the next.
+    JobControl controlOf(StageId id)
+    {
+        const double begin = m_reached;
+        const double end = progressAfter(id, m_last);
+        return {m_control.stop,
+            [this, begin, end](double fraction) { reach(begin + fraction * (end - begin)); }};
+    }
+
+    /// Only rises: a stage may try one thing after the other, each from 0 to 1.
+    void reach(double fraction)
+    {
+        if (fraction > m_reached)
+            m_control.report(m_reached = fraction);
+    }
+
     PipelineOutcome &m_outcome;
     ResultCache &m_cache;
     StageId m_last;
     const JobControl &m_control;
+    double m_reached = 0.0;
 };
 
 /// The method (thesis 3.7), one call per step.
-void runStages(const CaptureSet &captures, const Recipe &recipe, Run &run, CalibrationResults &r,
-    const JobControl &control)
+void runStages(const CaptureSet &captures, const Recipe &recipe, Run &run, CalibrationResults &r)
 {
     using R = CalibrationResults;
-    run.stage(StageId::Captures, &R::captures, [&] { return prepareCaptures(captures, recipe); })
+    using Control = const JobControl &;
+    run.stage(StageId::Captures, &R::captures,
+           [&](Control) { return prepareCaptures(captures, recipe); })
         .stage(StageId::Arrivals, &R::starts,
-            [&] {
+            [&](Control control) {
                 return detectStarts(r.captures->set, arrivalChannels(recipe.shock), control,
                     recipe.checks.stepSigmas);
             })
         .stage(StageId::Expected, &R::expected,
-            [&] { return expectedShock(r.captures->set, *r.starts, recipe); })
-        .stage(StageId::Window, &R::window, [&] { return window(r, recipe, control); })
+            [&](Control) { return expectedShock(r.captures->set, *r.starts, recipe); })
+        .stage(StageId::Window, &R::window,
+            [&](Control control) { return window(r, recipe, control); })
         .stage(StageId::Spectrum, &R::spectrum,
-            [&] { return analyseSpectra(r.window->responses, recipe.spectrum, control); })
+            [&](Control control) {
+                return analyseSpectra(r.window->responses, recipe.spectrum, control);
+            })
         .stage(StageId::Components, &R::components,
-            [&] {
+            [&](Control control) {
                 return analyseComponents(r.window->responses, recipe.pca, recipe.spectrum, control);
             })
-        .stage(StageId::ModelInput, &R::input, [&] { return separatedInput(r, recipe, control); })
+        .stage(StageId::ModelInput, &R::input,
+            [&](Control control) { return separatedInput(r, recipe, control); })
         .stage(StageId::Decomposition, &R::decomposition,
-            [&] { return decompose(sensorOnly(*r.input), recipe.realization, control); })
+            [&](Control control) {
+                return decompose(sensorOnly(*r.input), recipe.realization, control);
+            })
         .stage(StageId::Model, &R::model,
-            [&] { return modelStage(r, recipe, orderOf(r, recipe), control); })
+            [&](Control control) { return modelStage(r, recipe, orderOf(r, recipe), control); })
         .completed(StageId::Assessment, &R::model)
-        .stage(StageId::Shock, &R::shock, [&] { return shockOfModel(r, recipe, *r.model); })
+        .stage(
+            StageId::Shock, &R::shock, [&](Control) { return shockOfModel(r, recipe, *r.model); })
         .stage(StageId::Response, &R::response,
-            [&] { return responseStage(r, recipe, *r.model, *r.shock); })
+            [&](Control) { return responseStage(r, recipe, *r.model, *r.shock); })
         .stage(StageId::Assessment, &R::model, // the same model, complete
-            [&] { return assessModel(*r.input, *r.model, recipe.realization, control); })
+            [&](Control control) {
+                return assessModel(*r.input, *r.model, recipe.realization, control);
+            })
         .stage(StageId::Evidence, &R::evidence,
-            [&] {
+            [&](Control control) {
                 return gatherOrderEvidence(sensorOnly(*r.input), r.decomposition->hankel,
                     r.decomposition->suggestion, recipe.realization, control);
             })
         .stage(StageId::MonteCarlo, &R::monteCarlo,
-            [&] { return stepMonteCarlo(*r.shock, recipe.uncertainty, control); });
+            [&](Control control) { return stepMonteCarlo(*r.shock, recipe.uncertainty, control); });
 }
 
 Error outOfMemory()
@@ -171,90 +203,7 @@ Error outOfMemory()
         {}, 0};
 }
 
-/// Whether one of the first `count` findings says of the same channel what `finding` says again.
-bool isTold(const Findings &findings, std::size_t count, const Finding &finding)
-{
-    return !finding.channel.empty()
-        && std::any_of(findings.begin(), findings.begin() + static_cast<std::ptrdiff_t>(count),
-            [&](const Finding &told) {
-                return told.id == finding.id && told.shot == finding.shot
-                    && told.channel == finding.channel && told.severity >= finding.severity;
-            });
-}
-
 } // namespace
-
-const char *stageName(StageId stage)
-{
-    switch (stage) {
-    case StageId::Captures:
-        return "captures";
-    case StageId::Arrivals:
-        return "arrivals";
-    case StageId::Expected:
-        return "expected shock";
-    case StageId::Window:
-        return "window";
-    case StageId::Spectrum:
-        return "spectrum";
-    case StageId::Components:
-        return "components";
-    case StageId::ModelInput:
-        return "model input";
-    case StageId::Decomposition:
-        return "decomposition";
-    case StageId::Model:
-        return "model";
-    case StageId::Shock:
-        return "shock";
-    case StageId::Response:
-        return "response";
-    case StageId::Assessment:
-        return "model assessment";
-    case StageId::Evidence:
-        return "evidence";
-    case StageId::MonteCarlo:
-        return "Monte Carlo";
-    }
-    return "";
-}
-
-Findings CalibrationResults::findings() const
-{
-    Findings all;
-    const auto append = [&all](const Findings &findings) {
-        const std::size_t earlier = all.size();
-        for (const Finding &finding : findings) {
-            if (!isTold(all, earlier, finding))
-                all.push_back(finding);
-        }
-    };
-    const auto add
-        = [&append](const auto &result) { append(result ? result->findings : Findings()); };
-    add(captures);
-    add(window);
-    add(spectrum);
-    add(components);
-    add(input);
-    add(model);
-    add(shock);
-    add(response);
-    append(evidenceFindings());
-    add(monteCarlo);
-    return all;
-}
-
-Findings CalibrationResults::evidenceFindings() const
-{
-    if (!evidence)
-        return {};
-    Findings findings = evidence->findings;
-    if (model) {
-        const Findings ofModel = judgeOtherShots(*model, *evidence);
-        findings.insert(findings.end(), ofModel.begin(), ofModel.end());
-    }
-    return findings;
-}
 
 PipelineOutcome runPipeline(const std::shared_ptr<const CaptureSet> &captures, const Recipe &recipe,
     ResultCache &cache, StageId last, const JobControl &control)
@@ -263,7 +212,7 @@ PipelineOutcome runPipeline(const std::shared_ptr<const CaptureSet> &captures, c
     try {
         outcome.results.keys = stageKeys(*captures, recipe);
         Run run(outcome, cache, last, control);
-        runStages(*captures, recipe, run, outcome.results, control);
+        runStages(*captures, recipe, run, outcome.results);
     } catch (const std::bad_alloc &) {
         outcome.error = outOfMemory();
     } catch (const std::exception &exception) {

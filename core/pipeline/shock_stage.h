@@ -3,11 +3,16 @@
 
 #pragma once
 
+#include "core/base/finding.h"
+#include "core/base/result.h"
+#include "core/capture/capture_set.h"
 #include "core/project/recipe.h"
-#include "core/realization/sensor_model.h"
+#include "core/realization/model/sensor_model.h"
 #include "core/shock/shock_conditions.h"
-#include "core/signal/power_spectrum.h"
+#include "core/shock/shock_velocity.h"
+#include "core/signal/record_starts.h"
 #include "core/signal/response_window.h"
+#include "core/signal/spectrum_analysis.h"
 
 #include <vector>
 
@@ -35,32 +40,5 @@ std::vector<DutArrival> dutArrivals(const WindowResult &window, const SensorMode
 Result<ShockConditionsSet> shockStage(const CaptureSet &set, const ShockConditionsSet &expected,
     const WindowResult &window, const SpectrumResult &spectrum, const SensorModel &model,
     const Recipe &recipe);
-
-/// Monte Carlo of one shot's step, or why there is none (in English).
-struct ShotMonteCarlo
-{
-    Index shot = 0;
-    std::optional<StepMonteCarlo> outcome;
-    std::string missing;
-};
-
-struct StepMonteCarloSet
-{
-    std::vector<ShotMonteCarlo> shots; ///< those whose step has an uncertainty
-    Findings findings; ///< SHK-012
-
-    const ShotMonteCarlo *ofShot(Index shot) const;
-};
-
-/// Draws the step of every shot that has an uncertainty. Fails (Usage) on settings that make no
-/// sense, and when stopped.
-Result<StepMonteCarloSet> stepMonteCarlo(const ShockConditionsSet &shock,
-    const UncertaintySettings &settings, const JobControl &control = {});
-
-/// Prominent peaks of the first shot's spectrum that every other shot shows, where it would lie if
-/// it were the gas's or the sensor's or between, tested against the sound speed of region 5.
-/// `shock` needs states of at least two shots; otherwise nothing is followed.
-std::vector<FollowedPeak> followPeaks(
-    const SpectrumResult &spectrum, const WindowResult &window, const ShockConditionsSet &shock);
 
 } // namespace dyncal

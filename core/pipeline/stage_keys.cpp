@@ -5,6 +5,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/base/number_text.h"
+#include "core/pipeline/stage_table.h"
 
 namespace dyncal {
 namespace {
@@ -91,63 +92,10 @@ std::string identityOf(const CaptureSet &captures)
 }
 
 /// The recipe sections one stage reads, as JSON with everything else at its default.
-std::string sectionsOf(StageId stage, const Recipe &recipe)
+std::string sectionsOf(const Stage &stage, const Recipe &recipe)
 {
     Recipe part;
-    switch (stage) {
-    case StageId::Captures:
-        part.import = recipe.import;
-        part.checks = recipe.checks;
-        break;
-    case StageId::Arrivals:
-        for (const ArrivalSensor &sensor : recipe.shock.arrivalSensors)
-            part.shock.arrivalSensors.push_back({sensor.channel});
-        break;
-    case StageId::Expected:
-        part.shock = recipe.shock;
-        part.window.start_s = recipe.window.start_s;
-        break;
-    case StageId::Window:
-        part.window = recipe.window;
-        part.window.excludeStretches.clear(); // only the fit leaves them out
-        part.remap = recipe.remap;
-        part.input.treatment = recipe.input.treatment;
-        break;
-    case StageId::Spectrum:
-        part.spectrum = recipe.spectrum;
-        break;
-    case StageId::Components:
-        part.pca = recipe.pca;
-        break;
-    case StageId::ModelInput:
-        part.input = recipe.input;
-        part.window.excludeStretches = recipe.window.excludeStretches;
-        part.realization.nuisanceModes = recipe.realization.nuisanceModes;
-        break;
-    case StageId::Decomposition:
-        part.realization.maxOrder = recipe.realization.maxOrder;
-        part.realization.rows = recipe.realization.rows;
-        break;
-    case StageId::Model:
-        part.realization.order = recipe.realization.order;
-        part.realization.refine = recipe.realization.refine;
-        break;
-    case StageId::Shock:
-        part.uncertainty.budget = recipe.uncertainty.budget; // `shock` is in an earlier key
-        break;
-    case StageId::Response:
-        part.response = recipe.response;
-        break;
-    case StageId::Assessment:
-        break; // all that it reads is in the model's key
-    case StageId::Evidence:
-        part.realization.stableFrequency = recipe.realization.stableFrequency;
-        part.realization.stableDamping = recipe.realization.stableDamping;
-        break;
-    case StageId::MonteCarlo:
-        part.uncertainty = recipe.uncertainty;
-        break;
-    }
+    stage.read(recipe, part);
     return recipeJson(part);
 }
 
@@ -156,17 +104,12 @@ std::string sectionsOf(StageId stage, const Recipe &recipe)
 std::array<std::string, kStageCount> stageKeys(const CaptureSet &captures, const Recipe &recipe)
 {
     std::array<std::string, kStageCount> keys;
-    std::string before = identityOf(captures);
-    for (int i = 0; i < kStageCount; ++i) {
-        const StageId stage = static_cast<StageId>(i);
-        if (stage == StageId::Assessment)
-            before = keys[static_cast<std::size_t>(StageId::Model)];
-        if (stage == StageId::Evidence) // serves every order: model and response do not count
-            before = keys[static_cast<std::size_t>(StageId::Decomposition)];
-        if (stage == StageId::MonteCarlo)
-            before = keys[static_cast<std::size_t>(StageId::Shock)];
-        before = sha256Hex(before + stageName(stage) + sectionsOf(stage, recipe));
-        keys[static_cast<std::size_t>(i)] = before;
+    const std::string identity = identityOf(captures);
+    for (std::size_t i = 0; i < keys.size(); ++i) {
+        const Stage &stage = stageOf(static_cast<StageId>(i));
+        const std::string &before
+            = i == 0 ? identity : keys[static_cast<std::size_t>(stage.follows)];
+        keys[i] = sha256Hex(before + stage.name + sectionsOf(stage, recipe));
     }
     return keys;
 }

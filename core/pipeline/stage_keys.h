@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/capture/capture_set.h"
-#include "core/pipeline/pipeline.h"
+#include "core/pipeline/stage.h"
 #include "core/project/recipe.h"
 
 #include <array>
@@ -13,7 +13,7 @@
 namespace dyncal {
 
 /// For every stage the hash of all it is computed from: the recordings and the recipe sections of
-/// the stage and of those before it (for Evidence: before the model). Equal keys mean equal
+/// the stage and of those it follows (`Stage::follows`). Equal keys mean equal
 /// results: the one table behind caching, stale marks and instant undo.
 std::array<std::string, kStageCount> stageKeys(const CaptureSet &captures, const Recipe &recipe);
 

@@ -5,7 +5,9 @@
 
 #include "core/base/json_text.h"
 #include "core/project/json_merge.h"
-#include "core/project/recipe_fields.h"
+#include "core/project/recipe_fields_analysis.h"
+#include "core/project/recipe_fields_import.h"
+#include "core/project/recipe_fields_measurement.h"
 
 #include <filesystem>
 #include <fstream>

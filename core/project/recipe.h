@@ -8,54 +8,16 @@
 #include "core/capture/import_settings.h"
 #include "core/decomposition/component_settings.h"
 #include "core/model_analysis/response_settings.h"
-#include "core/realization/realization_settings.h"
+#include "core/project/certificate_settings.h"
+#include "core/realization/input/realization_settings.h"
 #include "core/shock/shock_settings.h"
+#include "core/shock/uncertainty_settings.h"
 #include "core/signal/signal_settings.h"
 
-#include <map>
 #include <string>
 #include <vector>
 
 namespace dyncal {
-
-/// One line of the uncertainty budget as typed; evaluated by a later capability, kept meanwhile.
-struct BudgetEntry
-{
-    std::string quantity;
-    double u = 0.0;
-    std::string distribution = "normal";
-    std::optional<double> dof;
-    bool operator==(const BudgetEntry &) const = default;
-};
-
-/// Recipe section "uncertainty".
-struct UncertaintySettings
-{
-    std::vector<BudgetEntry> budget;
-    Index monteCarloTrials = 10000; ///< 0 = "adaptive"
-    Index seed = 1;
-    double coverage = 0.95;
-    bool operator==(const UncertaintySettings &) const = default;
-};
-
-/// A caution the operator has seen and gives a reason for.
-struct Acknowledgement
-{
-    std::string finding;
-    Index shot = 0;
-    std::string reason;
-    bool operator==(const Acknowledgement &) const = default;
-};
-
-/// Recipe section "certificate": what is printed but not computed. Keys of `fields` are in
-/// docs/recipe.md ("laboratory", "laboratory_address", "customer", "sensor_serial", ...).
-struct CertificateSettings
-{
-    std::string templateName = "accredited";
-    std::vector<std::string> languages{"en"};
-    std::map<std::string, std::string> fields;
-    bool operator==(const CertificateSettings &) const = default;
-};
 
 /// Every decision of one calibration and no data: a plain value (schema "dyncal-recipe/1").
 /// The same captures with the same recipe give the same numbers in the window and headless.

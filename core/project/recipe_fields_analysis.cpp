@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/project/recipe_fields.h"
+#include "core/project/recipe_fields_analysis.h"
 
 #include "core/base/number_text.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/project/recipe_fields.h"
+#include "core/project/recipe_fields_import.h"
 
 #include "core/capture/channel.h"
 

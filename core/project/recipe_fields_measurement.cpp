@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/project/recipe_fields_measurement.h"
 #include "core/project/gas_names.h"
-#include "core/project/recipe_fields.h"
 
 namespace dyncal {
 namespace {

@@ -4,7 +4,9 @@
 #include "core/shock/channel_order.h"
 
 #include "core/base/number_text.h"
+#include "core/shock/shock_velocity.h"
 #include "core/shock/side_arrival.h"
+#include "core/signal/record_starts.h"
 
 #include <algorithm>
 

@@ -5,7 +5,8 @@
 
 #include "core/base/finding.h"
 #include "core/capture/capture_set.h"
-#include "core/shock/shock_conditions.h"
+#include "core/shock/shock_velocity.h"
+#include "core/signal/record_starts.h"
 
 #include <vector>
 

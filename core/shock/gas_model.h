@@ -76,15 +76,4 @@ struct SectionState
 /// variable heat capacity of a gas without one; (DataBlocked, SHK-009) outside Cramer's range.
 Result<GasModel> gasModel(const GasSettings &settings, const SectionState &state);
 
-/// As shockStates() of shock_relations.h, also with cp(T): mass, momentum and energy across both
-/// shocks solved for the density ratios, to rounding. Fails besides (DataBlocked, SHK-009) where a
-/// region leaves 200..1500 K.
-Result<ShockStates> shockStatesOf(
-    const GasModel &gas, double p1_Pa, double T1_K, double velocity_m_s);
-
-/// Velocity of the shock behind which the pressure is p2: shockStatesOf() turned round, to
-/// rounding. Fails as that does, and (DataBlocked, SHK-001) where p2 does not exceed p1.
-Result<double> velocityOfShockedPressure_m_s(
-    const GasModel &gas, double p1_Pa, double T1_K, double p2_Pa);
-
 } // namespace dyncal

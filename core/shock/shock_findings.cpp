@@ -1,10 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/shock/shock_findings.h"
+
 #include "core/base/distributions.h"
 #include "core/base/number_text.h"
 #include "core/shock/pressure_units.h"
-#include "core/shock/shock_work.h"
+#include "core/shock/shock_uncertainty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +18,6 @@ constexpr double kVelocityUncertaintyLimit = 0.002; ///< SHK-003, relative
 constexpr double kDriverPressureLimit = 0.10; ///< SHK-006, relative
 constexpr double kPlateauLimit = 0.05; ///< SHK-002, relative
 constexpr double kScatterProbability = 0.01; ///< SHK-010
-constexpr double kCelsiusZero_K = 273.15;
 constexpr double kLowestAmbient_Pa = 87e3;
 constexpr double kHighestAmbient_Pa = 108e3;
 constexpr double kLowestLikely_Pa = 2000.0; ///< below, a typed p1 may be in another unit
@@ -33,59 +34,6 @@ void reportVelocityUncertainty(ShockWork &work, const char *text, double relativ
 }
 
 } // namespace
-
-Finding &ShockWork::report(const char *id, Severity severity, Message message)
-{
-    Finding finding;
-    finding.id = id;
-    finding.severity = severity;
-    finding.shot = conditions.shot;
-    finding.message = std::move(message);
-    findings.push_back(std::move(finding));
-    return findings.back();
-}
-
-void ShockWork::reportProblem(const Error &error, std::optional<Mend> mend)
-{
-    report(error.findingId.empty() ? "SHK-001" : error.findingId.c_str(),
-        conditions.stepTyped ? Severity::Caution : Severity::Block, error.message)
-        .mend
-        = std::move(mend);
-}
-
-void ShockWork::reportMissing(Message message)
-{
-    if (!conditions.stepTyped)
-        report("SHK-007", Severity::Info, std::move(message));
-}
-
-double stepOf(const ShockStates &states, bool atEndWall)
-{
-    const GasState &behind = atEndWall ? states.reflected : states.shocked;
-    return behind.pressure_Pa - states.driven.pressure_Pa;
-}
-
-double velocitySensitivity(const ShockWork &work)
-{
-    const ShockStates &states = *work.conditions.states;
-    const double relative = std::min(1e-4, 0.5 * (1.0 - 1.0 / states.mach));
-    const auto stepAt = [&](double factor) {
-        const auto shifted = shockStatesOf(*work.conditions.drivenGas, states.driven.pressure_Pa,
-            states.driven.temperature_K, factor * states.velocity_m_s);
-        return stepOf(shifted ? *shifted : states, work.atEndWall());
-    };
-    return (stepAt(1.0 + relative) - stepAt(1.0 - relative))
-        / (2.0 * relative * stepOf(states, work.atEndWall()));
-}
-
-std::optional<Mend> kelvinFor(const char *key, double typed_K)
-{
-    const double kelvin = typed_K + kCelsiusZero_K;
-    if (!(kelvin >= kLowestTemperature_K && kelvin <= kHighestTemperature_K))
-        return std::nullopt;
-    return Mend{
-        Message{DYNCAL_TEXT("core", "Use %1 K"), {numberText(kelvin, 6)}}, key, numberText(kelvin)};
-}
 
 void judgeVelocity(ShockWork &work, double relativeFromDistance)
 {

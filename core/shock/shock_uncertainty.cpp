@@ -3,6 +3,8 @@
 
 #include "core/shock/shock_uncertainty.h"
 
+#include "core/shock/variable_shock.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -265,7 +267,27 @@ private:
     std::optional<Message> m_stepMissing;
 };
 
+Distribution distributionCalled(const std::string &name)
+{
+    for (const Distribution distribution :
+        {Distribution::Rectangular, Distribution::Triangular, Distribution::UShaped}) {
+        if (name == distributionName(distribution))
+            return distribution;
+    }
+    return Distribution::Normal;
+}
+
 } // namespace
+
+UncertaintyRequest uncertaintyRequest(const UncertaintySettings &settings)
+{
+    UncertaintyRequest request;
+    request.evaluate = true;
+    for (const BudgetEntry &entry : settings.budget)
+        request.stated.push_back(
+            {entry.quantity, entry.u, distributionCalled(entry.distribution), entry.dof});
+    return request;
+}
 
 const std::vector<std::string> &statedQuantities()
 {

@@ -3,9 +3,15 @@
 
 #pragma once
 
+#include "core/base/finding.h"
+#include "core/base/index.h"
+#include "core/base/progress.h"
 #include "core/base/propagation.h"
+#include "core/base/result.h"
 #include "core/shock/gas_model.h"
+#include "core/shock/shock_settings.h"
 #include "core/shock/shock_velocity.h"
+#include "core/shock/uncertainty_settings.h"
 
 #include <optional>
 #include <string>
@@ -55,6 +61,9 @@ struct UncertaintyRequest
     bool evaluate = false;
     std::vector<StatedUncertainty> stated;
 };
+
+/// Of the recipe's section: everything is worked out, with what it states.
+UncertaintyRequest uncertaintyRequest(const UncertaintySettings &settings);
 
 /// The quantities whose uncertainty can be stated; any other name changes nothing.
 const std::vector<std::string> &statedQuantities();

@@ -3,9 +3,16 @@
 
 #pragma once
 
+#include "core/base/finding.h"
+#include "core/base/result.h"
+#include "core/capture/capture_set.h"
 #include "core/shock/shock_conditions.h"
+#include "core/shock/shock_relations.h"
+#include "core/shock/shock_settings.h"
+#include "core/shock/shock_uncertainty.h"
+#include "core/signal/record_starts.h"
 
-#include <utility>
+#include <optional>
 
 namespace dyncal {
 
@@ -37,13 +44,5 @@ double velocitySensitivity(const ShockWork &work);
 
 /// The temperature in kelvin where degrees Celsius were typed, if that is what happened.
 std::optional<Mend> kelvinFor(const char *key, double typed_K);
-
-// What the operator must see of one shot; each may add a finding.
-void judgeVelocity(ShockWork &work, double relativeFromDistance); ///< SHK-003
-void judgeFit(ShockWork &work, const VelocityEstimate &estimate); ///< SHK-008, SHK-010
-void judgeMeasured(ShockWork &work); ///< SHK-002
-void judgeDriverPressure(ShockWork &work, double computed_Pa); ///< SHK-006
-void judgeTypedPressure(ShockWork &work, double p1_Pa); ///< SHK-011
-void reportPlateau(ShockWork &work); ///< SHK-005
 
 } // namespace dyncal

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/shock/variable_shock.h"
+
 #include "core/base/number_text.h"
-#include "core/shock/gas_model.h"
 
 #include <cmath>
 

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/signal/automatic_length.h"
+
 #include "core/signal/level_statistics.h"
-#include "core/signal/window_bands.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,16 +3,11 @@
 
 #pragma once
 
-#include "core/base/finding.h"
-#include "core/base/progress.h"
+#include "core/base/index.h"
 #include "core/base/result.h"
-#include "core/signal/response_window.h"
 #include "core/signal/signal_settings.h"
 
 #include <Eigen/Core>
-
-#include <optional>
-#include <vector>
 
 namespace dyncal {
 
@@ -24,43 +19,23 @@ struct PowerSpectrum
     Eigen::VectorXd psd;
 };
 
-/// A maximum of one spectrum.
-struct SpectralPeak
+/// Parts of a series whose spectra are averaged.
+struct SpectrumSegments
 {
-    double frequency_Hz = 0.0;
-    double prominence_dB = 0.0; ///< over the local background
-    double q = 0.0; ///< frequency over half-power width
+    Index length = 0;
+    Index hop = 0;
+    Index count = 0;
 };
 
-/// A peak that stands out of the spectrum of the shots.
-struct Resonance
-{
-    double frequency_Hz = 0.0; ///< mean over the shots that show it
-    double prominence_dB = 0.0; ///< over the spectrum's local background, smallest over the shots
-    double q = 0.0; ///< frequency over half-power width (limited by the window)
-    std::vector<std::optional<double>> perShot_Hz;
-};
+/// Those of a series of `size` samples.
+SpectrumSegments segmentsOf(Index size, const SpectrumSettings &settings);
 
-struct SpectrumResult
-{
-    std::vector<PowerSpectrum> perShot; ///< same order as the responses
-    std::vector<std::vector<SpectralPeak>> peaks; ///< of each, all that stand out
-    std::vector<Resonance> resonances; ///< most prominent first
-    Findings findings; ///< SPC-001, SPC-002
-};
+/// The whole series as one segment, detrended and tapered as the settings say.
+Eigen::VectorXd asOneSegment(
+    const Eigen::Ref<const Eigen::VectorXd> &values, const SpectrumSettings &settings);
 
 /// PSD of one series sampled at `rate_Hz`; at least 8 values, all finite.
 Result<PowerSpectrum> computePowerSpectrum(const Eigen::Ref<const Eigen::VectorXd> &values,
     double rate_Hz, const SpectrumSettings &settings);
-
-/// Spectra of all responses and the resonances they share (thesis 3.7 step 3). A resonance is a
-/// local maximum with at least 6 dB prominence in the smoothed log spectrum (background: running
-/// median over a band of log frequency; more where few bins are averaged, so that white noise shows
-/// one in a thousand spectra), above the fourth bin and below 0.9 Nyquist, its frequency
-/// interpolated by a parabola through the log power. Peaks of different shots within 5 % are one
-/// resonance if at least half of the shots show it; a spread beyond 2 % is SPC-002. The operator's
-/// own list is matched to the nearest maxima within 10 %. Details: docs/method/spectrum.md.
-Result<SpectrumResult> analyseSpectra(const std::vector<WindowedResponse> &responses,
-    const SpectrumSettings &settings, const JobControl &control = {});
 
 } // namespace dyncal

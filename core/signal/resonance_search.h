@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/base/index.h"
 #include "core/base/interval.h"
 #include "core/signal/power_spectrum.h"
 
@@ -12,6 +13,14 @@
 #include <vector>
 
 namespace dyncal {
+
+/// A maximum of one spectrum.
+struct SpectralPeak
+{
+    double frequency_Hz = 0.0;
+    double prominence_dB = 0.0; ///< over the local background
+    double q = 0.0; ///< frequency over half-power width
+};
 
 /// Frequency within 3/4 of a bin of `frequency_Hz` where the continuous spectrum of `values` is
 /// largest: for peaks as narrow as a bin, where a parabola through three bins is off by 0.15 bins.

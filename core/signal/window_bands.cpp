@@ -4,6 +4,7 @@
 #include "core/signal/window_bands.h"
 
 #include "core/base/number_text.h"
+#include "core/signal/automatic_length.h"
 #include "core/signal/level_statistics.h"
 
 #include <algorithm>

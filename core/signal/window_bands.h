@@ -32,7 +32,6 @@ struct WindowBands
 };
 
 inline constexpr Index kLeastBaseline = 50; ///< samples
-inline constexpr Index kLeastWindow = 16;
 
 /// Samples of the baseline and the window for a response that begins at sample `start` of the DUT's
 /// record. Rules of the automatic bands: docs/method/window.md. `plateau_s` is the computed end of
@@ -40,14 +39,5 @@ inline constexpr Index kLeastWindow = 16;
 /// bands that make no sense) naming the shot, what was found and what is possible.
 Result<WindowBands> resolveBands(const Channel &channel, Index shot, Index start,
     const WindowSettings &settings, ResponseTreatment treatment, std::optional<double> plateau_s);
-
-/// Samples behind `start` until the level leaves its plateau for good, times 0.9; at most `limit`
-/// samples. `baseline` and `noiseSd` are those of the record before the step.
-Index automaticStepLength(
-    const Channel &channel, Index start, Index limit, double baseline, double noiseSd);
-
-/// Samples behind `start` until the response has decayed to the noise; at most `limit` samples.
-Index automaticDecayLength(
-    const Channel &channel, Index start, Index limit, double baseline, double noiseSd);
 
 } // namespace dyncal

@@ -7,7 +7,7 @@
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/capture/channel.h"
-#include "core/synthesis/sensor_simulator.h"
+#include "core/synthesis/sensor_spec.h"
 #include "core/synthesis/step_response.h"
 
 #include <optional>

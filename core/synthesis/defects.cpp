@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/base/portable_random.h"
+#include "core/capture/channel.h"
 
 #include <algorithm>
 #include <array>

@@ -3,10 +3,17 @@
 
 #pragma once
 
-#include "core/synthesis/shot_generator.h"
+#include "core/base/result.h"
+#include "core/synthesis/simulation_settings.h"
 #include "core/synthesis/step_response.h"
 
+#include <cstdint>
+#include <string>
+
 namespace dyncal {
+
+/// Reads "clip" or "clip@2"; fails (Usage) naming the known kinds.
+Result<Defect> parseDefect(const std::string &text);
 
 inline constexpr double kDriftPerSecond = 20.0; ///< of the step: 2 % per millisecond
 

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "core/synthesis/shot_generator.h"
+#include "core/synthesis/simulation_settings.h"
 
 #include <string>
 

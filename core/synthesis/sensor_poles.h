@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "core/synthesis/sensor_simulator.h"
+#include "core/synthesis/sensor_spec.h"
 
 #include <complex>
 #include <vector>

@@ -12,7 +12,6 @@
 namespace dyncal {
 namespace {
 
-constexpr double kCriticalDistance = 1e-8;
 constexpr double kPoleDistance = 1e-6; ///< relative; closer ones have no usable residues
 constexpr double kWeightSum = 1e-9;
 constexpr std::size_t kMostModes = 16;
@@ -160,19 +159,6 @@ std::complex<double> sensorResponse(const SensorSpec &sensor, double frequency_H
     if (sensor.acCoupling_s)
         sum *= s / (s + 1.0 / *sensor.acCoupling_s);
     return sensor.sensitivity_V_Pa * sum;
-}
-
-std::vector<std::complex<double>> modePoles(const SensorMode &mode)
-{
-    const double omega0 = kTwoPi * mode.f0_Hz;
-    const double zeta
-        = std::abs(mode.zeta - 1.0) < kCriticalDistance ? 1.0 - kCriticalDistance : mode.zeta;
-    if (zeta < 1.0) {
-        const double imaginary = omega0 * std::sqrt((1.0 - zeta) * (1.0 + zeta));
-        return {{-zeta * omega0, imaginary}, {-zeta * omega0, -imaginary}};
-    }
-    const double fast = omega0 * (zeta + std::sqrt((zeta - 1.0) * (zeta + 1.0)));
-    return {{-fast, 0.0}, {-omega0 * omega0 / fast, 0.0}};
 }
 
 } // namespace dyncal

@@ -3,8 +3,9 @@
 
 #pragma once
 
+#include "core/base/result.h"
 #include "core/shock/shock_relations.h"
-#include "core/synthesis/shot_generator.h"
+#include "core/synthesis/simulation_settings.h"
 
 #include <vector>
 

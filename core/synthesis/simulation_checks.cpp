@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/synthesis/defects.h"
+#include "core/synthesis/sensor_simulator.h"
 
 #include <algorithm>
 

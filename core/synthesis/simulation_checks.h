@@ -3,7 +3,8 @@
 
 #pragma once
 
-#include "core/synthesis/shot_generator.h"
+#include "core/base/result.h"
+#include "core/synthesis/simulation_settings.h"
 
 namespace dyncal {
 

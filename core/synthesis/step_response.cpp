@@ -3,6 +3,7 @@
 
 #include "core/synthesis/step_response.h"
 
+#include "core/base/index.h"
 #include "core/base/portable_math.h"
 #include "core/synthesis/sensor_poles.h"
 

@@ -7,6 +7,7 @@
 // the noise allows.
 
 #include "core/pipeline/pipeline.h"
+#include "core/synthesis/sensor_simulator.h"
 #include "core/synthesis/shot_generator.h"
 #include "tests/accuracy/noise_bound.h"
 

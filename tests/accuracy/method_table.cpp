@@ -8,9 +8,10 @@
 // go the records and the estimates from the stacked shots, for `reference_methods.py paired
 // FOLDER`.
 
-#include "core/realization/hankel_decomposition.h"
-#include "core/realization/realized_poles.h"
-#include "core/realization/sensor_model.h"
+#include "core/realization/hankel/hankel_decomposition.h"
+#include "core/realization/hankel/realized_poles.h"
+#include "core/realization/model/model_assessment.h"
+#include "core/realization/model/sensor_model.h"
 #include "tests/support/model_inputs.h"
 
 #include <array>

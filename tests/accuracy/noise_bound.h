@@ -3,10 +3,11 @@
 
 #pragma once
 
-#include "core/model_analysis/sensor_response.h"
-#include "core/realization/model_input.h"
-#include "core/realization/onset.h"
-#include "core/realization/pole_refinement.h"
+#include "core/model_analysis/model_characteristics.h"
+#include "core/realization/exponentials/onset.h"
+#include "core/realization/input/model_input.h"
+#include "core/realization/refinement/pole_refinement.h"
+#include "core/realization/refinement/refinement.h"
 #include "core/synthesis/sensor_simulator.h"
 #include "core/synthesis/step_response.h"
 

@@ -8,12 +8,12 @@
 //   bench_records --benchmark_filter=...          files in the folder $DYNCAL_BENCH_DATA
 
 #include "core/capture/channel_envelope.h"
-#include "core/capture/format_registry.h"
-#include "core/capture/formats/hdf5_capture.h"
+#include "core/capture/formats/hdf5/hdf5_capture_writer.h"
+#include "core/capture/opening/capture_open.h"
 #include "tests/bench/recording.h"
-#include "ui/plot/plot_theme.h"
-#include "ui/plot/plot_widget.h"
-#include "ui/plot/signal_curves.h"
+#include "ui/plot/curves/signal_curves.h"
+#include "ui/plot/values/plot_theme.h"
+#include "ui/plot/widget/plot_widget.h"
 
 #include <benchmark/benchmark.h>
 

@@ -7,7 +7,7 @@
 //   bench_tdms FILE                            prints two times in ms to read it all: into fresh
 //                                              memory, and into the same again
 
-#include "core/capture/formats/tdms.h"
+#include "core/capture/formats/tdms/tdms.h"
 #include "tests/support/tdms_writer.h"
 
 #include <algorithm>

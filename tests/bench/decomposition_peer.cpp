@@ -6,7 +6,7 @@
 // by decomposition_peer.py: decomposition_peer FILE RECORDS TRIPLETS, FILE holds doubles, one
 // record behind the other. One record: square and unprojected; several: stacked and projected.
 
-#include "core/realization/hankel_triplets.h"
+#include "core/realization/hankel/hankel_triplets.h"
 
 #include <chrono>
 #include <cstdio>

@@ -4,7 +4,7 @@
 // Reads a text table once and prints wall and processor time in seconds, and a sum to compare.
 // Built and called by text_reader_peer.py.
 
-#include "core/capture/formats/delimited_text.h"
+#include "core/capture/formats/text/delimited_text.h"
 
 #include <chrono>
 #include <cstdio>

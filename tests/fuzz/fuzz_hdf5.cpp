@@ -8,9 +8,9 @@
 // A helper may die, of whatever the library or a sanitizer finds there; it is counted, but no crash
 // of ours. All else is.
 
-#include "core/capture/formats/foreign_hdf5.h"
-#include "core/capture/formats/hdf5_capture.h"
-#include "core/capture/formats/mat73.h"
+#include "core/capture/formats/foreign/foreign_hdf5.h"
+#include "core/capture/formats/foreign/mat73.h"
+#include "core/capture/formats/hdf5/hdf5_capture_reader.h"
 #include "tests/fuzz/fuzz_reader.h"
 #include "tests/support/scratch_folder.h"
 

@@ -4,10 +4,10 @@
 // What our process makes of whatever a helper process may hand over, the library left out: an input
 // is a described file as bytes. Seeds are HDF5 files; the mutator has them described first.
 
-#include "core/capture/formats/foreign_hdf5.h"
-#include "core/capture/formats/hdf5_capture.h"
-#include "core/capture/formats/hdf5_open.h"
-#include "core/capture/formats/mat73.h"
+#include "core/capture/formats/foreign/foreign_hdf5.h"
+#include "core/capture/formats/foreign/mat73.h"
+#include "core/capture/formats/hdf5/hdf5_capture_reader.h"
+#include "core/capture/formats/hdf5/hdf5_open.h"
 #include "tests/fuzz/fuzz_reader.h"
 #include "tests/support/scratch_folder.h"
 

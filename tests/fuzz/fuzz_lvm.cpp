@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/capture/formats/lvm.h"
+#include "core/capture/formats/lvm/lvm.h"
 #include "tests/fuzz/fuzz_reader.h"
 
 DYNCAL_FUZZ_READER(&dyncal::readLvm)

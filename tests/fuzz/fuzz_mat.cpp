@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/capture/formats/mat.h"
+#include "core/capture/formats/matlab/mat.h"
 #include "tests/fuzz/fuzz_reader.h"
 
 DYNCAL_FUZZ_READER(&dyncal::readMat)

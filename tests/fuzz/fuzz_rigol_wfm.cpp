@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/capture/formats/rigol_wfm.h"
+#include "core/capture/formats/instruments/rigol_wfm.h"
 #include "tests/fuzz/fuzz_reader.h"
 
 DYNCAL_FUZZ_READER(&dyncal::readRigolWfm)

@@ -3,7 +3,7 @@
 
 // An input is both files of a recording: the description up to its end tag, then the samples.
 
-#include "core/capture/formats/rohde_bin.h"
+#include "core/capture/formats/instruments/rohde_bin.h"
 #include "tests/fuzz/fuzz_reader.h"
 #include "tests/support/scratch_folder.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/capture/formats/delimited_text.h"
+#include "core/capture/formats/text/delimited_text.h"
 #include "tests/fuzz/fuzz_reader.h"
 
 DYNCAL_FUZZ_READER(&dyncal::readDelimitedText)

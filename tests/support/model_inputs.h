@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "core/realization/model_input.h"
+#include "core/realization/input/model_input.h"
 
 #include <cmath>
 #include <complex>

@@ -3,7 +3,8 @@
 
 #pragma once
 
-#include "core/realization/hankel_decomposition.h"
+#include "core/realization/hankel/hankel_decomposition.h"
+#include "core/realization/hankel/order_suggestion.h"
 #include "tests/support/simulated_calibration.h"
 
 #include <map>

@@ -3,7 +3,9 @@
 
 #pragma once
 
-#include "core/realization/sensor_model.h"
+#include "core/realization/hankel/hankel_decomposition.h"
+#include "core/realization/model/model_assessment.h"
+#include "core/realization/model/sensor_model.h"
 #include "tests/support/simulated_calibration.h"
 
 #include <cmath>

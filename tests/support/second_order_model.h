@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "core/realization/sensor_model.h"
+#include "core/realization/model/sensor_model.h"
 
 #include <cmath>
 #include <numbers>

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/synthesis/sensor_simulator.h"
 #include "core/synthesis/shot_generator.h"
 
 #include <memory>

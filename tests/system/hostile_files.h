@@ -3,10 +3,11 @@
 
 #pragma once
 
-#include "core/capture/formats/hdf5_capture.h"
-#include "core/pipeline/mat_writer.h"
+#include "core/capture/formats/hdf5/hdf5_capture_writer.h"
+#include "core/results/mat_writer.h"
+#include "core/synthesis/sensor_simulator.h"
 #include "core/synthesis/shot_generator.h"
-#include "tests/core/capture/hdf5_test_file.h"
+#include "tests/core/capture/formats/hdf5/hdf5_test_file.h"
 #include "tests/support/tdms_writer.h"
 
 #include <QByteArray>

@@ -3,13 +3,13 @@
 
 #pragma once
 
-#include "tests/core/capture/lecroy_test_file.h"
-#include "tests/core/capture/mat73_test_file.h"
-#include "tests/core/capture/mat_test_file.h"
-#include "tests/core/capture/rigol_test_file.h"
-#include "tests/core/capture/rohde_test_file.h"
-#include "tests/core/capture/scope_bin_test_file.h"
-#include "tests/core/capture/wav_test_file.h"
+#include "tests/core/capture/formats/foreign/mat73_test_file.h"
+#include "tests/core/capture/formats/instruments/lecroy_test_file.h"
+#include "tests/core/capture/formats/instruments/rigol_test_file.h"
+#include "tests/core/capture/formats/instruments/rohde_test_file.h"
+#include "tests/core/capture/formats/instruments/scope_bin_test_file.h"
+#include "tests/core/capture/formats/instruments/wav_test_file.h"
+#include "tests/core/capture/formats/matlab/mat_test_file.h"
 #include "tests/system/hostile_files.h"
 
 #include <fstream>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "tests/core/base/folder_snapshot.h"
+#include "tests/core/base/writing/folder_snapshot.h"
 
 #include <filesystem>
 #include <fstream>

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "tests/core/base/folder_snapshot.h"
+#include "tests/core/base/writing/folder_snapshot.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"

@@ -3,7 +3,7 @@
 
 #include "ui/report/certificate_blocks.h"
 
-#include "ui/plot/plot_widget.h"
+#include "ui/plot/widget/plot_widget.h"
 #include "ui/text/core_text.h"
 
 #include <QCoreApplication>

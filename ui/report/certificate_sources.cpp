@@ -4,6 +4,7 @@
 #include "ui/report/certificate_sources.h"
 
 #include "core/base/version.h"
+#include "core/pipeline/stage_table.h"
 
 namespace dyncal {
 
@@ -24,7 +25,7 @@ CertificateSources certificateSources(
     sources.order = recipe.realization.order;
     sources.orderReason = recipe.realization.adoptedReason;
     sources.coverage = recipe.uncertainty.coverage;
-    sources.findings = results.findings();
+    sources.findings = allFindings(results);
     for (const Acknowledgement &seen : recipe.acknowledge)
         sources.acknowledgements.push_back({seen.finding, seen.shot, seen.reason});
     sources.fields = recipe.certificate.fields;

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "core/certificate/certificate_data.h"
+#include "core/certificate/certificate_sources.h"
 #include "core/pipeline/pipeline.h"
 #include "core/project/recipe.h"
 

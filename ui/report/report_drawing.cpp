@@ -3,7 +3,8 @@
 
 #include "ui/report/report_drawing.h"
 
-#include "ui/plot/plot_export.h"
+#include "core/certificate/certificate.h"
+#include "ui/plot/widget/plot_export.h"
 #include "ui/report/certificate_pdf.h"
 #include "ui/report/certificate_sources.h"
 #include "ui/report/report_figures.h"

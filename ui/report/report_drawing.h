@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/pipeline/run_files.h"
+#include "core/results/run_files.h"
 
 #include <chrono>
 #include <memory>

@@ -3,10 +3,10 @@
 
 #include "ui/report/report_figures.h"
 
-#include "ui/plot/component_curves.h"
-#include "ui/plot/model_curves.h"
-#include "ui/plot/realization_curves.h"
-#include "ui/plot/signal_curves.h"
+#include "ui/plot/curves/component_curves.h"
+#include "ui/plot/curves/model_curves.h"
+#include "ui/plot/curves/realization_curves.h"
+#include "ui/plot/curves/signal_curves.h"
 
 #include <algorithm>
 

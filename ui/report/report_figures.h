@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/pipeline/pipeline.h"
-#include "ui/plot/plot_content.h"
+#include "ui/plot/values/plot_content.h"
 
 #include <functional>
 #include <optional>

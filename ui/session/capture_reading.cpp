@@ -3,8 +3,8 @@
 
 #include "ui/session/capture_reading.h"
 
-#include "core/capture/channel_files.h"
-#include "core/capture/format_registry.h"
+#include "core/capture/opening/capture_open.h"
+#include "core/capture/opening/channel_files.h"
 #include "ui/session/capture_edit.h"
 #include "ui/session/example.h"
 

@@ -4,6 +4,7 @@
 #include "ui/session/example.h"
 
 #include "core/base/content_hash.h"
+#include "core/synthesis/sensor_simulator.h"
 #include "core/synthesis/shot_generator.h"
 
 namespace dyncal {

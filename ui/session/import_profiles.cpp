@@ -3,7 +3,7 @@
 
 #include "ui/session/import_profiles.h"
 
-#include "core/base/atomic_file.h"
+#include "core/base/writing/atomic_file.h"
 #include "core/project/recipe.h"
 
 #include <QDir>

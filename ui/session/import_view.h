@@ -5,8 +5,8 @@
 
 #include "core/base/progress.h"
 #include "core/capture/capture_set.h"
-#include "core/capture/foreign_datasets.h"
-#include "core/capture/text_preview.h"
+#include "core/capture/formats/preview/foreign_datasets.h"
+#include "core/capture/formats/preview/text_preview.h"
 
 #include <optional>
 #include <string>

@@ -51,6 +51,7 @@ public:
         cancel();
         m_stop = std::stop_source();
         m_running = true;
+        ++m_number;
         m_age.start();
         const JobControl control{m_stop.get_token(), throttled(std::move(progress))};
         if (!isMemoryLeft(kThreadBytes)) { // Qt would keep silent about a thread that never runs
@@ -75,6 +76,7 @@ public:
         m_running = false;
     }
     bool isRunning() const { return m_running; }
+    quint64 number() const { return m_number; } ///< of the job started last, from 1
     qint64 age_ms() const { return m_running ? m_age.elapsed() : 0; }
 
     /// A call into the receiver's thread that is dropped once `stop` is requested: for results
@@ -146,6 +148,7 @@ private:
     std::stop_source m_stop;
     QElapsedTimer m_age;
     bool m_running = false;
+    quint64 m_number = 0;
 };
 
 } // namespace dyncal

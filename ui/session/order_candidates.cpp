@@ -4,17 +4,19 @@
 #include "ui/session/order_candidates.h"
 
 #include "core/pipeline/stage_keys.h"
-#include "core/realization/realized_poles.h"
-#include "ui/session/session.h"
+#include "core/realization/hankel/realized_poles.h"
 
 namespace dyncal {
 
-OrderCandidates::OrderCandidates(Session &session)
-    : m_session(session)
-    , m_jobs(this)
+OrderCandidates::OrderCandidates()
+    : m_jobs(this)
 {
-    connect(&session, &Session::resultsChanged, this, &OrderCandidates::update);
-    connect(&session, &Session::recipeChanged, this, &OrderCandidates::update);
+}
+
+void OrderCandidates::follow(CandidateBasis basis)
+{
+    m_basis = std::move(basis);
+    update();
 }
 
 const ComparedOrder *OrderCandidates::find(Index order) const
@@ -34,15 +36,14 @@ void OrderCandidates::setDrawn(Index order, bool drawn)
 
 bool OrderCandidates::waitsForWholeSet(Index order) const
 {
-    const auto &decomposition = m_session.results().decomposition;
-    return m_session.showsFirstTriplets() && decomposition
-        && order > largestOrder(decomposition->hankel);
+    const auto &decomposition = m_basis.results.decomposition;
+    return m_basis.isFirstTriplets && decomposition && order > largestOrder(decomposition->hankel);
 }
 
 std::vector<Index> OrderCandidates::missing() const
 {
     std::vector<Index> orders;
-    for (const Index order : m_session.recipe().realization.candidates)
+    for (const Index order : m_basis.recipe.realization.candidates)
         if (!find(order) && !waitsForWholeSet(order))
             orders.push_back(order);
     return orders;
@@ -50,29 +51,28 @@ std::vector<Index> OrderCandidates::missing() const
 
 void OrderCandidates::update()
 {
-    if (m_session.recipe().realization.candidates.empty() || !m_session.results().decomposition)
+    if (m_basis.recipe.realization.candidates.empty() || !m_basis.results.decomposition)
         return;
-    Recipe recipe = m_session.recipeOnShow();
+    Recipe recipe = m_basis.recipe;
     recipe.realization.order = 1; // the models do not depend on the order chosen
-    const auto keys = stageKeys(*m_session.state().captures, recipe);
+    const auto keys = stageKeys(*m_basis.captures, recipe);
     const auto keyOf = [](const auto &all, StageId stage) -> const std::string & {
         return all[static_cast<std::size_t>(stage)];
     };
-    if (keyOf(keys, StageId::Decomposition)
-        != keyOf(m_session.results().keys, StageId::Decomposition))
+    if (keyOf(keys, StageId::Decomposition) != keyOf(m_basis.results.keys, StageId::Decomposition))
         return; // still to come
     const std::string &basis = keyOf(keys, StageId::Response);
-    const bool isOther = basis != m_basis;
+    const bool isOther = basis != m_basisOfModels;
     if (isOther) {
         m_jobs.cancel();
         m_models.clear();
-        m_basis = basis;
+        m_basisOfModels = basis;
         emit changed();
     }
     const std::vector<Index> orders = missing();
     if (orders.empty() || m_jobs.isRunning())
         return;
-    CalibrationResults results = m_session.results();
+    CalibrationResults results = m_basis.results;
     results.model = nullptr; // of the order chosen, and perhaps of an older recipe
     results.shock = nullptr;
     results.response = nullptr;
@@ -83,9 +83,10 @@ void OrderCandidates::update()
             Result<std::vector<ComparedOrder>> compared) { take(basis, std::move(compared)); });
 }
 
-void OrderCandidates::take(const std::string &basis, Result<std::vector<ComparedOrder>> compared)
+void OrderCandidates::take(
+    const std::string &basisOfModels, Result<std::vector<ComparedOrder>> compared)
 {
-    if (basis != m_basis)
+    if (basisOfModels != m_basisOfModels)
         return;
     m_error = compared ? std::nullopt : std::optional(compared.error());
     if (compared)

@@ -7,22 +7,33 @@
 #include "ui/session/job_runner.h"
 
 #include <map>
+#include <memory>
 #include <set>
 #include <string>
 
 namespace dyncal {
 
-class Session;
+/// What the models are computed from, as it is on show.
+struct CandidateBasis
+{
+    std::shared_ptr<const CaptureSet> captures;
+    Recipe recipe; ///< that the results are computed from
+    CalibrationResults results;
+    bool isFirstTriplets = false; ///< the decomposition is of the first singular values only
+};
 
 /// The models of the orders that the recipe has pinned for comparison, computed in the background
-/// from the session's decomposition. They do not depend on the order chosen: a drag computes
+/// from the decomposition on show. They do not depend on the order chosen: a drag computes
 /// nothing here.
 class OrderCandidates : public QObject
 {
     Q_OBJECT
 
 public:
-    explicit OrderCandidates(Session &session);
+    OrderCandidates();
+
+    /// To be called whenever recipe or results changed.
+    void follow(CandidateBasis basis);
 
     /// Null while it is computed, or cannot be.
     const ComparedOrder *find(Index order) const;
@@ -41,10 +52,10 @@ signals:
 private:
     void update();
     std::vector<Index> missing() const;
-    void take(const std::string &basis, Result<std::vector<ComparedOrder>> compared);
+    void take(const std::string &basisOfModels, Result<std::vector<ComparedOrder>> compared);
 
-    Session &m_session;
-    std::string m_basis; ///< hash of what the models were computed from
+    CandidateBasis m_basis;
+    std::string m_basisOfModels; ///< hash of what the models were computed from
     std::map<Index, ComparedOrder> m_models;
     std::set<Index> m_hidden;
     std::optional<Error> m_error;

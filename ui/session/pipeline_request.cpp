@@ -3,9 +3,15 @@
 
 #include "ui/session/pipeline_request.h"
 
+#include "core/model_analysis/sensor_response.h"
 #include "core/pipeline/stage_keys.h"
 
 namespace dyncal {
+
+RunPart runPartOf(Result<RunPart> part)
+{
+    return part ? std::move(*part) : RunPart{{{}, part.error(), StageId::Captures}, false};
+}
 
 PipelineOutcome PipelineRequest::run(StageId upTo, const JobControl &control) const
 {
@@ -23,6 +29,17 @@ bool PipelineRequest::wantsFirstTriplets(StageId upTo, const JobControl &control
     const PipelineOutcome before = pipeline(captures, recipe, *cache, StageId::ModelInput, control);
     return before.results.input
         && firstTripletsComeEarlier(*before.results.input, recipe.realization);
+}
+
+std::shared_ptr<const ResponseResult> PipelineRequest::modelCurve(
+    const CalibrationResults &part) const
+{
+    if (!response || part.response || !part.model || !part.input || !part.window || !part.shock
+        || responseKey == part.keys[static_cast<std::size_t>(StageId::Response)])
+        return nullptr;
+    return std::make_shared<const ResponseResult>(
+        computeModelResponse(part.window->responses, *part.input, *part.model, *part.shock,
+            recipe.response, response->fLow_Hz, response->fHigh_Hz));
 }
 
 std::string decompositionKey(const CaptureSet &captures, const Recipe &recipe)

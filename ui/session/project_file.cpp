@@ -3,8 +3,9 @@
 
 #include "ui/session/project_file.h"
 
-#include "core/base/atomic_file.h"
 #include "core/base/content_hash.h"
+#include "core/base/writing/atomic_file.h"
+#include "core/base/writing/write_problem.h"
 #include "core/capture/capture_seal.h"
 #include "ui/session/capture_edit.h"
 #include "ui/session/capture_reading.h"

@@ -3,7 +3,7 @@
 
 #include "ui/session/recovery_store.h"
 
-#include "core/base/atomic_file.h"
+#include "core/base/writing/atomic_file.h"
 #include "ui/session/file_lock.h"
 #include "ui/session/project_file.h"
 

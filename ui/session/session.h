@@ -3,20 +3,22 @@
 
 #pragma once
 
+#include "ui/session/capture_sealing.h"
 #include "ui/session/envelope_store.h"
+#include "ui/session/focus_run.h"
 #include "ui/session/frequency_cursors.h"
 #include "ui/session/job_runner.h"
 #include "ui/session/pipeline_request.h"
 #include "ui/session/project_state.h"
+#include "ui/session/rest_run.h"
+#include "ui/session/results_on_show.h"
 #include "ui/session/stage_status.h"
+#include "ui/session/whole_set_run.h"
 
 #include <QObject>
-#include <QTimer>
 #include <QUndoStack>
 
-#include <array>
-#include <map>
-#include <string>
+#include <memory>
 
 namespace dyncal {
 
@@ -25,6 +27,10 @@ class OrderCandidates;
 /// One open calibration job: what was decided (recipe), the recordings, undo, and the results that
 /// follow from them, computed in the background. Views read results and apply changed recipes; the
 /// session knows no views.
+///
+/// It only says what follows what. How each background job begins, waits and ends is said by the
+/// objects that run them: CaptureSealing, FocusRun, RestRun, WholeSetRun; what has come of them is
+/// in ResultsOnShow.
 class Session : public QObject
 {
     Q_OBJECT
@@ -37,27 +43,29 @@ public:
 
     const ProjectState &state() const { return m_state; }
     const Recipe &recipe() const { return m_state.recipe; }
-    const CalibrationResults &results() const { return m_run.results; }
+    const CalibrationResults &results() const { return m_shown.run().results; }
     /// Why the last run ended early, if it did.
-    const std::optional<Error> &error() const { return m_run.error; }
-    StageId failedStage() const { return m_run.failedStage; }
-    bool isComputing() const { return m_run.computing; }
+    const std::optional<Error> &error() const { return m_shown.run().error; }
+    StageId failedStage() const { return m_shown.run().failedStage; }
+    bool isComputing() const { return m_shown.run().computing; }
     /// False for recordings that are opened but whose files have no hash yet: they can be shown,
     /// not saved. Before anything is computed from them they are sealed, in the background.
-    bool isSealed() const;
+    bool isSealed() const { return dyncal::isSealed(*m_state.captures); }
     /// Whether the results belong to the recipe on the screen: false while computing, and after a
     /// cancelled computation. Only results that do may leave the program.
-    bool isUpToDate() const { return !m_run.computing && m_run.firstStale == kStageCount; }
-    StageStatus status(StageId stage) const { return stageStatus(m_run, stage); }
+    bool isUpToDate() const { return m_shown.areUpToDate(); }
+    StageStatus status(StageId stage) const { return m_shown.status(stage); }
+    /// The response to show: that of this run, or the model's own curve until it is there.
+    std::shared_ptr<const ResponseResult> responseOnShow() const { return m_shown.response(); }
     /// Whether decomposition and model on show are of the first singular values only, while the
     /// whole set is computed or after that was cancelled. They are never up to date.
-    bool showsFirstTriplets() const { return m_showsFirstTriplets; }
+    bool showsFirstTriplets() const { return m_shown.areFirstTriplets(); }
     /// The recipe that what is on show is computed from: with the first singular values, or as is.
     Recipe recipeOnShow() const;
     /// Whether the order chosen is beyond the first singular values, which are all that is there.
     bool needsWholeSet() const;
     /// Findings of all stages, and the error of a failed stage as a finding that blocks.
-    Findings findings() const;
+    Findings findings() const { return m_shown.findings(); }
 
     QUndoStack &undoStack() { return m_undo; }
     /// Replaces the recipe as one undo step. Changes with the same non-empty `mergeKey` become one
@@ -81,7 +89,7 @@ public:
     /// Whether the result of a stage is of the same recipe as those before it. While a run is under
     /// way, later stages keep what an earlier run gave: good for their own pages, which say that it
     /// is stale, and not to be shown beside newer numbers.
-    bool isOfThisRun(StageId stage) const;
+    bool isOfThisRun(StageId stage) const { return m_shown.isOfThisRun(stage); }
 
     /// The stage on show is computed and delivered first. The rest follows at once, or within a
     /// series of changes that merge (a drag, keys) as soon as the hand rests or endMerge() is
@@ -100,46 +108,40 @@ signals:
     void progress(double fraction);
 
 private:
-    friend class ReplaceState;
     void setState(const ProjectState &state);
     void markStaleFrom(StageId stage);
     void startComputation();
     void startRest();
-    bool startNewer();
-    void seal();
-    void takeSealed(const std::shared_ptr<const CaptureSet> &opened, Result<CaptureSet> sealed);
-    void take(const PipelineOutcome &outcome);
-    void takePart(const CalibrationResults &part, StageId upTo, bool isFirstTriplets);
     void startWholeSet();
+    bool startNewer();
+    void takeSealed(
+        const CaptureSealing::Captures &opened, const Result<CaptureSealing::Captures> &sealed);
+    void take(const PipelineOutcome &outcome);
+    void showPart(
+        const CalibrationResults &part, StageId upTo, bool isFirstTriplets, bool newerWaits);
+    void takeFocus(const RunPart &part, StageId upTo);
+    void takeRest(const RunPart &part);
     void takeWholeSet(const PipelineOutcome &outcome);
     PipelineRequest request() const;
+    void followCandidates();
 
     Pipeline m_pipeline;
+    ProgressSink m_progress; ///< of every job
     ProjectState m_state;
-    RunState m_run;
+    ResultsOnShow m_shown;
     StageId m_focus = StageId::Captures;
-    StageId m_focusOfRun = StageId::Captures;
     QUndoStack m_undo;
     int m_mergeEpoch = 0;
-    QTimer m_start; ///< active: a newer recipe waits to be computed
-    QTimer m_rest; ///< active: the stages behind the focus wait to be computed
     bool m_isMerging = false; ///< the last change may be one of a series
-    bool m_isRest = false; ///< what runs is the stages behind the focus
-    std::array<std::string, kStageCount> m_keysOfResults; ///< each result's own
     EnvelopeStore m_envelopes;
     FrequencyCursors m_frequencyCursors;
-    /// Opened -> sealed: the undo steps made meanwhile know the opened ones.
-    std::map<std::shared_ptr<const CaptureSet>, std::shared_ptr<const CaptureSet>> m_sealed;
     std::shared_ptr<ResultCache> m_cache = std::make_shared<ResultCache>();
-    std::shared_ptr<const CaptureSet> m_beingSealed;
-    JobRunner m_sealing;
     std::unique_ptr<OrderCandidates> m_candidates;
-    bool m_showsFirstTriplets = false;
-    std::string m_wholeSet; ///< key of the whole decomposition computed last, or being computed
-    bool m_hasWholeSet = false; ///< it is computed
-    std::string m_withheldSet; ///< key of a whole decomposition that was cancelled
-    JobRunner m_wholeSetJob; ///< goes on while orders are tried among the first triplets
-    JobRunner m_jobs; ///< last: stops before anything that a delivery touches is gone
+    CaptureSealing m_sealing;
+    WholeSetRun m_wholeSet;
+    JobRunner m_jobs; ///< of the two that follow; what runs in it holds values only
+    FocusRun m_focusRun;
+    RestRun m_restRun;
 };
 
 } // namespace dyncal

@@ -23,14 +23,7 @@ struct RunState
     int firstStale = kStageCount;
 };
 
-bool hasResult(const CalibrationResults &results, StageId stage);
-Findings findingsOf(const CalibrationResults &results, StageId stage);
-
 StageStatus stageStatus(const RunState &run, StageId stage);
-
-/// The stage whose page shows a finding of this id ("WIN-001" -> Window), by the catalogue's
-/// prefixes; empty for ids of later capabilities.
-std::optional<StageId> stageOfFinding(const std::string &id);
 
 /// The first stage whose result can differ between two recipes; empty when none can (texts of the
 /// certificate, acknowledgements). By the keys the pipeline caches by, so that a stale mark and

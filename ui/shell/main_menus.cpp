@@ -4,12 +4,11 @@
 #include "ui/shell/main_menus.h"
 
 #include "ui/shell/help_dialogs.h"
-#include "ui/shell/main_window.h"
-#include "ui/stages/stage_page.h"
 #include "ui/text/shown_text.h"
 
 #include <QAction>
 #include <QDockWidget>
+#include <QMainWindow>
 #include <QMenuBar>
 
 namespace dyncal {
@@ -30,52 +29,50 @@ QAction *MainMenus::addAction(QMenu *menu, const QString &name, const QString &t
     return action;
 }
 
-void MainMenus::build()
+void MainMenus::build(const QStringList &stages)
 {
     m_parts.window.menuBar()->clear();
     addFileMenu();
-    QMenu *edit = m_parts.window.menuBar()->addMenu(MainWindow::tr("&Edit"));
-    QAction *undo = m_parts.session.undoStack().createUndoAction(edit, MainWindow::tr("&Undo"));
+    QMenu *edit = m_parts.window.menuBar()->addMenu(tr("&Edit"));
+    QAction *undo = m_parts.session.undoStack().createUndoAction(edit, tr("&Undo"));
     undo->setShortcut(QKeySequence::Undo);
     undo->setObjectName("undoAction");
-    QAction *redo = m_parts.session.undoStack().createRedoAction(edit, MainWindow::tr("&Redo"));
+    QAction *redo = m_parts.session.undoStack().createRedoAction(edit, tr("&Redo"));
     redo->setShortcuts({QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")});
     redo->setObjectName("redoAction");
     edit->addAction(undo);
     edit->addAction(redo);
     addViewMenu();
-    addStageMenu();
+    addStageMenu(stages);
     addLanguageMenu();
     addHelpMenu();
 }
 
 void MainMenus::addFileMenu()
 {
-    QMenu *menu = m_parts.window.menuBar()->addMenu(MainWindow::tr("&File"));
+    QMenu *menu = m_parts.window.menuBar()->addMenu(tr("&File"));
     FileActions *files = &m_parts.files;
-    addAction(menu, "openCapturesAction", MainWindow::tr("Open &captures..."),
-        QKeySequence("Ctrl+Shift+O"), [=] { files->openCaptures(); });
-    addAction(menu, "openExampleAction", MainWindow::tr("Open &example"), {},
-        [=] { files->openExample(); });
-    addAction(menu, "openProjectAction", MainWindow::tr("&Open project..."), QKeySequence::Open,
+    addAction(menu, "openCapturesAction", tr("Open &captures..."), QKeySequence("Ctrl+Shift+O"),
+        [=] { files->openCaptures(); });
+    addAction(menu, "openExampleAction", tr("Open &example"), {}, [=] { files->openExample(); });
+    addAction(menu, "openProjectAction", tr("&Open project..."), QKeySequence::Open,
         [=] { files->openProject(); });
-    m_recent = menu->addMenu(MainWindow::tr("&Recent"));
+    m_recent = menu->addMenu(tr("&Recent"));
     connect(m_recent, &QMenu::aboutToShow, this, &MainMenus::fillRecent);
     menu->addSeparator();
-    addAction(
-        menu, "saveAction", MainWindow::tr("&Save"), QKeySequence::Save, [=] { files->save(); });
-    addAction(menu, "saveAsAction", MainWindow::tr("Save &as..."), QKeySequence("Ctrl+Shift+S"),
+    addAction(menu, "saveAction", tr("&Save"), QKeySequence::Save, [=] { files->save(); });
+    addAction(menu, "saveAsAction", tr("Save &as..."), QKeySequence("Ctrl+Shift+S"),
         [=] { files->saveAs(); });
     menu->addSeparator();
-    addAction(menu, "exportResultsAction", MainWindow::tr("Export &results..."),
-        QKeySequence("Ctrl+E"), [=] { files->exportResults(); });
-    addAction(menu, "exportModelAction", MainWindow::tr("Export &model..."),
-        QKeySequence("Ctrl+Shift+E"), [=] { files->exportModel(); });
-    addAction(menu, "exportCertificateAction", MainWindow::tr("Export cer&tificate..."),
-        QKeySequence("Ctrl+P"), [=] { files->exportCertificate(); });
+    addAction(menu, "exportResultsAction", tr("Export &results..."), QKeySequence("Ctrl+E"),
+        [=] { files->exportResults(); });
+    addAction(menu, "exportModelAction", tr("Export &model..."), QKeySequence("Ctrl+Shift+E"),
+        [=] { files->exportModel(); });
+    addAction(menu, "exportCertificateAction", tr("Export cer&tificate..."), QKeySequence("Ctrl+P"),
+        [=] { files->exportCertificate(); });
     menu->addSeparator();
-    addAction(menu, "quitAction", MainWindow::tr("&Quit"), QKeySequence::Quit,
-        [this] { m_parts.window.close(); });
+    addAction(
+        menu, "quitAction", tr("&Quit"), QKeySequence::Quit, [this] { m_parts.window.close(); });
 }
 
 void MainMenus::fillRecent()
@@ -88,38 +85,35 @@ void MainMenus::fillRecent()
                 m_parts.files.openProjectFile(path);
         });
     if (recent.isEmpty())
-        m_recent->addAction(MainWindow::tr("Nothing yet"))->setEnabled(false);
+        m_recent->addAction(tr("Nothing yet"))->setEnabled(false);
 }
 
 void MainMenus::addViewMenu()
 {
-    QMenu *menu = m_parts.window.menuBar()->addMenu(MainWindow::tr("&View"));
+    QMenu *menu = m_parts.window.menuBar()->addMenu(tr("&View"));
     for (const auto &[dock, key] : m_parts.docks) {
         QAction *action = dock->toggleViewAction();
         action->setShortcut(QKeySequence(key));
         menu->addAction(action);
     }
     menu->addSeparator();
-    addAction(menu, "resetLayoutAction", MainWindow::tr("&Reset layout"), {},
-        [this] { m_parts.window.resetLayout(); });
+    addAction(menu, "resetLayoutAction", tr("&Reset layout"), {}, m_parts.resetLayout);
 }
 
-void MainMenus::addStageMenu()
+void MainMenus::addStageMenu(const QStringList &stages)
 {
-    QMenu *menu = m_parts.window.menuBar()->addMenu(MainWindow::tr("&Stage"));
-    for (int row = 0; row < static_cast<int>(m_parts.window.pages().size()); ++row)
-        addAction(menu, QString("stageAction%1").arg(row + 1),
-            m_parts.window.pages()[static_cast<std::size_t>(row)]->text().title,
-            QKeySequence(QString("Alt+%1").arg(row + 1)),
-            [this, row] { m_parts.window.showPage(row); });
+    QMenu *menu = m_parts.window.menuBar()->addMenu(tr("&Stage"));
+    for (int row = 0; row < static_cast<int>(stages.size()); ++row)
+        addAction(menu, QString("stageAction%1").arg(row + 1), stages[row],
+            QKeySequence(QString("Alt+%1").arg(row + 1)), [this, row] { m_parts.showPage(row); });
     menu->addSeparator();
-    addAction(menu, "recomputeAction", MainWindow::tr("Compute &again"), QKeySequence("F9"),
+    addAction(menu, "recomputeAction", tr("Compute &again"), QKeySequence("F9"),
         [this] { m_parts.session.recompute(); });
 }
 
 void MainMenus::addLanguageMenu()
 {
-    QMenu *menu = m_parts.window.menuBar()->addMenu(MainWindow::tr("&Language"));
+    QMenu *menu = m_parts.window.menuBar()->addMenu(tr("&Language"));
     // Languages are named in themselves, so that anyone finds the own one.
     const std::pair<QString, QString> languages[]
         = {{"en", QStringLiteral("English")}, {"sv", QStringLiteral("Svenska")}};
@@ -135,11 +129,10 @@ void MainMenus::addLanguageMenu()
 
 void MainMenus::addHelpMenu()
 {
-    QMenu *menu = m_parts.window.menuBar()->addMenu(MainWindow::tr("&Help"));
-    addAction(menu, "shortcutsAction", MainWindow::tr("&Keyboard and mouse"),
-        QKeySequence::HelpContents, [this] { showShortcuts(&m_parts.window); });
-    addAction(menu, "aboutAction", MainWindow::tr("&About Dyncal"), {},
-        [this] { showAbout(&m_parts.window); });
+    QMenu *menu = m_parts.window.menuBar()->addMenu(tr("&Help"));
+    addAction(menu, "shortcutsAction", tr("&Keyboard and mouse"), QKeySequence::HelpContents,
+        [this] { showShortcuts(&m_parts.window); });
+    addAction(menu, "aboutAction", tr("&About Dyncal"), {}, [this] { showAbout(&m_parts.window); });
 }
 
 } // namespace dyncal

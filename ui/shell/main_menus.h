@@ -4,21 +4,21 @@
 #pragma once
 
 #include "ui/session/session.h"
-#include "ui/shell/file_actions.h"
-#include "ui/shell/language.h"
-#include "ui/shell/preferences.h"
+#include "ui/shell/files/file_actions.h"
+#include "ui/shell/preferences/language.h"
+#include "ui/shell/preferences/preferences.h"
 
 #include <QKeySequence>
+#include <QStringList>
 
 #include <functional>
 
 class QAction;
 class QDockWidget;
+class QMainWindow;
 class QMenu;
 
 namespace dyncal {
-
-class MainWindow;
 
 /// The menu bar of the main window.
 class MainMenus : public QObject
@@ -29,22 +29,26 @@ public:
     /// What the menus act on.
     struct Parts
     {
-        MainWindow &window;
+        QMainWindow &window;
         Session &session;
         FileActions &files;
         Preferences &preferences;
         Language &language;
         std::vector<std::pair<QDockWidget *, QString>> docks; ///< with the key that shows or hides
+        std::function<void()> resetLayout;
+        std::function<void(int row)> showPage;
     };
 
     explicit MainMenus(Parts parts, QObject *parent);
 
-    void build(); ///< in the language of the moment; again after it has changed
+    /// In the language of the moment; again after it has changed. `stages`: the titles of the
+    /// pages.
+    void build(const QStringList &stages);
 
 private:
     void addFileMenu();
     void addViewMenu();
-    void addStageMenu();
+    void addStageMenu(const QStringList &stages);
     void addLanguageMenu();
     void addHelpMenu();
     QAction *addAction(QMenu *menu, const QString &name, const QString &text,

@@ -3,25 +3,25 @@
 
 #include "ui/shell/main_window.h"
 
-#include "ui/shell/finding_answers.h"
-#include "ui/shell/findings_panel.h"
+#include "ui/shell/findings/finding_answers.h"
+#include "ui/shell/findings/findings_panel.h"
+#include "ui/shell/findings/problem_panel.h"
 #include "ui/shell/main_menus.h"
-#include "ui/shell/problem_panel.h"
-#include "ui/shell/recovery_banner.h"
+#include "ui/shell/recovery/recovery_banner.h"
+#include "ui/shell/recovery/work_recovery.h"
 #include "ui/shell/shot_chips.h"
 #include "ui/shell/stage_list.h"
 #include "ui/shell/start_page.h"
-#include "ui/shell/work_recovery.h"
 #include "ui/shell/work_status.h"
 #include "ui/stages/captures_page.h"
 #include "ui/stages/certificate_page.h"
 #include "ui/stages/components_page.h"
+#include "ui/stages/model/model_page.h"
 #include "ui/stages/model_input_page.h"
-#include "ui/stages/model_page.h"
-#include "ui/stages/order_page.h"
-#include "ui/stages/shock_page.h"
-#include "ui/stages/spectrum_page.h"
-#include "ui/stages/window_page.h"
+#include "ui/stages/order/order_page.h"
+#include "ui/stages/shock/shock_page.h"
+#include "ui/stages/spectrum/spectrum_page.h"
+#include "ui/stages/window/window_page.h"
 #include "ui/text/shown_text.h"
 
 #include <QCloseEvent>
@@ -73,10 +73,11 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
     setMinimumSize(kSmallestSize);
     buildCentre();
     buildDocks();
-    m_menus = new MainMenus(
-        {*this, m_session, *m_files, m_preferences, m_language,
-            {{m_stagesDock, "F5"}, {m_inspectorDock, "F4"}, {m_findingsDock, "F6"}}},
-        this);
+    m_menus
+        = new MainMenus({*this, m_session, *m_files, m_preferences, m_language,
+                            {{m_stagesDock, "F5"}, {m_inspectorDock, "F4"}, {m_findingsDock, "F6"}},
+                            [this] { resetLayout(); }, [this](int row) { showPage(row); }},
+            this);
     connectSession();
     buildContents();
     resize(kFirstSize);
@@ -194,7 +195,10 @@ void MainWindow::buildContents()
     m_chips->show();
 
     buildPages();
-    m_menus->build();
+    QStringList titles;
+    for (const StagePage *page : m_pages)
+        titles << page->text().title;
+    m_menus->build(titles);
     showTitle();
     showFindings();
     showStatuses();

@@ -5,10 +5,10 @@
 
 #include "ui/session/auto_save.h"
 #include "ui/session/session.h"
-#include "ui/shell/file_actions.h"
-#include "ui/shell/language.h"
-#include "ui/shell/preferences.h"
-#include "ui/shell/prompts.h"
+#include "ui/shell/files/file_actions.h"
+#include "ui/shell/preferences/language.h"
+#include "ui/shell/preferences/preferences.h"
+#include "ui/stages/frame/prompts.h"
 #include "ui/text/plain_text_rule.h"
 
 #include <QMainWindow>

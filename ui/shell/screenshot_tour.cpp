@@ -4,7 +4,7 @@
 #include "ui/shell/screenshot_tour.h"
 
 #include "ui/shell/main_window.h"
-#include "ui/stages/stage_page.h"
+#include "ui/stages/frame/stage_page.h"
 
 #include <QDir>
 #include <QElapsedTimer>

@@ -3,7 +3,7 @@
 
 #include "ui/shell/stage_list.h"
 
-#include "ui/text/finding_text.h"
+#include "ui/stages/frame/status_text.h"
 
 namespace dyncal {
 

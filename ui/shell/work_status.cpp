@@ -3,8 +3,6 @@
 
 #include "ui/shell/work_status.h"
 
-#include "ui/shell/main_window.h"
-
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
@@ -46,7 +44,7 @@ WorkStatus::WorkStatus(QStatusBar &bar, Session &session, FileActions &files, QO
     connect(&session, &Session::stageStatusChanged, this, &WorkStatus::showComputing);
     connect(&m_slow, &QTimer::timeout, this, [this] {
         if (m_session.isComputing())
-            showBusy(MainWindow::tr("Computing"));
+            showBusy(tr("Computing"));
     });
     connect(m_cancel, &QPushButton::clicked, this, [this] {
         if (m_files.isBusy())
@@ -58,9 +56,9 @@ WorkStatus::WorkStatus(QStatusBar &bar, Session &session, FileActions &files, QO
 
 void WorkStatus::showWords()
 {
-    m_cancel->setText(MainWindow::tr("Cancel"));
-    m_cancel->setAccessibleName(MainWindow::tr("Cancel the work under way"));
-    m_progress->setAccessibleName(MainWindow::tr("Progress"));
+    m_cancel->setText(tr("Cancel"));
+    m_cancel->setAccessibleName(tr("Cancel the work under way"));
+    m_progress->setAccessibleName(tr("Progress"));
     showIdle({});
 }
 

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ui/session/session.h"
-#include "ui/shell/file_actions.h"
+#include "ui/shell/files/file_actions.h"
 
 #include <QTimer>
 

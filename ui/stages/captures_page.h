@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "ui/stages/stage_page.h"
+#include "ui/stages/frame/stage_page.h"
 
 class QCheckBox;
 class QComboBox;

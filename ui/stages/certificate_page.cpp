@@ -3,6 +3,7 @@
 
 #include "ui/stages/certificate_page.h"
 
+#include "core/certificate/certificate.h"
 #include "core/certificate/certificate_data.h"
 #include "ui/report/certificate_sources.h"
 #include "ui/text/core_text.h"

@@ -3,10 +3,10 @@
 
 #include "ui/stages/components_page.h"
 
-#include "ui/plot/component_curves.h"
-#include "ui/stages/quantity_edit.h"
-#include "ui/stages/tube_mode_choice.h"
-#include "ui/stages/value_table.h"
+#include "ui/plot/curves/component_curves.h"
+#include "ui/stages/frame/quantity_edit.h"
+#include "ui/stages/frame/tube_mode_choice.h"
+#include "ui/stages/frame/value_table.h"
 #include "ui/text/quantity_format.h"
 
 #include <QCheckBox>

@@ -3,8 +3,8 @@
 
 #include "ui/stages/model_input_page.h"
 
-#include "ui/plot/realization_curves.h"
-#include "ui/stages/quantity_edit.h"
+#include "ui/plot/curves/realization_curves.h"
+#include "ui/stages/frame/quantity_edit.h"
 #include "ui/text/quantity_format.h"
 
 #include <QComboBox>

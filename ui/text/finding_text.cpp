@@ -47,44 +47,6 @@ QString severityWord(Severity severity)
     return {};
 }
 
-QString statusGlyph(StageStatus status)
-{
-    switch (status) {
-    case StageStatus::NotStarted:
-        return QStringLiteral("–");
-    case StageStatus::Blocked:
-        return QStringLiteral("■");
-    case StageStatus::Computing:
-        return QStringLiteral("⟳");
-    case StageStatus::Stale:
-        return QStringLiteral("◌");
-    case StageStatus::Done:
-        return QStringLiteral("●");
-    case StageStatus::DoneWithCautions:
-        return QStringLiteral("▲");
-    }
-    return {};
-}
-
-QString statusWord(StageStatus status)
-{
-    switch (status) {
-    case StageStatus::NotStarted:
-        return FindingText::tr("not started");
-    case StageStatus::Blocked:
-        return FindingText::tr("blocked");
-    case StageStatus::Computing:
-        return FindingText::tr("computing");
-    case StageStatus::Stale:
-        return FindingText::tr("out of date");
-    case StageStatus::Done:
-        return FindingText::tr("done");
-    case StageStatus::DoneWithCautions:
-        return FindingText::tr("cautions");
-    }
-    return {};
-}
-
 QString findingLine(const Finding &finding)
 {
     QString head = severityGlyph(finding.severity) + " " + severityWord(finding.severity);

@@ -4,17 +4,14 @@
 #pragma once
 
 #include "core/base/finding.h"
-#include "ui/session/stage_status.h"
 
 #include <QString>
 
 namespace dyncal {
 
-/// Shape and word of a severity or status: never colour alone.
+/// Shape and word of a severity: never colour alone.
 QString severityGlyph(Severity severity); ///< "○", "▲", "■"
 QString severityWord(Severity severity);
-QString statusGlyph(StageStatus status); ///< "●", "▲", "■", "◌", "–", "⟳"
-QString statusWord(StageStatus status);
 
 /// "▲ Caution WIN-001: Shot 2: sentence"; a sentence that does not begin with its shot gets it
 /// after the id: "▲ Caution WIN-001, shot 2: sentence".

@@ -3,22 +3,14 @@
 
 #pragma once
 
-#include "core/base/writing/file_descriptor.h"
-#include "core/base/writing/write_claim.h"
+#include "core/base/file_descriptor.h"
+#include "core/base/writing/claim_text.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace dyncal {
-
-/// What a claim file says.
-struct ClaimText
-{
-    std::string temporary; ///< name of the temporary file or folder
-    ClaimKind kind = ClaimKind::File;
-    std::string target; ///< name in the same folder, or "."
-};
 
 /// A claim file found in a folder.
 struct FoundClaim

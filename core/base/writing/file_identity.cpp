@@ -4,7 +4,7 @@
 #include "core/base/writing/file_identity.h"
 
 #include "core/base/content_hash.h"
-#include "core/base/writing/file_descriptor.h"
+#include "core/base/file_descriptor.h"
 
 #include <algorithm>
 #include <array>

@@ -3,9 +3,10 @@
 
 #pragma once
 
+#include "core/base/file_descriptor.h"
 #include "core/base/result.h"
-#include "core/base/writing/file_descriptor.h"
 #include "core/base/writing/file_identity.h"
+#include "core/base/writing/folder_place.h"
 #include "core/base/writing/written_list.h"
 
 #include <functional>
@@ -25,20 +26,6 @@ struct FolderRequest
     std::vector<std::string> recordings; ///< paths; the folder may hold none of them
     std::vector<std::string> settings; ///< paths of recipe and profile as given; may be empty
 };
-
-/// Where a folder lies.
-struct FolderPlace
-{
-    std::string shown; ///< as given, for messages
-    std::string path; ///< without links
-    std::string claimFolder; ///< where claim and staging lie: the parent, or the folder itself
-    std::string claimTarget; ///< its name there, or "."
-    bool exists = false;
-    std::vector<std::string> made; ///< parents that were made, the deepest last
-};
-
-/// Finds the place and makes the parents. Usage if it is no folder.
-Result<FolderPlace> locateFolder(const std::string &folder);
 
 /// A file that the folder's list names, as it is now.
 struct OwnFile

@@ -1,7 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/base/writing/folder_staging.h"
+#include "core/base/writing/folder_moves.h"
+
+#include "core/base/file_descriptor.h"
+#include "core/base/writing/file_identity.h"
+#include "core/base/writing/folder_paths.h"
 
 #include <algorithm>
 #include <cerrno>

@@ -1,13 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/base/writing/folder_contents.h"
+#include "core/base/writing/folder_place.h"
 
 #include <filesystem>
 #include <system_error>
 
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace dyncal {
 namespace {

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/base/writing/folder_plan.h"
+
+#include "core/base/file_descriptor.h"
 #include "core/base/json_text.h"
-#include "core/base/writing/folder_staging.h"
+#include "core/base/writing/file_identity.h"
 
 #include <cerrno>
 #include <cstdio>
-#include <set>
 
 #include <fcntl.h>
 #include <nlohmann/json.hpp>
@@ -19,7 +21,6 @@ using Json = nlohmann::json;
 
 constexpr std::size_t kLongestPlan = 32U << 20U;
 constexpr mode_t kPrivate = 0600;
-constexpr mode_t kFolderMode = 0777; // less the process's umask
 
 } // namespace
 
@@ -55,37 +56,6 @@ std::optional<FolderPlan> readPlan(int staging, const std::string &name)
     if (!retired || !placed)
         return std::nullopt;
     return FolderPlan{json["tree"].get<ino_t>(), *retired, *placed};
-}
-
-bool syncFolders(int folder, const WrittenList &files)
-{
-    std::set<std::string> folders;
-    for (const WrittenFile &file : files)
-        if (const std::size_t slash = file.file.rfind('/'); slash != std::string::npos)
-            folders.insert(file.file.substr(0, slash));
-    for (const std::string &name : folders) {
-        const FileDescriptor below(openFolderAt(folder, name));
-        if (!below.valid() || ::fsync(below.get()) != 0)
-            return false;
-    }
-    return ::fsync(folder) == 0;
-}
-
-bool makeFoldersFor(int folder, const std::string &name)
-{
-    for (std::size_t slash = name.find('/'); slash != std::string::npos;
-         slash = name.find('/', slash + 1)) {
-        if (::mkdirat(folder, name.substr(0, slash).c_str(), kFolderMode) != 0 && errno != EEXIST)
-            return false;
-    }
-    return true;
-}
-
-void removeEmptyFoldersOf(int folder, const std::string &name)
-{
-    for (std::size_t slash = name.rfind('/'); slash != std::string::npos && slash > 0;
-         slash = name.rfind('/', slash - 1))
-        ::unlinkat(folder, name.substr(0, slash).c_str(), AT_REMOVEDIR);
 }
 
 } // namespace dyncal

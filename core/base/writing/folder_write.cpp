@@ -4,7 +4,10 @@
 #include "core/base/writing/folder_write.h"
 
 #include "core/base/content_hash.h"
-#include "core/base/writing/folder_staging.h"
+#include "core/base/writing/folder_moves.h"
+#include "core/base/writing/folder_paths.h"
+#include "core/base/writing/folder_plan.h"
+#include "core/base/writing/folder_recovery.h"
 #include "core/base/writing/write_problem.h"
 
 #include <algorithm>

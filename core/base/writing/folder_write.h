@@ -3,10 +3,13 @@
 
 #pragma once
 
+#include "core/base/file_descriptor.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
 #include "core/base/writing/folder_contents.h"
+#include "core/base/writing/folder_place.h"
 #include "core/base/writing/write_claim.h"
+#include "core/base/writing/written_list.h"
 
 #include <optional>
 #include <string>

@@ -3,7 +3,6 @@
 
 #include "core/base/writing/pending_file.h"
 
-#include "core/base/atomic_file.h"
 #include "core/base/writing/file_identity.h"
 #include "core/base/writing/write_problem.h"
 

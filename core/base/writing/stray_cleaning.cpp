@@ -3,8 +3,11 @@
 
 #include "core/base/writing/stray_cleaning.h"
 
-#include "core/base/writing/folder_staging.h"
+#include "core/base/writing/file_identity.h"
+#include "core/base/writing/folder_recovery.h"
 #include "core/base/writing/write_problem.h"
+
+#include <unistd.h>
 
 namespace dyncal {
 

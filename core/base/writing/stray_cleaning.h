@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/base/writing/claim_file.h"
+#include "core/base/writing/claim_text.h"
 
 namespace dyncal {
 

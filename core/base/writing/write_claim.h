@@ -3,14 +3,13 @@
 
 #pragma once
 
+#include "core/base/file_descriptor.h"
 #include "core/base/result.h"
-#include "core/base/writing/file_descriptor.h"
+#include "core/base/writing/claim_text.h"
 
 #include <string>
 
 namespace dyncal {
-
-enum class ClaimKind { File, Folder };
 
 /// The right to write one file or folder, held until it is destroyed. A claim is a small file
 /// ".dyncal-XXXX.claim" beside what is being written, locked as long as its program lives; it names

@@ -9,6 +9,9 @@
 
 namespace dyncal {
 
+/// Finding id of the error of a file that another program changed meanwhile.
+inline constexpr const char *kChangedMeanwhile = "FIL-001";
+
 /// "PATH cannot be written: REASON; WHAT TO DO." for an errno: Usage where the place is at fault,
 /// Internal where writing itself is (a full disk, a limit).
 tl::unexpected<Error> cannotWrite(const std::string &path, int errorNumber);

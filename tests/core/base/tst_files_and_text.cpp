@@ -3,9 +3,9 @@
 
 // Files under adverse conditions, and hashes and numbers as Python reads them.
 
-#include "core/base/atomic_file.h"
 #include "core/base/content_hash.h"
 #include "core/base/number_text.h"
+#include "core/base/writing/atomic_file.h"
 #include "tests/support/python_answer.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_program.h"

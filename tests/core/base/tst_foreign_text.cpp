@@ -4,7 +4,7 @@
 #include "core/base/foreign_text.h"
 #include "core/base/json_text.h"
 #include "core/base/message.h"
-#include "core/pipeline/csv_table.h"
+#include "core/results/csv_table.h"
 #include "tests/support/hostile_text.h"
 #include "tests/support/test_program.h"
 

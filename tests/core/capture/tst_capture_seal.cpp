@@ -6,8 +6,8 @@
 
 #include "core/base/content_hash.h"
 #include "core/capture/file_samples.h"
-#include "core/capture/format_registry.h"
-#include "core/capture/formats/hdf5_capture.h"
+#include "core/capture/formats/hdf5/hdf5_capture_writer.h"
+#include "core/capture/opening/capture_open.h"
 #include "tests/core/capture/capture_test_support.h"
 
 #include <QTemporaryDir>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/capture/capture_check.h"
-#include "core/capture/format_registry.h"
+#include "core/capture/opening/capture_open.h"
 #include "tests/core/capture/capture_test_support.h"
 #include "tests/support/test_program.h"
 

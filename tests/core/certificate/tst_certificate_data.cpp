@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/certificate/certificate_data.h"
+#include "core/certificate/certificate.h"
 #include "tests/support/example_results.h"
 #include "tests/support/test_program.h"
 

@@ -4,8 +4,7 @@
 // A certificate of which one number after the other is not a number, infinite, zero or denormal:
 // the page must stay readable, and every printed number must be one.
 
-#include "core/certificate/certificate_data.h"
-#include "core/certificate/certificate_sections.h"
+#include "core/certificate/certificate.h"
 #include "tests/support/example_results.h"
 #include "tests/support/test_program.h"
 

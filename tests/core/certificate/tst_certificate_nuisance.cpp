@@ -3,7 +3,7 @@
 
 // What a certificate says of oscillations and stretches that are not in the model.
 
-#include "core/certificate/certificate_sections.h"
+#include "core/certificate/certificate_nuisance.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

@@ -3,7 +3,11 @@
 
 // The words and numbers of single sections, also where something is missing or went wrong.
 
-#include "core/certificate/certificate_sections.h"
+#include "core/certificate/certificate.h"
+#include "core/certificate/certificate_header_sections.h"
+#include "core/certificate/certificate_method_sections.h"
+#include "core/certificate/certificate_result_sections.h"
+#include "core/certificate/certificate_words.h"
 #include "tests/support/example_results.h"
 #include "tests/support/test_program.h"
 

@@ -2,8 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/base/svd.h"
+#include "core/decomposition/component_analysis.h"
+#include "core/decomposition/component_result.h"
+#include "core/decomposition/component_settings.h"
 #include "core/decomposition/principal_components.h"
+#include "core/decomposition/residual_analysis.h"
 #include "core/signal/resampler.h"
+#include "core/signal/response_window.h"
 #include "tests/support/signals.h"
 #include "tests/support/test_program.h"
 

@@ -5,7 +5,9 @@
 // one: tst_model_curves.cpp): closed forms, the differential equation integrated, and the defining
 // properties.
 
-#include "core/model_analysis/sensor_response.h"
+#include "core/model_analysis/model_characteristics.h"
+#include "core/model_analysis/model_curves.h"
+#include "core/model_analysis/model_response.h"
 #include "core/model_analysis/unwrapped_phase.h"
 #include "tests/support/cascade_model.h"
 #include "tests/support/second_order_model.h"

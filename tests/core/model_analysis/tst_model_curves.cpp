@@ -1,7 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/model_analysis/sensor_response.h"
+#include "core/model_analysis/model_characteristics.h"
+#include "core/model_analysis/model_curves.h"
+#include "core/model_analysis/model_response.h"
 #include "core/model_analysis/step_transform.h"
 #include "tests/support/model_inputs.h"
 #include "tests/support/second_order_model.h"

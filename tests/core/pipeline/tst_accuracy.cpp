@@ -4,6 +4,7 @@
 // A short version of docs/accuracy.md: every preset, a few seeds, against what the noise allows.
 
 #include "core/pipeline/pipeline.h"
+#include "core/synthesis/sensor_simulator.h"
 #include "core/synthesis/shot_generator.h"
 #include "tests/accuracy/noise_bound.h"
 #include "tests/support/test_program.h"

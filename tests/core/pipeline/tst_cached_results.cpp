@@ -5,8 +5,9 @@
 
 #include "core/capture/capture_seal.h"
 #include "core/pipeline/pipeline.h"
-#include "core/pipeline/results_json.h"
 #include "core/pipeline/stage_keys.h"
+#include "core/pipeline/stage_table.h"
+#include "core/results/results_json.h"
 #include "tests/core/project/full_recipe.h"
 #include "tests/support/simulated_example.h"
 #include "tests/support/test_program.h"

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/realization/order_evidence.h"
-#include "core/realization/realized_poles.h"
-#include "core/realization/sensor_model.h"
+#include "core/realization/hankel/order_suggestion.h"
+#include "core/realization/hankel/realized_poles.h"
+#include "core/realization/model/model_assessment.h"
+#include "core/realization/order/order_scan.h"
 #include "tests/support/model_inputs.h"
 #include "tests/support/test_program.h"
 

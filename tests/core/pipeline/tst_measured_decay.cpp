@@ -4,8 +4,9 @@
 // Real free decays (eleven impacts on one accelerometer) through the committed example recipe,
 // against an independent ERA computation kept beside the data.
 
-#include "core/capture/format_registry.h"
+#include "core/capture/opening/capture_open.h"
 #include "core/pipeline/pipeline.h"
+#include "core/pipeline/stage_table.h"
 #include "tests/support/measured_data.h"
 #include "tests/support/test_program.h"
 
@@ -124,7 +125,7 @@ private slots:
             std::make_shared<const CaptureSet>(std::move(*set)), recipe, cache, StageId::Window);
         QVERIFY(outcome.results.window);
         QCOMPARE(outcome.results.window->responses.size(), std::size_t(3));
-        const Findings findings = outcome.results.findings();
+        const Findings findings = allFindings(outcome.results);
         const auto found = std::find_if(
             findings.begin(), findings.end(), [](const Finding &f) { return f.id == "CAP-020"; });
         QVERIFY(found != findings.end());

@@ -4,9 +4,10 @@
 #include "core/pipeline/order_comparison.h"
 #include "tests/support/test_program.h"
 
-#include "core/pipeline/comparison_json.h"
-#include "core/pipeline/results_json.h"
-#include "core/realization/realized_poles.h"
+#include "core/realization/hankel/realized_poles.h"
+#include "core/results/comparison_json.h"
+#include "core/results/results_json.h"
+#include "core/synthesis/sensor_simulator.h"
 #include "core/synthesis/shot_generator.h"
 
 #include <QJsonArray>

@@ -4,7 +4,9 @@
 // Faulty shots through the whole method: each fault ends in the finding or the error it must.
 
 #include "core/pipeline/pipeline.h"
-#include "core/pipeline/results_json.h"
+#include "core/results/results_json.h"
+#include "core/synthesis/defects.h"
+#include "core/synthesis/sensor_simulator.h"
 #include "core/synthesis/shot_generator.h"
 #include "tests/support/test_program.h"
 

@@ -5,6 +5,8 @@
 // theory tries first. Order, poles and findings must be those of the truth.
 
 #include "core/pipeline/pipeline.h"
+#include "core/pipeline/stage_table.h"
+#include "core/synthesis/sensor_simulator.h"
 #include "core/synthesis/shot_generator.h"
 #include "tests/support/quiet_captures.h"
 #include "tests/support/test_program.h"
@@ -80,7 +82,7 @@ QString fault(const SensorSpec &sensor, std::shared_ptr<const CaptureSet> captur
         if (!wrong.isEmpty())
             return wrong;
     }
-    return untrueFinding(r.findings());
+    return untrueFinding(allFindings(r));
 }
 
 QString faultOfPreset(const SensorSpec &sensor, double noise, int bits, std::uint64_t seed)

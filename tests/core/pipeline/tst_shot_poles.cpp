@@ -4,7 +4,9 @@
 // Shots and levels one by one, through the whole method.
 
 #include "core/pipeline/pipeline.h"
-#include "core/pipeline/results_json.h"
+#include "core/pipeline/stage_table.h"
+#include "core/results/results_json.h"
+#include "core/synthesis/sensor_simulator.h"
 #include "core/synthesis/shot_generator.h"
 #include "tests/support/test_program.h"
 
@@ -32,7 +34,7 @@ PipelineOutcome calibrated(const std::string &preset, const std::vector<Defect> 
 
 bool isTold(const PipelineOutcome &outcome, const char *id)
 {
-    const Findings findings = outcome.results.findings();
+    const Findings findings = allFindings(outcome.results);
     return std::any_of(
         findings.begin(), findings.end(), [&](const Finding &finding) { return finding.id == id; });
 }

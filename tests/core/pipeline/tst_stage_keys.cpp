@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/pipeline/stage_keys.h"
+#include "core/pipeline/stage_table.h"
 #include "tests/support/test_program.h"
 
 #include "core/pipeline/result_cache.h"

@@ -6,6 +6,7 @@
 // of seeds (3; the table of docs/method/nuisance-modes.md has 24).
 
 #include "core/pipeline/pipeline.h"
+#include "core/synthesis/sensor_simulator.h"
 #include "core/synthesis/shot_generator.h"
 #include "tests/support/test_program.h"
 

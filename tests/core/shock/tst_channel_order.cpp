@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/shock/channel_order.h"
+#include "core/shock/shock_velocity.h"
+#include "core/signal/record_starts.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>

@@ -3,6 +3,7 @@
 
 #include "core/shock/gas_model.h"
 #include "core/shock/moist_air.h"
+#include "core/shock/variable_shock.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>

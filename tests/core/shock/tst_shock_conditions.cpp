@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/shock/shock_conditions.h"
+#include "core/shock/shock_estimate.h"
 #include "tests/support/test_program.h"
 
 #include "core/base/number_text.h"

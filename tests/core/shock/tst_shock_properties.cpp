@@ -7,6 +7,8 @@
 #include "core/base/number_text.h"
 #include "core/shock/moist_air.h"
 #include "core/shock/shock_conditions.h"
+#include "core/shock/shock_estimate.h"
+#include "core/shock/variable_shock.h"
 #include "tests/support/python_answer.h"
 #include "tests/support/test_program.h"
 

@@ -3,6 +3,8 @@
 
 #include "core/signal/power_spectrum.h"
 #include "core/signal/resonance_search.h"
+#include "core/signal/response_window.h"
+#include "core/signal/spectrum_analysis.h"
 #include "tests/support/measured_data.h"
 #include "tests/support/signals.h"
 #include "tests/support/test_program.h"

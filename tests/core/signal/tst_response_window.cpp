@@ -4,6 +4,7 @@
 #include "core/signal/response_window.h"
 #include "core/signal/window_bands.h"
 #include "core/signal/window_checks.h"
+#include "core/signal/window_cutting.h"
 #include "tests/support/measured_data.h"
 #include "tests/support/signals.h"
 #include "tests/support/test_program.h"

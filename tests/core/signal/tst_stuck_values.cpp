@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/capture/format_registry.h"
+#include "core/capture/opening/capture_open.h"
 #include "core/signal/response_window.h"
 #include "core/signal/stuck_values.h"
+#include "core/signal/window_cutting.h"
 #include "tests/support/measured_data.h"
 #include "tests/support/signals.h"
 #include "tests/support/test_program.h"

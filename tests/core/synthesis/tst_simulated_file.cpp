@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/base/content_hash.h"
-#include "core/capture/formats/hdf5_capture.h"
+#include "core/capture/formats/hdf5/hdf5_capture_reader.h"
+#include "core/capture/formats/hdf5/hdf5_capture_writer.h"
+#include "core/synthesis/sensor_simulator.h"
 #include "core/synthesis/shot_generator.h"
 #include "tests/support/test_program.h"
 

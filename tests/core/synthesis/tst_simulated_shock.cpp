@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/shock/shock_conditions.h"
+#include "core/shock/shock_estimate.h"
 #include "core/signal/start_detection.h"
+#include "core/synthesis/sensor_simulator.h"
 #include "core/synthesis/shot_generator.h"
 #include "tests/support/test_program.h"
 

@@ -3,8 +3,8 @@
 
 #include "tests/support/test_program.h"
 #include "tests/ui/shell/window_bench.h"
-#include "ui/plot/plot_widget.h"
-#include "ui/stages/stage_page.h"
+#include "ui/plot/widget/plot_widget.h"
+#include "ui/stages/frame/stage_page.h"
 
 #include <QElapsedTimer>
 #include <QtTest>

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/base/atomic_file.h"
+#include "core/base/writing/atomic_file.h"
+#include "core/base/writing/write_problem.h"
 #include "core/capture/capture_seal.h"
-#include "core/capture/format_registry.h"
+#include "core/capture/opening/capture_open.h"
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 #include "ui/session/capture_edit.h"

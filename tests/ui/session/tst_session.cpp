@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/pipeline/stage_table.h"
 #include "tests/support/test_program.h"
 #include "ui/session/capture_edit.h"
 #include "ui/session/session.h"

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/pipeline/results_json.h"
+#include "core/results/results_json.h"
 #include "tests/support/test_program.h"
-#include "ui/plot/plot_widget.h"
+#include "ui/plot/widget/plot_widget.h"
 #include "ui/session/example.h"
 #include "ui/shell/main_window.h"
 

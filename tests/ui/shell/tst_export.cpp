@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/base/atomic_file.h"
+#include "core/base/writing/atomic_file.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/support/event_loop_watchdog.h"
 #include "ui/shell/main_window.h"

@@ -1,17 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/base/atomic_file.h"
-#include "core/pipeline/results_json.h"
+#include "core/base/writing/atomic_file.h"
+#include "core/results/results_json.h"
 #include "tests/support/test_program.h"
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/sample_results.h"
-#include "ui/plot/plot_widget.h"
+#include "ui/plot/widget/plot_widget.h"
 #include "ui/session/project_file.h"
-#include "ui/shell/findings_panel.h"
+#include "ui/shell/findings/findings_panel.h"
 #include "ui/shell/main_window.h"
-#include "ui/stages/quantity_edit.h"
-#include "ui/stages/stage_page.h"
+#include "ui/stages/frame/quantity_edit.h"
+#include "ui/stages/frame/stage_page.h"
 
 #include <QAction>
 #include <QCheckBox>

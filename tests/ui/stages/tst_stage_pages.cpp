@@ -5,14 +5,14 @@
 #include "tests/ui/support/page_bench.h"
 #include "ui/stages/certificate_page.h"
 #include "ui/stages/components_page.h"
+#include "ui/stages/frame/quantity_edit.h"
+#include "ui/stages/frame/value_table.h"
+#include "ui/stages/model/model_page.h"
+#include "ui/stages/model/model_text.h"
 #include "ui/stages/model_input_page.h"
-#include "ui/stages/model_page.h"
-#include "ui/stages/model_text.h"
-#include "ui/stages/quantity_edit.h"
-#include "ui/stages/shock_page.h"
-#include "ui/stages/spectrum_page.h"
-#include "ui/stages/value_table.h"
-#include "ui/stages/window_page.h"
+#include "ui/stages/shock/shock_page.h"
+#include "ui/stages/spectrum/spectrum_page.h"
+#include "ui/stages/window/window_page.h"
 
 #include <QCheckBox>
 #include <QPlainTextEdit>

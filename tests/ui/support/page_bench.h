@@ -4,7 +4,7 @@
 #pragma once
 
 #include "tests/ui/support/sample_results.h"
-#include "ui/stages/stage_page.h"
+#include "ui/stages/frame/stage_page.h"
 
 #include <QComboBox>
 #include <QLineEdit>

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/result.h"
+#include "core/base/writing/written_list.h"
+
+#include <string>
+
+namespace dyncal {
+
+/// Empties the old folder of an exchange: retired files go if they are still what was looked at,
+/// second names go, and what else came into it meanwhile is moved into the new folder, as
+/// "NAME.kept-1" if its name is taken there. False if something had to stay.
+bool emptyOldTree(int oldTree, int folder, const WrittenList &retired);
+
+/// Completes or takes back what a killed program left of a write into a folder: `staging` is its
+/// staging folder in the open folder `place`, `target` the name of the folder written to, or ".".
+/// Fails (Usage) if something stands in the way now.
+Result<void> recoverFolder(int place, const std::string &staging, const std::string &target);
+
+} // namespace dyncal

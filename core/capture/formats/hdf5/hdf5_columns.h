@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/base/result.h"
+#include "core/capture/formats/hdf5/hdf5_open.h"
+#include "core/capture/formats/hdf5/hdf5_places.h"
+#include "core/capture/raw_samples.h"
+
+#include <vector>
+
+namespace dyncal {
+
+/// The samples of each wish, column by column (one of a 1-D dataset or a single value). What lies
+/// in the file as it is stays there; the rest is unpacked into memory by a helper process. What
+/// the description claims is not believed; what the samples take is counted in the file's budget.
+/// Errors name dataset and file (CAP-018).
+Result<std::vector<std::vector<RawSamples>>> hdf5Columns(
+    const Hdf5File &file, const std::vector<Hdf5Wish> &wishes, const JobControl &control);
+
+} // namespace dyncal

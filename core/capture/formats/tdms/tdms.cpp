@@ -1,0 +1,268 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/capture/formats/tdms/tdms.h"
+
+#include "core/base/number_text.h"
+#include "core/capture/formats/tdms/tdms_samples.h"
+#include "core/capture/formats/tdms/tdms_shots.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+namespace dyncal {
+namespace {
+
+/// Whether a property is one of those that say how to read, which have their own places.
+bool isTechnical(const std::string &name)
+{
+    constexpr std::array<std::string_view, 4> kPrefixes{"NI_", "wf_", "DAQmx_", "unit"};
+    return std::any_of(kPrefixes.begin(), kPrefixes.end(),
+        [&](std::string_view prefix) { return name.starts_with(prefix); });
+}
+
+/// Attributes worth keeping, under the names that other formats have for them.
+void keepNotes(const TdmsObject *object, Attributes &notes)
+{
+    constexpr std::size_t kLongest = 1000;
+    constexpr std::size_t kMost = 100;
+    static const std::map<std::string, std::string, std::less<>> kNames{{"Author", "operator"},
+        {"author", "operator"}, {"Operator", "operator"}, {"Description", "comment"},
+        {"description", "comment"}};
+    if (object == nullptr)
+        return;
+    for (const auto &[name, value] : object->properties) {
+        const std::string text = valueText(value);
+        if (isTechnical(name) || text.empty() || text.size() > kLongest || notes.size() >= kMost)
+            continue;
+        const auto known = kNames.find(name);
+        notes[known != kNames.end() ? known->second : name] = text;
+    }
+}
+
+void keepStart(const TdmsProperties &properties, Attributes &notes)
+{
+    const auto start = timestampOf(properties, "wf_start_time");
+    const std::string text = start ? isoText(*start) : std::string();
+    if (text.empty() || notes.contains("start_utc"))
+        return;
+    notes["start_utc"] = text;
+    notes["start_1904"] = std::to_string(start->seconds) + " s + " + std::to_string(start->fraction)
+        + " / 2^64 s"; // with all its digits
+}
+
+/// The increment is a rounded decimal or reciprocal, so a rate has no more than 15 digits.
+double sampleRateOf(const TdmsProperties &properties)
+{
+    constexpr int kDigits = 15;
+    const double step_s = numberOf(properties, "wf_increment").value_or(0.0);
+    const double rate_Hz = step_s > 0.0 ? 1.0 / step_s : 0.0;
+    if (!std::isfinite(rate_Hz))
+        return 0.0;
+    return parseNumber(numberText(rate_Hz, kDigits)).value_or(rate_Hz);
+}
+
+class TdmsReader
+{
+public:
+    TdmsReader(const std::string &path, const TdmsContents &contents)
+        : m_path(path)
+        , m_contents(contents)
+        , m_records(contents.file)
+    {
+    }
+
+    Result<CaptureSet> read()
+    {
+        TdmsShots plan = tdmsShots(m_contents, m_path);
+        m_set.findings = std::move(plan.findings);
+        for (const TdmsShotPlan &shot : plan.shots)
+            addShot(shot);
+        if (m_set.shots.empty())
+            return tl::unexpected(nothingRead());
+        findDamage();
+        findMissingRates();
+        return std::move(m_set);
+    }
+
+private:
+    void addShot(const TdmsShotPlan &plan)
+    {
+        Shot shot;
+        shot.label = std::filesystem::path(m_path).stem().string();
+        if (!plan.name.empty())
+            shot.label.append(", ").append(plan.name);
+        std::map<std::string, int> names;
+        for (const TdmsObject *object : plan.channels)
+            ++names[object->path.channel];
+        keepNotes(m_contents.root(), shot.notes);
+        if (!plan.channels.empty())
+            keepNotes(m_contents.group(plan.channels.front()->path.group), shot.notes);
+        for (const TdmsObject *object : plan.channels) {
+            const std::string name = names[object->path.channel] == 1
+                ? object->path.channel
+                : object->path.group + "/" + object->path.channel;
+            addChannels(*object, name, shot);
+        }
+        if (!shot.channels.empty())
+            m_set.shots.push_back(std::move(shot));
+    }
+
+    void addChannels(const TdmsObject &object, const std::string &name, Shot &shot)
+    {
+        if (object.streams.empty() || object.count == 0) {
+            const char *text = object.count == 0
+                ? DYNCAL_TEXT("core", "Channel %1 has no samples.")
+                : DYNCAL_TEXT("core", "Channel %1 has values of the type %2, no samples.");
+            return leaveOut({text, {name, tdmsTypeName(object.type)}}, Severity::Info);
+        }
+        const TdmsObject *root = m_contents.root();
+        const TdmsObject *group = m_contents.group(object.path.group);
+        const std::array<const TdmsProperties *, 3> holders{&object.properties,
+            group != nullptr ? &group->properties : nullptr,
+            root != nullptr ? &root->properties : nullptr};
+        auto records = m_records.of(object, holders);
+        if (!records)
+            return leaveOut(records.error(), Severity::Caution);
+        for (TdmsRecord &record : *records)
+            shot.channels.push_back(channelOf(object, name, std::move(record)));
+        keepStart(object.properties, shot.notes);
+    }
+
+    Channel channelOf(const TdmsObject &object, const std::string &name, TdmsRecord record)
+    {
+        Channel channel;
+        channel.name = name + record.suffix;
+        channel.samples = std::move(record.samples);
+        channel.polynomial = std::move(record.polynomial);
+        channel.sampleRate_Hz = sampleRateOf(object.properties);
+        const double t0_s = numberOf(object.properties, "wf_start_offset").value_or(0.0);
+        channel.t0_s = std::isfinite(t0_s) ? t0_s : 0.0;
+        channel.unit = textOf(object.properties, "unit_string");
+        if (channel.unit.empty())
+            channel.unit = textOf(object.properties, "NI_UnitDescription");
+        if (channel.unit.empty() || record.bareCounts)
+            channel.unit = "1";
+        if (record.bareCounts)
+            m_set.findings.push_back({"CAP-027", Severity::Caution, 0, channel.name, {},
+                {DYNCAL_TEXT("core",
+                     "%1: channel %2 holds counts of the converter and no scale; state scale and "
+                     "unit, or its values mean nothing."),
+                    {m_path, channel.name}},
+                {}, {}});
+        return channel;
+    }
+
+    void leaveOut(Message reason, Severity severity)
+    {
+        m_lastReason = reason;
+        m_set.findings.push_back({"CAP-026", severity, 0, {}, {},
+            {DYNCAL_TEXT("core", "%1: a channel was left out. %2"), {m_path, english(reason)}}, {},
+            {}});
+    }
+
+    Error nothingRead() const
+    {
+        if (m_contents.damage)
+            return {ErrorKind::FileUnreadable, *m_contents.damage, "CAP-018", 0};
+        if (m_lastReason)
+            return {ErrorKind::FileUnreadable,
+                {DYNCAL_TEXT("core", "%1 has no channel that can be read. %2"),
+                    {m_path, english(*m_lastReason)}},
+                "CAP-018", 0};
+        return {ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core",
+                 "%1 holds no data; it is likely an incomplete copy or a recording that never "
+                 "began."),
+                {m_path}},
+            "CAP-018", 0};
+    }
+
+    void findDamage()
+    {
+        if (m_contents.unknownVersion)
+            m_set.findings.push_back({"CAP-021", Severity::Info, 0, {}, {},
+                {DYNCAL_TEXT("core",
+                     "%1 is of the TDMS version %2, which this program does not know; it was read "
+                     "like version 4713."),
+                    {m_path, std::to_string(*m_contents.unknownVersion)}},
+                {}, {}});
+        if (m_contents.damage)
+            m_set.findings.push_back({"CAP-018", Severity::Caution, 0, {}, {},
+                {DYNCAL_TEXT("core", "%1 What stands before was read."),
+                    {english(*m_contents.damage)}},
+                {}, {}});
+        const auto cut = std::find_if(
+            m_contents.objects.begin(), m_contents.objects.end(), [](const TdmsObject &object) {
+                return object.declared > static_cast<double>(object.count);
+            });
+        if (cut != m_contents.objects.end())
+            m_set.findings.push_back(incomplete(*cut));
+        else if (m_contents.endsEarly)
+            m_set.findings.push_back({"CAP-018", Severity::Caution, 0, {}, {},
+                {DYNCAL_TEXT("core",
+                     "%1 was not closed by the program that wrote it, or its end is missing; all "
+                     "values that are there were read."),
+                    {m_path}},
+                {}, {}});
+    }
+
+    Finding incomplete(const TdmsObject &object) const
+    {
+        constexpr double kSensible = 1e15;
+        const auto found = static_cast<double>(object.count);
+        return {"CAP-018", Severity::Caution, 0, object.path.channel, {},
+            {DYNCAL_TEXT("core",
+                 "%1 is incomplete: channel %2 has %3 of %4 samples. All values that are there "
+                 "were "
+                 "read; copy the file again if the original is whole."),
+                {m_path, object.path.channel, std::to_string(object.count),
+                    object.declared < kSensible ? numberText(object.declared) : "?"}},
+            found, object.declared};
+    }
+
+    void findMissingRates()
+    {
+        for (std::size_t i = 0; i < m_set.shots.size(); ++i) {
+            for (const Channel &channel : m_set.shots[i].channels) {
+                if (channel.sampleRate_Hz > 0.0)
+                    continue;
+                m_set.findings.push_back(
+                    {"CAP-003", Severity::Caution, static_cast<Index>(i) + 1, channel.name, {},
+                        {DYNCAL_TEXT("core",
+                             "%1: channel %2 states no time between samples (wf_increment); give "
+                             "import.sample_rate_hz in the recipe."),
+                            {m_path, channel.name}},
+                        {}, {}});
+                return; // one is enough to ask for it
+            }
+        }
+    }
+
+    const std::string &m_path;
+    const TdmsContents &m_contents;
+    TdmsRecords m_records;
+    CaptureSet m_set;
+    std::optional<Message> m_lastReason; ///< why a channel was left out
+};
+
+} // namespace
+
+int recogniseTdms(const std::string &, std::string_view head)
+{
+    return head.starts_with("TDSm") || head.starts_with("TDSh") ? 100 : 0;
+}
+
+Result<CaptureSet> readTdms(
+    const std::string &path, const ImportSettings &settings, const JobControl &control)
+{
+    const Result<TdmsContents> contents = readTdmsContents(path, control, settings.maxExpansion);
+    if (!contents)
+        return tl::unexpected(contents.error());
+    return TdmsReader(path, *contents).read();
+}
+
+} // namespace dyncal

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/capture/formats/text/text_dialect.h"
+#include "core/capture/formats/text/time_words.h"
+
+#include <optional>
+#include <vector>
+
+namespace dyncal {
+
+/// One title per column: from the last header line that has as many cells (behind "#" or "%"), with
+/// the unit in brackets, behind " / " or in a row of units below. Without such a line: "column 1".
+/// Names are unique: a second "p" becomes "p, column 3".
+/// Names that are more or fewer than the columns are not used, but for a first one that says time.
+std::vector<ColumnTitle> columnTitles(const TextDialect &dialect);
+
+/// How many cells the last header line has, if it looks like names but is not as long as the rows.
+std::optional<Index> namesThatDoNotFit(const TextDialect &dialect);
+
+} // namespace dyncal

@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/capture/formats/text/delimited_text.h"
+
+#include "core/base/ascii_text.h"
+#include "core/capture/file_kind.h"
+#include "core/capture/formats/text/table_import.h"
+#include "core/capture/formats/text/text_bytes.h"
+#include "core/capture/formats/text/text_dialect.h"
+#include "core/capture/formats/text/text_source.h"
+#include "core/capture/formats/text/text_table.h"
+#include "core/capture/formats/text/time_words.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+namespace dyncal {
+namespace {
+
+/// More than dialectOf() looks at, but for cells that can be read in two ways.
+constexpr std::uint64_t kHeadBytes = 1 << 20;
+
+/// What each column becomes: a role, or nothing if it is not wanted.
+std::vector<std::optional<ChannelRole>> rolesOf(
+    const ImportSettings &settings, Index columns, std::optional<Index> timeColumn)
+{
+    const bool onlyNamed = std::any_of(settings.columns.begin(), settings.columns.end(),
+        [](const auto &entry) { return entry.first != "time"; });
+    std::vector<std::optional<ChannelRole>> roles(static_cast<std::size_t>(columns));
+    if (!onlyNamed)
+        std::fill(roles.begin(), roles.end(), ChannelRole::Other);
+    for (const auto &[role, column] : settings.columns)
+        roles[static_cast<std::size_t>(column)] = channelRoleFromName(role);
+    if (timeColumn)
+        roles[static_cast<std::size_t>(*timeColumn)].reset();
+    return roles;
+}
+
+Channel channelOf(const ColumnTitle &title, ChannelRole role, std::vector<double> values)
+{
+    Channel channel;
+    channel.name = title.name;
+    channel.role = role;
+    channel.unit = title.unit.empty() ? "1" : title.unit;
+    channel.samples = RawSamples(std::move(values));
+    return channel;
+}
+
+Shot shotOf(const std::string &path, const ImportSettings &settings, ImportedTable &table)
+{
+    Shot shot;
+    shot.label = std::filesystem::path(path).stem().string();
+    const auto columns = static_cast<Index>(table.columns.size());
+    const auto roles = rolesOf(settings, columns, table.time.column);
+    for (std::size_t i = 0; i < roles.size(); ++i) {
+        if (!roles[i])
+            continue;
+        Channel channel = channelOf(table.titles[i], *roles[i], std::move(table.columns[i]));
+        channel.sampleRate_Hz = table.time.sampleRate_Hz;
+        channel.t0_s = table.time.first_s;
+        shot.channels.push_back(std::move(channel));
+    }
+    return shot;
+}
+
+} // namespace
+
+int recogniseDelimitedText(const std::string &path, std::string_view head)
+{
+    constexpr std::array<std::string_view, 6> kExtensions{
+        ".csv", ".tsv", ".txt", ".dat", ".asc", ".prn"};
+    const std::string text = textOfBytes(std::string(head));
+    if (!isPlainText(text) || !dialectOf(text, {}))
+        return 0;
+    const std::string extension = lowerCase(std::filesystem::path(path).extension().string());
+    const bool known
+        = std::find(kExtensions.begin(), kExtensions.end(), extension) != kExtensions.end();
+    return known ? 60 : 40;
+}
+
+Result<CaptureSet> readDelimitedText(
+    const std::string &path, const ImportSettings &settings, const JobControl &control)
+{
+    const Result<TextSource> text = openText(path);
+    if (!text)
+        return tl::unexpected(text.error());
+    std::vector<char> buffer;
+    std::optional<std::string_view> head
+        = text->read(0, std::min(text->size(), kHeadBytes), buffer);
+    std::optional<TextDialect> dialect = head ? dialectOf(*head, settings) : std::nullopt;
+    if (dialect && !dialect->ambiguous.empty()) { // whether it stays so, only the whole text tells
+        head = text->read(0, text->size(), buffer);
+        dialect = head ? dialectOf(*head, settings) : std::nullopt;
+    }
+    if (!dialect)
+        return noRowsOfNumbers(path);
+    Result<ImportedTable> table
+        = importTable({path, *head, true, &*text}, *dialect, settings, control);
+    if (!table)
+        return tl::unexpected(table.error());
+    CaptureSet set;
+    set.findings = std::move(table->findings);
+    set.shots.push_back(shotOf(path, settings, *table));
+    if (set.shots.back().channels.empty())
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core", "%1 has a column of times but no column of samples."), {path}},
+            "CAP-018");
+    return set;
+}
+
+} // namespace dyncal

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/capture/opening/capture_open.h"
+
+#include "core/base/free_memory.h"
+#include "core/capture/capture_seal.h"
+#include "core/capture/natural_order.h"
+#include "core/capture/opening/channel_files.h"
+#include "core/capture/opening/format_registry.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <iterator>
+#include <system_error>
+
+namespace dyncal {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// One file to read; whoever named it himself must get it or hear why not.
+struct Candidate
+{
+    std::string path;
+    bool named = true;
+};
+
+Result<std::vector<Candidate>> filesIn(const std::string &folder)
+{
+    std::vector<Candidate> files;
+    std::error_code error;
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
+         entry.increment(error)) {
+        const bool hidden = entry->path().filename().string().starts_with('.');
+        const bool companion = entry->path().extension() == ".tdms_index"; // one per TDMS file
+        std::error_code unknown;
+        if (!hidden && !companion && entry->is_regular_file(unknown))
+            files.push_back({entry->path().string(), false});
+    }
+    if (error)
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core", "The folder %1 cannot be listed; check that you may read it."),
+                {folder}},
+            "CAP-018");
+    std::sort(files.begin(), files.end(),
+        [](const Candidate &a, const Candidate &b) { return naturalLess(a.path, b.path); });
+    return files;
+}
+
+/// A file in a folder that is no recording is normal; one that should be one is not.
+Finding skippedFile(const Error &error)
+{
+    const bool foreign = error.findingId == "CAP-001";
+    return {"CAP-024", foreign ? Severity::Info : Severity::Caution, 0, {}, {},
+        {DYNCAL_TEXT("core", "A file of the folder was left out. %1"), {english(error.message)}},
+        {}, {}};
+}
+
+void append(CaptureSet &all, CaptureSet part)
+{
+    const Index offset = static_cast<Index>(all.inputs.size());
+    for (Shot &shot : part.shots)
+        moveInputs(shot, [&](Index input) { return input + offset; });
+    const Index shotOffset = static_cast<Index>(all.shots.size());
+    for (Finding &finding : part.findings)
+        finding.shot += finding.shot > 0 ? shotOffset : 0;
+    std::move(part.inputs.begin(), part.inputs.end(), std::back_inserter(all.inputs));
+    std::move(part.shots.begin(), part.shots.end(), std::back_inserter(all.shots));
+    std::move(part.findings.begin(), part.findings.end(), std::back_inserter(all.findings));
+    if (all.tube.empty())
+        all.tube = std::move(part.tube);
+    all.sensors.merge(part.sensors); // keeps what is there: the first file that has it counts
+    all.instruments.merge(part.instruments);
+}
+
+/// Joins files as they come and collects what went wrong with any of them.
+class CaptureJoiner
+{
+public:
+    void add(const Candidate &file, Result<CaptureSet> part)
+    {
+        if (part)
+            append(m_set, std::move(*part));
+        else if (file.named || part.error().kind == ErrorKind::Internal) // no shot is lost unsaid
+            addProblem(part.error());
+        else
+            m_set.findings.push_back(skippedFile(part.error()));
+    }
+
+    void addProblem(const Error &error) { m_problems.push_back(error); }
+
+    Result<CaptureSet> finish(const ImportSettings &settings)
+    {
+        if (!m_problems.empty())
+            return tl::unexpected(joinedProblem());
+        if (m_set.shots.empty())
+            return tl::unexpected(nothingRead());
+        if (settings.channelFiles == kJoinChannelFiles)
+            joinChannelFiles(m_set);
+        return std::move(m_set);
+    }
+
+private:
+    Error joinedProblem() const
+    {
+        Error joined = m_problems.front();
+        if (m_problems.size() == 1)
+            return joined;
+        joined.message = {DYNCAL_TEXT("core", "%1 of the inputs cannot be read:"),
+            {std::to_string(m_problems.size())}};
+        for (const Error &problem : m_problems)
+            joined.message.below.push_back(problem.message);
+        return joined;
+    }
+
+    Error nothingRead() const
+    {
+        Message message{
+            DYNCAL_TEXT("core", "No recording was found in the inputs; readable are: %1."),
+            {readableFormatsText()}};
+        for (const Finding &finding : m_set.findings)
+            message.below.push_back(finding.message);
+        return {ErrorKind::FileUnreadable, std::move(message), "CAP-001", 0};
+    }
+
+    CaptureSet m_set;
+    std::vector<Error> m_problems;
+};
+
+/// The files that `paths` name; folders give theirs. What cannot be listed is a problem.
+std::vector<Candidate> candidates(const std::vector<std::string> &paths, CaptureJoiner &joiner)
+{
+    std::vector<Candidate> files;
+    for (const std::string &path : paths) {
+        std::error_code error;
+        if (!fs::is_directory(path, error)) {
+            files.push_back({path, true});
+        } else if (Result<std::vector<Candidate>> found = filesIn(path); found) {
+            std::move(found->begin(), found->end(), std::back_inserter(files));
+        } else {
+            joiner.addProblem(found.error());
+        }
+    }
+    return files;
+}
+
+using ReadOne
+    = Result<CaptureSet> (*)(const std::string &, const ImportSettings &, const JobControl &);
+
+/// Reads every file with `readOne` and joins what they hold.
+Result<CaptureSet> joinCaptures(const std::vector<std::string> &paths,
+    const ImportSettings &settings, const JobControl &control, ReadOne readOne)
+{
+    if (const auto known = checkFormatName(settings); !known)
+        return tl::unexpected(known.error());
+    CaptureJoiner joiner;
+    const std::vector<Candidate> files = candidates(paths, joiner);
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        Result<CaptureSet> part = readOne(files[i].path, settings, control.part(i, files.size()));
+        if (!part && part.error().kind == ErrorKind::Cancelled)
+            return part;
+        joiner.add(files[i], std::move(part));
+    }
+    return joiner.finish(settings);
+}
+
+/// What a reader and its helper process may need before they can tell what is wrong with a file.
+constexpr std::size_t kReadingBytes = std::size_t(256) << 20U;
+
+/// Libraries say of a file that it is damaged when it is memory that they lack.
+Error inDoubt(const Error &error, const std::string &path)
+{
+    std::error_code unknown;
+    if (error.kind != ErrorKind::FileUnreadable || isMemoryLeft(kReadingBytes)
+        || !fs::exists(path, unknown))
+        return error;
+    return {ErrorKind::Internal,
+        {DYNCAL_TEXT("core",
+             "%1 could not be read, and there is not enough memory to tell whether the file is at "
+             "fault; close other programs or raise the memory limit."),
+            {path}},
+        {}, 0};
+}
+
+} // namespace
+
+Result<CaptureSet> openCapture(
+    const std::string &path, const ImportSettings &settings, const JobControl &control)
+{
+    const ImportSettings own = settingsOfFile(settings, path);
+    const Result<const CaptureFormat *> format = formatOf(path, own);
+    if (!format)
+        return tl::unexpected(inDoubt(format.error(), path));
+    const InputFile input = stampedInput(path, (*format)->id);
+    Result<CaptureSet> set = (*format)->read(path, own, control);
+    if (!set)
+        return tl::unexpected(inDoubt(set.error(), path));
+    set->inputs = {input};
+    for (std::size_t i = 0; i < set->shots.size(); ++i) {
+        set->shots[i].input = 0;
+        set->shots[i].inFile = static_cast<Index>(i) + 1;
+    }
+    return set;
+}
+
+Result<CaptureSet> openCaptures(const std::vector<std::string> &paths,
+    const ImportSettings &settings, const JobControl &control)
+{
+    return joinCaptures(paths, settings, control, &openCapture);
+}
+
+Result<CaptureSet> readCapture(
+    const std::string &path, const ImportSettings &settings, const JobControl &control)
+{
+    Result<CaptureSet> set = openCapture(path, settings, control.part(0, 2));
+    if (!set)
+        return set;
+    return sealCaptures(std::move(*set), control.part(1, 2));
+}
+
+Result<CaptureSet> readCaptures(const std::vector<std::string> &paths,
+    const ImportSettings &settings, const JobControl &control)
+{
+    Result<CaptureSet> set = joinCaptures(paths, settings, control, &readCapture);
+    if (!set)
+        return set;
+    return sealCaptures(std::move(*set)); // all hashes are there: only compares the inputs
+}
+
+} // namespace dyncal

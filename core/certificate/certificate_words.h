@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/message.h"
+#include "core/capture/capture_set.h"
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace dyncal {
+
+/// Coverage factor of the expanded uncertainties on the certificate, where no other is printed.
+inline constexpr double kCoverageFactor = 2.0;
+/// FIT of this size means nothing any more: the simulation ran away.
+inline constexpr double kMostPercent = 1e6;
+
+/// Whether nothing was typed but blanks.
+bool isBlank(std::string_view text);
+/// Words that are printed as they are.
+Message verbatim(std::string text);
+/// A table cell without a value.
+Message dash();
+/// Value and unit at five digits, or `otherwise` where there is none.
+Message printed(const std::optional<double> &value, std::string_view unit, Message otherwise);
+/// "4.30".
+std::string factorText(double k);
+/// " (k = 2)", " (k = 4.30)".
+std::string coverageText(double k);
+/// "2.3301 MHz ± 0.0024 MHz (k = 2)" from a standard uncertainty; without one as printed().
+Message printedWithUncertainty(
+    double value, double u, std::string_view unit, double k = kCoverageFactor);
+/// Name of a level as a word that is translated; a dash for none.
+Message levelWord(ShotLevel level);
+
+} // namespace dyncal

@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/realization/model/sensor_model.h"
+#include "core/signal/signal_settings.h"
+
+#include <optional>
+
+namespace dyncal {
+
+/// Characteristics of the model's step response and bands, all from the parametric model.
+struct StepCharacteristics
+{
+    std::optional<double> riseTime_s;
+    std::optional<double> overshoot_percent;
+    std::optional<double> settlingTime_s;
+    std::optional<double> within5percent_Hz;
+    std::optional<double> within10percent_Hz;
+    std::optional<double> minus3dB_Hz;
+};
+
+StepCharacteristics stepCharacteristics(const SensorModel &model, ResponseTreatment treatment);
+
+} // namespace dyncal

@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/pipeline/calibration_results.h"
+#include "core/pipeline/stage.h"
+#include "core/project/recipe.h"
+
+#include <optional>
+
+namespace dyncal {
+
+/// What the program knows of a stage besides its function: one line of the table for each.
+struct Stage
+{
+    StageId id;
+    const char *name; ///< in messages and results.json
+    int method; ///< raised whenever its numbers change on purpose; docs/accuracy.md names them
+    double cost_ms; ///< of the example, roughly: its share of the progress
+    const char
+        *findings; ///< what the ids of its findings begin with; empty: it has none of its own
+    StageId follows; ///< all up to there, and itself, is what its result depends on
+    void (*read)(const Recipe &recipe, Recipe &part); ///< copies the sections it reads
+    bool (*isThere)(const CalibrationResults &results);
+    Findings (*findingsOf)(const CalibrationResults &results);
+};
+
+const Stage &stageOf(StageId id);
+
+const char *stageName(StageId id);
+
+/// The stage whose findings have ids like this one ("WIN-001" -> Window); empty for ids of none.
+std::optional<StageId> stageOfFinding(const std::string &id);
+
+bool hasResult(const CalibrationResults &results, StageId id);
+Findings findingsOf(const CalibrationResults &results, StageId id); ///< none without a result
+
+/// Of all stages in their order, each told once.
+Findings allFindings(const CalibrationResults &results);
+
+/// The share of a run up to `last` that is done when `id` is, 0 to 1, by what the stages cost.
+double progressAfter(StageId id, StageId last);
+
+} // namespace dyncal

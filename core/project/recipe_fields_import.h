@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/capture/check_settings.h"
+#include "core/capture/import_settings.h"
+#include "core/project/json_codec.h"
+
+namespace dyncal {
+
+/// The keys of recipe.json on the way from files to captures, the one table that reading, writing
+/// and the check of docs/recipe.md go by. Internal to core/project.
+Codec<ImportSettings> importCodec();
+Codec<CheckSettings> checksCodec();
+
+} // namespace dyncal

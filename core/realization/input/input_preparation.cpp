@@ -1,0 +1,234 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/realization/input/input_preparation.h"
+
+#include "core/base/number_text.h"
+#include "core/decomposition/component_result.h"
+#include "core/realization/input/rate_choice.h"
+#include "core/realization/input/series_making.h"
+#include "core/realization/input/series_source.h"
+#include "core/signal/resampler.h"
+#include "core/signal/spectrum_analysis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <utility>
+
+namespace dyncal {
+namespace {
+
+using Source = SeriesSource;
+
+constexpr Index kFewestSamples = 12; ///< a Hankel matrix of 5 rows
+
+Result<double> reductionOf(const Source &source, double rate_Hz)
+{
+    if (const auto factor = reductionFactor(source.rate_Hz, rate_Hz))
+        return *factor;
+    return fail(ErrorKind::DataBlocked,
+        Message{DYNCAL_TEXT("core",
+                    "Model input: shot %1 is recorded at %2, below the model rate of %3; choose at "
+                    "most %2."),
+            {std::to_string(source.shot), numberWithUnit(source.rate_Hz, "Hz", 6),
+                numberWithUnit(rate_Hz, "Hz", 6)}},
+        "MIN-001", source.shot);
+}
+
+/// Samples of the input that fit before the window ends, the filter's second half included.
+Index availableSamples(const Source &source, const AntiAliasFilter &filter, Index first)
+{
+    // The sample's own time lies in the window; the filter may look beyond its end.
+    return outputCount(filter, first,
+        std::min(source.lead + source.length - 1 + filter.halfLength(), source.values.size() - 1));
+}
+
+Message tooFewSamples(Index shot, Index found, Index needed)
+{
+    return {DYNCAL_TEXT("core",
+                "Model input: shot %1 offers %2 samples before its window ends, %3 are asked for; "
+                "lengthen the window or ask for fewer samples."),
+        {std::to_string(shot), std::to_string(found), std::to_string(needed)}};
+}
+
+/// Share of the ringing's energy that lies before the first sample of the input, noise taken off.
+std::optional<double> lostResponse_percent(const ModelInput &input)
+{
+    double before = 0.0;
+    double all = 0.0;
+    for (const ModelSeries &series : input.series) {
+        const Index count = series.fullRate.size();
+        const double plateau = isStepTreatment(input.treatment)
+            ? series.fullRate.tail(std::max<Index>(1, count / 4)).mean()
+            : 0.0;
+        const Index first = std::min(
+            count, static_cast<Index>(std::llround(series.first_s * series.fullRate_Hz)));
+        const Eigen::ArrayXd energy = (series.fullRate.array() - plateau).square()
+            - series.fullRateNoiseSd * series.fullRateNoiseSd;
+        before += energy.head(first).sum();
+        all += energy.sum();
+    }
+    if (!(all > 0.0))
+        return std::nullopt;
+    return std::clamp(100.0 * before / all, 0.0, 100.0);
+}
+
+/// The rate as set, or by the rule; with what is to be said of it.
+Result<void> chooseRate(const std::vector<Source> &list, const SensorTraits &traits,
+    const InputSettings &settings, ModelInput &input)
+{
+    double lowestRate_Hz = list.front().rate_Hz;
+    for (const Source &source : list)
+        lowestRate_Hz = std::min(lowestRate_Hz, source.rate_Hz);
+    input.sampleRate_Hz = settings.sampleRate_Hz.value
+        ? *settings.sampleRate_Hz.value
+        : lowestRate_Hz / static_cast<double>(chooseReduction(lowestRate_Hz, traits));
+    auto findings = judgeRate(input.sampleRate_Hz, traits);
+    if (!findings)
+        return tl::unexpected(findings.error());
+    input.findings = std::move(*findings);
+    if (traits.resonance_Hz)
+        input.samplesPerPeriod = input.sampleRate_Hz / *traits.resonance_Hz;
+    return {};
+}
+
+/// Of every source, down to the model rate.
+Result<std::vector<AntiAliasFilter>> designFilters(const std::vector<Source> &list, double rate_Hz)
+{
+    std::vector<AntiAliasFilter> filters;
+    for (const Source &source : list) {
+        const auto factor = reductionOf(source, rate_Hz);
+        if (!factor)
+            return tl::unexpected(factor.error());
+        filters.push_back(designAntiAliasFilter(*factor, source.rate_Hz));
+    }
+    return filters;
+}
+
+/// Of the longest filter.
+double longestHalf_s(const std::vector<AntiAliasFilter> &filters)
+{
+    double half_s = 0.0;
+    for (const AntiAliasFilter &filter : filters)
+        half_s = std::max(half_s, filter.span_s() / 2.0);
+    return half_s;
+}
+
+/// Time of the first sample behind the start. A centred filter sees nothing of the time before the
+/// start once half of it lies behind the sample's own time: the whole filter, both halves, then
+/// lies behind the onset.
+double chooseOffset_s(const InputSettings &settings, double filterHalf_s, Findings &findings)
+{
+    const double offset_s = settings.offset_s.value.value_or(filterHalf_s);
+    if (offset_s < filterHalf_s * (1.0 - 1e-9))
+        findings.push_back(insideFilterFinding(offset_s, filterHalf_s));
+    return offset_s;
+}
+
+/// Place of the input's first sample in every source.
+Result<std::vector<Index>> firstSamples(
+    const std::vector<Source> &list, const std::vector<AntiAliasFilter> &filters, double offset_s)
+{
+    std::vector<Index> firsts;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const Index first
+            = list[i].lead + static_cast<Index>(std::ceil(offset_s * list[i].rate_Hz - 1e-6));
+        if (first < filters[i].halfLength()) {
+            return fail(ErrorKind::DataBlocked,
+                Message{DYNCAL_TEXT("core",
+                            "Model input: shot %1 has %2 samples before the input starts, the "
+                            "anti-alias filter needs %3; start later or raise the model rate."),
+                    {std::to_string(list[i].shot), std::to_string(first),
+                        std::to_string(filters[i].halfLength())}},
+                "MIN-006", list[i].shot);
+        }
+        firsts.push_back(first);
+    }
+    return firsts;
+}
+
+/// As many as are asked for, or by the rule as many as every source offers.
+Result<Index> chooseLength(const std::vector<Source> &list,
+    const std::vector<AntiAliasFilter> &filters, const std::vector<Index> &firsts,
+    const std::optional<Index> &asked, Index wanted)
+{
+    Index available = 0;
+    Index scarcest = 0;
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        const Index here = availableSamples(list[i], filters[i], firsts[i]);
+        if (i == 0 || here < available) {
+            available = here;
+            scarcest = list[i].shot;
+        }
+    }
+    const Index samples = asked.value_or(std::min(available, wanted));
+    if (samples > available || available < kFewestSamples)
+        return fail(ErrorKind::DataBlocked,
+            tooFewSamples(scarcest, available, std::max(samples, kFewestSamples)), "MIN-005",
+            scarcest);
+    return samples;
+}
+
+Finding stepAsImpulse()
+{
+    return {"MIN-004", Severity::Info, 0, {}, {},
+        {DYNCAL_TEXT("core",
+             "The step is treated as an impulse response (thesis method): one extra order "
+             "models the step itself."),
+            {}},
+        {}, {}};
+}
+
+void nameLevels(const std::vector<WindowedResponse> &responses, std::vector<ModelSeries> &series)
+{
+    for (ModelSeries &one : series) {
+        for (const WindowedResponse &response : responses) {
+            if (response.shot == one.shot) {
+                one.level = response.level;
+                one.step = response.step;
+            }
+        }
+    }
+}
+
+} // namespace
+
+Result<ModelInput> prepareModelInput(const std::vector<WindowedResponse> &responses,
+    const SpectrumResult &spectrum, const ComponentResult &components,
+    const InputSettings &settings, const JobControl &control)
+{
+    ModelInput input;
+    input.treatment = settings.treatment;
+    input.combine = settings.effectiveCombine();
+    const std::vector<Source> list = seriesSources(responses, components, input.combine);
+    const SensorTraits traits = sensorTraits(responses, spectrum);
+    if (const auto rate = chooseRate(list, traits, settings, input); !rate)
+        return tl::unexpected(rate.error());
+    const auto filters = designFilters(list, input.sampleRate_Hz);
+    if (!filters)
+        return tl::unexpected(filters.error());
+    const double offset_s = chooseOffset_s(settings, longestHalf_s(*filters), input.findings);
+    const auto firsts = firstSamples(list, *filters, offset_s);
+    if (!firsts)
+        return tl::unexpected(firsts.error());
+    const auto samples = chooseLength(list, *filters, *firsts, settings.samples.value,
+        chooseSamples(input.sampleRate_Hz, traits));
+    if (!samples)
+        return tl::unexpected(samples.error());
+    for (std::size_t i = 0; i < list.size(); ++i) {
+        if (control.stopRequested())
+            return fail(ErrorKind::Cancelled, {});
+        input.series.push_back(makeSeries(list[i], (*filters)[i], (*firsts)[i], *samples));
+    }
+    nameLevels(responses, input.series);
+    input.offset_s = input.series.front().first_s;
+    input.samples = *samples;
+    input.lostResponse_percent = lostResponse_percent(input);
+    if (isThesisMode(input))
+        input.findings.push_back(stepAsImpulse());
+    return input;
+}
+
+} // namespace dyncal

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/finding.h"
+#include "core/base/index.h"
+#include "core/capture/capture_set.h"
+#include "core/realization/input/nuisance_term.h"
+#include "core/realization/input/realization_settings.h"
+#include "core/realization/input/whitening.h"
+#include "core/signal/resampler.h"
+#include "core/signal/signal_settings.h"
+#include "core/signal/window_bands.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace dyncal {
+
+/// Samples of a record from the start on that take no part, with what was recorded there.
+struct LeftOut
+{
+    SampleRange samples;
+    Eigen::VectorXd recorded;
+};
+
+/// One series that goes into the Hankel matrix: one shot, or the average of the reconstructions.
+struct ModelSeries
+{
+    Index shot = 0; ///< number from 1; 0 = the average
+    Eigen::VectorXd y; ///< at the model rate
+    double first_s = 0.0; ///< time of y[0] relative to the detected start
+    Eigen::VectorXd noise; ///< pre-trigger noise through the same filter, at the model rate
+    double noiseSd = 0.0; ///< of `noise`, with what rounding leaves; 0 = not known
+    double roundingSd = 0.0; ///< of what rounding adds to y and averaging does not remove: far
+                             ///< below the noise as a rule (docs/method/order.md)
+    AntiAliasFilter filter; ///< identity when nothing was reduced
+    /// The same stretch at the shot's own rate, from the start on: what the refinement works on.
+    Eigen::VectorXd fullRate;
+    double fullRate_Hz = 0.0;
+    double fullRateNoiseSd = 0.0; ///< at least that of rounding; 0 = not known
+    ShotLevel level = ShotLevel::None;
+    double step = 0.0; ///< of the shot, in the unit of its recording; 0 for the average
+    NoiseCovariance fullRateNoise = {}; ///< of the pre-trigger noise at the shot's own rate
+    double u_baseline = 0.0; ///< of the level that was subtracted
+
+    /// Modes that are not the sensor's, as separateNuisance() found them; fullRate is then long
+    /// enough to tell them from the plateau.
+    std::vector<NuisanceTerm> nuisance = {};
+    std::vector<LeftOut> leftOut = {}; ///< in order and apart
+    Eigen::VectorXd correction = {}; ///< added to y it leaves the sensor alone; empty = none
+};
+
+/// Whether errors of rounding show beside the noise (more than a tenth of it): what the record
+/// before the start says of the noise does not hold for the response then.
+bool roundingCounts(const ModelSeries &series);
+
+struct ModelInput
+{
+    ResponseTreatment treatment = ResponseTreatment::StepDeflated;
+    CombineMethod combine = CombineMethod::Stacked;
+    double sampleRate_Hz = 0.0;
+    double offset_s = 0.0; ///< start of the input behind the detected start
+    Index samples = 0;
+    std::vector<ModelSeries> series;
+    std::optional<double> samplesPerPeriod; ///< of the main resonance
+    std::optional<double> lostResponse_percent; ///< energy of the ringing before the input starts
+    std::vector<NuisanceMode> nuisanceModes; ///< what NuisanceTerm::mode counts in
+    std::vector<ExcludedStretch> leftOut; ///< what was left out of the series
+    std::vector<std::optional<double>> soundSpeeds_m_s; ///< of region 5, per shot of the set: what
+                                                        ///< their frequencies were scaled by
+    Findings findings; ///< MIN-001..006, CAP-004, WIN-007..009, NUI-001..004
+};
+
+/// The thesis's own way: the step is one of the states.
+bool isThesisMode(const ModelInput &input);
+
+/// Sampling interval of the model.
+double sampleInterval_s(const ModelInput &input);
+
+} // namespace dyncal

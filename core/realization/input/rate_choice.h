@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/finding.h"
+#include "core/base/result.h"
+#include "core/signal/response_window.h"
+#include "core/signal/spectrum_analysis.h"
+
+#include <optional>
+#include <vector>
+
+namespace dyncal {
+
+/// What is known of the sensor before any model: enough to choose rate and length of the input.
+struct SensorTraits
+{
+    std::optional<double> resonance_Hz; ///< most prominent peak of the spectra
+    std::optional<double> ringTime_s; ///< Q / (pi f): decay time of that resonance
+    std::optional<double> riseTime_s; ///< 10-90 %, mean over the shots that show it
+};
+
+SensorTraits sensorTraits(
+    const std::vector<WindowedResponse> &responses, const SpectrumResult &spectrum);
+
+/// Rule "auto" of input.sample_rate_hz: the largest reduction 1, 2, 5, 10, 20 ... that leaves four
+/// samples per period and a filter no longer than the ring time; without a resonance ten samples
+/// per rise time and a filter no longer than half of it; with neither, no reduction.
+Index chooseReduction(double rate_Hz, const SensorTraits &traits);
+
+/// Rule "auto" of input.samples: twelve ring times (twenty rise times), within 200..1000.
+Index chooseSamples(double rate_Hz, const SensorTraits &traits);
+
+/// MIN-001 as an error (the rate cannot represent the resonance), MIN-002 as a finding.
+Result<Findings> judgeRate(double rate_Hz, const SensorTraits &traits);
+
+/// MIN-006: the input starts while the anti-alias filter still sees the time before the onset.
+Finding insideFilterFinding(double offset_s, double needed_s);
+
+} // namespace dyncal

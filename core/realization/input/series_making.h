@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/index.h"
+#include "core/realization/input/model_input.h"
+#include "core/realization/input/series_source.h"
+#include "core/signal/resampler.h"
+
+namespace dyncal {
+
+/// The series of so many samples from sample `first` of the source on, resampled through the
+/// filter; with what its noise and its rounding are like. Level and step are left open.
+ModelSeries makeSeries(
+    const SeriesSource &source, const AntiAliasFilter &filter, Index first, Index samples);
+
+} // namespace dyncal

@@ -1,0 +1,88 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/realization/input/series_source.h"
+
+#include "core/decomposition/component_result.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+namespace {
+
+/// What is less than this share of the largest value is rounding of the arithmetic.
+constexpr double kArithmetic = 1e-11;
+
+/// Noise of the average: the shots' noise averaged point by point, as the reconstructions are.
+Eigen::VectorXd averageNoise(const std::vector<WindowedResponse> &responses, double rate_Hz)
+{
+    Eigen::VectorXd sum;
+    Index count = 0;
+    for (const WindowedResponse &response : responses) {
+        if (std::abs(response.sampleRate_Hz - rate_Hz) > 1e-9 * rate_Hz)
+            continue;
+        const Index size
+            = sum.size() ? std::min(sum.size(), response.noise.size()) : response.noise.size();
+        if (sum.size() == 0)
+            sum = Eigen::VectorXd::Zero(size);
+        sum = (sum.head(size) + response.noise.head(size)).eval();
+        ++count;
+    }
+    return count ? Eigen::VectorXd(sum / static_cast<double>(count)) : sum;
+}
+
+/// Of the errors that rounding makes in a record, in the unit of its values.
+struct Rounding
+{
+    double sd = 0.0;
+    double lastingSd = 0.0; ///< of what averaging does not remove
+};
+
+/// Unknown like the noise where there is no quiet stretch.
+Rounding roundingOf(const WindowedResponse &response)
+{
+    if (response.noise.size() < 2)
+        return {};
+    const double resolution = std::abs(response.resolution / response.valueScale);
+    const double arithmetic = kArithmetic * response.window().cwiseAbs().maxCoeff();
+    return {std::max(resolution / std::sqrt(12.0), arithmetic),
+        std::max(response.roundingSd, arithmetic)};
+}
+
+/// Of the average: the shots are rounded apart from each other.
+Rounding averageRounding(const std::vector<WindowedResponse> &responses)
+{
+    Rounding squares;
+    for (const WindowedResponse &response : responses) {
+        const Rounding one = roundingOf(response);
+        squares.sd += one.sd * one.sd;
+        squares.lastingSd += one.lastingSd * one.lastingSd;
+    }
+    const double count = static_cast<double>(responses.size());
+    return {std::sqrt(squares.sd) / count, std::sqrt(squares.lastingSd) / count};
+}
+
+} // namespace
+
+std::vector<SeriesSource> seriesSources(const std::vector<WindowedResponse> &responses,
+    const ComponentResult &components, CombineMethod combine)
+{
+    std::vector<SeriesSource> list;
+    if (combine == CombineMethod::PcaAverage) {
+        list.push_back({0, components.average, 0, components.average.size(),
+            components.sampleRate_Hz, averageNoise(responses, components.sampleRate_Hz)});
+        const Rounding rounding = averageRounding(responses);
+        list.back().leastNoiseSd = rounding.sd;
+        list.back().roundingSd = rounding.lastingSd;
+        return list;
+    }
+    for (const WindowedResponse &response : responses) {
+        const Rounding rounding = roundingOf(response);
+        list.push_back({response.shot, response.values, response.lead, response.length,
+            response.sampleRate_Hz, response.noise, rounding.sd, rounding.lastingSd});
+    }
+    return list;
+}
+
+} // namespace dyncal

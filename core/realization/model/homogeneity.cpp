@@ -1,0 +1,399 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/realization/model/homogeneity.h"
+
+#include "core/base/distributions.h"
+#include "core/base/number_text.h"
+#include "core/realization/refinement/coloured_covariance.h"
+#include "core/realization/refinement/draft_fit.h"
+#include "core/realization/refinement/noise_basis.h"
+#include "core/realization/refinement/pole_refinement.h"
+#include "core/realization/refinement/pole_uncertainty.h"
+#include "core/realization/refinement/refinement.h"
+
+#include <Eigen/Cholesky>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace dyncal {
+namespace {
+
+constexpr double kSignificance = 0.01;
+constexpr double kSmallestP = 1e-4; ///< smaller ones are not worth telling apart
+
+/// The poles of the model fitted to some of the shots alone: those that stand out there.
+struct PartFit
+{
+    std::vector<std::size_t> series; ///< positions in the input
+    std::vector<std::optional<Index>> place; ///< of every pole of the draft among those fitted
+    std::optional<Refinement> refinement;
+    NoiseBasis noise;
+
+    bool has(Index pole) const
+    {
+        return refinement && place[static_cast<std::size_t>(pole)].has_value();
+    }
+    Index at(Index pole) const { return *place[static_cast<std::size_t>(pole)]; }
+};
+
+/// Energy over noise of a pole in one series, as the joint fit has it.
+double energyOf(const ModelInput &input, const ModelDraft &draft, std::size_t r, Index pole)
+{
+    return energyOverNoise(input.series[r], draft.series[r], pole, sampleInterval_s(input));
+}
+
+/// What every part is fitted from.
+struct Source
+{
+    const ModelInput &input;
+    const ModelDraft &draft;
+    std::vector<RefinementRecord> records;
+    std::optional<Index> main; ///< place of the main resonance in the draft
+};
+
+/// Poles that stand out in any of the series, or the main resonance alone.
+std::vector<bool> wantedPoles(
+    const Source &source, const std::vector<std::size_t> &series, bool mainOnly)
+{
+    std::vector<bool> wanted;
+    for (Index i = 0; i < std::ssize(source.draft.rates_rad_s); ++i) {
+        const bool isMain = source.main && (i == *source.main || i == *source.main + 1);
+        const bool standsOut = std::any_of(series.begin(), series.end(),
+            [&](std::size_t r) { return energyOf(source.input, source.draft, r, i) > kStandsOut; });
+        wanted.push_back(mainOnly ? isMain : standsOut);
+    }
+    return wanted;
+}
+
+PartFit fitPoles(const Source &source, const std::vector<std::size_t> &series,
+    const std::vector<bool> &wanted, const JobControl &control)
+{
+    PartFit part{series, {}, {}, {}};
+    std::vector<std::complex<double>> start_rad_s;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        part.place.emplace_back();
+        if (wanted[i]) {
+            part.place.back() = std::ssize(start_rad_s);
+            start_rad_s.push_back(source.draft.rates_rad_s[i]);
+        }
+    }
+    std::vector<RefinementRecord> records;
+    std::vector<NoiseCovariance> noise;
+    for (const std::size_t r : series) {
+        records.push_back(source.records[r]);
+        noise.push_back(source.input.series[r].fullRateNoise);
+    }
+    part.refinement
+        = refinePoles(records, start_rad_s, isStepTreatment(source.input.treatment), control);
+    if (part.refinement)
+        part.noise = allowForColour(records, noise, *part.refinement);
+    return part;
+}
+
+/// Poles that only the shots together tell apart cannot be fitted to one: then the main one alone,
+/// with what it leaves over in its uncertainty.
+PartFit fitPart(
+    const Source &source, const std::vector<std::size_t> &series, const JobControl &control)
+{
+    PartFit part = fitPoles(source, series, wantedPoles(source, series, false), control);
+    if (!part.refinement && source.main)
+        part = fitPoles(source, series, wantedPoles(source, series, true), control);
+    return part;
+}
+
+/// Shots that carry a level are taken together with those of the same one, from low to high.
+std::vector<PartFit> fitLevels(
+    const Source &source, const std::vector<PartFit> &shots, const JobControl &control)
+{
+    std::map<ShotLevel, std::vector<std::size_t>> levels;
+    for (std::size_t r = 0; r < source.input.series.size(); ++r) {
+        if (source.input.series[r].level != ShotLevel::None)
+            levels[source.input.series[r].level].push_back(r);
+    }
+    std::vector<PartFit> fits;
+    for (const auto &[level, series] : levels)
+        fits.push_back(
+            series.size() == 1 ? shots[series.front()] : fitPart(source, series, control));
+    return fits;
+}
+
+/// Plateau over the shots of a part, weighted by their uncertainties; the baseline that was
+/// subtracted moves each whole record.
+void describePlateau(const ModelInput &input, const PartFit &part, LevelPole &result)
+{
+    double weights = 0.0;
+    double sum = 0.0;
+    for (std::size_t i = 0; i < part.series.size(); ++i) {
+        const Eigen::MatrixXd covariance
+            = recordCovariance(*part.refinement, static_cast<Index>(i));
+        const double u_baseline = input.series[part.series[i]].u_baseline;
+        const double variance
+            = covariance(covariance.rows() - 1, covariance.rows() - 1) + u_baseline * u_baseline;
+        const double weight = variance > 0.0 ? 1.0 / variance : 1.0;
+        weights += weight;
+        sum += weight * part.refinement->records[i].constant;
+    }
+    result.plateauGain = sum / weights;
+    result.u_plateauGain = 1.0 / std::sqrt(weights);
+}
+
+LevelPole describePart(const ModelInput &input, const PartFit &part, std::optional<Index> main)
+{
+    LevelPole result;
+    result.level = input.series[part.series.front()].level;
+    double step = 0.0;
+    for (const std::size_t r : part.series) {
+        result.shots.push_back(input.series[r].shot);
+        step += input.series[r].step / static_cast<double>(part.series.size());
+    }
+    result.step = step;
+    if (!part.refinement)
+        return result;
+    if (main && part.has(*main)) {
+        const PoleFigures figures = poleFigures(*part.refinement, part.at(*main));
+        result.frequency_Hz = figures.frequency_Hz;
+        result.u_frequency_Hz = figures.u_frequency_Hz;
+        result.dampingRatio = figures.dampingRatio;
+        result.u_dampingRatio = figures.u_dampingRatio;
+    }
+    result.coverageFactor = coverageFactor95(part.noise.dof);
+    if (part.refinement->withConstant)
+        describePlateau(input, part, result);
+    return result;
+}
+
+std::optional<Index> mainPlace(const SensorModel &model)
+{
+    const Pole *main = mainPole(model);
+    if (!main)
+        return std::nullopt;
+    return static_cast<Index>(main - model.poles.data());
+}
+
+/// Sum of (theta_j - mean)^T V_j^-1 (theta_j - mean) over the shots, theta the real parameters of
+/// one pole in each shot, V_j their covariance, the mean weighted with V_j^-1.
+double disagreement(const std::vector<PartFit> &fits, Index pole, Index size, Index *dof)
+{
+    Eigen::MatrixXd information = Eigen::MatrixXd::Zero(size, size);
+    Eigen::VectorXd weighted = Eigen::VectorXd::Zero(size);
+    double squares = 0.0;
+    Index shots = 0;
+    std::complex<double> first; // differences from it: the squares of the rates themselves would
+                                // cancel to nothing where the noise is small
+    for (const PartFit &fit : fits) {
+        if (!fit.has(pole))
+            continue;
+        const Index at = fit.at(pole);
+        const std::complex<double> rate = fit.refinement->rates_rad_s[static_cast<std::size_t>(at)];
+        first = shots == 0 ? rate : first;
+        const std::complex<double> s = rate - first;
+        const Eigen::VectorXd theta = Eigen::Vector2d(s.real(), s.imag()).head(size);
+        const Eigen::MatrixXd V = fit.refinement->covariance.block(at, at, size, size);
+        const Eigen::LDLT<Eigen::MatrixXd> solver(V);
+        const Eigen::VectorXd share = solver.solve(theta);
+        information += solver.solve(Eigen::MatrixXd::Identity(size, size));
+        weighted += share;
+        squares += theta.dot(share);
+        ++shots;
+    }
+    *dof = std::max<Index>(0, (shots - 1) * size);
+    return *dof == 0 ? 0.0 : squares - weighted.dot(information.ldlt().solve(weighted));
+}
+
+/// The scatter of one quantity over the shots, carried to their mean weighted by 1/u^2.
+double betweenShots(const std::vector<double> &values, const std::vector<double> &u)
+{
+    const double count = static_cast<double>(values.size());
+    double mean = 0.0;
+    for (const double value : values)
+        mean += value / count;
+    double squares = 0.0;
+    double weights = 0.0;
+    double weightSquares = 0.0;
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        squares += (values[i] - mean) * (values[i] - mean);
+        const double weight = 1.0 / (u[i] * u[i]);
+        weights += weight;
+        weightSquares += weight * weight;
+    }
+    return std::sqrt(squares / (count - 1.0) * weightSquares) / weights;
+}
+
+/// What the shots themselves say of a pole they do not share.
+void useScatter(const std::vector<PartFit> &fits, Index at, Pole &pole)
+{
+    std::vector<double> frequency;
+    std::vector<double> u_frequency;
+    std::vector<double> damping;
+    std::vector<double> u_damping;
+    for (const PartFit &fit : fits) {
+        if (!fit.has(at))
+            continue;
+        const PoleFigures figures = poleFigures(*fit.refinement, fit.at(at));
+        frequency.push_back(figures.frequency_Hz);
+        u_frequency.push_back(figures.u_frequency_Hz);
+        damping.push_back(figures.dampingRatio);
+        u_damping.push_back(figures.u_dampingRatio);
+    }
+    pole.flags.push_back(kShotsDisagreeFlag);
+    if (frequency.size() < 2) { // one shot says nothing of the others
+        pole.u_frequency_Hz = kUnknown;
+        pole.u_dampingRatio = kUnknown;
+        pole.coverageFactor = kUnknown;
+        return;
+    }
+    const double k = coverageFactor95(static_cast<double>(frequency.size() - 1));
+    // Never narrower than the noise alone makes the interval.
+    const double noise = pole.coverageFactor / k;
+    pole.u_frequency_Hz
+        = std::max(noise * pole.u_frequency_Hz, betweenShots(frequency, u_frequency));
+    if (pole.s_rad_s.imag() != 0.0)
+        pole.u_dampingRatio
+            = std::max(noise * pole.u_dampingRatio, betweenShots(damping, u_damping));
+    pole.coverageFactor = k;
+}
+
+struct PoleTest
+{
+    std::size_t pole = 0;
+    double statistic = 0.0;
+    double dof = 0.0;
+    double probability = 1.0;
+};
+
+/// A pole that rings in one shot and is missing in another, where it would ring ten times above
+/// what stands out if the shots had one shape: it does not stand out there, or holds a thousandth
+/// of that energy (what is left of fitting poles that are not quite that shot's). The statistic:
+/// what is missing, as energy over noise.
+double missing(const ModelInput &input, const ModelDraft &draft, Index pole)
+{
+    constexpr double kClear = 10.0;
+    constexpr double kTrace = 1e-3;
+    const auto clarity = [&](std::size_t r) { // of the step
+        return std::pow(draft.series[r].constant / input.series[r].noiseSd, 2);
+    };
+    double largest = 0.0; // of the energy, for a step as clear as 1
+    for (std::size_t r = 0; r < input.series.size(); ++r) {
+        if (clarity(r) > 0.0)
+            largest = std::max(largest, energyOf(input, draft, r, pole) / clarity(r));
+    }
+    double statistic = 0.0;
+    for (std::size_t r = 0; r < input.series.size(); ++r) {
+        const double expected = largest * clarity(r);
+        const double found = energyOf(input, draft, r, pole);
+        const bool isAbsent = found <= std::max(kStandsOut, kTrace * expected);
+        if (isAbsent && expected > kClear * kStandsOut && std::isfinite(expected))
+            statistic = std::max(statistic, std::pow(std::sqrt(expected) - std::sqrt(found), 2));
+    }
+    return statistic;
+}
+
+std::vector<PoleTest> testPoles(const ModelInput &input, const ModelDraft &draft,
+    const std::vector<PartFit> &fits, const SensorModel &model)
+{
+    std::vector<PoleTest> tests;
+    for (std::size_t i = 0; i < model.poles.size(); ++i) {
+        const Pole &pole = model.poles[i];
+        if (pole.poleClass != PoleClass::Sensor || pole.s_rad_s.imag() < 0.0)
+            continue;
+        const Index size = pole.s_rad_s.imag() > 0.0 ? 2 : 1;
+        Index dof = 0;
+        const double statistic
+            = std::max(disagreement(fits, static_cast<Index>(i), size, &dof), 0.0); // NaN stays NaN
+        if (!std::isfinite(statistic))
+            continue;
+        const double degrees = static_cast<double>(dof);
+        PoleTest test{i, statistic, degrees, dof > 0 ? chiSquareSurvival(statistic, degrees) : 1.0};
+        if (const double absent = missing(input, draft, static_cast<Index>(i)); absent > statistic)
+            test = {i, absent, 2.0, chiSquareSurvival(absent, 2.0)};
+        if (test.dof > 0.0)
+            tests.push_back(test);
+    }
+    return tests;
+}
+
+void judgeShared(const ModelInput &input, const ModelDraft &draft, const std::vector<PartFit> &fits,
+    SensorModel &model)
+{
+    const std::vector<PoleTest> tests = testPoles(input, draft, fits, model);
+    if (tests.empty())
+        return;
+    // Several poles are several chances to fail: each is tested at its share of 1 %.
+    const double share = static_cast<double>(tests.size());
+    const PoleTest &worst = *std::min_element(tests.begin(), tests.end(),
+        [](const PoleTest &a, const PoleTest &b) { return a.probability < b.probability; });
+    model.homogeneity = Homogeneity{model.poles[worst.pole].frequency_Hz, worst.statistic,
+        worst.dof, std::min(1.0, share * worst.probability), true};
+    model.homogeneity->passed = model.homogeneity->probability >= kSignificance;
+    for (const PoleTest &test : tests) {
+        if (share * test.probability >= kSignificance)
+            continue;
+        Pole &upper = model.poles[test.pole];
+        useScatter(fits, static_cast<Index>(test.pole), upper);
+        if (upper.s_rad_s.imag() > 0.0) {
+            Pole &lower = model.poles[test.pole + 1];
+            lower.u_frequency_Hz = upper.u_frequency_Hz;
+            lower.u_dampingRatio = upper.u_dampingRatio;
+            lower.coverageFactor = upper.coverageFactor;
+            lower.flags.push_back(kShotsDisagreeFlag);
+        }
+    }
+}
+
+} // namespace
+
+void compareShots(
+    const ModelInput &input, const ModelDraft &draft, SensorModel &model, const JobControl &control)
+{
+    if (!draft.refinement || input.series.front().shot == 0)
+        return;
+    const Source source{input, draft, refinementRecords(input), mainPlace(model)};
+    std::vector<PartFit> shots;
+    for (std::size_t r = 0; r < input.series.size(); ++r)
+        shots.push_back(fitPart(source, {r}, control));
+    for (const PartFit &fit : shots)
+        model.perShot.push_back(describePart(input, fit, source.main));
+    for (const PartFit &fit : fitLevels(source, shots, control))
+        model.perLevel.push_back(describePart(input, fit, source.main));
+    if (shots.size() > 1)
+        judgeShared(input, draft, shots, model);
+}
+
+Findings judgeShots(const SensorModel &model)
+{
+    if (!model.homogeneity || model.homogeneity->passed)
+        return {};
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = 0.0;
+    for (const LevelPole &shot : model.perShot) {
+        if (std::isfinite(shot.frequency_Hz)) {
+            lowest = std::min(lowest, shot.frequency_Hz);
+            highest = std::max(highest, shot.frequency_Hz);
+        }
+    }
+    const double p = model.homogeneity->probability;
+    const std::string probability
+        = p < kSmallestP ? "< " + numberText(100.0 * kSmallestP, 1) : numberText(100.0 * p, 2);
+    const std::string pole = numberWithUnit(model.homogeneity->frequency_Hz, "Hz", 4);
+    Message message{DYNCAL_TEXT("core",
+                        "The shots do not share the pole at %1 (their scatter would be chance "
+                        "in %2 % of cases; the limit is 1 %). Its uncertainty is the scatter "
+                        "between them; state one value per "
+                        "level."),
+        {pole, probability}};
+    if (highest > lowest)
+        message = {DYNCAL_TEXT("core",
+                       "The shots do not share the pole at %1 (their scatter would be chance "
+                       "in %2 % of cases; the limit is 1 %); their main resonances lie at %3 to "
+                       "%4. Its uncertainty is the scatter between "
+                       "them; state one value per level."),
+            {pole, probability, numberWithUnit(lowest, "Hz", 6), numberWithUnit(highest, "Hz", 6)}};
+    return {{"MOD-010", Severity::Caution, 0, {}, {}, std::move(message),
+        model.homogeneity->probability, kSignificance}};
+}
+
+} // namespace dyncal

@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/finding.h"
+#include "core/realization/hankel/hankel_decomposition.h"
+#include "core/realization/input/model_input.h"
+#include "core/realization/model/sensor_model.h"
+#include "core/signal/spectrum_analysis.h"
+
+namespace dyncal {
+
+/// What the operator must see about a realised model: ORD-001, ORD-003, MOD-001..006, 008, 009.
+Findings judgeModel(const SensorModel &model, const ModelInput &input,
+    const HankelDecomposition &decomposition, const SpectrumResult &spectrum);
+
+/// Marks in every pole's flags what else the table says of it: "step", "nyquist", "unstable",
+/// "near-cancelled" (a zero within 1e-3 in the z plane), "integrator" (real, as slow as its own
+/// standard uncertainty allows). After "below-noise", which comes with the class.
+void flagPoles(SensorModel &model);
+
+} // namespace dyncal

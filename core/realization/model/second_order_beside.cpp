@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/realization/model/second_order_beside.h"
+
+#include "core/realization/refinement/draft_fit.h"
+#include "core/realization/refinement/refinement.h"
+#include "core/realization/second_order/second_order_fit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dyncal {
+namespace {
+
+struct Start
+{
+    double f0_Hz = 0.0;
+    double zeta = 0.0;
+};
+
+/// From the oscillating pole that holds most, else from the two slowest real ones.
+Start resonanceOf(const SensorModel &model)
+{
+    if (const Pole *main = mainPole(model))
+        return {main->frequency_Hz, main->dampingRatio};
+    std::vector<double> real;
+    for (const Pole &pole : model.poles) {
+        if (pole.poleClass == PoleClass::Sensor && pole.s_rad_s.imag() == 0.0)
+            real.push_back(std::abs(pole.s_rad_s.real()));
+    }
+    if (real.empty())
+        return {};
+    constexpr double kMuchFaster = 9.0; // where only one lag was found
+    std::sort(real.begin(), real.end());
+    const double slow = real[0];
+    const double fast = real.size() > 1 ? real[1] : kMuchFaster * slow;
+    const double omega = std::sqrt(slow * fast);
+    return {omega / (2.0 * std::numbers::pi), (slow + fast) / (2.0 * omega)};
+}
+
+/// The records at their own rate, with the nuisance terms as the model has them.
+std::vector<RefinementRecord> recordsOf(const ModelInput &input, const ModelDraft &draft)
+{
+    std::vector<RefinementRecord> records = refinementRecords(input);
+    for (std::size_t r = 0; r < records.size(); ++r)
+        records[r].nuisance = draft.nuisance[r];
+    return records;
+}
+
+} // namespace
+
+void fitSecondOrderBeside(
+    const ModelInput &input, const ModelDraft &draft, SensorModel &model, const JobControl &control)
+{
+    if (!isStepTreatment(input.treatment) || isThesisMode(input) || model.diverges)
+        return;
+    const Start resonance = resonanceOf(model);
+    SecondOrderStart start{resonance.f0_Hz, resonance.zeta, {}, {}};
+    for (const SeriesFit &series : model.series) {
+        start.plateau.push_back(series.plateauGain);
+        start.onset_s.push_back(series.onset_s);
+    }
+    model.secondOrder
+        = fitSecondOrder(input, recordsOf(input, draft), start, model.fit_percent, control);
+}
+
+} // namespace dyncal

@@ -1,0 +1,69 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/realization/model/sensor_model.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+
+namespace dyncal {
+namespace {
+
+/// What at least half of the shots have of a pole, in units of each shot's plateau where it has
+/// one: the median, of an even number the smaller middle one.
+double commonAmplitude(const SensorModel &model, std::size_t pole)
+{
+    std::vector<double> amplitudes;
+    for (const SeriesFit &fit : model.series) {
+        if (static_cast<Index>(pole) >= fit.amplitudes.size())
+            return model.poles[pole].amplitude;
+        const double unit = fit.plateauGain != 0.0 ? std::abs(fit.plateauGain) : 1.0;
+        amplitudes.push_back(std::abs(fit.amplitudes[static_cast<Index>(pole)]) / unit);
+    }
+    if (amplitudes.empty())
+        return model.poles[pole].amplitude;
+    const auto middle = amplitudes.begin() + (std::ssize(amplitudes) - 1) / 2;
+    std::ranges::nth_element(amplitudes, middle);
+    return *middle;
+}
+
+} // namespace
+
+const char *poleClassName(PoleClass poleClass)
+{
+    switch (poleClass) {
+    case PoleClass::Sensor:
+        return "sensor";
+    case PoleClass::Step:
+        return "step";
+    case PoleClass::Nyquist:
+        return "nyquist";
+    case PoleClass::Unstable:
+        return "unstable";
+    case PoleClass::Other:
+        break;
+    }
+    return "other";
+}
+
+const Pole *mainPole(const SensorModel &model)
+{
+    const Pole *main = nullptr;
+    double most = 0.0;
+    for (std::size_t i = 0; i < model.poles.size(); ++i) {
+        const Pole &pole = model.poles[i];
+        if (pole.poleClass != PoleClass::Sensor || pole.s_rad_s.imag() <= 0.0)
+            continue;
+        const double amplitude = commonAmplitude(model, i);
+        const double energy = amplitude * amplitude / std::abs(pole.s_rad_s.real());
+        if (!main || energy > most) {
+            main = &pole;
+            most = energy;
+        }
+    }
+    return main;
+}
+
+} // namespace dyncal

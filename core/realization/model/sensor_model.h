@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/finding.h"
+#include "core/base/index.h"
+#include "core/capture/capture_set.h"
+#include "core/realization/exponentials/exponential_sum.h"
+#include "core/realization/hankel/state_space_model.h"
+#include "core/realization/input/nuisance_term.h"
+#include "core/realization/input/realization_settings.h"
+#include "core/realization/refinement/model_draft.h"
+#include "core/realization/second_order/second_order_model.h"
+#include "core/signal/window_bands.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dyncal {
+
+enum class PoleClass { Sensor, Step, Nyquist, Unstable, Other };
+
+const char *poleClassName(PoleClass poleClass); ///< "sensor", "step", ...
+
+inline constexpr const char *kBelowNoiseFlag = "below-noise";
+inline constexpr const char *kShotsDisagreeFlag = "shots-disagree";
+inline constexpr const char *kTubeModeFlag = "tube-mode"; ///< where the gas of the tube may ring
+
+inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+
+/// One pole of the model: z in the sampled plane, s = ln(z)/Ts in the continuous one.
+struct Pole
+{
+    std::complex<double> z;
+    std::complex<double> s_rad_s;
+    PoleClass poleClass = PoleClass::Other;
+    std::vector<std::string> flags; ///< "below-noise" and those of flagPoles()
+    double frequency_Hz = 0.0; ///< undamped, |s|/2pi, for real poles too
+    double u_frequency_Hz = kUnknown;
+    double dampingRatio = 0.0; ///< -Re s/|s|
+    double u_dampingRatio = kUnknown;
+    double amplitude = 0.0; ///< |c_i| at the onset, pooled over the shots
+    double coverageFactor = kUnknown; ///< k: value +- k u is a 95 % interval of f0 and of zeta
+};
+
+/// How one series is described by the shared poles: y(t) = c0 + sum c_i e^(s_i (t - onset)).
+struct SeriesFit
+{
+    Index shot = 0; ///< number from 1; 0 = the average
+    double plateauGain = 0.0; ///< c0, in the units of the series (0 for impulse)
+    double u_plateauGain = kUnknown;
+    Eigen::VectorXcd amplitudes; ///< c_i at the onset, the anti-alias filter's gain divided out,
+                                 ///< as the step alone would give them
+    ExponentialSum recorded; ///< as fitted, without the nuisance modes; time 0 = detected start
+    std::vector<SampleRange> leftOut; ///< of the record from the start on: not fitted
+    double onset_s = 0.0; ///< relative to the detected start
+    double u_onset_s = kUnknown;
+    Eigen::VectorXd simulated; ///< at the samples of the series, through the filter as measured,
+                               ///< nuisance modes included
+    Eigen::VectorXd error; ///< y - simulated
+    double fit_percent = 0.0;
+    double fitAttainable_percent = 0.0; ///< what the true model would score, from pre-trigger noise
+};
+
+/// One mode that is not the sensor's, in one shot.
+struct NuisanceOfShot
+{
+    Index shot = 0;
+    NuisanceTerm term; ///< time 0 at the detected start
+    double u_frequency_Hz = kUnknown;
+    double u_dampingRatio = kUnknown;
+    double relativeAmplitude = 0.0; ///< of the plateau, at the onset
+    double phase_rad = 0.0; ///< at the onset, of a cosine
+};
+
+/// One mode of the recipe that was taken out of the response.
+struct NuisanceResult
+{
+    NuisanceMode mode;
+    std::vector<NuisanceOfShot> perShot;
+};
+
+/// The same order with the modes left in the response, beside the model without them.
+struct NuisanceEffect
+{
+    struct Side
+    {
+        double residualRms = kUnknown; ///< over the model inputs, in the units of the series
+        double fit_percent = kUnknown;
+        double f0_Hz = kUnknown; ///< of the main resonance
+        double u_f0_Hz = kUnknown;
+        double zeta = kUnknown;
+        double u_zeta = kUnknown;
+        double plateauGain = kUnknown;
+    };
+    Side before;
+    Side after;
+};
+
+/// The main resonance and the plateau of one shot, or of the shots of one level together,
+/// fitted to these alone: the trend with the step. Unknown where that fit does not converge.
+struct LevelPole
+{
+    std::vector<Index> shots; ///< numbers from 1
+    ShotLevel level = ShotLevel::None;
+    double step = kUnknown; ///< mean of the shots' steps, in the unit of the recording
+    double frequency_Hz = kUnknown;
+    double u_frequency_Hz = kUnknown;
+    double dampingRatio = kUnknown;
+    double u_dampingRatio = kUnknown;
+    double plateauGain = kUnknown; ///< c0, in the units of the series
+    double u_plateauGain = kUnknown;
+    double coverageFactor = kUnknown; ///< k of these u at 95 %
+};
+
+/// Test whether the shots share the model's poles, at 1 % (docs/method/model.md); of the pole
+/// on which they agree least.
+struct Homogeneity
+{
+    double frequency_Hz = 0.0;
+    double statistic = 0.0; ///< chi square
+    double dof = 0.0;
+    double probability = 1.0; ///< of so much scatter by chance, times the number of poles tested
+    bool passed = true;
+};
+
+/// The realised model of one order. Immutable; every number of the model views comes from here.
+/// fitModel() makes it; what is marked [A] comes with assessModel() and is empty or unknown before.
+struct SensorModel
+{
+    Index order = 0;
+    StateSpaceModel stateSpace;
+    std::vector<Pole> poles; ///< by frequency, upper half first; the step's own pole last
+    std::vector<std::complex<double>> zeros;
+    std::vector<SeriesFit> series;
+    double plateauGain = 0.0; ///< pooled c0
+    Eigen::VectorXcd
+        amplitudes; ///< pooled c_i at the onset, order of `poles` without the step pole
+    double fit_percent = 0.0; ///< aligned, pooled over the shots
+    double fitAttainable_percent = 0.0;
+    std::optional<double> fitListing_percent; ///< thesis mode: as the listing computes it
+    bool diverges = false; ///< a pole outside the unit circle makes the simulation run away
+    bool refined = false;
+    bool isAssessed = false; ///< [A] also u, coverageFactor, "shots-disagree" and "integrator" of
+                             ///< the poles, MOD-010 and MOD-011
+    ModelDraft draft; ///< what the assessment goes on from
+    std::vector<NuisanceResult> nuisance; ///< left out of everything above but `simulated`
+    std::optional<NuisanceEffect> nuisanceEffect; ///< [A] where both sides could be refined
+    /// Noise that the uncertainties rest on: "white", "AR(p)", with " of the residual" where
+    /// that exceeds the noise before the start; empty without refinement.
+    std::string uncertaintyMethod;
+    std::vector<LevelPole> perShot; ///< [A] in shot order
+    std::vector<LevelPole> perLevel; ///< [A] from low to high; only shots with a level
+    std::optional<Homogeneity> homogeneity; ///< [A] empty with fewer than two shots, or where no
+                                            ///< pole of them could be compared
+    std::optional<SecondOrderModel> secondOrder; ///< [A] the 2nd-order sensor fitted beside it
+    Findings findings; ///< ORD-001, ORD-003, MOD-001..013; MOD-010, 011 [A]
+};
+
+/// The sensor's main resonance, which results and certificate speak of as f0 and zeta: the
+/// oscillating sensor pole (upper half) whose ringing holds most energy, |c|^2 / |Re s| (the
+/// largest amplitude would be a well-damped spurious pole at high orders), in the middle one of
+/// the shots: what rings in one of three only is not the sensor. Null if nothing oscillates.
+const Pole *mainPole(const SensorModel &model);
+
+} // namespace dyncal

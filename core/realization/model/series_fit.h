@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/realization/hankel/state_space_model.h"
+#include "core/realization/input/model_input.h"
+#include "core/realization/model/sensor_model.h"
+#include "core/realization/refinement/model_draft.h"
+
+#include <vector>
+
+namespace dyncal {
+
+/// How series `r` of the input is described by the draft: plateau, onset with its uncertainty,
+/// amplitudes at the onset, simulation and FIT. `isSensor` tells which poles take part in the
+/// search for the onset; `stateSpace` is what thesis mode simulates with.
+SeriesFit describeSeries(const ModelInput &input, const ModelDraft &draft, std::size_t r,
+    const std::vector<bool> &isSensor, const StateSpaceModel &stateSpace);
+
+} // namespace dyncal

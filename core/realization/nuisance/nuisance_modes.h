@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/index.h"
+#include "core/realization/input/model_input.h"
+#include "core/realization/input/nuisance_term.h"
+#include "core/realization/input/realization_settings.h"
+#include "core/signal/response_window.h"
+#include "core/signal/spectrum_analysis.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <optional>
+#include <vector>
+
+namespace dyncal {
+
+// Modes that are not the sensor's (docs/method/nuisance-modes.md): oscillations of the gas in the
+// tube, and whatever else the operator marks. Each shot has its own frequency, damping, size and
+// phase of each mode.
+
+/// Frequency at which each mode is expected in a shot (number from 1 of the capture set), empty
+/// where the recipe gives none for it. `soundSpeeds_m_s` of region 5, per shot of the set where
+/// known: a tube mode with one frequency moves with them.
+std::vector<std::optional<double>> expectedFrequencies_Hz(const std::vector<NuisanceMode> &modes,
+    Index shot, const std::vector<std::optional<double>> &soundSpeeds_m_s);
+
+/// The spectra's resonances without those that are nuisance modes, so that neither model rate nor
+/// length are chosen for one. `responses` are the shots of the spectra.
+SpectrumResult withoutNuisancePeaks(const SpectrumResult &spectrum,
+    const std::vector<WindowedResponse> &responses, const std::vector<NuisanceMode> &modes,
+    const std::vector<std::optional<double>> &soundSpeeds_m_s);
+
+/// Whether anything was taken out of the series, or bridged.
+bool hasCorrection(const ModelInput &input);
+
+/// Whether any mode was found in any series.
+bool hasNuisance(const ModelInput &input);
+
+/// The input with the correction applied: what the Hankel decomposition and the order see.
+ModelInput sensorOnly(const ModelInput &input);
+
+/// Poles (z plane, paired) without those that are a nuisance mode of the input.
+std::vector<std::complex<double>> withoutNuisancePoles(
+    const ModelInput &input, const std::vector<std::complex<double>> &poles);
+
+/// Amplitudes that the step alone gives a sensor, from those of its response to the step and the
+/// tube's modes that the step set off: 1 + sum Re(a e^(s_m t)) from the onset on, a = A/G(s_m).
+/// `amplitudes` and `terms` at the onset; terms that were there before the step change nothing.
+Eigen::VectorXcd amplitudesOfStep(const Eigen::VectorXcd &rates_rad_s,
+    const Eigen::VectorXcd &amplitudes, double constant, const std::vector<NuisanceTerm> &terms);
+
+/// The terms with time 0 moved to `onset_s`.
+std::vector<NuisanceTerm> termsAt(const std::vector<NuisanceTerm> &terms, double onset_s);
+
+} // namespace dyncal

@@ -1,0 +1,123 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/realization/nuisance/nuisance_separation.h"
+
+#include "core/realization/exponentials/pole_rates.h"
+#include "core/realization/hankel/hankel_decomposition.h"
+#include "core/realization/hankel/order_suggestion.h"
+#include "core/realization/hankel/realized_poles.h"
+#include "core/realization/input/left_out.h"
+#include "core/realization/nuisance/nuisance_modes.h"
+#include "core/realization/nuisance/nuisance_search.h"
+#include "core/realization/refinement/draft_fit.h"
+#include "core/realization/refinement/pole_refinement.h"
+#include "core/realization/refinement/refinement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+
+namespace dyncal {
+namespace {
+
+constexpr Index kMostStates = 12;
+constexpr int kRounds = 3;
+constexpr double kSettled = 1e-4; ///< relative change of the modes' frequencies
+
+/// Poles of one order as rates, where all of them decay.
+std::vector<std::complex<double>> sensorRates(
+    const ModelInput &input, const HankelDecomposition &hankel, Index order)
+{
+    std::vector<std::complex<double>> rates;
+    for (const std::complex<double> &z :
+        withoutNuisancePoles(input, realizedPoles(hankel, order))) {
+        if (!(std::abs(z) < 1.0) || (z.imag() == 0.0 && z.real() <= 0.0))
+            return {};
+        rates.push_back(rateOf(z, sampleInterval_s(input)));
+    }
+    return rates;
+}
+
+/// Sensor and modes together, with the suggested order of `rest`, the response without the modes.
+/// What a first estimate of a mode has left of it may be taken for a state of the sensor; then the
+/// next lower order that converges serves, as the modes are better known behind it.
+std::optional<Refinement> jointFit(
+    const ModelInput &input, const ModelInput &rest, const JobControl &control)
+{
+    const auto hankel = decomposeHankel(rest, {}, control);
+    if (!hankel)
+        return std::nullopt;
+    Index order = std::min(kMostStates, suggestOrder(rest, *hankel).order);
+    for (; order >= 1 && !control.stopRequested(); --order) {
+        const auto rates = sensorRates(input, *hankel, order);
+        if (rates.empty())
+            continue;
+        if (auto fit = refinePoles(
+                refinementRecords(input), rates, isStepTreatment(input.treatment), control))
+            return fit;
+    }
+    return std::nullopt;
+}
+
+/// The better of the fits that begin with the bridged response and with a run of it that needs no
+/// bridge: a straight line across a ringing is a poor one.
+std::optional<Refinement> bestFit(const ModelInput &input, const JobControl &control)
+{
+    const ModelInput rest = sensorOnly(input);
+    std::optional<Refinement> best = jointFit(input, rest, control);
+    if (input.leftOut.empty())
+        return best;
+    const ModelInput run = cleanRun(rest);
+    if (run.series.empty())
+        return best;
+    std::optional<Refinement> other = jointFit(input, run, control);
+    if (!best || (other && other->residualToNoise < best->residualToNoise))
+        return other;
+    return best;
+}
+
+/// The series as the joint fit has them; the largest relative change of a mode's frequency.
+double takeFit(ModelInput &input, const Refinement &fit)
+{
+    double change = 0.0;
+    for (std::size_t r = 0; r < input.series.size(); ++r) {
+        ModelSeries &series = input.series[r];
+        const std::vector<NuisanceTerm> before = series.nuisance;
+        series.nuisance = fit.nuisance[r];
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            change = std::max(change,
+                std::abs(series.nuisance[i].frequency_Hz() / before[i].frequency_Hz() - 1.0));
+        }
+        series.correction
+            = series.leftOut.empty() ? Eigen::VectorXd() : bridge(series, fit.records[r]);
+        if (!series.nuisance.empty())
+            setNuisance(input, series, series.nuisance);
+    }
+    return change;
+}
+
+} // namespace
+
+void separateNuisance(ModelInput &input, const std::vector<WindowedResponse> &responses,
+    const std::vector<NuisanceMode> &modes,
+    const std::vector<std::optional<double>> &soundSpeeds_m_s, const JobControl &control)
+{
+    input.nuisanceModes = modes;
+    input.soundSpeeds_m_s = soundSpeeds_m_s;
+    if (!modes.empty())
+        searchNuisance(input, responses);
+    if (!hasNuisance(input) && input.leftOut.empty())
+        return;
+    for (int round = 0; round < kRounds; ++round) {
+        const auto fit = bestFit(input, control);
+        if (!fit)
+            break;
+        const double change = takeFit(input, *fit);
+        // A bridge is only as good as the fit before: one round more than for modes alone.
+        if (change < kSettled && (input.leftOut.empty() || round > 0))
+            break;
+    }
+}
+
+} // namespace dyncal

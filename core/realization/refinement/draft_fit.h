@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/progress.h"
+#include "core/realization/exponentials/exponential_sum.h"
+#include "core/realization/input/model_input.h"
+#include "core/realization/refinement/model_draft.h"
+#include "core/realization/refinement/refinement.h"
+
+#include <complex>
+#include <vector>
+
+namespace dyncal {
+
+/// What was fitted to a series' samples, brought back to time 0 and freed of the filter's gain.
+ExponentialSum atStart(const ModelSeries &series,
+    const std::vector<std::complex<double>> &rates_rad_s, const AmplitudeFit &fit);
+
+/// Amplitudes by least squares at the model rate for the poles given (z plane, without the step's),
+/// brought back to time 0 and freed of the filter's gain. Rates sorted by |s|.
+ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<double>> &poles);
+
+/// What the refinement fits: the series at their own rate, weighted by their noise, with their
+/// nuisance terms.
+std::vector<RefinementRecord> refinementRecords(const ModelInput &input);
+
+/// Refines poles and amplitudes on the records at their own rate from the start on, where no filter
+/// stands between onset and data. Leaves the draft alone in thesis mode, beyond order 12, for poles
+/// that do not decay, and where the refinement does not converge.
+void refineDraft(const ModelInput &input, ModelDraft &draft, const JobControl &control);
+
+} // namespace dyncal

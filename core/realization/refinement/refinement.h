@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/index.h"
+#include "core/realization/exponentials/exponential_sum.h"
+#include "core/realization/input/nuisance_term.h"
+#include "core/signal/window_bands.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <vector>
+
+namespace dyncal {
+
+/// One record that the refinement fits: y(t) = c0 + sum c_i e^(s_i t) + its nuisance terms,
+/// t = index / rate.
+struct RefinementRecord
+{
+    Eigen::VectorXd y;
+    double rate_Hz = 0.0;
+    double weight = 1.0; ///< 1 / noise sd
+    std::vector<NuisanceTerm> nuisance = {}; ///< rates to start from; amplitudes are fitted
+    std::vector<SampleRange> used = {}; ///< samples that take part, in order; empty = all
+};
+
+/// Outcome of the joint fit: poles shared by all records, amplitudes of each its own.
+struct Refinement
+{
+    std::vector<std::complex<double>> rates_rad_s; ///< s_i, paired as given
+    std::vector<ExponentialSum> records; ///< amplitudes at t = 0, without the nuisance terms
+    std::vector<std::vector<NuisanceTerm>> nuisance; ///< per record, as fitted
+    Eigen::MatrixXd covariance; ///< of (real parameters of the poles, then per record of
+                                ///< amplitudes, c0, nuisance terms)
+    std::vector<Index> offsets; ///< where each record's own parameters begin in it
+    Index poleParameters = 0; ///< n: per pair (Re s, Im s), per real pole Re s
+    bool withConstant = false;
+    double residualToNoise = 1.0; ///< rms of the weighted residual: 1 where the noise explains it
+};
+
+/// The response of one record with parameter `index` of its own (poles first, then amplitudes, c0)
+/// moved by `delta`: for propagating the covariance through what is derived from the response.
+ExponentialSum perturbed(const Refinement &refinement, Index record, Index index, double delta);
+
+/// Covariance of the poles' and one record's parameters, in the order of perturbed().
+Eigen::MatrixXd recordCovariance(const Refinement &refinement, Index record);
+
+/// Covariance of (Re rate, Im rate, Re amplitude, Im amplitude) of one nuisance term of a record.
+Eigen::Matrix4d nuisanceCovariance(const Refinement &refinement, Index record, Index term);
+
+} // namespace dyncal

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/realization/exponentials/exponential_regression.h"
+#include "core/realization/refinement/refinement.h"
+
+#include <Eigen/Core>
+
+#include <complex>
+#include <vector>
+
+namespace dyncal {
+
+/// The least squares of refinePoles() as a function of one vector of parameters: poles first, then
+/// per record n amplitudes, maybe c0, and per nuisance term Re and Im of rate and amplitude. Times
+/// are scaled by `unit_s`, so that all parameters of the sensor are of order one. Keeps a reference
+/// to the records.
+class RefinementProblem
+{
+public:
+    /// `start_rad_s`: pairs together, the upper half first. Without any rate there is nothing to
+    /// fit, and unit_s() is 0.
+    RefinementProblem(const std::vector<RefinementRecord> &records,
+        const std::vector<std::complex<double>> &start_rad_s, bool withConstant);
+
+    const std::vector<RefinementRecord> &records() const { return m_records; }
+    /// Per mode: conjugate pair, or one real pole.
+    const std::vector<bool> &isPair() const { return m_isPair; }
+    bool withConstant() const { return m_withConstant; }
+    double unit_s() const { return m_unit_s; }
+
+    Index poles() const { return m_start.size(); }
+    Index parameters() const { return offset(m_records.size()); }
+    Index offset(std::size_t record) const;
+    Index nuisanceOffset(std::size_t record, std::size_t term) const;
+    /// Samples that take part, of all records.
+    Index samples() const;
+
+    /// Parameters at the rates to start from, amplitudes zero.
+    Eigen::VectorXd start() const;
+    /// J^T J, J^T r and r^T r of all records, weighted.
+    RegressionEquations equations(const Eigen::VectorXd &theta) const;
+    /// Best amplitudes for the rates of `theta`.
+    void solveAmplitudes(Eigen::VectorXd &theta) const;
+    /// Whether every pole decays and every mode still speaks of the oscillation it started from.
+    bool isNearStart(const Eigen::VectorXd &theta) const;
+
+private:
+    Index perRecord() const { return poles() + (m_withConstant ? 1 : 0); }
+    double step(std::size_t record) const { return 1.0 / m_records[record].rate_Hz / m_unit_s; }
+    bool isWorthAThread() const;
+    std::vector<RegressionMode> modes(const Eigen::VectorXd &theta, std::size_t record) const;
+    std::vector<Index> amplitudePlaces(std::size_t record) const;
+    std::vector<Index> places(std::size_t record) const;
+
+    const std::vector<RefinementRecord> &m_records;
+    std::vector<ExponentialRegression> m_regressions; ///< one per record
+    std::vector<bool> m_isPair;
+    bool m_withConstant;
+    double m_unit_s = 0.0;
+    Eigen::VectorXd m_start; ///< of the poles
+};
+
+/// The records as means of `factor` samples, without the rest at their ends and the means that a
+/// sample left out touches. Exponentials stay exponentials of the same rates.
+std::vector<RefinementRecord> averaged(const std::vector<RefinementRecord> &records, Index factor);
+
+} // namespace dyncal

@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/realization/second_order/second_order_step.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+namespace {
+
+using Complex = std::complex<double>;
+constexpr double kCriticalDistance = 1e-4; ///< of zeta from 1
+
+} // namespace
+
+void SecondOrderStep::setParameters(const Eigen::VectorXd &values)
+{
+    logOmega = values[0];
+    logZeta = values[1];
+    plateau = values[2];
+    onset = values[3];
+    Index at = 4;
+    for (Mode &mode : modes) {
+        mode.rate = {values[at], values[at + 1]};
+        mode.amplitude = {values[at + 2], values[at + 3]};
+        at += 4;
+    }
+}
+
+Eigen::VectorXd SecondOrderStep::parameterValues() const
+{
+    Eigen::VectorXd values(parameters());
+    values.head(4) << logOmega, logZeta, plateau, onset;
+    Index at = 4;
+    for (const Mode &mode : modes) {
+        values.segment(at, 4) << mode.rate.real(), mode.rate.imag(), mode.amplitude.real(),
+            mode.amplitude.imag();
+        at += 4;
+    }
+    return values;
+}
+
+double SecondOrderStep::zeta() const
+{
+    const double free = std::exp(logZeta);
+    if (std::abs(free - 1.0) >= kCriticalDistance)
+        return free;
+    return free < 1.0 ? 1.0 - kCriticalDistance : 1.0 + kCriticalDistance;
+}
+
+Complex SecondOrderStep::factorOfModes(Complex s) const
+{
+    const double omega = std::exp(logOmega);
+    Complex factor = 1.0;
+    for (const Mode &mode : modes) {
+        if (!mode.startsWithStep)
+            continue;
+        const Complex r = mode.rate / omega;
+        const Complex gain = plateau / (r * r + 2.0 * zeta() * r + 1.0);
+        const Complex pressure = mode.amplitude * std::exp(mode.rate * onset) / gain;
+        factor += 0.5 * s
+            * (pressure / (s - mode.rate) + std::conj(pressure) / (s - std::conj(mode.rate)));
+    }
+    return factor;
+}
+
+Eigen::VectorXd SecondOrderStep::exponentials() const
+{
+    const double omega = std::exp(logOmega);
+    const double damping = zeta();
+    const Index gains = 2 + 2 * std::ssize(modes);
+    Eigen::VectorXd x(5 + 4 * std::ssize(modes));
+    if (damping < 1.0) {
+        const double root = std::sqrt((1.0 - damping) * (1.0 + damping));
+        const Complex s(-damping * omega, root * omega);
+        const Complex g
+            = -plateau * Complex(1.0, -damping / root) * std::exp(-s * onset) * factorOfModes(s);
+        x.head(2) << s.real(), s.imag();
+        x.segment(gains, 2) << g.real(), g.imag();
+    } else {
+        const double root = std::sqrt((damping - 1.0) * (damping + 1.0));
+        const double slow = -omega / (damping + root);
+        const double fast = -omega * (damping + root);
+        const double unit = plateau / (fast - slow);
+        x.head(2) << slow, fast;
+        x.segment(gains, 2) << -unit * fast * std::exp(-slow * onset) * factorOfModes(slow).real(),
+            unit * slow * std::exp(-fast * onset) * factorOfModes(fast).real();
+    }
+    Index at = 2;
+    for (const Mode &mode : modes) {
+        x.segment(at, 2) << mode.rate.real(), mode.rate.imag();
+        x.segment(gains + at, 2) << mode.amplitude.real(), mode.amplitude.imag();
+        at += 2;
+    }
+    x.tail(1) << plateau;
+    return x;
+}
+
+Eigen::MatrixXd SecondOrderStep::derivatives() const
+{
+    constexpr double kStep = 1e-6;
+    constexpr double kSmallest = 1e-30;
+    const Eigen::VectorXd here = parameterValues();
+    const double ofGain = kStep * std::max(kSmallest, std::abs(plateau));
+    Eigen::VectorXd steps = Eigen::VectorXd::Constant(here.size(), kStep);
+    steps[2] = ofGain;
+    for (std::size_t i = 0; i < modes.size(); ++i) {
+        const Index at = 4 + 4 * static_cast<Index>(i);
+        steps.segment(at, 2).setConstant(kStep * std::max(kSmallest, std::abs(modes[i].rate)));
+        steps.segment(at + 2, 2).setConstant(ofGain);
+    }
+    Eigen::MatrixXd J(5 + 4 * std::ssize(modes), here.size());
+    SecondOrderStep moved = *this;
+    const auto at = [&](Index column, double step) {
+        Eigen::VectorXd values = here;
+        values[column] += step;
+        moved.setParameters(values);
+        return moved.exponentials();
+    };
+    for (Index i = 0; i < here.size(); ++i)
+        J.col(i) = (at(i, steps[i]) - at(i, -steps[i])) / (2.0 * steps[i]);
+    return J;
+}
+
+} // namespace dyncal

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/results/results_json.h"
+
+#include "core/base/json_text.h"
+#include "core/base/version.h"
+#include "core/pipeline/stage_table.h"
+#include "core/results/results_analysis_json.h"
+#include "core/results/results_measurement_json.h"
+#include "core/results/results_model_json.h"
+#include "core/results/results_shock_json.h"
+
+#include <algorithm>
+
+namespace dyncal {
+namespace {
+
+using Json = JsonRecord::Json;
+
+constexpr const char *kSchema = "dyncal-results/1";
+
+/// "Monte Carlo" -> "monte_carlo".
+std::string keyOf(std::string name)
+{
+    for (char &c : name)
+        c = c == ' ' ? '_' : c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return name;
+}
+
+Json methodVersions()
+{
+    Json versions = Json::object();
+    for (int i = 0; i < kStageCount; ++i) {
+        const Stage &stage = stageOf(static_cast<StageId>(i));
+        versions[keyOf(stage.name)] = stage.method;
+    }
+    return versions;
+}
+
+Json software()
+{
+    return {{"name", "dyncal"}, {"version", versionText()}, {"build", buildText()},
+        {"method", methodVersions()}};
+}
+
+Json findingJson(const Finding &finding)
+{
+    JsonRecord record;
+    record.set("id", finding.id);
+    record.set("severity", severityName(finding.severity));
+    if (finding.shot > 0)
+        record.set("shot", finding.shot);
+    else
+        record.missing("shot", "Concerns no single shot.");
+    record.text("channel", finding.channel, "Concerns no single channel.");
+    record.number("time_s", finding.time_s, "Has no place in time.");
+    record.set("message", english(finding.message));
+    record.number("value", finding.value, "Is not about one number.");
+    record.number("limit", finding.limit, "Has no limit.");
+    if (finding.mend)
+        record.set("mend",
+            {{"label", english(finding.mend->label)}, {"key", finding.mend->key},
+                {"value", finding.mend->value}});
+    return record.take();
+}
+
+/// The error that stopped the run is the gravest finding of all.
+Finding asFinding(const Error &error)
+{
+    Finding finding;
+    finding.id = error.findingId;
+    finding.severity = Severity::Block;
+    finding.shot = error.shot;
+    finding.message = error.message;
+    return finding;
+}
+
+void addError(JsonRecord &root, const PipelineOutcome &outcome)
+{
+    if (!outcome.error) {
+        root.missing("error", "The run came to its end.");
+        return;
+    }
+    JsonRecord record;
+    record.set("stage", stageName(outcome.failedStage));
+    record.set("message", english(outcome.error->message));
+    record.text("finding", outcome.error->findingId, "Is no entry of the findings catalogue.");
+    root.set("error", record.take());
+}
+
+void addFindings(JsonRecord &root, const ResultsContext &context)
+{
+    Json list = Json::array();
+    for (const Finding &finding : allFindings(context.outcome))
+        list.push_back(findingJson(finding));
+    root.set("findings", std::move(list));
+}
+
+} // namespace
+
+Findings allFindings(const PipelineOutcome &outcome)
+{
+    Findings findings = allFindings(outcome.results);
+    if (!outcome.error || outcome.error->findingId.empty())
+        return findings;
+    const Finding gravest = asFinding(*outcome.error);
+    const auto told = std::find_if(findings.begin(), findings.end(),
+        [&](const Finding &f) { return f.id == gravest.id && f.shot == gravest.shot; });
+    if (told == findings.end()) {
+        findings.push_back(gravest);
+    } else if (told->severity != gravest.severity) { // what was a caution has stopped the run
+        told->severity = gravest.severity;
+        told->message = gravest.message;
+    }
+    return findings;
+}
+
+std::string resultsJson(
+    const PipelineOutcome &outcome, const Recipe &recipe, const std::string &createdUtc)
+{
+    const ResultsContext context{outcome, recipe};
+    JsonRecord root;
+    root.set("schema", kSchema);
+    root.set("software", software());
+    root.set("created_utc", createdUtc);
+    root.set("recipe", Json::parse(recipeJson(recipe)));
+    addInputs(root, context);
+    addShots(root, context);
+    addShock(root, context);
+    addSpectrum(root, context);
+    addComponents(root, context);
+    addModelInput(root, context);
+    addRealization(root, context);
+    addModel(root, context);
+    addResponse(root, context);
+    addBands(root, context);
+    addBudget(root);
+    addFindings(root, context);
+    addError(root, outcome);
+    // Names in foreign files need not be UTF-8; results.json always is.
+    return jsonText(root.take());
+}
+
+} // namespace dyncal

@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/results/run_files.h"
+
+#include "core/results/model_export.h"
+#include "core/results/publication.h"
+#include "core/results/results_csv.h"
+#include "core/results/results_json.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+
+namespace dyncal {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::array<std::string_view, 4> kDocuments{
+    "results.json", "recipe.json", "certificate.pdf", "dcc.xml"};
+
+bool isModelName(const std::string &name)
+{
+    return std::ranges::find(modelFileNames(), name) != modelFileNames().end();
+}
+
+/// A list of written files that claims anything else is not a run's.
+bool isRunName(const std::string &name)
+{
+    const fs::path path(name);
+    const std::string folder = path.parent_path().string();
+    return std::ranges::find(kDocuments, name) != kDocuments.end()
+        || (folder == "csv" && path.extension() == ".csv")
+        || (folder == "plots" && path.extension() == ".svg")
+        || (folder == "model" && isModelName(path.filename().string()));
+}
+
+std::vector<std::string> recordingsOf(const CaptureSet &set)
+{
+    std::vector<std::string> paths;
+    for (const InputFile &input : set.inputs)
+        paths.push_back(input.path);
+    return paths;
+}
+
+/// Documents are shown one by one, plots and tables as their folders.
+std::vector<std::string> shownPaths(
+    const RunFiles &run, const fs::path &folder, bool tables, bool model)
+{
+    std::vector<std::string> paths{
+        (folder / "results.json").string(), (folder / "recipe.json").string()};
+    for (const DrawnFile &file : run.drawn) {
+        const fs::path parent = fs::path(file.name).parent_path();
+        const fs::path shown = parent.empty() ? folder / file.name : folder / parent / "";
+        if (paths.back() != shown.string())
+            paths.push_back(shown.string());
+    }
+    if (tables)
+        paths.push_back((folder / "csv" / "").string());
+    if (model)
+        paths.push_back((folder / "model" / "").string());
+    return paths;
+}
+
+} // namespace
+
+FolderRequest runFolder(
+    const std::string &folder, const CaptureSet &set, std::vector<std::string> settings)
+{
+    std::vector<std::string> names{"csv/", "plots/", "model/"};
+    names.insert(names.end(), kDocuments.begin(), kDocuments.end());
+    return {folder, "run", isRunName, std::move(names), recordingsOf(set), std::move(settings)};
+}
+
+Result<std::vector<std::string>> writeRunFiles(
+    const RunFiles &run, FolderWrite &folder, const JobControl &control)
+{
+    if (!run.drawn.empty() && !mayPublish(run.outcome))
+        return writeRunFiles({run.outcome, run.recipe, run.createdUtc, {}}, folder, control);
+    const CalibrationResults shown
+        = mayPublish(run.outcome) ? run.outcome.results : CalibrationResults();
+    const std::vector<CsvFile> tables = resultsCsv(shown);
+    const std::vector<ModelFile> model = modelFiles(shown);
+    const std::string recipe = recipeJson(run.recipe);
+    const std::string json = resultsJson(run.outcome, run.recipe, run.createdUtc);
+    std::vector<FolderFile> files{{"recipe.json", recipe}};
+    for (const CsvFile &table : tables)
+        files.push_back({"csv/" + table.name, table.text});
+    for (const ModelFile &file : model)
+        files.push_back({"model/" + file.name, file.bytes});
+    for (const DrawnFile &file : run.drawn)
+        files.push_back({file.name, file.bytes});
+    files.push_back({"results.json", json});
+    if (const Result<void> written = folder.commit(files, control); !written)
+        return tl::unexpected<Error>(written.error());
+    return shownPaths(run, folder.folder(), !tables.empty(), !model.empty());
+}
+
+FolderRequest modelFolder(
+    const std::string &folder, const CaptureSet &set, std::vector<std::string> settings)
+{
+    return {
+        folder, "export", isModelName, modelFileNames(), recordingsOf(set), std::move(settings)};
+}
+
+Result<std::vector<std::string>> writeModelFiles(const CalibrationResults &results,
+    const std::vector<std::string> &formats, FolderWrite &folder, const JobControl &control)
+{
+    const std::vector<ModelFile> model = modelFiles(results);
+    if (model.empty()) {
+        return fail(ErrorKind::DataBlocked,
+            {DYNCAL_TEXT("core",
+                 "The model of order %1 diverges, so there is nothing to export; choose another "
+                 "order."),
+                {std::to_string(results.model->order)}},
+            "MOD-001");
+    }
+    std::vector<FolderFile> files;
+    std::vector<std::string> paths;
+    for (const ModelFile &file : model) {
+        if (std::ranges::find(formats, file.format) == formats.end())
+            continue;
+        files.push_back({file.name, file.bytes});
+        paths.push_back((fs::path(folder.folder()) / file.name).string());
+    }
+    if (const Result<void> written = folder.commit(files, control); !written)
+        return tl::unexpected<Error>(written.error());
+    return paths;
+}
+
+} // namespace dyncal

@@ -1,0 +1,395 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/shock/shock_estimate.h"
+
+#include "core/base/number_text.h"
+#include "core/shock/gas_model.h"
+#include "core/shock/shock_findings.h"
+#include "core/shock/shock_work.h"
+#include "core/shock/variable_shock.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+namespace {
+
+std::optional<double> firstKnown(const std::optional<double> &typed, double recorded)
+{
+    if (typed)
+        return typed;
+    return std::isfinite(recorded) ? std::optional<double>(recorded) : std::nullopt;
+}
+
+std::optional<double> length_m(
+    const ShockWork &work, const std::optional<double> &typed, const char *attribute)
+{
+    const auto known = typed ? typed : work.set.tubeNumber(attribute);
+    return known && *known > 0.0 ? known : std::nullopt;
+}
+
+void reportMissingPressureAndTemperature(ShockWork &work, bool hasPressure, bool hasTemperature)
+{
+    if (!hasPressure)
+        work.reportMissing(Message{
+            DYNCAL_TEXT("core",
+                "The pressure step is not determined: the pressure p1 in the driven section is not "
+                "recorded; enter p1 or the step itself."),
+            {}});
+    if (!hasTemperature)
+        work.reportMissing(
+            Message{DYNCAL_TEXT("core",
+                        "The pressure step is not determined: the temperature T1 in the driven "
+                        "section is not recorded; enter T1 or the step itself."),
+                {}});
+}
+
+/// Plateau of a DUT in the side wall: until the reflected shock is back.
+void addSideWall(ShockWork &work)
+{
+    const ShockStates &states = *work.conditions.states;
+    const ShockSettings &settings = work.settings;
+    if (settings.dutDiameter_m)
+        work.conditions.sideWallLimit_Hz
+            = sideWallLimit_Hz(*settings.dutDiameter_m, states.velocity_m_s);
+    if (!settings.dutDistance_m)
+        return;
+    const double back_s = *settings.dutDistance_m
+        * (1.0 / states.velocity_m_s + 1.0 / states.reflectedVelocity_m_s);
+    work.conditions.plateau_s = std::max(back_s - settings.plateauGuard_s, 0.0);
+    work.conditions.plateauEnd = PlateauEnd::ReflectedShock;
+}
+
+void addDiagram(
+    ShockWork &work, const TubeWaves &waves, const std::optional<DutArrival> &dutArrival)
+{
+    ShockConditions &c = work.conditions;
+    const bool atWall = dutArrival && work.atEndWall();
+    const bool knowsFit = c.velocityFit && std::isfinite(c.velocityFit->arrivalAtWall_s);
+    if (!knowsFit && !atWall)
+        return;
+    const double atWall_s = atWall ? dutArrival->time_s : c.velocityFit->arrivalAtWall_s;
+    std::vector<TubeSensor> sensors;
+    for (const Sighting &s : c.sightings)
+        sensors.push_back({s.channel, s.distance_m, s.time_s, 0.0, 0.0});
+    if (sensors.empty() || sensors.back().distance_m > 0.0)
+        sensors.push_back({"end wall", 0.0, std::nullopt, 0.0, 0.0});
+    c.diagram = tubeDiagram(
+        waves, *c.states, atWall_s, std::move(sensors), c.plateau_s.value_or(waves.plateau_s));
+    const auto p4_Pa = c.driver ? std::optional(c.driver->pressure_Pa) : std::nullopt;
+    c.measured = work.before != nullptr && work.before->diagram
+        ? besides(work.before->measured, *c.states, p4_Pa)
+        : measuredPressures(work.shot, *c.states, c.sightings, atWall_s, waves.plateau_s,
+            c.diagram->burst_s, p4_Pa);
+}
+
+/// Plateau, x-t diagram, resonances and pressures read from the records.
+void addTube(ShockWork &work, const std::optional<DutArrival> &dutArrival)
+{
+    ShockConditions &c = work.conditions;
+    const auto driven_m = length_m(work, work.settings.drivenLength_m, "driven_length_m");
+    const auto driver_m = length_m(work, work.settings.driverLength_m, "driver_length_m");
+    const Gas driverGas = c.driverGas ? c.driverGas->constants : Gas{};
+    auto whole_m = work.settings.tubeLength_m;
+    if (!whole_m && driven_m && driver_m)
+        whole_m = *driven_m + *driver_m;
+    c.resonances = tubeResonances(*c.states, c.driver, driverGas,
+        {whole_m, driven_m, driver_m,
+            length_m(work, work.settings.innerDiameter_m, "inner_diameter_m"),
+            work.settings.wallSoundSpeed_m_s});
+    if (!work.atEndWall())
+        addSideWall(work);
+    if (!driven_m)
+        return;
+    const TubeWaves waves = tubeWaves(*c.states, {*driven_m, driver_m, c.driver, driverGas});
+    if (work.atEndWall()) {
+        c.plateau_s = std::max(waves.plateau_s - work.settings.plateauGuard_s, 0.0);
+        c.plateauEnd = waves.plateauEnd;
+    }
+    addDiagram(work, waves, dutArrival);
+}
+
+/// Eq 3.10 knows constant heat capacities only, and Cramer's formula ends at 102 kPa: moist air in
+/// the driver is taken as the recipe's air.
+Result<GasModel> driverModel(GasSettings settings, double T4_K)
+{
+    if (settings.substance == "humid-air")
+        settings.substance = "air";
+    settings.heatCapacity = kConstantHeatCapacity;
+    return gasModel(settings, {0.0, T4_K, 0.0, 0.0});
+}
+
+void addDriver(ShockWork &work)
+{
+    const auto T4_K = firstKnown(work.settings.T4_K, work.shot.environment.T4_K);
+    if (!T4_K)
+        return;
+    auto driver = driverModel(work.settings.driverGas, *T4_K);
+    if (!driver) {
+        work.done = tl::unexpected(driver.error());
+        return;
+    }
+    const auto p4_Pa = driverPressure_Pa(
+        *work.conditions.states, work.conditions.drivenGas->constants, driver->constants, *T4_K);
+    if (!p4_Pa) { // region 4 carries no result of the calibration
+        const Error &error = p4_Pa.error();
+        work.report(error.findingId.empty() ? "SHK-006" : error.findingId.c_str(),
+                Severity::Caution, error.message)
+            .mend
+            = kelvinFor("shock.t4_k", *T4_K);
+        return;
+    }
+    work.conditions.driver = gasAtRest(driver->constants, *p4_Pa, *T4_K);
+    work.conditions.expandedDriver
+        = expandedDriver(*work.conditions.states, driver->constants, *p4_Pa, *T4_K);
+    work.conditions.driverGas = std::move(*driver);
+    judgeDriverPressure(work, *p4_Pa);
+}
+
+/// The velocity where the state follows from a pressure (eqs 3.1 and 3.10 turned round).
+Result<double> velocityFromPressure(const ShockWork &work, double p1_Pa, double T1_K)
+{
+    const ShockSettings &settings = work.settings;
+    const Gas &gas = work.conditions.drivenGas->constants;
+    if (settings.stateFrom == "p2")
+        return velocityOfShockedPressure_m_s(
+            *work.conditions.drivenGas, p1_Pa, T1_K, settings.p2_Pa.value_or(0.0));
+    const double T4_K = firstKnown(settings.T4_K, work.shot.environment.T4_K).value_or(T1_K);
+    const auto driver = driverModel(settings.driverGas, T4_K);
+    if (!driver)
+        return tl::unexpected(driver.error());
+    return velocityOfDriverPressure_m_s(gas, p1_Pa, T1_K, driver->constants,
+        settings.p4_Pa.value_or(work.shot.environment.p4_Pa), T4_K);
+}
+
+void addUncertainty(ShockWork &work, const SectionState &state, const VelocityEstimate &estimate)
+{
+    ShockConditions &c = work.conditions;
+    if (!work.request.evaluate)
+        return;
+    if (work.settings.stateFrom != "velocity") {
+        c.uncertaintyMissing = "Not evaluated where the state follows from a pressure.";
+        return;
+    }
+    const Environment &around = work.shot.environment;
+    StepMeasurement measurement{work.settings.drivenGas, state, estimate, {}, work.atEndWall(),
+        around.u_p1_Pa, around.u_T1_K};
+    if (estimate.fit && estimate.sightings.empty())
+        measurement.counters = work.settings.counters;
+    auto uncertainty = evaluateStep(measurement, work.request);
+    if (!uncertainty) {
+        c.uncertaintyMissing = english(uncertainty.error().message);
+        if (uncertainty.error().kind == ErrorKind::Usage)
+            work.done = tl::unexpected(uncertainty.error());
+        return;
+    }
+    if (uncertainty->stepMissing)
+        c.uncertaintyMissing = english(*uncertainty->stepMissing);
+    c.uncertainty = std::move(*uncertainty);
+    c.measurement = std::move(measurement);
+}
+
+/// The driven gas at p1, T1; without one, the finding says what it needs. `state` gets the
+/// humidity.
+std::optional<GasModel> drivenModel(ShockWork &work, SectionState &state)
+{
+    const auto humidity
+        = firstKnown(work.settings.relativeHumidity, work.shot.environment.relativeHumidity);
+    if (work.settings.drivenGas.substance == "humid-air" && !humidity) {
+        work.reportMissing(
+            Message{DYNCAL_TEXT("core",
+                        "The pressure step is not determined: the relative humidity of the driven "
+                        "gas is not recorded; enter it or choose the gas 'air'."),
+                {}});
+        return std::nullopt;
+    }
+    state.relativeHumidity = humidity.value_or(0.0);
+    state.carbonDioxide = work.settings.carbonDioxide;
+    auto gas = gasModel(work.settings.drivenGas, state);
+    if (gas)
+        return std::move(*gas);
+    if (gas.error().kind == ErrorKind::Usage)
+        work.done = tl::unexpected(gas.error());
+    else
+        work.reportProblem(gas.error());
+    return std::nullopt;
+}
+
+/// What follows once velocity, p1 and T1 are known.
+void addShockedStates(ShockWork &work, const VelocityEstimate &estimate, const SectionState &state,
+    const std::optional<DutArrival> &dutArrival)
+{
+    const double T1_K = state.temperature_K;
+    auto states = shockStatesOf(
+        *work.conditions.drivenGas, state.pressure_Pa, T1_K, *estimate.velocity_m_s);
+    if (!states) {
+        const bool isTemperature = states.error().findingId == "SHK-004";
+        if (states.error().kind == ErrorKind::Usage)
+            work.done = tl::unexpected(states.error());
+        else
+            work.reportProblem(
+                states.error(), isTemperature ? kelvinFor("shock.t1_k", T1_K) : std::nullopt);
+        return;
+    }
+    work.conditions.states = std::move(*states);
+    if (!work.conditions.stepTyped)
+        work.conditions.step_Pa = stepOf(*work.conditions.states, work.atEndWall());
+    addUncertainty(work, state, estimate);
+    judgeVelocity(work, estimate.relativeDistanceUncertainty);
+    judgeFit(work, estimate);
+    const Index before = std::ssize(work.findings);
+    addDriver(work);
+    addTube(work, dutArrival);
+    if (work.conditions.plateau_s) {
+        reportPlateau(work); // said before what the driver has to say
+        std::rotate(work.findings.begin() + before, work.findings.end() - 1, work.findings.end());
+    }
+    judgeMeasured(work);
+}
+
+void readArrivals(ShockWork &work, const std::optional<DutArrival> &dutArrival)
+{
+    if (work.before != nullptr)
+        work.conditions.seen = work.before->seen;
+    else
+        work.conditions.seen = seenArrivals(work.set, work.conditions.shot, work.settings,
+            work.starts, dutArrival ? std::optional(dutArrival->time_s) : std::nullopt);
+}
+
+void addStates(ShockWork &work, const std::optional<DutArrival> &dutArrival)
+{
+    const auto p1_Pa = firstKnown(work.settings.p1_Pa, work.shot.environment.p1_Pa);
+    const auto T1_K = firstKnown(work.settings.T1_K, work.shot.environment.T1_K);
+    const bool fromVelocity = work.settings.stateFrom == "velocity";
+    VelocityEstimate estimate;
+    if (fromVelocity) {
+        readArrivals(work, dutArrival);
+        estimate = estimateVelocity(
+            work.set, work.conditions.shot, dutArrival, work.conditions.seen, work.settings);
+    }
+    reportMissingPressureAndTemperature(work, p1_Pa.has_value(), T1_K.has_value());
+    if (estimate.missing)
+        work.reportMissing(*estimate.missing);
+    work.conditions.arrival_s = estimate.arrival_s;
+    work.conditions.distance_m = estimate.distance_m;
+    work.conditions.sightings = estimate.sightings;
+    work.conditions.velocityFit = estimate.fit;
+    if (estimate.problem) {
+        work.reportProblem(*estimate.problem, estimate.mend);
+        return;
+    }
+    if (!p1_Pa || !T1_K || (fromVelocity && !estimate.velocity_m_s))
+        return;
+    judgeTypedPressure(work, *p1_Pa);
+    SectionState state{*p1_Pa, *T1_K, 0.0, 0.0};
+    work.conditions.drivenGas = drivenModel(work, state);
+    if (!work.conditions.drivenGas)
+        return;
+    if (!fromVelocity) {
+        const auto velocity_m_s = velocityFromPressure(work, *p1_Pa, *T1_K);
+        if (!velocity_m_s) {
+            work.reportProblem(velocity_m_s.error());
+            return;
+        }
+        estimate.velocity_m_s = *velocity_m_s;
+    }
+    addShockedStates(work, estimate, state, dutArrival);
+}
+
+Result<void> checkSettings(const ShockSettings &settings, std::size_t shots)
+{
+    if (settings.dutPosition != kEndWall && settings.dutPosition != kSideWall)
+        return fail(ErrorKind::Usage,
+            Message{DYNCAL_TEXT("core",
+                        "The DUT's position is '%1'; it must be 'end-wall' or 'side-wall'."),
+                {settings.dutPosition}});
+    if (settings.step_Pa && !(std::isfinite(*settings.step_Pa) && *settings.step_Pa != 0.0))
+        return fail(ErrorKind::Usage,
+            Message{DYNCAL_TEXT("core",
+                        "The typed pressure step is %1 Pa; it must be a number other than 0."),
+                {numberText(*settings.step_Pa)}});
+    for (const ArrivalSensor &sensor : settings.arrivalSensors) {
+        if (!(sensor.distanceToEndWall_m > 0.0 && std::isfinite(sensor.distanceToEndWall_m)))
+            return fail(ErrorKind::Usage,
+                Message{DYNCAL_TEXT("core",
+                            "The arrival sensor '%1' has a distance to the end wall of %2 m; it "
+                            "must be above 0."),
+                    {sensor.channel, numberText(sensor.distanceToEndWall_m)}});
+        if (!sensor.shotArrival_s.empty() && sensor.shotArrival_s.size() != shots)
+            return fail(ErrorKind::Usage,
+                Message{DYNCAL_TEXT("core",
+                            "The arrival sensor '%1' lists %2 arrivals for %3 shots; give one time "
+                            "or null per shot (shock.arrival_sensors[].arrival_s)."),
+                    {sensor.channel, std::to_string(sensor.shotArrival_s.size()),
+                        std::to_string(shots)}});
+    }
+    return {};
+}
+
+/// The same thing missing in every shot is said once.
+Findings withoutRepetition(const Findings &findings, Index shotCount)
+{
+    Findings shorter;
+    for (const Finding &finding : findings) {
+        const auto same = [&](const Finding &other) {
+            return other.id == finding.id && other.message == finding.message;
+        };
+        const bool everywhere = finding.id == "SHK-007" && shotCount > 1
+            && std::count_if(findings.begin(), findings.end(), same) == shotCount;
+        if (!everywhere) {
+            shorter.push_back(finding);
+        } else if (std::none_of(shorter.begin(), shorter.end(), same)) {
+            shorter.push_back(finding);
+            shorter.back().shot = 0;
+        }
+    }
+    return shorter;
+}
+
+std::optional<DutArrival> arrivalOf(const std::vector<DutArrival> &arrivals, Index shot)
+{
+    const auto found = std::find_if(
+        arrivals.begin(), arrivals.end(), [&](const DutArrival &a) { return a.shot == shot; });
+    return found != arrivals.end() ? std::optional(*found) : std::nullopt;
+}
+
+} // namespace
+
+Result<ShockConditionsSet> estimateShockConditions(const CaptureSet &set,
+    const std::vector<DutArrival> &arrivals, const ShockSettings &settings,
+    const UncertaintyRequest &request, const JobControl &control, const KnownReadings &known)
+{
+    if (auto checked = checkSettings(settings, set.shots.size()); !checked)
+        return tl::unexpected(checked.error());
+    RecordStarts found;
+    if (settings.enabled && known.starts == nullptr && known.before == nullptr) {
+        auto starts = detectStarts(set, arrivalChannels(settings), control);
+        if (!starts)
+            return tl::unexpected(starts.error());
+        found = std::move(*starts);
+    }
+    ShockConditionsSet result;
+    for (Index i = 0; i < std::ssize(set.shots); ++i) {
+        const Shot &shot = set.shots[static_cast<std::size_t>(i)];
+        if (!shot.included)
+            continue;
+        const ShockConditions *before = known.before ? known.before->ofShot(i + 1) : nullptr;
+        ShockWork work{
+            set, shot, settings, request, known.starts ? *known.starts : found, before, {}, {}, {}};
+        work.conditions.shot = i + 1;
+        if (settings.enabled) {
+            work.conditions.step_Pa = settings.step_Pa;
+            work.conditions.stepTyped = settings.step_Pa.has_value();
+            addStates(work, arrivalOf(arrivals, i + 1));
+        }
+        if (!work.done)
+            return tl::unexpected(work.done.error());
+        result.shots.push_back(std::move(work.conditions));
+        result.findings.insert(result.findings.end(), work.findings.begin(), work.findings.end());
+    }
+    result.findings = withoutRepetition(result.findings, std::ssize(result.shots));
+    return result;
+}
+
+} // namespace dyncal

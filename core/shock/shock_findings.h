@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/shock/shock_velocity.h"
+#include "core/shock/shock_work.h"
+
+namespace dyncal {
+
+// What the operator must see of one shot; each may add a finding.
+void judgeVelocity(ShockWork &work, double relativeFromDistance); ///< SHK-003
+void judgeFit(ShockWork &work, const VelocityEstimate &estimate); ///< SHK-008, SHK-010
+void judgeMeasured(ShockWork &work); ///< SHK-002
+void judgeDriverPressure(ShockWork &work, double computed_Pa); ///< SHK-006
+void judgeTypedPressure(ShockWork &work, double p1_Pa); ///< SHK-011
+void reportPlateau(ShockWork &work); ///< SHK-005
+
+} // namespace dyncal

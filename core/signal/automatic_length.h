@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/index.h"
+#include "core/capture/channel.h"
+
+namespace dyncal {
+
+inline constexpr Index kLeastWindow = 16; ///< samples
+
+/// Samples behind `start` until the level leaves its plateau for good, times 0.9; at most `limit`
+/// samples. `baseline` and `noiseSd` are those of the record before the step.
+Index automaticStepLength(
+    const Channel &channel, Index start, Index limit, double baseline, double noiseSd);
+
+/// Samples behind `start` until the response has decayed to the noise; at most `limit` samples.
+Index automaticDecayLength(
+    const Channel &channel, Index start, Index limit, double baseline, double noiseSd);
+
+} // namespace dyncal

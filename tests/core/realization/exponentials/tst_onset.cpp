@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// Where a step response begins, from the exponentials that describe it: sensors whose transfer
+// function is written down, moved by a known time.
+
+#include "core/realization/exponentials/onset.h"
+#include "tests/support/cascade_model.h"
+#include "tests/support/test_program.h"
+
+#include <QTest>
+
+#include <numbers>
+
+using namespace dyncal;
+using testing::modelOfPoles;
+using Complex = std::complex<double>;
+
+namespace {
+
+constexpr double kTwoPi = 2.0 * std::numbers::pi;
+
+/// The model's step response as a sum of exponentials whose step comes at `onset_s`.
+ExponentialSum stepAt(const SensorModel &model, double onset_s)
+{
+    ExponentialSum sum{model.plateauGain, Eigen::VectorXcd(model.order), model.amplitudes};
+    for (Index i = 0; i < model.order; ++i) {
+        sum.rates_rad_s[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;
+        sum.amplitudes[i] *= std::exp(-sum.rates_rad_s[i] * onset_s);
+    }
+    return sum;
+}
+
+double fastest(const SensorModel &model)
+{
+    double rate = 0.0;
+    for (const Pole &pole : model.poles)
+        rate = std::max(rate, std::abs(pole.s_rad_s));
+    return rate;
+}
+
+/// What docs/method/model.md searches: 0.6 of the period of the fastest pole.
+double searchOf(const SensorModel &model)
+{
+    return 0.6 * kTwoPi / fastest(model);
+}
+
+Complex pole(double f0_Hz, double zeta)
+{
+    return kTwoPi * f0_Hz * Complex(-zeta, std::sqrt(1.0 - zeta * zeta));
+}
+
+} // namespace
+
+class TestOnset : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void sensorsOfEveryKind_beginWhereTheirStepCame_data()
+    {
+        QTest::addColumn<QList<double>>("re");
+        QTest::addColumn<QList<double>>("im");
+        QTest::addColumn<double>("exact"); ///< of the fastest period
+        const auto row = [](const char *name, const std::vector<Complex> &poles, double exact) {
+            QList<double> re;
+            QList<double> im;
+            for (const Complex &s : poles) {
+                re += s.real();
+                im += s.imag();
+            }
+            QTest::newRow(name) << re << im << exact;
+        };
+        const Complex s = pole(50e3, 0.05);
+        const Complex damped = pole(50e3, 0.8);
+        row("lag", {-2e5}, 1e-9);
+        row("ringing", {s, std::conj(s)}, 1e-9);
+        row("well damped", {damped, std::conj(damped)}, 1e-9);
+        row("two lags", {-1e5, -4e5}, 1e-9);
+        row("two lags far apart", {-1e4, -4e6}, 1e-9);
+        // y and y' vanish together with y'': its simple root is what is found.
+        row("ringing behind a lag", {s, std::conj(s), -6e5}, 1e-9);
+        row("three lags", {-1e5, -2e5, -3e5}, 1e-9);
+    }
+    void sensorsOfEveryKind_beginWhereTheirStepCame()
+    {
+        QFETCH(QList<double>, re);
+        QFETCH(QList<double>, im);
+        QFETCH(double, exact);
+        std::vector<Complex> poles;
+        for (int i = 0; i < re.size(); ++i)
+            poles.emplace_back(re[i], im[i]);
+        const SensorModel model = modelOfPoles(poles);
+        const double period_s = kTwoPi / fastest(model);
+        for (const double share : {-0.3, -0.021, 0.0, 0.0173, 0.2}) {
+            const double onset_s = share * period_s;
+            const auto found = findOnset_s(stepAt(model, onset_s), searchOf(model));
+            QVERIFY2(found.has_value(), qPrintable(QString::number(share)));
+            QVERIFY2(std::abs(*found - onset_s) < exact * period_s,
+                qPrintable(QString("%1: %2").arg(share).arg((*found - onset_s) / period_s)));
+        }
+    }
+
+    void sizeAndDirection_changeNothing()
+    {
+        const Complex s = pole(3e5, 0.03);
+        const SensorModel model = modelOfPoles({s, std::conj(s)});
+        const ExponentialSum one = stepAt(model, 0.2e-6);
+        const double search_s = searchOf(model);
+        for (const double factor : {-1.0, 1e-12, -3e9}) {
+            ExponentialSum other = one;
+            other.constant *= factor;
+            other.amplitudes *= factor;
+            QVERIFY(std::abs(*findOnset_s(other, search_s) - *findOnset_s(one, search_s))
+                < 1e-12 * search_s);
+        }
+    }
+
+    void unitOfTime_stretchesTheOnset()
+    {
+        const Complex s = pole(3e5, 0.03);
+        const double onset_s = -0.3e-6;
+        for (const double time : {1e-6, 1e5}) {
+            const SensorModel model = modelOfPoles({s / time, std::conj(s) / time});
+            const auto found = findOnset_s(stepAt(model, onset_s * time), searchOf(model));
+            QVERIFY(found && std::abs(*found / time - onset_s) < 1e-9 * std::abs(onset_s));
+        }
+    }
+
+    void firstPeak_isNotTakenForTheOnset()
+    {
+        // The slope vanishes at the first peak too, half a period behind the onset, and there it
+        // is nearer to a start that was detected late; but the response is at 1.9 of its plateau.
+        const double f0_Hz = 1e5;
+        const Complex s = pole(f0_Hz, 0.03);
+        const SensorModel model = modelOfPoles({s, std::conj(s)});
+        const double onset_s = -0.45 / f0_Hz;
+        const auto found = findOnset_s(stepAt(model, onset_s), searchOf(model));
+        QVERIFY(found && std::abs(*found - onset_s) < 1e-9 / f0_Hz);
+    }
+
+    void startFarFromTheOnset_findsNone()
+    {
+        // A lag has but one zero; beyond the search there is nothing.
+        const SensorModel lag = modelOfPoles({-1e5});
+        QVERIFY(!findOnset_s(stepAt(lag, 2.0 * searchOf(lag)), searchOf(lag)));
+        QVERIFY(!findOnset_s(stepAt(lag, -2.0 * searchOf(lag)), searchOf(lag)));
+        // Two lags: their slope has one zero.
+        const SensorModel two = modelOfPoles({-1e5, -4e5});
+        QVERIFY(!findOnset_s(stepAt(two, 1.5 * searchOf(two)), searchOf(two)));
+    }
+
+    void nonsense_findsNoneAndEnds()
+    {
+        const Complex s = pole(1e5, 0.03);
+        const SensorModel model = modelOfPoles({s, std::conj(s)});
+        ExponentialSum broken = stepAt(model, 0.0);
+        broken.amplitudes[0] = std::nan("");
+        QVERIFY(!findOnset_s(broken, searchOf(model)));
+        ExponentialSum still = stepAt(model, 0.0);
+        still.amplitudes.setZero();
+        QVERIFY(!findOnset_s(still, searchOf(model))); // a constant begins nowhere
+        QVERIFY(!findOnset_s({}, 1e-6));
+        QVERIFY(!findOnset_s(stepAt(model, 1e-7), 0.0)); // nowhere to look
+    }
+};
+
+DYNCAL_TEST(TestOnset)
+#include "tst_onset.moc"

@@ -1,0 +1,250 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/base/writing/atomic_file.h"
+#include "core/results/model_export.h"
+#include "core/results/results_csv.h"
+#include "core/results/results_json.h"
+#include "core/results/run_files.h"
+#include "tests/support/example_results.h"
+#include "tests/support/test_program.h"
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace dyncal;
+
+namespace {
+
+constexpr const char *kCreated = "2026-11-21T03:04:05Z";
+
+RunFiles exampleRun()
+{
+    RunFiles run;
+    run.outcome.results = example::calibration();
+    run.createdUtc = kCreated;
+    run.drawn
+        = {{"certificate.pdf", "%PDF"}, {"plots/01-a.svg", "<svg>a"}, {"plots/02-b.svg", "<svg>b"}};
+    return run;
+}
+
+Result<std::vector<std::string>> writeInto(
+    const QString &folder, const RunFiles &run, const JobControl &control = {})
+{
+    Result<FolderWrite> target = FolderWrite::begin(runFolder(folder.toStdString(), {}));
+    return target ? writeRunFiles(run, *target, control)
+                  : Result<std::vector<std::string>>(tl::unexpected(target.error()));
+}
+
+QByteArray bytesOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+} // namespace
+
+class TestRunFiles : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void write_completeRun_givesEveryFile();
+    void write_runWithoutResults_givesRecipeAndResultsOnly();
+    void write_blockedRun_givesRecipeAndResultsOnly();
+    void write_overAnEarlierRun_removesItsFilesOnly();
+    void write_resultsJson_isTheLast();
+    void write_stoppedAtAnyFile_changesNothing();
+    void write_overAFolderOfAnOlderVersion_isRefused();
+    void model_isWrittenBesideARun();
+    void write_stoppedBefore_changesNothing();
+    void write_tablesNameTaken_failsAndNamesIt();
+    void progress_risesToOne();
+};
+
+void TestRunFiles::write_completeRun_givesEveryFile()
+{
+    const QTemporaryDir folder;
+    const RunFiles run = exampleRun();
+    const auto paths = writeInto(folder.path(), run);
+    QVERIFY(paths.has_value());
+    QCOMPARE(*paths,
+        (std::vector<std::string>{folder.filePath("results.json").toStdString(),
+            folder.filePath("recipe.json").toStdString(),
+            folder.filePath("certificate.pdf").toStdString(),
+            folder.filePath("plots/").toStdString(), folder.filePath("csv/").toStdString(),
+            folder.filePath("model/").toStdString()}));
+    QCOMPARE(bytesOf(folder.filePath("results.json")).toStdString(),
+        resultsJson(run.outcome, run.recipe, kCreated));
+    QCOMPARE(bytesOf(folder.filePath("recipe.json")).toStdString(), recipeJson(run.recipe));
+    QCOMPARE(bytesOf(folder.filePath("plots/02-b.svg")), QByteArray("<svg>b"));
+    const std::vector<CsvFile> tables = resultsCsv(run.outcome.results);
+    QVERIFY(!tables.empty());
+    QCOMPARE(QDir(folder.filePath("csv")).entryList(QDir::Files).size(),
+        static_cast<qsizetype>(tables.size()));
+    for (const CsvFile &table : tables)
+        QCOMPARE(bytesOf(folder.filePath("csv/" + QString::fromStdString(table.name))),
+            QByteArray::fromStdString(table.text));
+    for (const ModelFile &file : modelFiles(run.outcome.results))
+        QCOMPARE(bytesOf(folder.filePath("model/" + QString::fromStdString(file.name))),
+            QByteArray::fromStdString(file.bytes));
+}
+
+void TestRunFiles::write_runWithoutResults_givesRecipeAndResultsOnly()
+{
+    const QTemporaryDir folder;
+    RunFiles run;
+    run.createdUtc = kCreated;
+    run.outcome.error = Error{ErrorKind::DataBlocked, {"Blocked.", {}}, "CAP-009", 1};
+    const auto paths = writeInto(folder.path(), run);
+    QVERIFY(paths.has_value());
+    QCOMPARE(paths->size(), std::size_t(2));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
+        QStringList({"recipe.json", "results.json", "written.json"}));
+}
+
+void TestRunFiles::write_blockedRun_givesRecipeAndResultsOnly()
+{
+    const QTemporaryDir folder;
+    RunFiles run = exampleRun(); // complete, but for what one stage found
+    auto response = std::make_shared<ResponseResult>(*run.outcome.results.response);
+    response->findings.push_back({"CAP-015", Severity::Block, 0, {}, {}, {"Changed.", {}}, {}, {}});
+    run.outcome.results.response = response;
+    QVERIFY(writeInto(folder.path(), run));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),
+        QStringList({"recipe.json", "results.json", "written.json"}));
+    QVERIFY(bytesOf(folder.filePath("results.json")).contains("CAP-015"));
+}
+
+void TestRunFiles::write_overAnEarlierRun_removesItsFilesOnly()
+{
+    const QTemporaryDir folder;
+    QVERIFY(writeInto(folder.path(), exampleRun()));
+    QVERIFY(QFile::exists(folder.filePath("model/model.mat")));
+    for (const char *name : {"notes.txt", "csv/notes.csv", "plots/photo.svg", "model/my.m"})
+        QVERIFY(writeFileAtomically(folder.filePath(name).toStdString(), "mine"));
+    RunFiles run = exampleRun();
+    run.drawn.clear();
+    run.outcome.results.model = nullptr; // nor does its model stay
+    QVERIFY(writeInto(folder.path(), run));
+    for (const char *gone :
+        {"certificate.pdf", "plots/01-a.svg", "plots/02-b.svg", "model/model.mat"})
+        QVERIFY2(!QFile::exists(folder.filePath(gone)), gone);
+    for (const char *kept : {"notes.txt", "csv/notes.csv", "plots/photo.svg", "model/my.m"})
+        QCOMPARE(bytesOf(folder.filePath(kept)), QByteArray("mine"));
+}
+
+void TestRunFiles::write_overAFolderOfAnOlderVersion_isRefused()
+{
+    const QTemporaryDir folder;
+    for (const char *name : {"recipe.json", "results.json", "certificate.pdf"})
+        QVERIFY(writeFileAtomically(folder.filePath(name).toStdString(), "old"));
+    const auto paths = writeInto(folder.path(), exampleRun());
+    QVERIFY(!paths.has_value());
+    QCOMPARE(paths.error().kind, ErrorKind::Usage);
+    for (const char *name : {"recipe.json", "results.json", "certificate.pdf"})
+        QCOMPARE(bytesOf(folder.filePath(name)), QByteArray("old"));
+}
+
+void TestRunFiles::write_resultsJson_isTheLast()
+{
+    const QTemporaryDir folder;
+    const QString results = folder.filePath("results.json");
+    int reports = 0;
+    int withResults = 0;
+    const JobControl control{{}, [&](double) {
+                                 ++reports;
+                                 withResults += QFile::exists(results) ? 1 : 0;
+                             }};
+    QVERIFY(writeInto(folder.path(), exampleRun(), control));
+    QVERIFY(reports > 5);
+    QCOMPARE(withResults, 0); // all files appear at once, behind the last of them
+    QVERIFY(QFile::exists(results));
+}
+
+void TestRunFiles::write_stoppedAtAnyFile_changesNothing()
+{
+    const CalibrationResults results = exampleRun().outcome.results;
+    const auto files
+        = static_cast<int>(resultsCsv(results).size() + modelFiles(results).size() + 3 + 2);
+    for (int stopAfter = 1; stopAfter <= files; ++stopAfter) {
+        const QTemporaryDir folder;
+        std::stop_source stop;
+        int written = 0;
+        const JobControl control{stop.get_token(), [&](double) {
+                                     if (++written == stopAfter)
+                                         stop.request_stop();
+                                 }};
+        const auto paths = writeInto(folder.path(), exampleRun(), control);
+        QVERIFY(!paths.has_value());
+        QCOMPARE(paths.error().kind, ErrorKind::Cancelled);
+        QVERIFY(
+            QDir(folder.path()).isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot));
+    }
+}
+
+void TestRunFiles::write_stoppedBefore_changesNothing()
+{
+    const QTemporaryDir folder;
+    QVERIFY(writeInto(folder.path(), exampleRun()));
+    const QByteArray before = bytesOf(folder.filePath("written.json"));
+    std::stop_source stop;
+    stop.request_stop();
+    QVERIFY(!writeInto(folder.path(), exampleRun(), {stop.get_token(), {}}));
+    QCOMPARE(bytesOf(folder.filePath("written.json")), before);
+    QVERIFY(QFile::exists(folder.filePath("results.json")));
+}
+
+/// Each kind of writer replaces what it wrote itself.
+void TestRunFiles::model_isWrittenBesideARun()
+{
+    const QTemporaryDir folder;
+    const auto exportModel = [&](const std::vector<std::string> &formats) {
+        Result<FolderWrite> target
+            = FolderWrite::begin(modelFolder(folder.path().toStdString(), {}));
+        return target && writeModelFiles(exampleRun().outcome.results, formats, *target);
+    };
+    QVERIFY(exportModel({"mat", "py"}));
+    QVERIFY(writeInto(folder.path(), exampleRun()));
+    QVERIFY(QFile::exists(folder.filePath("model.mat")));
+    QVERIFY(exportModel({"json"}));
+    QVERIFY(!QFile::exists(folder.filePath("model.mat")));
+    QVERIFY(QFile::exists(folder.filePath("model.json")));
+    QVERIFY(QFile::exists(folder.filePath("results.json")));
+    QVERIFY(writeInto(folder.path(), exampleRun()));
+    QVERIFY(QFile::exists(folder.filePath("model.json")));
+    QVERIFY(writeFileAtomically(folder.filePath("model.json").toStdString(), "edited"));
+    QVERIFY(!exportModel({"json"}));
+    QCOMPARE(bytesOf(folder.filePath("model.json")), QByteArray("edited"));
+}
+
+void TestRunFiles::write_tablesNameTaken_failsAndNamesIt()
+{
+    const QTemporaryDir folder;
+    QVERIFY(writeFileAtomically(folder.filePath("csv").toStdString(), "a file"));
+    const auto paths = writeInto(folder.path(), exampleRun());
+    QVERIFY(!paths.has_value());
+    QCOMPARE(paths.error().kind, ErrorKind::Usage);
+    const std::string sentence = english(paths.error().message);
+    QVERIFY2(sentence.find("csv is in the way") != std::string::npos, sentence.c_str());
+    QVERIFY(!QFile::exists(folder.filePath("results.json")));
+    QCOMPARE(bytesOf(folder.filePath("csv")), QByteArray("a file"));
+}
+
+void TestRunFiles::progress_risesToOne()
+{
+    const QTemporaryDir folder;
+    double last = 0.0;
+    bool rises = true;
+    const JobControl control{{}, [&](double done) {
+                                 rises = rises && done > last;
+                                 last = done;
+                             }};
+    QVERIFY(writeInto(folder.path(), exampleRun(), control));
+    QVERIFY(rises);
+    QCOMPARE(last, 1.0);
+}
+
+DYNCAL_TEST(TestRunFiles)
+#include "tst_run_files.moc"

@@ -1,0 +1,196 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tests/support/test_program.h"
+#include "ui/plot/values/axis_prefix.h"
+#include "ui/plot/values/plot_theme.h"
+
+#include <QtTest>
+
+#include <array>
+#include <cmath>
+#include <limits>
+
+using dyncal::axisLabel;
+using dyncal::AxisPrefix;
+using dyncal::axisPrefix;
+using dyncal::contrastRatio;
+using dyncal::CurveRole;
+using dyncal::PlotTheme;
+using dyncal::powerOfTen;
+using dyncal::valueWithUnit;
+
+namespace {
+
+constexpr std::array<CurveRole, 22> kRoles{CurveRole::ShotLow, CurveRole::ShotMedium,
+    CurveRole::ShotHigh, CurveRole::ShotOther, CurveRole::Mean, CurveRole::Measured,
+    CurveRole::Model, CurveRole::Error, CurveRole::Noise, CurveRole::Reference, CurveRole::Pole,
+    CurveRole::Zero, CurveRole::StepPole, CurveRole::UnstablePole, CurveRole::Suggestion,
+    CurveRole::Candidate1, CurveRole::Candidate2, CurveRole::Candidate3, CurveRole::Candidate4,
+    CurveRole::StablePole, CurveRole::HalfStablePole, CurveRole::NewPole};
+
+PlotTheme darkTheme()
+{
+    QPalette palette;
+    palette.setColor(QPalette::Window, QColor("#202020"));
+    return dyncal::screenTheme(palette, QFont());
+}
+
+} // namespace
+
+class TestPlotLook : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void initTestCase() { QLocale::setDefault(QLocale::c()); }
+    void prefix_ofRange_readsOneToThousand_data();
+    void prefix_ofRange_readsOneToThousand();
+    void label_withAndWithoutUnit_isWritten();
+    void power_ofTen_usesSuperscripts();
+    void value_withUnit_hasDigitsAskedFor();
+    void theme_everyRole_contrastsAtLeastThreeToOne();
+    void theme_textAndFocus_contrastEnough();
+    void theme_shots_differInDashAndMarker();
+    void theme_candidates_differInDashAndMarker();
+    void theme_stability_differsInMarker();
+    void contrast_blackOnWhite_isTwentyOne();
+};
+
+void TestPlotLook::prefix_ofRange_readsOneToThousand_data()
+{
+    QTest::addColumn<double>("lower");
+    QTest::addColumn<double>("upper");
+    QTest::addColumn<QString>("unit");
+    QTest::addColumn<double>("factor");
+    QTest::addColumn<QString>("symbol");
+    const auto row = [](const char *name, double lower, double upper, const char *unit,
+                         double factor, const char *symbol) {
+        QTest::newRow(name) << lower << upper << QString::fromUtf8(unit) << factor
+                            << QString::fromUtf8(symbol);
+    };
+    row("micro", 0.0, 20e-6, "s", 1e-6, "µ");
+    row("milli", -2e-4, 1.5e-3, "s", 1e-3, "m");
+    row("negative end decides", -1.5e-3, 2e-4, "s", 1e-3, "m");
+    row("just thousand", 0.0, 1e-3, "s", 1e-3, "m");
+    row("mega", 1e3, 50e6, "Hz", 1e6, "M");
+    row("beyond giga", 0.0, 5e13, "Hz", 1e9, "G");
+    row("below femto", 0.0, 5e-18, "V", 1e-15, "f");
+    row("zero range", 0.0, 0.0, "s", 1.0, "");
+    row("decibel", -120.0, 1e6, "dB re 1/Hz", 1.0, "");
+    row("kPa of a file", 0.0, 5000.0, "kPa", 1.0, "");
+    row("plain number", 0.0, 1.6, "", 1.0, "");
+    row("small plain number", 0.0, 2e-4, "", 1e-6, "10⁻⁶");
+    row("large kPa", 0.0, 5e6, "kPa", 1e6, "10⁶ ");
+    row("not finite", 0.0, std::numeric_limits<double>::infinity(), "s", 1.0, "");
+}
+
+void TestPlotLook::prefix_ofRange_readsOneToThousand()
+{
+    QFETCH(double, lower);
+    QFETCH(double, upper);
+    QFETCH(QString, unit);
+    QFETCH(double, factor);
+    const AxisPrefix prefix = axisPrefix(lower, upper, unit);
+    constexpr double kRounding = 1e-12; // of pow(10, n)
+    QVERIFY(std::abs(prefix.factor / factor - 1.0) < kRounding);
+    QTEST(prefix.symbol, "symbol");
+}
+
+void TestPlotLook::label_withAndWithoutUnit_isWritten()
+{
+    QCOMPARE(axisLabel("Time", "s", {1e-6, "µ"}), QString("Time / µs"));
+    QCOMPARE(axisLabel("Lag", "", {}), QString("Lag"));
+    QCOMPARE(axisLabel("Error", "", axisPrefix(0, 2e-4, "")), QString::fromUtf8("Error / 10⁻⁶"));
+}
+
+void TestPlotLook::power_ofTen_usesSuperscripts()
+{
+    QCOMPARE(powerOfTen(-13), QString::fromUtf8("10⁻¹³"));
+    QCOMPARE(powerOfTen(0), QString::fromUtf8("10⁰"));
+}
+
+void TestPlotLook::value_withUnit_hasDigitsAskedFor()
+{
+    const QString gap(QChar(0x202F));
+    QCOMPARE(valueWithUnit(2.33e6, "Hz", 4), "2.330" + gap + "MHz");
+    QCOMPARE(valueWithUnit(-5e-7, "s", 3), "-500" + gap + "ns");
+    QCOMPARE(valueWithUnit(0.0, "V", 3), "0.00" + gap + "V");
+    QCOMPARE(valueWithUnit(123456.0, "", 3), QString("123456"));
+    QCOMPARE(valueWithUnit(1e-9, "", 3), QString("1.00e-09"));
+    QCOMPARE(valueWithUnit(std::nan(""), "V", 3), QString::fromUtf8("–"));
+}
+
+void TestPlotLook::theme_everyRole_contrastsAtLeastThreeToOne()
+{
+    for (const PlotTheme &theme : {dyncal::printTheme(), darkTheme()})
+        for (const CurveRole role : kRoles) {
+            const double ratio = contrastRatio(theme.style(role).color, theme.background);
+            QVERIFY2(ratio >= 3.0,
+                qPrintable(QString("role %1: %2").arg(static_cast<int>(role)).arg(ratio)));
+        }
+}
+
+void TestPlotLook::theme_textAndFocus_contrastEnough()
+{
+    for (const PlotTheme &theme : {dyncal::printTheme(), darkTheme()}) {
+        QVERIFY(contrastRatio(theme.text, theme.background) >= 4.5);
+        QVERIFY(contrastRatio(theme.text, theme.bandFill) >= 4.5);
+        QVERIFY(contrastRatio(theme.text, theme.readoutFill) >= 4.5);
+        QVERIFY(contrastRatio(theme.handle, theme.background) >= 3.0);
+        QVERIFY(contrastRatio(theme.handle, theme.bandFill) >= 3.0);
+        QVERIFY(contrastRatio(theme.focus, theme.background) >= 3.0);
+        for (const QColor &color : {theme.background, theme.bandFill, theme.grid, theme.handle})
+            QCOMPARE(color.alpha(), 255);
+    }
+    QVERIFY(darkTheme().dark);
+    QVERIFY(!dyncal::printTheme().dark);
+}
+
+void TestPlotLook::theme_shots_differInDashAndMarker()
+{
+    const PlotTheme theme = dyncal::printTheme();
+    for (std::size_t i = 0; i < 4; ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            QVERIFY(theme.style(kRoles[i]).dash != theme.style(kRoles[j]).dash);
+            QVERIFY(theme.style(kRoles[i]).marker != theme.style(kRoles[j]).marker);
+        }
+}
+
+void TestPlotLook::theme_candidates_differInDashAndMarker()
+{
+    const PlotTheme theme = dyncal::printTheme();
+    const CurveRole candidates[] = {
+        CurveRole::Candidate1, CurveRole::Candidate2, CurveRole::Candidate3, CurveRole::Candidate4};
+    for (const CurveRole a : candidates) {
+        QVERIFY(theme.style(a).dash != theme.style(CurveRole::Model).dash);
+        for (const CurveRole b : candidates) {
+            if (a == b)
+                continue;
+            QVERIFY(theme.style(a).dash != theme.style(b).dash);
+            QVERIFY(theme.style(a).marker != theme.style(b).marker);
+        }
+    }
+}
+
+/// Of the stabilisation strip, also without any colour.
+void TestPlotLook::theme_stability_differsInMarker()
+{
+    const PlotTheme theme = dyncal::printTheme();
+    const CurveRole classes[] = {CurveRole::StablePole, CurveRole::HalfStablePole,
+        CurveRole::NewPole, CurveRole::UnstablePole};
+    for (const CurveRole a : classes)
+        for (const CurveRole b : classes)
+            QVERIFY(a == b || theme.style(a).marker != theme.style(b).marker);
+}
+
+void TestPlotLook::contrast_blackOnWhite_isTwentyOne()
+{
+    QVERIFY(std::abs(contrastRatio(Qt::black, Qt::white) - 21.0) < 1e-9);
+    // WCAG's own example: #767676 is the lightest grey that reaches 4.5 on white.
+    QVERIFY(contrastRatio(QColor("#767676"), Qt::white) >= 4.5);
+    QVERIFY(contrastRatio(QColor("#777777"), Qt::white) < 4.5);
+}
+
+DYNCAL_TEST(TestPlotLook)
+#include "tst_plot_look.moc"

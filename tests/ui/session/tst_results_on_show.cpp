@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tests/support/test_program.h"
+#include "ui/session/results_on_show.h"
+
+#include <QtTest>
+
+using namespace dyncal;
+
+namespace {
+
+/// Results up to a stage; the keys are the name of the run.
+PipelineOutcome runUpTo(StageId last, const std::string &name, Index order)
+{
+    PipelineOutcome outcome;
+    CalibrationResults &results = outcome.results;
+    results.keys.fill(name); // the pipeline gives all keys
+    results.captures = std::make_shared<const PreparedCaptures>();
+    if (last >= StageId::Model) {
+        auto model = std::make_shared<SensorModel>();
+        model->order = order;
+        results.model = model;
+    }
+    if (last >= StageId::Response)
+        results.response = std::make_shared<const ResponseResult>();
+    return outcome;
+}
+
+std::shared_ptr<const ResponseResult> curve()
+{
+    return std::make_shared<const ResponseResult>();
+}
+
+} // namespace
+
+class TestResultsOnShow : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void part_keepsWhatHasNotComeYet_andSaysSo();
+    void whole_isUpToDate_unlessANewerWaits();
+    void firstTriplets_areNeverUpToDate();
+    void failure_ofAnEarlierRun_isGoneWithItsStage();
+    void modelCurve_standsForTheResponse_untilItComes();
+};
+
+void TestResultsOnShow::part_keepsWhatHasNotComeYet_andSaysSo()
+{
+    ResultsOnShow shown;
+    shown.take(runUpTo(kLastStage, "first", 2), false);
+    QVERIFY(shown.areUpToDate());
+    shown.markStaleFrom(StageId::Model);
+    QVERIFY(!shown.areUpToDate());
+    shown.takePart(runUpTo(StageId::Shock, "second", 3).results, StageId::Shock, false, false);
+    QCOMPARE(shown.run().results.model->order, Index(3));
+    QVERIFY(shown.run().results.response); // of the first
+    QVERIFY(shown.isOfThisRun(StageId::Model));
+    QVERIFY(!shown.isOfThisRun(StageId::Response));
+    QCOMPARE(shown.keyOf(StageId::Response), std::string("first"));
+    QCOMPARE(shown.run().firstStale, static_cast<int>(StageId::Shock) + 1);
+}
+
+void TestResultsOnShow::whole_isUpToDate_unlessANewerWaits()
+{
+    ResultsOnShow shown;
+    shown.markStaleFrom(StageId::Captures);
+    shown.setComputing(true);
+    shown.take(runUpTo(kLastStage, "first", 2), true);
+    QVERIFY(shown.run().computing);
+    QVERIFY(!shown.areUpToDate());
+    shown.take(runUpTo(kLastStage, "second", 2), false);
+    QVERIFY(shown.areUpToDate());
+}
+
+void TestResultsOnShow::firstTriplets_areNeverUpToDate()
+{
+    ResultsOnShow shown;
+    shown.markStaleFrom(StageId::Captures);
+    shown.takePart(runUpTo(kLastStage, "first", 2).results, StageId::Evidence, true, false);
+    QVERIFY(shown.areFirstTriplets());
+    QCOMPARE(shown.run().firstStale, static_cast<int>(StageId::Decomposition));
+    shown.take(runUpTo(kLastStage, "whole", 2), false);
+    QVERIFY(!shown.areFirstTriplets());
+    shown.clear();
+    QVERIFY(!shown.run().results.model);
+}
+
+void TestResultsOnShow::failure_ofAnEarlierRun_isGoneWithItsStage()
+{
+    ResultsOnShow shown;
+    PipelineOutcome failed = runUpTo(StageId::Captures, "first", 0);
+    failed.error = Error{ErrorKind::DataBlocked, {"No step.", {}}, {}, 1};
+    failed.failedStage = StageId::Window;
+    shown.take(failed, false);
+    QCOMPARE(shown.findings().size(), std::size_t(1));
+    QCOMPARE(shown.findings().front().severity, Severity::Block);
+    shown.takePart(
+        runUpTo(StageId::Captures, "second", 0).results, StageId::Expected, false, false);
+    QVERIFY(shown.run().error);
+    shown.takePart(runUpTo(StageId::Captures, "second", 0).results, StageId::Window, false, false);
+    QVERIFY(!shown.run().error);
+}
+
+void TestResultsOnShow::modelCurve_standsForTheResponse_untilItComes()
+{
+    ResultsOnShow shown;
+    QVERIFY(!shown.response());
+    shown.take(runUpTo(kLastStage, "first", 2), false);
+    const auto first = shown.run().results.response;
+    QCOMPARE(shown.response(), first);
+    // Within a drag the old response is of another model.
+    const auto drawn = curve();
+    shown.setModelCurve(drawn, "second");
+    shown.takePart(runUpTo(StageId::Shock, "second", 3).results, StageId::Shock, false, false);
+    QCOMPARE(shown.response(), drawn);
+    const auto second = runUpTo(StageId::Response, "second", 3).results;
+    shown.takePart(second, StageId::Response, false, false);
+    QCOMPARE(shown.response(), second.response);
+    // The curve of one run is not shown in another.
+    shown.setModelCurve(curve(), "third");
+    shown.takePart(runUpTo(StageId::Shock, "fourth", 4).results, StageId::Shock, false, false);
+    QVERIFY(!shown.response());
+}
+
+DYNCAL_TEST(TestResultsOnShow)
+#include "tst_results_on_show.moc"

@@ -1,0 +1,97 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tests/support/test_program.h"
+#include "ui/shell/preferences/preferences.h"
+#include "ui/stages/frame/prompts.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QtTest>
+
+using namespace dyncal;
+
+class TestPreferences : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void values_survive();
+    void recentFiles_newestFirst_onlyExisting_atMostTen();
+    void language_unknown_isEnglish();
+    void scriptedPrompts_withoutAnswer_cancel();
+    void saveFile_withoutSuffix_getsOne();
+};
+
+void TestPreferences::values_survive()
+{
+    const QTemporaryDir folder;
+    const QString path = folder.filePath("settings.ini");
+    {
+        Preferences preferences(path);
+        preferences.setLanguage("sv");
+        preferences.setWindow("geometry", "layout");
+        preferences.setLastFolder("/somewhere");
+    }
+    const Preferences again(path);
+    QCOMPARE(again.language(), QString("sv"));
+    QCOMPARE(again.geometry(), QByteArray("geometry"));
+    QCOMPARE(again.layout(), QByteArray("layout"));
+    QCOMPARE(again.lastFolder(), QString("/somewhere"));
+}
+
+void TestPreferences::recentFiles_newestFirst_onlyExisting_atMostTen()
+{
+    const QTemporaryDir folder;
+    Preferences preferences(folder.filePath("settings.ini"));
+    for (int i = 0; i < 12; ++i) {
+        const QString path = folder.filePath(QString("%1.dyncal").arg(i));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        preferences.addRecentFile(path);
+    }
+    preferences.addRecentFile(folder.filePath("5.dyncal"));
+    QStringList recent = preferences.recentFiles();
+    QCOMPARE(recent.size(), 10);
+    QCOMPARE(recent[0], folder.filePath("5.dyncal"));
+    QCOMPARE(recent[1], folder.filePath("11.dyncal"));
+    QCOMPARE(recent.count(folder.filePath("5.dyncal")), 1);
+    QFile::remove(folder.filePath("11.dyncal"));
+    recent = preferences.recentFiles();
+    QVERIFY(!recent.contains(folder.filePath("11.dyncal")));
+    preferences.clearRecentFiles();
+    QVERIFY(preferences.recentFiles().isEmpty());
+}
+
+void TestPreferences::language_unknown_isEnglish()
+{
+    const QTemporaryDir folder;
+    Preferences preferences(folder.filePath("settings.ini"));
+    preferences.setLanguage("xx");
+    QCOMPARE(preferences.language(), QString("en"));
+}
+
+void TestPreferences::scriptedPrompts_withoutAnswer_cancel()
+{
+    Prompts prompts;
+    prompts.setScripted();
+    QVERIFY(prompts.openFiles(nullptr, {}, {}, {}).isEmpty());
+    QVERIFY(prompts.saveFile(nullptr, {}, {}, {}, "pdf").isEmpty());
+    QCOMPARE(prompts.saveChanges(nullptr, {}), Answer::Cancel);
+    QVERIFY(!prompts.sentence(nullptr, {}, {}));
+    prompts.showProblem(nullptr, "one");
+    QCOMPARE(prompts.shownProblems(), QStringList{"one"});
+}
+
+void TestPreferences::saveFile_withoutSuffix_getsOne()
+{
+    Prompts prompts;
+    prompts.setScripted();
+    prompts.setNextFile("/tmp/a");
+    QCOMPARE(prompts.saveFile(nullptr, {}, {}, {}, "dyncal"), QString("/tmp/a.dyncal"));
+    prompts.setNextFile("/tmp/a.dyncal");
+    QCOMPARE(prompts.saveFile(nullptr, {}, {}, {}, "dyncal"), QString("/tmp/a.dyncal"));
+}
+
+DYNCAL_TEST(TestPreferences)
+#include "tst_preferences.moc"

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/capture/capture_set.h"
+#include "core/signal/power_spectrum.h"
+#include "core/signal/response_window.h"
+#include "ui/plot/values/plot_content.h"
+
+#include <QCoreApplication>
+
+#include <Eigen/Core>
+
+namespace dyncal {
+
+/// Translation context of every text in a plot.
+struct Plots
+{
+    Q_DECLARE_TR_FUNCTIONS(Plots)
+};
+
+/// How the curves of one shot are named and drawn on every plot.
+struct ShotStyle
+{
+    QString name; ///< "Shot 2 (medium)"
+    CurveRole role = CurveRole::ShotOther;
+};
+
+/// By level where there is one, else by number: 1st, 2nd, 3rd, others.
+ShotStyle shotStyle(Index shot, ShotLevel level);
+
+/// Style of a shot number as its window has it; number 0 is the average of the shots.
+ShotStyle shotStyle(Index shot, const WindowResult &window);
+
+std::vector<double> toVector(const Eigen::Ref<const Eigen::VectorXd> &values);
+
+/// first, first + step, ...: `count` values.
+std::vector<double> timeAxis(double first, double step, Index count);
+
+/// 10 log10; NaN (a gap) where there is no power.
+std::vector<double> decibels(const Eigen::VectorXd &power);
+
+/// The power spectra of shots in decibels. Periodograms of many points would hide each other, so
+/// each shot is drawn as its highest value per narrow band, over all its values in grey.
+std::vector<PlotCurve> spectraOfShots(
+    const std::vector<ShotStyle> &shots, const std::vector<const PowerSpectrum *> &spectra);
+
+/// A plot of power spectral densities of responses: axes, the shots' curves, and where y begins.
+PlotContent spectraContent(const QString &title, const WindowResult &window,
+    const std::vector<ShotStyle> &shots, const std::vector<const PowerSpectrum *> &spectra);
+
+PlotAxis timeAxisMeaning(); ///< "Time" in s
+PlotAxis frequencyAxisMeaning(); ///< "Frequency" in Hz, logarithmic
+/// What the values of windowed responses are: remapped (no unit) or in the channel's unit.
+PlotAxis responseAxisMeaning(const WindowResult &window);
+
+} // namespace dyncal

@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/interval.h"
+#include "ui/plot/qcp/qcp_cursors.h"
+#include "ui/plot/qcp/qcp_handles.h"
+#include "ui/plot/qcp/qcp_scene.h"
+
+#include <QObject>
+
+namespace dyncal {
+
+/// A range moved by a fraction of itself, along the axis' own scale.
+QCPRange shiftedRange(const QCPAxis &axis, const QCPRange &range, double fraction);
+
+/// What is in view.
+struct View
+{
+    QCPRange x, y;
+};
+
+/// One plot on show: content, handles, cursors, and the view with those before it. Positions are
+/// pixels of the inner QCustomPlot. It takes no events: PlotMouse and PlotKeyboard do. What has
+/// happened is told by signals, which PlotWidget passes on.
+class PlotCanvas : public QObject
+{
+    Q_OBJECT
+
+public:
+    explicit PlotCanvas(QWidget &owner);
+
+    QWidget &owner() { return m_owner; }
+    QCustomPlot &plot() { return *m_plot; }
+    PlotScene &scene() { return m_scene; }
+    PlotHandles &handles() { return m_handles; }
+    PlotCursors &cursors() { return m_cursors; }
+
+    void setContent(const PlotContent &content);
+    void applyTheme(); ///< that of the owner's palette and font
+    void replot();
+
+    View view() const { return {m_plot->xAxis->range(), m_plot->yAxis->range()}; }
+    void setView(const View &view);
+    void fitView();
+    void pan(double xFraction, double yFraction);
+    void zoomBy(double factor);
+    void remember(); ///< the view, to go back to
+    void goBack(bool forward);
+
+    void placeCursor(int which, const CurvePoint &point);
+    void clearCursors();
+    const std::optional<HandleGrip> &focusedGrip() const { return m_focused; }
+    void focusGrip(const std::optional<HandleGrip> &grip);
+
+signals:
+    void replotted(); ///< after the pixels are up to date
+    void xRangeChanged(dyncal::Interval x); ///< other than by setting content
+    void handleMoved(const dyncal::HandleState &state, bool finished);
+    void spanMarked(dyncal::Interval x);
+    void markingChanged(bool on);
+    void pointPicked(double x, double y);
+    void cursorPlaced(int which, double x);
+    void cursorsCleared();
+    void fitRequested();
+    void menuRequested(const QPoint &globalPosition);
+
+private:
+    void replotDecorations();
+    void fitContent(const PlotContent &before);
+
+    QWidget &m_owner;
+    QCustomPlot *m_plot; ///< child of the owner, shows only; all events are handled by the owner
+    PlotScene m_scene;
+    PlotHandles m_handles;
+    PlotCursors m_cursors;
+    bool m_isReplotQueued = false;
+    bool m_hasView = false; ///< a content with data has been fitted
+    View m_fitted; ///< the view as it was last fitted to a content
+    std::vector<View> m_back, m_forward;
+    std::optional<HandleGrip> m_focused;
+};
+
+} // namespace dyncal

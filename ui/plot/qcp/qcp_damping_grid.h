@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "ui/plot/values/plot_theme.h"
+
+#include <qcustomplot.h>
+
+#include <complex>
+
+namespace dyncal {
+
+/// Behind a map of the z plane: where poles of one damping ratio lie (spirals from 1) and where
+/// those of one undamped frequency lie (arcs from the unit circle), with their values.
+class DampingGrid : public QCPAbstractItem
+{
+public:
+    /// `rate_Hz`: of the samples; frequencies are told by it.
+    DampingGrid(QCustomPlot *plot, double rate_Hz);
+
+    void setTheme(const PlotTheme &theme);
+    double selectTest(const QPointF &, bool, QVariant * = nullptr) const override { return -1.0; }
+
+protected:
+    void draw(QCPPainter *painter) override;
+
+private:
+    QPointF pixelOf(std::complex<double> z) const;
+    void drawLines(QCPPainter *painter) const;
+    void drawFrequencies(QCPPainter *painter) const;
+    void drawDampingRatios(QCPPainter *painter) const;
+
+    double m_rate_Hz;
+    QColor m_line;
+    QColor m_text;
+    QFont m_font;
+};
+
+} // namespace dyncal

@@ -1,0 +1,136 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/plot/qcp/qcp_ticker.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+
+namespace {
+
+constexpr int kMaxDecimals = 12;
+constexpr int kMostLabelledDecades = 9;
+
+/// Ticks mantissa * 10^k inside the range.
+QVector<double> decadeTicks(
+    const QCPRange &range, const std::vector<double> &mantissas, int decadeStep)
+{
+    QVector<double> ticks;
+    const int first = static_cast<int>(std::floor(std::log10(range.lower)));
+    const int last = static_cast<int>(std::ceil(std::log10(range.upper)));
+    for (int exponent = first; exponent <= last; ++exponent) {
+        if (exponent % decadeStep != 0)
+            continue;
+        for (const double mantissa : mantissas)
+            ticks.append(mantissa * std::pow(10.0, exponent));
+    }
+    return ticks;
+}
+
+Index countInside(const QVector<double> &ticks, const QCPRange &range)
+{
+    return std::count_if(
+        ticks.begin(), ticks.end(), [&range](double tick) { return range.contains(tick); });
+}
+
+/// Fewest decimals that write multiples of `step` exactly: 0.25 needs two.
+int decimalsOf(double step)
+{
+    double scaled = std::abs(step);
+    for (int decimals = 0; decimals < kMaxDecimals; ++decimals, scaled *= 10.0)
+        if (scaled >= 1.0 && std::abs(scaled - std::round(scaled)) < 1e-6 * scaled)
+            return decimals;
+    return kMaxDecimals;
+}
+
+} // namespace
+
+PrefixTicker::PrefixTicker(const PlotAxis &axis)
+    : m_axis(axis)
+{
+    setTickCount(5);
+}
+
+double PrefixTicker::getTickStep(const QCPRange &range)
+{
+    const double step = QCPAxisTicker::getTickStep(range);
+    return m_axis.integers ? std::max(1.0, std::round(step)) : step;
+}
+
+int PrefixTicker::getSubTickCount(double tickStep)
+{
+    if (m_axis.integers)
+        return tickStep <= 10.0 ? static_cast<int>(tickStep) - 1 : 0;
+    return QCPAxisTicker::getSubTickCount(tickStep);
+}
+
+QVector<double> PrefixTicker::createTickVector(double tickStep, const QCPRange &range)
+{
+    m_prefix = axisPrefix(range.lower, range.upper, m_axis.unit);
+    return QCPAxisTicker::createTickVector(tickStep, range);
+}
+
+QVector<QString> PrefixTicker::createLabelVector(
+    const QVector<double> &ticks, const QLocale &, QChar, int)
+{
+    QVector<QString> labels;
+    labels.reserve(ticks.size());
+    const double step = ticks.size() > 1 ? (ticks[1] - ticks[0]) / m_prefix.factor : 1.0;
+    const int decimals = decimalsOf(step);
+    const QLocale locale = plotLocale();
+    for (const double tick : ticks) {
+        const double value = tick / m_prefix.factor;
+        // No "-0.0" for a tick that is zero but for rounding.
+        labels.append(locale.toString(std::abs(value) < 1e-9 * step ? 0.0 : value, 'f', decimals));
+    }
+    return labels;
+}
+
+DecadeTicker::DecadeTicker(const PlotAxis &axis)
+    : m_axis(axis)
+{
+}
+
+QVector<double> DecadeTicker::createTickVector(double tickStep, const QCPRange &range)
+{
+    m_range = range;
+    m_decadesOnly = false;
+    if (!(range.lower > 0.0))
+        return {};
+    const double decades = std::log10(range.upper / range.lower);
+    if (decades > 2.5) {
+        m_decadesOnly = true;
+        const int step = 1 + static_cast<int>(decades) / kMostLabelledDecades;
+        return decadeTicks(range, {1.0}, step);
+    }
+    QVector<double> ticks = decadeTicks(range, {1.0, 2.0, 5.0}, 1);
+    if (countInside(ticks, range) >= 3)
+        return ticks;
+    return QCPAxisTicker::createTickVector(tickStep, range);
+}
+
+QVector<double> DecadeTicker::createSubTickVector(int, const QVector<double> &)
+{
+    if (!(m_range.lower > 0.0))
+        return {};
+    const std::vector<double> between{2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0, 9.0};
+    const double decades = std::log10(m_range.upper / m_range.lower);
+    return decadeTicks(
+        m_range, decades > kMostLabelledDecades ? std::vector<double>{1.0} : between, 1);
+}
+
+QString DecadeTicker::getTickLabel(double tick, const QLocale &, QChar, int)
+{
+    if (m_decadesOnly && !takesPrefix(m_axis.unit)) {
+        const int exponent = static_cast<int>(std::lround(std::log10(tick)));
+        return exponent == 0 ? QStringLiteral("1") : powerOfTen(exponent);
+    }
+    const AxisPrefix prefix
+        = takesPrefix(m_axis.unit) ? axisPrefix(0.0, tick, m_axis.unit) : AxisPrefix{};
+    const QString number = plotLocale().toString(tick / prefix.factor, 'g', 6);
+    return prefix.symbol.isEmpty() ? number : number + QChar(0x202F) + prefix.symbol;
+}
+
+} // namespace dyncal

@@ -1,0 +1,51 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "ui/plot/values/axis_prefix.h"
+#include "ui/plot/values/plot_content.h"
+
+#include <qcustomplot.h>
+
+namespace dyncal {
+
+/// Ticks of a linear axis whose data stay SI: labels are divided by the prefix of the range shown
+/// and have just the decimals that the step needs.
+class PrefixTicker : public QCPAxisTicker
+{
+public:
+    explicit PrefixTicker(const PlotAxis &axis);
+
+protected:
+    double getTickStep(const QCPRange &range) override;
+    int getSubTickCount(double tickStep) override;
+    QVector<double> createTickVector(double tickStep, const QCPRange &range) override;
+    QVector<QString> createLabelVector(const QVector<double> &ticks, const QLocale &locale,
+        QChar formatChar, int precision) override;
+
+private:
+    PlotAxis m_axis;
+    AxisPrefix m_prefix;
+};
+
+/// Ticks of a logarithmic axis: decades, with 2 and 5 where few decades are shown, and linear
+/// steps below half a decade. Labels "10 k" where the unit takes prefixes, else "10⁻³".
+class DecadeTicker : public QCPAxisTicker
+{
+public:
+    explicit DecadeTicker(const PlotAxis &axis);
+
+protected:
+    QVector<double> createTickVector(double tickStep, const QCPRange &range) override;
+    QVector<double> createSubTickVector(int subTickCount, const QVector<double> &ticks) override;
+    QString getTickLabel(
+        double tick, const QLocale &locale, QChar formatChar, int precision) override;
+
+private:
+    PlotAxis m_axis;
+    QCPRange m_range;
+    bool m_decadesOnly = false;
+};
+
+} // namespace dyncal

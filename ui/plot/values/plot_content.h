@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/index.h"
+
+#include <QString>
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace dyncal {
+
+class CurveSamples;
+
+/// What a curve stands for; the theme gives it colour, dash and marker (never colour alone).
+enum class CurveRole {
+    ShotLow,
+    ShotMedium,
+    ShotHigh, ///< also used for the 1st, 2nd, 3rd shot without level
+    ShotOther,
+    Mean,
+    Measured,
+    Model,
+    Error,
+    Noise, ///< bands and floors of noise
+    Reference, ///< limits, tolerance lines
+    Pole,
+    Zero,
+    StepPole,
+    UnstablePole, ///< markers of the pole-zero map
+    Suggestion,
+    Candidate1,
+    Candidate2,
+    Candidate3,
+    Candidate4, ///< models of other orders laid over that of the chosen one
+    StablePole,
+    HalfStablePole,
+    NewPole, ///< markers of the stabilisation strip, beside UnstablePole
+};
+
+enum class CurveStyle { Line, Steps, Dots, LineAndDots, Markers, Stems, Bars };
+
+/// One curve as values: what is drawn, exported as CSV and printed is the same data.
+struct PlotCurve
+{
+    QString name; ///< legend text
+    CurveRole role = CurveRole::Measured;
+    CurveStyle style = CurveStyle::Line;
+    std::vector<double> x;
+    std::vector<double> y;
+    bool inLegend = true;
+    /// A long record behind the curve, of which x and y are the extremes over all its length. Views
+    /// are drawn from it, down to its single samples.
+    std::shared_ptr<const CurveSamples> record = {};
+    bool onSecondAxis = false; ///< against PlotContent::yAxis2, behind what is the plot's own
+};
+
+/// An axis: quantity and SI unit; the wrapper chooses the prefix ("Time / µs") by the range shown.
+struct PlotAxis
+{
+    QString quantity; ///< "Time"
+    QString unit; ///< "s", "Hz", "V", "" or "dB"
+    bool logarithmic = false;
+    bool integers = false; ///< tick labels are whole numbers (orders, lags)
+};
+
+/// A labelled vertical tick, e.g. a resonance found; `label` is drawn beside it.
+struct PlotMark
+{
+    double x = 0.0;
+    QString label;
+    CurveRole role = CurveRole::Reference;
+};
+
+/// A horizontal line, e.g. a confidence bound; with `from` the end of a band that begins there.
+struct PlotLevel
+{
+    double y = 0.0;
+    QString label;
+    CurveRole role = CurveRole::Reference;
+    std::optional<double> from = {};
+};
+
+/// Everything that one plot shows. Built by the pure functions in ui/plot/curves from results.
+struct PlotContent
+{
+    QString title;
+    PlotAxis xAxis;
+    PlotAxis yAxis;
+    /// At the right; always fitted to its curves. Cursors, hints and picks are of yAxis only.
+    std::optional<PlotAxis> yAxis2 = {};
+    std::vector<PlotCurve> curves;
+    std::vector<PlotMark> marks;
+    std::vector<PlotLevel> levels;
+    bool equalAspect = false; ///< pole-zero map
+    bool unitCircle = false;
+    /// Sample rate of a z plane: lines of one damping ratio and of one frequency are drawn in it.
+    std::optional<double> dampingGridRate_Hz = {};
+    std::optional<double> xMin, xMax, yMin, yMax; ///< first view; else fitted to the data
+    /// More is to come: the next content is fitted too, unless the operator moved the view.
+    bool growing = false;
+    QString summary; ///< one sentence for screen readers and as tooltip of the plot
+};
+
+} // namespace dyncal

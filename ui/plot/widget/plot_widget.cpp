@@ -1,0 +1,351 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/plot/widget/plot_widget.h"
+
+#include "ui/plot/qcp/qcp_keyboard.h"
+#include "ui/plot/widget/plot_export.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QContextMenuEvent>
+#include <QFileDialog>
+#include <QMenu>
+#include <QMimeData>
+#include <QStyle>
+#include <QToolTip>
+
+#include <limits>
+
+namespace dyncal {
+
+namespace {
+
+constexpr int kRing_px = 2; ///< width of the focus ring around the plot
+
+} // namespace
+
+/// The plot, and what takes the events of the widget to it.
+struct PlotWidget::Parts
+{
+    explicit Parts(PlotWidget &widget)
+        : canvas(widget)
+        , mouse(canvas)
+        , keyboard(canvas, mouse)
+        , plot(canvas.plot())
+    {
+    }
+
+    PlotPicture picture()
+    {
+        const View shown = canvas.view();
+        return {canvas.scene().sharedContent(), Interval{shown.x.lower, shown.x.upper},
+            Interval{shown.y.lower, shown.y.upper}, canvas.handles().states()};
+    }
+
+    PlotCanvas canvas;
+    PlotMouse mouse;
+    PlotKeyboard keyboard;
+    QCustomPlot &plot;
+};
+
+PlotWidget::PlotWidget(QWidget *parent)
+    : QWidget(parent)
+    , d(std::make_unique<Parts>(*this))
+{
+    setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    connectCanvas();
+    d->canvas.applyTheme();
+}
+
+void PlotWidget::connectCanvas()
+{
+    const PlotCanvas *canvas = &d->canvas;
+    connect(canvas, &PlotCanvas::replotted, this, &PlotWidget::replotted);
+    connect(canvas, &PlotCanvas::xRangeChanged, this, &PlotWidget::xRangeChanged);
+    connect(canvas, &PlotCanvas::spanMarked, this, &PlotWidget::spanMarked);
+    connect(canvas, &PlotCanvas::markingChanged, this, &PlotWidget::markingChanged);
+    connect(canvas, &PlotCanvas::pointPicked, this, &PlotWidget::pointPicked);
+    connect(canvas, &PlotCanvas::cursorPlaced, this, &PlotWidget::cursorPlaced);
+    connect(canvas, &PlotCanvas::cursorsCleared, this, &PlotWidget::cursorsCleared);
+    connect(canvas, &PlotCanvas::fitRequested, this, &PlotWidget::fit);
+    connect(canvas, &PlotCanvas::menuRequested, this, &PlotWidget::showMenu);
+    connect(
+        canvas, &PlotCanvas::handleMoved, this, [this](const HandleState &state, bool finished) {
+            if (state.isLine)
+                emit lineMoved(state.id, state.x.begin, finished);
+            else
+                emit bandMoved(state.id, state.x, finished);
+        });
+}
+
+PlotWidget::~PlotWidget() = default;
+
+void PlotWidget::setContent(const PlotContent &content)
+{
+    setAccessibleName(content.title);
+    setAccessibleDescription(content.summary);
+    d->canvas.setContent(content);
+    emit contentChanged();
+}
+
+const PlotContent &PlotWidget::content() const
+{
+    return d->canvas.scene().content();
+}
+
+void PlotWidget::fit()
+{
+    d->canvas.remember();
+    d->canvas.fitView();
+    d->canvas.replot();
+}
+
+void PlotWidget::setBand(const QString &id, const QString &label, Interval x, bool movable)
+{
+    d->canvas.handles().set({id, label, false, x, movable, false});
+    d->canvas.replot();
+}
+
+void PlotWidget::setHatchedBand(const QString &id, const QString &label, Interval x)
+{
+    d->canvas.handles().set({id, label, false, x, true, false, true});
+    d->canvas.replot();
+}
+
+void PlotWidget::removeBand(const QString &id)
+{
+    d->canvas.handles().remove(id, false);
+    d->canvas.replot();
+}
+
+void PlotWidget::setLine(const QString &id, const QString &label, double x, bool snapToIntegers)
+{
+    d->canvas.handles().set({id, label, true, {x, x}, true, snapToIntegers});
+    d->canvas.replot();
+}
+
+void PlotWidget::removeLine(const QString &id)
+{
+    d->canvas.handles().remove(id, true);
+    d->canvas.replot();
+}
+
+void PlotWidget::setMarkable(bool markable)
+{
+    d->mouse.setMarkable(markable);
+}
+
+void PlotWidget::setMarking(bool on)
+{
+    d->mouse.setMarking(on);
+}
+
+QPoint PlotWidget::pixelOf(double x, double y) const
+{
+    const QPointF inner(d->plot.xAxis->coordToPixel(x), d->plot.yAxis->coordToPixel(y));
+    return d->plot.mapTo(this, inner.toPoint());
+}
+
+Interval PlotWidget::xRange() const
+{
+    return {d->plot.xAxis->range().lower, d->plot.xAxis->range().upper};
+}
+
+void PlotWidget::setXRange(Interval x)
+{
+    d->plot.xAxis->setRange(x.begin, x.end);
+    d->canvas.replot();
+}
+
+QRect PlotWidget::axesRect() const
+{
+    return d->plot.axisRect()->rect().translated(d->plot.pos());
+}
+
+Interval PlotWidget::yRange() const
+{
+    return {d->plot.yAxis->range().lower, d->plot.yAxis->range().upper};
+}
+
+void PlotWidget::paint(QPainter &painter, const QRectF &target, const PlotContent &content)
+{
+    paintPicture(painter, target, {std::make_shared<const PlotContent>(content), {}, {}, {}});
+}
+
+void PlotWidget::setLegendVisible(bool visible)
+{
+    d->canvas.scene().setLegendVisible(visible);
+    d->canvas.replot();
+}
+
+QString PlotWidget::cursorReadout() const
+{
+    return d->canvas.cursors().readout(d->canvas.scene().content());
+}
+
+void PlotWidget::followCursor(int which, std::optional<double> x)
+{
+    if (x)
+        d->canvas.placeCursor(which, {0, *x, std::numeric_limits<double>::quiet_NaN()});
+    else
+        d->canvas.clearCursors();
+}
+
+QSize PlotWidget::sizeHint() const
+{
+    return {480, 300};
+}
+
+QSize PlotWidget::minimumSizeHint() const
+{
+    return {160, 110};
+}
+
+bool PlotWidget::exportImage(const QString &path) const
+{
+    return savePicture(d->picture(), d->plot.size(), path);
+}
+
+QString PlotWidget::csv() const
+{
+    return contentCsv(d->canvas.scene().contentInView());
+}
+
+void PlotWidget::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange
+        || event->type() == QEvent::StyleChange)
+        d->canvas.applyTheme();
+}
+
+void PlotWidget::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    const QRect inner = rect().adjusted(kRing_px, kRing_px, -kRing_px, -kRing_px);
+    if (inner.isEmpty()) // a splitter folded it away: there is nothing to paint on
+        return;
+    d->plot.setGeometry(inner);
+    d->canvas.replot();
+}
+
+void PlotWidget::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    painter.fillRect(rect(),
+        hasFocus() ? d->canvas.scene().theme().focus : d->canvas.scene().theme().background);
+}
+
+void PlotWidget::mousePressEvent(QMouseEvent *event)
+{
+    d->mouse.press(*event);
+}
+
+void PlotWidget::mouseMoveEvent(QMouseEvent *event)
+{
+    d->mouse.move(*event);
+}
+
+void PlotWidget::mouseReleaseEvent(QMouseEvent *event)
+{
+    d->mouse.release(*event);
+}
+
+void PlotWidget::mouseDoubleClickEvent(QMouseEvent *event)
+{
+    if (event->button() == Qt::LeftButton)
+        fit();
+}
+
+void PlotWidget::wheelEvent(QWheelEvent *event)
+{
+    d->mouse.wheel(*event);
+    event->accept();
+}
+
+void PlotWidget::contextMenuEvent(QContextMenuEvent *event)
+{
+    // The right button opens the menu on release: a drag with it zooms.
+    if (event->reason() == QContextMenuEvent::Keyboard)
+        showMenu(mapToGlobal(rect().center()));
+    event->accept();
+}
+
+void PlotWidget::keyPressEvent(QKeyEvent *event)
+{
+    if (!d->keyboard.press(*event))
+        QWidget::keyPressEvent(event);
+}
+
+bool PlotWidget::event(QEvent *event)
+{
+    if (event->type() == QEvent::ShortcutOverride
+        && d->keyboard.takesPrecedence(*static_cast<QKeyEvent *>(event))) {
+        event->accept();
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+bool PlotWidget::focusNextPrevChild(bool next)
+{
+    return (hasFocus() && d->keyboard.focusNextGrip(next)) || QWidget::focusNextPrevChild(next);
+}
+
+void PlotWidget::focusInEvent(QFocusEvent *event)
+{
+    QWidget::focusInEvent(event);
+    update();
+}
+
+void PlotWidget::focusOutEvent(QFocusEvent *event)
+{
+    QWidget::focusOutEvent(event);
+    d->canvas.focusGrip(std::nullopt);
+    update();
+}
+
+void PlotWidget::showMenu(const QPoint &globalPosition)
+{
+    QMenu menu(this);
+    menu.addAction(tr("Copy image"), this, [this] {
+        QApplication::clipboard()->setImage(renderPicture(d->picture(), d->plot.size(), 2.0));
+    });
+    menu.addAction(tr("Copy data"), this, [this] { QApplication::clipboard()->setText(csv()); });
+    menu.addAction(tr("Export..."), this, &PlotWidget::exportWithDialog);
+    menu.addSeparator();
+    menu.addAction(tr("Fit"), this, &PlotWidget::fit);
+    QAction *grid = menu.addAction(tr("Grid"), this, [this](bool visible) {
+        d->canvas.scene().setGridVisible(visible);
+        d->canvas.replot();
+    });
+    grid->setCheckable(true);
+    grid->setChecked(d->canvas.scene().isGridVisible());
+    menu.exec(globalPosition);
+}
+
+void PlotWidget::exportWithDialog()
+{
+    const QString path = QFileDialog::getSaveFileName(this, tr("Export plot"), QString(),
+        tr("Vector image (*.svg);;Image (*.png);;PDF (*.pdf);;Data (*.csv)"));
+    if (path.isEmpty())
+        return;
+    bool done = false;
+    if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
+        QSaveFile file(path);
+        done = file.open(QIODevice::WriteOnly) && file.write(csv().toUtf8()) >= 0 && file.commit();
+    } else {
+        done = exportImage(path);
+    }
+    if (!done)
+        QToolTip::showText(mapToGlobal(rect().center()),
+            tr("The plot could not be written to %1; choose a folder that can be written and a "
+               "name that ends in .svg, .png, .pdf or .csv.")
+                .arg(path),
+            this);
+}
+
+} // namespace dyncal

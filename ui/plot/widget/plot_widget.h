@@ -1,0 +1,122 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/interval.h"
+#include "ui/plot/values/plot_content.h"
+
+#include <QWidget>
+
+#include <memory>
+
+class QPainter;
+
+namespace dyncal {
+
+/// The only plot of the program: wraps QCustomPlot, so that zoom, pan, cursors, handles, theme and
+/// export are the same everywhere. Setting content keeps the view (zoom, pan); only fit() and the
+/// first content change it (a content that is still growing counts as the first until it is
+/// complete or the operator moves the view). It knows values only: no results, no session.
+///
+/// Mouse: wheel zooms x at the pointer, Ctrl+wheel y, Shift+wheel pans; left drag pans; right drag
+/// zooms a box; double click fits; hover shows the nearest point. Keys: F fit, G grid, 1 / 2 put
+/// cursor A / B at the pointer, arrows move the focused handle by one step (signals bandMoved,
+/// lineMoved; Shift: ten steps) or else the view, + / - zoom, Backspace the view before, Tab the
+/// next handle, Esc ends a drag and restores. Where spans can be marked (setMarkable): Shift and
+/// left drag, or left drag while setMarking is on.
+class PlotWidget : public QWidget
+{
+    Q_OBJECT
+
+public:
+    explicit PlotWidget(QWidget *parent = nullptr);
+    ~PlotWidget() override;
+
+    void setContent(const PlotContent &content);
+    const PlotContent &content() const;
+    void fit();
+
+    /// A draggable band over x with two edges; `id` names it in signals. Drawn behind the curves,
+    /// hatched where it cannot be moved.
+    void setBand(const QString &id, const QString &label, Interval x, bool movable = true);
+    /// A draggable band, hatched: what it covers takes no part.
+    void setHatchedBand(const QString &id, const QString &label, Interval x);
+    void removeBand(const QString &id);
+    /// A draggable vertical line. With `snapToIntegers` it stops between whole numbers
+    /// (the cut in the singular values: value n means "keep n").
+    void setLine(const QString &id, const QString &label, double x, bool snapToIntegers = false);
+    void removeLine(const QString &id);
+
+    /// Shift and left drag mark a span of x (spanMarked).
+    void setMarkable(bool markable);
+    /// The next left drag marks a span, handles or not; it or Esc ends the mode.
+    void setMarking(bool on);
+
+    /// Pixel position (widget coordinates) of a plot coordinate: for tests that use the mouse.
+    QPoint pixelOf(double x, double y) const;
+    QRect axesRect() const; ///< where curves are drawn, widget coordinates
+    Interval xRange() const;
+    void setXRange(Interval x); ///< y stays
+    Interval yRange() const;
+
+    /// Draws the plot as vectors, light theme, opaque colours, no background, into `target` of a
+    /// painter (PDF, SVG). Text and pens are sized in millimetres of a page at 96 dpi.
+    static void paint(QPainter &painter, const QRectF &target, const PlotContent &content);
+
+    /// The legend is shown above the plot by itself when two or more curves have names; a click
+    /// on an entry hides or shows its curve, Ctrl+click shows it alone.
+    void setLegendVisible(bool visible);
+
+    /// Readings of the cursors as shown ("A: 1.2 µs; 0.98 V"), empty without cursors.
+    QString cursorReadout() const;
+
+    /// Cursor A (0) or B (1) at a place of the x axis, where another plot has it; none: both go.
+    void followCursor(int which, std::optional<double> x);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+    bool exportImage(const QString &path) const; ///< .png, .svg or .pdf by suffix
+    /// The plotted numbers at full precision, '.' as decimal mark; of a long record those of the
+    /// present view: its samples when they are few, else extremes of pixel columns.
+    QString csv() const;
+
+signals:
+    void bandMoved(const QString &id, dyncal::Interval x, bool finished); ///< finished = released
+    void lineMoved(const QString &id, double x, bool finished);
+    void spanMarked(dyncal::Interval x);
+    void markingChanged(bool on); ///< also when it ends by itself
+    void pointPicked(double x, double y); ///< plain click, at the nearest data point
+    void xRangeChanged(dyncal::Interval x); ///< other than by setting content
+    void contentChanged(); ///< and fitted
+    void cursorPlaced(int which, double x); ///< by the operator
+    void cursorsCleared(); ///< likewise
+    void replotted(); ///< after the pixels are up to date
+
+protected:
+    void changeEvent(QEvent *event) override; ///< follows the palette (light, dark)
+    bool event(QEvent *event) override; ///< tool tip, undo of a drag by Esc before shortcuts
+    void resizeEvent(QResizeEvent *event) override;
+    void paintEvent(QPaintEvent *event) override; ///< focus ring
+    void focusInEvent(QFocusEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
+    bool focusNextPrevChild(bool next) override; ///< Tab walks through the handles first
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
+
+private:
+    void connectCanvas();
+    void showMenu(const QPoint &globalPosition);
+    void exportWithDialog();
+
+    struct Parts;
+    std::unique_ptr<Parts> d;
+};
+
+} // namespace dyncal

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/session/results_on_show.h"
+
+#include "core/results/results_json.h"
+
+#include <algorithm>
+
+namespace dyncal {
+
+namespace {
+
+/// `part`, with what it lacks from `old`.
+CalibrationResults merged(CalibrationResults part, const CalibrationResults &old)
+{
+    const auto keep = [](auto &now, const auto &before) {
+        if (!now)
+            now = before;
+    };
+    keep(part.starts, old.starts);
+    keep(part.expected, old.expected);
+    keep(part.window, old.window);
+    keep(part.spectrum, old.spectrum);
+    keep(part.components, old.components);
+    keep(part.input, old.input);
+    keep(part.decomposition, old.decomposition);
+    keep(part.model, old.model);
+    keep(part.shock, old.shock);
+    keep(part.response, old.response);
+    keep(part.evidence, old.evidence);
+    keep(part.monteCarlo, old.monteCarlo);
+    return part;
+}
+
+} // namespace
+
+bool ResultsOnShow::isOfThisRun(StageId stage) const
+{
+    return keyOf(stage) == m_run.results.keys[static_cast<std::size_t>(stage)];
+}
+
+const std::string &ResultsOnShow::keyOf(StageId stage) const
+{
+    return m_keys[static_cast<std::size_t>(stage)];
+}
+
+std::shared_ptr<const ResponseResult> ResultsOnShow::response() const
+{
+    const auto &known = m_run.results.response;
+    if (!known || isOfThisRun(StageId::Response))
+        return known;
+    const auto stage = static_cast<std::size_t>(StageId::Response);
+    return m_keyOfCurve == m_run.results.keys[stage] ? m_modelCurve : nullptr;
+}
+
+void ResultsOnShow::setModelCurve(
+    std::shared_ptr<const ResponseResult> curve, const std::string &key)
+{
+    m_modelCurve = std::move(curve);
+    m_keyOfCurve = key;
+}
+
+Findings ResultsOnShow::findings() const
+{
+    CalibrationResults results = m_run.results;
+    if (!isOfThisRun(StageId::Model))
+        results.model = nullptr;
+    if (!isOfThisRun(StageId::Shock))
+        results.shock = nullptr;
+    if (!isOfThisRun(StageId::Response))
+        results.response = nullptr;
+    if (!isOfThisRun(StageId::Evidence))
+        results.evidence = nullptr;
+    if (!isOfThisRun(StageId::MonteCarlo))
+        results.monteCarlo = nullptr;
+    Findings all = allFindings({results, m_run.error, m_run.failedStage});
+    // The list of results.json leaves out errors that are not of the catalogue; people see them.
+    if (m_run.error && m_run.error->findingId.empty()
+        && m_run.error->kind != ErrorKind::Cancelled) {
+        Finding block;
+        block.severity = Severity::Block;
+        block.shot = m_run.error->shot;
+        block.message = m_run.error->message;
+        all.insert(all.begin(), block);
+    }
+    return all;
+}
+
+void ResultsOnShow::markStaleFrom(StageId stage)
+{
+    m_run.firstStale = std::min(m_run.firstStale, static_cast<int>(stage));
+}
+
+void ResultsOnShow::take(const PipelineOutcome &outcome, bool newerWaits)
+{
+    m_run.results = outcome.results;
+    m_areFirstTriplets = false;
+    m_run.error = outcome.error;
+    m_run.failedStage = outcome.failedStage;
+    m_keys = outcome.results.keys;
+    m_run.computing = newerWaits;
+    if (!newerWaits)
+        m_run.firstStale = kStageCount;
+}
+
+void ResultsOnShow::takePart(
+    const CalibrationResults &part, StageId upTo, bool isFirstTriplets, bool newerWaits)
+{
+    if (upTo >= StageId::Decomposition)
+        m_areFirstTriplets = isFirstTriplets;
+    std::copy_n(part.keys.begin(), static_cast<std::size_t>(upTo) + 1, m_keys.begin());
+    const auto assessed = static_cast<std::size_t>(StageId::Assessment);
+    if (part.model) // of this recipe, and perhaps assessed in an earlier run
+        m_keys[assessed] = part.model->isAssessed ? part.keys[assessed] : std::string();
+    m_run.results = merged(part, m_run.results);
+    if (m_run.error && m_run.failedStage <= upTo)
+        m_run.error.reset();
+    if (!newerWaits)
+        m_run.firstStale = std::max(m_run.firstStale,
+            isFirstTriplets ? static_cast<int>(StageId::Decomposition)
+                            : static_cast<int>(upTo) + 1);
+}
+
+} // namespace dyncal

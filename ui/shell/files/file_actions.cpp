@@ -1,0 +1,450 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/shell/files/file_actions.h"
+
+#include "core/base/writing/atomic_file.h"
+#include "core/base/writing/write_problem.h"
+#include "core/capture/opening/capture_open.h"
+#include "core/capture/opening/format_registry.h"
+#include "core/results/model_export.h"
+#include "core/results/publication.h"
+#include "ui/session/capture_edit.h"
+#include "ui/session/example.h"
+#include "ui/text/core_text.h"
+#include "ui/text/shown_text.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QWidget>
+
+namespace dyncal {
+
+namespace {
+
+constexpr const char *kProjectSuffix = "dyncal";
+
+struct OpenedProject
+{
+    ProjectState state;
+    std::string sha256; ///< of the file that was read
+};
+
+Result<OpenedProject> openedProject(const QString &path, const JobControl &control)
+{
+    const Result<ProjectFile> file = readProjectFile(path);
+    if (!file)
+        return tl::unexpected<Error>(file.error());
+    Result<ProjectState> state = openProject(*file, control);
+    if (!state)
+        return tl::unexpected<Error>(state.error());
+    return OpenedProject{std::move(*state), file->sha256};
+}
+
+bool isProject(const QString &path)
+{
+    return QFileInfo(path).suffix() == kProjectSuffix;
+}
+
+QString captureFilter()
+{
+    QStringList patterns;
+    for (const CaptureFormat &format : captureFormats())
+        for (const std::string &extension : format.extensions)
+            patterns << "*." + rawText(extension);
+    patterns.removeDuplicates();
+    return FileActions::tr("Recordings (%1)").arg(patterns.join(' ')) + ";;"
+        + FileActions::tr("All files (*)");
+}
+
+QString projectFilter()
+{
+    return FileActions::tr("Dyncal projects (*.%1)").arg(kProjectSuffix);
+}
+
+} // namespace
+
+FileActions::FileActions(Session &session, CurrentUtc currentUtc, Prompts &prompts,
+    Preferences &preferences, QWidget *window)
+    : QObject(window)
+    , m_session(session)
+    , m_currentUtc(std::move(currentUtc))
+    , m_prompts(prompts)
+    , m_preferences(preferences)
+    , m_window(window)
+    , m_jobs(this)
+    , m_captures(session, preferences, window)
+    , m_export(this)
+{
+    connect(&m_captures, &CaptureImport::busy, this, &FileActions::busy);
+    connect(&m_captures, &CaptureImport::progress, this, &FileActions::progress);
+    connect(&m_captures, &CaptureImport::idle, this, &FileActions::idle);
+    connect(&m_captures, &CaptureImport::newJob, this,
+        [this](const ProjectState &state) { startJob(state, {}); });
+    connect(&m_export, &ExportJob::progress, this, &FileActions::progress);
+    connect(&m_export, &ExportJob::failed, this, &FileActions::showProblem);
+    connect(&m_export, &ExportJob::finished, this, [this](bool isWhole) {
+        const QString target = shownText(m_exportTarget);
+        emit idle(isWhole ? tr("Written: %1").arg(target)
+                          : tr("Written: %1 (results.json and recipe.json alone, because of "
+                               "what blocks)")
+                                .arg(target));
+    });
+    connect(&session.undoStack(), &QUndoStack::cleanChanged, this, &FileActions::projectChanged);
+}
+
+QString FileActions::projectName() const
+{
+    if (!m_path.isEmpty())
+        return QFileInfo(m_path).completeBaseName();
+    return m_session.state().hasShots() ? tr("Untitled") : QString();
+}
+
+bool FileActions::isModified() const
+{
+    return !m_session.undoStack().isClean();
+}
+
+bool FileActions::mayDiscard()
+{
+    if (!isModified())
+        return true;
+    switch (m_prompts.saveChanges(m_window, projectName())) {
+    case Answer::Save:
+        return save();
+    case Answer::Discard:
+        return true;
+    case Answer::Cancel:
+        break;
+    }
+    return false;
+}
+
+QStringList FileActions::askForCaptures()
+{
+    const QStringList paths = m_prompts.openFiles(
+        m_window, tr("Open captures"), captureFilter(), m_preferences.lastFolder());
+    if (!paths.isEmpty())
+        m_preferences.setLastFolder(QFileInfo(paths.first()).absolutePath());
+    return paths;
+}
+
+void FileActions::openCaptures()
+{
+    const QStringList paths = askForCaptures();
+    if (!paths.isEmpty() && mayDiscard())
+        readRecordings(paths, false);
+}
+
+void FileActions::addCaptures()
+{
+    const QStringList paths = askForCaptures();
+    if (!paths.isEmpty())
+        readRecordings(paths, m_session.state().hasShots());
+}
+
+void FileActions::openPaths(const QStringList &paths)
+{
+    if (paths.isEmpty())
+        return;
+    if (isProject(paths.first())) {
+        if (mayDiscard())
+            openProjectFile(paths.first());
+        return;
+    }
+    readRecordings(paths, m_session.state().hasShots());
+}
+
+void FileActions::readRecordings(const QStringList &paths, bool add)
+{
+    if (!isExporting())
+        m_captures.read(paths, add);
+}
+
+void FileActions::startJob(
+    const ProjectState &state, const QString &path, const ProjectFileHash &onDisk)
+{
+    m_path = path;
+    m_onDisk = onDisk;
+    m_session.reset(state);
+    emit projectChanged();
+}
+
+void FileActions::openExample()
+{
+    if (isExporting() || !mayDiscard())
+        return;
+    emit busy(tr("Making the example"));
+    m_jobs.start<CaptureSet>(
+        [duration = m_exampleDuration_s](
+            const JobControl &control) { return exampleCaptures(control, duration); },
+        [this](Result<CaptureSet> set) {
+            if (!set) {
+                showProblem(set.error());
+                return;
+            }
+            emit idle(tr("The example is open"));
+            startJob({std::make_shared<const CaptureSet>(std::move(*set)), {}}, {});
+        },
+        [this](double done) { emit progress(done); });
+}
+
+void FileActions::openProject()
+{
+    if (!mayDiscard())
+        return;
+    const QString path = m_prompts.openFile(
+        m_window, tr("Open project"), projectFilter(), m_preferences.lastFolder());
+    if (!path.isEmpty())
+        openProjectFile(path);
+}
+
+void FileActions::openProjectFile(const QString &path)
+{
+    if (isExporting())
+        return;
+    emit busy(tr("Opening project"));
+    m_jobs.start<OpenedProject>(
+        [path](const JobControl &control) { return openedProject(path, control); },
+        [this, path](Result<OpenedProject> opened) {
+            if (!opened) {
+                showProblem(opened.error());
+                return;
+            }
+            m_preferences.setLastFolder(QFileInfo(path).absolutePath());
+            m_preferences.addRecentFile(path);
+            emit idle(tr("Project opened"));
+            startJob(opened->state, path, opened->sha256);
+        },
+        [this](double done) { emit progress(done); });
+}
+
+void FileActions::restoreWork(const RecoveredWork &work, const QString &recordings)
+{
+    if (isExporting() || !mayDiscard())
+        return;
+    m_captures.cancel(); // recordings that arrive later would take the place of the work
+    emit busy(tr("Restoring work"));
+    m_jobs.start<ProjectState>(
+        [file = work.file, recordings](
+            const JobControl &control) { return dyncal::openProject(file, control, recordings); },
+        [this, work](Result<ProjectState> state) {
+            emit idle(state ? tr("Work restored; it is not saved yet") : QString());
+            if (!state) {
+                emit restoreFailed(work.file, state.error());
+                return;
+            }
+            startJob(*state, work.project, work.projectSha256);
+            m_session.undoStack().resetClean();
+            emit workRestored(work.file);
+        },
+        [this](double done) { emit progress(done); });
+}
+
+bool FileActions::save()
+{
+    return m_path.isEmpty() ? saveAs() : saveTo(m_path, m_onDisk);
+}
+
+bool FileActions::refusesRecording(const QString &path)
+{
+    const bool isRecording = isRecordingOf(*m_session.state().captures, path.toStdString());
+    if (isRecording)
+        showProblem(existsAlready(path.toStdString()).value());
+    return isRecording;
+}
+
+bool FileActions::saveAs()
+{
+    const QString path = m_prompts.saveFile(m_window, tr("Save project"), projectFilter(),
+        proposedPath(projectName() + "." + kProjectSuffix), kProjectSuffix);
+    if (path.isEmpty())
+        return false;
+    if (refusesRecording(path))
+        return false;
+    // What the dialog asked about is what is there now; of its own file the window knows better.
+    const bool isOwn = QFileInfo(path) == QFileInfo(m_path);
+    return saveTo(path, isOwn ? m_onDisk : projectFileHash(path));
+}
+
+/// Another file than expected is replaced only if the operator says so, and only that one.
+bool FileActions::saveTo(const QString &path, const ProjectFileHash &expected)
+{
+    if (!m_session.isSealed()) {
+        m_prompts.showProblem(m_window,
+            tr("The recordings are still being read for their hashes, which the project keeps; "
+               "try again in a moment."));
+        return false;
+    }
+    Result<std::string> saved = saveProject(path, m_session.state(), expected);
+    while (!saved && saved.error().findingId == kChangedMeanwhile) {
+        const ProjectFileHash now = projectFileHash(path);
+        const ChangedProject answer = m_prompts.changedProject(m_window, path, now.has_value());
+        if (answer == ChangedProject::Cancel)
+            return false;
+        if (answer == ChangedProject::OtherName)
+            return saveAs();
+        saved = saveProject(path, m_session.state(), now);
+    }
+    if (!saved) {
+        showProblem(saved.error());
+        return false;
+    }
+    m_path = path;
+    m_onDisk = *saved;
+    m_preferences.setLastFolder(QFileInfo(path).absolutePath());
+    m_preferences.addRecentFile(path);
+    m_session.undoStack().setClean();
+    emit projectChanged();
+    emit idle(tr("Project saved"));
+    return true;
+}
+
+/// Only results that belong to the settings on the screen are written.
+bool FileActions::hasResults()
+{
+    QString problem;
+    if (m_session.isComputing())
+        problem = tr("The results are still being computed; try again in a moment.");
+    else if (!m_session.isUpToDate())
+        problem = tr("The results are out of date because the computation was cancelled; press "
+                     "F9 to compute them again.");
+    else if (!m_session.results().model)
+        problem = tr("There is no model yet: open recordings and clear what blocks the stages.");
+    if (!problem.isEmpty())
+        m_prompts.showProblem(m_window, problem);
+    return problem.isEmpty();
+}
+
+PipelineOutcome FileActions::outcome() const
+{
+    return {m_session.results(), m_session.error(), m_session.failedStage()};
+}
+
+/// Says what blocks.
+bool FileActions::isBlocked()
+{
+    const std::optional<Error> obstacle = publicationObstacle(outcome());
+    if (obstacle)
+        showProblem(*obstacle);
+    return obstacle.has_value();
+}
+
+bool FileActions::isExporting()
+{
+    if (m_export.isRunning())
+        m_prompts.showProblem(m_window,
+            tr("Results are still being written to %1; wait until they are, or press Cancel.")
+                .arg(shownText(m_exportTarget)));
+    return m_export.isRunning();
+}
+
+bool FileActions::mayQuit()
+{
+    return !isExporting() && mayDiscard();
+}
+
+void FileActions::exportResults()
+{
+    if (isExporting() || !hasResults())
+        return;
+    const QString folder = m_prompts.folder(
+        m_window, tr("Export results into a folder"), m_preferences.lastFolder());
+    if (folder.isEmpty())
+        return;
+    Result<FolderWrite> begun
+        = FolderWrite::begin(runFolder(folder.toStdString(), *m_session.state().captures));
+    if (!begun) {
+        showProblem(begun.error());
+        return;
+    }
+    startExport(folder, ReportParts::CertificateAndPlots,
+        [target = std::make_shared<FolderWrite>(std::move(*begun))](
+            const RunFiles &run, const JobControl &control) -> Result<void> {
+            const auto written = writeRunFiles(run, *target, control);
+            if (!written)
+                return tl::unexpected<Error>(written.error());
+            return {};
+        });
+}
+
+void FileActions::exportCertificate()
+{
+    if (isExporting() || !hasResults() || isBlocked())
+        return;
+    const QString path = m_prompts.saveFile(m_window, tr("Export certificate"),
+        tr("PDF documents (*.pdf)"), proposedPath("certificate.pdf"), "pdf");
+    if (path.isEmpty())
+        return;
+    if (refusesRecording(path))
+        return;
+    startExport(path, ReportParts::Certificate,
+        [path = path.toStdString()](const RunFiles &run, const JobControl &) {
+            return writeFileAtomically(path, run.drawn.front().bytes);
+        });
+}
+
+void FileActions::exportModel()
+{
+    if (isExporting() || !hasResults() || isBlocked())
+        return;
+    const QString folder = m_prompts.folder(
+        m_window, tr("Export the model into a folder"), m_preferences.lastFolder());
+    if (folder.isEmpty())
+        return;
+    Result<FolderWrite> target
+        = FolderWrite::begin(modelFolder(folder.toStdString(), *m_session.state().captures));
+    const auto written = target ? writeModelFiles(m_session.results(), modelFormats(), *target)
+                                : tl::unexpected<Error>(target.error());
+    if (written)
+        emit idle(tr("Model written to %1").arg(shownText(folder)));
+    else
+        showProblem(written.error());
+}
+
+void FileActions::startExport(
+    const QString &target, ReportParts parts, const ExportJob::Write &write)
+{
+    const Result<std::string> created = m_currentUtc();
+    if (!created) {
+        showProblem(created.error());
+        return;
+    }
+    m_exportTarget = target;
+    emit busy(tr("Writing %1").arg(shownText(QFileInfo(target).fileName())));
+    m_export.start({outcome(), m_session.recipe(), *created, {}}, parts, write);
+}
+
+void FileActions::cancel()
+{
+    m_jobs.cancel();
+    m_captures.cancel();
+    m_export.cancel();
+    emit idle(tr("Cancelled"));
+}
+
+void FileActions::stopForMemory()
+{
+    cancel();
+    m_session.cancelComputation();
+    showProblem({ErrorKind::Internal,
+        {DYNCAL_TEXT("core",
+             "The memory is used up, so the work in hand was stopped; save your work, close other "
+             "programs or choose a shorter window."),
+            {}},
+        {}, 0});
+}
+
+void FileActions::showProblem(const Error &error)
+{
+    emit idle({});
+    if (error.kind != ErrorKind::Cancelled)
+        m_prompts.showProblem(m_window, translated(error.message));
+}
+
+QString FileActions::proposedPath(const QString &fileName) const
+{
+    return QDir(m_preferences.lastFolder()).filePath(fileName);
+}
+
+} // namespace dyncal

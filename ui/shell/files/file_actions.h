@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "ui/session/current_utc.h"
+#include "ui/session/project_file.h"
+#include "ui/session/recovery_store.h"
+#include "ui/session/session.h"
+#include "ui/shell/files/export_job.h"
+#include "ui/shell/import/capture_import.h"
+#include "ui/shell/preferences/preferences.h"
+#include "ui/stages/frame/prompts.h"
+
+#include <QObject>
+#include <QPointer>
+
+namespace dyncal {
+
+/// Opening, saving and exporting: what the File menu does. Reading and writing of data runs in the
+/// background; a failure leaves the job as it was and shows one message.
+class FileActions : public QObject
+{
+    Q_OBJECT
+
+public:
+    FileActions(Session &session, CurrentUtc currentUtc, Prompts &prompts, Preferences &preferences,
+        QWidget *window);
+
+    void openCaptures(); ///< asks for files, starts a new job
+    void addCaptures(); ///< asks for files, adds their shots to the job
+    void openExample();
+    void openProject();
+    void openProjectFile(const QString &path);
+    /// Files or folders from a drop or the command line: a project is opened; recordings start a
+    /// job or are added to the one that is open.
+    void openPaths(const QStringList &paths);
+    /// Opens what a stopped program left behind, as unsaved changes of its project; recordings
+    /// that are not where they were are sought in the folder `recordings`. Tells by workRestored
+    /// or restoreFailed; nothing when the operator keeps what is open.
+    void restoreWork(const RecoveredWork &work, const QString &recordings = {});
+    bool save();
+    bool saveAs();
+    void exportResults();
+    void exportCertificate();
+    void exportModel(); ///< MAT, JSON, CSV, MATLAB and Python scripts into a folder
+
+    /// Reading of recordings, its questions and its problems.
+    CaptureImport &captures() { return m_captures; }
+
+    /// False when the operator wants to keep working on unsaved changes.
+    bool mayDiscard();
+    bool isModified() const;
+    bool isBusy() const
+    {
+        return m_jobs.isRunning() || m_captures.isRunning() || m_export.isRunning();
+    }
+    /// False, and said why, while results are being written: quitting would leave half of them.
+    bool mayQuit();
+    void cancel();
+    void stopForMemory(); ///< cancels everything, and says why
+
+    QString projectName() const;
+    QString projectPath() const { return m_path; } ///< empty = never saved
+    const ProjectFileHash &projectHash() const { return m_onDisk; }
+
+    /// Length of the built-in example; tests shorten it.
+    void setExampleDuration(double seconds) { m_exampleDuration_s = seconds; }
+
+signals:
+    void busy(const QString &what);
+    void progress(double fraction);
+    void idle(const QString &outcome);
+    void projectChanged(); ///< name or modified state
+    void workRestored(const QString &file);
+    void restoreFailed(const QString &file, const dyncal::Error &error);
+
+private:
+    QStringList askForCaptures();
+    void readRecordings(const QStringList &paths, bool add);
+    void startJob(
+        const ProjectState &state, const QString &path, const ProjectFileHash &onDisk = {});
+    bool refusesRecording(const QString &path); ///< says so; whatever the dialog has asked
+    bool saveTo(const QString &path, const ProjectFileHash &expected);
+    bool hasResults();
+    bool isExporting();
+    bool isBlocked();
+    PipelineOutcome outcome() const;
+    void startExport(const QString &target, ReportParts parts, const ExportJob::Write &write);
+    void showProblem(const Error &error);
+    QString proposedPath(const QString &fileName) const;
+
+    Session &m_session;
+    CurrentUtc m_currentUtc;
+    Prompts &m_prompts;
+    Preferences &m_preferences;
+    QWidget *m_window;
+    QString m_path; ///< of the project; empty = never saved
+    ProjectFileHash m_onDisk; ///< the project's file as it was read or saved last
+    double m_exampleDuration_s = 0.02;
+    QString m_exportTarget; ///< as it is told when it has been written
+    JobRunner m_jobs;
+    CaptureImport m_captures;
+    ExportJob m_export;
+};
+
+} // namespace dyncal

@@ -1,0 +1,64 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/shell/findings/finding_answers.h"
+
+#include "core/project/recipe_mend.h"
+#include "ui/text/core_text.h"
+#include "ui/text/shown_text.h"
+
+#include <QCoreApplication>
+
+namespace dyncal {
+
+namespace {
+
+/// Gives the sentences below their translation context.
+struct Answers
+{
+    Q_DECLARE_TR_FUNCTIONS(FindingAnswers)
+};
+
+} // namespace
+
+void acknowledge(const Finding &finding, Session &session, Prompts &prompts, QWidget *parent)
+{
+    const QString id = rawText(finding.id);
+    const std::optional<QString> reason
+        = prompts.sentence(parent, Answers::tr("Reason for %1").arg(id),
+            Answers::tr("Why is the result used all the same? The certificate prints the reason."));
+    if (!reason)
+        return;
+    Recipe next = session.recipe();
+    std::erase_if(next.acknowledge, [&](const Acknowledgement &entry) {
+        return entry.finding == finding.id && entry.shot == finding.shot;
+    });
+    next.acknowledge.push_back({finding.id, finding.shot, reason->toStdString()});
+    session.apply(next, Answers::tr("Give a reason for %1").arg(id));
+}
+
+void applyMend(const Remedy &mend, Session &session, CaptureImport &captures, Prompts &prompts,
+    QWidget *parent)
+{
+    if (!mend.importPath.isEmpty()) {
+        captures.edit(mend.importPath);
+        return;
+    }
+    if (mend.ofFinding) {
+        if (const Result<Recipe> next = mendedRecipe(session.recipe(), *mend.ofFinding))
+            session.apply(*next, mend.step);
+        else
+            prompts.showProblem(parent, translated(next.error().message));
+        return;
+    }
+    std::optional<QString> reason = QString();
+    if (!mend.question.isEmpty())
+        reason = prompts.sentence(parent, mend.step, mend.question);
+    if (!reason)
+        return;
+    Recipe next = session.recipe();
+    mend.apply(next.import, reason->toStdString());
+    session.apply(next, mend.step);
+}
+
+} // namespace dyncal

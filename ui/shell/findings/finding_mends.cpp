@@ -1,0 +1,199 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/shell/findings/finding_mends.h"
+
+#include "ui/session/capture_edit.h"
+#include "ui/text/core_text.h"
+#include "ui/text/shown_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace dyncal {
+
+namespace {
+
+struct Mends
+{
+    Q_DECLARE_TR_FUNCTIONS(Mends)
+};
+
+constexpr Index kLongestGap = 5; ///< samples; longer ones hide what happened
+constexpr std::size_t kMostChannels = 6; ///< as buttons; beyond, the list of roles is clearer
+constexpr std::size_t kUnitArgument = 3; ///< of CAP-013: the unit that fits, or ""
+
+using Apply = std::function<void(ImportSettings &, const std::string &)>;
+
+Remedy edit(const QString &label, const QString &step, Apply apply)
+{
+    return {label, step, {}, std::move(apply), {}, {}};
+}
+
+const Shot *shotOf(const Finding &finding, const CaptureSet &set)
+{
+    const auto position = static_cast<std::size_t>(finding.shot - 1);
+    return finding.shot > 0 && position < set.shots.size() ? &set.shots[position] : nullptr;
+}
+
+const InputFile *fileOf(const Shot *shot, const CaptureSet &set)
+{
+    const auto input = static_cast<std::size_t>(shot ? shot->input : 0);
+    return shot && input < set.inputs.size() ? &set.inputs[input] : nullptr;
+}
+
+Remedy excludeShot(Index shot)
+{
+    const QString step = Mends::tr("Exclude shot %1").arg(shot);
+    return {step + QStringLiteral("..."), step,
+        Mends::tr("Why is this shot not used? The certificate prints the reason."),
+        [shot](ImportSettings &settings, const std::string &reason) {
+            setShotExcluded(settings, shot, reason);
+        },
+        {}, {}};
+}
+
+std::vector<Remedy> chooseDut(const Shot *shot)
+{
+    std::vector<Remedy> mends;
+    for (const Channel &channel : shot ? shot->channels : std::vector<Channel>()) {
+        if (mends.size() == kMostChannels)
+            break;
+        const QString name = shownText(channel.name);
+        mends.push_back(edit(Mends::tr("\"%1\" is the DUT").arg(name),
+            Mends::tr("Choose %1 as the DUT").arg(name),
+            [name = channel.name](ImportSettings &settings, const std::string &) {
+                settings.channels[name] = channelRoleName(ChannelRole::Dut);
+            }));
+    }
+    return mends;
+}
+
+std::vector<Remedy> swapChannels(const Shot *shot, const CaptureSet &set)
+{
+    const Channel *dut = shot ? shot->channelWithRole(ChannelRole::Dut) : nullptr;
+    const Channel *side = shot ? shot->channelWithRole(ChannelRole::DrivenSide) : nullptr;
+    if (!dut || !side || dut->name == side->name)
+        return {};
+    const auto swapIn
+        = [first = dut->name, second = side->name](std::map<std::string, std::string> &roles) {
+              roles[first] = channelRoleName(ChannelRole::DrivenSide);
+              roles[second] = channelRoleName(ChannelRole::Dut);
+          };
+    std::vector<Remedy> mends;
+    const QString step = Mends::tr("Swap DUT and driven side");
+    const InputFile *file = fileOf(shot, set);
+    if (file && set.inputs.size() > 1)
+        mends.push_back(edit(Mends::tr("Swap in %1").arg(shownText(file->file)), step,
+            [swapIn, name = file->file](ImportSettings &settings, const std::string &) {
+                swapIn(settings.files[name].channels);
+            }));
+    mends.push_back(edit(Mends::tr("Swap in all shots"), step,
+        [swapIn](ImportSettings &settings, const std::string &) {
+            swapIn(settings.channels);
+            for (auto &[name, own] : settings.files)
+                own.channels.clear();
+        }));
+    return mends;
+}
+
+/// What the recipe says of the channel of a finding, where it does: that wins over what it says of
+/// the DUT of all files.
+ChannelImport *detailsOf(
+    ImportSettings &settings, const std::string &file, const std::string &channel)
+{
+    const auto own = settings.files.find(file);
+    if (own != settings.files.end() && own->second.channelDetails.contains(channel))
+        return &own->second.channelDetails.at(channel);
+    const auto found = settings.channelDetails.find(channel);
+    return found == settings.channelDetails.end() ? nullptr : &found->second;
+}
+
+std::vector<Remedy> useUnit(const Finding &finding, const std::string &file)
+{
+    const auto &words = finding.message.arguments;
+    if (words.size() <= kUnitArgument || words[kUnitArgument].empty())
+        return {};
+    const std::string unit = words[kUnitArgument];
+    return {
+        edit(Mends::tr("The unit is %1").arg(shownText(unit)), Mends::tr("Change the DUT's unit"),
+            [unit, file, channel = finding.channel](ImportSettings &settings, const std::string &) {
+                ChannelImport *details = detailsOf(settings, file, channel);
+                (details && details->unit ? details->unit : settings.unit) = unit;
+            })};
+}
+
+Remedy invertPolarity(const Finding &finding, const std::string &file)
+{
+    return edit(Mends::tr("Invert polarity"), Mends::tr("Change the DUT's polarity"),
+        [file, channel = finding.channel](ImportSettings &settings, const std::string &) {
+            ChannelImport *details = detailsOf(settings, file, channel);
+            if (details && details->polarity)
+                details->polarity = -*details->polarity;
+            else
+                settings.polarity = -settings.polarity;
+        });
+}
+
+Remedy interpolate()
+{
+    return edit(Mends::tr("Interpolate gaps of up to %1 samples").arg(kLongestGap),
+        Mends::tr("Interpolate invalid samples"),
+        [](ImportSettings &settings, const std::string &) {
+            settings.interpolateInvalid = kLongestGap;
+        });
+}
+
+/// Of the file that the finding speaks of: by its shot, or named in the sentence.
+std::vector<Remedy> showImport(const Finding &finding, const Shot *shot, const CaptureSet &set)
+{
+    const InputFile *file = fileOf(shot, set);
+    for (const InputFile &input : set.inputs)
+        for (const std::string &word : finding.message.arguments)
+            if (!file && word == input.path)
+                file = &input;
+    if (!file)
+        return {};
+    return {{Mends::tr("Import settings..."), {}, {}, {}, rawText(file->path), {}}};
+}
+
+/// What mends the finding itself, shot by shot or for all.
+std::vector<Remedy> remedies(const Finding &finding, const Shot *shot, const CaptureSet &set)
+{
+    const InputFile *file = fileOf(shot, set);
+    const std::string fileName = file ? file->file : std::string();
+    if (finding.id == "CAP-002")
+        return chooseDut(shot);
+    if (finding.id == "CAP-003" || finding.id == "CAP-016" || finding.id == "CAP-019")
+        return showImport(finding, shot, set);
+    if (finding.id == "CAP-006")
+        return {interpolate()};
+    if (finding.id == "CAP-010")
+        return swapChannels(shot, set);
+    if (finding.id == "CAP-012")
+        return {invertPolarity(finding, fileName)};
+    if (finding.id == "CAP-013")
+        return useUnit(finding, fileName);
+    return {};
+}
+
+} // namespace
+
+std::vector<Remedy> mendsOf(const Finding &finding, const CaptureSet &set)
+{
+    const Shot *shot = shotOf(finding, set);
+    std::vector<Remedy> mends = remedies(finding, shot, set);
+    if (finding.mend) {
+        const QString label = translated(finding.mend->label);
+        mends.push_back({label, label, {}, {}, {}, finding.mend});
+    }
+    const bool canExclude
+        = shot && shot->included && std::ranges::count_if(set.shots, &Shot::included) > 1;
+    for (const char *id : {"CAP-006", "CAP-007", "CAP-008", "CAP-009", "CAP-011", "CAP-020"})
+        if (finding.id == id && canExclude)
+            mends.push_back(excludeShot(finding.shot));
+    return mends;
+}
+
+} // namespace dyncal

@@ -1,0 +1,192 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/shell/import/import_channel_table.h"
+
+#include "ui/stages/frame/quantity_edit.h"
+#include "ui/text/level_text.h"
+#include "ui/text/shown_text.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLineEdit>
+
+#include <algorithm>
+#include <array>
+
+namespace dyncal {
+
+namespace {
+
+enum Column { Name, Role, Unit, Factor, Gain, Sensitivity, Inverted, Pressure, Samples, Count };
+
+constexpr std::array kRoles{ChannelRole::Dut, ChannelRole::DrivenSide, ChannelRole::Driver,
+    ChannelRole::Trigger, ChannelRole::Other};
+const std::array<std::string, 3> kReferences{"", "gauge", "absolute"};
+constexpr double kMillivoltPerKilopascal = 1e-6; ///< in V/Pa
+constexpr double kSmallest = 1e-30;
+constexpr double kLargest = 1e30;
+
+QTableWidgetItem *fixedItem(const QString &text)
+{
+    auto *item = new QTableWidgetItem(text);
+    item->setFlags(Qt::ItemIsSelectable | Qt::ItemIsEnabled);
+    return item;
+}
+
+template <typename List, typename T>
+int positionIn(const List &list, const T &value)
+{
+    const auto at = std::ranges::find(list, value);
+    return at == std::end(list) ? 0 : static_cast<int>(at - std::begin(list));
+}
+
+} // namespace
+
+ImportChannelTable::ImportChannelTable(QWidget *parent)
+    : QTableWidget(0, Count, parent)
+{
+    setObjectName("importChannels");
+    setAccessibleName(tr("Channels of the file"));
+    setHorizontalHeaderLabels({tr("Channel"), tr("Role"), tr("Unit"), tr("Factor"), tr("Gain"),
+        tr("Sensitivity / (mV/kPa)"), tr("Inverted"), tr("Pressure"), tr("Samples")});
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setSelectionMode(QAbstractItemView::NoSelection);
+    setTabKeyNavigation(false); // Tab goes through the controls
+    verticalHeader()->hide();
+    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    horizontalHeader()->setSectionResizeMode(Name, QHeaderView::Stretch);
+}
+
+void ImportChannelTable::setChannels(
+    const std::vector<ImportChannel> &channels, const std::map<std::string, ChannelImport> &details)
+{
+    std::vector<std::string> names;
+    m_details.clear();
+    for (const ImportChannel &channel : channels) {
+        names.push_back(channel.name);
+        const auto known = details.find(channel.name);
+        m_details.push_back(known == details.end() ? ChannelImport{} : known->second);
+    }
+    if (names != m_names) { // else what is being typed stays
+        setRowCount(0);
+        setRowCount(static_cast<int>(channels.size()));
+        for (int row = 0; row < rowCount(); ++row)
+            makeRow(row, channels[static_cast<std::size_t>(row)]);
+        m_names = names;
+    }
+    bool counted = false;
+    for (int row = 0; row < rowCount(); ++row) {
+        fillRow(row, channels[static_cast<std::size_t>(row)]);
+        counted = counted || channels[static_cast<std::size_t>(row)].samples > 0;
+    }
+    setColumnHidden(Samples, !counted);
+}
+
+void ImportChannelTable::put(
+    int row, int column, QWidget *control, const char *id, const QString &accessible)
+{
+    const QString objectName = QString("%1%2").arg(id).arg(row + 1);
+    if (auto *number = qobject_cast<OptionalEdit *>(control))
+        number->setNames(objectName, accessible);
+    else
+        control->setObjectName(objectName);
+    control->setAccessibleName(accessible);
+    setCellWidget(row, column, control);
+}
+
+void ImportChannelTable::makeRow(int row, const ImportChannel &channel)
+{
+    const QString name = shownText(channel.name);
+    auto *role = new QComboBox(this);
+    for (const ChannelRole choice : kRoles)
+        role->addItem(roleText(choice));
+    connect(role, &QComboBox::activated, this, [this, row](int choice) {
+        emit roleChosen(row, kRoles[static_cast<std::size_t>(choice)]);
+    });
+    put(row, Role, role, "importRole", tr("Role of channel %1").arg(name));
+
+    auto *unit = new QLineEdit(this);
+    unit->setMaximumWidth(70);
+    connect(unit, &QLineEdit::editingFinished, this, [this, row, unit] {
+        const std::string text = unit->text().trimmed().toStdString();
+        change(row, [&](ChannelImport &details) {
+            details.unit = text.empty() ? std::nullopt : std::optional(text);
+        });
+    });
+    put(row, Unit, unit, "importUnit", tr("Unit of channel %1").arg(name));
+    makeNumbers(row, name);
+    makeSense(row, name);
+}
+
+void ImportChannelTable::makeNumbers(int row, const QString &name)
+{
+    const auto number = [&](int column, const char *id, const QString &accessible, double si,
+                            std::optional<double> ChannelImport::*member) {
+        auto *edit = new OptionalEdit({{}, si}, kSmallest, kLargest, this);
+        edit->setEmptyText(column == Sensitivity ? QString() : QStringLiteral("1"));
+        edit->setMaximumWidth(column == Sensitivity ? 150 : 80);
+        connect(edit, &OptionalEdit::edited, this,
+            [this, row, member](const std::optional<double> &value) {
+                change(row, [&](ChannelImport &details) { details.*member = value; });
+            });
+        put(row, column, edit, id, accessible);
+    };
+    number(
+        Factor, "importFactor", tr("Factor on channel %1").arg(name), 1.0, &ChannelImport::scale);
+    number(Gain, "importGain", tr("Gain of channel %1").arg(name), 1.0, &ChannelImport::gain);
+    number(Sensitivity, "importSensitivity", tr("Sensitivity of channel %1").arg(name),
+        kMillivoltPerKilopascal, &ChannelImport::sensitivity);
+}
+
+/// Which way the values count, and from where.
+void ImportChannelTable::makeSense(int row, const QString &name)
+{
+    auto *inverted = new QCheckBox(this);
+    connect(inverted, &QCheckBox::clicked, this, [this, row](bool on) {
+        change(row, [&](ChannelImport &details) { details.polarity = on ? -1 : 1; });
+    });
+    put(row, Inverted, inverted, "importInverted", tr("Inverted polarity of channel %1").arg(name));
+
+    auto *pressure = new QComboBox(this);
+    pressure->addItems({tr("as recorded"), tr("gauge"), tr("absolute")});
+    connect(pressure, &QComboBox::activated, this, [this, row](int choice) {
+        change(row, [&](ChannelImport &details) {
+            details.reference = kReferences[static_cast<std::size_t>(choice)];
+        });
+    });
+    put(row, Pressure, pressure, "importPressure", tr("Gauge or absolute, channel %1").arg(name));
+}
+
+void ImportChannelTable::fillRow(int row, const ImportChannel &channel)
+{
+    const ChannelImport &details = m_details[static_cast<std::size_t>(row)];
+    setItem(row, Name, fixedItem(shownText(channel.name)));
+    setItem(row, Samples,
+        fixedItem(channel.samples > 0 ? QString::number(channel.samples) : QString()));
+    static_cast<QComboBox *>(cellWidget(row, Role))
+        ->setCurrentIndex(positionIn(kRoles, channel.role));
+    auto *unit = static_cast<QLineEdit *>(cellWidget(row, Unit));
+    unit->setPlaceholderText(shownText(channel.unit));
+    if (!unit->hasFocus())
+        unit->setText(rawText(details.unit.value_or("")));
+    static_cast<OptionalEdit *>(cellWidget(row, Factor))->set(details.scale);
+    static_cast<OptionalEdit *>(cellWidget(row, Gain))->set(details.gain);
+    static_cast<OptionalEdit *>(cellWidget(row, Sensitivity))->set(details.sensitivity);
+    static_cast<QCheckBox *>(cellWidget(row, Inverted))
+        ->setChecked(details.polarity.value_or(1) < 0);
+    static_cast<QComboBox *>(cellWidget(row, Pressure))
+        ->setCurrentIndex(positionIn(kReferences, details.reference));
+}
+
+void ImportChannelTable::change(int row, const std::function<void(ChannelImport &)> &edit)
+{
+    ChannelImport &details = m_details[static_cast<std::size_t>(row)];
+    const ChannelImport before = details;
+    edit(details);
+    if (!(details == before))
+        emit detailsChanged(row, details);
+}
+
+} // namespace dyncal

@@ -1,0 +1,146 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/stages/frame/stage_page.h"
+
+#include "ui/stages/frame/recipe_change.h"
+#include "ui/stages/frame/status_text.h"
+#include "ui/text/core_text.h"
+#include "ui/text/finding_text.h"
+
+#include <QLabel>
+
+#include <algorithm>
+
+namespace dyncal {
+
+StagePage::StagePage(Session &session, const PageText &text, std::vector<StageId> stages)
+    : m_session(session)
+    , m_text(text)
+    , m_stages(std::move(stages))
+    , m_inspector(new InspectorForm)
+    , m_status(new QLabel(this))
+    , m_problem(new QLabel(this))
+    , m_content(new QVBoxLayout)
+{
+    setObjectName(text.name);
+    m_inspector->setObjectName(text.name + "Inspector");
+    m_status->setObjectName("pageStatus");
+    m_problem->setObjectName("pageProblem");
+    m_problem->setWordWrap(true);
+    m_problem->hide();
+
+    auto *title = new QLabel(text.title, this);
+    QFont font = title->font();
+    font.setPointSizeF(font.pointSizeF() * 1.4);
+    font.setBold(true);
+    title->setFont(font);
+    auto *instruction = new QLabel(text.instruction, this);
+    instruction->setWordWrap(true);
+    auto *head = new QHBoxLayout;
+    head->addWidget(title);
+    head->addSpacing(12);
+    head->addWidget(instruction, 1);
+    head->addWidget(m_status);
+
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 6, 8, 6);
+    layout->addLayout(head);
+    layout->addWidget(m_problem);
+    layout->addLayout(m_content, 1);
+
+    const auto whenShown = [this](void (StagePage::*what)()) {
+        return [this, what] {
+            if (isVisible())
+                (this->*what)();
+        };
+    };
+    connect(&session, &Session::recipeChanged, this, whenShown(&StagePage::showRecipe));
+    connect(&session, &Session::capturesChanged, this, whenShown(&StagePage::refresh));
+    connect(&session, &Session::resultsChanged, this, whenShown(&StagePage::refresh));
+    connect(&session, &Session::stageStatusChanged, this, whenShown(&StagePage::showStatus));
+}
+
+StageStatus StagePage::status() const
+{
+    // Most urgent first.
+    for (const StageStatus urgent : {StageStatus::Blocked, StageStatus::Computing,
+             StageStatus::Stale, StageStatus::NotStarted, StageStatus::DoneWithCautions})
+        for (const StageId stage : m_stages)
+            if (m_session.status(stage) == urgent)
+                return urgent;
+    return StageStatus::Done;
+}
+
+StageId StagePage::focus() const
+{
+    return *std::ranges::max_element(m_stages);
+}
+
+void StagePage::showEvent(QShowEvent *event)
+{
+    refresh();
+    QWidget::showEvent(event);
+}
+
+void StagePage::refresh()
+{
+    showStatus();
+    showResults();
+    showRecipe();
+}
+
+void StagePage::showStatus()
+{
+    const StageStatus now = status();
+    m_status->setText(statusGlyph(now) + " " + statusWord(now));
+    const std::optional<Error> &error = m_session.error();
+    const bool blocked = now == StageStatus::Blocked && error && !m_session.isComputing();
+    m_problem->setVisible(blocked);
+    if (blocked)
+        m_problem->setText(severityGlyph(Severity::Block) + " " + translated(error->message));
+}
+
+PlotContent StagePage::nothingYet()
+{
+    PlotContent content;
+    content.title = tr("Nothing to show yet");
+    return content;
+}
+
+PlotWidget *StagePage::makePlot(const QString &objectName, const QString &accessibleName)
+{
+    auto *plot = new PlotWidget(this);
+    plot->setObjectName(objectName);
+    plot->setAccessibleName(accessibleName);
+    return plot;
+}
+
+void StagePage::shareFrequencyCursors(const std::vector<PlotWidget *> &plots)
+{
+    FrequencyCursors *cursors = &m_session.frequencyCursors();
+    for (PlotWidget *plot : plots) {
+        connect(plot, &PlotWidget::cursorPlaced, cursors,
+            [cursors, plot](int which, double f_Hz) { cursors->place(which, f_Hz, plot); });
+        connect(
+            plot, &PlotWidget::cursorsCleared, cursors, [cursors, plot] { cursors->clear(plot); });
+        connect(cursors, &FrequencyCursors::moved, plot, [plot, cursors](const QObject *source) {
+            if (source == plot)
+                return;
+            const auto &at_Hz = cursors->positions_Hz();
+            if (!at_Hz[0] && !at_Hz[1])
+                plot->followCursor(0, std::nullopt);
+            for (std::size_t i = 0; i < at_Hz.size(); ++i)
+                if (at_Hz[i])
+                    plot->followCursor(static_cast<int>(i), at_Hz[i]);
+        });
+    }
+}
+
+void StagePage::change(
+    const QString &label, const std::function<void(Recipe &)> &edit, const QString &mergeKey)
+{
+    changeRecipe(m_session, label, edit, mergeKey);
+}
+
+} // namespace dyncal

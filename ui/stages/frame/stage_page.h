@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "ui/plot/widget/plot_widget.h"
+#include "ui/session/session.h"
+#include "ui/stages/frame/inspector_form.h"
+
+#include <QVBoxLayout>
+#include <QWidget>
+
+#include <functional>
+
+namespace dyncal {
+
+/// What the head of a page says.
+struct PageText
+{
+    QString name; ///< object name, "windowPage"
+    QString title; ///< also in the stage list
+    QString instruction; ///< one line: what to do here
+};
+
+/// One stage of the method on the screen: head, plots in the middle, inspector beside it. A page
+/// holds no analysis state: it draws what the session has and applies changed recipes. Hidden pages
+/// do nothing; they catch up when shown.
+class StagePage : public QWidget
+{
+    Q_OBJECT
+
+public:
+    StagePage(Session &session, const PageText &text, std::vector<StageId> stages);
+
+    const PageText &text() const { return m_text; }
+    /// The stages shown here; the first is the one that the page is opened for.
+    const std::vector<StageId> &stages() const { return m_stages; }
+    StageStatus status() const; ///< the most urgent of its stages
+    /// What is computed first while this page is on show.
+    virtual StageId focus() const;
+    InspectorForm *inspector() { return m_inspector; }
+    static PlotContent nothingYet(); ///< an empty plot that says so
+
+protected:
+    virtual void showRecipe() = 0; ///< sets the controls
+    virtual void showResults() = 0; ///< draws plots, tables and read-outs
+    void showEvent(QShowEvent *event) override;
+
+    Session &session() { return m_session; }
+    const Session &session() const { return m_session; }
+    const CalibrationResults &results() const { return m_session.results(); }
+    const Recipe &recipe() const { return m_session.recipe(); }
+    QVBoxLayout *content() { return m_content; }
+    PlotWidget *makePlot(const QString &objectName, const QString &accessibleName);
+    /// Cursors of these plots stand where those of all other frequency views stand.
+    void shareFrequencyCursors(const std::vector<PlotWidget *> &plots);
+
+    /// Changes the recipe as one undo step.
+    void change(const QString &label, const std::function<void(Recipe &)> &edit,
+        const QString &mergeKey = {});
+
+private:
+    void refresh();
+    void showStatus();
+
+    Session &m_session;
+    PageText m_text;
+    std::vector<StageId> m_stages;
+    InspectorForm *m_inspector;
+    QLabel *m_status;
+    QLabel *m_problem;
+    QVBoxLayout *m_content;
+};
+
+} // namespace dyncal

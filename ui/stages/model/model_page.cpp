@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/stages/model/model_page.h"
+
+#include "ui/plot/curves/model_curves.h"
+#include "ui/plot/curves/model_residual_curves.h"
+#include "ui/session/order_candidates.h"
+#include "ui/stages/candidates/candidate_rows.h"
+#include "ui/stages/frame/tube_mode_choice.h"
+#include "ui/stages/frame/value_table.h"
+#include "ui/stages/model/model_text.h"
+#include "ui/text/quantity_format.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QSplitter>
+#include <QTabWidget>
+
+namespace dyncal {
+
+ModelPage::ModelPage(Session &session)
+    : StagePage(session,
+        {"modelPage", tr("Model"), tr("Judge the model of the chosen order against the data.")},
+        {StageId::Model, StageId::Response, StageId::Assessment})
+{
+    buildPlots();
+    buildInspector();
+    connect(&this->session().candidates(), &OrderCandidates::changed, this, [this] {
+        if (isVisible())
+            showResults();
+    });
+}
+
+void ModelPage::buildPlots()
+{
+    m_fit = makePlot("modelFitPlot", tr("Data and model"));
+    m_error = makePlot("modelErrorPlot", tr("Error of the model"));
+    m_residual = makePlot("modelResidualPlot", tr("Residual autocorrelation"));
+    m_magnitude = makePlot("magnitudePlot", tr("Magnitude of the frequency response"));
+    m_phase = makePlot("phasePlot", tr("Phase of the frequency response"));
+    m_poles = makePlot("polePlot", tr("Poles and zeros"));
+    auto *left = new QSplitter(Qt::Vertical);
+    for (QWidget *widget : {m_fit, m_error, m_residual})
+        left->addWidget(widget);
+    left->setSizes({1000, 800, 800});
+    auto *right = new QSplitter(Qt::Vertical);
+    for (QWidget *widget : std::initializer_list<QWidget *>{m_magnitude, m_phase, buildTables()})
+        right->addWidget(widget);
+    right->setSizes({900, 700, 1000});
+    auto *split = new QSplitter(Qt::Horizontal, this);
+    split->addWidget(left);
+    split->addWidget(right);
+    split->setSizes({1000, 1000});
+    content()->addWidget(split);
+    shareFrequencyCursors({m_magnitude, m_phase});
+}
+
+QTabWidget *ModelPage::buildTables()
+{
+    m_table = new ValueTable("poleTable", tr("Poles"), this);
+    m_trend
+        = new ValueTable("trendTable", tr("Resonance and plateau of each shot and level"), this);
+    m_secondOrder = new ValueTable("secondOrderTable", tr("Second-order sensor"), this);
+    m_nuisance = new ValueTable("nuisanceTable", tr("Modes taken out of the model"), this);
+    m_tabs = new QTabWidget(this);
+    m_tabs->setObjectName("modelTabs");
+    m_tabs->setAccessibleName(tr("Poles, trend and other tables"));
+    m_tabs->setDocumentMode(true);
+    m_tabs->addTab(m_poles, tr("Pole map"));
+    m_tabs->addTab(m_table, tr("Poles"));
+    m_tabs->addTab(m_trend, tr("Shots, levels"));
+    m_tabs->addTab(m_secondOrder, tr("2nd order"));
+    m_tabs->addTab(m_nuisance, tr("Not the sensor"));
+    return m_tabs;
+}
+
+void ModelPage::buildInspector()
+{
+    InspectorForm *form = inspector();
+    form->addSection(tr("Shown"));
+    m_series = form->addChoice(tr("Series"), "modelSeries", {tr("all")});
+    connect(m_series, &QComboBox::activated, this, &ModelPage::showTime);
+    m_candidates = new QCheckBox(tr("Draw the pinned orders"));
+    m_candidates->setObjectName("drawCandidates");
+    m_candidates->setChecked(true);
+    m_drawSecondOrder = new QCheckBox(tr("Draw the 2nd-order sensor"));
+    m_drawSecondOrder->setObjectName("drawSecondOrder");
+    for (QCheckBox *box : {m_candidates, m_drawSecondOrder}) {
+        form->addWide(box);
+        connect(box, &QCheckBox::toggled, this, &ModelPage::showResults);
+    }
+    form->addSection(tr("Model"));
+    m_order = form->addReadout(tr("Order"), "modelOrder");
+    m_score = form->addReadout(tr("FIT"), "modelFit");
+    m_perShot = form->addReadout(tr("Per series"), "modelFitPerShot");
+    m_listing = form->addReadout(tr("FIT, thesis"), "modelFitListing");
+    m_uncertainty = form->addReadout(tr("Noise in u"), "modelUncertainty");
+    m_shared = form->addNote("modelHomogeneity");
+    m_second = form->addReadout(tr("2nd order"), "modelSecondOrder");
+    form->addSection(tr("Characteristics"));
+    m_rise = form->addReadout(tr("Rise 10–90 %"), "modelRise");
+    m_overshoot = form->addReadout(tr("Overshoot"), "modelOvershoot");
+    m_settling = form->addReadout(tr("Settling ±5 %"), "modelSettling");
+    m_within5 = form->addReadout(tr("Flat ±5 % to"), "modelWithin5");
+    m_within10 = form->addReadout(tr("Flat ±10 % to"), "modelWithin10");
+    m_minus3 = form->addReadout(tr("−3 dB at"), "modelMinus3");
+    m_band = form->addReadout(tr("Usable band"), "usableBand");
+    m_tubeModes = new TubeModeChoice(*form, this, false);
+    connect(m_tubeModes, &TubeModeChoice::changed, this, &ModelPage::showResults);
+}
+
+std::optional<std::size_t> ModelPage::series() const
+{
+    if (m_series->currentIndex() <= 0)
+        return std::nullopt;
+    return static_cast<std::size_t>(m_series->currentIndex() - 1);
+}
+
+void ModelPage::showResults()
+{
+    showSeries();
+    showTime();
+    showResponse();
+    showTables();
+    showReadouts();
+    showCharacteristics();
+}
+
+void ModelPage::showSeries()
+{
+    QStringList names{tr("all")};
+    if (results().input)
+        for (const ModelSeries &series : results().input->series)
+            names << (series.shot > 0 ? tr("Shot %1").arg(series.shot) : tr("Average"));
+    QStringList now;
+    for (int i = 0; i < m_series->count(); ++i)
+        now << m_series->itemText(i);
+    if (names == now)
+        return;
+    m_series->clear();
+    m_series->addItems(names);
+}
+
+void ModelPage::showTime()
+{
+    const auto &model = results().model;
+    const auto &input = results().input;
+    const auto &window = results().window;
+    if (!model || !input || !window) {
+        for (PlotWidget *plot : {m_fit, m_error, m_residual})
+            plot->setContent(nothingYet());
+        return;
+    }
+    const auto candidates
+        = m_candidates->isChecked() ? overlaidModels(session()) : std::vector<OverlaidModel>();
+    PlotContent fit = simulationCurves(*input, *model, *window, series());
+    overlaySimulations(fit, *input, candidates, series());
+    m_fit->setContent(fit);
+    PlotContent error = errorCurves(*input, *model, *window, series());
+    overlayErrors(error, *input, candidates, series());
+    m_error->setContent(error);
+    m_residual->setContent(modelResidualCurves(*input, *model, *window, recipe().pca, series()));
+}
+
+void ModelPage::showResponse()
+{
+    const auto &model = results().model;
+    const auto response = session().isOfThisRun(StageId::Response) ? results().response : nullptr;
+    const auto candidates
+        = m_candidates->isChecked() ? overlaidModels(session()) : std::vector<OverlaidModel>();
+    PlotContent magnitude = response ? bodeMagnitudeCurves(*response) : nothingYet();
+    PlotContent phase = response ? bodePhaseCurves(*response) : nothingYet();
+    if (response) {
+        overlayMagnitudes(magnitude, candidates);
+        overlayPhases(phase, candidates);
+        if (model && m_drawSecondOrder->isChecked())
+            addSecondOrder(magnitude, *model, *response);
+    }
+    m_tubeModes->set(results());
+    m_magnitude->setContent(response ? m_tubeModes->with(magnitude) : magnitude);
+    m_phase->setContent(phase);
+    PlotContent poles = model ? poleZeroCurves(*model) : nothingYet();
+    if (model)
+        overlayPoles(poles, candidates);
+    m_poles->setContent(poles);
+}
+
+void ModelPage::showTables()
+{
+    const SensorModel *model = results().model.get();
+    m_table->setValues(poleHeaders(PoleColumns::All), poleRows(model, PoleColumns::All));
+    const auto show = [](ValueTable *target, const ShownTable &table) {
+        target->setValues(table.headers, table.rows);
+    };
+    show(m_nuisance, nuisanceTable(model));
+    m_tabs->setTabVisible(m_tabs->indexOf(m_nuisance), model && !model->nuisance.empty());
+    // Until the assessment is there, what an earlier one said stands there greyed.
+    const bool isPending = model && !model->isAssessed;
+    m_trend->setEnabled(!isPending);
+    m_secondOrder->setEnabled(!isPending);
+    if (isPending)
+        return;
+    show(m_trend, trendTable(model));
+    show(m_secondOrder, secondOrderTable(model));
+    m_tabs->setTabVisible(m_tabs->indexOf(m_secondOrder), model && model->secondOrder);
+}
+
+void ModelPage::showReadouts()
+{
+    const auto &model = results().model;
+    m_order->setText(model ? QString::number(model->order) : "–");
+    m_score->setText(model ? fitText(*model) : "–");
+    QStringList perShot;
+    if (model && !model->diverges)
+        for (const SeriesFit &fit : model->series)
+            perShot << (fit.shot > 0 ? tr("Shot %1").arg(fit.shot) : tr("Average")) + ": "
+                    + shownNumber(fit.fit_percent, 3) + " %";
+    m_perShot->setText(perShot.isEmpty() ? "–" : perShot.join("\n"));
+    m_listing->setText(model && model->fitListing_percent
+            ? tr("%1 % (one sample late)").arg(shownNumber(*model->fitListing_percent, 3))
+            : "–");
+    m_uncertainty->setText(model && !model->uncertaintyMethod.empty() ? noiseText(*model) : "–");
+    const bool isPending = model && !model->isAssessed;
+    m_shared->setText(isPending ? tr("Uncertainties of the poles, comparison of the shots and "
+                                     "second-order sensor: not yet.")
+            : model             ? homogeneityText(*model)
+                                : QString());
+    m_drawSecondOrder->setEnabled(model && model->secondOrder);
+    m_second->setText(model && model->secondOrder
+            ? tr("%1, ζ %2, FIT %3 %%4")
+                  .arg(shownResult(model->secondOrder->f0_Hz, model->secondOrder->u_f0_Hz, "Hz")
+                           .value,
+                      shownResult(model->secondOrder->zeta, model->secondOrder->u_zeta, {}).value,
+                      shownNumber(model->secondOrder->fit_percent, 3),
+                      model->secondOrder->describes ? QString()
+                                                    : tr(": does not describe the data"))
+            : isPending ? tr("not yet")
+                        : "–");
+}
+
+void ModelPage::showCharacteristics()
+{
+    const auto &response = results().response;
+    const StepCharacteristics none;
+    const StepCharacteristics &c = response ? response->characteristics : none;
+    m_rise->setText(shownQuantity(c.riseTime_s, "s", 3));
+    m_overshoot->setText(c.overshoot_percent ? shownNumber(*c.overshoot_percent, 3) + " %" : "–");
+    m_settling->setText(shownQuantity(c.settlingTime_s, "s", 3));
+    m_within5->setText(shownQuantity(c.within5percent_Hz, "Hz", 3));
+    m_within10->setText(shownQuantity(c.within10percent_Hz, "Hz", 3));
+    m_minus3->setText(shownQuantity(c.minus3dB_Hz, "Hz", 3));
+    m_band->setText(response ? tr("%1 to %2")
+                                   .arg(shownQuantity(response->fLow_Hz, "Hz", 3),
+                                       shownQuantity(response->fHigh_Hz, "Hz", 3))
+                             : "–");
+}
+
+} // namespace dyncal

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/stages/model/model_tables.h"
+
+#include "ui/stages/candidates/candidate_text.h"
+#include "ui/text/level_text.h"
+#include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace dyncal {
+
+namespace {
+
+/// Gives the sentences below their translation context.
+struct ModelTables
+{
+    Q_DECLARE_TR_FUNCTIONS(ModelTables)
+};
+
+QString shotText(Index shot)
+{
+    return shot > 0 ? ModelTables::tr("Shot %1").arg(shot) : ModelTables::tr("Average");
+}
+
+QStringList trendRow(const QString &name, const LevelPole &pole)
+{
+    return {name, shownWithU(pole.frequency_Hz, pole.u_frequency_Hz, "Hz"),
+        shownWithU(pole.dampingRatio, pole.u_dampingRatio, {}),
+        shownWithU(pole.plateauGain, pole.u_plateauGain, {}), shownNumber(pole.coverageFactor, 3)};
+}
+
+QString levelName(const LevelPole &pole)
+{
+    QStringList shots;
+    for (const Index shot : pole.shots)
+        shots << QString::number(shot);
+    return ModelTables::tr("%1 (shots %2)").arg(levelText(pole.level), shots.join(", "));
+}
+
+} // namespace
+
+ShownTable trendTable(const SensorModel *model)
+{
+    ShownTable table{
+        {ModelTables::tr("Fitted to"), ModelTables::tr("f₀ ± u"), ModelTables::tr("ζ ± u"),
+            ModelTables::tr("Plateau ± u"), ModelTables::tr("k")},
+        {}};
+    if (!model)
+        return table;
+    for (const LevelPole &pole : model->perShot)
+        table.rows.push_back(trendRow(shotText(pole.shots.empty() ? 0 : pole.shots.front()), pole));
+    for (const LevelPole &pole : model->perLevel)
+        table.rows.push_back(trendRow(levelName(pole), pole));
+    return table;
+}
+
+ShownTable nuisanceTable(const SensorModel *model)
+{
+    ShownTable table{{ModelTables::tr("Mode"), ModelTables::tr("Shot"), ModelTables::tr("f ± u"),
+                         ModelTables::tr("ζ ± u"), ModelTables::tr("Amplitude")},
+        {}};
+    if (!model)
+        return table;
+    for (const NuisanceResult &mode : model->nuisance)
+        for (const NuisanceOfShot &shot : mode.perShot)
+            table.rows.push_back({shownText(mode.mode.label), shotText(shot.shot),
+                shownWithU(shot.term.frequency_Hz(), shot.u_frequency_Hz, "Hz"),
+                shownWithU(shot.term.dampingRatio(), shot.u_dampingRatio, {}),
+                shownNumber(100.0 * shot.relativeAmplitude, 3) + QStringLiteral(" %")});
+    if (model->nuisanceEffect) {
+        const auto side = [&](const QString &name, const NuisanceEffect::Side &at) {
+            table.rows.push_back(
+                {name, ModelTables::tr("FIT %1 %").arg(shownNumber(at.fit_percent, 4)),
+                    shownWithU(at.f0_Hz, at.u_f0_Hz, "Hz"), shownWithU(at.zeta, at.u_zeta, {}),
+                    ModelTables::tr("plateau %1").arg(shownNumber(at.plateauGain, 5))});
+        };
+        side(ModelTables::tr("Sensor, modes left in"), model->nuisanceEffect->before);
+        side(ModelTables::tr("Sensor, modes taken out"), model->nuisanceEffect->after);
+    }
+    return table;
+}
+
+ShownTable secondOrderTable(const SensorModel *model)
+{
+    ShownTable table{{ModelTables::tr("2nd order"), ModelTables::tr("Value ± u")}, {}};
+    if (!model || !model->secondOrder)
+        return table;
+    const SecondOrderModel &fit = *model->secondOrder;
+    table.rows = {{ModelTables::tr("f₀"), shownWithU(fit.f0_Hz, fit.u_f0_Hz, "Hz")},
+        {ModelTables::tr("ζ"), shownWithU(fit.zeta, fit.u_zeta, {})},
+        {ModelTables::tr("FIT"), shownNumber(fit.fit_percent, 4) + QStringLiteral(" %")}};
+    for (const SecondOrderShot &shot : fit.shots)
+        table.rows.push_back({ModelTables::tr("Plateau, %1").arg(shotText(shot.shot)),
+            shownWithU(shot.plateauGain, shot.u_plateauGain, {})});
+    return table;
+}
+
+QString homogeneityText(const SensorModel &model)
+{
+    if (!model.homogeneity)
+        return {};
+    const QString p = probabilityShown(model.homogeneity->probability);
+    return model.homogeneity->passed
+        ? ModelTables::tr("The shots share their poles (p %1).").arg(p)
+        : ModelTables::tr("The shots do not share the pole at %1 (p %2); the uncertainty is "
+                          "their scatter.")
+              .arg(shownQuantity(model.homogeneity->frequency_Hz, "Hz", 4), p);
+}
+
+} // namespace dyncal

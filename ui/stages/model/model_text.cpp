@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/stages/model/model_text.h"
+
+#include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace dyncal {
+
+namespace {
+
+/// Gives the sentences below their translation context.
+struct ModelText
+{
+    Q_DECLARE_TR_FUNCTIONS(ModelText)
+};
+
+QString classText(PoleClass poleClass)
+{
+    switch (poleClass) {
+    case PoleClass::Sensor:
+        return ModelText::tr("sensor");
+    case PoleClass::Step:
+        return ModelText::tr("step");
+    case PoleClass::Nyquist:
+        return ModelText::tr("Nyquist");
+    case PoleClass::Unstable:
+        return ModelText::tr("unstable");
+    case PoleClass::Other:
+        break;
+    }
+    return ModelText::tr("other");
+}
+
+/// The flags of results.json in words; one that has none here as it is.
+QString flagText(const std::string &flag)
+{
+    static constexpr std::pair<std::string_view, const char *> kWords[]{
+        {"step", QT_TRANSLATE_NOOP("ModelText", "the step itself")},
+        {"nyquist", QT_TRANSLATE_NOOP("ModelText", "from sampling")},
+        {"unstable", QT_TRANSLATE_NOOP("ModelText", "grows")},
+        {kBelowNoiseFlag, QT_TRANSLATE_NOOP("ModelText", "below the noise")},
+        {kShotsDisagreeFlag, QT_TRANSLATE_NOOP("ModelText", "differs between the shots")},
+        {kTubeModeFlag, QT_TRANSLATE_NOOP("ModelText", "tube mode?")},
+        {"near-cancelled", QT_TRANSLATE_NOOP("ModelText", "nearly cancelled by a zero")},
+        {"integrator", QT_TRANSLATE_NOOP("ModelText", "as slow as a drift")},
+    };
+    const auto found
+        = std::ranges::find(kWords, flag, &std::pair<std::string_view, const char *>::first);
+    return found == std::end(kWords) ? rawText(flag) : ModelText::tr(found->second);
+}
+
+} // namespace
+
+QString fitText(const SensorModel &model)
+{
+    if (model.diverges)
+        return ModelText::tr("diverges");
+    const QString attainable = shownNumber(model.fitAttainable_percent, 3);
+    if (model.fit_percent < 0.0)
+        return ModelText::tr("< 0 % of attainable %1 %").arg(attainable);
+    return ModelText::tr("%1 % of attainable %2 %")
+        .arg(shownNumber(model.fit_percent, 3), attainable);
+}
+
+QString noiseText(const SensorModel &model)
+{
+    QString text = rawText(model.uncertaintyMethod);
+    const bool isOfResidual = text.endsWith(QStringLiteral(" of the residual"));
+    text = text.section(' ', 0, 0);
+    if (text == QStringLiteral("white"))
+        text = ModelText::tr("white");
+    return isOfResidual ? ModelText::tr("%1, of the residual").arg(text) : text;
+}
+
+QStringList poleHeaders(PoleColumns columns)
+{
+    if (columns == PoleColumns::Few)
+        return {ModelText::tr("Frequency"), ModelText::tr("Damping"), ModelText::tr("Class")};
+    return {ModelText::tr("Frequency"), ModelText::tr("u(f)"), ModelText::tr("Damping ratio"),
+        ModelText::tr("u(ζ)"), ModelText::tr("k"), ModelText::tr("Amplitude"),
+        ModelText::tr("Class"), ModelText::tr("Flags")};
+}
+
+QVector<QStringList> poleRows(const SensorModel *model, PoleColumns columns)
+{
+    QVector<QStringList> rows;
+    if (!model)
+        return rows;
+    for (const Pole &pole : model->poles) {
+        if (pole.z.imag() < 0.0)
+            continue; // shown with its conjugate
+        QStringList flags;
+        for (const std::string &flag : pole.flags)
+            flags << flagText(flag);
+        const QString kind = classText(pole.poleClass)
+            + (pole.z.imag() > 0.0 ? ModelText::tr(" (pair)") : QString());
+        const ShownResult frequency = shownResult(pole.frequency_Hz, pole.u_frequency_Hz, "Hz");
+        const ShownResult damping = shownResult(pole.dampingRatio, pole.u_dampingRatio, {});
+        if (columns == PoleColumns::Few)
+            rows.push_back({frequency.value, damping.value, kind});
+        else
+            rows.push_back({frequency.value, frequency.u, damping.value, damping.u,
+                shownNumber(pole.coverageFactor, 3), shownNumber(pole.amplitude, 3), kind,
+                flags.join(", ")});
+    }
+    return rows;
+}
+
+} // namespace dyncal

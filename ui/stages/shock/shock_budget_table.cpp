@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/stages/shock/shock_budget_table.h"
+
+#include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
+
+#include <QCoreApplication>
+
+#include <array>
+#include <cmath>
+
+namespace dyncal {
+
+namespace {
+
+struct ShockBudget
+{
+    Q_DECLARE_TR_FUNCTIONS(ShockBudget)
+};
+
+/// An input of the budget in words.
+struct InputWords
+{
+    const char *key; ///< as in the budget, without the place in brackets
+    const char *name; ///< %1 = the place
+    const char *unit;
+};
+
+constexpr std::array<InputWords, 12> kInputs{{
+    {"distance_m", QT_TRANSLATE_NOOP("ShockBudget", "Distance, %1"), "m"},
+    {"arrival_s", QT_TRANSLATE_NOOP("ShockBudget", "Arrival, %1"), "s"},
+    {"delay_s", QT_TRANSLATE_NOOP("ShockBudget", "Delay, %1"), "s"},
+    {"time_s", QT_TRANSLATE_NOOP("ShockBudget", "Time, %1"), "s"},
+    {"velocity_m_s", QT_TRANSLATE_NOOP("ShockBudget", "Velocity"), "m/s"},
+    {"velocity_scatter", QT_TRANSLATE_NOOP("ShockBudget", "Scatter of the velocity"), "m/s"},
+    {"p1_pa", QT_TRANSLATE_NOOP("ShockBudget", "p1"), "Pa"},
+    {"t1_k", QT_TRANSLATE_NOOP("ShockBudget", "T1"), "K"},
+    {"relative_humidity", QT_TRANSLATE_NOOP("ShockBudget", "Relative humidity"), ""},
+    {"carbon_dioxide_fraction", QT_TRANSLATE_NOOP("ShockBudget", "CO₂"), ""},
+    {"gamma", QT_TRANSLATE_NOOP("ShockBudget", "γ"), ""},
+    {"molar_mass_kg_mol", QT_TRANSLATE_NOOP("ShockBudget", "Molar mass in kg/mol"), ""},
+}};
+
+/// Name and unit of an input; one that is not in the list keeps its key.
+std::pair<QString, QString> wordsFor(const std::string &quantity)
+{
+    const auto bracket = quantity.find('[');
+    const std::string key = quantity.substr(0, bracket);
+    for (const InputWords &words : kInputs) {
+        if (key != words.key)
+            continue;
+        QString name = ShockBudget::tr(words.name);
+        if (bracket != std::string::npos)
+            name = name.arg(shownText(quantity.substr(bracket + 1, quantity.size() - bracket - 2)));
+        return {name, words.unit};
+    }
+    return {shownText(quantity), {}};
+}
+
+/// In the unit of the value, unless that makes a row of zeros of it.
+QString uncertaintyText(const UncertainInput &input, const QString &unit)
+{
+    constexpr double kReadable = 1e-4;
+    return input.u > kReadable * std::abs(input.value)
+        ? shownQuantityBeside(input.u, input.value, unit, 3)
+        : shownQuantity(input.u, unit, 3);
+}
+
+QString distributionText(Distribution distribution)
+{
+    switch (distribution) {
+    case Distribution::Normal:
+        return ShockBudget::tr("normal");
+    case Distribution::Rectangular:
+        return ShockBudget::tr("rectangular");
+    case Distribution::Triangular:
+        return ShockBudget::tr("triangular");
+    case Distribution::UShaped:
+        return ShockBudget::tr("u-shaped");
+    }
+    return {};
+}
+
+} // namespace
+
+ShownTable budgetTable(const ShockConditions &shot)
+{
+    ShownTable table{{ShockBudget::tr("Quantity"), ShockBudget::tr("Value"), ShockBudget::tr("u"),
+                         ShockBudget::tr("Distribution"), ShockBudget::tr("Degrees of freedom"),
+                         ShockBudget::tr("To the step"), ShockBudget::tr("Share"),
+                         ShockBudget::tr("Common to all shots")},
+        {}};
+    if (!shot.uncertainty)
+        return table;
+    constexpr auto kStep = static_cast<Index>(StepResult::Step);
+    const QString none = QStringLiteral("–");
+    const GumBudget &budget = shot.uncertainty->budget;
+    for (std::size_t i = 0; i < budget.lines.size(); ++i) {
+        const BudgetLine &line = budget.lines[i];
+        const UncertainInput &input = line.input;
+        const auto [name, unit] = wordsFor(input.quantity);
+        const bool known = line.contribution.size() > kStep;
+        table.rows.push_back({name, shownQuantity(input.value, unit, 7),
+            uncertaintyText(input, unit), distributionText(input.distribution),
+            std::isfinite(input.dof) ? shownNumber(input.dof, 3) : QStringLiteral("∞"),
+            known ? shownQuantity(std::abs(line.contribution[kStep]), "Pa", 3) : none,
+            known ? shownNumber(budget.sharePercent(i, kStep), 3) + QStringLiteral(" %") : none,
+            input.common ? ShockBudget::tr("yes") : ShockBudget::tr("no")});
+    }
+    return table;
+}
+
+} // namespace dyncal

@@ -1,0 +1,202 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/stages/shock/shock_page.h"
+
+#include "ui/plot/curves/shock_curves.h"
+#include "ui/stages/frame/value_table.h"
+#include "ui/stages/shock/arrival_panel.h"
+#include "ui/stages/shock/conditions_panel.h"
+#include "ui/stages/shock/shock_budget_table.h"
+#include "ui/stages/shock/shock_tables.h"
+#include "ui/text/core_text.h"
+#include "ui/text/level_text.h"
+#include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QTabWidget>
+
+#include <algorithm>
+
+namespace dyncal {
+
+ShockPage::ShockPage(Session &session)
+    : StagePage(session,
+        {"shockPage", tr("Reference step"),
+            tr("Gas state and shock velocity, or a typed step, give the pressure that the sensor "
+               "saw.")},
+        {StageId::Shock, StageId::MonteCarlo})
+{
+    buildPlots();
+    buildReferenceControls();
+    m_arrivalPanel = new ArrivalPanel(session, *inspector(), *m_side, this);
+    m_conditions = new ConditionsPanel(session, *inspector(), this);
+    connect(&session.envelopes(), &EnvelopeStore::changed, this, [this] {
+        if (isVisible())
+            m_arrivalPanel->showRecord();
+    });
+}
+
+void ShockPage::buildPlots()
+{
+    m_diagram = makePlot("tubeDiagram", tr("Waves in the tube over distance and time"));
+    m_side = makePlot("sidePlot", tr("Arrival of the shock at a sensor"));
+    auto *plots = new QSplitter(Qt::Horizontal, this);
+    plots->addWidget(m_diagram);
+    plots->addWidget(m_side);
+    plots->setSizes({1000, 1000});
+    m_reason = new QLabel(this);
+    m_reason->setObjectName("sensitivityReason");
+    m_reason->setWordWrap(true);
+    m_tabs = new QTabWidget(this);
+    m_tabs->setObjectName("shockTables");
+    m_states = addTable(tr("States"), "stateTable");
+    m_measured = addTable(tr("Measured"), "measuredTable");
+    m_arrivals = addTable(tr("Arrivals"), "arrivalTable");
+    m_uncertainty = addTable(tr("Uncertainty"), "stepUncertaintyTable");
+    m_budget = addTable(tr("Budget of the shot"), "stepBudgetTable");
+    m_peaks = addTable(tr("Peaks and gas"), "followedPeakTable");
+    m_sensitivity = addTable(tr("Sensitivity"), "sensitivityTable");
+    auto *lower = new QWidget;
+    auto *layout = new QVBoxLayout(lower);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_reason);
+    layout->addWidget(m_tabs);
+    auto *split = new QSplitter(Qt::Vertical, this);
+    split->addWidget(plots);
+    split->addWidget(lower);
+    split->setSizes({1000, 900});
+    content()->addWidget(split);
+}
+
+ValueTable *ShockPage::addTable(const QString &title, const QString &objectName)
+{
+    auto *table = new ValueTable(objectName, title, this);
+    m_tabs->addTab(table, title);
+    return table;
+}
+
+void ShockPage::buildReferenceControls()
+{
+    InspectorForm *form = inspector();
+    m_shot = form->addChoice(tr("Show"), "shockShot", {});
+    connect(m_shot, &QComboBox::activated, this, [this] {
+        showRecipe();
+        showResults();
+    });
+    form->addSection(tr("Reference"));
+    m_enabled = new QCheckBox(tr("Compute the step from the shock"));
+    m_enabled->setObjectName("shockEnabled");
+    form->addWide(m_enabled);
+    connect(m_enabled, &QCheckBox::clicked, this, [this](bool on) {
+        change(tr("Compute the step from the shock"), [&](Recipe &r) { r.shock.enabled = on; });
+    });
+    m_step = addShockNumber(session(), *form, tr("Pressure step, typed"), "stepPressure",
+        new OptionalEdit({"kPa", 1e3}, 1e-3, 1e12), &ShockSettings::step_Pa);
+    m_velocity = addShockNumber(session(), *form, tr("Velocity, typed"), "shockVelocity",
+        new OptionalEdit({"m/s", 1.0}, 1.0, 1e5), &ShockSettings::velocity_m_s);
+    m_step->setEmptyText(tr("computed"));
+    m_velocity->setEmptyText(tr("measured"));
+}
+
+Index ShockPage::shownNumber() const
+{
+    return m_shot->currentData().toLongLong();
+}
+
+const ShockConditions *ShockPage::shownShot() const
+{
+    return results().shock ? results().shock->ofShot(shownNumber()) : nullptr;
+}
+
+void ShockPage::showRecipe()
+{
+    showShots();
+    m_arrivalPanel->setShot(shownNumber());
+    m_arrivalPanel->showSensors();
+    const ShockSettings &settings = recipe().shock;
+    m_enabled->setChecked(settings.enabled);
+    m_step->set(settings.step_Pa);
+    m_velocity->set(settings.velocity_m_s);
+    const auto &shots = session().state().captures->shots;
+    const auto at = static_cast<std::size_t>(std::max<Index>(shownNumber() - 1, 0));
+    m_conditions->show(at < shots.size() ? &shots[at] : nullptr, shownShot());
+}
+
+void ShockPage::showShots()
+{
+    const QSignalBlocker quiet(m_shot);
+    const Index chosen = shownNumber();
+    m_shot->clear();
+    const auto &shots = session().state().captures->shots;
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        const auto number = static_cast<Index>(i) + 1;
+        m_shot->addItem(tr("Shot %1 %2").arg(number).arg(levelText(shots[i].level)),
+            QVariant::fromValue<qlonglong>(number));
+    }
+    const int again = m_shot->findData(QVariant::fromValue<qlonglong>(chosen));
+    m_shot->setCurrentIndex(again >= 0 ? again : m_shot->count() - 1);
+}
+
+void ShockPage::showResults()
+{
+    showShots();
+    m_arrivalPanel->setShot(shownNumber());
+    m_arrivalPanel->showSensors();
+    showDiagram();
+    m_arrivalPanel->showRecord();
+    showTables();
+    showSensitivity();
+}
+
+void ShockPage::showDiagram()
+{
+    const ShockConditions *shot = shownShot();
+    m_diagram->setContent(shot && shot->diagram ? tubeDiagramCurves(*shot) : nothingYet());
+}
+
+void ShockPage::showTables()
+{
+    const auto show = [](ValueTable *table, const ShownTable &values) {
+        table->setValues(values.headers, values.rows);
+    };
+    const ShockConditionsSet none;
+    const ShockConditionsSet &shock = results().shock ? *results().shock : none;
+    const ShockConditions *shot = shownShot();
+    show(m_states, results().shock ? stateTable(shock) : ShownTable{{tr("Quantity")}, {}});
+    show(m_measured, measuredTable(shock));
+    show(m_arrivals, arrivalTable(shock));
+    show(m_uncertainty, uncertaintyTable(shock, results().monteCarlo.get()));
+    show(m_budget, budgetTable(shot ? *shot : ShockConditions()));
+    show(m_peaks, followedPeakTable(shock));
+}
+
+void ShockPage::showSensitivity()
+{
+    const auto &response = results().response;
+    QVector<QStringList> rows;
+    if (response)
+        for (const ShotSensitivity &shot : response->shots)
+            rows.push_back({tr("Shot %1").arg(shot.shot),
+                shot.sensitivity ? shownQuantity(*shot.sensitivity, rawText(shot.unit), 5)
+                                 : tr("not determined")});
+    m_sensitivity->setValues({tr("Shot"), tr("Sensitivity")}, rows);
+    if (response && response->sensitivity) {
+        m_reason->setText(
+            tr("Sensitivity: %1, mean over the shots.")
+                .arg(shownQuantity(*response->sensitivity, rawText(response->sensitivityUnit), 5)));
+        return;
+    }
+    QStringList reasons;
+    if (results().shock)
+        for (const Finding &finding : results().shock->findings)
+            reasons << translated(finding.message);
+    reasons.removeDuplicates();
+    m_reason->setText(tr("Sensitivity: not determined. %1").arg(reasons.join(' ')));
+}
+
+} // namespace dyncal

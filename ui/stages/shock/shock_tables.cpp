@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/stages/shock/shock_tables.h"
+
+#include "core/shock/step_monte_carlo.h"
+#include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
+
+#include <QCoreApplication>
+
+#include <cmath>
+
+namespace dyncal {
+
+namespace {
+
+struct ShockTables
+{
+    Q_DECLARE_TR_FUNCTIONS(ShockTables)
+};
+
+const QString kNone = QStringLiteral("–");
+
+QString shotName(Index shot)
+{
+    return ShockTables::tr("Shot %1").arg(shot);
+}
+
+QString percent(double share, int digits)
+{
+    return shownNumber(100.0 * share, digits) + QStringLiteral(" %");
+}
+
+QString withU(double value, const std::optional<double> &u, const QString &unit, int digits)
+{
+    if (!u)
+        return shownQuantity(value, unit, digits);
+    const ShownResult shown = shownResult(value, *u, unit);
+    return ShockTables::tr("%1, u %2").arg(shown.value, shown.u);
+}
+
+std::optional<double> uOf(const ShockConditions &shot, StepResult result)
+{
+    return shot.uncertainty ? shot.uncertainty->u(result) : std::nullopt;
+}
+
+/// Rows of one quantity over all shots.
+class Rows
+{
+public:
+    explicit Rows(const ShockConditionsSet &shock)
+        : m_shock(shock)
+    {
+    }
+
+    template <typename Value>
+    void add(const QString &name, Value value)
+    {
+        QStringList row{name};
+        for (const ShockConditions &shot : m_shock.shots)
+            row << value(shot);
+        m_rows.push_back(row);
+    }
+
+    /// Of the states, where there are any.
+    template <typename Value>
+    void state(const QString &name, const QString &unit, int digits, Value value)
+    {
+        add(name, [&](const ShockConditions &shot) {
+            return shot.states ? shownQuantity(value(*shot.states), unit, digits) : kNone;
+        });
+    }
+
+    QVector<QStringList> take() { return std::move(m_rows); }
+
+private:
+    const ShockConditionsSet &m_shock;
+    QVector<QStringList> m_rows;
+};
+
+QString stepText(const ShockConditions &shot)
+{
+    if (!shot.step_Pa)
+        return ShockTables::tr("not determined");
+    if (shot.stepTyped)
+        return ShockTables::tr("%1 (typed)").arg(shownQuantity(*shot.step_Pa, "Pa", 5));
+    return withU(*shot.step_Pa, uOf(shot, StepResult::Step), "Pa", 5);
+}
+
+QString gradientText(const ShockConditions &shot)
+{
+    if (!shot.states || !shot.velocityFit || !shot.velocityFit->gradient_per_s)
+        return kNone;
+    const double scale = 1.0 / shot.states->velocity_m_s;
+    QString text = ShockTables::tr("%1 %/m").arg(
+        shownNumber(100.0 * scale * *shot.velocityFit->gradient_per_s, 3));
+    if (shot.velocityFit->u_gradient_per_s)
+        text = ShockTables::tr("%1, u %2")
+                   .arg(text, shownNumber(100.0 * scale * *shot.velocityFit->u_gradient_per_s, 2));
+    return shot.velocityFit->attenuated ? text : ShockTables::tr("%1 (not applied)").arg(text);
+}
+
+void addStates(Rows &rows)
+{
+    using States = const ShockStates &;
+    rows.state(ShockTables::tr("p1"), "Pa", 5, [](States s) { return s.driven.pressure_Pa; });
+    rows.state(ShockTables::tr("p2"), "Pa", 5, [](States s) { return s.shocked.pressure_Pa; });
+    rows.state(ShockTables::tr("p5"), "Pa", 5, [](States s) { return s.reflected.pressure_Pa; });
+    rows.add(ShockTables::tr("p4 (eq. 3.10)"), [](const ShockConditions &shot) {
+        return shot.driver ? shownQuantity(shot.driver->pressure_Pa, "Pa", 4) : kNone;
+    });
+    rows.state(ShockTables::tr("T1"), "K", 5, [](States s) { return s.driven.temperature_K; });
+    rows.state(ShockTables::tr("T2"), "K", 5, [](States s) { return s.shocked.temperature_K; });
+    rows.state(ShockTables::tr("T5"), "K", 5, [](States s) { return s.reflected.temperature_K; });
+    rows.add(ShockTables::tr("T4"), [](const ShockConditions &shot) {
+        return shot.driver ? shownQuantity(shot.driver->temperature_K, "K", 5) : kNone;
+    });
+    rows.state(ShockTables::tr("Density ρ5"), "kg/m³", 4,
+        [](States s) { return s.reflected.density_kg_m3; });
+    rows.state(ShockTables::tr("Sound speed a1"), "m/s", 5,
+        [](States s) { return s.driven.soundSpeed_m_s; });
+    rows.state(ShockTables::tr("Sound speed a5"), "m/s", 5,
+        [](States s) { return s.reflected.soundSpeed_m_s; });
+    rows.state(ShockTables::tr("Gas velocity u2"), "m/s", 4,
+        [](States s) { return s.shocked.velocity_m_s; });
+    rows.state(ShockTables::tr("Reflected shock"), "m/s", 4,
+        [](States s) { return s.reflectedVelocity_m_s; });
+}
+
+QString verdict(const SoundSpeedTest &test)
+{
+    if (test.followsGas)
+        return ShockTables::tr("follows the gas: a mode of the tube");
+    return test.excludesGas ? ShockTables::tr("stays: not a mode of the gas")
+                            : ShockTables::tr("undecided");
+}
+
+} // namespace
+
+ShownTable stateTable(const ShockConditionsSet &shock)
+{
+    ShownTable table{{ShockTables::tr("Quantity")}, {}};
+    for (const ShockConditions &shot : shock.shots)
+        table.headers << shotName(shot.shot);
+    Rows rows(shock);
+    rows.add(ShockTables::tr("Pressure step"), stepText);
+    rows.state(ShockTables::tr("Velocity W"), "m/s", 6,
+        [](const ShockStates &s) { return s.velocity_m_s; });
+    rows.state(ShockTables::tr("Mach number"), {}, 5, [](const ShockStates &s) { return s.mach; });
+    rows.add(ShockTables::tr("W along the tube"), gradientText);
+    addStates(rows);
+    rows.add(ShockTables::tr("Plateau lasts"),
+        [](const ShockConditions &shot) { return shownQuantity(shot.plateau_s, "s", 4); });
+    rows.add(ShockTables::tr("Lowest frequency"), [](const ShockConditions &shot) {
+        const bool known = shot.plateau_s && *shot.plateau_s > 0.0;
+        return known ? shownQuantity(1.0 / *shot.plateau_s, "Hz", 3) : kNone;
+    });
+    rows.add(ShockTables::tr("Arrival at the side"),
+        [](const ShockConditions &shot) { return shownQuantity(shot.arrival_s, "s", 5); });
+    table.rows = rows.take();
+    return table;
+}
+
+ShownTable measuredTable(const ShockConditionsSet &shock)
+{
+    ShownTable table{
+        {ShockTables::tr("Shot"), ShockTables::tr("Pressure"), ShockTables::tr("Channel"),
+            ShockTables::tr("Measured, absolute"), ShockTables::tr("Predicted"),
+            ShockTables::tr("Deviation"), ShockTables::tr("Reads")},
+        {}};
+    for (const ShockConditions &shot : shock.shots) {
+        for (const MeasuredPressure &m : shot.measured)
+            table.rows.push_back({shotName(shot.shot), shownText(m.region), shownText(m.channel),
+                shownQuantity(m.measured_Pa, "Pa", 4), shownQuantity(m.predicted_Pa, "Pa", 4),
+                percent(m.deviation(), 3),
+                m.wasGauge ? ShockTables::tr("gauge") : ShockTables::tr("absolute")});
+    }
+    return table;
+}
+
+ShownTable arrivalTable(const ShockConditionsSet &shock)
+{
+    ShownTable table{{ShockTables::tr("Shot"), ShockTables::tr("Place"),
+                         ShockTables::tr("To the end wall"), ShockTables::tr("u (place)"),
+                         ShockTables::tr("Arrival"), ShockTables::tr("u (arrival)"),
+                         ShockTables::tr("u (delay)"), ShockTables::tr("Seen – fitted")},
+        {}};
+    for (const ShockConditions &shot : shock.shots) {
+        for (std::size_t i = 0; i < shot.sightings.size(); ++i) {
+            const Sighting &s = shot.sightings[i];
+            // Two places give the velocity exactly: what is left then is rounding.
+            const bool fitted = shot.velocityFit && shot.velocityFit->dof > 0
+                && shot.velocityFit->residual.size() == std::ssize(shot.sightings);
+            table.rows.push_back({shotName(shot.shot), shownText(s.channel),
+                shownQuantity(s.distance_m, "m", 5),
+                s.u_distance_m > 0.0 ? shownQuantity(s.u_distance_m, "m", 2) : kNone,
+                shownQuantity(s.time_s, "s", 7), shownQuantity(s.u_time_s, "s", 2),
+                s.u_delay_s > 0.0 ? shownQuantity(s.u_delay_s, "s", 2) : kNone,
+                fitted ? shownQuantity(shot.velocityFit->residual[static_cast<Index>(i)], "s", 2)
+                       : kNone});
+        }
+    }
+    return table;
+}
+
+ShownTable uncertaintyTable(const ShockConditionsSet &shock, const StepMonteCarloSet *drawn)
+{
+    ShownTable table{
+        {ShockTables::tr("Shot"), ShockTables::tr("Quantity"), ShockTables::tr("Value"),
+            ShockTables::tr("u (propagation)"), ShockTables::tr("Relative"),
+            ShockTables::tr("u (Monte Carlo)"), ShockTables::tr("Interval (Monte Carlo)")},
+        {}};
+    const std::pair<QString, QString> results[] = {{ShockTables::tr("Velocity W"), "m/s"},
+        {ShockTables::tr("Mach number"), QString()}, {ShockTables::tr("p2"), "Pa"},
+        {ShockTables::tr("p5"), "Pa"}, {ShockTables::tr("Pressure step"), "Pa"}};
+    for (const ShockConditions &shot : shock.shots) {
+        const ShotMonteCarlo *mc = drawn != nullptr ? drawn->ofShot(shot.shot) : nullptr;
+        for (Index r = 0; shot.uncertainty && r < kStepResults; ++r) {
+            const auto &[name, unit] = results[r];
+            const double value = shot.uncertainty->budget.value[r];
+            const auto u = shot.uncertainty->u(static_cast<StepResult>(r));
+            const ShownResult shown = shownResult(value, u.value_or(kUnknown), unit);
+            QStringList row{shotName(shot.shot), name, shown.value, shown.u,
+                u ? percent(*u / value, 3) : kNone};
+            if (mc != nullptr && mc->outcome) {
+                const MonteCarloResult &result = mc->outcome->result;
+                row << shownQuantityBeside(result.u[r], value, unit, 3)
+                    << ShockTables::tr("%1 to %2")
+                           .arg(shownQuantity(result.low[r], unit, 6),
+                               shownQuantity(result.high[r], unit, 6));
+            } else {
+                row << kNone << kNone;
+            }
+            table.rows.push_back(row);
+        }
+    }
+    return table;
+}
+
+ShownTable followedPeakTable(const ShockConditionsSet &shock)
+{
+    ShownTable table{{ShockTables::tr("Peak"), ShockTables::tr("Slope of ln f on ln a5"),
+                         ShockTables::tr("u (slope)"), ShockTables::tr("Verdict"),
+                         ShockTables::tr("Nearest tube mode (computed)")},
+        {}};
+    for (const FollowedPeak &peak : shock.followedPeaks) {
+        QStringList frequencies;
+        for (const PeakOfShot &p : peak.peaks)
+            frequencies << shownQuantity(p.frequency_Hz, "Hz", 4);
+        table.rows.push_back({frequencies.join(QStringLiteral(" / ")),
+            shownNumber(peak.test.slope, 3), shownNumber(peak.test.u_slope, 2), verdict(peak.test),
+            peak.candidate.empty() ? kNone : shownText(peak.candidate)});
+    }
+    return table;
+}
+
+} // namespace dyncal

@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/stages/window/interval_edit.h"
+
+#include <QCheckBox>
+#include <QGridLayout>
+
+namespace dyncal {
+
+namespace {
+
+constexpr int kDecimals = 4;
+
+} // namespace
+
+IntervalEdit::IntervalEdit(const ShownUnit &unit, double lowest, double highest, QWidget *parent)
+    : QWidget(parent)
+    , m_begin(new QuantityEdit(unit, lowest, highest, kDecimals, this))
+    , m_end(new QuantityEdit(unit, lowest, highest, kDecimals, this))
+    , m_auto(new QCheckBox(tr("auto"), this))
+{
+    auto *layout = new QGridLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_begin, 0, 0);
+    layout->addWidget(m_end, 1, 0);
+    layout->addWidget(m_auto, 0, 1, 2, 1);
+    layout->setColumnStretch(0, 1);
+    setFocusProxy(m_begin);
+    connect(m_begin, &QuantityEdit::edited, this, &IntervalEdit::commit);
+    connect(m_end, &QuantityEdit::edited, this, &IntervalEdit::commit);
+    connect(m_auto, &QCheckBox::clicked, this, [this](bool checked) {
+        if (checked)
+            emit edited({});
+        else
+            commit();
+    });
+}
+
+void IntervalEdit::setNames(const QString &objectName, const QString &accessibleName)
+{
+    setObjectName(objectName);
+    m_begin->setObjectName(objectName + "Begin");
+    m_begin->setAccessibleName(tr("%1: begin").arg(accessibleName));
+    m_end->setObjectName(objectName + "End");
+    m_end->setAccessibleName(tr("%1: end").arg(accessibleName));
+    m_auto->setObjectName(objectName + "Auto");
+    m_auto->setAccessibleName(tr("%1: automatic").arg(accessibleName));
+}
+
+void IntervalEdit::set(const Auto<Interval> &setting, const std::optional<Interval> &used)
+{
+    m_auto->setChecked(setting.isAuto());
+    m_begin->setShownOnly(setting.isAuto());
+    m_end->setShownOnly(setting.isAuto());
+    const std::optional<Interval> shown = setting.value ? setting.value : used;
+    if (!shown)
+        return;
+    m_begin->setSi(shown->begin);
+    m_end->setSi(shown->end);
+}
+
+void IntervalEdit::commit()
+{
+    const Interval band{m_begin->si(), m_end->si()};
+    if (band.begin < band.end)
+        emit edited(band);
+}
+
+} // namespace dyncal
