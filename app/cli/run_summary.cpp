@@ -42,9 +42,9 @@ void addShots(std::string &text, const CalibrationResults &results)
     addLine(text, "Shots", std::to_string(used) + " of " + std::to_string(shots.size()) + " used");
 }
 
-void addModel(std::string &text, const SensorModel &model)
+void addModel(std::string &text, const CalibrationResults &results)
 {
-    if (const Pole *pole = mainPole(model)) {
+    if (const Pole *pole = mainPole(*results.model, results.assessment.get())) {
         addLine(text, "Natural frequency f0",
             roundedTextWithU(pole->frequency_Hz, pole->u_frequency_Hz, "Hz"));
         addLine(text, "Damping ratio zeta",
@@ -140,7 +140,7 @@ std::string runSummary(const PipelineOutcome &outcome, const Recipe &recipe)
     std::string text;
     addShots(text, results);
     if (results.model)
-        addModel(text, *results.model);
+        addModel(text, results);
     if (results.response)
         addSensitivity(text, *results.response, results);
     if (results.model) {

@@ -129,7 +129,7 @@ std::vector<Message> conditionsRow(const CertificateSources &sources, const Shoc
 /// How much the sensor's resonance depends on the choice of the order.
 std::optional<Message> orderSpread(const CertificateSources &sources)
 {
-    const Pole *main = sources.model ? mainPole(*sources.model) : nullptr;
+    const Pole *main = sources.model ? mainPole(*sources.model, sources.assessment) : nullptr;
     if (!main || !sources.evidence)
         return std::nullopt;
     const auto spread = spreadAround(*sources.evidence, sources.model->order, main->frequency_Hz);

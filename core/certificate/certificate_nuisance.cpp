@@ -78,7 +78,8 @@ CertificateTable effectTable(const NuisanceEffect &effect, const std::string &ga
 
 } // namespace
 
-void addNuisance(const SensorModel &model, const std::string &gainUnit, CertificateSection &section)
+void addNuisance(const SensorModel &model, const ModelAssessment *assessment,
+    const std::string &gainUnit, CertificateSection &section)
 {
     CertificateTable modes = modeTable(model);
     if (modes.rows.empty())
@@ -90,8 +91,8 @@ void addNuisance(const SensorModel &model, const std::string &gainUnit, Certific
              "sensitivity and frequency response are those of the sensor without them; the fit "
              "counts them."),
             {}});
-    if (model.nuisanceEffect)
-        section.tables.push_back(effectTable(*model.nuisanceEffect, gainUnit));
+    if (assessment && assessment->nuisanceEffect)
+        section.tables.push_back(effectTable(*assessment->nuisanceEffect, gainUnit));
 }
 
 void addLeftOut(const ModelInput &input, CertificateSection &section)

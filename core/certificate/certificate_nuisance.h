@@ -5,6 +5,7 @@
 
 #include "core/certificate/certificate_data.h"
 #include "core/realization/input/model_input.h"
+#include "core/realization/model/model_assessment.h"
 #include "core/realization/model/sensor_model.h"
 
 #include <string>
@@ -12,9 +13,10 @@
 namespace dyncal {
 
 /// Tables of the modes that were left out of the model, and of what that changed; nothing without
-/// any. `gainUnit` is the unit of the responses as analysed: "1" if remapped, empty if not known.
-void addNuisance(
-    const SensorModel &model, const std::string &gainUnit, CertificateSection &section);
+/// any. What it changed is known once the model is assessed. `gainUnit` is the unit of the
+/// responses as analysed: "1" if remapped, empty if not known.
+void addNuisance(const SensorModel &model, const ModelAssessment *assessment,
+    const std::string &gainUnit, CertificateSection &section);
 
 /// Table of the stretches that were left out of the fit; nothing without any.
 void addLeftOut(const ModelInput &input, CertificateSection &section);

@@ -47,7 +47,7 @@ double coverageOf(const Pole &pole)
 
 void addResonance(const CertificateSources &sources, CertificateSection &section)
 {
-    const Pole *pole = sources.model ? mainPole(*sources.model) : nullptr;
+    const Pole *pole = sources.model ? mainPole(*sources.model, sources.assessment) : nullptr;
     const Message none = sources.model
         ? Message{DYNCAL_TEXT("core", "not determined (the model does not oscillate)"), {}}
         : noModel();
@@ -152,7 +152,7 @@ std::string fitText(double percent, bool diverges = false)
                                                            : fixedText(percent, 2);
 }
 
-CertificateTable poleTable(const SensorModel &model)
+CertificateTable poleTable(const std::vector<Pole> &poles)
 {
     CertificateTable table;
     table.id = "poles";
@@ -164,7 +164,7 @@ CertificateTable poleTable(const SensorModel &model)
         {{DYNCAL_TEXT("core", "Damping ratio"), {}}, true},
         {{DYNCAL_TEXT("core", "U (k = 2)"), {}}, true},
         {{DYNCAL_TEXT("core", "Amplitude"), {}}, true}};
-    for (const Pole &pole : model.poles) {
+    for (const Pole &pole : poles) {
         if (pole.z.imag() < 0.0)
             continue;
         const double k = coverageOf(pole);
@@ -301,8 +301,8 @@ CertificateSection modelSection(const CertificateSources &sources)
             {DYNCAL_TEXT(
                  "core", "The model has a pole outside the unit circle: its simulation diverges."),
                 {}});
-    section.tables.push_back(poleTable(model));
-    addNuisance(model, gainUnit(sources), section);
+    section.tables.push_back(poleTable(polesOf(model, sources.assessment)));
+    addNuisance(model, sources.assessment, gainUnit(sources), section);
     if (sources.input)
         addLeftOut(*sources.input, section);
     return section;

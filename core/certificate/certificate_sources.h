@@ -10,6 +10,7 @@
 #include "core/model_analysis/sensor_response.h"
 #include "core/realization/hankel/order_suggestion.h"
 #include "core/realization/input/model_input.h"
+#include "core/realization/model/model_assessment.h"
 #include "core/realization/model/sensor_model.h"
 #include "core/realization/order/order_evidence.h"
 #include "core/shock/shock_conditions.h"
@@ -40,6 +41,7 @@ struct CertificateSources
     const OrderSuggestion *suggestion = nullptr;
     const OrderEvidence *evidence = nullptr;
     const SensorModel *model = nullptr;
+    const ModelAssessment *assessment = nullptr; ///< of the model
     const ResponseResult *response = nullptr;
     Auto<Index> order; ///< as asked for
     std::string orderReason; ///< typed: why this order was adopted

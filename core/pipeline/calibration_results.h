@@ -11,6 +11,7 @@
 #include "core/realization/hankel/hankel_decomposition.h"
 #include "core/realization/hankel/order_suggestion.h"
 #include "core/realization/input/model_input.h"
+#include "core/realization/model/model_assessment.h"
 #include "core/realization/model/sensor_model.h"
 #include "core/realization/order/order_evidence.h"
 #include "core/shock/shock_conditions.h"
@@ -49,9 +50,10 @@ struct CalibrationResults
     std::shared_ptr<const ComponentResult> components;
     std::shared_ptr<const ModelInput> input;
     std::shared_ptr<const DecompositionResult> decomposition;
-    std::shared_ptr<const SensorModel> model; ///< as fitted; the assessed one once that is there
+    std::shared_ptr<const SensorModel> model;
     std::shared_ptr<const ShockConditionsSet> shock;
     std::shared_ptr<const ResponseResult> response;
+    std::shared_ptr<const ModelAssessment> assessment; ///< of `model` and no other
     std::shared_ptr<const OrderEvidence> evidence; ///< of the decomposition, not of one order
     std::shared_ptr<const StepMonteCarloSet> monteCarlo;
     std::array<std::string, kStageCount> keys; ///< hash of what each result was computed from

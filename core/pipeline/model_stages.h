@@ -11,7 +11,7 @@
 namespace dyncal {
 
 /// The stages behind the decomposition, for a run and for the comparison of orders alike. `results`
-/// must hold everything before. The model is not yet assessed.
+/// must hold everything before.
 Result<SensorModel> modelStage(const CalibrationResults &results, const Recipe &recipe, Index order,
     const JobControl &control);
 Result<ShockConditionsSet> shockOfModel(

@@ -9,7 +9,7 @@
 #include "core/realization/hankel/hankel_gap.h"
 #include "core/realization/hankel/realized_poles.h"
 #include "core/realization/input/whitening.h"
-#include "core/realization/model/model_assessment.h"
+#include "core/realization/model/model_assessing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -71,20 +71,30 @@ double whitenessOf(const ModelInput &input, const SensorModel &model)
     return lags > 0 ? chiSquareSurvival(statistic, static_cast<double>(lags)) : kUnknown;
 }
 
-/// The model a run has made already, or a new one; assessed.
+template <typename T>
+Result<std::shared_ptr<const T>> shared(Result<T> result)
+{
+    if (!result)
+        return tl::unexpected(std::move(result.error()));
+    return std::make_shared<const T>(std::move(*result));
+}
+
+/// The model a run has made already, or a new one.
 Result<std::shared_ptr<const SensorModel>> modelOf(
     const CalibrationResults &results, const Recipe &recipe, Index order, const JobControl &control)
 {
-    const bool isThere = results.model && results.model->order == order;
-    if (isThere && results.model->isAssessed)
+    if (results.model && results.model->order == order)
         return results.model;
-    Result<SensorModel> model
-        = isThere ? *results.model : modelStage(results, recipe, order, control);
-    if (model)
-        model = assessModel(*results.input, *model, recipe.realization, control);
-    if (!model)
-        return tl::unexpected(std::move(model.error()));
-    return std::make_shared<const SensorModel>(std::move(*model));
+    return shared(modelStage(results, recipe, order, control));
+}
+
+Result<std::shared_ptr<const ModelAssessment>> assessmentOf(const CalibrationResults &results,
+    const Recipe &recipe, const std::shared_ptr<const SensorModel> &model,
+    const JobControl &control)
+{
+    if (model == results.model && results.assessment)
+        return results.assessment;
+    return shared(assessModel(*results.input, *model, recipe.realization, control));
 }
 
 Result<std::shared_ptr<const ResponseResult>> responseOf(const CalibrationResults &results,
@@ -95,10 +105,7 @@ Result<std::shared_ptr<const ResponseResult>> responseOf(const CalibrationResult
     const Result<ShockConditionsSet> shock = shockOfModel(results, recipe, *model);
     if (!shock)
         return tl::unexpected(shock.error());
-    Result<ResponseResult> response = responseStage(results, recipe, *model, *shock);
-    if (!response)
-        return tl::unexpected(std::move(response.error()));
-    return std::make_shared<const ResponseResult>(std::move(*response));
+    return shared(responseStage(results, recipe, *model, *shock));
 }
 
 ComparedOrder compareOne(
@@ -115,7 +122,13 @@ ComparedOrder compareOne(
         compared.error = std::move(model.error());
         return compared;
     }
+    auto assessment = assessmentOf(results, recipe, *model, control);
+    if (!assessment) {
+        compared.error = std::move(assessment.error());
+        return compared;
+    }
     compared.model = std::move(*model);
+    compared.assessment = std::move(*assessment);
     compared.whiteness_p = whitenessOf(*results.input, *compared.model);
     auto response = responseOf(results, recipe, compared.model);
     if (response)

@@ -16,6 +16,7 @@ struct ComparedOrder
 {
     Index order = 0;
     std::shared_ptr<const SensorModel> model; ///< null with an error
+    std::shared_ptr<const ModelAssessment> assessment; ///< of `model`
     std::shared_ptr<const ResponseResult> response; ///< null with an error and where it diverges
     /// p value of the residuals being nothing but noise, over all series; NaN where it diverges.
     double whiteness_p = kUnknown;

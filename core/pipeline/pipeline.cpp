@@ -11,7 +11,7 @@
 #include "core/pipeline/stage_keys.h"
 #include "core/pipeline/stage_table.h"
 #include "core/realization/hankel/order_suggestion.h"
-#include "core/realization/model/model_assessment.h"
+#include "core/realization/model/model_assessing.h"
 #include "core/realization/nuisance/nuisance_modes.h"
 #include "core/realization/order/order_scan.h"
 #include "core/shock/shock_velocity.h"
@@ -102,14 +102,14 @@ public:
         return *this;
     }
 
-    /// A later stage's result, which completes that of an earlier one, where it is known already.
+    /// The result of a later stage as an earlier run left it, if it did, beside what it follows
+    /// from: this run may end before that stage.
     template <typename T>
-    Run &completed(StageId id, std::shared_ptr<const T> CalibrationResults::*member)
+    Run &remembered(StageId id, std::shared_ptr<const T> CalibrationResults::*member)
     {
-        if (!(m_outcome.results.*member))
-            return *this;
-        if (auto found = m_cache.find<T>(m_outcome.results.keys[static_cast<std::size_t>(id)]))
-            m_outcome.results.*member = std::move(found);
+        if (hasResult(m_outcome.results, stageOf(id).follows))
+            m_outcome.results.*member
+                = m_cache.find<T>(m_outcome.results.keys[static_cast<std::size_t>(id)]);
         return *this;
     }
 
@@ -176,12 +176,12 @@ void runStages(const CaptureSet &captures, const Recipe &recipe, Run &run, Calib
             })
         .stage(StageId::Model, &R::model,
             [&](Control control) { return modelStage(r, recipe, orderOf(r, recipe), control); })
-        .completed(StageId::Assessment, &R::model)
+        .remembered(StageId::Assessment, &R::assessment)
         .stage(
             StageId::Shock, &R::shock, [&](Control) { return shockOfModel(r, recipe, *r.model); })
         .stage(StageId::Response, &R::response,
             [&](Control) { return responseStage(r, recipe, *r.model, *r.shock); })
-        .stage(StageId::Assessment, &R::model, // the same model, complete
+        .stage(StageId::Assessment, &R::assessment,
             [&](Control control) {
                 return assessModel(*r.input, *r.model, recipe.realization, control);
             })

@@ -43,9 +43,14 @@ Findings ofEvidence(const R &results)
     return findings;
 }
 
-bool isAssessed(const R &results)
+/// With those of its assessment, which are about the model: people read them in one place.
+Findings ofModel(const R &results)
 {
-    return results.model && results.model->isAssessed;
+    Findings findings = results.model->findings;
+    if (results.assessment)
+        findings.insert(findings.end(), results.assessment->findings.begin(),
+            results.assessment->findings.end());
+    return findings;
 }
 
 void readNothing(const Recipe &, Recipe &) { } // all that it reads is in an earlier key
@@ -144,10 +149,11 @@ constexpr std::array<Stage, kStageCount> kStages{{
         of<&R::input>},
     {Decomposition, "decomposition", 1, 100, "ORD-", ModelInput, readDecomposition,
         has<&R::decomposition>, saidElsewhere},
-    {Model, "model", 1, 10, "MOD-", Decomposition, readModel, has<&R::model>, of<&R::model>},
+    {Model, "model", 1, 10, "MOD-", Decomposition, readModel, has<&R::model>, ofModel},
     {Shock, "shock", 1, 1, "SHK-", Model, readShock, has<&R::shock>, of<&R::shock>},
     {Response, "response", 1, 30, "RSP-", Shock, readResponse, has<&R::response>, of<&R::response>},
-    {Assessment, "model assessment", 1, 10, "", Model, readNothing, isAssessed, saidElsewhere},
+    {Assessment, "model assessment", 1, 10, "", Model, readNothing, has<&R::assessment>,
+        saidElsewhere},
     {Evidence, "evidence", 1, 160, "", Decomposition, readEvidence, has<&R::evidence>, ofEvidence},
     {MonteCarlo, "Monte Carlo", 1, 50, "", Shock, readMonteCarlo, has<&R::monteCarlo>,
         of<&R::monteCarlo>},

@@ -19,7 +19,7 @@ void addModelNumbers(JsonRecord &record, const ComparedOrder &compared)
 {
     const SensorModel &model = *compared.model;
     const char *diverges = "The simulation of the model diverges.";
-    const Pole *main = model.diverges ? nullptr : mainPole(model);
+    const Pole *main = model.diverges ? nullptr : mainPole(model, compared.assessment.get());
     const char *noPole
         = model.diverges ? diverges : "The model has no oscillating pole of the sensor.";
     const char *noUncertainty = main ? "The poles of this order were not refined." : noPole;
@@ -44,6 +44,8 @@ void addModelNumbers(JsonRecord &record, const ComparedOrder &compared)
         model.diverges ? diverges : "No pressure step is known.");
     Json ids = Json::array();
     for (const Finding &finding : model.findings)
+        ids.push_back(finding.id);
+    for (const Finding &finding : compared.assessment ? compared.assessment->findings : Findings())
         ids.push_back(finding.id);
     record.set("findings", std::move(ids));
 }

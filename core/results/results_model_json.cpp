@@ -137,7 +137,8 @@ void addCurves(JsonRecord &section, const ResponseResult &response)
 
 void addModel(JsonRecord &root, const ResultsContext &context)
 {
-    const auto model = context.results().model;
+    const auto &model = context.results().model;
+    const ModelAssessment *assessment = context.results().assessment.get();
     if (!model) {
         root.missing("model", context.whyMissing());
         return;
@@ -146,7 +147,7 @@ void addModel(JsonRecord &root, const ResultsContext &context)
     section.set("order", model->order);
     addStateSpace(section, model->stateSpace);
     Json poles = Json::array();
-    std::vector<Pole> sorted = model->poles;
+    std::vector<Pole> sorted = polesOf(*model, assessment);
     sortPoles(sorted);
     for (const Pole &pole : sorted)
         poles.push_back(poleJson(pole));
@@ -159,10 +160,10 @@ void addModel(JsonRecord &root, const ResultsContext &context)
     section.number("plateau_gain", model->plateauGain, "The plateau could not be fitted.");
     section.text("gain_unit", gainUnit(context), "The recordings state no unit.");
     section.set("nuisance", nuisanceJson(*model));
-    if (model->nuisanceEffect)
+    if (assessment && assessment->nuisanceEffect)
         section.set("nuisance_effect",
-            Json{{"before", effectSideJson(model->nuisanceEffect->before)},
-                {"after", effectSideJson(model->nuisanceEffect->after)}});
+            Json{{"before", effectSideJson(assessment->nuisanceEffect->before)},
+                {"after", effectSideJson(assessment->nuisanceEffect->after)}});
     else
         section.missing("nuisance_effect",
             "No oscillation was left out, or the model without it could not be refined.");

@@ -98,17 +98,19 @@ Json secondOrderJson(const SecondOrderModel &fit)
 
 void addShotPoles(JsonRecord &section, const ResultsContext &context)
 {
-    const SensorModel &model = *context.results().model;
-    section.text("uncertainty_method", model.uncertaintyMethod, kNoUncertainty);
-    if (model.homogeneity)
-        section.set("homogeneity", homogeneityJson(*model.homogeneity));
+    const CalibrationResults &results = context.results();
+    section.text("uncertainty_method", results.model->uncertaintyMethod, kNoUncertainty);
+    static const ModelAssessment nothing; // of a model that is not assessed
+    const ModelAssessment &found = results.assessment ? *results.assessment : nothing;
+    if (found.homogeneity)
+        section.set("homogeneity", homogeneityJson(*found.homogeneity));
     else
         section.missing("homogeneity",
             "Fewer than two shots, or no pole that could be fitted to two of them alone.");
-    section.set("per_shot", levelsJson(model.perShot, context));
-    section.set("per_level", levelsJson(model.perLevel, context));
-    if (model.secondOrder)
-        section.set("second_order", secondOrderJson(*model.secondOrder));
+    section.set("per_shot", levelsJson(found.perShot, context));
+    section.set("per_level", levelsJson(found.perLevel, context));
+    if (found.secondOrder)
+        section.set("second_order", secondOrderJson(*found.secondOrder));
     else
         section.missing("second_order",
             "Fitted only to step responses with refinement, and only where the fit converges.");

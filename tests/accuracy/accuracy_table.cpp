@@ -63,7 +63,9 @@ void addSeed(const SensorSpec &sensor, std::uint64_t seed, Row &row)
     ResultCache cache;
     const PipelineOutcome outcome
         = runPipeline(std::make_shared<const CaptureSet>(shots->set), {}, cache);
-    const Pole *pole = outcome.results.model ? mainPole(*outcome.results.model) : nullptr;
+    const Pole *pole = outcome.results.model
+        ? mainPole(*outcome.results.model, outcome.results.assessment.get())
+        : nullptr;
     if (outcome.error || !pole) {
         std::fprintf(stderr, "%s seed %llu: %s\n", sensor.name.c_str(),
             static_cast<unsigned long long>(seed),

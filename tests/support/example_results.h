@@ -241,16 +241,13 @@ inline std::shared_ptr<const SensorModel> model(const ModelInput &input)
 {
     auto result = std::make_shared<SensorModel>();
     result->order = 2;
-    result->isAssessed = true;
     for (const bool upper : {true, false}) {
         Pole pole;
         pole.s_rad_s = upper ? pole_rad_s() : std::conj(pole_rad_s());
         pole.z = std::exp(pole.s_rad_s / kModelRate_Hz);
         pole.poleClass = PoleClass::Sensor;
         pole.frequency_Hz = kF0_Hz;
-        pole.u_frequency_Hz = 412.0;
         pole.dampingRatio = kZeta;
-        pole.u_dampingRatio = 0.000177;
         pole.amplitude = std::abs(amplitude());
         result->poles.push_back(pole);
     }
@@ -269,6 +266,17 @@ inline std::shared_ptr<const SensorModel> model(const ModelInput &input)
         fit.error = series.y - fit.simulated;
         fit.fit_percent = 98.76;
         result->series.push_back(std::move(fit));
+    }
+    return result;
+}
+
+inline std::shared_ptr<const ModelAssessment> assessment(const SensorModel &fitted)
+{
+    auto result = std::make_shared<ModelAssessment>();
+    result->poles = fitted.poles;
+    for (Pole &pole : result->poles) {
+        pole.u_frequency_Hz = 412.0;
+        pole.u_dampingRatio = 0.000177;
     }
     return result;
 }
@@ -346,6 +354,7 @@ inline CalibrationResults calibration(const Size &size = {})
     results.input = modelInput(size);
     results.decomposition = decomposition();
     results.model = model(*results.input);
+    results.assessment = assessment(*results.model);
     results.shock = shock();
     results.response = responseResult(size);
     return results;

@@ -4,8 +4,7 @@
 #pragma once
 
 #include "core/realization/hankel/hankel_decomposition.h"
-#include "core/realization/model/model_assessment.h"
-#include "core/realization/model/sensor_model.h"
+#include "tests/support/realized_model.h"
 #include "tests/support/simulated_calibration.h"
 
 #include <cmath>
@@ -62,8 +61,8 @@ inline void addCoverageRun(const CoverageCase &test, std::uint64_t seed, PoleCov
     RealizationSettings settings;
     settings.maxOrder = 4;
     const auto hankel = decomposeHankel(input, settings);
-    const auto model = realizeModel(input, *hankel, 2, settings, {});
-    const Pole *pole = model && model->refined ? mainPole(*model) : nullptr;
+    const auto result = realizeModel(input, *hankel, 2, settings);
+    const Pole *pole = result && result->model.refined ? result->main() : nullptr;
     if (!pole) {
         ++sum.failed;
         return;
@@ -75,7 +74,8 @@ inline void addCoverageRun(const CoverageCase &test, std::uint64_t seed, PoleCov
     sum.squaresZeta += std::pow(zeta / pole->u_dampingRatio, 2);
     sum.insideF0 += std::abs(f0) <= pole->coverageFactor * pole->u_frequency_Hz;
     sum.insideZeta += std::abs(zeta) <= pole->coverageFactor * pole->u_dampingRatio;
-    sum.heterogeneous += model->homogeneity && !model->homogeneity->passed;
+    const auto &shared = result->assessment.homogeneity;
+    sum.heterogeneous += shared && !shared->passed;
 }
 
 /// `runs` calibrations with seeds from `first` on.

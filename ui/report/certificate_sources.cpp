@@ -20,6 +20,7 @@ CertificateSources certificateSources(
     if (results.decomposition)
         sources.suggestion = &results.decomposition->suggestion;
     sources.model = results.model.get();
+    sources.assessment = results.assessment.get();
     sources.response = results.response.get();
     sources.evidence = results.evidence.get();
     sources.order = recipe.realization.order;

@@ -76,6 +76,7 @@ void OrderCandidates::update()
     results.model = nullptr; // of the order chosen, and perhaps of an older recipe
     results.shock = nullptr;
     results.response = nullptr;
+    results.assessment = nullptr;
     m_jobs.start<std::vector<ComparedOrder>>(
         [results, recipe, orders](
             const JobControl &control) { return compareOrders(results, recipe, orders, control); },

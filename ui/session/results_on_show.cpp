@@ -3,6 +3,7 @@
 
 #include "ui/session/results_on_show.h"
 
+#include "core/pipeline/stage_table.h"
 #include "core/results/results_json.h"
 
 #include <algorithm>
@@ -25,7 +26,10 @@ CalibrationResults merged(CalibrationResults part, const CalibrationResults &old
     keep(part.components, old.components);
     keep(part.input, old.input);
     keep(part.decomposition, old.decomposition);
-    keep(part.model, old.model);
+    if (!part.model) { // an assessment is of its model only
+        part.model = old.model;
+        part.assessment = old.assessment;
+    }
     keep(part.shock, old.shock);
     keep(part.response, old.response);
     keep(part.evidence, old.evidence);
@@ -109,10 +113,11 @@ void ResultsOnShow::takePart(
 {
     if (upTo >= StageId::Decomposition)
         m_areFirstTriplets = isFirstTriplets;
-    std::copy_n(part.keys.begin(), static_cast<std::size_t>(upTo) + 1, m_keys.begin());
-    const auto assessed = static_cast<std::size_t>(StageId::Assessment);
-    if (part.model) // of this recipe, and perhaps assessed in an earlier run
-        m_keys[assessed] = part.model->isAssessed ? part.keys[assessed] : std::string();
+    for (std::size_t i = 0; i < m_keys.size(); ++i) {
+        const auto stage = static_cast<StageId>(i);
+        if (stage <= upTo || hasResult(part, stage)) // it may bring what it remembers
+            m_keys[i] = part.keys[i];
+    }
     m_run.results = merged(part, m_run.results);
     if (m_run.error && m_run.failedStage <= upTo)
         m_run.error.reset();

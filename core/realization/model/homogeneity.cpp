@@ -168,7 +168,7 @@ LevelPole describePart(const ModelInput &input, const PartFit &part, std::option
 
 std::optional<Index> mainPlace(const SensorModel &model)
 {
-    const Pole *main = mainPole(model);
+    const Pole *main = mainPole(model.poles, model.series);
     if (!main)
         return std::nullopt;
     return static_cast<Index>(main - model.poles.data());
@@ -293,11 +293,11 @@ double missing(const ModelInput &input, const ModelDraft &draft, Index pole)
 }
 
 std::vector<PoleTest> testPoles(const ModelInput &input, const ModelDraft &draft,
-    const std::vector<PartFit> &fits, const SensorModel &model)
+    const std::vector<PartFit> &fits, const std::vector<Pole> &poles)
 {
     std::vector<PoleTest> tests;
-    for (std::size_t i = 0; i < model.poles.size(); ++i) {
-        const Pole &pole = model.poles[i];
+    for (std::size_t i = 0; i < poles.size(); ++i) {
+        const Pole &pole = poles[i];
         if (pole.poleClass != PoleClass::Sensor || pole.s_rad_s.imag() < 0.0)
             continue;
         const Index size = pole.s_rad_s.imag() > 0.0 ? 2 : 1;
@@ -317,25 +317,25 @@ std::vector<PoleTest> testPoles(const ModelInput &input, const ModelDraft &draft
 }
 
 void judgeShared(const ModelInput &input, const ModelDraft &draft, const std::vector<PartFit> &fits,
-    SensorModel &model)
+    ModelAssessment &assessment)
 {
-    const std::vector<PoleTest> tests = testPoles(input, draft, fits, model);
+    const std::vector<PoleTest> tests = testPoles(input, draft, fits, assessment.poles);
     if (tests.empty())
         return;
     // Several poles are several chances to fail: each is tested at its share of 1 %.
     const double share = static_cast<double>(tests.size());
     const PoleTest &worst = *std::min_element(tests.begin(), tests.end(),
         [](const PoleTest &a, const PoleTest &b) { return a.probability < b.probability; });
-    model.homogeneity = Homogeneity{model.poles[worst.pole].frequency_Hz, worst.statistic,
-        worst.dof, std::min(1.0, share * worst.probability), true};
-    model.homogeneity->passed = model.homogeneity->probability >= kSignificance;
+    const double probability = std::min(1.0, share * worst.probability);
+    assessment.homogeneity = Homogeneity{assessment.poles[worst.pole].frequency_Hz, worst.statistic,
+        worst.dof, probability, probability >= kSignificance};
     for (const PoleTest &test : tests) {
         if (share * test.probability >= kSignificance)
             continue;
-        Pole &upper = model.poles[test.pole];
+        Pole &upper = assessment.poles[test.pole];
         useScatter(fits, static_cast<Index>(test.pole), upper);
         if (upper.s_rad_s.imag() > 0.0) {
-            Pole &lower = model.poles[test.pole + 1];
+            Pole &lower = assessment.poles[test.pole + 1];
             lower.u_frequency_Hz = upper.u_frequency_Hz;
             lower.u_dampingRatio = upper.u_dampingRatio;
             lower.coverageFactor = upper.coverageFactor;
@@ -346,9 +346,10 @@ void judgeShared(const ModelInput &input, const ModelDraft &draft, const std::ve
 
 } // namespace
 
-void compareShots(
-    const ModelInput &input, const ModelDraft &draft, SensorModel &model, const JobControl &control)
+void compareShots(const ModelInput &input, const SensorModel &model, ModelAssessment &assessment,
+    const JobControl &control)
 {
+    const ModelDraft &draft = model.draft;
     if (!draft.refinement || input.series.front().shot == 0)
         return;
     const Source source{input, draft, refinementRecords(input), mainPlace(model)};
@@ -356,29 +357,29 @@ void compareShots(
     for (std::size_t r = 0; r < input.series.size(); ++r)
         shots.push_back(fitPart(source, {r}, control));
     for (const PartFit &fit : shots)
-        model.perShot.push_back(describePart(input, fit, source.main));
+        assessment.perShot.push_back(describePart(input, fit, source.main));
     for (const PartFit &fit : fitLevels(source, shots, control))
-        model.perLevel.push_back(describePart(input, fit, source.main));
+        assessment.perLevel.push_back(describePart(input, fit, source.main));
     if (shots.size() > 1)
-        judgeShared(input, draft, shots, model);
+        judgeShared(input, draft, shots, assessment);
 }
 
-Findings judgeShots(const SensorModel &model)
+Findings judgeShots(const ModelAssessment &assessment)
 {
-    if (!model.homogeneity || model.homogeneity->passed)
+    if (!assessment.homogeneity || assessment.homogeneity->passed)
         return {};
     double lowest = std::numeric_limits<double>::infinity();
     double highest = 0.0;
-    for (const LevelPole &shot : model.perShot) {
+    for (const LevelPole &shot : assessment.perShot) {
         if (std::isfinite(shot.frequency_Hz)) {
             lowest = std::min(lowest, shot.frequency_Hz);
             highest = std::max(highest, shot.frequency_Hz);
         }
     }
-    const double p = model.homogeneity->probability;
+    const double p = assessment.homogeneity->probability;
     const std::string probability
         = p < kSmallestP ? "< " + numberText(100.0 * kSmallestP, 1) : numberText(100.0 * p, 2);
-    const std::string pole = numberWithUnit(model.homogeneity->frequency_Hz, "Hz", 4);
+    const std::string pole = numberWithUnit(assessment.homogeneity->frequency_Hz, "Hz", 4);
     Message message{DYNCAL_TEXT("core",
                         "The shots do not share the pole at %1 (their scatter would be chance "
                         "in %2 % of cases; the limit is 1 %). Its uncertainty is the scatter "
@@ -393,7 +394,7 @@ Findings judgeShots(const SensorModel &model)
                        "them; state one value per level."),
             {pole, probability, numberWithUnit(lowest, "Hz", 6), numberWithUnit(highest, "Hz", 6)}};
     return {{"MOD-010", Severity::Caution, 0, {}, {}, std::move(message),
-        model.homogeneity->probability, kSignificance}};
+        assessment.homogeneity->probability, kSignificance}};
 }
 
 } // namespace dyncal

@@ -6,20 +6,19 @@
 #include "core/base/finding.h"
 #include "core/base/progress.h"
 #include "core/realization/input/model_input.h"
+#include "core/realization/model/model_assessment.h"
 #include "core/realization/model/sensor_model.h"
-#include "core/realization/refinement/model_draft.h"
 
 namespace dyncal {
 
 /// Fits the poles to every shot alone and to the shots of every level, tests whether the shots
-/// share them (docs/method/model.md) and fills in model.perShot, perLevel and homogeneity. Where a
-/// pole fails, its uncertainty becomes the scatter between the shots, with Student's factor. The
-/// model must have its poles with the refinement's uncertainties, series and amplitudes. Nothing is
-/// done without a refinement.
-void compareShots(const ModelInput &input, const ModelDraft &draft, SensorModel &model,
+/// share them (docs/method/model.md) and fills in perShot, perLevel and homogeneity. Where a pole
+/// fails, its uncertainty in the assessment, which must have those of the refinement, becomes the
+/// scatter between the shots, with Student's factor. Nothing is done without a refinement.
+void compareShots(const ModelInput &input, const SensorModel &model, ModelAssessment &assessment,
     const JobControl &control);
 
 /// MOD-010: the shots do not share the main resonance, or another pole of the sensor.
-Findings judgeShots(const SensorModel &model);
+Findings judgeShots(const ModelAssessment &assessment);
 
 } // namespace dyncal

@@ -3,28 +3,82 @@
 
 #pragma once
 
+#include "core/base/finding.h"
 #include "core/base/index.h"
-#include "core/base/progress.h"
-#include "core/base/result.h"
-#include "core/realization/hankel/hankel_decomposition.h"
-#include "core/realization/input/model_input.h"
-#include "core/realization/input/realization_settings.h"
+#include "core/capture/capture_set.h"
 #include "core/realization/model/sensor_model.h"
-#include "core/signal/spectrum_analysis.h"
+#include "core/realization/second_order/second_order_model.h"
+
+#include <optional>
+#include <vector>
 
 namespace dyncal {
 
-/// What a fitted model is worth, beside the model itself: uncertainties and last flags of its
-/// poles, the fits to each shot and level with the test whether the shots share their poles, the
-/// effect of the nuisance modes, the second-order sensor (docs/method/model.md). Nothing of the
-/// fitted model changes; MOD-010 and MOD-011 come after its findings. `fitted` must be fitModel()'s
-/// of this input and these settings. Fails only when cancelled.
-Result<SensorModel> assessModel(const ModelInput &input, const SensorModel &fitted,
-    const RealizationSettings &settings, const JobControl &control = {});
+/// The same order with the modes left in the response, beside the model without them.
+struct NuisanceEffect
+{
+    struct Side
+    {
+        double residualRms = kUnknown; ///< over the model inputs, in the units of the series
+        double fit_percent = kUnknown;
+        double f0_Hz = kUnknown; ///< of the main resonance
+        double u_f0_Hz = kUnknown;
+        double zeta = kUnknown;
+        double u_zeta = kUnknown;
+        double plateauGain = kUnknown;
+    };
+    Side before;
+    Side after;
+};
 
-/// fitModel() and assessModel() in one.
-Result<SensorModel> realizeModel(const ModelInput &input, const HankelDecomposition &decomposition,
-    Index order, const RealizationSettings &settings, const SpectrumResult &spectrum,
-    const JobControl &control = {});
+/// The main resonance and the plateau of one shot, or of the shots of one level together,
+/// fitted to these alone: the trend with the step. Unknown where that fit does not converge.
+struct LevelPole
+{
+    std::vector<Index> shots; ///< numbers from 1
+    ShotLevel level = ShotLevel::None;
+    double step = kUnknown; ///< mean of the shots' steps, in the unit of the recording
+    double frequency_Hz = kUnknown;
+    double u_frequency_Hz = kUnknown;
+    double dampingRatio = kUnknown;
+    double u_dampingRatio = kUnknown;
+    double plateauGain = kUnknown; ///< c0, in the units of the series
+    double u_plateauGain = kUnknown;
+    double coverageFactor = kUnknown; ///< k of these u at 95 %
+};
+
+/// Test whether the shots share the model's poles, at 1 % (docs/method/model.md); of the pole
+/// on which they agree least.
+struct Homogeneity
+{
+    double frequency_Hz = 0.0;
+    double statistic = 0.0; ///< chi square
+    double dof = 0.0;
+    double probability = 1.0; ///< of so much scatter by chance, times the number of poles tested
+    bool passed = true;
+};
+
+/// What one fitted model is worth; assessModel() makes it. Of no use without that model, and never
+/// to be shown beside another.
+struct ModelAssessment
+{
+    /// Those of the model, one by one, with what only the assessment knows of them: u,
+    /// coverageFactor, "shots-disagree" and "integrator".
+    std::vector<Pole> poles;
+    std::optional<NuisanceEffect> nuisanceEffect; ///< where both sides could be refined
+    std::vector<LevelPole> perShot; ///< in shot order
+    std::vector<LevelPole> perLevel; ///< from low to high; only shots with a level
+    std::optional<Homogeneity> homogeneity; ///< empty with fewer than two shots, or where no
+                                            ///< pole of them could be compared
+    std::optional<SecondOrderModel> secondOrder; ///< the 2nd-order sensor fitted beside the model
+    Findings findings; ///< MOD-010, MOD-011; told behind the model's
+};
+
+/// The poles with all that is known of them: as assessed, or as fitted where `assessment` is null,
+/// with unknown uncertainties.
+const std::vector<Pole> &polesOf(const SensorModel &model, const ModelAssessment *assessment);
+
+/// The main resonance among them.
+const Pole *mainPole(const SensorModel &model, const ModelAssessment *assessment);
 
 } // namespace dyncal

@@ -258,13 +258,13 @@ void judgeOnset(const SensorModel &model, const ModelInput &input, Findings &out
 
 } // namespace
 
-void flagPoles(SensorModel &model)
+void flagPoles(const std::vector<std::complex<double>> &zeros, std::vector<Pole> &poles)
 {
-    for (Pole &pole : model.poles) {
+    for (Pole &pole : poles) {
         if (pole.poleClass == PoleClass::Step || pole.poleClass == PoleClass::Nyquist
             || pole.poleClass == PoleClass::Unstable)
             pole.flags.push_back(poleClassName(pole.poleClass));
-        if (isCancelled(pole, model.zeros))
+        if (isCancelled(pole, zeros))
             pole.flags.push_back("near-cancelled");
         if (pole.poleClass != PoleClass::Step && pole.z.imag() == 0.0
             && pole.frequency_Hz <= pole.u_frequency_Hz)

@@ -9,6 +9,9 @@
 #include "core/realization/model/sensor_model.h"
 #include "core/signal/spectrum_analysis.h"
 
+#include <complex>
+#include <vector>
+
 namespace dyncal {
 
 /// What the operator must see about a realised model: ORD-001, ORD-003, MOD-001..006, 008, 009.
@@ -18,6 +21,6 @@ Findings judgeModel(const SensorModel &model, const ModelInput &input,
 /// Marks in every pole's flags what else the table says of it: "step", "nyquist", "unstable",
 /// "near-cancelled" (a zero within 1e-3 in the z plane), "integrator" (real, as slow as its own
 /// standard uncertainty allows). After "below-noise", which comes with the class.
-void flagPoles(SensorModel &model);
+void flagPoles(const std::vector<std::complex<double>> &zeros, std::vector<Pole> &poles);
 
 } // namespace dyncal

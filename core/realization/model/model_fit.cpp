@@ -111,7 +111,7 @@ Result<SensorModel> fitModel(const ModelInput &input, const HankelDecomposition 
     else
         model.stateSpace = describeStateSpace(input, model);
     model.zeros = transmissionZeros(model.stateSpace);
-    flagPoles(model);
+    flagPoles(model.zeros, model.poles);
     model.diverges = runsAway(model, input);
     model.nuisance = nuisanceResults(input, draft, model.series);
     model.findings = judgeModel(model, input, decomposition, spectrum);

@@ -83,13 +83,14 @@ ModelInput withModesLeftIn(const ModelInput &input)
     return plain;
 }
 
-NuisanceEffect::Side effectSide(const ModelInput &input, const SensorModel &model)
+NuisanceEffect::Side effectSide(
+    const ModelInput &input, const SensorModel &model, const std::vector<Pole> &poles)
 {
     NuisanceEffect::Side side;
     side.residualRms = residualRms(input, model.series);
     side.fit_percent = model.fit_percent;
     side.plateauGain = model.plateauGain;
-    if (const Pole *pole = mainPole(model)) {
+    if (const Pole *pole = mainPole(poles, model.series)) {
         side.f0_Hz = pole->frequency_Hz;
         side.u_f0_Hz = pole->u_frequency_Hz;
         side.zeta = pole->dampingRatio;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/realization/input/model_input.h"
+#include "core/realization/model/model_assessment.h"
 #include "core/realization/model/sensor_model.h"
 #include "core/realization/refinement/model_draft.h"
 
@@ -19,7 +20,8 @@ std::vector<NuisanceResult> nuisanceResults(
 /// The input as it is without nuisance modes in the recipe: what the model is compared with.
 ModelInput withModesLeftIn(const ModelInput &input);
 
-/// What is compared of a model.
-NuisanceEffect::Side effectSide(const ModelInput &input, const SensorModel &model);
+/// What is compared of a model; `poles` are its own with their uncertainties.
+NuisanceEffect::Side effectSide(
+    const ModelInput &input, const SensorModel &model, const std::vector<Pole> &poles);
 
 } // namespace dyncal

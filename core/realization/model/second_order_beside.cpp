@@ -23,7 +23,7 @@ struct Start
 /// From the oscillating pole that holds most, else from the two slowest real ones.
 Start resonanceOf(const SensorModel &model)
 {
-    if (const Pole *main = mainPole(model))
+    if (const Pole *main = mainPole(model.poles, model.series))
         return {main->frequency_Hz, main->dampingRatio};
     std::vector<double> real;
     for (const Pole &pole : model.poles) {
@@ -51,19 +51,18 @@ std::vector<RefinementRecord> recordsOf(const ModelInput &input, const ModelDraf
 
 } // namespace
 
-void fitSecondOrderBeside(
-    const ModelInput &input, const ModelDraft &draft, SensorModel &model, const JobControl &control)
+std::optional<SecondOrderModel> fitSecondOrderBeside(
+    const ModelInput &input, const SensorModel &model, const JobControl &control)
 {
     if (!isStepTreatment(input.treatment) || isThesisMode(input) || model.diverges)
-        return;
+        return std::nullopt;
     const Start resonance = resonanceOf(model);
     SecondOrderStart start{resonance.f0_Hz, resonance.zeta, {}, {}};
     for (const SeriesFit &series : model.series) {
         start.plateau.push_back(series.plateauGain);
         start.onset_s.push_back(series.onset_s);
     }
-    model.secondOrder
-        = fitSecondOrder(input, recordsOf(input, draft), start, model.fit_percent, control);
+    return fitSecondOrder(input, recordsOf(input, model.draft), start, model.fit_percent, control);
 }
 
 } // namespace dyncal

@@ -6,14 +6,16 @@
 #include "core/base/progress.h"
 #include "core/realization/input/model_input.h"
 #include "core/realization/model/sensor_model.h"
-#include "core/realization/refinement/model_draft.h"
+#include "core/realization/second_order/second_order_model.h"
+
+#include <optional>
 
 namespace dyncal {
 
 /// Fits the second-order sensor beside the model, started from its main resonance (or its slowest
-/// real poles) and its shots' plateaus and onsets; fills in model.secondOrder. Only for treatments
-/// in which the series are step responses with a plateau, and with settings.refine.
-void fitSecondOrderBeside(const ModelInput &input, const ModelDraft &draft, SensorModel &model,
-    const JobControl &control);
+/// real poles) and its shots' plateaus and onsets. Empty where the fit does not converge and for
+/// treatments in which the series are no step responses with a plateau.
+std::optional<SecondOrderModel> fitSecondOrderBeside(
+    const ModelInput &input, const SensorModel &model, const JobControl &control);
 
 } // namespace dyncal

@@ -13,17 +13,18 @@ namespace {
 
 /// What at least half of the shots have of a pole, in units of each shot's plateau where it has
 /// one: the median, of an even number the smaller middle one.
-double commonAmplitude(const SensorModel &model, std::size_t pole)
+double commonAmplitude(
+    const std::vector<Pole> &poles, const std::vector<SeriesFit> &series, std::size_t pole)
 {
     std::vector<double> amplitudes;
-    for (const SeriesFit &fit : model.series) {
+    for (const SeriesFit &fit : series) {
         if (static_cast<Index>(pole) >= fit.amplitudes.size())
-            return model.poles[pole].amplitude;
+            return poles[pole].amplitude;
         const double unit = fit.plateauGain != 0.0 ? std::abs(fit.plateauGain) : 1.0;
         amplitudes.push_back(std::abs(fit.amplitudes[static_cast<Index>(pole)]) / unit);
     }
     if (amplitudes.empty())
-        return model.poles[pole].amplitude;
+        return poles[pole].amplitude;
     const auto middle = amplitudes.begin() + (std::ssize(amplitudes) - 1) / 2;
     std::ranges::nth_element(amplitudes, middle);
     return *middle;
@@ -48,15 +49,15 @@ const char *poleClassName(PoleClass poleClass)
     return "other";
 }
 
-const Pole *mainPole(const SensorModel &model)
+const Pole *mainPole(const std::vector<Pole> &poles, const std::vector<SeriesFit> &series)
 {
     const Pole *main = nullptr;
     double most = 0.0;
-    for (std::size_t i = 0; i < model.poles.size(); ++i) {
-        const Pole &pole = model.poles[i];
+    for (std::size_t i = 0; i < poles.size(); ++i) {
+        const Pole &pole = poles[i];
         if (pole.poleClass != PoleClass::Sensor || pole.s_rad_s.imag() <= 0.0)
             continue;
-        const double amplitude = commonAmplitude(model, i);
+        const double amplitude = commonAmplitude(poles, series, i);
         const double energy = amplitude * amplitude / std::abs(pole.s_rad_s.real());
         if (!main || energy > most) {
             main = &pole;

@@ -5,13 +5,11 @@
 
 #include "core/base/finding.h"
 #include "core/base/index.h"
-#include "core/capture/capture_set.h"
 #include "core/realization/exponentials/exponential_sum.h"
 #include "core/realization/hankel/state_space_model.h"
 #include "core/realization/input/nuisance_term.h"
 #include "core/realization/input/realization_settings.h"
 #include "core/realization/refinement/model_draft.h"
-#include "core/realization/second_order/second_order_model.h"
 #include "core/signal/window_bands.h"
 
 #include <Eigen/Core>
@@ -86,52 +84,9 @@ struct NuisanceResult
     std::vector<NuisanceOfShot> perShot;
 };
 
-/// The same order with the modes left in the response, beside the model without them.
-struct NuisanceEffect
-{
-    struct Side
-    {
-        double residualRms = kUnknown; ///< over the model inputs, in the units of the series
-        double fit_percent = kUnknown;
-        double f0_Hz = kUnknown; ///< of the main resonance
-        double u_f0_Hz = kUnknown;
-        double zeta = kUnknown;
-        double u_zeta = kUnknown;
-        double plateauGain = kUnknown;
-    };
-    Side before;
-    Side after;
-};
-
-/// The main resonance and the plateau of one shot, or of the shots of one level together,
-/// fitted to these alone: the trend with the step. Unknown where that fit does not converge.
-struct LevelPole
-{
-    std::vector<Index> shots; ///< numbers from 1
-    ShotLevel level = ShotLevel::None;
-    double step = kUnknown; ///< mean of the shots' steps, in the unit of the recording
-    double frequency_Hz = kUnknown;
-    double u_frequency_Hz = kUnknown;
-    double dampingRatio = kUnknown;
-    double u_dampingRatio = kUnknown;
-    double plateauGain = kUnknown; ///< c0, in the units of the series
-    double u_plateauGain = kUnknown;
-    double coverageFactor = kUnknown; ///< k of these u at 95 %
-};
-
-/// Test whether the shots share the model's poles, at 1 % (docs/method/model.md); of the pole
-/// on which they agree least.
-struct Homogeneity
-{
-    double frequency_Hz = 0.0;
-    double statistic = 0.0; ///< chi square
-    double dof = 0.0;
-    double probability = 1.0; ///< of so much scatter by chance, times the number of poles tested
-    bool passed = true;
-};
-
-/// The realised model of one order. Immutable; every number of the model views comes from here.
-/// fitModel() makes it; what is marked [A] comes with assessModel() and is empty or unknown before.
+/// The realised model of one order, as fitModel() makes it. Immutable. The uncertainties of its
+/// poles are unknown here: with all else that tells what the model is worth they are in its
+/// ModelAssessment.
 struct SensorModel
 {
     Index order = 0;
@@ -147,26 +102,19 @@ struct SensorModel
     std::optional<double> fitListing_percent; ///< thesis mode: as the listing computes it
     bool diverges = false; ///< a pole outside the unit circle makes the simulation run away
     bool refined = false;
-    bool isAssessed = false; ///< [A] also u, coverageFactor, "shots-disagree" and "integrator" of
-                             ///< the poles, MOD-010 and MOD-011
     ModelDraft draft; ///< what the assessment goes on from
     std::vector<NuisanceResult> nuisance; ///< left out of everything above but `simulated`
-    std::optional<NuisanceEffect> nuisanceEffect; ///< [A] where both sides could be refined
     /// Noise that the uncertainties rest on: "white", "AR(p)", with " of the residual" where
     /// that exceeds the noise before the start; empty without refinement.
     std::string uncertaintyMethod;
-    std::vector<LevelPole> perShot; ///< [A] in shot order
-    std::vector<LevelPole> perLevel; ///< [A] from low to high; only shots with a level
-    std::optional<Homogeneity> homogeneity; ///< [A] empty with fewer than two shots, or where no
-                                            ///< pole of them could be compared
-    std::optional<SecondOrderModel> secondOrder; ///< [A] the 2nd-order sensor fitted beside it
-    Findings findings; ///< ORD-001, ORD-003, MOD-001..013; MOD-010, 011 [A]
+    Findings findings; ///< ORD-001, ORD-003, MOD-001..009, 012, 013
 };
 
 /// The sensor's main resonance, which results and certificate speak of as f0 and zeta: the
 /// oscillating sensor pole (upper half) whose ringing holds most energy, |c|^2 / |Re s| (the
 /// largest amplitude would be a well-damped spurious pole at high orders), in the middle one of
 /// the shots: what rings in one of three only is not the sensor. Null if nothing oscillates.
-const Pole *mainPole(const SensorModel &model);
+/// `poles` are those of the model, as fitted or as assessed, `series` its fits.
+const Pole *mainPole(const std::vector<Pole> &poles, const std::vector<SeriesFit> &series);
 
 } // namespace dyncal

@@ -35,6 +35,7 @@ CertificateSources sourcesOf(const CalibrationResults &results)
     sources.input = results.input.get();
     sources.suggestion = &results.decomposition->suggestion;
     sources.model = results.model.get();
+    sources.assessment = results.assessment.get();
     sources.response = results.response.get();
     sources.fields = dyncal::example::certificateFields();
     sources.createdUtc = "2026-11-21T03:04:05Z";
@@ -237,9 +238,12 @@ void TestCertificateData::poles_pairOnce_realAndUnstableToo()
     real.poleClass = dyncal::PoleClass::Unstable;
     real.frequency_Hz = 290e3;
     real.dampingRatio = -1.0;
+    dyncal::ModelAssessment assessment = *results.assessment;
+    assessment.poles.push_back(real);
     model.poles.push_back(real);
     model.diverges = true;
     sources.model = &model;
+    sources.assessment = &assessment;
     const CertificateData data = makeCertificate(sources);
     const CertificateTable *poles = table(data, "model");
     QCOMPARE(poles->rows.size(), std::size_t(2));
@@ -253,10 +257,10 @@ void TestCertificateData::poles_pairOnce_realAndUnstableToo()
 void TestCertificateData::poles_ofScatteringShots_haveTheirOwnCoverageFactor()
 {
     CalibrationResults results = dyncal::example::calibration();
-    dyncal::SensorModel model = *results.model;
-    for (dyncal::Pole &pole : model.poles)
+    dyncal::ModelAssessment assessment = *results.assessment;
+    for (dyncal::Pole &pole : assessment.poles)
         pole.coverageFactor = 4.303; // Student's, two degrees of freedom
-    results.model = std::make_shared<const dyncal::SensorModel>(model);
+    results.assessment = std::make_shared<const dyncal::ModelAssessment>(assessment);
     const CertificateData data = makeCertificate(sourcesOf(results));
     // 4.303 times 412 Hz is 1773 Hz
     QCOMPARE(value(data, "results", "natural_frequency"),
@@ -265,9 +269,9 @@ void TestCertificateData::poles_ofScatteringShots_haveTheirOwnCoverageFactor()
     QCOMPARE(cell(*poles, 0, 2), QString("2.3300 MHz"));
     QCOMPARE(cell(*poles, 0, 3), QString("0.0018 MHz (k = 4.30)"));
 
-    for (dyncal::Pole &pole : model.poles)
+    for (dyncal::Pole &pole : assessment.poles)
         pole.coverageFactor = 1.97; // of many samples: k = 2 covers it
-    results.model = std::make_shared<const dyncal::SensorModel>(model);
+    results.assessment = std::make_shared<const dyncal::ModelAssessment>(assessment);
     QCOMPARE(value(makeCertificate(sourcesOf(results)), "results", "natural_frequency"),
         QString::fromUtf8("2.33000 MHz ± 0.00082 MHz (k = 2)"));
 }

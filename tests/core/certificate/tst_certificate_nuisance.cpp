@@ -57,10 +57,20 @@ NuisanceEffect::Side sideOf(double residualRms, double plateau)
     return side;
 }
 
-CertificateSection sectionOf(const SensorModel &model, const std::string &unit = "1")
+CertificateSection sectionOf(const SensorModel &model)
 {
     CertificateSection section;
-    addNuisance(model, unit, section);
+    addNuisance(model, nullptr, "1", section); // not assessed
+    return section;
+}
+
+CertificateSection sectionOf(
+    const SensorModel &model, const NuisanceEffect &effect, const std::string &unit = "1")
+{
+    ModelAssessment assessment;
+    assessment.nuisanceEffect = effect;
+    CertificateSection section;
+    addNuisance(model, &assessment, unit, section);
     return section;
 }
 
@@ -101,10 +111,9 @@ private slots:
     {
         // The same calibration remapped to 0..1, in volts, and of a sensor that reads backwards.
         for (const double plateau : {1.0, 0.0523, -0.0523}) {
-            SensorModel model = modelOf(plateau);
-            model.nuisanceEffect = NuisanceEffect{sideOf(0.04 * std::abs(plateau), plateau),
-                sideOf(0.0125 * std::abs(plateau), plateau)};
-            const CertificateSection section = sectionOf(model);
+            const CertificateSection section = sectionOf(modelOf(plateau),
+                {sideOf(0.04 * std::abs(plateau), plateau),
+                    sideOf(0.0125 * std::abs(plateau), plateau)});
             QCOMPARE(section.tables.size(), std::size_t(2));
             const CertificateTable &table = section.tables[1];
             QCOMPARE(cellOf(table, 0, 0), std::string("left in"));
@@ -118,10 +127,9 @@ private slots:
 
     void plateauGain_hasTheUnitOfTheResponses()
     {
-        SensorModel model = modelOf(0.0523);
-        model.nuisanceEffect = NuisanceEffect{sideOf(0.001, 0.0523), sideOf(0.001, 0.0524)};
+        const NuisanceEffect effect{sideOf(0.001, 0.0523), sideOf(0.001, 0.0524)};
         const auto gainIn = [&](const std::string &unit, std::size_t row) {
-            return cellOf(sectionOf(model, unit).tables.at(1), row, 5);
+            return cellOf(sectionOf(modelOf(0.0523), effect, unit).tables.at(1), row, 5);
         };
         QCOMPARE(gainIn("V", 0), std::string("52.300 mV"));
         QCOMPARE(gainIn("V", 1), std::string("52.400 mV"));
@@ -131,9 +139,8 @@ private slots:
 
     void freeDecay_hasNoPlateauToCompareWith()
     {
-        SensorModel model = modelOf(0.0);
-        model.nuisanceEffect = NuisanceEffect{sideOf(0.04, 0.0), sideOf(0.01, 0.0)};
-        const CertificateSection section = sectionOf(model);
+        const CertificateSection section
+            = sectionOf(modelOf(0.0), {sideOf(0.04, 0.0), sideOf(0.01, 0.0)});
         QCOMPARE(cellOf(section.tables[0], 0, 4), std::string(kDash));
         QCOMPARE(cellOf(section.tables[1], 0, 1), std::string(kDash));
     }
@@ -143,8 +150,7 @@ private slots:
         SensorModel model = modelOf(1.0);
         model.nuisance[0].perShot[0].u_frequency_Hz = kUnknown;
         model.nuisance[0].perShot[0].u_dampingRatio = kUnknown;
-        model.nuisanceEffect = NuisanceEffect{{}, sideOf(0.01, 1.0)};
-        const CertificateSection section = sectionOf(model);
+        const CertificateSection section = sectionOf(model, {{}, sideOf(0.01, 1.0)});
         QCOMPARE(cellOf(section.tables[0], 0, 2), std::string("10.000 kHz"));
         for (const std::size_t column : {1, 2, 3, 4, 5})
             QCOMPARE(cellOf(section.tables[1], 0, column), std::string(kDash));

@@ -71,7 +71,7 @@ private slots:
                 continue;
             }
             const SensorMode &truth = sensor.modes.front();
-            const Pole *pole = mainPole(*r.model);
+            const Pole *pole = mainPole(*r.model, r.assessment.get());
             QVERIFY(pole);
             const double zf = (pole->frequency_Hz - truth.f0_Hz) / bound.f0_Hz;
             const double zz = (pole->dampingRatio - truth.zeta) / bound.zeta;
@@ -87,7 +87,7 @@ private slots:
         const CalibrationResults r = calibrate(*sensorPreset("optic3"), 7, recipe);
         QVERIFY(r.response);
         QCOMPARE(r.decomposition->suggestion.order, Index(2));
-        const Pole *pole = mainPole(*r.model);
+        const Pole *pole = mainPole(*r.model, r.assessment.get());
         QVERIFY(std::abs(pole->frequency_Hz / 2.33e6 - 1.0) < 0.001);
         QVERIFY(std::abs(pole->dampingRatio / 0.02 - 1.0) < 0.03);
         QVERIFY(std::abs(*r.response->sensitivity / 5e-6 - 1.0) < 0.01);

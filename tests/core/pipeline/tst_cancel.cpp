@@ -3,9 +3,9 @@
 
 #include "core/realization/hankel/order_suggestion.h"
 #include "core/realization/hankel/realized_poles.h"
-#include "core/realization/model/model_assessment.h"
 #include "core/realization/order/order_scan.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/realized_model.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
@@ -174,7 +174,7 @@ void TestCancel::model_stopsAtOnce()
 {
     QFETCH(Index, order);
     const Work work = [&](const JobControl &control) {
-        realizeModel(m_input, m_hankel, order, {}, {}, control);
+        testing::realizeModel(m_input, m_hankel, order, {}, control);
     };
     const std::string what = std::string("model, N = 100 000, ") + QTest::currentDataTag();
     QVERIFY(longestToStop_s(what.c_str(), work) < kLimit_s);

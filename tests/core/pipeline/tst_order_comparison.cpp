@@ -56,8 +56,10 @@ bool isExplained(const QJsonObject &object)
     return true;
 }
 
-void compareModels(const SensorModel &a, const SensorModel &b)
+void compareModels(const ComparedOrder &compared, const CalibrationResults &run)
 {
+    const SensorModel &a = *compared.model;
+    const SensorModel &b = *run.model;
     QCOMPARE(a.order, b.order);
     QCOMPARE(a.fit_percent, b.fit_percent); // to the last bit
     QCOMPARE(a.plateauGain, b.plateauGain);
@@ -65,7 +67,13 @@ void compareModels(const SensorModel &a, const SensorModel &b)
     for (std::size_t i = 0; i < a.poles.size(); ++i) {
         QVERIFY(a.poles[i].z == b.poles[i].z);
         QVERIFY(a.poles[i].frequency_Hz == b.poles[i].frequency_Hz);
-        QCOMPARE(std::isnan(a.poles[i].u_frequency_Hz), std::isnan(b.poles[i].u_frequency_Hz));
+    }
+    const std::vector<Pole> &known = compared.assessment->poles;
+    QCOMPARE(known.size(), run.assessment->poles.size());
+    for (std::size_t i = 0; i < known.size(); ++i) {
+        const double u_Hz = run.assessment->poles[i].u_frequency_Hz;
+        QVERIFY(known[i].u_frequency_Hz == u_Hz
+            || (std::isnan(known[i].u_frequency_Hz) && std::isnan(u_Hz)));
     }
     QVERIFY(a.stateSpace.A == b.stateSpace.A);
 }
@@ -87,8 +95,8 @@ private slots:
             recipe.realization.order = one.order;
             ResultCache cache;
             const CalibrationResults run = runPipeline(simulated(), recipe, cache).results;
-            QVERIFY(one.model && one.response && !one.error);
-            compareModels(*one.model, *run.model);
+            QVERIFY(one.model && one.assessment && one.response && !one.error);
+            compareModels(one, run);
             QVERIFY(one.response->sensitivity == run.response->sensitivity);
             QVERIFY(one.response->modelMagnitude == run.response->modelMagnitude);
         }
@@ -99,6 +107,7 @@ private slots:
         const Index order = calibrated().model->order;
         const auto compared = compareOrders(calibrated(), {}, {order});
         QCOMPARE(compared->front().model, calibrated().model);
+        QCOMPARE(compared->front().assessment, calibrated().assessment);
         QCOMPARE(compared->front().response, calibrated().response);
     }
 
@@ -150,10 +159,11 @@ private slots:
         QCOMPARE(root["suggested_order"].toInt(), 2);
         const QJsonObject one = root["orders"][0].toObject();
         const SensorModel &model = *compared->front().model;
+        const Pole *main = mainPole(model, compared->front().assessment.get());
         QCOMPARE(one["order"].toInt(), 2);
         QCOMPARE(one["fit_percent"].toDouble(), model.fit_percent);
-        QCOMPARE(one["frequency_hz"].toDouble(), mainPole(model)->frequency_Hz);
-        QCOMPARE(one["u_damping_ratio"].toDouble(), mainPole(model)->u_dampingRatio);
+        QCOMPARE(one["frequency_hz"].toDouble(), main->frequency_Hz);
+        QCOMPARE(one["u_damping_ratio"].toDouble(), main->u_dampingRatio);
         QCOMPARE(one["unstable_poles"].toInt(), 0);
         QVERIFY(isExplained(one));
     }

@@ -70,11 +70,12 @@ QString fault(const SensorSpec &sensor, std::shared_ptr<const CaptureSet> captur
         return QString("order %1 instead of %2").arg(r.decomposition->suggestion.order).arg(order);
     if (r.model->diverges || !r.model->refined)
         return "diverges, or is not refined";
+    const std::vector<Pole> &poles = polesOf(*r.model, r.assessment.get());
     for (const SensorMode &mode : sensor.modes) {
         const auto distance = [&](const Pole &pole) {
             return pole.s_rad_s.imag() > 0.0 ? std::abs(pole.frequency_Hz - mode.f0_Hz) : 1e300;
         };
-        const auto pole = std::min_element(r.model->poles.begin(), r.model->poles.end(),
+        const auto pole = std::min_element(poles.begin(), poles.end(),
             [&](const Pole &a, const Pole &b) { return distance(a) < distance(b); });
         QString wrong = compare(pole->frequency_Hz, pole->u_frequency_Hz, mode.f0_Hz, "f0");
         if (wrong.isEmpty())
@@ -188,8 +189,8 @@ private slots:
         mixed->shots[1] = other->shots[1];
         ResultCache cache;
         const auto results = runPipeline(mixed, {}, cache).results;
-        QVERIFY(results.model && results.model->homogeneity);
-        QVERIFY(!results.model->homogeneity->passed);
+        QVERIFY(results.assessment && results.assessment->homogeneity);
+        QVERIFY(!results.assessment->homogeneity->passed);
     }
 
     void modeBelowTheRounding_isNotInvented()

@@ -57,17 +57,17 @@ private slots:
         QFETCH(QString, preset);
         const PipelineOutcome outcome = calibrated(preset.toStdString());
         QVERIFY(!outcome.error);
-        const SensorModel &model = *outcome.results.model;
-        QVERIFY(model.homogeneity.has_value());
+        const ModelAssessment &found = *outcome.results.assessment;
+        QVERIFY(found.homogeneity.has_value());
         QVERIFY2(
-            model.homogeneity->passed, qPrintable(QString::number(model.homogeneity->probability)));
+            found.homogeneity->passed, qPrintable(QString::number(found.homogeneity->probability)));
         QVERIFY(!isTold(outcome, "MOD-010"));
-        QCOMPARE(model.perShot.size(), std::size_t(3));
-        QCOMPARE(model.perLevel.size(), std::size_t(3));
-        QCOMPARE(model.perLevel[0].level, ShotLevel::Low);
-        QCOMPARE(model.perLevel[2].level, ShotLevel::High);
-        QVERIFY(model.perLevel[0].step < model.perLevel[1].step);
-        QVERIFY(model.perLevel[1].step < model.perLevel[2].step);
+        QCOMPARE(found.perShot.size(), std::size_t(3));
+        QCOMPARE(found.perLevel.size(), std::size_t(3));
+        QCOMPARE(found.perLevel[0].level, ShotLevel::Low);
+        QCOMPARE(found.perLevel[2].level, ShotLevel::High);
+        QVERIFY(found.perLevel[0].step < found.perLevel[1].step);
+        QVERIFY(found.perLevel[1].step < found.perLevel[2].step);
     }
 
     void looseMount_isFound_data()
@@ -83,15 +83,16 @@ private slots:
             const PipelineOutcome outcome = calibrated(preset, {{DefectKind::RingVar, shot}});
             QVERIFY(!outcome.error);
             const SensorModel &model = *outcome.results.model;
+            const ModelAssessment &found = *outcome.results.assessment;
             qInfo("%s: order %td, probability %g", preset, model.order,
-                model.homogeneity ? model.homogeneity->probability : -1.0);
-            for (const LevelPole &each : model.perShot)
+                found.homogeneity ? found.homogeneity->probability : -1.0);
+            for (const LevelPole &each : found.perShot)
                 qInfo("  %.6g Hz (%.2g), zeta %.4g (%.2g)", each.frequency_Hz, each.u_frequency_Hz,
                     each.dampingRatio, each.u_dampingRatio);
             QVERIFY2(isTold(outcome, "MOD-010"), preset);
             // The mount rings longest, but in one shot only.
             const double f0_Hz = std::string(preset) == "optic3" ? 2.33e6 : 318e3;
-            const Pole *main = mainPole(model);
+            const Pole *main = mainPole(model, &found);
             QVERIFY(main && std::abs(main->frequency_Hz / f0_Hz - 1.0) < 1e-3);
             // Twice the damping in one shot: the sensor's own pole is not shared either.
             QVERIFY2(
@@ -113,7 +114,7 @@ private slots:
             const auto &level = json["per_level"][i];
             QCOMPARE(level["level"].get<std::string>(), std::string(levels[i]));
             QCOMPARE(level["frequency_hz"].get<double>(),
-                outcome.results.model->perLevel[i].frequency_Hz);
+                outcome.results.assessment->perLevel[i].frequency_Hz);
             QVERIFY(level["u_frequency_hz"].get<double>() > 0.0);
             QVERIFY(level["sensitivity"].get<double>() > 0.0);
         }

@@ -394,7 +394,9 @@ void TestFirstTriplets::runs_stoppedAtAnyMoment_leaveNothingHalfDoneInTheCache()
     QVERIFY(!last.error);
     QCOMPARE(last.results.model->fit_percent, whole.model->fit_percent);
     QCOMPARE(last.results.model->findings.size(), whole.model->findings.size());
-    QCOMPARE(last.results.model->secondOrder.has_value(), whole.model->secondOrder.has_value());
+    const ModelAssessment &assessment = *last.results.assessment;
+    QCOMPARE(assessment.findings.size(), whole.assessment->findings.size());
+    QCOMPARE(assessment.secondOrder.has_value(), whole.assessment->secondOrder.has_value());
     QVERIFY(last.results.decomposition->suggestion.bic == whole.decomposition->suggestion.bic);
     QVERIFY(last.results.evidence->crossShot_percent == whole.evidence->crossShot_percent);
     QCOMPARE(allFindings(last.results).size(), allFindings(whole).size());

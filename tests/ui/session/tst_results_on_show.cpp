@@ -24,6 +24,12 @@ PipelineOutcome runUpTo(StageId last, const std::string &name, Index order)
     }
     if (last >= StageId::Response)
         results.response = std::make_shared<const ResponseResult>();
+    if (last >= StageId::Assessment) {
+        auto assessment = std::make_shared<ModelAssessment>();
+        assessment->findings.push_back(
+            {"MOD-010", Severity::Caution, 0, {}, {}, {"Of %1.", {name}}, {}, {}});
+        results.assessment = assessment;
+    }
     return outcome;
 }
 
@@ -44,6 +50,8 @@ private slots:
     void firstTriplets_areNeverUpToDate();
     void failure_ofAnEarlierRun_isGoneWithItsStage();
     void modelCurve_standsForTheResponse_untilItComes();
+    void assessment_isNeverBesideAnotherModel();
+    void assessment_remembered_comesWithItsModel();
 };
 
 void TestResultsOnShow::part_keepsWhatHasNotComeYet_andSaysSo()
@@ -122,6 +130,44 @@ void TestResultsOnShow::modelCurve_standsForTheResponse_untilItComes()
     shown.setModelCurve(curve(), "third");
     shown.takePart(runUpTo(StageId::Shock, "fourth", 4).results, StageId::Shock, false, false);
     QVERIFY(!shown.response());
+}
+
+void TestResultsOnShow::assessment_isNeverBesideAnotherModel()
+{
+    ResultsOnShow shown;
+    shown.take(runUpTo(kLastStage, "first", 2), false);
+    QVERIFY(shown.isOfThisRun(StageId::Assessment));
+    QCOMPARE(shown.findings().size(), std::size_t(1));
+    // Nothing of the model has come yet: both stay, and are of the earlier run.
+    shown.markStaleFrom(StageId::Window);
+    shown.takePart(
+        runUpTo(StageId::Decomposition, "second", 3).results, StageId::Decomposition, false, false);
+    QVERIFY(shown.run().results.model && shown.run().results.assessment);
+    QVERIFY(!shown.isOfThisRun(StageId::Assessment));
+    QVERIFY(shown.findings().empty());
+    // With the new model the old one's assessment is gone, and so is what it found.
+    shown.takePart(
+        runUpTo(StageId::Response, "second", 3).results, StageId::Response, false, false);
+    QCOMPARE(shown.run().results.model->order, Index(3));
+    QVERIFY(!shown.run().results.assessment);
+    QVERIFY(!shown.isOfThisRun(StageId::Assessment));
+    QVERIFY(shown.findings().empty());
+    shown.takePart(
+        runUpTo(StageId::Assessment, "second", 3).results, StageId::Assessment, false, false);
+    QVERIFY(shown.run().results.assessment && shown.isOfThisRun(StageId::Assessment));
+    QCOMPARE(english(shown.findings().front().message), std::string("Of second."));
+}
+
+void TestResultsOnShow::assessment_remembered_comesWithItsModel()
+{
+    ResultsOnShow shown;
+    shown.take(runUpTo(kLastStage, "first", 2), false);
+    CalibrationResults part = runUpTo(StageId::Model, "second", 3).results;
+    part.assessment = runUpTo(StageId::Assessment, "second", 3).results.assessment;
+    shown.takePart(part, StageId::Model, false, false);
+    QCOMPARE(shown.run().results.assessment, part.assessment);
+    QVERIFY(shown.isOfThisRun(StageId::Assessment));
+    QVERIFY(!shown.isOfThisRun(StageId::Response));
 }
 
 DYNCAL_TEST(TestResultsOnShow)

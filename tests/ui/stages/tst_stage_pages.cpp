@@ -151,7 +151,6 @@ void TestStagePages::model_readouts_showTheResults()
 
 void TestStagePages::poles_flagsAreWords()
 {
-    SensorModel model;
     Pole pole;
     pole.z = {0.5, 0.5};
     pole.frequency_Hz = 2.33e6;
@@ -159,8 +158,7 @@ void TestStagePages::poles_flagsAreWords()
     pole.dampingRatio = 0.02;
     pole.u_dampingRatio = 9.3e-5;
     pole.flags = {kBelowNoiseFlag, kTubeModeFlag, "of-tomorrow"};
-    model.poles = {pole};
-    const QStringList row = poleRows(&model, PoleColumns::All).at(0);
+    const QStringList row = poleRows({pole}, PoleColumns::All).at(0);
     QCOMPARE(row.last(), QString("below the noise, tube mode?, of-tomorrow"));
     QCOMPARE(row.mid(0, 4), (QStringList{"2.33000 MHz", "0.00013 MHz", "0.020000", "0.000093"}));
 }

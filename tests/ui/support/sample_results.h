@@ -88,7 +88,6 @@ inline std::shared_ptr<const SensorModel> sampleModel(const Recipe &recipe, cons
 {
     auto model = std::make_shared<SensorModel>();
     model->order = recipe.realization.order.value.value_or(2);
-    model->isAssessed = true;
     const double w0 = 2.0 * std::numbers::pi * kResonance_Hz;
     for (const double sign : {1.0, -1.0}) {
         Pole pole;
@@ -113,6 +112,13 @@ inline std::shared_ptr<const SensorModel> sampleModel(const Recipe &recipe, cons
     model->fit_percent = 89.4;
     model->fitAttainable_percent = 89.9;
     return model;
+}
+
+inline std::shared_ptr<const ModelAssessment> sampleAssessment(const SensorModel &model)
+{
+    auto assessment = std::make_shared<ModelAssessment>();
+    assessment->poles = model.poles;
+    return assessment;
 }
 
 inline std::shared_ptr<const DecompositionResult> sampleDecomposition()
@@ -260,6 +266,7 @@ inline PipelineOutcome samplePipeline(const std::shared_ptr<const CaptureSet> &c
     results.input = input;
     results.decomposition = sampleDecomposition();
     results.model = sampleModel(recipe, *input);
+    results.assessment = sampleAssessment(*results.model);
     results.components = sampleComponents(*window);
     results.shock = sampleShock(*window);
     results.starts = std::make_shared<RecordStarts>();

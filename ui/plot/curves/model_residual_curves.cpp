@@ -35,13 +35,12 @@ PlotContent modelResidualCurves(const ModelInput &input, const SensorModel &mode
     return content;
 }
 
-void addSecondOrder(
-    PlotContent &magnitude, const SensorModel &model, const ResponseResult &response)
+void addSecondOrder(PlotContent &magnitude, const SensorModel &model, const SecondOrderModel &fit,
+    const ResponseResult &response)
 {
     const Eigen::VectorXd &f_Hz = response.modelCurve.frequency_Hz;
-    if (!model.secondOrder || f_Hz.size() == 0 || model.plateauGain == 0.0)
+    if (f_Hz.size() == 0 || model.plateauGain == 0.0)
         return;
-    const SecondOrderModel &fit = *model.secondOrder;
     // Its plateau against that of the model, which is the response at f -> 0.
     double ratio = 0.0;
     std::size_t count = 0;

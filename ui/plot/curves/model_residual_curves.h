@@ -7,6 +7,7 @@
 #include "core/model_analysis/sensor_response.h"
 #include "core/realization/input/model_input.h"
 #include "core/realization/model/sensor_model.h"
+#include "core/realization/second_order/second_order_model.h"
 #include "core/signal/response_window.h"
 #include "ui/plot/values/plot_content.h"
 
@@ -22,7 +23,7 @@ PlotContent modelResidualCurves(const ModelInput &input, const SensorModel &mode
 
 /// Adds the second-order sensor that was fitted beside the model: K/(1 - x^2 + 2 j zeta x), in the
 /// unit of the response.
-void addSecondOrder(
-    PlotContent &magnitude, const SensorModel &model, const ResponseResult &response);
+void addSecondOrder(PlotContent &magnitude, const SensorModel &model, const SecondOrderModel &fit,
+    const ResponseResult &response);
 
 } // namespace dyncal

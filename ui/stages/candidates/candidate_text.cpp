@@ -45,7 +45,7 @@ QString noteOf(Index order, const ComparedOrder *compared, const CalibrationResu
     return notes.join(", ");
 }
 
-void describe(const SensorModel &model, CandidateRow &row)
+void describe(const SensorModel &model, const ModelAssessment *assessment, CandidateRow &row)
 {
     row.isKnown = true;
     row.diverges = model.diverges;
@@ -55,7 +55,7 @@ void describe(const SensorModel &model, CandidateRow &row)
         row.fit_percent = model.fit_percent;
     if (std::isfinite(model.fitAttainable_percent))
         row.attainable_percent = model.fitAttainable_percent;
-    if (const Pole *pole = mainPole(model)) {
+    if (const Pole *pole = mainPole(model, assessment)) {
         row.f0_Hz = pole->frequency_Hz;
         row.u_f0_Hz = pole->u_frequency_Hz;
         row.zeta = pole->dampingRatio;
@@ -74,7 +74,7 @@ CandidateRow candidateRow(
     if (!compared)
         return row;
     if (compared->model)
-        describe(*compared->model, row);
+        describe(*compared->model, compared->assessment.get(), row);
     if (std::isfinite(compared->whiteness_p))
         row.whiteness_p = compared->whiteness_p;
     row.bic = compared->bic;

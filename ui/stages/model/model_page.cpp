@@ -174,8 +174,9 @@ void ModelPage::showResponse()
     if (response) {
         overlayMagnitudes(magnitude, candidates);
         overlayPhases(phase, candidates);
-        if (model && m_drawSecondOrder->isChecked())
-            addSecondOrder(magnitude, *model, *response);
+        const auto &assessment = results().assessment;
+        if (model && assessment && assessment->secondOrder && m_drawSecondOrder->isChecked())
+            addSecondOrder(magnitude, *model, *assessment->secondOrder, *response);
     }
     m_tubeModes->set(results());
     m_magnitude->setContent(response ? m_tubeModes->with(magnitude) : magnitude);
@@ -189,21 +190,23 @@ void ModelPage::showResponse()
 void ModelPage::showTables()
 {
     const SensorModel *model = results().model.get();
-    m_table->setValues(poleHeaders(PoleColumns::All), poleRows(model, PoleColumns::All));
+    const ModelAssessment *assessment = results().assessment.get();
+    m_table->setValues(poleHeaders(PoleColumns::All),
+        poleRows(model ? polesOf(*model, assessment) : std::vector<Pole>(), PoleColumns::All));
     const auto show = [](ValueTable *target, const ShownTable &table) {
         target->setValues(table.headers, table.rows);
     };
-    show(m_nuisance, nuisanceTable(model));
+    show(m_nuisance, nuisanceTable(model, assessment));
     m_tabs->setTabVisible(m_tabs->indexOf(m_nuisance), model && !model->nuisance.empty());
     // Until the assessment is there, what an earlier one said stands there greyed.
-    const bool isPending = model && !model->isAssessed;
+    const bool isPending = model && !assessment;
     m_trend->setEnabled(!isPending);
     m_secondOrder->setEnabled(!isPending);
     if (isPending)
         return;
-    show(m_trend, trendTable(model));
-    show(m_secondOrder, secondOrderTable(model));
-    m_tabs->setTabVisible(m_tabs->indexOf(m_secondOrder), model && model->secondOrder);
+    show(m_trend, trendTable(assessment));
+    show(m_secondOrder, secondOrderTable(assessment));
+    m_tabs->setTabVisible(m_tabs->indexOf(m_secondOrder), assessment && assessment->secondOrder);
 }
 
 void ModelPage::showReadouts()
@@ -221,20 +224,25 @@ void ModelPage::showReadouts()
             ? tr("%1 % (one sample late)").arg(shownNumber(*model->fitListing_percent, 3))
             : "–");
     m_uncertainty->setText(model && !model->uncertaintyMethod.empty() ? noiseText(*model) : "–");
-    const bool isPending = model && !model->isAssessed;
+    showAssessment();
+}
+
+void ModelPage::showAssessment()
+{
+    const auto &assessment = results().assessment;
+    const bool isPending = results().model && !assessment;
     m_shared->setText(isPending ? tr("Uncertainties of the poles, comparison of the shots and "
                                      "second-order sensor: not yet.")
-            : model             ? homogeneityText(*model)
+            : assessment        ? homogeneityText(*assessment)
                                 : QString());
-    m_drawSecondOrder->setEnabled(model && model->secondOrder);
-    m_second->setText(model && model->secondOrder
-            ? tr("%1, ζ %2, FIT %3 %%4")
-                  .arg(shownResult(model->secondOrder->f0_Hz, model->secondOrder->u_f0_Hz, "Hz")
-                           .value,
-                      shownResult(model->secondOrder->zeta, model->secondOrder->u_zeta, {}).value,
-                      shownNumber(model->secondOrder->fit_percent, 3),
-                      model->secondOrder->describes ? QString()
-                                                    : tr(": does not describe the data"))
+    const SecondOrderModel *fit
+        = assessment && assessment->secondOrder ? &*assessment->secondOrder : nullptr;
+    m_drawSecondOrder->setEnabled(fit != nullptr);
+    m_second->setText(fit ? tr("%1, ζ %2, FIT %3 %%4")
+                                .arg(shownResult(fit->f0_Hz, fit->u_f0_Hz, "Hz").value,
+                                    shownResult(fit->zeta, fit->u_zeta, {}).value,
+                                    shownNumber(fit->fit_percent, 3),
+                                    fit->describes ? QString() : tr(": does not describe the data"))
             : isPending ? tr("not yet")
                         : "–");
 }

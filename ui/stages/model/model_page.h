@@ -36,6 +36,7 @@ private:
     void showResponse();
     void showTables();
     void showReadouts();
+    void showAssessment();
     void showCharacteristics();
     std::optional<std::size_t> series() const; ///< position of the one on show; none: all
 

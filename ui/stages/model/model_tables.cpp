@@ -44,22 +44,22 @@ QString levelName(const LevelPole &pole)
 
 } // namespace
 
-ShownTable trendTable(const SensorModel *model)
+ShownTable trendTable(const ModelAssessment *assessment)
 {
     ShownTable table{
         {ModelTables::tr("Fitted to"), ModelTables::tr("f₀ ± u"), ModelTables::tr("ζ ± u"),
             ModelTables::tr("Plateau ± u"), ModelTables::tr("k")},
         {}};
-    if (!model)
+    if (!assessment)
         return table;
-    for (const LevelPole &pole : model->perShot)
+    for (const LevelPole &pole : assessment->perShot)
         table.rows.push_back(trendRow(shotText(pole.shots.empty() ? 0 : pole.shots.front()), pole));
-    for (const LevelPole &pole : model->perLevel)
+    for (const LevelPole &pole : assessment->perLevel)
         table.rows.push_back(trendRow(levelName(pole), pole));
     return table;
 }
 
-ShownTable nuisanceTable(const SensorModel *model)
+ShownTable nuisanceTable(const SensorModel *model, const ModelAssessment *assessment)
 {
     ShownTable table{{ModelTables::tr("Mode"), ModelTables::tr("Shot"), ModelTables::tr("f ± u"),
                          ModelTables::tr("ζ ± u"), ModelTables::tr("Amplitude")},
@@ -72,25 +72,25 @@ ShownTable nuisanceTable(const SensorModel *model)
                 shownWithU(shot.term.frequency_Hz(), shot.u_frequency_Hz, "Hz"),
                 shownWithU(shot.term.dampingRatio(), shot.u_dampingRatio, {}),
                 shownNumber(100.0 * shot.relativeAmplitude, 3) + QStringLiteral(" %")});
-    if (model->nuisanceEffect) {
+    if (assessment && assessment->nuisanceEffect) {
         const auto side = [&](const QString &name, const NuisanceEffect::Side &at) {
             table.rows.push_back(
                 {name, ModelTables::tr("FIT %1 %").arg(shownNumber(at.fit_percent, 4)),
                     shownWithU(at.f0_Hz, at.u_f0_Hz, "Hz"), shownWithU(at.zeta, at.u_zeta, {}),
                     ModelTables::tr("plateau %1").arg(shownNumber(at.plateauGain, 5))});
         };
-        side(ModelTables::tr("Sensor, modes left in"), model->nuisanceEffect->before);
-        side(ModelTables::tr("Sensor, modes taken out"), model->nuisanceEffect->after);
+        side(ModelTables::tr("Sensor, modes left in"), assessment->nuisanceEffect->before);
+        side(ModelTables::tr("Sensor, modes taken out"), assessment->nuisanceEffect->after);
     }
     return table;
 }
 
-ShownTable secondOrderTable(const SensorModel *model)
+ShownTable secondOrderTable(const ModelAssessment *assessment)
 {
     ShownTable table{{ModelTables::tr("2nd order"), ModelTables::tr("Value ± u")}, {}};
-    if (!model || !model->secondOrder)
+    if (!assessment || !assessment->secondOrder)
         return table;
-    const SecondOrderModel &fit = *model->secondOrder;
+    const SecondOrderModel &fit = *assessment->secondOrder;
     table.rows = {{ModelTables::tr("f₀"), shownWithU(fit.f0_Hz, fit.u_f0_Hz, "Hz")},
         {ModelTables::tr("ζ"), shownWithU(fit.zeta, fit.u_zeta, {})},
         {ModelTables::tr("FIT"), shownNumber(fit.fit_percent, 4) + QStringLiteral(" %")}};
@@ -100,16 +100,16 @@ ShownTable secondOrderTable(const SensorModel *model)
     return table;
 }
 
-QString homogeneityText(const SensorModel &model)
+QString homogeneityText(const ModelAssessment &assessment)
 {
-    if (!model.homogeneity)
+    if (!assessment.homogeneity)
         return {};
-    const QString p = probabilityShown(model.homogeneity->probability);
-    return model.homogeneity->passed
+    const QString p = probabilityShown(assessment.homogeneity->probability);
+    return assessment.homogeneity->passed
         ? ModelTables::tr("The shots share their poles (p %1).").arg(p)
         : ModelTables::tr("The shots do not share the pole at %1 (p %2); the uncertainty is "
                           "their scatter.")
-              .arg(shownQuantity(model.homogeneity->frequency_Hz, "Hz", 4), p);
+              .arg(shownQuantity(assessment.homogeneity->frequency_Hz, "Hz", 4), p);
 }
 
 } // namespace dyncal

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "core/realization/model/sensor_model.h"
+#include "core/realization/model/model_assessment.h"
 #include "ui/stages/frame/shown_table.h"
 
 #include <QString>
@@ -11,15 +11,15 @@
 namespace dyncal {
 
 /// Main resonance and plateau of every shot, then of every level, fitted to these alone.
-ShownTable trendTable(const SensorModel *model);
+ShownTable trendTable(const ModelAssessment *assessment);
 
-/// The modes taken out of the model, per shot, with what that did to it.
-ShownTable nuisanceTable(const SensorModel *model);
+/// The modes taken out of the model, per shot, with what that did to it once it is assessed.
+ShownTable nuisanceTable(const SensorModel *model, const ModelAssessment *assessment);
 
 /// The second-order sensor fitted beside the model, and its plateau per shot.
-ShownTable secondOrderTable(const SensorModel *model);
+ShownTable secondOrderTable(const ModelAssessment *assessment);
 
 /// Whether the shots share their poles, in one sentence; empty where it was not tested.
-QString homogeneityText(const SensorModel &model);
+QString homogeneityText(const ModelAssessment &assessment);
 
 } // namespace dyncal

@@ -89,12 +89,10 @@ QStringList poleHeaders(PoleColumns columns)
         ModelText::tr("Class"), ModelText::tr("Flags")};
 }
 
-QVector<QStringList> poleRows(const SensorModel *model, PoleColumns columns)
+QVector<QStringList> poleRows(const std::vector<Pole> &poles, PoleColumns columns)
 {
     QVector<QStringList> rows;
-    if (!model)
-        return rows;
-    for (const Pole &pole : model->poles) {
+    for (const Pole &pole : poles) {
         if (pole.z.imag() < 0.0)
             continue; // shown with its conjugate
         QStringList flags;

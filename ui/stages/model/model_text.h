@@ -8,6 +8,8 @@
 #include <QStringList>
 #include <QVector>
 
+#include <vector>
+
 namespace dyncal {
 
 /// "FIT 89.4 % of attainable 89.5 %", or that it diverges.
@@ -22,6 +24,6 @@ enum class PoleColumns {
     All
 }; ///< frequency, damping, class; All: uncertainties and flags too
 QStringList poleHeaders(PoleColumns columns);
-QVector<QStringList> poleRows(const SensorModel *model, PoleColumns columns);
+QVector<QStringList> poleRows(const std::vector<Pole> &poles, PoleColumns columns);
 
 } // namespace dyncal

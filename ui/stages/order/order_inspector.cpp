@@ -188,7 +188,7 @@ void OrderInspector::showModel(const CalibrationResults &results, const SensorMo
 {
     m_of->setText(model ? QString::number(model->order) : "–");
     m_score->setText(model ? fitText(*model) : "–");
-    const Pole *pole = model ? mainPole(*model) : nullptr;
+    const Pole *pole = model ? mainPole(*model, results.assessment.get()) : nullptr;
     m_resonance->setText(pole ? tr("%1, damping %2")
                                     .arg(shownWithU(pole->frequency_Hz, pole->u_frequency_Hz, "Hz"),
                                         shownWithU(pole->dampingRatio, pole->u_dampingRatio, {}))

@@ -6,7 +6,7 @@
 
 #include "core/realization/hankel/hankel_decomposition.h"
 #include "core/realization/hankel/realized_poles.h"
-#include "core/realization/model/model_assessment.h"
+#include "core/realization/model/model_fit.h"
 #include "core/realization/model/sensor_model.h"
 #include "tests/support/model_inputs.h"
 #include "tests/support/python_answer.h"
@@ -263,7 +263,7 @@ private slots:
         for (const bool refine : {true, false}) {
             RealizationSettings settings;
             settings.refine = refine;
-            const SensorModel model = realizeModel(input, *hankel, 4, settings, {}).value();
+            const SensorModel model = fitModel(input, *hankel, 4, settings, {}).value();
             constexpr double kOfRealisation = 1e-6;
             const Eigen::VectorXd again = impulseResponse(model.stateSpace, 300);
             QVERIFY(std::abs(model.poles[0].frequency_Hz / 40e3 - 1.0) < kOfRealisation);

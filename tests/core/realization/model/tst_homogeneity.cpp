@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/realization/model/model_assessment.h"
-#include "core/realization/model/sensor_model.h"
+#include "core/realization/model/homogeneity.h"
 #include "tests/support/pole_coverage.h"
+#include "tests/support/realized_model.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -12,12 +12,12 @@ using namespace dyncal;
 
 namespace {
 
-SensorModel modelOf(const ModelInput &input, Index order = 2)
+testing::RealizedModel modelOf(const ModelInput &input, Index order = 2)
 {
     RealizationSettings settings;
     settings.maxOrder = order + 2;
     const auto hankel = decomposeHankel(input, settings);
-    return realizeModel(input, *hankel, order, settings, {}).value();
+    return testing::realizeModel(input, *hankel, order, settings).value();
 }
 
 testing::SimulatedCalibration resonance(double snr_dB, double ar1 = 0.0)
@@ -25,9 +25,14 @@ testing::SimulatedCalibration resonance(double snr_dB, double ar1 = 0.0)
     return {{{1.0, 30e3, 0.05}}, snr_dB, ar1};
 }
 
-bool isTold(const SensorModel &model)
+ModelAssessment assessed(const ModelInput &input, Index order = 2)
 {
-    return std::any_of(model.findings.begin(), model.findings.end(),
+    return modelOf(input, order).assessment;
+}
+
+bool isTold(const ModelAssessment &assessment)
+{
+    return std::any_of(assessment.findings.begin(), assessment.findings.end(),
         [](const Finding &finding) { return finding.id == "MOD-010"; });
 }
 
@@ -54,12 +59,12 @@ private slots:
         QFETCH(double, ar1);
         int failed = 0;
         for (std::uint64_t seed = 1; seed <= 100; ++seed) {
-            const SensorModel model
-                = modelOf(testing::simulateCalibration(resonance(snr_dB, ar1), seed));
-            QVERIFY(model.homogeneity.has_value());
-            QCOMPARE(model.homogeneity->dof, 4.0);
-            QCOMPARE(model.homogeneity->passed, !isTold(model));
-            failed += !model.homogeneity->passed;
+            const ModelAssessment found
+                = assessed(testing::simulateCalibration(resonance(snr_dB, ar1), seed));
+            QVERIFY(found.homogeneity.has_value());
+            QCOMPARE(found.homogeneity->dof, 4.0);
+            QCOMPARE(found.homogeneity->passed, !isTold(found));
+            failed += !found.homogeneity->passed;
         }
         qInfo("%d of 100 told apart", failed);
         QVERIFY(failed <= 4);
@@ -70,9 +75,9 @@ private slots:
         testing::SimulatedCalibration calibration = resonance(40.0);
         calibration.shiftOfShot = {0.0, 0.01, 0.0};
         for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-            const SensorModel model = modelOf(testing::simulateCalibration(calibration, seed));
-            QVERIFY(model.homogeneity && !model.homogeneity->passed);
-            QVERIFY(isTold(model));
+            const ModelAssessment found = assessed(testing::simulateCalibration(calibration, seed));
+            QVERIFY(found.homogeneity && !found.homogeneity->passed);
+            QVERIFY(isTold(found));
         }
     }
 
@@ -80,8 +85,9 @@ private slots:
     {
         testing::SimulatedCalibration calibration = resonance(60.0);
         calibration.shiftOfShot = {-0.01, 0.0, 0.01};
-        const SensorModel model = modelOf(testing::simulateCalibration(calibration, 3));
-        const Pole &pole = *mainPole(model);
+        const auto result = modelOf(testing::simulateCalibration(calibration, 3));
+        const ModelAssessment &found = result.assessment;
+        const Pole &pole = *result.main();
         // Equal noise relative to the step: equal weights, so u is the sample's sd over sqrt(3).
         QVERIFY2(std::abs(pole.u_frequency_Hz / (300.0 / std::sqrt(3.0)) - 1.0) < 0.02,
             qPrintable(QString::number(pole.u_frequency_Hz)));
@@ -89,8 +95,8 @@ private slots:
         QVERIFY(
             std::find(pole.flags.begin(), pole.flags.end(), "shots-disagree") != pole.flags.end());
         // Both halves of the pair say the same.
-        QCOMPARE(model.poles[1].u_frequency_Hz, model.poles[0].u_frequency_Hz);
-        QCOMPARE(model.poles[1].coverageFactor, model.poles[0].coverageFactor);
+        QCOMPARE(found.poles[1].u_frequency_Hz, found.poles[0].u_frequency_Hz);
+        QCOMPARE(found.poles[1].coverageFactor, found.poles[0].coverageFactor);
     }
 
     void perShot_showsTheTrend()
@@ -101,11 +107,11 @@ private slots:
         const double steps[] = {0.33, 0.6, 0.9};
         for (std::size_t i = 0; i < 3; ++i)
             input.series[i].step = steps[i];
-        const SensorModel model = modelOf(input);
-        QCOMPARE(model.perShot.size(), std::size_t(3));
-        QVERIFY(model.perLevel.empty()); // no shot carries a level
+        const ModelAssessment found = assessed(input);
+        QCOMPARE(found.perShot.size(), std::size_t(3));
+        QVERIFY(found.perLevel.empty()); // no shot carries a level
         for (std::size_t i = 0; i < 3; ++i) {
-            const LevelPole &shot = model.perShot[i];
+            const LevelPole &shot = found.perShot[i];
             QCOMPARE(shot.shots, std::vector<Index>{static_cast<Index>(i) + 1});
             QCOMPARE(shot.step, steps[i]);
             const double truth_Hz = 30e3 * (1.0 + calibration.shiftOfShot[i]);
@@ -122,63 +128,65 @@ private slots:
         input.series[0].level = ShotLevel::High;
         input.series[1].level = ShotLevel::Low;
         input.series[2].level = ShotLevel::High;
-        const SensorModel model = modelOf(input);
-        QCOMPARE(model.perLevel.size(), std::size_t(2));
-        QCOMPARE(model.perLevel[0].level, ShotLevel::Low);
-        QCOMPARE(model.perLevel[0].shots, std::vector<Index>{2});
-        QCOMPARE(model.perLevel[0].frequency_Hz, model.perShot[1].frequency_Hz);
-        QCOMPARE(model.perLevel[1].shots, (std::vector<Index>{1, 3}));
+        const ModelAssessment found = assessed(input);
+        QCOMPARE(found.perLevel.size(), std::size_t(2));
+        QCOMPARE(found.perLevel[0].level, ShotLevel::Low);
+        QCOMPARE(found.perLevel[0].shots, std::vector<Index>{2});
+        QCOMPARE(found.perLevel[0].frequency_Hz, found.perShot[1].frequency_Hz);
+        QCOMPARE(found.perLevel[1].shots, (std::vector<Index>{1, 3}));
         // Two shots of equal relative noise: u falls by sqrt(2).
-        const double ratio = model.perLevel[1].u_frequency_Hz / model.perShot[0].u_frequency_Hz;
+        const double ratio = found.perLevel[1].u_frequency_Hz / found.perShot[0].u_frequency_Hz;
         QVERIFY2(std::abs(ratio * std::sqrt(2.0) - 1.0) < 0.1, qPrintable(QString::number(ratio)));
     }
 
     void consistentShots_keepTheNoisesUncertainty()
     {
-        const SensorModel model = modelOf(testing::simulateCalibration(resonance(40.0), 1));
-        QVERIFY(model.homogeneity->passed);
-        const Pole &pole = *mainPole(model);
+        const auto result = modelOf(testing::simulateCalibration(resonance(40.0), 1));
+        const ModelAssessment &found = result.assessment;
+        QVERIFY(found.homogeneity->passed);
+        const Pole &pole = *result.main();
         QVERIFY(pole.flags.empty());
         QVERIFY(pole.coverageFactor > 1.95 && pole.coverageFactor < 1.97);
-        QCOMPARE(model.uncertaintyMethod, std::string("white"));
+        QCOMPARE(result.model.uncertaintyMethod, std::string("white"));
         // Three shots of equal relative noise.
-        QVERIFY(std::abs(pole.u_frequency_Hz / model.perShot[0].u_frequency_Hz * std::sqrt(3.0) - 1)
+        QVERIFY(std::abs(pole.u_frequency_Hz / found.perShot[0].u_frequency_Hz * std::sqrt(3.0) - 1)
             < 0.15);
     }
 
     void colouredNoise_isNamed()
     {
-        const SensorModel model = modelOf(testing::simulateCalibration(resonance(30.0, 0.9), 2));
-        QCOMPARE(model.uncertaintyMethod, std::string("AR(1)"));
+        const auto result = modelOf(testing::simulateCalibration(resonance(30.0, 0.9), 2));
+        QCOMPARE(result.model.uncertaintyMethod, std::string("AR(1)"));
     }
 
     void ofAnAverageOrWithoutRefinement_nothingIsSaid()
     {
         ModelInput input = testing::simulateCalibration(resonance(40.0), 1);
         input.series.resize(1);
-        SensorModel model = modelOf(input);
-        QCOMPARE(model.perShot.size(), std::size_t(1));
-        QVERIFY(!model.homogeneity);
+        const ModelAssessment found = assessed(input);
+        QCOMPARE(found.perShot.size(), std::size_t(1));
+        QVERIFY(!found.homogeneity);
         input.series[0].shot = 0;
-        QVERIFY(modelOf(input).perShot.empty());
+        QVERIFY(assessed(input).perShot.empty());
 
         input = testing::simulateCalibration(resonance(40.0), 1);
         RealizationSettings settings;
         settings.refine = false;
-        model = realizeModel(input, *decomposeHankel(input, settings), 2, settings, {}).value();
-        QVERIFY(model.perShot.empty() && !model.homogeneity);
-        QVERIFY(model.uncertaintyMethod.empty());
+        const auto plain
+            = testing::realizeModel(input, *decomposeHankel(input, settings), 2, settings).value();
+        QVERIFY(plain.assessment.perShot.empty() && !plain.assessment.homogeneity);
+        QVERIFY(plain.model.uncertaintyMethod.empty());
     }
 
     void highOrders_stayFinite()
     {
         const ModelInput input = testing::simulateCalibration(resonance(30.0), 1);
         for (const Index order : {Index(1), Index(3), Index(6), Index(12)}) {
-            const SensorModel model = modelOf(input, order);
-            if (!model.homogeneity)
+            const ModelAssessment found = assessed(input, order);
+            if (!found.homogeneity)
                 continue;
-            QVERIFY(model.homogeneity->statistic >= 0.0);
-            QVERIFY(model.homogeneity->probability >= 0.0 && model.homogeneity->probability <= 1.0);
+            QVERIFY(found.homogeneity->statistic >= 0.0);
+            QVERIFY(found.homogeneity->probability >= 0.0 && found.homogeneity->probability <= 1.0);
         }
     }
 };

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/realization/model/model_assessment.h"
+#include "core/realization/model/model_assessing.h"
 #include "tests/support/test_program.h"
 
 #include "core/pipeline/model_stages.h"
@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 using namespace dyncal;
 
@@ -59,7 +60,7 @@ bool hasFlag(const Pole &pole, const char *flag)
 
 } // namespace
 
-/// The stage behind the response that completes the fitted model.
+/// The stage behind the response that tells what the fitted model is worth.
 class TestModelAssessment : public QObject
 {
     Q_OBJECT
@@ -71,39 +72,45 @@ private slots:
         const CalibrationResults results = upTo(StageId::Response, {}, cache);
         QVERIFY(results.model && results.response);
         const SensorModel &model = *results.model;
-        QVERIFY(model.refined && !model.isAssessed);
+        QVERIFY(model.refined && !results.assessment);
         for (const Pole &pole : model.poles) {
             QVERIFY(std::isnan(pole.u_frequency_Hz) && std::isnan(pole.u_dampingRatio));
             QVERIFY(std::isnan(pole.coverageFactor));
             QVERIFY(!hasFlag(pole, kShotsDisagreeFlag) && !hasFlag(pole, "integrator"));
         }
-        QVERIFY(model.perShot.empty() && model.perLevel.empty());
-        QVERIFY(!model.homogeneity && !model.secondOrder && !model.nuisanceEffect);
+        QCOMPARE(&polesOf(model, results.assessment.get()), &model.poles);
         QVERIFY(std::isfinite(model.series.front().u_plateauGain)); // does not wait for it
     }
 
-    void assessment_addsAndChangesNothingOfTheFit()
+    void assessment_isOfTheModelAndChangesNothingOfIt()
     {
         ResultCache cache;
         const auto fitted = upTo(StageId::Model, {}, cache).model;
         const CalibrationResults results = upTo(StageId::Assessment, {}, cache);
-        const SensorModel &model = *results.model;
-        QVERIFY(model.isAssessed);
-        QCOMPARE(model.order, fitted->order);
-        QCOMPARE(model.fit_percent, fitted->fit_percent);
-        QCOMPARE(model.poles.size(), fitted->poles.size());
-        for (std::size_t i = 0; i < model.poles.size(); ++i) {
-            QVERIFY(model.poles[i].z == fitted->poles[i].z);
-            QVERIFY(std::isfinite(model.poles[i].u_frequency_Hz));
+        QCOMPARE(results.model, fitted); // the same object
+        QVERIFY(results.assessment);
+        const ModelAssessment &found = *results.assessment;
+        QCOMPARE(&polesOf(*fitted, &found), &found.poles);
+        QCOMPARE(found.poles.size(), fitted->poles.size());
+        for (std::size_t i = 0; i < found.poles.size(); ++i) {
+            QVERIFY(found.poles[i].z == fitted->poles[i].z);
+            QCOMPARE(found.poles[i].frequency_Hz, fitted->poles[i].frequency_Hz);
+            QCOMPARE(found.poles[i].amplitude, fitted->poles[i].amplitude);
+            QVERIFY(std::isfinite(found.poles[i].u_frequency_Hz));
         }
-        QVERIFY(model.zeros == fitted->zeros);
-        QVERIFY(model.series.front().simulated == fitted->series.front().simulated);
-        QCOMPARE(model.perShot.size(), std::size_t(3));
-        QVERIFY(model.homogeneity && model.secondOrder);
-        // What it finds comes after what the fit had found.
-        QVERIFY(model.findings.size() >= fitted->findings.size());
-        for (std::size_t i = 0; i < fitted->findings.size(); ++i)
-            QCOMPARE(model.findings[i].id, fitted->findings[i].id);
+        QCOMPARE(found.perShot.size(), std::size_t(3));
+        QVERIFY(found.homogeneity && found.secondOrder);
+    }
+
+    void mainPole_isTheSameOne_asFittedAndAsAssessed()
+    {
+        ResultCache cache;
+        const CalibrationResults results = upTo(StageId::Assessment, {}, cache);
+        const Pole *fitted = mainPole(*results.model, nullptr);
+        const Pole *assessed = mainPole(*results.model, results.assessment.get());
+        QVERIFY(fitted && assessed);
+        QCOMPARE(assessed - results.assessment->poles.data(), fitted - results.model->poles.data());
+        QVERIFY(std::isnan(fitted->u_frequency_Hz) && assessed->u_frequency_Hz > 0.0);
     }
 
     void stages_giveWhatOneCallGives_data()
@@ -118,12 +125,13 @@ private slots:
         const Recipe recipe = ofOrder(order);
         ResultCache cache;
         PipelineOutcome staged = runPipeline(captures(), recipe, cache);
-        QVERIFY(!staged.error && staged.results.model->isAssessed);
+        QVERIFY(!staged.error && staged.results.assessment);
         PipelineOutcome whole = staged;
         const CalibrationResults before = upTo(StageId::Decomposition, recipe, cache);
         const auto fitted = modelStage(before, recipe, order, {});
-        QVERIFY(fitted && !fitted->isAssessed);
-        whole.results.model = std::make_shared<const SensorModel>(
+        QVERIFY(fitted);
+        whole.results.model = std::make_shared<const SensorModel>(*fitted);
+        whole.results.assessment = std::make_shared<const ModelAssessment>(
             assessModel(*before.input, *fitted, recipe.realization).value());
         QCOMPARE(resultsJson(whole, recipe, "t"), resultsJson(staged, recipe, "t"));
     }
@@ -131,9 +139,13 @@ private slots:
     void knownAssessment_isThereAtOnce()
     {
         ResultCache cache;
-        const auto complete = runPipeline(captures(), {}, cache).results.model;
-        QCOMPARE(upTo(StageId::Model, {}, cache).model, complete);
-        QCOMPARE(upTo(StageId::Response, {}, cache).model, complete);
+        const auto complete = runPipeline(captures(), {}, cache).results.assessment;
+        QVERIFY(complete);
+        QCOMPARE(upTo(StageId::Model, {}, cache).assessment, complete);
+        QCOMPARE(upTo(StageId::Response, {}, cache).assessment, complete);
+        // Never without its model, and never beside another.
+        QVERIFY(!upTo(StageId::Decomposition, {}, cache).assessment);
+        QVERIFY(!upTo(StageId::Response, ofOrder(3), cache).assessment);
     }
 
     void keys_followTheModelOnly()
@@ -146,11 +158,12 @@ private slots:
         QVERIFY(other.response != complete.response);
         QCOMPARE(other.keys[at(StageId::Assessment)], complete.keys[at(StageId::Assessment)]);
         QCOMPARE(other.model, complete.model);
+        QCOMPARE(other.assessment, complete.assessment);
         const auto refitted = runPipeline(captures(), ofOrder(3), cache).results;
         QVERIFY(refitted.keys[at(StageId::Assessment)] != complete.keys[at(StageId::Assessment)]);
     }
 
-    void cancelled_givesNoHalfAssessedModel()
+    void cancelled_givesNoHalfAssessment()
     {
         ResultCache cache;
         const CalibrationResults before = upTo(StageId::Model, {}, cache);
@@ -171,18 +184,38 @@ private slots:
         QVERIFY(outcome.error);
         QCOMPARE(outcome.error->kind, ErrorKind::Cancelled);
         QCOMPARE(outcome.failedStage, StageId::Assessment);
-        QVERIFY(outcome.results.response && !outcome.results.model->isAssessed);
-        QVERIFY(upTo(StageId::Assessment, {}, cache).model->isAssessed);
+        QVERIFY(outcome.results.response && !outcome.results.assessment);
+        QVERIFY(upTo(StageId::Assessment, {}, cache).assessment);
     }
 
-    void findings_ofTheAssessment_standWithTheModels()
+    void findings_ofTheAssessment_standRightBehindTheModels()
     {
         ResultCache cache;
-        const CalibrationResults results = runPipeline(captures(), ofOrder(4), cache).results;
+        CalibrationResults results = runPipeline(captures(), ofOrder(4), cache).results;
+        const Finding model{"MOD-005", Severity::Info, 0, {}, {}, {"of the model", {}}, {}, {}};
+        const Finding found{
+            "MOD-010", Severity::Caution, 0, {}, {}, {"of the assessment", {}}, {}, {}};
+        SensorModel fitted = *results.model;
+        fitted.findings.push_back(model);
+        ModelAssessment assessment = *results.assessment;
+        assessment.findings.insert(assessment.findings.begin(), found);
+        results.model = std::make_shared<const SensorModel>(fitted);
+        results.assessment = std::make_shared<const ModelAssessment>(assessment);
+        const auto isFound = [](const Finding &finding) {
+            return english(finding.message) == "of the assessment";
+        };
         const Findings all = allFindings(results);
-        for (const Finding &finding : results.model->findings)
-            QCOMPARE(std::ranges::count(all, finding.id, &Finding::id),
-                std::ranges::count(results.model->findings, finding.id, &Finding::id));
+        QCOMPARE(std::ranges::count_if(all, isFound), std::ptrdiff_t(1));
+        const auto at = std::ranges::find_if(all, isFound);
+        QVERIFY(at != all.begin());
+        QCOMPARE(english(std::prev(at)->message), std::string("of the model"));
+        for (const Findings *each : {&fitted.findings, &assessment.findings})
+            for (const Finding &finding : *each)
+                QVERIFY(std::ranges::count(all, finding.id, &Finding::id)
+                    >= std::ranges::count(*each, finding.id, &Finding::id));
+        results.assessment = nullptr;
+        const Findings before = allFindings(results);
+        QVERIFY(std::ranges::none_of(before, isFound));
     }
 };
 

@@ -3,8 +3,8 @@
 
 #include "core/realization/hankel/hankel_gap.h"
 #include "core/realization/hankel/realized_poles.h"
-#include "core/realization/model/model_assessment.h"
 #include "core/realization/model/model_findings.h"
+#include "core/realization/model/model_fit.h"
 #include "core/realization/model/pole_classes.h"
 #include "tests/support/model_inputs.h"
 #include "tests/support/second_order_model.h"
@@ -252,7 +252,7 @@ private slots:
     {
         ModelInput input = testing::makeInput(ResponseTreatment::Impulse, 1e6,
             {testing::makeSeries(1, testing::sampledStep(30e3, 0.05, 1e6, 400), 1e6)});
-        const auto step = realizeModel(input, *decomposeHankel(input, {}), 3, {}, {});
+        const auto step = fitModel(input, *decomposeHankel(input, {}), 3, {}, {});
         const auto found = std::ranges::find(step->findings, "MOD-013", &Finding::id);
         QVERIFY(found != step->findings.end());
         QCOMPARE(found->mend->key, std::string("input.treatment"));
@@ -260,10 +260,10 @@ private slots:
 
         input.series.front().y.array() = 1.0 - input.series.front().y.array(); // a free decay
         input.series.front().fullRate = input.series.front().y;
-        const auto decay = realizeModel(input, *decomposeHankel(input, {}), 2, {}, {});
+        const auto decay = fitModel(input, *decomposeHankel(input, {}), 2, {}, {});
         QVERIFY(!hasFinding(decay->findings, "MOD-013"));
         input.treatment = ResponseTreatment::StepDeflated;
-        const auto deflated = realizeModel(input, *decomposeHankel(input, {}), 2, {}, {});
+        const auto deflated = fitModel(input, *decomposeHankel(input, {}), 2, {}, {});
         QVERIFY(!hasFinding(deflated->findings, "MOD-013"));
     }
 
@@ -274,7 +274,8 @@ private slots:
         loose.s_rad_s = {-1.0, 1e4};
         loose.amplitude = 2.0;
         model.poles.push_back(loose);
-        QCOMPARE(mainPole(model), &model.poles[2]); // of one series there is nothing else to say
+        QCOMPARE(mainPole(model.poles, model.series),
+            &model.poles[2]); // of one series there is nothing else to say
         for (const double amplitude : {2.0, 1e-5, 1e-6}) {
             SeriesFit fit;
             fit.plateauGain = 0.5;
@@ -282,11 +283,11 @@ private slots:
             fit.amplitudes << 0.25, 0.25, amplitude;
             model.series.push_back(fit);
         }
-        QCOMPARE(mainPole(model), &model.poles[0]);
+        QCOMPARE(mainPole(model.poles, model.series), &model.poles[0]);
         model.series[2].amplitudes[2] = 2.0;
-        QCOMPARE(mainPole(model), &model.poles[2]);
+        QCOMPARE(mainPole(model.poles, model.series), &model.poles[2]);
         model.series.pop_back(); // of two shots both must have it
-        QCOMPARE(mainPole(model), &model.poles[0]);
+        QCOMPARE(mainPole(model.poles, model.series), &model.poles[0]);
     }
 
     void missingFastPart_polesInTheNoise_sayNothing()
@@ -332,7 +333,7 @@ private slots:
             real.poleClass = kind;
             scene.model.poles.push_back(real);
         }
-        flagPoles(scene.model);
+        flagPoles(scene.model.zeros, scene.model.poles);
         const std::vector<std::vector<std::string>> expected{{"near-cancelled"}, {},
             {"below-noise", "integrator"}, {}, {"step"}, {"nyquist"}, {"unstable"}};
         for (std::size_t i = 0; i < expected.size(); ++i)

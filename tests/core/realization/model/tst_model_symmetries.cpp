@@ -7,11 +7,10 @@
 
 #include "core/realization/hankel/order_suggestion.h"
 #include "core/realization/hankel/realized_poles.h"
-#include "core/realization/model/model_assessment.h"
-#include "core/realization/model/sensor_model.h"
 #include "core/realization/order/order_evidence.h"
 #include "core/realization/order/order_scan.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/realized_model.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -87,6 +86,7 @@ ModelInput stretched(ModelInput input, double factor)
 struct Outcome
 {
     SensorModel model;
+    ModelAssessment assessment;
     OrderSuggestion suggestion;
     OrderEvidence evidence;
 };
@@ -97,7 +97,10 @@ Outcome outcomeOf(const ModelInput &input, Index order = kOrder)
     settings.maxOrder = 12;
     const auto hankel = decomposeHankel(input, settings);
     Outcome outcome;
-    outcome.model = realizeModel(input, *hankel, order, settings, {}).value();
+    testing::RealizedModel realized
+        = testing::realizeModel(input, *hankel, order, settings).value();
+    outcome.model = std::move(realized.model);
+    outcome.assessment = std::move(realized.assessment);
     outcome.suggestion = suggestOrder(input, *hankel);
     outcome.evidence = gatherOrderEvidence(input, *hankel, outcome.suggestion, settings).value();
     return outcome;
@@ -117,14 +120,14 @@ bool closeRelative(double a, double b, double tolerance = kSameUncertainty)
 }
 
 /// Poles, their uncertainties and what is said of them; `time` of b over that of a.
-void comparePoles(const SensorModel &a, const SensorModel &b, double time = 1.0)
+void comparePoles(const Outcome &a, const Outcome &b, double time = 1.0)
 {
-    QCOMPARE(b.poles.size(), a.poles.size());
-    QCOMPARE(b.refined, a.refined);
-    QCOMPARE(b.uncertaintyMethod, a.uncertaintyMethod);
-    for (std::size_t i = 0; i < a.poles.size(); ++i) {
-        const Pole &one = a.poles[i];
-        const Pole &other = b.poles[i];
+    QCOMPARE(b.assessment.poles.size(), a.assessment.poles.size());
+    QCOMPARE(b.model.refined, a.model.refined);
+    QCOMPARE(b.model.uncertaintyMethod, a.model.uncertaintyMethod);
+    for (std::size_t i = 0; i < a.assessment.poles.size(); ++i) {
+        const Pole &one = a.assessment.poles[i];
+        const Pole &other = b.assessment.poles[i];
         QVERIFY(
             close(one.frequency_Hz, other.frequency_Hz * time, kOfDescent * one.u_frequency_Hz));
         QVERIFY(closeRelative(one.u_frequency_Hz, other.u_frequency_Hz * time));
@@ -136,13 +139,22 @@ void comparePoles(const SensorModel &a, const SensorModel &b, double time = 1.0)
     }
 }
 
-void compareVerdicts(const SensorModel &a, const SensorModel &b)
+void compareFindings(const Findings &a, const Findings &b)
 {
-    QVERIFY(closeRelative(a.fit_percent, b.fit_percent, 1e-9));
-    QVERIFY(closeRelative(a.fitAttainable_percent, b.fitAttainable_percent, 1e-9));
-    QCOMPARE(b.findings.size(), a.findings.size());
-    for (std::size_t i = 0; i < a.findings.size(); ++i)
-        QCOMPARE(b.findings[i].id, a.findings[i].id);
+    QCOMPARE(b.size(), a.size());
+    for (std::size_t i = 0; i < a.size(); ++i)
+        QCOMPARE(b[i].id, a[i].id);
+}
+
+void compareVerdicts(const Outcome &one, const Outcome &other)
+{
+    QVERIFY(closeRelative(one.model.fit_percent, other.model.fit_percent, 1e-9));
+    QVERIFY(
+        closeRelative(one.model.fitAttainable_percent, other.model.fitAttainable_percent, 1e-9));
+    compareFindings(one.model.findings, other.model.findings);
+    const ModelAssessment &a = one.assessment;
+    const ModelAssessment &b = other.assessment;
+    compareFindings(a.findings, b.findings);
     QCOMPARE(b.homogeneity.has_value(), a.homogeneity.has_value());
     QVERIFY(closeRelative(a.homogeneity->statistic, b.homogeneity->statistic, 1e-2));
     QCOMPARE(b.homogeneity->dof, a.homogeneity->dof);
@@ -152,9 +164,9 @@ void compareVerdicts(const SensorModel &a, const SensorModel &b)
     QCOMPARE(b.secondOrder->describes, a.secondOrder->describes);
 }
 
-const LevelPole *ofShot(const SensorModel &model, Index shot)
+const LevelPole *ofShot(const ModelAssessment &assessment, Index shot)
 {
-    for (const LevelPole &level : model.perShot) {
+    for (const LevelPole &level : assessment.perShot) {
         if (level.shots == std::vector<Index>{shot})
             return &level;
     }
@@ -182,8 +194,8 @@ private slots:
         const Outcome volts = outcomeOf(calibration());
         const Outcome other = outcomeOf(inOtherUnit(calibration(), factor));
         const double size = std::abs(factor);
-        comparePoles(volts.model, other.model);
-        compareVerdicts(volts.model, other.model);
+        comparePoles(volts, other);
+        compareVerdicts(volts, other);
         QVERIFY(closeRelative(volts.model.plateauGain * factor, other.model.plateauGain));
         for (std::size_t r = 0; r < 3; ++r) {
             const SeriesFit &a = volts.model.series[r];
@@ -217,8 +229,8 @@ private slots:
         QFETCH(double, factor);
         const Outcome one = outcomeOf(calibration());
         const Outcome slow = outcomeOf(stretched(calibration(), factor));
-        comparePoles(one.model, slow.model, factor);
-        compareVerdicts(one.model, slow.model);
+        comparePoles(one, slow, factor);
+        compareVerdicts(one, slow);
         for (std::size_t r = 0; r < 3; ++r) {
             const SeriesFit &a = one.model.series[r];
             const SeriesFit &b = slow.model.series[r];
@@ -239,19 +251,20 @@ private slots:
         ModelInput input = calibration();
         std::rotate(input.series.begin(), input.series.begin() + 1, input.series.end());
         const Outcome turned = outcomeOf(input);
-        comparePoles(one.model, turned.model);
-        compareVerdicts(one.model, turned.model);
+        comparePoles(one, turned);
+        compareVerdicts(one, turned);
         for (Index shot = 1; shot <= 3; ++shot) {
-            const LevelPole &a = *ofShot(one.model, shot);
-            const LevelPole &b = *ofShot(turned.model, shot);
+            const LevelPole &a = *ofShot(one.assessment, shot);
+            const LevelPole &b = *ofShot(turned.assessment, shot);
             QVERIFY(close(a.frequency_Hz, b.frequency_Hz, kOfDescent * a.u_frequency_Hz));
             QVERIFY(closeRelative(a.u_plateauGain, b.u_plateauGain));
             QCOMPARE(b.level, a.level);
             QCOMPARE(b.step, a.step);
         }
-        QCOMPARE(turned.model.perLevel.size(), std::size_t(3)); // from low to high all the same
+        QCOMPARE(
+            turned.assessment.perLevel.size(), std::size_t(3)); // from low to high all the same
         for (std::size_t i = 0; i < 3; ++i)
-            QCOMPARE(turned.model.perLevel[i].level, one.model.perLevel[i].level);
+            QCOMPARE(turned.assessment.perLevel[i].level, one.assessment.perLevel[i].level);
         QCOMPARE(turned.evidence.crossShots, (std::vector<Index>{2, 3, 1}));
         QVERIFY((turned.evidence.crossShot_percent - one.evidence.crossShot_percent)
                     .cwiseAbs()
@@ -268,7 +281,7 @@ private slots:
         input.series[1].y.array() += kShift;
         input.series[1].fullRate.array() += kShift;
         const Outcome shifted = outcomeOf(input);
-        comparePoles(one.model, shifted.model);
+        comparePoles(one, shifted);
         for (std::size_t r = 0; r < 3; ++r) {
             const SeriesFit &a = one.model.series[r];
             const SeriesFit &b = shifted.model.series[r];
@@ -289,14 +302,14 @@ private slots:
         }
         const Outcome twice = outcomeOf(doubled);
         // Copies are no independent shots: their disagreement counts twice as well.
-        QVERIFY(once.model.homogeneity->passed && twice.model.homogeneity->passed);
-        QVERIFY(closeRelative(
-            2.0 * once.model.homogeneity->statistic, twice.model.homogeneity->statistic, 0.05));
+        QVERIFY(once.assessment.homogeneity->passed && twice.assessment.homogeneity->passed);
+        QVERIFY(closeRelative(2.0 * once.assessment.homogeneity->statistic,
+            twice.assessment.homogeneity->statistic, 0.05));
         // chi square over its degrees of freedom, which scales u where it exceeds 1, hardly moves.
         constexpr double kOfFreedom = 0.02;
-        for (std::size_t i = 0; i < once.model.poles.size(); ++i) {
-            const Pole &a = once.model.poles[i];
-            const Pole &b = twice.model.poles[i];
+        for (std::size_t i = 0; i < once.assessment.poles.size(); ++i) {
+            const Pole &a = once.assessment.poles[i];
+            const Pole &b = twice.assessment.poles[i];
             QVERIFY(close(a.frequency_Hz, b.frequency_Hz, 0.05 * a.u_frequency_Hz));
             QVERIFY(closeRelative(a.u_frequency_Hz / std::sqrt(2.0), b.u_frequency_Hz, kOfFreedom));
             QVERIFY(closeRelative(a.u_dampingRatio / std::sqrt(2.0), b.u_dampingRatio, kOfFreedom));
@@ -315,10 +328,10 @@ private slots:
         ModelInput input = calibration();
         input.series.resize(1);
         input.series[0].u_baseline = 0.003; // far more than the noise behind the start leaves
-        const SensorModel model = outcomeOf(input).model;
-        const LevelPole &trend = model.perShot.at(0);
-        const SeriesFit &fit = model.series.at(0);
-        const Pole &main = *mainPole(model);
+        const Outcome outcome = outcomeOf(input);
+        const LevelPole &trend = outcome.assessment.perShot.at(0);
+        const SeriesFit &fit = outcome.model.series.at(0);
+        const Pole &main = *mainPole(outcome.model, &outcome.assessment);
         QVERIFY(close(fit.plateauGain, trend.plateauGain, kOfDescent * fit.u_plateauGain));
         QVERIFY(closeRelative(fit.u_plateauGain, trend.u_plateauGain, 1e-3));
         QVERIFY(fit.u_plateauGain > input.series[0].u_baseline);
@@ -336,9 +349,9 @@ private slots:
             series.level = ShotLevel::Low;
             series.u_baseline = 1.0;
         }
-        const SensorModel model = outcomeOf(input).model;
-        QCOMPARE(model.perLevel.size(), std::size_t(1));
-        QVERIFY(closeRelative(std::sqrt(0.5), model.perLevel[0].u_plateauGain, 1e-3));
+        const ModelAssessment found = outcomeOf(input).assessment;
+        QCOMPARE(found.perLevel.size(), std::size_t(1));
+        QVERIFY(closeRelative(std::sqrt(0.5), found.perLevel[0].u_plateauGain, 1e-3));
     }
 
     void freeDecay_hasNoPlateauNorOnset_inAnyUnit()
@@ -357,20 +370,20 @@ private slots:
         }
         const ModelInput input
             = testing::makeInput(ResponseTreatment::Impulse, kRate_Hz, std::move(list));
-        const SensorModel one = outcomeOf(input, 2).model;
-        const SensorModel other = outcomeOf(inOtherUnit(input, -1e6), 2).model;
+        const Outcome one = outcomeOf(input, 2);
+        const Outcome other = outcomeOf(inOtherUnit(input, -1e6), 2);
         comparePoles(one, other);
-        for (const SensorModel *model : {&one, &other}) {
-            QCOMPARE(model->plateauGain, 0.0);
-            QVERIFY(!model->secondOrder);
-            for (const SeriesFit &fit : model->series) {
+        for (const Outcome *outcome : {&one, &other}) {
+            QCOMPARE(outcome->model.plateauGain, 0.0);
+            QVERIFY(!outcome->assessment.secondOrder);
+            for (const SeriesFit &fit : outcome->model.series) {
                 QCOMPARE(fit.plateauGain, 0.0);
                 QCOMPARE(fit.onset_s, 0.0);
                 QVERIFY(std::isnan(fit.u_plateauGain));
             }
         }
         // Sizes are the mean over the shots: 1/2 and 2/2 of a cosine.
-        QVERIFY(closeRelative(one.poles[0].amplitude, 0.75, 0.02));
+        QVERIFY(closeRelative(one.model.poles[0].amplitude, 0.75, 0.02));
     }
 };
 

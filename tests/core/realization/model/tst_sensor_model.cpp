@@ -4,10 +4,11 @@
 #include "core/realization/hankel/hankel_decomposition.h"
 #include "core/realization/hankel/order_suggestion.h"
 #include "core/realization/hankel/realized_poles.h"
-#include "core/realization/model/model_assessment.h"
+#include "core/realization/model/model_fit.h"
 #include "core/realization/model/sensor_model.h"
 #include "core/realization/refinement/pole_refinement.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/realized_model.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -70,9 +71,9 @@ private slots:
             QCOMPARE(suggestOrder(input, *hankel).order, Index(2));
             RealizationSettings settings;
             settings.refine = refined;
-            const auto model = realizeModel(input, *hankel, 2, settings, {});
+            const auto model = fitModel(input, *hankel, 2, settings, {});
             QVERIFY(model.has_value());
-            const Pole &pole = *mainPole(*model);
+            const Pole &pole = *mainPole(model->poles, model->series);
             QVERIFY2(std::abs(pole.frequency_Hz / 318e3 - 1.0) < kExact,
                 qPrintable(QString::number(pole.frequency_Hz, 'g', 12)));
             QVERIFY(std::abs(pole.dampingRatio / 0.02 - 1.0) < 1e-6);
@@ -98,9 +99,9 @@ private slots:
         const ModelInput input
             = testing::makeInput(ResponseTreatment::Impulse, 1e4, {testing::makeSeries(1, y, 1e4)});
         const auto hankel = decomposeHankel(input, {});
-        const auto model = realizeModel(input, *hankel, 2, {}, {});
+        const auto model = fitModel(input, *hankel, 2, {}, {});
         QVERIFY(model.has_value());
-        QVERIFY(std::abs(mainPole(*model)->s_rad_s - s) < 1e-5);
+        QVERIFY(std::abs(mainPole(model->poles, model->series)->s_rad_s - s) < 1e-5);
         QCOMPARE(model->stateSpace.D(0, 0), 0.0);
         // D, CB, CAB ...: the Markov parameters are the data.
         const Eigen::VectorXd h = impulseResponse(model->stateSpace, 301);
@@ -114,7 +115,7 @@ private slots:
         const ModelInput input = testing::makeInput(
             ResponseTreatment::StepDeflated, 1e6, {testing::makeSeries(1, y, 1e6)});
         const auto hankel = decomposeHankel(input, {});
-        const auto model = realizeModel(input, *hankel, 2, {}, {});
+        const auto model = fitModel(input, *hankel, 2, {}, {});
         QVERIFY(model.has_value());
         const Eigen::VectorXd h = impulseResponse(model->stateSpace, 300);
         double sum = 0.0;
@@ -136,12 +137,12 @@ private slots:
             const ModelInput input
                 = threeShots(200e3, 0.03, 1e6, 0.01, static_cast<std::uint64_t>(100 + trial));
             const auto hankel = decomposeHankel(input, {});
-            const auto model = realizeModel(input, *hankel, 2, {}, {});
-            QVERIFY(model.has_value() && model->refined);
-            const Pole &pole = *mainPole(*model);
+            const auto result = testing::realizeModel(input, *hankel, 2);
+            QVERIFY(result.has_value() && result->model.refined);
+            const Pole &pole = *result->main();
             zf += std::pow((pole.frequency_Hz - 200e3) / pole.u_frequency_Hz, 2) / kTrials;
             zz += std::pow((pole.dampingRatio - 0.03) / pole.u_dampingRatio, 2) / kTrials;
-            const SeriesFit &first = model->series.front();
+            const SeriesFit &first = result->model.series.front();
             zo += std::pow((first.onset_s + 0.25e-6) / first.u_onset_s, 2) / kTrials;
         }
         qInfo("mean square of error over u: f0 %.2f, zeta %.2f, onset %.2f", zf, zz, zo);
@@ -166,7 +167,7 @@ private slots:
         const ModelInput input = threeShots(200e3, 0.03, 1e6, 0.01, 1);
         const auto hankel = decomposeHankel(input, {});
         for (const Index order : {Index(0), Index(-3), Index(121), Index(100000)}) {
-            const auto model = realizeModel(input, *hankel, order, {}, {});
+            const auto model = fitModel(input, *hankel, order, {}, {});
             QVERIFY(!model.has_value());
             QCOMPARE(model.error().kind, ErrorKind::Usage);
             QVERIFY(english(model.error().message).find("1 to 120") != std::string::npos);
@@ -178,12 +179,14 @@ private slots:
         const ModelInput input = threeShots(318e3, 0.02, 1e6, 0.05, 4);
         const auto hankel = decomposeHankel(input, {});
         for (const Index order : {Index(1), Index(3), Index(50), Index(100), Index(120)}) {
-            const auto model = realizeModel(input, *hankel, order, {}, {});
-            QVERIFY(model.has_value());
-            QCOMPARE(Index(model->poles.size()), order);
-            if (!model->diverges) {
-                QVERIFY(std::isfinite(model->fit_percent));
-                QVERIFY(model->fit_percent <= 100.0);
+            const auto result = testing::realizeModel(input, *hankel, order);
+            QVERIFY(result.has_value());
+            const SensorModel &model = result->model;
+            QCOMPARE(Index(model.poles.size()), order);
+            QCOMPARE(Index(result->assessment.poles.size()), order);
+            if (!model.diverges) {
+                QVERIFY(std::isfinite(model.fit_percent));
+                QVERIFY(model.fit_percent <= 100.0);
             }
         }
     }
@@ -194,9 +197,9 @@ private slots:
         input.treatment = ResponseTreatment::StepAsImpulse;
         input.series.resize(1);
         const auto hankel = decomposeHankel(input, {});
-        const auto model = realizeModel(input, *hankel, 2, {}, {});
+        const auto model = fitModel(input, *hankel, 2, {}, {});
         QVERIFY(hasFinding(model->findings, "ORD-001"));
-        QVERIFY(!hasFinding(realizeModel(input, *hankel, 3, {}, {})->findings, "ORD-001"));
+        QVERIFY(!hasFinding(fitModel(input, *hankel, 3, {}, {})->findings, "ORD-001"));
     }
 
     void ordersAboveTheNoise_areSaid()
@@ -205,8 +208,8 @@ private slots:
         const auto hankel = decomposeHankel(input, {});
         QVERIFY(hankel->singularValues[1] > hankel->noiseFloor_p95);
         QVERIFY(hankel->singularValues[2] < hankel->noiseFloor_p95 * 1.3);
-        QVERIFY(hasFinding(realizeModel(input, *hankel, 60, {}, {})->findings, "ORD-003"));
-        QVERIFY(!hasFinding(realizeModel(input, *hankel, 2, {}, {})->findings, "ORD-003"));
+        QVERIFY(hasFinding(fitModel(input, *hankel, 60, {}, {})->findings, "ORD-003"));
+        QVERIFY(!hasFinding(fitModel(input, *hankel, 2, {}, {})->findings, "ORD-003"));
     }
 
     void missingFastPart_isSaid()
@@ -217,7 +220,7 @@ private slots:
         const ModelInput input = testing::makeInput(
             ResponseTreatment::StepDeflated, 1e6, {testing::makeSeries(1, y.array() + 0.5, 1e6)});
         const auto hankel = decomposeHankel(input, {});
-        const auto model = realizeModel(input, *hankel, 2, {}, {});
+        const auto model = fitModel(input, *hankel, 2, {}, {});
         QVERIFY(hasFinding(model->findings, "MOD-009"));
     }
 
@@ -229,9 +232,9 @@ private slots:
             {testing::makeSeries(1, noise.series(200, 1.0), 1.0, noise.series(1000, 1.0))});
         const auto hankel = decomposeHankel(input, {});
         for (Index order = 1; order <= 12; ++order) {
-            const auto model = realizeModel(input, *hankel, order, {}, {});
-            QVERIFY(model.has_value());
-            for (const Pole &pole : model->poles)
+            const auto result = testing::realizeModel(input, *hankel, order);
+            QVERIFY(result.has_value());
+            for (const Pole &pole : result->assessment.poles)
                 QVERIFY(std::isfinite(pole.frequency_Hz) && std::isfinite(pole.dampingRatio));
         }
     }

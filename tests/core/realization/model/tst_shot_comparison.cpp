@@ -63,8 +63,8 @@ ModelInput inputOf(const std::vector<ShotTruth> &shots, std::uint64_t seed)
 
 struct Compared
 {
-    ModelDraft draft;
     SensorModel model;
+    ModelAssessment found;
 };
 
 /// Draft and poles as the realisation hands them over, `modes` of them at f0 and 4 f0.
@@ -77,24 +77,25 @@ Compared compared(const ModelInput &input, Index modes = 1)
         z.push_back(testing::secondOrderPole(kF0_Hz * scale, kZeta, input.sampleRate_Hz));
         z.push_back(std::conj(z.back()));
     }
-    result.draft = linearDraft(input, z);
-    refineDraft(input, result.draft, {});
-    for (std::size_t i = 0; i < result.draft.rates_rad_s.size(); ++i) {
+    ModelDraft &draft = result.model.draft;
+    draft = linearDraft(input, z);
+    refineDraft(input, draft, {});
+    for (std::size_t i = 0; i < draft.rates_rad_s.size(); ++i) {
         Pole pole;
-        pole.s_rad_s = result.draft.rates_rad_s[i];
+        pole.s_rad_s = draft.rates_rad_s[i];
         pole.poleClass = PoleClass::Sensor;
-        pole.amplitude = std::abs(result.draft.series.front().amplitudes[static_cast<Index>(i)]);
+        pole.amplitude = std::abs(draft.series.front().amplitudes[static_cast<Index>(i)]);
         pole.frequency_Hz = std::abs(pole.s_rad_s) / (2.0 * M_PI);
-        if (result.draft.refinement) {
-            const PoleFigures figures
-                = poleFigures(*result.draft.refinement, static_cast<Index>(i));
+        result.model.poles.push_back(pole);
+        if (draft.refinement) {
+            const PoleFigures figures = poleFigures(*draft.refinement, static_cast<Index>(i));
             pole.u_frequency_Hz = figures.u_frequency_Hz;
             pole.u_dampingRatio = figures.u_dampingRatio;
-            pole.coverageFactor = coverageFactor95(result.draft.noise.dof);
+            pole.coverageFactor = coverageFactor95(draft.noise.dof);
         }
-        result.model.poles.push_back(pole);
+        result.found.poles.push_back(pole);
     }
-    compareShots(input, result.draft, result.model, {});
+    compareShots(input, result.model, result.found, {});
     return result;
 }
 
@@ -182,13 +183,13 @@ void TestShotComparison::threeShots_statisticIsTheWeightedSumOfSquares()
         const ModelInput input
             = inputOf({{0.3, kF0_Hz, 0.02}, {0.6, 1.001 * kF0_Hz, 0.01}, {0.9}}, seed);
         const Compared result = compared(input);
-        const double expected = statisticOf(fittedAlone(input, result.draft));
-        const Homogeneity &found = result.model.homogeneity.value();
+        const double expected = statisticOf(fittedAlone(input, result.model.draft));
+        const Homogeneity &found = result.found.homogeneity.value();
         QVERIFY(std::abs(found.statistic - expected) < kRounding * std::max(1.0, expected));
         QCOMPARE(found.dof, 4.0);
         QVERIFY(std::abs(found.probability - exceeds4(expected)) < kRounding);
         QCOMPARE(found.passed, found.probability >= 0.01);
-        QCOMPARE(isFlagged(result.model.poles[0]), !found.passed);
+        QCOMPARE(isFlagged(result.found.poles[0]), !found.passed);
     }
 }
 
@@ -211,7 +212,7 @@ void TestShotComparison::consistentShots_probabilityIsUniform()
         for (int i = 0; i < shots; ++i)
             truth.push_back(alike ? ShotTruth{} : ShotTruth{0.3 + 0.3 * i, kF0_Hz, 0.02 / (i + 1)});
         probabilities.push_back(
-            compared(inputOf(truth, 100 + seed)).model.homogeneity->probability);
+            compared(inputOf(truth, 100 + seed)).found.homogeneity->probability);
     }
     std::sort(probabilities.begin(), probabilities.end());
     double distance = 0.0; // Kolmogorov and Smirnov
@@ -236,14 +237,14 @@ void TestShotComparison::oneShotApart_statisticGrowsByTheNoncentrality()
     for (std::uint64_t seed = 1; seed <= kRuns; ++seed) {
         const ModelInput input = inputOf({{0.3}, {0.6, kF0_Hz * (1.0 + shift)}, {0.9}}, seed);
         const Compared result = compared(input);
-        std::vector<Alone> truth = fittedAlone(input, result.draft);
+        std::vector<Alone> truth = fittedAlone(input, result.model.draft);
         const Eigen::Vector2d s
             = 2.0 * M_PI * kF0_Hz * Eigen::Vector2d(-kZeta, std::sqrt(1.0 - kZeta * kZeta));
         for (std::size_t i = 0; i < truth.size(); ++i)
             truth[i].theta = s * (i == 1 ? 1.0 + shift : 1.0);
         const double lambda = statisticOf(truth);
         QVERIFY(lambda > 3.0);
-        difference += result.model.homogeneity->statistic - 4.0 - lambda;
+        difference += result.found.homogeneity->statistic - 4.0 - lambda;
         variance += 2.0 * (4.0 + 2.0 * lambda);
     }
     qInfo("mean excess %.2f +- %.2f", difference / kRuns, std::sqrt(variance) / kRuns);
@@ -260,11 +261,11 @@ void TestShotComparison::smallDifference_isFoundAsOftenAsTheoryDemands()
     constexpr int kRuns = 200;
     const Compared plain = compared(inputOf({{}, {}}, 7));
     // Both shots alike: lambda = (shift of f0)^2 / (2 u^2), u of one shot.
-    const double shift_Hz = std::sqrt(2.0 * kLambda) * plain.model.perShot[0].u_frequency_Hz;
+    const double shift_Hz = std::sqrt(2.0 * kLambda) * plain.found.perShot[0].u_frequency_Hz;
     int found = 0;
     for (std::uint64_t seed = 1; seed <= kRuns; ++seed)
         found += !compared(inputOf({{}, {1.0, kF0_Hz + shift_Hz}}, 900 + seed))
-                      .model.homogeneity->passed;
+                      .found.homogeneity->passed;
     qInfo("%d of %d found", found, kRuns);
     const double sd = std::sqrt(kPower * (1.0 - kPower) / kRuns);
     QVERIFY(std::abs(static_cast<double>(found) / kRuns - kPower) < 3.3 * sd);
@@ -274,36 +275,36 @@ void TestShotComparison::unitsTimesAndOrder_changeNothing()
 {
     const std::vector<ShotTruth> shots{{0.3, kF0_Hz, 0.02}, {0.6, 1.002 * kF0_Hz}, {0.9}};
     const ModelInput input = inputOf(shots, 3);
-    const Homogeneity plain = compared(input).model.homogeneity.value();
+    const Homogeneity plain = compared(input).found.homogeneity.value();
     constexpr double kStop = 1e-6; // where the descent may stop
 
     ModelInput scaled = input; // recorded in another unit
     for (ModelSeries &series : scaled.series)
         series = testing::makeSeries(series.shot, 1e-4 * series.y, kRate_Hz, 1e-4 * series.noise);
-    QVERIFY(std::abs(compared(scaled).model.homogeneity->statistic / plain.statistic - 1) < kStop);
+    QVERIFY(std::abs(compared(scaled).found.homogeneity->statistic / plain.statistic - 1) < kStop);
 
     std::vector<ShotTruth> faster = shots; // the same samples of a sensor a hundred times as fast
     for (ShotTruth &shot : faster) {
         shot.rate_Hz *= 100.0;
         shot.f0_Hz *= 100.0;
     }
-    const Homogeneity fast = compared(inputOf(faster, 3)).model.homogeneity.value();
+    const Homogeneity fast = compared(inputOf(faster, 3)).found.homogeneity.value();
     QVERIFY(std::abs(fast.statistic / plain.statistic - 1.0) < kStop);
     QVERIFY(std::abs(fast.frequency_Hz / plain.frequency_Hz - 100.0) < 100.0 * kStop);
 
     ModelInput turned = input;
     std::rotate(turned.series.begin(), turned.series.begin() + 1, turned.series.end());
     const Compared other = compared(turned);
-    QVERIFY(std::abs(other.model.homogeneity->statistic / plain.statistic - 1.0) < kStop);
-    QCOMPARE(other.model.perShot[0].shots, std::vector<Index>{2});
-    QCOMPARE(other.model.perShot[2].shots, std::vector<Index>{1});
+    QVERIFY(std::abs(other.found.homogeneity->statistic / plain.statistic - 1.0) < kStop);
+    QCOMPARE(other.found.perShot[0].shots, std::vector<Index>{2});
+    QCOMPARE(other.found.perShot[2].shots, std::vector<Index>{1});
 }
 
 void TestShotComparison::sameShotTwice_agreesExactly()
 {
     ModelInput input = inputOf({{}, {}}, 5);
     input.series[1] = input.series[0];
-    const Homogeneity found = compared(input).model.homogeneity.value();
+    const Homogeneity found = compared(input).found.homogeneity.value();
     QCOMPARE(found.dof, 2.0);
     QVERIFY(found.statistic < 1e-6); // squares of 1e13 cancel but for rounding
     QVERIFY(found.passed && found.probability > 1.0 - 1e-6);
@@ -313,8 +314,8 @@ void TestShotComparison::noiseFreeShots_sameSensor_pass()
 {
     const Compared result
         = compared(inputOf({{0.3, kF0_Hz, 0.0}, {0.6, kF0_Hz, 0.0}, {0.9, kF0_Hz, 0.0}}, 1));
-    QVERIFY(result.model.homogeneity->passed);
-    for (const LevelPole &shot : result.model.perShot) {
+    QVERIFY(result.found.homogeneity->passed);
+    for (const LevelPole &shot : result.found.perShot) {
         QVERIFY(std::abs(shot.frequency_Hz / kF0_Hz - 1.0) < 1e-9);
         QVERIFY(std::abs(shot.dampingRatio - kZeta) < 1e-9);
     }
@@ -323,15 +324,15 @@ void TestShotComparison::noiseFreeShots_sameSensor_pass()
 void TestShotComparison::twoShotsApart_weightedScatterAndStudent()
 {
     const Compared result = compared(inputOf({{1.0, kF0_Hz, 0.01}, {1.0, 1.02 * kF0_Hz, 0.03}}, 2));
-    const auto &shots = result.model.perShot;
-    QVERIFY(!result.model.homogeneity->passed);
+    const auto &shots = result.found.perShot;
+    QVERIFY(!result.found.homogeneity->passed);
     const auto scatter = [](double a, double u_a, double b, double u_b) {
         const double wa = 1.0 / (u_a * u_a);
         const double wb = 1.0 / (u_b * u_b);
         return std::abs(a - b) / std::sqrt(2.0) * std::hypot(wa, wb) / (wa + wb);
     };
     constexpr double kRounding = 1e-9;
-    for (const Pole &pole : result.model.poles) {
+    for (const Pole &pole : result.found.poles) {
         const double u = scatter(shots[0].frequency_Hz, shots[0].u_frequency_Hz,
             shots[1].frequency_Hz, shots[1].u_frequency_Hz);
         QVERIFY(std::abs(pole.u_frequency_Hz / u - 1.0) < kRounding);
@@ -347,9 +348,9 @@ void TestShotComparison::scatterBelowNoise_intervalIsNotNarrower()
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
         const ModelInput input = inputOf({{}, {1.0, 1.02 * kF0_Hz}, {1.0, 0.98 * kF0_Hz}}, seed);
         const Compared result = compared(input);
-        const PoleFigures noise = poleFigures(*result.draft.refinement, 0);
-        const double k = coverageFactor95(result.draft.noise.dof);
-        const Pole &pole = result.model.poles[0];
+        const PoleFigures noise = poleFigures(*result.model.draft.refinement, 0);
+        const double k = coverageFactor95(result.model.draft.noise.dof);
+        const Pole &pole = result.found.poles[0];
         QVERIFY(isFlagged(pole));
         QVERIFY(
             pole.coverageFactor * pole.u_dampingRatio >= k * noise.u_dampingRatio * (1.0 - 1e-12));
@@ -362,7 +363,7 @@ void TestShotComparison::twoPoles_eachAtHalfTheLevel()
     const ShotTruth shot{1.0, kF0_Hz, 0.01, 0.4};
     for (std::uint64_t seed = 1; seed <= 10; ++seed) {
         const Homogeneity found
-            = compared(inputOf({shot, shot, shot}, seed), 2).model.homogeneity.value();
+            = compared(inputOf({shot, shot, shot}, seed), 2).found.homogeneity.value();
         QCOMPARE(found.dof, 4.0);
         const double expected = std::min(1.0, 2.0 * exceeds4(found.statistic));
         QVERIFY(std::abs(found.probability - expected) < 1e-12);
@@ -382,17 +383,17 @@ void TestShotComparison::modeMissingInOneShot_isWhatTheEnergySays()
     const double squares = kShare * kShare / 4.0 / (1.0 - kZeta * kZeta);
     const double energy
         = 2.0 * squares * decay / (1.0 - decay) / std::pow(input.series[2].noiseSd, 2);
-    const Homogeneity found = result.model.homogeneity.value();
+    const Homogeneity found = result.found.homogeneity.value();
     QVERIFY(!found.passed);
     QVERIFY(std::abs(found.frequency_Hz / (4.0 * kF0_Hz) - 1.0) < 0.01);
     QCOMPARE(found.dof, 2.0);
     // The largest of two shots and what noise leaves in the third: a few units of the root.
     const double excess = std::sqrt(found.statistic) - std::sqrt(energy);
     QVERIFY2(std::abs(excess) < 4.5, qPrintable(QString::number(excess)));
-    QVERIFY(isFlagged(result.model.poles[2]) && isFlagged(result.model.poles[3]));
-    QVERIFY(!isFlagged(result.model.poles[0]));
+    QVERIFY(isFlagged(result.found.poles[2]) && isFlagged(result.found.poles[3]));
+    QVERIFY(!isFlagged(result.found.poles[0]));
     // Of the two shots that have it: Student's factor of one degree of freedom.
-    QVERIFY(std::abs(result.model.poles[2].coverageFactor - 12.706204736) < 1e-9);
+    QVERIFY(std::abs(result.found.poles[2].coverageFactor - 12.706204736) < 1e-9);
 }
 
 void TestShotComparison::modeInOneOfTwoShots_uncertaintyUnknown()
@@ -400,12 +401,12 @@ void TestShotComparison::modeInOneOfTwoShots_uncertaintyUnknown()
     const Compared result
         = compared(inputOf({{1.0, kF0_Hz, 0.01, 0.4}, {1.0, kF0_Hz, 0.01, 0.0}}, 1), 2);
     for (const std::size_t half : {std::size_t(2), std::size_t(3)}) {
-        const Pole &pole = result.model.poles[half];
+        const Pole &pole = result.found.poles[half];
         QVERIFY(isFlagged(pole));
         QVERIFY(std::isnan(pole.u_frequency_Hz) && std::isnan(pole.u_dampingRatio));
         QVERIFY(std::isnan(pole.coverageFactor));
     }
-    QVERIFY(std::isfinite(result.model.poles[0].u_frequency_Hz));
+    QVERIFY(std::isfinite(result.found.poles[0].u_frequency_Hz));
 }
 
 void TestShotComparison::levels_fittedTogetherFromLowToHigh()
@@ -418,16 +419,17 @@ void TestShotComparison::levels_fittedTogetherFromLowToHigh()
         input.series[i].step = steps[i];
     }
     const Compared result = compared(input);
-    const auto &perLevel = result.model.perLevel;
+    const auto &perLevel = result.found.perLevel;
     QCOMPARE(perLevel.size(), std::size_t(2));
     QCOMPARE(perLevel[0].shots, std::vector<Index>{2});
     QCOMPARE(perLevel[0].step, 3e5);
-    QCOMPARE(perLevel[0].plateauGain, result.model.perShot[1].plateauGain);
+    QCOMPARE(perLevel[0].plateauGain, result.found.perShot[1].plateauGain);
     QCOMPARE(perLevel[1].shots, (std::vector<Index>{1, 3}));
     QCOMPARE(perLevel[1].step, 8.5e5);
     // Plateaus: the mean weighted by 1/u^2, from the joint fit of the two.
     const auto records = refinementRecords(input);
-    const auto fit = refinePoles({records[0], records[2]}, result.draft.rates_rad_s, true).value();
+    const auto fit
+        = refinePoles({records[0], records[2]}, result.model.draft.rates_rad_s, true).value();
     double weights = 0.0;
     double sum = 0.0;
     for (Index i = 0; i < 2; ++i) {
@@ -439,21 +441,21 @@ void TestShotComparison::levels_fittedTogetherFromLowToHigh()
     QVERIFY(std::abs(perLevel[1].u_plateauGain * std::sqrt(weights) - 1.0) < 1e-6);
     QVERIFY(std::abs(perLevel[1].frequency_Hz / poleFigures(fit, 0).frequency_Hz - 1.0) < 1e-9);
     // Relative noise 1 % and 2 %: the weights add up, 1 + 1/4.
-    const double ratio = result.model.perShot[0].u_frequency_Hz / perLevel[1].u_frequency_Hz;
+    const double ratio = result.found.perShot[0].u_frequency_Hz / perLevel[1].u_frequency_Hz;
     QVERIFY2(std::abs(ratio / std::sqrt(1.25) - 1.0) < 0.1, qPrintable(QString::number(ratio)));
 }
 
 void TestShotComparison::oneShot_isDescribedNotTested()
 {
     const Compared result = compared(inputOf({{0.7}}, 1));
-    QCOMPARE(result.model.perShot.size(), std::size_t(1));
+    QCOMPARE(result.found.perShot.size(), std::size_t(1));
     // Alone it is the joint fit.
-    const LevelPole &shot = result.model.perShot[0];
-    QVERIFY(std::abs(shot.frequency_Hz / result.model.poles[0].frequency_Hz - 1.0) < 1e-9);
-    QVERIFY(std::abs(shot.u_frequency_Hz / result.model.poles[0].u_frequency_Hz - 1.0) < 1e-6);
-    QVERIFY(!result.model.homogeneity);
-    QVERIFY(!isFlagged(result.model.poles[0]));
-    QVERIFY(judgeShots(result.model).empty());
+    const LevelPole &shot = result.found.perShot[0];
+    QVERIFY(std::abs(shot.frequency_Hz / result.found.poles[0].frequency_Hz - 1.0) < 1e-9);
+    QVERIFY(std::abs(shot.u_frequency_Hz / result.found.poles[0].u_frequency_Hz - 1.0) < 1e-6);
+    QVERIFY(!result.found.homogeneity);
+    QVERIFY(!isFlagged(result.found.poles[0]));
+    QVERIFY(judgeShots(result.found).empty());
 }
 
 void TestShotComparison::brokenShot_isUnknownAndLeftOut()
@@ -461,35 +463,35 @@ void TestShotComparison::brokenShot_isUnknownAndLeftOut()
     ModelInput input = inputOf({{}, {}, {}}, 1);
     Compared result = compared(input);
     const double clean = statisticOf([&] {
-        auto list = fittedAlone(input, result.draft);
+        auto list = fittedAlone(input, result.model.draft);
         list.pop_back();
         return list;
     }());
     input.series[2].fullRate[17] = std::numeric_limits<double>::quiet_NaN();
-    SensorModel model;
-    model.poles = result.model.poles;
-    compareShots(input, result.draft, model, {});
-    QVERIFY(std::isnan(model.perShot[2].frequency_Hz));
-    QVERIFY(std::isnan(model.perShot[2].u_plateauGain));
-    QCOMPARE(model.homogeneity->dof, 2.0);
-    QVERIFY(std::abs(model.homogeneity->statistic - clean) < 1e-6 * std::max(1.0, clean));
-    QVERIFY(std::abs(model.homogeneity->probability - exceeds2(clean)) < 1e-6);
+    ModelAssessment found;
+    found.poles = result.found.poles;
+    compareShots(input, result.model, found, {});
+    QVERIFY(std::isnan(found.perShot[2].frequency_Hz));
+    QVERIFY(std::isnan(found.perShot[2].u_plateauGain));
+    QCOMPARE(found.homogeneity->dof, 2.0);
+    QVERIFY(std::abs(found.homogeneity->statistic - clean) < 1e-6 * std::max(1.0, clean));
+    QVERIFY(std::abs(found.homogeneity->probability - exceeds2(clean)) < 1e-6);
 }
 
 void TestShotComparison::withoutRefinementOrShotNumbers_nothing()
 {
     ModelInput input = inputOf({{}, {}}, 1);
     Compared result = compared(input);
-    ModelDraft unrefined = result.draft;
-    unrefined.refinement.reset();
-    SensorModel model;
-    model.poles = result.model.poles;
-    compareShots(input, unrefined, model, {});
-    QVERIFY(model.perShot.empty() && model.perLevel.empty() && !model.homogeneity);
+    SensorModel unrefined = result.model;
+    unrefined.draft.refinement.reset();
+    ModelAssessment found;
+    found.poles = result.found.poles;
+    compareShots(input, unrefined, found, {});
+    QVERIFY(found.perShot.empty() && found.perLevel.empty() && !found.homogeneity);
     for (ModelSeries &series : input.series)
         series.shot = 0; // the average
-    compareShots(input, result.draft, model, {});
-    QVERIFY(model.perShot.empty() && !model.homogeneity);
+    compareShots(input, result.model, found, {});
+    QVERIFY(found.perShot.empty() && !found.homogeneity);
 }
 
 void TestShotComparison::stopped_nothingIsJudged()
@@ -498,37 +500,37 @@ void TestShotComparison::stopped_nothingIsJudged()
     const Compared result = compared(input);
     std::stop_source source;
     source.request_stop();
-    SensorModel model;
-    model.poles = result.model.poles;
-    for (Pole &pole : model.poles)
+    ModelAssessment found;
+    found.poles = result.found.poles;
+    for (Pole &pole : found.poles)
         pole.flags.clear();
-    compareShots(input, result.draft, model, {source.get_token(), {}});
-    QVERIFY(!model.homogeneity);
-    QVERIFY(!isFlagged(model.poles[0]));
+    compareShots(input, result.model, found, {source.get_token(), {}});
+    QVERIFY(!found.homogeneity);
+    QVERIFY(!isFlagged(found.poles[0]));
 }
 
 void TestShotComparison::judgement_saysPoleProbabilityAndRange()
 {
-    SensorModel model;
-    QVERIFY(judgeShots(model).empty());
-    model.homogeneity = Homogeneity{30123.4, 20.0, 4.0, 0.0005, false};
+    ModelAssessment found;
+    QVERIFY(judgeShots(found).empty());
+    found.homogeneity = Homogeneity{30123.4, 20.0, 4.0, 0.0005, false};
     for (const double f_Hz : {kUnknown, 30200.0, 29900.0, 30100.0}) {
         LevelPole shot;
         shot.frequency_Hz = f_Hz;
-        model.perShot.push_back(shot);
+        found.perShot.push_back(shot);
     }
-    const Findings findings = judgeShots(model);
+    const Findings findings = judgeShots(found);
     QCOMPARE(findings.size(), std::size_t(1));
     QCOMPARE(findings[0].id, std::string("MOD-010"));
     QVERIFY(findings[0].severity == Severity::Caution);
     const std::string text = english(findings[0].message);
     for (const char *part : {"30.12 kHz", "0.05 %", "29.9 kHz to 30.2 kHz"})
         QVERIFY2(text.find(part) != std::string::npos, text.c_str());
-    model.perShot.resize(1); // none could be fitted: no range is invented
-    const std::string plain = english(judgeShots(model)[0].message);
+    found.perShot.resize(1); // none could be fitted: no range is invented
+    const std::string plain = english(judgeShots(found)[0].message);
     QVERIFY2(plain.find("resonances") == std::string::npos, plain.c_str());
-    model.homogeneity->passed = true;
-    QVERIFY(judgeShots(model).empty());
+    found.homogeneity->passed = true;
+    QVERIFY(judgeShots(found).empty());
 }
 
 DYNCAL_TEST(TestShotComparison)

@@ -6,10 +6,11 @@
 
 #include "core/realization/hankel/hankel_decomposition.h"
 #include "core/realization/hankel/realized_poles.h"
-#include "core/realization/model/model_assessment.h"
+#include "core/realization/model/model_fit.h"
 #include "core/realization/model/sensor_model.h"
 #include "tests/support/measured_data.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/realized_model.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -71,7 +72,7 @@ void verify(const Case &c)
         QVERIFY2(relative(found, c.sigma[i]) < kSingularValue,
             qPrintable(QString("sigma %1: %2").arg(i + 1).arg(found, 0, 'g', 14)));
     }
-    const auto model = realizeModel(input, *hankel, c.order, {}, {});
+    const auto model = fitModel(input, *hankel, c.order, {}, {});
     QVERIFY(model.has_value());
     const auto found = realizedPoles(*hankel, c.order);
     for (const std::complex<double> &expected : c.poles) {
@@ -154,7 +155,7 @@ private slots:
         const ModelInput input = testing::makeInput(
             ResponseTreatment::StepAsImpulse, 1e6, {testing::makeSeries(1, y, 1e6)});
         const auto hankel = decomposeHankel(input, {});
-        const auto model = realizeModel(input, *hankel, 3, {}, {});
+        const auto model = fitModel(input, *hankel, 3, {}, {});
         QVERIFY(model.has_value());
         QCOMPARE(model->poles.size(), std::size_t(3));
         QCOMPARE(model->poles.back().poleClass, PoleClass::Step);
@@ -173,9 +174,9 @@ private slots:
         const ModelInput input = testing::makeInput(ResponseTreatment::StepAsImpulse, 1e6,
             {testing::makeSeries(1, y, 1e6, noise.series(2000, 0.05))});
         const auto hankel = decomposeHankel(input, {});
-        const auto model = realizeModel(input, *hankel, 100, {}, {});
-        QVERIFY(model.has_value());
-        QVERIFY(model->diverges || std::isfinite(model->fit_percent));
+        const auto result = testing::realizeModel(input, *hankel, 100);
+        QVERIFY(result.has_value());
+        QVERIFY(result->model.diverges || std::isfinite(result->model.fit_percent));
     }
 };
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/realization/hankel/hankel_gap.h"
-#include "core/realization/model/model_assessment.h"
+#include "core/realization/model/model_fit.h"
 #include "core/realization/order/order_evidence.h"
 #include "core/realization/order/order_findings.h"
 #include "core/realization/order/order_scan.h"
@@ -167,13 +167,13 @@ private slots:
         RealizationSettings settings;
         settings.refine = false;
         for (const Index n : {Index(1), Index(2), Index(3), Index(7), Index(20), Index(45)}) {
-            const auto model = realizeModel(input, g.hankel, n, settings, {});
+            const auto model = fitModel(input, g.hankel, n, settings, {});
             QCOMPARE(model->diverges, std::isnan(g.evidence.fit_percent[n - 1]));
             if (!model->diverges)
                 QVERIFY2(std::abs(model->fit_percent - g.evidence.fit_percent[n - 1]) < kSameFit,
                     qPrintable(QString::number(n)));
         }
-        const auto model = realizeModel(input, g.hankel, 2, settings, {});
+        const auto model = fitModel(input, g.hankel, 2, settings, {});
         QCOMPARE(g.evidence.fitAttainable_percent, model->fitAttainable_percent);
     }
 
@@ -184,7 +184,7 @@ private slots:
         RealizationSettings settings;
         settings.refine = false;
         for (const Index n : {Index(1), Index(2), Index(11)}) {
-            const auto model = realizeModel(input, g.hankel, n, settings, {});
+            const auto model = fitModel(input, g.hankel, n, settings, {});
             std::vector<double> expected;
             for (const Pole &pole : model->poles) {
                 if (pole.z.imag() > 0.0)
@@ -330,7 +330,7 @@ private slots:
         one.treatment = ResponseTreatment::StepAsImpulse;
         const Gathered g = gather(one);
         QCOMPARE(g.evidence.crossShot_percent.size(), Index(0));
-        const auto model = realizeModel(one, g.hankel, 3, {}, {});
+        const auto model = fitModel(one, g.hankel, 3, {}, {});
         QVERIFY(std::abs(model->fit_percent - g.evidence.fit_percent[2]) < kSameFit);
         QVERIFY(poleNear(g.evidence, 3, kF0_Hz)->standsOut);
     }
@@ -339,7 +339,7 @@ private slots:
     {
         const ModelInput input = shots({30e3, 30e3, 33e3}, 400, 0.001, 2);
         const Gathered g = gather(input);
-        const auto model = realizeModel(input, g.hankel, 4, {}, {});
+        const auto model = fitModel(input, g.hankel, 4, {}, {});
         const Findings findings = judgeOtherShots(*model, g.evidence);
         QVERIFY(!findings.empty());
         for (const Finding &finding : findings) {
@@ -357,8 +357,8 @@ private slots:
         const ModelInput input = threeShots(400, 0.01);
         const Gathered g = gather(input);
         for (const Index n : {Index(1), Index(2), Index(8), Index(40)})
-            QVERIFY(judgeOtherShots(realizeModel(input, g.hankel, n, {}, {}).value(), g.evidence)
-                        .empty());
+            QVERIFY(
+                judgeOtherShots(fitModel(input, g.hankel, n, {}, {}).value(), g.evidence).empty());
     }
 
     void noClearGap_isSaid()

@@ -2,12 +2,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/realization/hankel/hankel_decomposition.h"
-#include "core/realization/model/model_assessment.h"
 #include "core/realization/refinement/draft_fit.h"
 #include "core/realization/second_order/second_order_fit.h"
+#include "tests/support/realized_model.h"
 #include "tests/support/test_program.h"
 
-#include "core/realization/model/sensor_model.h"
 #include "tests/support/simulated_calibration.h"
 
 #include <QTest>
@@ -299,14 +298,15 @@ private slots:
     {
         const ModelInput input = testing::simulateCalibration({{{1.0, 30e3, 0.05}}, 40.0}, 5);
         const auto hankel = decomposeHankel(input, {});
-        const auto model = realizeModel(input, *hankel, 2, {}, {});
-        QVERIFY(model && model->secondOrder);
-        QVERIFY(model->secondOrder->describes);
-        QCOMPARE(model->secondOrder->shots.size(), std::size_t(3));
-        const double u_Hz = mainPole(*model)->u_frequency_Hz;
-        QVERIFY(std::abs(model->secondOrder->f0_Hz - mainPole(*model)->frequency_Hz) < 4.0 * u_Hz);
+        const auto result = testing::realizeModel(input, *hankel, 2);
+        QVERIFY(result && result->assessment.secondOrder);
+        const SecondOrderModel &beside = *result->assessment.secondOrder;
+        QVERIFY(beside.describes);
+        QCOMPARE(beside.shots.size(), std::size_t(3));
+        const double u_Hz = result->main()->u_frequency_Hz;
+        QVERIFY(std::abs(beside.f0_Hz - result->main()->frequency_Hz) < 4.0 * u_Hz);
         // Fewer parameters: never less certain than the free model.
-        QVERIFY(model->secondOrder->u_f0_Hz < 1.05 * u_Hz);
+        QVERIFY(beside.u_f0_Hz < 1.05 * u_Hz);
     }
 
     void sensorOfTwoModes_isNotDescribed()
@@ -314,25 +314,28 @@ private slots:
         const ModelInput input
             = testing::simulateCalibration({{{0.8, 30e3, 0.05}, {0.2, 110e3, 0.02}}, 40.0}, 5);
         const auto hankel = decomposeHankel(input, {});
-        const auto model = realizeModel(input, *hankel, 4, {}, {});
-        QVERIFY(model && model->secondOrder);
-        QVERIFY(!model->secondOrder->describes);
-        QVERIFY(model->secondOrder->residualToNoise > 2.0);
-        QVERIFY(std::any_of(model->findings.begin(), model->findings.end(),
+        const auto result = testing::realizeModel(input, *hankel, 4);
+        QVERIFY(result && result->assessment.secondOrder);
+        const SecondOrderModel &beside = *result->assessment.secondOrder;
+        QVERIFY(!beside.describes);
+        QVERIFY(beside.residualToNoise > 2.0);
+        const Findings &findings = result->assessment.findings;
+        QVERIFY(std::any_of(findings.begin(), findings.end(),
             [](const Finding &finding) { return finding.id == "MOD-011"; }));
         // The main resonance is still near.
-        QVERIFY(std::abs(model->secondOrder->f0_Hz / 30e3 - 1.0) < 0.05);
+        QVERIFY(std::abs(beside.f0_Hz / 30e3 - 1.0) < 0.05);
     }
 
     void everyOrder_reachesTheSameFit()
     {
         const ModelInput input = testing::simulateCalibration({{{1.0, 30e3, 0.05}}, 40.0}, 5);
         const auto hankel = decomposeHankel(input, {});
-        const double f0_Hz = realizeModel(input, *hankel, 2, {}, {})->secondOrder->f0_Hz;
+        const double f0_Hz
+            = testing::realizeModel(input, *hankel, 2)->assessment.secondOrder->f0_Hz;
         for (const Index order : {Index(3), Index(6), Index(20)}) {
-            const auto model = realizeModel(input, *hankel, order, {}, {});
-            if (model->secondOrder)
-                QVERIFY(std::abs(model->secondOrder->f0_Hz / f0_Hz - 1.0) < 1e-5);
+            const auto result = testing::realizeModel(input, *hankel, order);
+            if (const auto &beside = result->assessment.secondOrder)
+                QVERIFY(std::abs(beside->f0_Hz / f0_Hz - 1.0) < 1e-5);
         }
     }
 
@@ -344,8 +347,8 @@ private slots:
             input.treatment = treatment;
             input.series.resize(1);
             const auto hankel = decomposeHankel(input, {});
-            const auto model = realizeModel(input, *hankel, 3, {}, {});
-            QVERIFY(model && !model->secondOrder);
+            const auto result = testing::realizeModel(input, *hankel, 3);
+            QVERIFY(result && !result->assessment.secondOrder);
         }
     }
 

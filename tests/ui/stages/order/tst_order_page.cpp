@@ -162,7 +162,8 @@ void TestOrderPage::splitPair_isSaidAndOffersTheWholeOne()
 
 void TestOrderPage::values_haveTheDigitsOfTheirUncertainty()
 {
-    const Pole *pole = mainPole(*m_session.results().model);
+    const CalibrationResults &results = m_session.results();
+    const Pole *pole = mainPole(*results.model, results.assessment.get());
     QVERIFY(pole && pole->u_frequency_Hz > 0.0);
     const QString shown = control<QLabel>("resonanceReadout")->text();
     QVERIFY2(shown.contains(shownWithU(pole->frequency_Hz, pole->u_frequency_Hz, "Hz")),

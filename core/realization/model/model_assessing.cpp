@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/realization/model/model_assessing.h"
+
+#include "core/realization/exponentials/pole_rates.h"
+#include "core/realization/model/homogeneity.h"
+#include "core/realization/model/model_description.h"
+#include "core/realization/model/model_findings.h"
+#include "core/realization/model/nuisance_results.h"
+#include "core/realization/model/second_order_beside.h"
+#include "core/realization/nuisance/nuisance_modes.h"
+#include "core/realization/refinement/draft_fit.h"
+#include "core/realization/refinement/model_draft.h"
+#include "core/realization/second_order/second_order_fit.h"
+
+namespace dyncal {
+namespace {
+
+/// The same poles refined with the nuisance modes left in the response, beside the model.
+std::optional<NuisanceEffect> effectOfNuisance(const ModelInput &input, const SensorModel &model,
+    const std::vector<Pole> &assessed, const JobControl &control)
+{
+    const ModelInput plain = withModesLeftIn(input);
+    ModelDraft draft
+        = linearDraft(plain, discretePoles(model.draft.realised_rad_s, sampleInterval_s(plain)));
+    refineDraft(plain, draft, control);
+    if (!draft.refinement)
+        return std::nullopt;
+    SensorModel before;
+    describeModel(plain, draft, std::nullopt, before);
+    addUncertainties(draft, before.poles);
+    return NuisanceEffect{
+        effectSide(input, before, before.poles), effectSide(input, model, assessed)};
+}
+
+/// Flags in their order; those that need the uncertainties were not known before.
+void flagAgain(const SensorModel &model, std::vector<Pole> &poles)
+{
+    for (Pole &pole : poles)
+        std::erase_if(pole.flags, [](const std::string &flag) {
+            return flag != kBelowNoiseFlag && flag != kShotsDisagreeFlag && flag != kTubeModeFlag;
+        });
+    flagPoles(model.zeros, poles);
+}
+
+} // namespace
+
+Result<ModelAssessment> assessModel(const ModelInput &input, const SensorModel &fitted,
+    const RealizationSettings &settings, const JobControl &control)
+{
+    ModelAssessment assessment;
+    assessment.poles = fitted.poles;
+    addUncertainties(fitted.draft, assessment.poles);
+    compareShots(input, fitted, assessment, control);
+    flagAgain(fitted, assessment.poles);
+    if (fitted.refined && hasNuisance(input))
+        assessment.nuisanceEffect = effectOfNuisance(input, fitted, assessment.poles, control);
+    if (settings.refine)
+        assessment.secondOrder = fitSecondOrderBeside(input, fitted, control);
+    // What a cancelled fit leaves out must not pass for "nothing found".
+    if (control.stopRequested())
+        return fail(ErrorKind::Cancelled, {});
+    assessment.findings = judgeShots(assessment);
+    if (assessment.secondOrder) {
+        const Findings found = judgeSecondOrder(*assessment.secondOrder, fitted.fit_percent);
+        assessment.findings.insert(assessment.findings.end(), found.begin(), found.end());
+    }
+    return assessment;
+}
+
+} // namespace dyncal
