@@ -8,21 +8,28 @@
 #include "core/certificate/certificate_result_sections.h"
 #include "core/certificate/certificate_words.h"
 
+#include <map>
+#include <vector>
+
 namespace dyncal {
 
-CertificateData makeCertificate(const CertificateSources &sources)
+CertificateData makeCertificate(
+    const CalibrationResults &results, const Recipe &recipe, const std::string &createdUtc)
 {
+    const std::vector<std::string> &languages = recipe.certificate.languages;
+    const std::map<std::string, std::string> &fields = recipe.certificate.fields;
     CertificateData data;
-    data.language = sources.language;
-    data.createdUtc = sources.createdUtc;
-    if (const auto number = sources.fields.find("certificate_number");
-        number != sources.fields.end() && !isBlank(number->second))
+    data.language = languages.empty() ? "en" : languages.front();
+    data.createdUtc = createdUtc;
+    if (const auto number = fields.find("certificate_number");
+        number != fields.end() && !isBlank(number->second))
         data.number = number->second;
     data.title = {DYNCAL_TEXT("core", "Certificate of dynamic calibration"), {}};
-    data.sections = {administrativeSection(sources), itemSection(sources), methodSection(sources),
-        conditionsSection(sources), resultsSection(sources), shotsSection(sources),
-        modelSection(sources), frequencyResponseSection(sources), remarksSection(sources),
-        recordsSection(sources), statementsSection(sources), figuresSection(sources)};
+    data.sections = {administrativeSection(recipe), itemSection(results, recipe),
+        methodSection(results, recipe), conditionsSection(results, recipe), resultsSection(results),
+        shotsSection(results), modelSection(results, recipe), frequencyResponseSection(results),
+        remarksSection(results, recipe), recordsSection(results, createdUtc), statementsSection(),
+        figuresSection(results)};
     return data;
 }
 

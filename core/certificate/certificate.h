@@ -4,11 +4,16 @@
 #pragma once
 
 #include "core/certificate/certificate_data.h"
-#include "core/certificate/certificate_sources.h"
+#include "core/pipeline/calibration_results.h"
+#include "core/project/recipe.h"
+
+#include <string>
 
 namespace dyncal {
 
-/// The whole certificate of what is there; sections without results say so.
-CertificateData makeCertificate(const CertificateSources &sources);
+/// The whole certificate of what is there; sections without results say so. `createdUtc`: ISO 8601
+/// with Z.
+CertificateData makeCertificate(
+    const CalibrationResults &results, const Recipe &recipe, const std::string &createdUtc);
 
 } // namespace dyncal

@@ -3,18 +3,22 @@
 
 #include "core/certificate/certificate_header_sections.h"
 
+#include "core/base/version.h"
 #include "core/certificate/certificate_words.h"
+#include "core/pipeline/stage_table.h"
+
+#include <map>
+#include <vector>
 
 namespace dyncal {
 
 namespace {
 
 /// A typed field; `required` ones are missing when empty (ISO/IEC 17025, 7.8.2.1).
-CertificateField typedField(
-    const CertificateSources &sources, const char *id, Message label, bool required)
+CertificateField typedField(const Recipe &recipe, const char *id, Message label, bool required)
 {
-    const auto typed = sources.fields.find(id);
-    if (typed != sources.fields.end() && !isBlank(typed->second))
+    const auto typed = recipe.certificate.fields.find(id);
+    if (typed != recipe.certificate.fields.end() && !isBlank(typed->second))
         return {id, std::move(label), verbatim(typed->second), false};
     if (required)
         return {id, std::move(label), {DYNCAL_TEXT("core", "to be filled in"), {}}, true};
@@ -22,15 +26,15 @@ CertificateField typedField(
 }
 
 /// What the captures know of the sensor under test, by attribute name.
-std::string cardEntry(const CertificateSources &sources, const std::string &attribute)
+std::string cardEntry(const CalibrationResults &results, const std::string &attribute)
 {
-    if (!sources.captures)
+    if (!results.captures)
         return {};
-    for (const Shot &shot : sources.captures->shots) {
+    const CaptureSet &captures = results.captures->set;
+    for (const Shot &shot : captures.shots) {
         const Channel *dut = shot.channelWithRole(ChannelRole::Dut);
-        const auto card
-            = dut ? sources.captures->sensors.find(dut->sensorId) : sources.captures->sensors.end();
-        if (card == sources.captures->sensors.end())
+        const auto card = dut ? captures.sensors.find(dut->sensorId) : captures.sensors.end();
+        if (card == captures.sensors.end())
             continue;
         const auto entry = card->second.find(attribute);
         if (entry != card->second.end() && !isBlank(entry->second))
@@ -40,82 +44,90 @@ std::string cardEntry(const CertificateSources &sources, const std::string &attr
 }
 
 /// Typed, else from the sensor's card in the capture, else missing.
-CertificateField itemField(
-    const CertificateSources &sources, const char *id, const std::string &attribute, Message label)
+CertificateField itemField(const CalibrationResults &results, const Recipe &recipe, const char *id,
+    const std::string &attribute, Message label)
 {
-    CertificateField field = typedField(sources, id, std::move(label), true);
-    if (const std::string known = cardEntry(sources, attribute); field.missing && !known.empty()) {
+    CertificateField field = typedField(recipe, id, std::move(label), true);
+    if (const std::string known = cardEntry(results, attribute); field.missing && !known.empty()) {
         field.value = verbatim(known);
         field.missing = false;
     }
     return field;
 }
 
+void addExclusions(const CalibrationResults &results, CertificateSection &section)
+{
+    if (!results.captures)
+        return;
+    const std::vector<Shot> &shots = results.captures->set.shots;
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        const Shot &shot = shots[i];
+        if (!shot.included)
+            section.paragraphs.push_back({DYNCAL_TEXT("core", "Shot %1 was excluded. Reason: %2."),
+                {std::to_string(i + 1),
+                    isBlank(shot.excludeReason) ? english(dash()) : shot.excludeReason}});
+    }
+}
+
 } // namespace
 
-CertificateSection administrativeSection(const CertificateSources &sources)
+CertificateSection administrativeSection(const Recipe &recipe)
 {
     CertificateSection section;
     section.id = "administrative";
     section.title = {DYNCAL_TEXT("core", "Laboratory and customer"), {}};
     section.fields = {
         typedField(
-            sources, "certificate_number", {DYNCAL_TEXT("core", "Certificate number"), {}}, true),
-        typedField(sources, "laboratory", {DYNCAL_TEXT("core", "Laboratory"), {}}, true),
-        typedField(sources, "laboratory_address",
+            recipe, "certificate_number", {DYNCAL_TEXT("core", "Certificate number"), {}}, true),
+        typedField(recipe, "laboratory", {DYNCAL_TEXT("core", "Laboratory"), {}}, true),
+        typedField(recipe, "laboratory_address",
             {DYNCAL_TEXT("core", "Address of the laboratory"), {}}, true),
-        typedField(sources, "place", {DYNCAL_TEXT("core", "Place of calibration"), {}}, true),
-        typedField(sources, "customer", {DYNCAL_TEXT("core", "Customer"), {}}, true),
-        typedField(sources, "customer_address",
-            {DYNCAL_TEXT("core", "Address of the customer"), {}}, true),
-        typedField(sources, "date_received", {DYNCAL_TEXT("core", "Date of receipt"), {}}, true),
+        typedField(recipe, "place", {DYNCAL_TEXT("core", "Place of calibration"), {}}, true),
+        typedField(recipe, "customer", {DYNCAL_TEXT("core", "Customer"), {}}, true),
         typedField(
-            sources, "date_performed", {DYNCAL_TEXT("core", "Date of calibration"), {}}, true),
-        typedField(sources, "date_issued", {DYNCAL_TEXT("core", "Date of issue"), {}}, true),
-        typedField(sources, "operator", {DYNCAL_TEXT("core", "Calibrated by"), {}}, true),
+            recipe, "customer_address", {DYNCAL_TEXT("core", "Address of the customer"), {}}, true),
+        typedField(recipe, "date_received", {DYNCAL_TEXT("core", "Date of receipt"), {}}, true),
+        typedField(
+            recipe, "date_performed", {DYNCAL_TEXT("core", "Date of calibration"), {}}, true),
+        typedField(recipe, "date_issued", {DYNCAL_TEXT("core", "Date of issue"), {}}, true),
+        typedField(recipe, "operator", {DYNCAL_TEXT("core", "Calibrated by"), {}}, true),
     };
     CertificateField approval
-        = typedField(sources, "approved_by", {DYNCAL_TEXT("core", "Approved by"), {}}, false);
-    const auto approved = sources.fields.find("approved_by");
-    if (approved == sources.fields.end() || isBlank(approved->second))
+        = typedField(recipe, "approved_by", {DYNCAL_TEXT("core", "Approved by"), {}}, false);
+    const auto approved = recipe.certificate.fields.find("approved_by");
+    if (approved == recipe.certificate.fields.end() || isBlank(approved->second))
         approval.value = {DYNCAL_TEXT("core", "not yet approved"), {}};
     section.fields.push_back(std::move(approval));
     return section;
 }
 
-CertificateSection itemSection(const CertificateSources &sources)
+CertificateSection itemSection(const CalibrationResults &results, const Recipe &recipe)
 {
     CertificateSection section;
     section.id = "item";
     section.title = {DYNCAL_TEXT("core", "Item calibrated"), {}};
     section.fields = {
-        itemField(sources, "sensor_manufacturer", "manufacturer",
+        itemField(results, recipe, "sensor_manufacturer", "manufacturer",
             {DYNCAL_TEXT("core", "Manufacturer"), {}}),
-        itemField(sources, "sensor_model", "model", {DYNCAL_TEXT("core", "Model"), {}}),
-        itemField(sources, "sensor_serial", "serial", {DYNCAL_TEXT("core", "Serial number"), {}}),
-        typedField(sources, "sensor_description",
+        itemField(results, recipe, "sensor_model", "model", {DYNCAL_TEXT("core", "Model"), {}}),
+        itemField(
+            results, recipe, "sensor_serial", "serial", {DYNCAL_TEXT("core", "Serial number"), {}}),
+        typedField(recipe, "sensor_description",
             {DYNCAL_TEXT("core", "Description and condition"), {}}, true),
     };
     return section;
 }
 
-CertificateSection remarksSection(const CertificateSources &sources)
+CertificateSection remarksSection(const CalibrationResults &results, const Recipe &recipe)
 {
     CertificateSection section;
     section.id = "remarks";
     section.title = {DYNCAL_TEXT("core", "Remarks"), {}};
-    if (const auto remarks = sources.fields.find("remarks");
-        remarks != sources.fields.end() && !isBlank(remarks->second))
+    const std::map<std::string, std::string> &fields = recipe.certificate.fields;
+    if (const auto remarks = fields.find("remarks");
+        remarks != fields.end() && !isBlank(remarks->second))
         section.paragraphs.push_back(verbatim(remarks->second));
-    if (sources.captures)
-        for (std::size_t i = 0; i < sources.captures->shots.size(); ++i) {
-            const Shot &shot = sources.captures->shots[i];
-            if (!shot.included)
-                section.paragraphs.push_back(
-                    {DYNCAL_TEXT("core", "Shot %1 was excluded. Reason: %2."),
-                        {std::to_string(i + 1),
-                            isBlank(shot.excludeReason) ? english(dash()) : shot.excludeReason}});
-        }
+    addExclusions(results, section);
 
     CertificateTable table;
     table.id = "findings";
@@ -124,11 +136,11 @@ CertificateSection remarksSection(const CertificateSources &sources)
         {{DYNCAL_TEXT("core", "Shot"), {}}, true}, {{DYNCAL_TEXT("core", "Severity"), {}}, false},
         {{DYNCAL_TEXT("core", "What was found"), {}}, false},
         {{DYNCAL_TEXT("core", "Accepted because"), {}}, false}};
-    for (const Finding &finding : sources.findings) {
+    for (const Finding &finding : allFindings(results)) {
         if (finding.severity == Severity::Info)
             continue;
         Message reason = dash();
-        for (const CertificateAcknowledgement &seen : sources.acknowledgements)
+        for (const Acknowledgement &seen : recipe.acknowledge)
             if (seen.finding == finding.id && (seen.shot == 0 || seen.shot == finding.shot))
                 reason = verbatim(seen.reason);
         const Message severity = finding.severity == Severity::Block
@@ -146,24 +158,23 @@ CertificateSection remarksSection(const CertificateSources &sources)
     return section;
 }
 
-CertificateSection recordsSection(const CertificateSources &sources)
+CertificateSection recordsSection(const CalibrationResults &results, const std::string &createdUtc)
 {
     CertificateSection section;
     section.id = "records";
     section.title = {DYNCAL_TEXT("core", "Records and software"), {}};
-    section.fields = {{"software", {DYNCAL_TEXT("core", "Software"), {}},
-                          {DYNCAL_TEXT("core", "Dyncal %1, build %2"),
-                              {sources.softwareVersion, sources.softwareBuild}},
-                          false},
-        {"created", {DYNCAL_TEXT("core", "Computed"), {}}, verbatim(sources.createdUtc), false}};
+    section.fields
+        = {{"software", {DYNCAL_TEXT("core", "Software"), {}},
+               {DYNCAL_TEXT("core", "Dyncal %1, build %2"), {versionText(), buildText()}}, false},
+            {"created", {DYNCAL_TEXT("core", "Computed"), {}}, verbatim(createdUtc), false}};
     CertificateTable table;
     table.id = "inputs";
     table.caption = {DYNCAL_TEXT("core", "Recordings evaluated"), {}};
     table.columns
         = {{{DYNCAL_TEXT("core", "File"), {}}, false}, {{DYNCAL_TEXT("core", "Format"), {}}, false},
             {{DYNCAL_TEXT("core", "SHA-256 of the file"), {}}, false}};
-    if (sources.captures)
-        for (const InputFile &input : sources.captures->inputs)
+    if (results.captures)
+        for (const InputFile &input : results.captures->set.inputs)
             table.rows.push_back(
                 {verbatim(input.file), verbatim(input.format), verbatim(input.sha256)});
     if (!table.rows.empty())
@@ -171,7 +182,7 @@ CertificateSection recordsSection(const CertificateSources &sources)
     return section;
 }
 
-CertificateSection statementsSection(const CertificateSources &)
+CertificateSection statementsSection()
 {
     CertificateSection section;
     section.id = "statements";

@@ -4,15 +4,18 @@
 #pragma once
 
 #include "core/certificate/certificate_data.h"
-#include "core/certificate/certificate_sources.h"
+#include "core/pipeline/calibration_results.h"
+#include "core/project/recipe.h"
+
+#include <string>
 
 namespace dyncal {
 
-/// Who, what, remarks, records and statements: sections that need no results.
-CertificateSection administrativeSection(const CertificateSources &sources);
-CertificateSection itemSection(const CertificateSources &sources);
-CertificateSection remarksSection(const CertificateSources &sources);
-CertificateSection recordsSection(const CertificateSources &sources);
-CertificateSection statementsSection(const CertificateSources &sources);
+/// Who, what, remarks, records and statements: sections that need no model.
+CertificateSection administrativeSection(const Recipe &recipe);
+CertificateSection itemSection(const CalibrationResults &results, const Recipe &recipe);
+CertificateSection remarksSection(const CalibrationResults &results, const Recipe &recipe);
+CertificateSection recordsSection(const CalibrationResults &results, const std::string &createdUtc);
+CertificateSection statementsSection();
 
 } // namespace dyncal

@@ -39,10 +39,10 @@ Message treatmentSentence(ResponseTreatment treatment)
     return {DYNCAL_TEXT("core", "Free decay, realised as an impulse response."), {}};
 }
 
-CertificateField methodField(const CertificateSources &sources)
+CertificateField methodField(const Recipe &recipe)
 {
-    const auto typed = sources.fields.find("method_id");
-    const bool there = typed != sources.fields.end() && !isBlank(typed->second);
+    const auto typed = recipe.certificate.fields.find("method_id");
+    const bool there = typed != recipe.certificate.fields.end() && !isBlank(typed->second);
     return {"method_id", {DYNCAL_TEXT("core", "Method"), {}},
         there ? verbatim(typed->second) : Message{DYNCAL_TEXT("core", "to be filled in"), {}},
         !there};
@@ -50,12 +50,12 @@ CertificateField methodField(const CertificateSources &sources)
 
 /// Recorded value of one surrounding quantity as the range over the included shots.
 Message environmentRange(
-    const CertificateSources &sources, double Environment::*quantity, std::string_view unit)
+    const CalibrationResults &results, double Environment::*quantity, std::string_view unit)
 {
     std::optional<double> lowest;
     std::optional<double> highest;
-    if (sources.captures)
-        for (const Shot &shot : sources.captures->shots) {
+    if (results.captures)
+        for (const Shot &shot : results.captures->set.shots) {
             const double value = shot.environment.*quantity;
             if (!shot.included || !std::isfinite(value))
                 continue;
@@ -69,12 +69,12 @@ Message environmentRange(
     return verbatim(low == high ? low : low + " \xE2\x80\xA6 " + high);
 }
 
-ShotLevel levelOf(const CertificateSources &sources, Index shot)
+ShotLevel levelOf(const CalibrationResults &results, Index shot)
 {
     const auto position = static_cast<std::size_t>(shot - 1);
-    if (!sources.captures || shot < 1 || position >= sources.captures->shots.size())
+    if (!results.captures || shot < 1 || position >= results.captures->set.shots.size())
         return ShotLevel::None;
-    return sources.captures->shots[position].level;
+    return results.captures->set.shots[position].level;
 }
 
 /// The step, its U and the k that this was expanded with.
@@ -108,14 +108,15 @@ StepCells stepCells(const ShockConditions &shot, double coverage)
     return cells;
 }
 
-std::vector<Message> conditionsRow(const CertificateSources &sources, const ShockConditions &shot)
+std::vector<Message> conditionsRow(
+    const CalibrationResults &results, const ShockConditions &shot, double coverage)
 {
-    const StepCells cells = stepCells(shot, sources.coverage);
+    const StepCells cells = stepCells(shot, coverage);
     const bool known = shot.states.has_value();
     const auto ofStates = [&](auto pick) {
         return known ? std::optional<double>(pick(*shot.states)) : std::nullopt;
     };
-    return {verbatim(std::to_string(shot.shot)), levelWord(levelOf(sources, shot.shot)),
+    return {verbatim(std::to_string(shot.shot)), levelWord(levelOf(results, shot.shot)),
         printed(ofStates([](const ShockStates &s) { return s.driven.pressure_Pa; }), "Pa", dash()),
         printed(ofStates([](const ShockStates &s) { return s.driven.temperature_K; }), "K", dash()),
         printed(ofStates([](const ShockStates &s) { return s.velocity_m_s; }), "m/s", dash()),
@@ -127,12 +128,12 @@ std::vector<Message> conditionsRow(const CertificateSources &sources, const Shoc
 }
 
 /// How much the sensor's resonance depends on the choice of the order.
-std::optional<Message> orderSpread(const CertificateSources &sources)
+std::optional<Message> orderSpread(const CalibrationResults &results)
 {
-    const Pole *main = sources.model ? mainPole(*sources.model, sources.assessment) : nullptr;
-    if (!main || !sources.evidence)
+    const Pole *main = results.model ? mainPole(*results.model, results.assessment.get()) : nullptr;
+    if (!main || !results.evidence)
         return std::nullopt;
-    const auto spread = spreadAround(*sources.evidence, sources.model->order, main->frequency_Hz);
+    const auto spread = spreadAround(*results.evidence, results.model->order, main->frequency_Hz);
     if (!spread || spread->fromOrder == spread->toOrder)
         return std::nullopt;
     const auto percent = [](double part, double whole) {
@@ -146,14 +147,15 @@ std::optional<Message> orderSpread(const CertificateSources &sources)
             percent(spread->dampingSpread, spread->dampingRatio)}};
 }
 
-void addChoiceOfOrder(CertificateSection &section, const CertificateSources &sources)
+void addChoiceOfOrder(
+    const CalibrationResults &results, const Recipe &recipe, CertificateSection &section)
 {
-    if (!sources.orderReason.empty()) {
+    if (!recipe.realization.adoptedReason.empty()) {
         section.fields.push_back(
             {"order_reason", {DYNCAL_TEXT("core", "Reason for the model order"), {}},
-                verbatim(sources.orderReason), false});
+                verbatim(recipe.realization.adoptedReason), false});
     }
-    if (const auto spread = orderSpread(sources)) {
+    if (const auto spread = orderSpread(results)) {
         section.fields.push_back({"order_spread",
             {DYNCAL_TEXT("core", "Variation of the resonance over the orders"), {}}, *spread,
             false});
@@ -162,12 +164,12 @@ void addChoiceOfOrder(CertificateSection &section, const CertificateSources &sou
 
 } // namespace
 
-CertificateSection methodSection(const CertificateSources &sources)
+CertificateSection methodSection(const CalibrationResults &results, const Recipe &recipe)
 {
     CertificateSection section;
     section.id = "method";
     section.title = {DYNCAL_TEXT("core", "Method"), {}};
-    section.fields.push_back(methodField(sources));
+    section.fields.push_back(methodField(recipe));
     section.paragraphs.push_back({DYNCAL_TEXT("core",
                                       "The sensitivity S(f) is the complex ratio of the item's "
                                       "output to the change of pressure "
@@ -175,9 +177,9 @@ CertificateSection methodSection(const CertificateSources &sources)
                                       "phase of output over input, "
                                       "lag negative, relative to the sensor's own onset."),
         {}});
-    if (!sources.input)
+    if (!results.input)
         return section;
-    const ModelInput &input = *sources.input;
+    const ModelInput &input = *results.input;
     section.paragraphs.push_back(treatmentSentence(input.treatment));
     section.fields.push_back({"series", {DYNCAL_TEXT("core", "Shots combined"), {}},
         input.combine == CombineMethod::Stacked
@@ -194,21 +196,21 @@ CertificateSection methodSection(const CertificateSources &sources)
     section.fields.push_back(
         {"model_offset", {DYNCAL_TEXT("core", "Start of the model input after the onset"), {}},
             verbatim(roundedText(input.offset_s, kUnknown, "s")), false});
-    addChoiceOfOrder(section, sources);
+    addChoiceOfOrder(results, recipe, section);
     return section;
 }
 
-CertificateSection conditionsSection(const CertificateSources &sources)
+CertificateSection conditionsSection(const CalibrationResults &results, const Recipe &recipe)
 {
     CertificateSection section;
     section.id = "conditions";
     section.title = {DYNCAL_TEXT("core", "Conditions"), {}};
     section.fields = {{"ambient_temperature", {DYNCAL_TEXT("core", "Ambient temperature"), {}},
-                          environmentRange(sources, &Environment::ambientT_K, "K"), false},
+                          environmentRange(results, &Environment::ambientT_K, "K"), false},
         {"ambient_pressure", {DYNCAL_TEXT("core", "Ambient pressure"), {}},
-            environmentRange(sources, &Environment::ambientPressure_Pa, "Pa"), false},
+            environmentRange(results, &Environment::ambientPressure_Pa, "Pa"), false},
         {"relative_humidity", {DYNCAL_TEXT("core", "Relative humidity (ratio)"), {}},
-            environmentRange(sources, &Environment::relativeHumidity, ""), false}};
+            environmentRange(results, &Environment::relativeHumidity, ""), false}};
     CertificateTable table;
     table.id = "shock";
     table.caption = {DYNCAL_TEXT("core", "Pressure steps"), {}};
@@ -222,11 +224,11 @@ CertificateSection conditionsSection(const CertificateSources &sources)
             {{DYNCAL_TEXT("core", "Step is"), {}}, false},
             {{DYNCAL_TEXT("core", "U of the step"), {}}, true},
             {{DYNCAL_TEXT("core", "k"), {}}, true}, {{DYNCAL_TEXT("core", "Plateau"), {}}, true}};
-    bool stepMissing = !sources.shock || sources.shock->shots.empty();
+    bool stepMissing = !results.shock || results.shock->shots.empty();
     bool stepUncertain = false;
-    if (sources.shock)
-        for (const ShockConditions &shot : sources.shock->shots) {
-            table.rows.push_back(conditionsRow(sources, shot));
+    if (results.shock)
+        for (const ShockConditions &shot : results.shock->shots) {
+            table.rows.push_back(conditionsRow(results, shot, recipe.uncertainty.coverage));
             stepMissing = stepMissing || !shot.step_Pa;
             stepUncertain = stepUncertain || stepUncertainty_Pa(shot);
         }
@@ -240,7 +242,7 @@ CertificateSection conditionsSection(const CertificateSources &sources)
                  "the shock velocity, the initial pressure and temperature and the gas, and holds "
                  "for an ideal shock tube. It is not contained in the uncertainties of the "
                  "sensitivity and of the frequency response."),
-                {numberText(100.0 * sources.coverage, 4)}});
+                {numberText(100.0 * recipe.uncertainty.coverage, 4)}});
     if (stepMissing)
         section.notes.push_back(
             {DYNCAL_TEXT("core",

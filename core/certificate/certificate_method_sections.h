@@ -4,12 +4,13 @@
 #pragma once
 
 #include "core/certificate/certificate_data.h"
-#include "core/certificate/certificate_sources.h"
+#include "core/pipeline/calibration_results.h"
+#include "core/project/recipe.h"
 
 namespace dyncal {
 
 /// How and under which conditions it was calibrated.
-CertificateSection methodSection(const CertificateSources &sources);
-CertificateSection conditionsSection(const CertificateSources &sources);
+CertificateSection methodSection(const CalibrationResults &results, const Recipe &recipe);
+CertificateSection conditionsSection(const CalibrationResults &results, const Recipe &recipe);
 
 } // namespace dyncal

@@ -27,9 +27,9 @@ Message notReached()
     return {DYNCAL_TEXT("core", "not determined (outside the range of the model)"), {}};
 }
 
-void addSensitivity(const CertificateSources &sources, CertificateSection &section)
+void addSensitivity(const CalibrationResults &results, CertificateSection &section)
 {
-    const ResponseResult *response = sources.response;
+    const ResponseResult *response = results.response.get();
     section.fields.push_back(
         {"sensitivity", {DYNCAL_TEXT("core", "Sensitivity at the plateau, mean of the shots"), {}},
             printed(response ? response->sensitivity : std::nullopt,
@@ -45,10 +45,10 @@ double coverageOf(const Pole &pole)
     return pole.coverageFactor > kCoverageFactor ? pole.coverageFactor : kCoverageFactor;
 }
 
-void addResonance(const CertificateSources &sources, CertificateSection &section)
+void addResonance(const CalibrationResults &results, CertificateSection &section)
 {
-    const Pole *pole = sources.model ? mainPole(*sources.model, sources.assessment) : nullptr;
-    const Message none = sources.model
+    const Pole *pole = results.model ? mainPole(*results.model, results.assessment.get()) : nullptr;
+    const Message none = results.model
         ? Message{DYNCAL_TEXT("core", "not determined (the model does not oscillate)"), {}}
         : noModel();
     section.fields.push_back(
@@ -64,11 +64,11 @@ void addResonance(const CertificateSources &sources, CertificateSection &section
         false});
 }
 
-void addCharacteristics(const CertificateSources &sources, CertificateSection &section)
+void addCharacteristics(const CalibrationResults &results, CertificateSection &section)
 {
     const StepCharacteristics none;
-    const StepCharacteristics &found = sources.response ? sources.response->characteristics : none;
-    const Message otherwise = sources.response ? notReached() : noModel();
+    const StepCharacteristics &found = results.response ? results.response->characteristics : none;
+    const Message otherwise = results.response ? notReached() : noModel();
     const auto add = [&](const char *id, Message label, const std::optional<double> &value,
                          const char *unit) {
         section.fields.push_back({id, std::move(label), printed(value, unit, otherwise), false});
@@ -85,11 +85,11 @@ void addCharacteristics(const CertificateSources &sources, CertificateSection &s
         "Hz");
 }
 
-std::vector<Message> shotRow(const CertificateSources &sources, const WindowedResponse &response)
+std::vector<Message> shotRow(const CalibrationResults &results, const WindowedResponse &response)
 {
     Message sensitivity{DYNCAL_TEXT("core", "not determined"), {}};
-    if (sources.response)
-        for (const ShotSensitivity &entry : sources.response->shots)
+    if (results.response)
+        for (const ShotSensitivity &entry : results.response->shots)
             if (entry.shot == response.shot && entry.sensitivity)
                 sensitivity = printed(entry.sensitivity, entry.unit, sensitivity);
     return {verbatim(std::to_string(response.shot)), levelWord(response.level),
@@ -204,24 +204,24 @@ std::vector<Message> frequencyRow(const ResponseResult &response, Index i)
 }
 
 /// Unit of the responses as analysed, which c0 has; "1" where they are remapped.
-std::string gainUnit(const CertificateSources &sources)
+std::string gainUnit(const CalibrationResults &results)
 {
-    if (!sources.window || sources.window->responses.empty())
+    if (!results.window || results.window->responses.empty())
         return {};
-    const WindowedResponse &response = sources.window->responses.front();
+    const WindowedResponse &response = results.window->responses.front();
     return response.valueScale == response.step ? "1" : response.unit;
 }
 
 } // namespace
 
-CertificateSection resultsSection(const CertificateSources &sources)
+CertificateSection resultsSection(const CalibrationResults &results)
 {
     CertificateSection section;
     section.id = "results";
     section.title = {DYNCAL_TEXT("core", "Results"), {}};
-    addSensitivity(sources, section);
-    addResonance(sources, section);
-    addCharacteristics(sources, section);
+    addSensitivity(results, section);
+    addResonance(results, section);
+    addCharacteristics(results, section);
     section.notes.push_back(
         {DYNCAL_TEXT("core",
              "Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor "
@@ -234,12 +234,12 @@ CertificateSection resultsSection(const CertificateSources &sources)
     return section;
 }
 
-CertificateSection shotsSection(const CertificateSources &sources)
+CertificateSection shotsSection(const CalibrationResults &results)
 {
     CertificateSection section;
     section.id = "shots";
     section.title = {DYNCAL_TEXT("core", "Shots"), {}};
-    if (!sources.window || sources.window->responses.empty()) {
+    if (!results.window || results.window->responses.empty()) {
         section.paragraphs.push_back(
             {DYNCAL_TEXT("core", "No shot could be evaluated; see the remarks."), {}});
         return section;
@@ -256,8 +256,8 @@ CertificateSection shotsSection(const CertificateSources &sources)
             {{DYNCAL_TEXT("core", "Overshoot"), {}}, true},
             {{DYNCAL_TEXT("core", "Settling time"), {}}, true},
             {{DYNCAL_TEXT("core", "Sensitivity"), {}}, true}};
-    for (const WindowedResponse &response : sources.window->responses)
-        table.rows.push_back(shotRow(sources, response));
+    for (const WindowedResponse &response : results.window->responses)
+        table.rows.push_back(shotRow(results, response));
     section.tables.push_back(std::move(table));
     section.notes.push_back({DYNCAL_TEXT("core",
                                  "Signal to noise is the output step over the standard deviation "
@@ -267,18 +267,18 @@ CertificateSection shotsSection(const CertificateSources &sources)
     return section;
 }
 
-CertificateSection modelSection(const CertificateSources &sources)
+CertificateSection modelSection(const CalibrationResults &results, const Recipe &recipe)
 {
     CertificateSection section;
     section.id = "model";
     section.title = {DYNCAL_TEXT("core", "Model of the sensor"), {}};
-    if (!sources.model) {
+    if (!results.model) {
         section.paragraphs.push_back(
             {DYNCAL_TEXT("core", "No model could be determined; see the remarks."), {}});
         return section;
     }
-    const SensorModel &model = *sources.model;
-    const bool suggested = sources.order.isAuto();
+    const SensorModel &model = *results.model;
+    const bool suggested = recipe.realization.order.isAuto();
     section.fields = {
         {"order", {DYNCAL_TEXT("core", "Order"), {}},
             suggested ? Message{DYNCAL_TEXT("core", "%1 (as suggested from the data)"),
@@ -294,31 +294,31 @@ CertificateSection modelSection(const CertificateSources &sources)
         section.fields.push_back(
             {"fit_listing", {DYNCAL_TEXT("core", "Fit as in the listing (lagged)"), {}},
                 verbatim(fitText(*model.fitListing_percent, model.diverges) + " %"), false});
-    if (sources.suggestion && suggested)
-        section.paragraphs.push_back(sources.suggestion->reason);
+    if (results.decomposition && suggested)
+        section.paragraphs.push_back(results.decomposition->suggestion.reason);
     if (model.diverges)
         section.paragraphs.push_back(
             {DYNCAL_TEXT(
                  "core", "The model has a pole outside the unit circle: its simulation diverges."),
                 {}});
-    section.tables.push_back(poleTable(polesOf(model, sources.assessment)));
-    addNuisance(model, sources.assessment, gainUnit(sources), section);
-    if (sources.input)
-        addLeftOut(*sources.input, section);
+    section.tables.push_back(poleTable(polesOf(model, results.assessment.get())));
+    addNuisance(model, results.assessment.get(), gainUnit(results), section);
+    if (results.input)
+        addLeftOut(*results.input, section);
     return section;
 }
 
-CertificateSection frequencyResponseSection(const CertificateSources &sources)
+CertificateSection frequencyResponseSection(const CalibrationResults &results)
 {
     CertificateSection section;
     section.id = "frequency-response";
     section.title = {DYNCAL_TEXT("core", "Frequency response"), {}};
-    if (!sources.response || sources.response->frequency_Hz.size() == 0) {
+    if (!results.response || results.response->frequency_Hz.size() == 0) {
         section.paragraphs.push_back(
             {DYNCAL_TEXT("core", "The frequency response could not be determined."), {}});
         return section;
     }
-    const ResponseResult &response = *sources.response;
+    const ResponseResult &response = *results.response;
     section.fields = {{"f_low", {DYNCAL_TEXT("core", "Lower frequency limit"), {}},
                           verbatim(roundedText(response.fLow_Hz, kUnknown, "Hz")), false},
         {"f_high", {DYNCAL_TEXT("core", "Upper frequency limit"), {}},
@@ -351,29 +351,29 @@ CertificateSection frequencyResponseSection(const CertificateSources &sources)
     return section;
 }
 
-CertificateSection figuresSection(const CertificateSources &sources)
+CertificateSection figuresSection(const CalibrationResults &results)
 {
     CertificateSection section;
     section.id = "figures";
     section.title = {DYNCAL_TEXT("core", "Figures"), {}};
-    if (sources.suggestion)
+    if (results.decomposition)
         section.figures.push_back(
             {"singular-values", {DYNCAL_TEXT("core", "Singular values of the Hankel matrix"), {}}});
-    if (sources.model) {
+    if (results.model) {
         section.figures.push_back({"model-data", {DYNCAL_TEXT("core", "Responses and model"), {}}});
         section.figures.push_back(
             {"model-error", {DYNCAL_TEXT("core", "Responses minus model"), {}}});
     }
-    if (sources.response) {
+    if (results.response) {
         section.figures.push_back(
             {"magnitude", {DYNCAL_TEXT("core", "Frequency response, magnitude"), {}}});
         section.figures.push_back(
             {"phase", {DYNCAL_TEXT("core", "Frequency response, phase"), {}}});
     }
-    if (sources.window)
+    if (results.window)
         section.figures.push_back(
             {"spectrum", {DYNCAL_TEXT("core", "Power spectra of the responses"), {}}});
-    if (sources.model)
+    if (results.model)
         section.figures.push_back({"pole-zero",
             {DYNCAL_TEXT("core", "Poles and zeros of the model in the z-plane"), {}}});
     return section;

@@ -4,15 +4,16 @@
 #pragma once
 
 #include "core/certificate/certificate_data.h"
-#include "core/certificate/certificate_sources.h"
+#include "core/pipeline/calibration_results.h"
+#include "core/project/recipe.h"
 
 namespace dyncal {
 
 /// What came out of it; a section without results says so.
-CertificateSection resultsSection(const CertificateSources &sources);
-CertificateSection shotsSection(const CertificateSources &sources);
-CertificateSection modelSection(const CertificateSources &sources);
-CertificateSection frequencyResponseSection(const CertificateSources &sources);
-CertificateSection figuresSection(const CertificateSources &sources);
+CertificateSection resultsSection(const CalibrationResults &results);
+CertificateSection shotsSection(const CalibrationResults &results);
+CertificateSection modelSection(const CalibrationResults &results, const Recipe &recipe);
+CertificateSection frequencyResponseSection(const CalibrationResults &results);
+CertificateSection figuresSection(const CalibrationResults &results);
 
 } // namespace dyncal

@@ -6,7 +6,6 @@
 #include "core/certificate/certificate.h"
 #include "ui/plot/widget/plot_export.h"
 #include "ui/report/certificate_pdf.h"
-#include "ui/report/certificate_sources.h"
 #include "ui/report/report_figures.h"
 #include "ui/report/report_language.h"
 #include "ui/report/reproducible_output.h"
@@ -34,7 +33,7 @@ std::string plotName(std::size_t number, const std::string &id)
 
 struct ReportDrawing::Private
 {
-    CalibrationResults results; ///< `data` and the makers point into it
+    CalibrationResults results; ///< the makers point into it
     CertificateData data;
     ReportLanguage language;
     std::vector<FigureMaker> makers;
@@ -47,7 +46,7 @@ struct ReportDrawing::Private
 
     Private(const CalibrationResults &shown, const Recipe &recipe, const std::string &createdUtc)
         : results(shown)
-        , data(makeCertificate(certificateSources(results, recipe, createdUtc)))
+        , data(makeCertificate(results, recipe, createdUtc))
         , language(data.language)
         , makers(figureMakers(results))
     {

@@ -5,7 +5,6 @@
 
 #include "core/certificate/certificate.h"
 #include "core/certificate/certificate_data.h"
-#include "ui/report/certificate_sources.h"
 #include "ui/text/core_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/shown_text.h"
@@ -91,7 +90,8 @@ void CertificatePage::buildForm()
         forms.push_back(new QFormLayout(group));
         column->addWidget(group);
     }
-    const CertificateData empty = makeCertificate({}); // every field that must be there is missing
+    const CertificateData empty
+        = makeCertificate({}, {}, {}); // every field that must be there is missing
     for (const Field &field : kFields) {
         const CertificateField *printed = fieldOf(empty, field.key);
         const QString label = printed ? translated(printed->label) : tr("Remarks");
@@ -181,8 +181,7 @@ void CertificatePage::showRecipe()
 /// The list that the document itself prints in red.
 void CertificatePage::showMissing()
 {
-    const CertificateData printedData
-        = makeCertificate(certificateSources(session().results(), recipe(), {}));
+    const CertificateData printedData = makeCertificate(session().results(), recipe(), {});
     for (const auto &[key, edit] : m_edits) // what the captures know needs no typing
         if (const CertificateField *printed = fieldOf(printedData, key);
             printed && !printed->missing && key.starts_with("sensor_"))

@@ -4,6 +4,7 @@
 #include "core/certificate/certificate.h"
 #include "tests/support/example_results.h"
 #include "tests/support/test_program.h"
+#include "tests/support/writable_result.h"
 
 #include <limits>
 
@@ -15,33 +16,30 @@ using dyncal::CalibrationResults;
 using dyncal::CertificateData;
 using dyncal::CertificateField;
 using dyncal::CertificateSection;
-using dyncal::CertificateSources;
 using dyncal::CertificateTable;
 using dyncal::english;
 using dyncal::Finding;
 using dyncal::Index;
 using dyncal::makeCertificate;
 using dyncal::Message;
+using dyncal::Recipe;
 using dyncal::Severity;
+using dyncal::testing::writable;
 
 namespace {
 
-CertificateSources sourcesOf(const CalibrationResults &results)
+/// With every field typed.
+Recipe typedRecipe()
 {
-    CertificateSources sources;
-    sources.captures = &results.captures->set;
-    sources.window = results.window.get();
-    sources.shock = results.shock.get();
-    sources.input = results.input.get();
-    sources.suggestion = &results.decomposition->suggestion;
-    sources.model = results.model.get();
-    sources.assessment = results.assessment.get();
-    sources.response = results.response.get();
-    sources.fields = dyncal::example::certificateFields();
-    sources.createdUtc = "2026-11-21T03:04:05Z";
-    sources.softwareVersion = "0.1.0";
-    sources.softwareBuild = "abc";
-    return sources;
+    Recipe recipe;
+    recipe.certificate.fields = dyncal::example::certificateFields();
+    return recipe;
+}
+
+CertificateData certificateOf(
+    const CalibrationResults &results, const Recipe &recipe = typedRecipe())
+{
+    return makeCertificate(results, recipe, "2026-11-21T03:04:05Z");
 }
 
 QString value(const CertificateData &data, const char *section, const char *field)
@@ -115,7 +113,7 @@ private slots:
 void TestCertificateData::complete_example_hasEverySectionAndNumber()
 {
     const CalibrationResults results = dyncal::example::calibration();
-    const CertificateData data = makeCertificate(sourcesOf(results));
+    const CertificateData data = certificateOf(results);
     QCOMPARE(data.number, std::string("D-2026-0117"));
     QCOMPARE(value(data, "results", "sensitivity"), QString::fromUtf8("12.500 µV/Pa"));
     // u = 412 Hz; U = 824 Hz rounds to 0.00082 MHz, the value to the same decimal.
@@ -139,7 +137,7 @@ void TestCertificateData::complete_example_hasEverySectionAndNumber()
 void TestCertificateData::complete_example_missesNothingButStaysDraft()
 {
     const CalibrationResults results = dyncal::example::calibration();
-    const CertificateData data = makeCertificate(sourcesOf(results));
+    const CertificateData data = certificateOf(results);
     QVERIFY(data.missingFields().empty());
     QVERIFY(data.draft);
 }
@@ -147,9 +145,7 @@ void TestCertificateData::complete_example_missesNothingButStaysDraft()
 void TestCertificateData::fields_notTyped_areMissing()
 {
     const CalibrationResults results = dyncal::example::calibration();
-    CertificateSources sources = sourcesOf(results);
-    sources.fields.clear();
-    const CertificateData data = makeCertificate(sources);
+    const CertificateData data = certificateOf(results, {});
     QStringList missing;
     for (const Message &label : data.missingFields())
         missing += QString::fromStdString(english(label));
@@ -163,14 +159,14 @@ void TestCertificateData::fields_notTyped_areMissing()
 void TestCertificateData::item_typedField_winsOverCard()
 {
     const CalibrationResults results = dyncal::example::calibration();
-    CertificateSources sources = sourcesOf(results);
-    sources.fields["sensor_serial"] = "typed";
-    QCOMPARE(value(makeCertificate(sources), "item", "sensor_serial"), QString("typed"));
+    Recipe recipe = typedRecipe();
+    recipe.certificate.fields["sensor_serial"] = "typed";
+    QCOMPARE(value(certificateOf(results, recipe), "item", "sensor_serial"), QString("typed"));
 }
 
 void TestCertificateData::nothing_computed_saysWhy()
 {
-    const CertificateData data = makeCertificate({});
+    const CertificateData data = makeCertificate({}, {}, {});
     QCOMPARE(value(data, "results", "natural_frequency"), QString("not determined (no model)"));
     QCOMPARE(value(data, "results", "sensitivity"), QString("not determined (no pressure step)"));
     QVERIFY(!data.section("shots")->paragraphs.empty());
@@ -181,13 +177,11 @@ void TestCertificateData::nothing_computed_saysWhy()
 
 void TestCertificateData::shock_withoutStep_isNotDetermined()
 {
-    const CalibrationResults results = dyncal::example::calibration();
-    CertificateSources sources = sourcesOf(results);
-    dyncal::ShockConditionsSet shock = *results.shock;
+    CalibrationResults results = dyncal::example::calibration();
+    dyncal::ShockConditionsSet &shock = writable(results.shock);
     shock.shots[1].step_Pa.reset();
     shock.shots[1].states.reset();
-    sources.shock = &shock;
-    const CertificateData data = makeCertificate(sources);
+    const CertificateData data = certificateOf(results);
     QCOMPARE(cell(*table(data, "conditions"), 1, 6), QString("not determined"));
     QCOMPARE(cell(*table(data, "conditions"), 0, 7), QString("computed"));
     QCOMPARE(data.section("conditions")->notes.size(), std::size_t(1));
@@ -195,15 +189,16 @@ void TestCertificateData::shock_withoutStep_isNotDetermined()
 
 void TestCertificateData::findings_cautions_areListedWithReason()
 {
-    const CalibrationResults results = dyncal::example::calibration();
-    CertificateSources sources = sourcesOf(results);
-    QVERIFY(table(makeCertificate(sources), "remarks") == nullptr);
-    sources.findings
-        = {Finding{"CAP-005", Severity::Info, 0, "", {}, {"Only for information.", {}}, {}, {}},
-            Finding{"WIN-001", Severity::Caution, 3, "", {}, {"Shot %1 drifts.", {"3"}}, {}, {}},
+    CalibrationResults results = dyncal::example::calibration();
+    QVERIFY(table(certificateOf(results), "remarks") == nullptr);
+    writable(results.captures).findings
+        = {Finding{"CAP-005", Severity::Info, 0, "", {}, {"Only for information.", {}}, {}, {}}};
+    writable(results.window).findings
+        = {Finding{"WIN-001", Severity::Caution, 3, "", {}, {"Shot %1 drifts.", {"3"}}, {}, {}},
             Finding{"CAP-020", Severity::Block, 2, "", {}, {"Not at rest.", {}}, {}, {}}};
-    sources.acknowledgements = {{"WIN-001", 3, "known of this tube"}, {"CAP-020", 1, "other"}};
-    const CertificateData data = makeCertificate(sources);
+    Recipe recipe = typedRecipe();
+    recipe.acknowledge = {{"WIN-001", 3, "known of this tube"}, {"CAP-020", 1, "other"}};
+    const CertificateData data = certificateOf(results, recipe);
     const CertificateTable *findings = table(data, "remarks");
     QVERIFY(findings);
     QCOMPARE(findings->rows.size(), std::size_t(2));
@@ -216,35 +211,29 @@ void TestCertificateData::findings_cautions_areListedWithReason()
 
 void TestCertificateData::excluded_shot_isNamedWithReason()
 {
-    const CalibrationResults results = dyncal::example::calibration();
-    CertificateSources sources = sourcesOf(results);
-    dyncal::CaptureSet captures = results.captures->set;
+    CalibrationResults results = dyncal::example::calibration();
+    dyncal::CaptureSet &captures = writable(results.captures).set;
     captures.shots[1].included = false;
     captures.shots[1].excludeReason = "diaphragm burst twice";
-    sources.captures = &captures;
-    const CertificateData data = makeCertificate(sources);
+    const CertificateData data = certificateOf(results);
     const std::string text = english(data.section("remarks")->paragraphs.front());
     QCOMPARE(text, std::string("Shot 2 was excluded. Reason: diaphragm burst twice."));
 }
 
 void TestCertificateData::poles_pairOnce_realAndUnstableToo()
 {
-    const CalibrationResults results = dyncal::example::calibration();
-    CertificateSources sources = sourcesOf(results);
-    dyncal::SensorModel model = *results.model;
+    CalibrationResults results = dyncal::example::calibration();
+    dyncal::SensorModel &model = writable(results.model);
     dyncal::Pole real;
     real.z = {1.2, 0.0};
     real.s_rad_s = {1.8e6, 0.0};
     real.poleClass = dyncal::PoleClass::Unstable;
     real.frequency_Hz = 290e3;
     real.dampingRatio = -1.0;
-    dyncal::ModelAssessment assessment = *results.assessment;
-    assessment.poles.push_back(real);
+    writable(results.assessment).poles.push_back(real);
     model.poles.push_back(real);
     model.diverges = true;
-    sources.model = &model;
-    sources.assessment = &assessment;
-    const CertificateData data = makeCertificate(sources);
+    const CertificateData data = certificateOf(results);
     const CertificateTable *poles = table(data, "model");
     QCOMPARE(poles->rows.size(), std::size_t(2));
     QVERIFY(cell(*poles, 0, 1).contains(QString::fromUtf8(" ± j")));
@@ -257,11 +246,10 @@ void TestCertificateData::poles_pairOnce_realAndUnstableToo()
 void TestCertificateData::poles_ofScatteringShots_haveTheirOwnCoverageFactor()
 {
     CalibrationResults results = dyncal::example::calibration();
-    dyncal::ModelAssessment assessment = *results.assessment;
+    dyncal::ModelAssessment &assessment = writable(results.assessment);
     for (dyncal::Pole &pole : assessment.poles)
         pole.coverageFactor = 4.303; // Student's, two degrees of freedom
-    results.assessment = std::make_shared<const dyncal::ModelAssessment>(assessment);
-    const CertificateData data = makeCertificate(sourcesOf(results));
+    const CertificateData data = certificateOf(results);
     // 4.303 times 412 Hz is 1773 Hz
     QCOMPARE(value(data, "results", "natural_frequency"),
         QString::fromUtf8("2.3300 MHz ± 0.0018 MHz (k = 4.30)"));
@@ -271,22 +259,19 @@ void TestCertificateData::poles_ofScatteringShots_haveTheirOwnCoverageFactor()
 
     for (dyncal::Pole &pole : assessment.poles)
         pole.coverageFactor = 1.97; // of many samples: k = 2 covers it
-    results.assessment = std::make_shared<const dyncal::ModelAssessment>(assessment);
-    QCOMPARE(value(makeCertificate(sourcesOf(results)), "results", "natural_frequency"),
+    QCOMPARE(value(certificateOf(results), "results", "natural_frequency"),
         QString::fromUtf8("2.33000 MHz ± 0.00082 MHz (k = 2)"));
 }
 
 void TestCertificateData::frequency_withoutMeasuredValues_hasDashes()
 {
-    const CalibrationResults results = dyncal::example::calibration();
-    CertificateSources sources = sourcesOf(results);
-    dyncal::ResponseResult response = *results.response;
+    CalibrationResults results = dyncal::example::calibration();
+    dyncal::ResponseResult &response = writable(results.response);
     for (auto *values :
         {&response.magnitude, &response.u_magnitude, &response.phase_rad, &response.u_phase_rad})
         values->resize(0);
     response.unit = "1";
-    sources.response = &response;
-    const CertificateData data = makeCertificate(sources);
+    const CertificateData data = certificateOf(results);
     const CertificateTable *frequency = table(data, "frequency-response");
     for (const std::size_t column : {1U, 2U, 3U, 4U})
         QCOMPARE(cell(*frequency, 0, column), QString::fromUtf8("–"));
@@ -297,9 +282,9 @@ void TestCertificateData::frequency_withoutMeasuredValues_hasDashes()
 void TestCertificateData::order_typed_isSaid()
 {
     const CalibrationResults results = dyncal::example::calibration();
-    CertificateSources sources = sourcesOf(results);
-    sources.order = Index(2);
-    const CertificateData data = makeCertificate(sources);
+    Recipe recipe = typedRecipe();
+    recipe.realization.order = Index(2);
+    const CertificateData data = certificateOf(results, recipe);
     QCOMPARE(value(data, "model", "order"), QString("2 (chosen by the operator)"));
     QVERIFY(data.section("model")->paragraphs.empty()); // no reason for a suggestion
 }
@@ -307,7 +292,7 @@ void TestCertificateData::order_typed_isSaid()
 void TestCertificateData::tables_everyRow_hasAllCells()
 {
     const CalibrationResults results = dyncal::example::calibration();
-    const CertificateData data = makeCertificate(sourcesOf(results));
+    const CertificateData data = certificateOf(results);
     int tables = 0;
     for (const CertificateSection &section : data.sections)
         for (const CertificateTable &part : section.tables) {
@@ -320,18 +305,15 @@ void TestCertificateData::tables_everyRow_hasAllCells()
 
 void TestCertificateData::text_never_containsNan()
 {
-    const CalibrationResults results = dyncal::example::calibration();
-    CertificateSources sources = sourcesOf(results);
-    dyncal::ResponseResult response = *results.response;
+    CalibrationResults results = dyncal::example::calibration();
+    dyncal::ResponseResult &response = writable(results.response);
     response.magnitude[3] = dyncal::kUnknown;
     response.u_phase_rad[4] = dyncal::kUnknown;
     response.sensitivity = dyncal::kUnknown;
-    dyncal::WindowResult window = *results.window;
+    dyncal::WindowResult &window = writable(results.window);
     window.responses[0].riseTime_s = dyncal::kUnknown;
     window.responses[0].snr_dB = std::numeric_limits<double>::infinity();
-    sources.response = &response;
-    sources.window = &window;
-    const QString text = allText(makeCertificate(sources));
+    const QString text = allText(certificateOf(results));
     QVERIFY(!text.contains("nan"));
     QVERIFY2(!text.contains("inf "), "an infinite signal to noise ratio is printed as a dash");
 }

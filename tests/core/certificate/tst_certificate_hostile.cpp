@@ -7,33 +7,38 @@
 #include "core/certificate/certificate.h"
 #include "tests/support/example_results.h"
 #include "tests/support/test_program.h"
+#include "tests/support/writable_result.h"
 
 #include <QRegularExpression>
 #include <QTest>
 
 #include <limits>
+#include <map>
+#include <string>
 
 using namespace dyncal;
+using testing::writable;
 
 namespace {
 
 constexpr double kInf = std::numeric_limits<double>::infinity();
 const char *const kDash = "\xE2\x80\x93";
 
-/// The example's results, to be written to, and what a certificate is made of.
+/// The example's results, to be written to.
 struct Scene
 {
     CalibrationResults results = example::calibration({50e6, 20e-6, 40, 4});
-    CaptureSet captures = results.captures->set;
-    WindowResult window = *results.window;
-    ShockConditionsSet shock = *results.shock;
-    ModelInput input = *results.input;
-    OrderSuggestion suggestion = results.decomposition->suggestion;
-    OrderEvidence evidence;
-    SensorModel model = *results.model;
-    ModelAssessment assessment = *results.assessment;
-    ResponseResult response = *results.response;
+    CaptureSet &captures = writable(results.captures).set;
+    WindowResult &window = writable(results.window);
+    ShockConditionsSet &shock = writable(results.shock);
+    ModelInput &input = writable(results.input);
+    OrderEvidence &evidence = writable(results.evidence);
+    SensorModel &model = writable(results.model);
+    ModelAssessment &assessment = writable(results.assessment);
+    ResponseResult &response = writable(results.response);
 
+    Scene(const Scene &) = delete;
+    Scene &operator=(const Scene &) = delete;
     Scene()
     {
         StepUncertainty uncertainty;
@@ -61,19 +66,9 @@ struct Scene
 
     CertificateData certificate() const
     {
-        CertificateSources sources;
-        sources.captures = &captures;
-        sources.window = &window;
-        sources.shock = &shock;
-        sources.input = &input;
-        sources.suggestion = &suggestion;
-        sources.evidence = &evidence;
-        sources.model = &model;
-        sources.assessment = &assessment;
-        sources.response = &response;
-        sources.fields = example::certificateFields();
-        sources.createdUtc = "2026-11-21T03:04:05Z";
-        return makeCertificate(sources);
+        Recipe recipe;
+        recipe.certificate.fields = example::certificateFields();
+        return makeCertificate(results, recipe, "2026-11-21T03:04:05Z");
     }
 
     /// Every number that the page may print.
@@ -232,13 +227,14 @@ private slots:
     void nothingButFieldsOfBlanks_areMissing()
     {
         // A blank typed into a form is not a customer.
-        CertificateSources sources;
+        Recipe recipe;
+        std::map<std::string, std::string> &fields = recipe.certificate.fields;
         for (const char *blank : {"", " ", "\t \n"}) {
             for (auto &[key, text] : example::certificateFields())
-                sources.fields[key] = blank;
-            sources.fields["approved_by"] = blank;
-            const CertificateData data = makeCertificate(sources);
-            const std::size_t all = makeCertificate({}).missingFields().size();
+                fields[key] = blank;
+            fields["approved_by"] = blank;
+            const CertificateData data = makeCertificate({}, recipe, {});
+            const std::size_t all = makeCertificate({}, {}, {}).missingFields().size();
             QCOMPARE(data.missingFields().size(), all);
             QVERIFY(data.number.find_first_not_of(" \t\n") == std::string::npos);
             const CertificateSection &section = *data.section("administrative");

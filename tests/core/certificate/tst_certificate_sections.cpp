@@ -3,6 +3,7 @@
 
 // The words and numbers of single sections, also where something is missing or went wrong.
 
+#include "core/base/version.h"
 #include "core/certificate/certificate.h"
 #include "core/certificate/certificate_header_sections.h"
 #include "core/certificate/certificate_method_sections.h"
@@ -10,12 +11,14 @@
 #include "core/certificate/certificate_words.h"
 #include "tests/support/example_results.h"
 #include "tests/support/test_program.h"
+#include "tests/support/writable_result.h"
 
 #include <QTest>
 
 #include <limits>
 
 using namespace dyncal;
+using testing::writable;
 
 namespace {
 
@@ -96,24 +99,21 @@ void TestCertificateSections::method_everyTreatment_hasItsSentence()
             {ResponseTreatment::Differenced, "First difference"},
             {ResponseTreatment::Impulse, "Free decay"}};
     for (const auto &[treatment, word] : words) {
-        ModelInput input;
-        input.treatment = treatment;
-        CertificateSources sources;
-        sources.input = &input;
-        const std::string text = english(methodSection(sources).paragraphs.at(1));
+        CalibrationResults results;
+        writable(results.input).treatment = treatment;
+        const std::string text = english(methodSection(results, {}).paragraphs.at(1));
         QVERIFY2(text.find(word) != std::string::npos, text.c_str());
     }
 }
 
 void TestCertificateSections::method_average_isSaid()
 {
-    ModelInput input;
+    CalibrationResults results;
+    ModelInput &input = writable(results.input);
     input.combine = CombineMethod::PcaAverage;
     input.sampleRate_Hz = 10e6;
     input.samples = 1000;
-    CertificateSources sources;
-    sources.input = &input;
-    const CertificateSection section = methodSection(sources);
+    const CertificateSection section = methodSection(results, {});
     QVERIFY(valueOf(section, "series").starts_with("average"));
     QCOMPARE(valueOf(section, "model_rate"), std::string("10.000 MHz"));
     QCOMPARE(valueOf(section, "model_samples"), std::string("1000"));
@@ -121,20 +121,18 @@ void TestCertificateSections::method_average_isSaid()
 
 void TestCertificateSections::method_choiceOfTheOrder_isPrintedWhenGiven()
 {
-    ModelInput input;
-    const auto model = example::model(*example::modelInput({}));
-    OrderEvidence evidence;
+    CalibrationResults results;
+    results.input = std::make_shared<const ModelInput>();
+    results.model = example::model(*example::modelInput({}));
+    QCOMPARE(valueOf(methodSection(results, {}), "order_reason"), std::string("no field"));
+    QCOMPARE(valueOf(methodSection(results, {}), "order_spread"), std::string("no field"));
+    OrderEvidence &evidence = writable(results.evidence);
     evidence.poles = {{2, example::kF0_Hz, example::kZeta, PoleStability::New, true, 1.0},
         {3, example::kF0_Hz * 1.002, example::kZeta, PoleStability::FrequencyAndDamping, true,
             1.0}};
-    CertificateSources sources;
-    sources.input = &input;
-    sources.model = model.get();
-    QCOMPARE(valueOf(methodSection(sources), "order_reason"), std::string("no field"));
-    QCOMPARE(valueOf(methodSection(sources), "order_spread"), std::string("no field"));
-    sources.evidence = &evidence;
-    sources.orderReason = "lowest order that fits";
-    const CertificateSection section = methodSection(sources);
+    Recipe recipe;
+    recipe.realization.adoptedReason = "lowest order that fits";
+    const CertificateSection section = methodSection(results, recipe);
     QCOMPARE(valueOf(section, "order_reason"), std::string("lowest order that fits"));
     QCOMPARE(valueOf(section, "order_spread"),
         std::string("orders 2 to 3: frequency \xC2\xB1"
@@ -142,20 +140,19 @@ void TestCertificateSections::method_choiceOfTheOrder_isPrintedWhenGiven()
                     "0 % (half of "
                     "the range)"));
     evidence.poles.pop_back(); // one order alone says nothing of a spread
-    QCOMPARE(valueOf(methodSection(sources), "order_spread"), std::string("no field"));
+    QCOMPARE(valueOf(methodSection(results, recipe), "order_spread"), std::string("no field"));
 }
 
 void TestCertificateSections::environment_shotsDiffer_isARangeOfTheIncluded()
 {
-    CaptureSet captures;
+    CalibrationResults results;
+    CaptureSet &captures = writable(results.captures).set;
     captures.shots.resize(4);
     const double temperatures_K[] = {294.0, 293.0, 250.0, kUnknown};
     for (std::size_t i = 0; i < 4; ++i)
         captures.shots[i].environment.ambientT_K = temperatures_K[i];
     captures.shots[2].included = false;
-    CertificateSources sources;
-    sources.captures = &captures;
-    const CertificateSection section = conditionsSection(sources);
+    const CertificateSection section = conditionsSection(results, {});
     QCOMPARE(
         valueOf(section, "ambient_temperature"), std::string("293.00 K \xE2\x80\xA6 294.00 K"));
     QCOMPARE(valueOf(section, "ambient_pressure"), std::string("not determined (not recorded)"));
@@ -163,15 +160,14 @@ void TestCertificateSections::environment_shotsDiffer_isARangeOfTheIncluded()
 
 void TestCertificateSections::conditions_statedStep_isSaid()
 {
-    ShockConditionsSet shock;
+    CalibrationResults results;
+    ShockConditionsSet &shock = writable(results.shock);
     ShockConditions conditions;
     conditions.shot = 1;
     conditions.step_Pa = 4e5;
     conditions.stepTyped = true;
     shock.shots = {conditions};
-    CertificateSources sources;
-    sources.shock = &shock;
-    const CertificateSection section = conditionsSection(sources);
+    const CertificateSection section = conditionsSection(results, {});
     QCOMPARE(cellOf(section, 0, 1), std::string(kDash)); // no such shot in the captures
     QCOMPARE(cellOf(section, 0, 6), std::string("400.00 kPa"));
     QCOMPARE(cellOf(section, 0, 7), std::string("stated"));
@@ -181,7 +177,8 @@ void TestCertificateSections::conditions_statedStep_isSaid()
 
 void TestCertificateSections::conditions_stepWithBudget_printsUAndK()
 {
-    ShockConditionsSet shock;
+    CalibrationResults results;
+    ShockConditionsSet &shock = writable(results.shock);
     ShockConditions conditions;
     conditions.shot = 1;
     conditions.step_Pa = 434498.07;
@@ -192,9 +189,8 @@ void TestCertificateSections::conditions_stepWithBudget_printsUAndK()
         = Eigen::VectorXd::Constant(kStepResults, std::numeric_limits<double>::infinity());
     conditions.uncertainty = uncertainty;
     shock.shots = {conditions};
-    CertificateSources sources;
-    sources.shock = &shock;
-    CertificateSection section = conditionsSection(sources);
+    Recipe recipe;
+    CertificateSection section = conditionsSection(results, recipe);
     QCOMPARE(cellOf(section, 0, 6), std::string("434.5 kPa"));
     QCOMPARE(cellOf(section, 0, 8), std::string("3.5 kPa")); // 1.96 times
     QCOMPARE(cellOf(section, 0, 9), std::string("1.96"));
@@ -202,27 +198,26 @@ void TestCertificateSections::conditions_stepWithBudget_printsUAndK()
     QCOMPARE(section.notes[0].arguments, std::vector<std::string>{"95"});
     // Student's t of the effective degrees of freedom, for the recipe's coverage.
     shock.shots[0].uncertainty->budget.dof.setConstant(5.0);
-    sources.coverage = 0.9545;
-    section = conditionsSection(sources);
+    recipe.uncertainty.coverage = 0.9545;
+    section = conditionsSection(results, recipe);
     QCOMPARE(cellOf(section, 0, 9), std::string("2.65")); // GUM table G.2
     // Where an input's uncertainty is not stated there is no U, and no note about it.
     shock.shots[0].uncertainty->stepMissing = Message{"not stated", {}};
-    section = conditionsSection(sources);
+    section = conditionsSection(results, recipe);
     QCOMPARE(cellOf(section, 0, 8), std::string("not determined"));
     QVERIFY(section.notes.empty());
 }
 
 void TestCertificateSections::model_thatDiverges_printsNoFit()
 {
-    SensorModel model;
+    CalibrationResults results;
+    SensorModel &model = writable(results.model);
     model.order = 3;
     model.fit_percent = -1e30; // whatever was computed means nothing
     model.fitListing_percent = -1e30;
     model.fitAttainable_percent = 90.0;
     model.diverges = true;
-    CertificateSources sources;
-    sources.model = &model;
-    const CertificateSection section = modelSection(sources);
+    const CertificateSection section = modelSection(results, {});
     QCOMPARE(
         valueOf(section, "fit"), std::string(kDash) + " % of 90.00 % attainable with this noise");
     QCOMPARE(valueOf(section, "fit_listing"), std::string(kDash) + " %");
@@ -230,59 +225,54 @@ void TestCertificateSections::model_thatDiverges_printsNoFit()
 
 void TestCertificateSections::model_attainableUnknown_isADash()
 {
-    SensorModel model;
+    CalibrationResults results;
+    SensorModel &model = writable(results.model);
     model.fit_percent = 87.0;
     model.fitAttainable_percent = kUnknown;
-    CertificateSources sources;
-    sources.model = &model;
-    QCOMPARE(valueOf(modelSection(sources), "fit"),
+    QCOMPARE(valueOf(modelSection(results, {}), "fit"),
         std::string("87.00 % of ") + kDash + " % attainable with this noise");
 }
 
 void TestCertificateSections::model_listingFit_onlyWhereThereIsOne()
 {
-    SensorModel model;
-    CertificateSources sources;
-    sources.model = &model;
-    QCOMPARE(valueOf(modelSection(sources), "fit_listing"), std::string("no field"));
+    CalibrationResults results;
+    SensorModel &model = writable(results.model);
+    QCOMPARE(valueOf(modelSection(results, {}), "fit_listing"), std::string("no field"));
     model.fitListing_percent = 81.234;
-    QCOMPARE(valueOf(modelSection(sources), "fit_listing"), std::string("81.23 %"));
+    QCOMPARE(valueOf(modelSection(results, {}), "fit_listing"), std::string("81.23 %"));
 }
 
 void TestCertificateSections::results_modelWithoutOscillation_saysSo()
 {
-    SensorModel model; // no poles at all
-    CertificateSources sources;
-    sources.model = &model;
-    const CertificateSection section = resultsSection(sources);
+    CalibrationResults results;
+    results.model = std::make_shared<const SensorModel>(); // no poles at all
+    const CertificateSection section = resultsSection(results);
     for (const char *id : {"natural_frequency", "damping_ratio"})
         QCOMPARE(
             valueOf(section, id), std::string("not determined (the model does not oscillate)"));
-    ResponseResult response;
-    sources.response = &response;
-    QCOMPARE(valueOf(resultsSection(sources), "rise_time"),
+    results.response = std::make_shared<const ResponseResult>();
+    QCOMPARE(valueOf(resultsSection(results), "rise_time"),
         std::string("not determined (outside the range of the model)"));
 }
 
 void TestCertificateSections::records_inputs_areNamedWithTheirHash()
 {
-    CaptureSet captures;
-    captures.inputs = {{"/secret/folder/a.h5", "a.h5", "0123", "dyncal-capture"}};
-    CertificateSources sources;
-    sources.captures = &captures;
-    sources.softwareVersion = "1.2.3";
-    sources.softwareBuild = "abc";
-    const CertificateSection section = recordsSection(sources);
-    QCOMPARE(valueOf(section, "software"), std::string("Dyncal 1.2.3, build abc"));
+    CalibrationResults results;
+    writable(results.captures).set.inputs
+        = {{"/secret/folder/a.h5", "a.h5", "0123", "dyncal-capture"}};
+    const CertificateSection section = recordsSection(results, "2026-11-21T03:04:05Z");
+    QCOMPARE(valueOf(section, "software"),
+        std::string("Dyncal ") + versionText() + ", build " + buildText());
+    QCOMPARE(valueOf(section, "created"), std::string("2026-11-21T03:04:05Z"));
     QCOMPARE(cellOf(section, 0, 0), std::string("a.h5")); // never the folder
     QCOMPARE(cellOf(section, 0, 2), std::string("0123"));
-    QVERIFY(recordsSection({}).tables.empty());
+    QVERIFY(recordsSection({}, {}).tables.empty());
 }
 
 void TestCertificateSections::statements_claimNoTraceability()
 {
     std::string text;
-    for (const Message &paragraph : statementsSection({}).paragraphs)
+    for (const Message &paragraph : statementsSection().paragraphs)
         text += english(paragraph);
     QVERIFY(text.find("relate only to the item") != std::string::npos);
     QVERIFY(text.find("no statement of metrological traceability") != std::string::npos);
@@ -290,16 +280,16 @@ void TestCertificateSections::statements_claimNoTraceability()
 
 void TestCertificateSections::approval_typed_replacesNotYet()
 {
-    CertificateSources sources;
+    Recipe recipe;
     QCOMPARE(
-        valueOf(administrativeSection(sources), "approved_by"), std::string("not yet approved"));
-    sources.fields["approved_by"] = "A. Person";
-    QCOMPARE(valueOf(administrativeSection(sources), "approved_by"), std::string("A. Person"));
+        valueOf(administrativeSection(recipe), "approved_by"), std::string("not yet approved"));
+    recipe.certificate.fields["approved_by"] = "A. Person";
+    QCOMPARE(valueOf(administrativeSection(recipe), "approved_by"), std::string("A. Person"));
 }
 
 void TestCertificateSections::section_unknown_isNone()
 {
-    const CertificateData data = makeCertificate({});
+    const CertificateData data = makeCertificate({}, {}, {});
     QVERIFY(!data.section("nonsense"));
     QCOMPARE(data.sections.size(), std::size_t(12));
     QVERIFY(data.missingFields().size() > 5);

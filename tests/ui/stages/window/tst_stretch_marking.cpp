@@ -7,7 +7,6 @@
 #include "tests/support/test_program.h"
 #include "tests/ui/support/page_bench.h"
 #include "ui/plot/widget/plot_widget.h"
-#include "ui/report/certificate_sources.h"
 #include "ui/stages/frame/quantity_edit.h"
 #include "ui/stages/window/window_page.h"
 #include "ui/text/quantity_format.h"
@@ -219,8 +218,7 @@ private slots:
         QCOMPARE(stretches[0].at("from_s").get<double>(), 2e-5);
         QCOMPARE(stretches[0].at("to_s").get<double>(), 4e-5);
         QCOMPARE(stretches[0].at("reason").get<std::string>(), std::string("knock on the tube"));
-        const CertificateData data
-            = makeCertificate(certificateSources(bench.session.results(), bench.recipe(), {}));
+        const CertificateData data = makeCertificate(bench.session.results(), bench.recipe(), {});
         bool printed = false;
         for (const CertificateSection &section : data.sections)
             for (const CertificateTable &table : section.tables)
