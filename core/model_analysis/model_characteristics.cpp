@@ -3,6 +3,7 @@
 
 #include "core/model_analysis/model_characteristics.h"
 
+#include "core/base/constants.h"
 #include "core/model_analysis/model_response.h"
 #include "core/model_analysis/unwrapped_phase.h"
 #include "core/realization/exponentials/exponential_sum.h"
@@ -15,8 +16,6 @@
 
 namespace dyncal {
 namespace {
-
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 /// y(t)/c0 of the model's step response, t from the onset.
 ExponentialSum normalisedSum(const SensorModel &model)

@@ -3,17 +3,16 @@
 
 #include "core/model_analysis/unwrapped_phase.h"
 
+#include "core/base/constants.h"
 #include "core/model_analysis/model_response.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 namespace dyncal {
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr int kMostHalvings = 40;
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "core/project/recipe_fields_analysis.h"
 
 #include "core/base/number_text.h"
+#include "core/project/recipe_limits.h"
 
 #include <string_view>
 
@@ -12,13 +13,12 @@ namespace {
 
 constexpr Index kMostComponents = 1000;
 constexpr Index kMostLags = 10000000;
-constexpr Index kMostSamples = 10000000;
+constexpr Index kMostInputSamples = 10000000;
 constexpr Index kMostOrders = 2000;
 constexpr Index kMostFrequencies = 100000;
 constexpr Index kLeastTrials = 100; // as propagateMonteCarlo() takes them
 constexpr Index kMostTrials = 1000000;
 constexpr Index kLargestSeed = 9007199254740991; // every JSON reader keeps it exactly
-constexpr Index kMostShots = 100000;
 constexpr std::string_view kLinear = "linear:";
 
 Codec<ResponseTreatment> treatment()
@@ -169,7 +169,7 @@ Codec<InputSettings> inputCodec()
     const Codec<std::optional<CombineMethod>> combineOrAuto = valueOr(Json("auto"), combine());
     return object<S>({
         field("sample_rate_hz", &S::sampleRate_Hz, orAuto(positiveNumber())),
-        field("samples", &S::samples, orAuto(whole(8, kMostSamples))),
+        field("samples", &S::samples, orAuto(whole(8, kMostInputSamples))),
         field("offset_s", &S::offset_s, orAuto(nonNegativeNumber())),
         field("combine", &S::combine, combineOrAuto),
         field("treatment", &S::treatment, treatment()),
@@ -182,7 +182,7 @@ Codec<RealizationSettings> realizationCodec()
     return object<S>({
         field("order", &S::order, orAuto(whole(1, kMostOrders))),
         field("max_order", &S::maxOrder, whole(1, kMostOrders)),
-        field("rows", &S::rows, orAuto(whole(2, kMostSamples))),
+        field("rows", &S::rows, orAuto(whole(2, kMostInputSamples))),
         field("refine", &S::refine, boolean()),
         field("nuisance_modes", &S::nuisanceModes, list(nuisanceMode())),
         field("stable_frequency", &S::stableFrequency, number(0.0, 1.0, Bound::Exclusive)),

@@ -4,12 +4,12 @@
 #include "core/project/recipe_fields_import.h"
 
 #include "core/capture/channel.h"
+#include "core/project/recipe_limits.h"
 
 namespace dyncal {
 namespace {
 
 constexpr Index kMostColumns = 100000;
-constexpr Index kMostShots = 100000;
 constexpr Index kMostRows = 1000000000;
 constexpr Index kLongestGap = 1000;
 constexpr double kLeastExpansion = 1.0;

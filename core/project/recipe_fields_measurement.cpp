@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/project/recipe_fields_measurement.h"
+
 #include "core/project/gas_names.h"
+#include "core/project/recipe_limits.h"
 
 namespace dyncal {
 namespace {
 
 constexpr Index kMostSamples = 1000000000;
-constexpr Index kMostShots = 100000;
 
 std::vector<std::string> substanceNames()
 {

@@ -3,6 +3,7 @@
 
 #include "core/shock/moist_air.h"
 
+#include "core/base/constants.h"
 #include "core/base/number_text.h"
 
 #include <array>
@@ -10,8 +11,6 @@
 
 namespace dyncal {
 namespace {
-
-constexpr double kCelsiusZero_K = 273.15;
 
 /// Coefficients a0..a15 of Cramer's equation 15, for the speed of sound (table III) and the ratio
 /// of heat capacities.

@@ -3,6 +3,7 @@
 
 #include "core/shock/shock_relations.h"
 
+#include "core/base/constants.h"
 #include "core/base/number_text.h"
 
 #include <cmath>
@@ -10,7 +11,6 @@
 namespace dyncal {
 namespace {
 
-constexpr double kCelsiusZero_K = 273.15;
 constexpr double kHighestGamma = 2.0;
 constexpr double kLightestGas_kg_mol = 0.001;
 constexpr double kHeaviestGas_kg_mol = 0.4;

@@ -3,6 +3,7 @@
 
 #include "core/shock/shock_work.h"
 
+#include "core/base/constants.h"
 #include "core/base/number_text.h"
 #include "core/shock/variable_shock.h"
 
@@ -10,11 +11,6 @@
 #include <utility>
 
 namespace dyncal {
-namespace {
-
-constexpr double kCelsiusZero_K = 273.15;
-
-} // namespace
 
 Finding &ShockWork::report(const char *id, Severity severity, Message message)
 {

@@ -3,14 +3,13 @@
 
 #pragma once
 
+#include "core/base/constants.h"
 #include "core/synthesis/sensor_spec.h"
 
 #include <complex>
 #include <vector>
 
 namespace dyncal {
-
-inline constexpr double kTwoPi = 6.283185307179586;
 
 /// The two poles of a mode in rad/s. Damping within 1e-8 of 1 is moved to 1 - 1e-8, so that the
 /// poles stay distinct (the response changes by less than 1e-8).

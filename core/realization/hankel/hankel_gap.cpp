@@ -14,7 +14,7 @@ namespace dyncal {
 namespace {
 
 constexpr double kSurely = 1.3; ///< of the noise's 95 % edge: noise alone does not reach this
-constexpr double kRounding = 1e-10; ///< of the largest singular value
+constexpr double kRoundingOfValues = 1e-10; ///< of the largest singular value
 constexpr double kClearGap = 3.0;
 
 Index oscillatingPairs(const HankelDecomposition &decomposition, Index order)
@@ -32,7 +32,8 @@ bool splitsPair(const HankelDecomposition &decomposition, Index order)
     if (order < 1 || order >= largestOrder(decomposition))
         return false;
     // What lies in the noise, or in the rounding of noise-free data, belongs to no oscillation.
-    const double least = std::max(kSurely * decomposition.noiseFloor_p95, kRounding * sigma[0]);
+    const double least
+        = std::max(kSurely * decomposition.noiseFloor_p95, kRoundingOfValues * sigma[0]);
     return sigma[order] > least
         && oscillatingPairs(decomposition, order + 1) > oscillatingPairs(decomposition, order);
 }

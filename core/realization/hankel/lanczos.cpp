@@ -19,7 +19,7 @@ namespace {
 /// Two: a double eigenvalue is found with both its vectors, two threads have a product each, and
 /// hardly more products are needed than with one.
 constexpr Index kBlock = 2;
-constexpr double kRounding = 1e-14; ///< of A's products, relative to the largest
+constexpr double kRoundingOfProducts = 1e-14; ///< of A's products, relative to the largest
 /// What is left of a vector after a subtraction, below which rounding shows: subtract again.
 constexpr double kMuchRemoved = 0.05;
 
@@ -157,7 +157,7 @@ void BlockLanczos::appendOrthonormal(Eigen::MatrixXd &W)
             W.col(j) -= R(i, j) * m_Q.col(m_dimension + i);
         }
         const double norm = W.col(j).norm();
-        if (norm > kRounding * m_scale) {
+        if (norm > kRoundingOfProducts * m_scale) {
             R(j, j) = norm;
         } else { // the subspace is exhausted: any other direction will do, uncoupled
             fillRandom(W.col(j), kBlock + m_products + j);
@@ -200,7 +200,7 @@ Index BlockLanczos::convergedAmong(Index count) const
 double BlockLanczos::excess(Index pair) const
 {
     return m_residuals[pair]
-        / std::max({m_tolerance * std::abs(m_values[pair]), kRounding * m_scale,
+        / std::max({m_tolerance * std::abs(m_values[pair]), kRoundingOfProducts * m_scale,
             std::numeric_limits<double>::min()});
 }
 

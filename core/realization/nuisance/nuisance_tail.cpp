@@ -3,6 +3,7 @@
 
 #include "core/realization/nuisance/nuisance_tail.h"
 
+#include "core/base/constants.h"
 #include "core/base/least_squares.h"
 #include "core/realization/refinement/pole_refinement.h"
 
@@ -10,12 +11,10 @@
 #include <array>
 #include <cmath>
 #include <complex>
-#include <numbers>
 
 namespace dyncal {
 namespace {
 
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kPerPeriod = 24.0; ///< samples of the search, at the fastest mode
 constexpr double kPresent = 20.0; ///< drop of the squares over their mean: far beyond any noise
 constexpr std::array kDampings{0.0, 0.005, 0.015, 0.04, 0.1, 0.2};

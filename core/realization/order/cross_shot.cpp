@@ -15,7 +15,7 @@
 namespace dyncal {
 namespace {
 
-constexpr Index kHighestOrder = 20;
+constexpr Index kHighestOrderCompared = 20;
 
 /// Squared error of one shot by order; empty if the others cannot be decomposed.
 Eigen::VectorXd errorsLeftOut(const ModelInput &input, std::size_t shot,
@@ -29,7 +29,7 @@ Eigen::VectorXd errorsLeftOut(const ModelInput &input, std::size_t shot,
     if (!hankel)
         return {};
     const Eigen::VectorXd &y = input.series[shot].y;
-    Eigen::VectorXd errors(std::min(kHighestOrder, largestOrder(*hankel)));
+    Eigen::VectorXd errors(std::min(kHighestOrderCompared, largestOrder(*hankel)));
     for (Index n = 1; n <= errors.size() && !control.stopRequested(); ++n) {
         std::vector<std::complex<double>> poles = realizedPoles(*hankel, n);
         errors[n - 1] = dropRunaways(poles, y.size())
@@ -48,9 +48,9 @@ CrossShot leaveOneShotOut(
     if (isThesisMode(input) || input.series.size() < 2)
         return {};
     RealizationSettings few = settings;
-    few.maxOrder = std::min(settings.maxOrder, kHighestOrder);
+    few.maxOrder = std::min(settings.maxOrder, kHighestOrderCompared);
     std::vector<Eigen::VectorXd> errors;
-    Index orders = kHighestOrder;
+    Index orders = kHighestOrderCompared;
     for (std::size_t r = 0; r < input.series.size(); ++r) {
         errors.push_back(errorsLeftOut(input, r, few, control));
         orders = std::min(orders, errors.back().size());

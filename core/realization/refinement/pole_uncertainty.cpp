@@ -3,17 +3,12 @@
 
 #include "core/realization/refinement/pole_uncertainty.h"
 
+#include "core/base/constants.h"
 #include "core/base/distributions.h"
 
 #include <cmath>
-#include <numbers>
 
 namespace dyncal {
-namespace {
-
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
-
-} // namespace
 
 PoleFigures pairFigures(std::complex<double> s, const Eigen::Matrix2d &covariance)
 {

@@ -175,11 +175,10 @@ private slots:
 
         // Stopped once the response is there: the next run finds nothing of it.
         std::stop_source late;
-        const JobControl control{
-            late.get_token(), [&late](double done) {
-                if (done >= progressAfter(StageId::Response, kLastStage))
-                    late.request_stop();
-            }};
+        const JobControl control{late.get_token(), [&late](double done) {
+                                     if (done >= progressAfter(StageId::Response, kLastStage))
+                                         late.request_stop();
+                                 }};
         const PipelineOutcome outcome = runPipeline(captures(), {}, cache, kLastStage, control);
         QVERIFY(outcome.error);
         QCOMPARE(outcome.error->kind, ErrorKind::Cancelled);

@@ -1,0 +1,35 @@
+# SPDX-FileCopyrightText: 2026 The Dyncal authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+
+# A room (folder) is compiled in few pieces, so that the headers that its sources share are parsed
+# once: a first build takes far less time. Off in the preset dev, where one changed source should
+# be compiled alone, and where a missing include shows.
+option(DYNCAL_UNITY "Compile the sources of a room together" OFF)
+
+# dyncal_unite_rooms(target layer [APART room...] [ALONE source...]): the sources of the rooms after
+# APART have constants of the same name and stay alone, as do those after ALONE, which take longest.
+# Pieces of at most 6 sources keep a change quick.
+function(dyncal_unite_rooms target layer)
+    cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "APART;ALONE")
+    if(NOT DYNCAL_UNITY)
+        return()
+    endif()
+    set(most_in_piece 6)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+    # Raised for every class with a member of a file's own type, unless the file is compiled alone.
+    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
+    get_target_property(sources ${target} SOURCES)
+    list(FILTER sources INCLUDE REGEX "/${layer}/.*\\.cpp$")
+    foreach(source IN LISTS sources)
+        string(REGEX MATCH "/${layer}/([a-z0-9_/]+)/[^/]*$" in_room "${source}")
+        set(room "${CMAKE_MATCH_1}")
+        get_filename_component(name "${source}" NAME)
+        if(NOT in_room OR room IN_LIST arg_APART OR name IN_LIST arg_ALONE)
+            continue()
+        endif()
+        string(MAKE_C_IDENTIFIER "${room}" group)
+        math(EXPR count_${group} "${count_${group}} + 1")
+        math(EXPR piece "(${count_${group}} - 1) / ${most_in_piece}")
+        set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${group}_${piece}")
+    endforeach()
+endfunction()

@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <numbers>
+
+namespace dyncal {
+
+inline constexpr double kTwoPi = 2.0 * std::numbers::pi;
+inline constexpr double kCelsiusZero_K = 273.15; ///< 0 degrees Celsius
+
+} // namespace dyncal

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/index.h"
+
+namespace dyncal {
+
+inline constexpr Index kMostShots = 100000; ///< that any list of a recipe may have entries for
+
+} // namespace dyncal
