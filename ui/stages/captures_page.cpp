@@ -127,7 +127,7 @@ void CapturesPage::buildInspector()
         change(tr("Change the DUT's unit"),
             [&](Recipe &r) { r.import.unit = unit.empty() ? std::nullopt : std::optional(unit); });
     });
-    m_scale = form->add(tr("Factor"), "dutScale", new QuantityEdit({}, -1e12, 1e12, 9));
+    m_scale = form->add(tr("Factor"), "dutScale", new QuantityEdit({}, 1e-9, 1e12, 9));
     connect(m_scale, &QuantityEdit::edited, this, [this](double factor) {
         change(tr("Change the DUT's factor"), [&](Recipe &r) { r.import.scale = factor; });
     });
@@ -278,7 +278,9 @@ void CapturesPage::showRecipe()
     const Channel *dut = shownSet().shots.empty()
         ? nullptr
         : shownSet().shots.front().channelWithRole(ChannelRole::Dut);
-    m_unit->setText(rawText(import.unit.value_or("")));
+    const QString unit = rawText(import.unit.value_or(""));
+    if (!m_unit->hasFocus() || !m_unit->isModified() || m_unit->text().trimmed() == unit)
+        m_unit->setText(unit); // else it is being typed
     m_unit->setPlaceholderText(dut ? shownText(dut->unit) : QString());
     m_scale->setSi(import.scale);
     m_inverted->setChecked(import.polarity < 0);

@@ -8,6 +8,7 @@
 
 #include <QHeaderView>
 
+#include <cmath>
 #include <limits>
 
 namespace dyncal {
@@ -28,7 +29,18 @@ public:
     }
     bool operator<(const QTableWidgetItem &other) const override
     {
-        return data(kValueRole).toDouble() < other.data(kValueRole).toDouble();
+        const double mine = data(kValueRole).toDouble();
+        const double theirs = other.data(kValueRole).toDouble();
+        if (std::isinf(mine) != std::isinf(theirs)) // a descending sort asks the other way round
+            return std::isinf(theirs) == isAscending();
+        return mine < theirs;
+    }
+
+private:
+    bool isAscending() const
+    {
+        const QTableWidget *table = tableWidget();
+        return !table || table->horizontalHeader()->sortIndicatorOrder() == Qt::AscendingOrder;
     }
 };
 

@@ -151,6 +151,7 @@ void OptionalEdit::setNames(const QString &objectName, const QString &accessible
 void OptionalEdit::set(const std::optional<double> &value, const std::optional<double> &fallback)
 {
     m_value = value;
+    m_fallback = fallback;
     if (m_text->hasFocus() && m_text->isModified())
         return;
     m_text->setText(value ? shownNumber(*value / m_unit.si, kShownDigits) : QString());
@@ -172,7 +173,7 @@ void OptionalEdit::commit()
             next = m_value;
     }
     const bool changed = next != m_value;
-    set(next);
+    set(next, m_fallback);
     if (changed)
         emit edited(next);
 }

@@ -36,6 +36,7 @@ public:
     double valueFromText(const QString &text) const override;
     QString textFromValue(double value) const override;
     QValidator::State validate(QString &text, int &position) const override;
+    void fixup(QString &) const override { } ///< Qt's would read "1,2,3" as 123
 
 signals:
     void edited(double si); ///< by the operator: committed or stepped
@@ -92,6 +93,7 @@ private:
     double m_lowest;
     double m_highest;
     std::optional<double> m_value;
+    std::optional<double> m_fallback;
 };
 
 } // namespace dyncal

@@ -14,6 +14,7 @@
 #include <QCheckBox>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalBlocker>
 
 #include <algorithm>
 #include <cmath>
@@ -86,10 +87,10 @@ void OrderInspector::buildAdoption(InspectorForm &form)
 void OrderInspector::buildSettings(InspectorForm &form)
 {
     form.addSection(tr("Stable within"));
-    m_stableFrequency
-        = form.add(tr("Frequency"), "stableFrequency", new QuantityEdit({"%", 0.01}, 1e-6, 1, 3));
+    m_stableFrequency = form.add(
+        tr("Frequency"), "stableFrequency", new QuantityEdit({"%", 0.01}, 1e-5, 0.99, 3));
     m_stableDamping
-        = form.add(tr("Damping"), "stableDamping", new QuantityEdit({"%", 0.01}, 1e-6, 1, 3));
+        = form.add(tr("Damping"), "stableDamping", new QuantityEdit({"%", 0.01}, 1e-5, 0.99, 3));
     connect(m_stableFrequency, &QuantityEdit::edited, this, [this](double share) {
         m_change(tr("Change the tolerance of stable frequencies"),
             [&](Recipe &r) { r.realization.stableFrequency = share; });
@@ -152,7 +153,11 @@ void OrderInspector::showRecipe(
     for (const OrderNote &note : settings.candidateNotes)
         m_remarks.insert(note.order, rawText(note.note));
     m_order->set(asDouble(settings.order), static_cast<double>(order));
-    m_largest->setSi(static_cast<double>(settings.maxOrder));
+    {
+        const QSignalBlocker quiet(m_largest); // a recipe cannot offer fewer than it has chosen
+        m_largest->setMinimum(static_cast<double>(settings.order.value.value_or(1)));
+        m_largest->setSi(static_cast<double>(settings.maxOrder));
+    }
     std::optional<double> rows;
     if (results.decomposition)
         rows = static_cast<double>(results.decomposition->hankel.rows);

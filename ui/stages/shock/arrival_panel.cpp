@@ -174,8 +174,10 @@ void ArrivalPanel::editSensor(
         list.push_back({channelRoleName(ChannelRole::DrivenSide)});
     edit(list[std::min(shownSensor(), list.size() - 1)]);
     if (std::any_of(list.begin(), list.end(),
-            [](const ArrivalSensor &s) { return !(s.distanceToEndWall_m > 0.0); }))
-        return; // a place without a distance is none
+            [](const ArrivalSensor &s) { return !(s.distanceToEndWall_m > 0.0); })) {
+        showFields(); // a place without a distance is none: nothing is taken
+        return;
+    }
     changeRecipe(
         m_session, label, [&](Recipe &r) { r.shock.arrivalSensors = list; }, mergeKey);
 }

@@ -113,6 +113,7 @@ void NuisanceList::showModes(
 void NuisanceList::showCandidates(const CalibrationResults &results)
 {
     const QVariant shotBefore = m_shot->currentData();
+    const QString chosenBefore = m_candidates->currentText();
     m_candidates->clear();
     m_shot->clear();
     m_offered.clear();
@@ -143,6 +144,7 @@ void NuisanceList::showCandidates(const CalibrationResults &results)
             offer(tr("peak").toStdString(),
                 !own.empty() && own.front() ? *own.front() : resonance.frequency_Hz, false);
         }
+    m_candidates->setCurrentIndex(std::max(0, m_candidates->findText(chosenBefore)));
 }
 
 void NuisanceList::mark(double frequency_Hz)

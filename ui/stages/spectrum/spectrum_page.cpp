@@ -128,12 +128,15 @@ void SpectrumPage::setSource(int choice)
 
 void SpectrumPage::setBand(bool begin, const std::optional<double> &frequency_Hz)
 {
+    Interval band = recipe().spectrum.resonanceBand_Hz.value_or(Interval{0.0, kHighest_Hz});
+    (begin ? band.begin : band.end) = frequency_Hz.value_or(begin ? 0.0 : kHighest_Hz);
+    if (band.begin >= band.end) {
+        showRecipe(); // not taken: the last good values come back
+        return;
+    }
+    const bool whole = band.begin <= 0.0 && band.end >= kHighest_Hz;
     change(tr("Change the search band"), [&](Recipe &r) {
-        Interval band = r.spectrum.resonanceBand_Hz.value_or(Interval{0.0, kHighest_Hz});
-        (begin ? band.begin : band.end) = frequency_Hz.value_or(begin ? 0.0 : kHighest_Hz);
-        const bool whole = band.begin <= 0.0 && band.end >= kHighest_Hz;
-        r.spectrum.resonanceBand_Hz
-            = whole || band.begin >= band.end ? std::nullopt : std::optional(band);
+        r.spectrum.resonanceBand_Hz = whole ? std::nullopt : std::optional(band);
     });
 }
 

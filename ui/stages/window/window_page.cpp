@@ -78,7 +78,7 @@ void WindowPage::buildInspector()
     });
 
     form->addSection(tr("Window, after the start"));
-    m_end = form->add(tr("End"), "windowEnd", new AutoEdit(kMicroseconds, 0.0, kLongest_s, 4));
+    m_end = form->add(tr("End"), "windowEnd", new AutoEdit(kMicroseconds, 1e-10, kLongest_s, 4));
     connect(m_end, &AutoEdit::edited, this, [this](const Auto<double> &end_s) {
         change(tr("Change the window's end"), [&](Recipe &r) {
             r.window.end_s = end_s;
@@ -300,13 +300,14 @@ void WindowPage::showResults()
     m_detail->setContent(first ? startCurves(*window) : nothingYet());
     showTable();
     const QSignalBlocker quiet(m_startShot);
-    const int chosen = std::max(m_startShot->currentIndex(), 0);
+    const QVariant chosen = m_startShot->currentData();
     m_startShot->clear();
     if (first)
         for (const WindowedResponse &response : window->responses)
-            m_startShot->addItem(
-                tr("Shot %1 %2").arg(response.shot).arg(levelText(response.level)));
-    m_startShot->setCurrentIndex(std::min(chosen, m_startShot->count() - 1));
+            m_startShot->addItem(tr("Shot %1 %2").arg(response.shot).arg(levelText(response.level)),
+                QVariant::fromValue<qlonglong>(response.shot));
+    if (m_startShot->count() > 0)
+        m_startShot->setCurrentIndex(std::max(0, m_startShot->findData(chosen)));
     showLength();
 }
 

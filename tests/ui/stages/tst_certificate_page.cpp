@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/project/recipe.h"
+#include "tests/support/test_program.h"
+#include "tests/ui/support/in_swedish.h"
+#include "tests/ui/support/page_bench.h"
+#include "ui/stages/certificate_page.h"
+
+#include <QPlainTextEdit>
+#include <QSignalSpy>
+#include <QtTest>
+
+using namespace dyncal;
+using test::PageBench;
+using test::waitComputed;
+
+namespace {
+
+using Bench = PageBench<CertificatePage>;
+
+std::string fieldOf(const Bench &bench, const std::string &key)
+{
+    const auto &fields = bench.recipe().certificate.fields;
+    const auto found = fields.find(key);
+    return found == fields.end() ? std::string("(none)") : found->second;
+}
+
+void clear(Bench &bench, const QString &name)
+{
+    auto *edit = bench.control<QLineEdit>(name);
+    edit->selectAll();
+    QTest::keyClick(edit, Qt::Key_Delete);
+    QTest::keyClick(edit, Qt::Key_Return);
+}
+
+} // namespace
+
+/// What is filled in for the certificate, and what the page says of the rest.
+class TestCertificatePage : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void init() { QLocale::setDefault(QLocale::c()); }
+    void everyField_typedIsInTheRecipe_andUndone();
+    void blanks_areTakenOff_andNothingIsNoEntry();
+    void foreignText_isKeptToTheLetter();
+    void remarks_typed_areOneStep_andUndoneAtOnce();
+    void requiredFields_countDownToNone();
+    void language_isOfTheDocument_notOfTheWindow();
+    void swedish_labelsAndCounts();
+    void findings_areCounted();
+};
+
+void TestCertificatePage::everyField_typedIsInTheRecipe_andUndone()
+{
+    Bench bench;
+    int typed = 0;
+    for (QLineEdit *edit : bench.page.findChildren<QLineEdit *>()) {
+        if (!edit->objectName().startsWith("field_"))
+            continue;
+        const QString text = "value of " + edit->objectName();
+        bench.type(edit->objectName(), text);
+        QCOMPARE(fieldOf(bench, edit->objectName().mid(6).toStdString()), text.toStdString());
+        ++typed;
+    }
+    QVERIFY(typed >= 16);
+    QCOMPARE(bench.session.undoStack().count(), typed);
+    while (bench.session.undoStack().canUndo())
+        bench.session.undoStack().undo();
+    QVERIFY(bench.recipe().certificate.fields.empty());
+    for (const QLineEdit *edit : bench.page.findChildren<QLineEdit *>())
+        QVERIFY2(edit->text().isEmpty(), qPrintable(edit->objectName()));
+    QVERIFY(!bench.session.isComputing()); // no number depends on a name
+}
+
+void TestCertificatePage::blanks_areTakenOff_andNothingIsNoEntry()
+{
+    Bench bench;
+    bench.type("field_customer", "  Testbolaget AB ");
+    QCOMPARE(fieldOf(bench, "customer"), std::string("Testbolaget AB"));
+    QCOMPARE(bench.control<QLineEdit>("field_customer")->text(), QString("Testbolaget AB"));
+    clear(bench, "field_customer");
+    QVERIFY(!bench.recipe().certificate.fields.contains("customer"));
+    bench.type("field_customer", "    ");
+    QVERIFY(!bench.recipe().certificate.fields.contains("customer"));
+    QCOMPARE(bench.session.undoStack().count(), 2); // typed, emptied; blanks are no step
+}
+
+void TestCertificatePage::foreignText_isKeptToTheLetter()
+{
+    Bench bench;
+    const QString name = QString::fromUtf8("Å&B <b>\"Öst\"</b> \\ %1 ½");
+    bench.control<QLineEdit>("field_customer")->setText(name);
+    QTest::keyClick(bench.control<QLineEdit>("field_customer"), Qt::Key_Return);
+    QCOMPARE(fieldOf(bench, "customer"), name.toStdString());
+    const Result<Recipe> again = parseRecipe(recipeJson(bench.recipe()));
+    QVERIFY(again);
+    QCOMPARE(again->certificate.fields.at("customer"), name.toStdString());
+    QVERIFY(!bench.control<QLabel>("missingFields")->text().contains("<b>"));
+}
+
+void TestCertificatePage::remarks_typed_areOneStep_andUndoneAtOnce()
+{
+    Bench bench;
+    auto *remarks = bench.control<QPlainTextEdit>("field_remarks");
+    QTest::keyClicks(remarks, "as found");
+    QTest::keyClick(remarks, Qt::Key_Return);
+    QTest::keyClicks(remarks, "as left");
+    QCOMPARE(fieldOf(bench, "remarks"), std::string("as found\nas left"));
+    QCOMPARE(bench.session.undoStack().count(), 1);
+    bench.session.undoStack().undo();
+    QVERIFY(remarks->toPlainText().isEmpty());
+    bench.session.undoStack().redo();
+    QCOMPARE(remarks->toPlainText(), QString("as found\nas left"));
+}
+
+void TestCertificatePage::requiredFields_countDownToNone()
+{
+    Bench bench;
+    auto *missing = bench.control<QLabel>("missingFields");
+    const auto required = [&] { return missing->text().section(' ', 1, 1).toInt(); };
+    int before = required();
+    QVERIFY(before > 3);
+    for (QLineEdit *edit : bench.page.findChildren<QLineEdit *>()) {
+        if (!edit->objectName().startsWith("field_"))
+            continue;
+        bench.type(edit->objectName(), "2026-01-31");
+        QVERIFY2(required() == before || required() == before - 1, qPrintable(missing->text()));
+        before = required();
+    }
+    QVERIFY2(missing->text().startsWith("●"), qPrintable(missing->text()));
+    clear(bench, "field_customer");
+    QVERIFY2(missing->text().startsWith("■ 1 "), qPrintable(missing->text()));
+}
+
+void TestCertificatePage::language_isOfTheDocument_notOfTheWindow()
+{
+    Bench bench;
+    QCOMPARE(bench.control<QComboBox>("certificateLanguage")->currentIndex(), 0);
+    bench.choose("certificateLanguage", 1);
+    QCOMPARE(bench.recipe().certificate.languages, std::vector<std::string>{"sv"});
+    QVERIFY(bench.control<QLabel>("missingFields")->text().contains("Place of calibration"));
+    bench.session.undoStack().undo();
+    QCOMPARE(bench.control<QComboBox>("certificateLanguage")->currentIndex(), 0);
+}
+
+void TestCertificatePage::swedish_labelsAndCounts()
+{
+    const test::InSwedish swedish;
+    Bench bench;
+    auto *missing = bench.control<QLabel>("missingFields");
+    QVERIFY2(missing->text().contains("obligatoriska fält"), qPrintable(missing->text()));
+    // A document's words in the window's language, not in English.
+    QVERIFY(!missing->text().contains("Place of calibration"));
+    QCOMPARE(bench.control<QComboBox>("certificateLanguage")->currentIndex(), 0);
+    QVERIFY(!bench.control<QLineEdit>("field_place")->accessibleName().contains("Place"));
+    bench.type("field_place", "Lund");
+    QCOMPARE(fieldOf(bench, "place"), std::string("Lund")); // keys are not translated
+}
+
+void TestCertificatePage::findings_areCounted()
+{
+    Bench bench; // one caution: SHK-003
+    auto *count = bench.control<QLabel>("cautionCount");
+    int cautions = 0;
+    for (const Finding &finding : bench.session.findings())
+        cautions += finding.severity == Severity::Caution;
+    QVERIFY(cautions >= 1);
+    QVERIFY2(
+        count->text().contains(QString("%1 caution").arg(cautions)), qPrintable(count->text()));
+    QVERIFY2(count->text().startsWith("▲"), qPrintable(count->text()));
+}
+
+DYNCAL_TEST(TestCertificatePage)
+#include "tst_certificate_page.moc"

@@ -1,0 +1,297 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tests/support/simulated_example.h"
+#include "tests/support/test_program.h"
+#include "tests/ui/support/in_swedish.h"
+#include "tests/ui/support/kept_bench.h"
+#include "ui/stages/frame/quantity_edit.h"
+#include "ui/stages/frame/value_table.h"
+#include "ui/stages/window/window_page.h"
+
+#include <QCheckBox>
+#include <QtTest>
+
+#include <cmath>
+
+using namespace dyncal;
+using test::PageBench;
+using test::waitComputed;
+
+namespace {
+
+using Bench = PageBench<WindowPage>;
+
+constexpr double kSample_s = 1e-7;
+
+const WindowedResponse &responseAt(const Bench &bench, std::size_t i)
+{
+    return bench.session.results().window->responses.at(i);
+}
+
+std::vector<double> startsOf(const Bench &bench)
+{
+    std::vector<double> starts_s;
+    for (const WindowedResponse &response : bench.session.results().window->responses)
+        starts_s.push_back(response.start_s);
+    return starts_s;
+}
+
+void drag(Bench &bench, const QString &line, std::initializer_list<double> way_s)
+{
+    auto *plot = bench.control<PlotWidget>("windowPlot");
+    for (const double *at = way_s.begin(); at != way_s.end(); ++at)
+        emit plot->lineMoved(line, *at, at + 1 == way_s.end());
+    waitComputed(bench.session);
+}
+
+void undo(Bench &bench)
+{
+    bench.session.undoStack().undo();
+    waitComputed(bench.session);
+}
+
+void exclude(Bench &bench, Index shot)
+{
+    Recipe recipe = bench.recipe();
+    recipe.import.exclude = {{shot, "tore late"}};
+    bench.session.apply(recipe, "exclude");
+    waitComputed(bench.session);
+}
+
+} // namespace
+
+/// Start, window and bands by hand, over the real pipeline.
+class TestWindowPage : public QObject
+{
+    Q_OBJECT
+
+private:
+    Bench &fresh()
+    {
+        Bench &bench = m_kept.fresh(m_set);
+        bench.choose("startShot", 0);
+        return bench;
+    }
+    std::shared_ptr<const CaptureSet> m_set;
+    test::KeptBench<WindowPage> m_kept;
+
+private slots:
+    void initTestCase() { m_set = testing::simulatedExample(1e7, 0.004); }
+    void end_dragged_isOneStep_andTheReadoutsAgree();
+    void end_draggedBeforeTheStart_isNotTaken();
+    void end_typedWhileAtPlateau_leavesThePlateau();
+    void start_dragged_movesEveryShotByTheSame_onReleaseOnly();
+    void start_typed_isOfTheChosenShotAlone();
+    void start_typedInSwedish_takesTheComma();
+    void start_detectedAgain_givesTheSame();
+    void settleBand_dragged_isOneStep();
+    void stretchBand_doesNotMoveTheBaseline();
+    void shotExcluded_choiceStaysWithItsShot();
+    void remapOff_showsTheRecordsUnit();
+    void nonsense_changesNothing();
+    void table_stepIsSettledLessBaseline();
+};
+
+void TestWindowPage::end_dragged_isOneStep_andTheReadoutsAgree()
+{
+    Bench &bench = fresh();
+    drag(bench, "end", {4e-4, 3e-4, 2e-4});
+    QCOMPARE(bench.session.undoStack().count(), 1);
+    QCOMPARE(*bench.recipe().window.end_s.value, 2e-4);
+    QVERIFY(!bench.control<QCheckBox>("windowEndAuto")->isChecked());
+    QCOMPARE(bench.control<QuantityEdit>("windowEndValue")->si(), 2e-4);
+    // 200 us at 10 MHz; 1 / 200 us.
+    QVERIFY(std::abs(responseAt(bench, 0).length - 2000) <= 1);
+    QVERIFY2(bench.control<QLabel>("windowLength")->text().startsWith("200 µs, "),
+        qPrintable(bench.control<QLabel>("windowLength")->text()));
+    QVERIFY(bench.control<QLabel>("windowResolution")->text().startsWith("5 kHz"));
+    undo(bench);
+    QVERIFY(bench.recipe().window.end_s.isAuto());
+    QVERIFY(bench.control<QCheckBox>("windowEndAuto")->isChecked());
+}
+
+void TestWindowPage::end_draggedBeforeTheStart_isNotTaken()
+{
+    Bench &bench = fresh();
+    drag(bench, "end", {-1e-5, -5e-5});
+    QVERIFY(bench.recipe().window.end_s.isAuto());
+    QCOMPARE(bench.session.undoStack().count(), 0);
+    QVERIFY(!bench.session.error());
+}
+
+void TestWindowPage::end_typedWhileAtPlateau_leavesThePlateau()
+{
+    Bench &bench = fresh();
+    bench.control<QCheckBox>("endAtPlateau")->click();
+    waitComputed(bench.session);
+    QVERIFY(bench.recipe().window.endAtPlateau);
+    const double plateau_s = responseAt(bench, 2).end_s;
+    bench.choose("startShot", 2);
+    QVERIFY(std::abs(bench.control<QuantityEdit>("windowEndValue")->si() - plateau_s) < 1e-9);
+    drag(bench, "end", {3e-4});
+    QVERIFY(!bench.recipe().window.endAtPlateau);
+    QVERIFY(!bench.control<QCheckBox>("endAtPlateau")->isChecked());
+    undo(bench);
+    QVERIFY(bench.recipe().window.endAtPlateau);
+    QCOMPARE(responseAt(bench, 2).end_s, plateau_s);
+}
+
+void TestWindowPage::start_dragged_movesEveryShotByTheSame_onReleaseOnly()
+{
+    Bench &bench = fresh();
+    const std::vector<double> before_s = startsOf(bench);
+    emit bench.control<PlotWidget>("windowPlot")->lineMoved("start", 1e-6, false);
+    QVERIFY(bench.recipe().window.start_s.empty()); // the axis itself would move under the hand
+    drag(bench, "start", {2e-6, 3e-6});
+    QCOMPARE(bench.session.undoStack().count(), 1);
+    const std::vector<double> after_s = startsOf(bench);
+    for (std::size_t i = 0; i < before_s.size(); ++i)
+        QVERIFY(std::abs(after_s[i] - before_s[i] - 3e-6) <= kSample_s);
+    undo(bench);
+    QCOMPARE(startsOf(bench), before_s);
+}
+
+void TestWindowPage::start_typed_isOfTheChosenShotAlone()
+{
+    Bench &bench = fresh();
+    const std::vector<double> before_s = startsOf(bench);
+    bench.control<QCheckBox>("startAuto")->click();
+    waitComputed(bench.session);
+    QCOMPARE(startsOf(bench), before_s); // what was used is what is typed
+    bench.choose("startShot", 1);
+    auto *field = bench.control<QuantityEdit>("startValue");
+    QVERIFY(std::abs(field->si() - before_s[1]) < 1e-11);
+    field->setValue(field->value() + 4.0);
+    waitComputed(bench.session);
+    const std::vector<double> after_s = startsOf(bench);
+    QCOMPARE(after_s[0], before_s[0]);
+    QVERIFY(std::abs(after_s[1] - before_s[1] - 4e-6) <= kSample_s);
+    QCOMPARE(after_s[2], before_s[2]);
+    bench.choose("startShot", 0);
+    QVERIFY(std::abs(field->si() - before_s[0]) < 1e-11);
+}
+
+void TestWindowPage::start_typedInSwedish_takesTheComma()
+{
+    const test::InSwedish swedish;
+    Bench bench(m_set);
+    bench.control<QCheckBox>("windowEndAuto")->click();
+    auto *field = bench.control<QuantityEdit>("windowEndValue");
+    field->selectAll();
+    QTest::keyClicks(field, "250,5");
+    QTest::keyClick(field, Qt::Key_Return);
+    QVERIFY(std::abs(*bench.recipe().window.end_s.value - 250.5e-6) < 1e-15);
+    QVERIFY2(field->text().startsWith("250,5"), qPrintable(field->text()));
+    field->selectAll();
+    QTest::keyClicks(field, "1.000,5"); // no number in any language: not one either
+    QTest::keyClick(field, Qt::Key_Return);
+    QVERIFY(std::abs(*bench.recipe().window.end_s.value - 250.5e-6) < 1e-15);
+    waitComputed(bench.session);
+}
+
+void TestWindowPage::start_detectedAgain_givesTheSame()
+{
+    Bench &bench = fresh();
+    const std::vector<double> before_s = startsOf(bench);
+    drag(bench, "start", {5e-6});
+    bench.control<QCheckBox>("startAuto")->click(); // back to the program's rule
+    waitComputed(bench.session);
+    QVERIFY(bench.recipe().window.start_s.empty());
+    QCOMPARE(startsOf(bench), before_s);
+}
+
+void TestWindowPage::settleBand_dragged_isOneStep()
+{
+    Bench &bench = fresh();
+    auto *plot = bench.control<PlotWidget>("windowPlot");
+    emit plot->bandMoved("settle", {1e-4, 2e-4}, false);
+    emit plot->bandMoved("settle", {1.5e-4, 2.5e-4}, true);
+    waitComputed(bench.session);
+    QCOMPARE(bench.session.undoStack().count(), 1);
+    QCOMPARE(bench.recipe().window.settle_s.value->begin, 1.5e-4);
+    QCOMPARE(bench.control<QuantityEdit>("settleEnd")->si(), 2.5e-4);
+    // A second drag is a step of its own.
+    emit plot->bandMoved("settle", {1e-4, 2e-4}, true);
+    waitComputed(bench.session);
+    QCOMPARE(bench.session.undoStack().count(), 2);
+    undo(bench);
+    QCOMPARE(bench.recipe().window.settle_s.value->begin, 1.5e-4);
+}
+
+void TestWindowPage::stretchBand_doesNotMoveTheBaseline()
+{
+    Bench &bench = fresh();
+    emit bench.control<PlotWidget>("windowPlot")->bandMoved("stretch0", {1e-5, 2e-5}, true);
+    emit bench.control<PlotWidget>("windowPlot")->bandMoved("guard", {1e-5, 2e-5}, true);
+    QVERIFY(bench.recipe().window.baseline_s.isAuto());
+    QVERIFY(bench.recipe().window.settle_s.isAuto());
+    QCOMPARE(bench.session.undoStack().count(), 0);
+}
+
+void TestWindowPage::shotExcluded_choiceStaysWithItsShot()
+{
+    Bench &bench = fresh();
+    bench.choose("startShot", 1);
+    exclude(bench, 1);
+    auto *shots = bench.control<QComboBox>("startShot");
+    QCOMPARE(shots->count(), 2);
+    // What is typed next is of the shot that was looked at.
+    QVERIFY2(shots->currentText().startsWith("Shot 2"), qPrintable(shots->currentText()));
+    undo(bench);
+    QVERIFY2(shots->currentText().startsWith("Shot 2"), qPrintable(shots->currentText()));
+}
+
+void TestWindowPage::remapOff_showsTheRecordsUnit()
+{
+    Bench &bench = fresh();
+    const PlotContent &content = bench.control<PlotWidget>("windowPlot")->content();
+    QVERIFY(content.yAxis.unit.isEmpty());
+    const double step = responseAt(bench, 0).step;
+    bench.control<QCheckBox>("remap")->click();
+    waitComputed(bench.session);
+    QCOMPARE(content.yAxis.unit, QString::fromStdString(responseAt(bench, 0).unit));
+    QVERIFY(!content.yAxis.unit.isEmpty());
+    QVERIFY(std::abs(responseAt(bench, 0).step - step) < 1e-9 * std::abs(step));
+}
+
+void TestWindowPage::nonsense_changesNothing()
+{
+    Bench &bench = fresh();
+    for (const char *box : {"baselineAuto", "windowEndAuto", "settleAuto"})
+        bench.control<QCheckBox>(box)->click();
+    waitComputed(bench.session);
+    const Recipe before = bench.recipe();
+    for (const char *name : {"baselineBegin", "baselineEnd", "windowEndValue", "settleBegin"})
+        for (const char *typed : {"", "abc", "1e99", "-", "--3", "1,2,3"}) {
+            auto *field = bench.control<QuantityEdit>(name);
+            field->selectAll();
+            QTest::keyClick(field, Qt::Key_Delete);
+            QTest::keyClicks(field, typed);
+            QTest::keyClick(field, Qt::Key_Return);
+            QVERIFY2(bench.recipe() == before,
+                qPrintable(QString("%1: '%2'").arg(QString(name), QString(typed))));
+        }
+}
+
+void TestWindowPage::table_stepIsSettledLessBaseline()
+{
+    Bench &bench = fresh();
+    auto *table = bench.control<ValueTable>("windowTable");
+    QCOMPARE(table->rowCount(), 3);
+    const auto number = [&](int row, int column) {
+        return table->item(row, column)->text().section(' ', 0, 0).toDouble();
+    };
+    for (int row = 0; row < 3; ++row) {
+        const WindowedResponse &response = responseAt(bench, static_cast<std::size_t>(row));
+        QVERIFY(std::abs(response.settled - response.baseline - response.step)
+            < 1e-12 * std::abs(response.step));
+        QVERIFY(std::abs(number(row, 5) - response.snr_dB) < 0.5);
+    }
+    exclude(bench, 2);
+    QCOMPARE(table->rowCount(), 2);
+    QVERIFY(table->item(1, 0)->text().startsWith("3 "));
+}
+
+DYNCAL_TEST(TestWindowPage)
+#include "tst_window_page.moc"
