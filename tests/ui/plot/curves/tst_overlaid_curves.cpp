@@ -215,11 +215,10 @@ void TestOverlaidCurves::secondOrder_withoutPlateau_isNotDrawn()
 {
     const auto made = model(2, alternating);
     PlotContent content;
-    addSecondOrder(content, *made, *response()); // none was fitted
-    made->secondOrder.emplace();
-    addSecondOrder(content, *made, *response()); // the model has no plateau to refer to
+    const SecondOrderModel fit;
+    addSecondOrder(content, *made, fit, *response()); // the model has no plateau to refer to
     made->plateauGain = 1.0;
-    addSecondOrder(content, *made, *response()); // nor any shot of the second-order sensor
+    addSecondOrder(content, *made, fit, *response()); // nor any shot of the second-order sensor
     QVERIFY(content.curves.empty());
 }
 
@@ -233,9 +232,8 @@ void TestOverlaidCurves::secondOrder_atItsResonance_isItsQuality()
     fit.shots.resize(2);
     for (SecondOrderShot &shot : fit.shots)
         shot.plateauGain = 1.0;
-    made->secondOrder = fit;
     PlotContent content;
-    addSecondOrder(content, *made, *response());
+    addSecondOrder(content, *made, fit, *response());
     QVERIFY(std::abs(content.curves.at(0).y.back() - 1.0 / (2.0 * 0.025)) < 1e-9); // at f0
     QVERIFY(std::abs(content.curves.at(0).y.front() - 1.0) < 1e-6); // far below
 }

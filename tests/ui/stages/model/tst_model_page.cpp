@@ -18,10 +18,12 @@ using test::waitComputed;
 
 namespace {
 
-/// The formula results with a model changed by the test.
+using Assessed = std::optional<ModelAssessment>;
+
+/// The formula results with a model and what is said of it changed by the test.
 struct Doctored
 {
-    using Edit = std::function<void(SensorModel &)>;
+    using Edit = std::function<void(SensorModel &, Assessed &)>;
     std::shared_ptr<Edit> edit = std::make_shared<Edit>();
 
     PipelineOutcome operator()(const std::shared_ptr<const CaptureSet> &captures,
@@ -29,9 +31,12 @@ struct Doctored
     {
         PipelineOutcome outcome = test::samplePipeline(captures, recipe, cache, last, control);
         auto model = std::make_shared<SensorModel>(*outcome.results.model);
+        Assessed assessed = *outcome.results.assessment;
         if (*edit)
-            (*edit)(*model);
+            (*edit)(*model, assessed);
         outcome.results.model = model;
+        outcome.results.assessment
+            = assessed ? std::make_shared<const ModelAssessment>(*assessed) : nullptr;
         return outcome;
     }
 };
@@ -75,7 +80,7 @@ struct Bench
     }
 };
 
-void makeSecondOrder(SensorModel &model)
+void makeSecondOrder(SensorModel &model, Assessed &assessed)
 {
     SecondOrderModel fit;
     fit.f0_Hz = 1.4e6;
@@ -88,7 +93,7 @@ void makeSecondOrder(SensorModel &model)
         shot.plateauGain = 1.02;
     }
     model.plateauGain = 1.0;
-    model.secondOrder = fit;
+    assessed->secondOrder = fit;
 }
 
 void exclude(Session &session, Index shot)
@@ -122,7 +127,7 @@ private slots:
 
 void TestModelPage::divergingModel_hasNoNumbers()
 {
-    Bench bench([](SensorModel &model) {
+    Bench bench([](SensorModel &model, Assessed &) {
         model.diverges = true;
         model.fit_percent = -1e53;
         model.series[0].fit_percent = -1e53;
@@ -138,7 +143,7 @@ void TestModelPage::divergingModel_hasNoNumbers()
 
 void TestModelPage::poorModel_isBelowZero_inWordsNotDigits()
 {
-    Bench bench([](SensorModel &model) { model.fit_percent = -312.0; });
+    Bench bench([](SensorModel &model, Assessed &) { model.fit_percent = -312.0; });
     QCOMPARE(bench.said("modelFit"), QString("< 0 % of attainable 89.9 %"));
 }
 
@@ -149,7 +154,7 @@ void TestModelPage::unassessedModel_saysWhatIsNotYetThere()
     QVERIFY(bench.control<ValueTable>("secondOrderTable")->isEnabled());
     QVERIFY(bench.said("modelSecondOrder").contains("does not describe the data"));
     const int rows = bench.control<ValueTable>("secondOrderTable")->rowCount();
-    bench.compute([](SensorModel &model) { model.isAssessed = false; });
+    bench.compute([](SensorModel &, Assessed &assessed) { assessed.reset(); });
     // What an earlier assessment said stays there, greyed; the read-outs do not speak of it.
     QVERIFY(!bench.control<ValueTable>("secondOrderTable")->isEnabled());
     QCOMPARE(bench.control<ValueTable>("secondOrderTable")->rowCount(), rows);
@@ -165,7 +170,7 @@ void TestModelPage::listingsFit_isShownWhereThereIsOne()
 {
     Bench bench;
     QCOMPARE(bench.said("modelFitListing"), QString("–"));
-    bench.compute([](SensorModel &model) { model.fitListing_percent = -29.8; });
+    bench.compute([](SensorModel &model, Assessed &) { model.fitListing_percent = -29.8; });
     QVERIFY2(bench.said("modelFitListing").startsWith("-29.8 %"),
         qPrintable(bench.said("modelFitListing")));
 }
@@ -228,7 +233,7 @@ void TestModelPage::noiseMode_opensItsTab()
 {
     Bench bench;
     QVERIFY(!bench.hasTab("nuisanceTable"));
-    bench.compute([](SensorModel &model) {
+    bench.compute([](SensorModel &model, Assessed &) {
         NuisanceResult mode;
         mode.mode.label = "transverse (1,0)";
         NuisanceOfShot shot;
@@ -249,8 +254,8 @@ void TestModelPage::noiseMode_opensItsTab()
 void TestModelPage::swedish_numbersAndWords()
 {
     const test::InSwedish swedish;
-    Bench bench([](SensorModel &model) {
-        model.homogeneity = Homogeneity{1.5e6, 40.0, 4.0, 1e-6, false};
+    Bench bench([](SensorModel &model, Assessed &assessed) {
+        assessed->homogeneity = Homogeneity{1.5e6, 40.0, 4.0, 1e-6, false};
         model.uncertaintyMethod = "AR(3) of the residual";
     });
     QVERIFY2(bench.said("modelFit").startsWith("89,4 %"), qPrintable(bench.said("modelFit")));
