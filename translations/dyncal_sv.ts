@@ -1657,6 +1657,10 @@
         <translation>%1 är ingen läsbar registrering: det är en binärfil av okänt slag. Läsbara format: %2.</translation>
     </message>
     <message>
+        <source>An empty name was given where a file is needed; name a file.</source>
+        <translation>Ett tomt namn angavs där en fil behövs; ange en fil.</translation>
+    </message>
+    <message>
         <source>%1 does not exist; check the name and the folder.</source>
         <translation>%1 finns inte; kontrollera namnet och mappen.</translation>
     </message>
@@ -1731,6 +1735,10 @@
     <message>
         <source>%1 was not read because the system could not start a helper process; close other programs.</source>
         <translation>%1 lästes inte eftersom systemet inte kunde starta en hjälpprocess; stäng andra program.</translation>
+    </message>
+    <message>
+        <source>%1 was not read because the system or another program ended the helper process that reads it, most likely for want of memory; close other programs and try again.</source>
+        <translation>%1 lästes inte eftersom systemet eller ett annat program avslutade hjälpprocessen som läser den, troligen för att minnet inte räckte; stäng andra program och försök igen.</translation>
     </message>
     <message>
         <source>%1 is damaged so badly that the HDF5 library fails on it; take another copy.</source>
@@ -2709,6 +2717,10 @@
         <translation>Simuleringen begärs med %1 = %2; det ska ligga i %3 .. %4.</translation>
     </message>
     <message>
+        <source>The simulated sensor &apos;%1&apos; rings at %2, which a sample rate of %3 cannot show; it needs more than %4.</source>
+        <translation>Den simulerade givaren &apos;%1&apos; ringer vid %2, vilket en samplingsfrekvens på %3 inte kan visa; det krävs mer än %4.</translation>
+    </message>
+    <message>
         <source>A shot to simulate has no level; choose low, medium or high.</source>
         <translation>Ett skott att simulera saknar nivå; välj low, medium eller high.</translation>
     </message>
@@ -2723,6 +2735,10 @@
     <message>
         <source>The program met an unexpected condition (%1); please report it with your project file.</source>
         <translation>Programmet stötte på ett oväntat tillstånd (%1); rapportera det tillsammans med projektfilen.</translation>
+    </message>
+    <message>
+        <source>Project %1 is a folder or a device, not a file; name a project file.</source>
+        <translation>Projektet %1 är en mapp eller en enhet, inte en fil; ange en projektfil.</translation>
     </message>
     <message>
         <source>Project %1 cannot be opened (%2).</source>
@@ -3849,6 +3865,10 @@
         <translation>Minnet räcker inte till detta; stäng andra program eller höj minnesgränsen.</translation>
     </message>
     <message>
+        <source>The certificate and the plots were not drawn because the system or another program ended the helper process that draws them, most likely for want of memory, and nothing was written; close other programs and try again.</source>
+        <translation>Certifikatet och diagrammen ritades inte eftersom systemet eller ett annat program avslutade hjälpprocessen som ritar dem, troligen för att minnet inte räckte, och inget skrevs; stäng andra program och försök igen.</translation>
+    </message>
+    <message>
         <source>The certificate and the plots could not be drawn, most likely because there is not enough memory, and nothing was written; close other programs or raise the memory limit.</source>
         <translation>Certifikatet och diagrammen kunde inte ritas, troligen för att minnet inte räcker, och inget skrevs; stäng andra program eller höj minnesgränsen.</translation>
     </message>
@@ -3987,6 +4007,10 @@
     <message>
         <source>%1 exists already and is not replaced; choose another name.</source>
         <translation>%1 finns redan och ersätts inte; välj ett annat namn.</translation>
+    </message>
+    <message>
+        <source>%1 was renamed, moved or replaced while it was being written, so nothing was written into it; write again into the folder that you mean.</source>
+        <translation>%1 bytte namn, flyttades eller ersattes medan den skrevs, så inget skrevs i den; skriv igen i den mapp som du menar.</translation>
     </message>
     <message>
         <source>%1 is being written by another program at this moment; wait until it has ended or choose another name.</source>

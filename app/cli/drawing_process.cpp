@@ -114,6 +114,13 @@ Result<std::vector<DrawnFile>> drawWithoutWindow(
         kLimits, interruptToken());
     if (outcome == GuardedOutcome::Stopped)
         return fail(ErrorKind::Cancelled, {DYNCAL_TEXT("core", "Stopped on request."), {}});
+    if (outcome == GuardedOutcome::Killed)
+        return fail(ErrorKind::Internal,
+            {DYNCAL_TEXT("core",
+                 "The certificate and the plots were not drawn because the system or another "
+                 "program ended the helper process that draws them, most likely for want of "
+                 "memory, and nothing was written; close other programs and try again."),
+                {}});
     std::optional<std::vector<DrawnFile>> files
         = outcome == GuardedOutcome::Finished ? filesIn(message) : std::nullopt;
     if (!files)

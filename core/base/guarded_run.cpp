@@ -47,11 +47,13 @@ std::uint64_t usedAddressSpace()
     return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/// A handler of the program would report a crash as the program's own.
+/// A handler of the program would report a crash as the program's own. Ctrl+C reaches everything of
+/// the terminal at once: the program decides what it means, and its helpers end with it.
 void forgetSignalHandling()
 {
-    for (const int number :
-        {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGTERM, SIGINT, SIGPIPE, SIGPROF})
+    for (const int number : {SIGINT, SIGTERM, SIGHUP})
+        ::signal(number, SIG_IGN);
+    for (const int number : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT, SIGPIPE, SIGPROF})
         ::signal(number, SIG_DFL);
     ::signal(SIGXFSZ, SIG_IGN); // or else a warning to stderr kills it where stderr is a file
     sigset_t none;
@@ -59,14 +61,23 @@ void forgetSignalHandling()
     ::sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
+/// What the program knows before the fork.
+struct Parent
+{
+    pid_t id = ::getpid();
+    std::uint64_t addressSpace = usedAddressSpace();
+};
+
 [[noreturn]] void runAsChild(const std::function<void(GuardedOutput &)> &work, int descriptor,
-    const GuardedLimits &limits, std::uint64_t addressSpace)
+    const GuardedLimits &limits, const Parent &parent)
 {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+    if (::getppid() != parent.id) // it ended before it could be asked for
+        ::_exit(1);
     forgetSignalHandling();
     limit(RLIMIT_CORE, 0);
     limit(RLIMIT_FSIZE, 0); // it reads files and writes none
-    limit(RLIMIT_AS, addressSpace + limits.memoryBytes);
+    limit(RLIMIT_AS, parent.addressSpace + limits.memoryBytes);
     GuardedOutput output(descriptor, limits.time);
     try {
         work(output);
@@ -100,12 +111,16 @@ GuardedOutcome receiveAll(int descriptor,
     return GuardedOutcome::Died;
 }
 
-bool exitedWell(pid_t child)
+/// Of a child that nobody here has killed.
+GuardedOutcome endOf(pid_t child)
 {
     int status = 0;
     pid_t ended = 0;
     while ((ended = ::waitpid(child, &status, 0)) < 0 && errno == EINTR) { }
-    return ended == child && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    if (ended == child && WIFEXITED(status) && WEXITSTATUS(status) == 0)
+        return GuardedOutcome::Finished;
+    const bool killed = ended == child && WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL;
+    return killed ? GuardedOutcome::Killed : GuardedOutcome::Died;
 }
 
 } // namespace
@@ -140,7 +155,7 @@ GuardedOutcome runGuarded(const std::function<void(GuardedOutput &)> &work,
     const std::function<bool(std::span<const std::byte>)> &receive, const GuardedLimits &limits,
     const std::stop_token &stop)
 {
-    const std::uint64_t addressSpace = usedAddressSpace();
+    const Parent parent;
     int ends[2];
     if (::pipe2(ends, O_CLOEXEC) != 0)
         return GuardedOutcome::NotStarted;
@@ -151,15 +166,15 @@ GuardedOutcome runGuarded(const std::function<void(GuardedOutput &)> &work,
     if (child < 0)
         return GuardedOutcome::NotStarted;
     if (child == 0)
-        runAsChild(work, in.get(), limits, addressSpace);
+        runAsChild(work, in.get(), limits, parent);
     in.close();
     const GuardedOutcome received = receiveAll(out.get(), receive, stop);
     if (received != GuardedOutcome::Finished)
         ::kill(child, SIGKILL);
-    const bool well = exitedWell(child);
-    if (received == GuardedOutcome::Finished && !well)
-        return GuardedOutcome::Died;
-    return received;
+    const GuardedOutcome end = endOf(child);
+    const GuardedOutcome outcome = received == GuardedOutcome::Finished ? end : received;
+    const bool stopped = outcome != GuardedOutcome::Finished && stop.stop_requested();
+    return stopped ? GuardedOutcome::Stopped : outcome;
 }
 
 } // namespace dyncal

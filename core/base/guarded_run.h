@@ -17,6 +17,7 @@ namespace dyncal {
 enum class GuardedOutcome {
     Finished, ///< it came back; all it wrote was received
     Died, ///< crashed, ran out of memory, took too long or wrote what was not wanted
+    Killed, ///< somebody else ended it, as the system does when memory runs out
     Stopped, ///< stop was requested
     NotStarted, ///< the system gave us no process
 };

@@ -213,6 +213,34 @@ private slots:
         QVERIFY(result.outcome == GuardedOutcome::Finished);
     }
 
+    void guarded_requestsToEnd_areTheProgramsToJudge()
+    {
+        const GuardedResult result = guarded([](GuardedOutput &output) {
+            for (const int number : {SIGINT, SIGTERM, SIGHUP})
+                ::raise(number);
+            say(output, "went on");
+        });
+        QVERIFY(result.outcome == GuardedOutcome::Finished);
+        QCOMPARE(result.received, std::string("went on"));
+    }
+
+    void guarded_killedByOthers_isNotTheWorksFault()
+    {
+        const GuardedResult result = guarded([](GuardedOutput &) { ::raise(SIGKILL); });
+        QVERIFY(result.outcome == GuardedOutcome::Killed);
+    }
+
+    void guarded_diedWhileStopWasRequested_isStopped()
+    {
+        std::stop_source stop;
+        const auto receive = [&](std::span<const std::byte>) {
+            stop.request_stop();
+            return false;
+        };
+        const auto work = [](GuardedOutput &output) { say(output, "unwanted"); };
+        QVERIFY(runGuarded(work, receive, kLimits, stop.get_token()) == GuardedOutcome::Stopped);
+    }
+
     void guarded_stopRequested_endsAtOnce()
     {
         std::stop_source stop;
