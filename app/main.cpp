@@ -59,6 +59,11 @@ bool setUpHashing()
 /// A word that is no file is most likely a misspelt subcommand.
 int refuseMissing(const std::string &word)
 {
+    if (word.empty())
+        return report({ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core", "An empty name was given where a file is needed; name a file."),
+                {}},
+            {}, 0});
     const std::string verb = similarVerb(word);
     if (!verb.empty())
         return report({ErrorKind::Usage,
@@ -90,11 +95,13 @@ int openWorkbench(int argc, char **argv)
 }
 
 /// A closed pipe and a file that may not grow are errors of writing, which are reported, and no
-/// reason to die in the middle of something.
-void keepWritingErrors()
+/// reason to die in the middle of something. How a helper process ended is told only where its end
+/// is not ignored, which the program that started us may have asked for.
+void takeSignals()
 {
     std::signal(SIGPIPE, SIG_IGN);
     std::signal(SIGXFSZ, SIG_IGN);
+    std::signal(SIGCHLD, SIG_DFL);
 }
 
 } // namespace
@@ -108,7 +115,7 @@ int main(int argc, char **argv)
         return 5;
     }
     dyncal::allowManyFiles();
-    dyncal::keepWritingErrors();
+    dyncal::takeSignals();
     const dyncal::TerminalText answers(std::cout);
     const dyncal::TerminalText complaints(std::cerr);
     if ((argc == 3 || argc == 4) && std::string_view(argv[1]) == "--screenshot-tour")

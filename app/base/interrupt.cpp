@@ -13,6 +13,22 @@
 namespace dyncal {
 namespace {
 
+/// Without what is ignored already: nohup asks for that, and a shell for what runs beside it.
+sigset_t endSignals()
+{
+    sigset_t signals;
+    sigemptyset(&signals);
+    for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+        struct sigaction now
+        {
+        };
+        sigaction(number, nullptr, &now);
+        if (now.sa_handler != SIG_IGN)
+            sigaddset(&signals, number);
+    }
+    return signals;
+}
+
 std::stop_source startWatching()
 {
     std::stop_source source;
@@ -25,10 +41,9 @@ std::stop_source startWatching()
 /// Signals are waited for on a thread of their own: a handler may do next to nothing.
 void onEndRequest(std::function<void(int)> end)
 {
-    sigset_t signals;
-    sigemptyset(&signals);
-    for (const int number : {SIGINT, SIGTERM, SIGHUP})
-        sigaddset(&signals, number);
+    const sigset_t signals = endSignals();
+    if (sigisemptyset(&signals) != 0)
+        return;
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
     std::thread([end = std::move(end), signals] {
         int caught = 0;

@@ -32,6 +32,11 @@ Result<std::string> headOf(const std::string &path)
 {
     constexpr std::size_t kHeadBytes = 64 * 1024;
     std::error_code error;
+    if (path.empty())
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core", "An empty name was given where a file is needed; name a file."),
+                {}},
+            "CAP-018");
     if (!fs::exists(path, error))
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core", "%1 does not exist; check the name and the folder."), {path}},
