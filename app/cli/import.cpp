@@ -52,6 +52,13 @@ Result<void> write(const CaptureSet &set, const ImportOptions &options, const st
         set, target(options), created, title, {}, {interruptToken(), progress.sink()});
 }
 
+std::vector<std::string> inputsOf(const ImportOptions &options)
+{
+    std::vector<std::string> inputs = options.recipe.files();
+    inputs.insert(inputs.end(), options.files.begin(), options.files.end());
+    return inputs;
+}
+
 int importFiles(const ImportOptions &options)
 {
     const Result<std::string> created = currentUtc();
@@ -60,7 +67,7 @@ int importFiles(const ImportOptions &options)
     const Result<Recipe> recipe = options.recipe.read();
     if (!recipe)
         return report(recipe.error());
-    if (const Result<void> free = checkCaptureTarget(target(options), options.files); !free)
+    if (const Result<void> free = checkCaptureTarget(target(options), inputsOf(options)); !free)
         return report(free.error());
     const Result<CaptureSet> set = readAndApply(options, *recipe);
     if (!set)

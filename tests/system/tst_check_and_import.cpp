@@ -65,6 +65,26 @@ private slots:
         QCOMPARE(answer.err, QByteArray());
     }
 
+    void import_overItsOwnRecipe_isRefused_data()
+    {
+        QTest::addColumn<QString>("option");
+        QTest::newRow("recipe") << "--recipe";
+        QTest::newRow("profile") << "--profile";
+    }
+
+    void import_overItsOwnRecipe_isRefused()
+    {
+        QFETCH(QString, option);
+        const QString recipe = path("own.json");
+        QVERIFY(writeBytes(recipe, "{}"));
+        const Answer answer = runDyncal(
+            {"import", simulated("whole.h5"), option, recipe, "-o", recipe, "--replace"});
+        QCOMPARE(answer.exitCode, 4);
+        QVERIFY2(answer.err.contains("own.json is one of the inputs"), answer.err);
+        QCOMPARE(fileBytes(recipe), QByteArray("{}"));
+        QVERIFY(QFile::remove(path("whole.h5")));
+    }
+
     void check_defect_isItsFindingOnly_data()
     {
         QTest::addColumn<QString>("defect");
