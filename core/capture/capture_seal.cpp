@@ -5,6 +5,8 @@
 
 #include "core/base/content_hash.h"
 
+#include <sys/stat.h>
+
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -224,6 +226,12 @@ void addOnce(Findings &findings, Finding finding)
         findings.push_back(std::move(finding));
 }
 
+std::int64_t inNanoseconds(const timespec &time)
+{
+    constexpr std::int64_t kNanoseconds = 1'000'000'000;
+    return time.tv_sec * kNanoseconds + time.tv_nsec;
+}
+
 } // namespace
 
 InputFile stampedInput(const std::string &path, const std::string &format)
@@ -232,13 +240,14 @@ InputFile stampedInput(const std::string &path, const std::string &format)
     input.path = path;
     input.file = fs::path(path).filename().string();
     input.format = format;
-    std::error_code error;
-    const std::uintmax_t bytes = fs::file_size(path, error);
-    input.bytes = error ? 0 : bytes;
-    const fs::file_time_type changed = fs::last_write_time(path, error);
-    input.changed_ns = error
-        ? 0
-        : std::chrono::duration_cast<std::chrono::nanoseconds>(changed.time_since_epoch()).count();
+    struct stat status
+    {
+    };
+    if (::stat(path.c_str(), &status) != 0)
+        return input;
+    input.bytes = static_cast<std::uintmax_t>(status.st_size);
+    // Copying with times kept puts the time of the bytes back, not that of the entry.
+    input.changed_ns = std::max(inNanoseconds(status.st_mtim), inNanoseconds(status.st_ctim));
     return input;
 }
 

@@ -15,10 +15,16 @@
 namespace dyncal {
 namespace {
 
-std::int64_t changeTime_ns(const struct stat &status)
+std::int64_t nanosecondsOf(const timespec &time)
 {
     constexpr std::int64_t kNanoseconds = 1'000'000'000;
-    return status.st_mtim.tv_sec * kNanoseconds + status.st_mtim.tv_nsec;
+    return time.tv_sec * kNanoseconds + time.tv_nsec;
+}
+
+SampleFile::State stateOf(const struct stat &status)
+{
+    return {static_cast<std::uint64_t>(status.st_size), nanosecondsOf(status.st_mtim),
+        nanosecondsOf(status.st_ctim)};
 }
 
 /// Turns the bytes of every sample round.
@@ -114,10 +120,9 @@ private:
 
 } // namespace
 
-SampleFile::SampleFile(int descriptor, std::uint64_t size, std::int64_t changed_ns)
+SampleFile::SampleFile(int descriptor, const State &state)
     : m_descriptor(descriptor)
-    , m_size(size)
-    , m_changed_ns(changed_ns)
+    , m_state(state)
 {
 }
 
@@ -133,8 +138,7 @@ Result<std::shared_ptr<const SampleFile>> SampleFile::open(const std::string &pa
     {
     };
     if (descriptor >= 0 && ::fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode))
-        return std::shared_ptr<const SampleFile>(new SampleFile(
-            descriptor, static_cast<std::uint64_t>(status.st_size), changeTime_ns(status)));
+        return std::shared_ptr<const SampleFile>(new SampleFile(descriptor, stateOf(status)));
     if (descriptor < 0 && (errno == EMFILE || errno == ENFILE))
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
@@ -157,9 +161,7 @@ bool SampleFile::unchanged() const
     struct stat status
     {
     };
-    return ::fstat(m_descriptor, &status) == 0
-        && static_cast<std::uint64_t>(status.st_size) == m_size
-        && changeTime_ns(status) == m_changed_ns;
+    return ::fstat(m_descriptor, &status) == 0 && stateOf(status) == m_state;
 }
 
 bool SampleFile::read(std::uint64_t offset, std::size_t bytes, std::byte *target) const

@@ -24,22 +24,32 @@ public:
     /// Fails (CAP-018) if it cannot be opened or is no regular file.
     static Result<std::shared_ptr<const SampleFile>> open(const std::string &path);
 
+    /// What tells that a file was written to. Copying with times kept puts the time of the samples
+    /// back, not that of the entry.
+    struct State
+    {
+        std::uint64_t size;
+        std::int64_t samplesChanged_ns;
+        std::int64_t entryChanged_ns;
+
+        bool operator==(const State &) const = default;
+    };
+
     SampleFile(const SampleFile &) = delete;
     SampleFile &operator=(const SampleFile &) = delete;
     ~SampleFile();
 
-    std::uint64_t size() const { return m_size; }
+    std::uint64_t size() const { return m_state.size; }
 
     /// False if the file changed since it was opened or ends before.
     bool read(std::uint64_t offset, std::size_t bytes, std::byte *target) const;
     bool unchanged() const;
 
 private:
-    SampleFile(int descriptor, std::uint64_t size, std::int64_t changed_ns);
+    SampleFile(int descriptor, const State &state);
 
     int m_descriptor;
-    std::uint64_t m_size;
-    std::int64_t m_changed_ns;
+    State m_state;
 };
 
 /// A stretch of a record that lies in one piece of the file.

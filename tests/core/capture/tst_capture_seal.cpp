@@ -122,6 +122,19 @@ private slots:
         QVERIFY(contains(sentence(sealed), path));
     }
 
+    void sealCaptures_samplesInMemoryButFileChangedWithItsTimeKept_isCap015()
+    {
+        const std::string path = write(file("kept.csv"), "1\n2\n");
+        const auto time = std::filesystem::last_write_time(path);
+        CaptureSet set;
+        set.inputs = {stampedInput(path, "text")};
+        set.shots = {shotOf(kCounts)};
+        QTest::qWait(20); // file systems count time in ticks
+        write(file("kept.csv"), "1\n3\n");
+        std::filesystem::last_write_time(path, time);
+        QCOMPARE(findingId(sealCaptures(set)), std::string("CAP-015"));
+    }
+
     void sealCaptures_samplesInMemoryButFileChanged_isCap015()
     {
         const std::string path = write(file("table.csv"), "1\n2\n");

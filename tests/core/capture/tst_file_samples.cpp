@@ -25,6 +25,7 @@ private slots:
     void bigEndian_isTurned();
     void claims_beyondTheFile_areRefused();
     void fileChanged_isNotReadAnyMore();
+    void fileChangedWithItsTimeKept_isNotReadAnyMore();
     void blocks_ofALongRecord_coverItOnce();
     void inMemory_copiesExactly();
 
@@ -130,6 +131,20 @@ void TestFileSamples::fileChanged_isNotReadAnyMore()
     QVERIFY(std::isnan(physicalValues(channel, 0, 2)[0])); // shorter now: nothing of it is trusted
     QVERIFY(sha256OfSamples(channel.samples).empty());
     QCOMPARE(channel.samples.inMemory().size(), Index(0));
+}
+
+void TestFileSamples::fileChangedWithItsTimeKept_isNotReadAnyMore()
+{
+    const QString path = write(bytesOf<std::int16_t>({1, 2, 3, 4}));
+    const auto samples = opened(path, {SampleType::Int16, std::endian::little, 0, {{0, 4}}});
+    QVERIFY(samples && samples->at(3) == 4.0);
+    const auto time = std::filesystem::last_write_time(path.toStdString());
+    QTest::qWait(20); // file systems count time in ticks
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::ReadWrite) && file.write(bytesOf<std::int16_t>({7})) == 2);
+    file.close();
+    std::filesystem::last_write_time(path.toStdString(), time);
+    QVERIFY(std::isnan(samples->at(3)));
 }
 
 void TestFileSamples::blocks_ofALongRecord_coverItOnce()
