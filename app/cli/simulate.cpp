@@ -14,9 +14,13 @@
 #include "core/synthesis/sensor_simulator.h"
 #include "core/synthesis/shot_generator.h"
 
+#include <charconv>
+#include <cstdint>
 #include <iomanip>
 #include <iostream>
+#include <limits>
 #include <memory>
+#include <system_error>
 
 namespace dyncal {
 namespace {
@@ -80,6 +84,18 @@ Result<SimulationSettings> settingsOf(const SimulateOptions &options)
         settings.defects.push_back(*defect);
     }
     return settings;
+}
+
+/// What the parser makes of a number that is too large is the largest one. Empty if all is well.
+std::string faultOfSeed(const std::string &text)
+{
+    std::uint64_t seed = 0;
+    const char *end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, seed);
+    if (error == std::errc() && rest == end)
+        return {};
+    return '"' + text + "\" is no seed, which is a whole number from 0 to "
+        + std::to_string(std::numeric_limits<std::uint64_t>::max());
 }
 
 /// One value of the truth, or a dash where the simulator states none.
@@ -161,7 +177,7 @@ void addSimulate(CLI::App &program, VerbAction &action)
         ->capture_default_str();
     verb->add_option("--bits", settings.bits, "Resolution of the converter")->capture_default_str();
     verb->add_option("--seed", settings.seed, "Seed of the noise")
-        ->check(CLI::NonNegativeNumber)
+        ->check(faultOfSeed)
         ->capture_default_str();
     verb->add_option("--defect", options->defects,
             "A fault put in on purpose, e.g. clip or clip@2 (shot 2); may be repeated")

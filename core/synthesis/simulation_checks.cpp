@@ -50,6 +50,22 @@ Result<void> checkSize(const SimulationSettings &settings)
         samples * kChannels * static_cast<double>(settings.shots.size()), 1.0, kMostSamplesInAll);
 }
 
+/// Its ringing would come out at another frequency than the truth says.
+Result<void> checkResolved(const SimulationSettings &settings)
+{
+    for (const SensorMode &mode : settings.sensor.modes) {
+        if (2.0 * mode.f0_Hz >= settings.sampleRate_Hz)
+            return fail(ErrorKind::Usage,
+                Message{DYNCAL_TEXT("core",
+                            "The simulated sensor '%1' rings at %2, which a sample rate of %3 "
+                            "cannot show; it needs more than %4."),
+                    {settings.sensor.name, numberWithUnit(mode.f0_Hz, "Hz"),
+                        numberWithUnit(settings.sampleRate_Hz, "Hz"),
+                        numberWithUnit(2.0 * mode.f0_Hz, "Hz")}});
+    }
+    return {};
+}
+
 } // namespace
 
 Result<void> checkSimulation(const SimulationSettings &settings)
@@ -67,6 +83,8 @@ Result<void> checkSimulation(const SimulationSettings &settings)
     if (auto checked = checkSize(settings); !checked)
         return checked;
     if (auto checked = checkSensor(settings.sensor); !checked)
+        return checked;
+    if (auto checked = checkResolved(settings); !checked)
         return checked;
     return checkDefects(settings);
 }

@@ -8,6 +8,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <sys/stat.h>
+
 /// How the program behaves as a command, whatever the numbers: help, exit codes, one sentence each.
 class TestCommandLine : public QObject
 {
@@ -68,6 +70,10 @@ private slots:
         row("misspelt verb", {"simulat", "-o", "x"}, "simulate");
         row("no number", {"simulate", "-o", "x.h5", "--seed", "seven"}, "seven");
         row("negative seed", {"simulate", "-o", "x.h5", "--seed", "-4"}, "-4");
+        row("seed too large", {"simulate", "-o", "x.h5", "--seed", "99999999999999999999"},
+            "18446744073709551615");
+        row("sensor beyond the sample rate", {"simulate", "-o", "x.h5", "--sample-rate-hz", "4e6"},
+            "rings at 2.33 MHz");
         row("unknown level", {"simulate", "-o", "x.h5", "--shots", "low,hgh"}, "hgh");
         row("unknown preset", {"simulate", "-o", "x.h5", "--preset", "optic9"}, "optic9");
         row("unknown defect", {"simulate", "-o", "x.h5", "--defect", "melted"}, "melted");
@@ -97,6 +103,19 @@ private slots:
     {
         QFETCH(QStringList, arguments);
         verifyRefusal(runDyncal(arguments), 3, "/nonexistent/capture.h5");
+    }
+
+    void emptyName_isExit3AndSaysSo()
+    {
+        verifyRefusal(runDyncal({"info", ""}), 3, "An empty name was given");
+        verifyRefusal(runDyncal({""}), 3, "An empty name was given");
+    }
+
+    void projectThatIsAPipe_isRefusedAtOnce()
+    {
+        QCOMPARE(::mkfifo(path("pipe.dyncal").toUtf8().constData(), 0600), 0);
+        verifyRefusal(runDyncal({"export", path("pipe.dyncal"), "-o", path("out")}), 3,
+            "pipe.dyncal is a folder or a device, not a file");
     }
 
     void noCapture_isExit3AndNamesTheFile()

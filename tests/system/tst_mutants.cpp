@@ -147,7 +147,7 @@ private slots:
     {
         m_capture = m_folder.filePath("capture.h5");
         QCOMPARE(runDyncal({"simulate", "-o", m_capture, "--sample-rate-hz", "1e6", "--duration-s",
-                               "0.005", "--shots", "low"})
+                               "0.005", "--shots", "low", "--preset", "piezo"})
                      .exitCode,
             0);
         m_seeds["h5"] << Seed{"h5", fileBytes(m_capture).toStdString()};

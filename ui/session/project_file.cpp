@@ -139,6 +139,12 @@ void expectHashes(CaptureSet &set, const std::vector<CaptureReference> &referenc
 Result<ProjectFile> readProjectFile(const QString &path)
 {
     const std::string name = QFileInfo(path).fileName().toStdString();
+    // A pipe is opened only once somebody writes to it, perhaps never.
+    if (const QFileInfo place(path); place.exists() && !place.isFile())
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT(
+                 "core", "Project %1 is a folder or a device, not a file; name a project file."),
+                {name}});
     QFile file(path);
     if (!file.open(QIODevice::ReadOnly))
         return fail(ErrorKind::FileUnreadable,

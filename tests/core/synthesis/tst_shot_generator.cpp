@@ -233,6 +233,12 @@ void TestShotGenerator::settings_nonsense_usageNamingValueAndRange()
     SimulationSettings sensor = smallSettings();
     sensor.sensor.modes[0].zeta = 0.0;
     refused(sensor, "zeta = 0");
+    for (const double rate_Hz : {4.6e6, 4.66e6}) { // optic3 rings at 2.33 MHz
+        SimulationSettings coarse = smallSettings();
+        coarse.sensor = sensorPreset("optic3").value();
+        coarse.sampleRate_Hz = rate_Hz;
+        refused(coarse, "it needs more than 4.66 MHz");
+    }
     SimulationSettings defect = smallSettings();
     defect.defects = {{DefectKind::Clip, 4}};
     refused(defect, "1 to 3");
