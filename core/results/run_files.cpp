@@ -25,15 +25,62 @@ bool isModelName(const std::string &name)
     return std::ranges::find(modelFileNames(), name) != modelFileNames().end();
 }
 
-/// A list of written files that claims anything else is not a run's.
+constexpr std::array<std::string_view, 7> kTables{"components", "singular_values", "poles",
+    "orders", "stability", "frequency_response", "model_curve"};
+constexpr std::array<std::string_view, 4> kTablesOfShots{
+    "response_", "spectrum_", "model_input_", "model_"};
+/// Of ui/report/report_figures.cpp; a name once given stays here, for the folders that have it.
+constexpr std::array<std::string_view, 21> kPlots{"raw-dut", "raw-driven-side", "raw-driver",
+    "responses", "responses-start", "spectrum", "explained", "reconstruction", "residuals",
+    "residual-autocovariance", "residual-spectrum", "average", "model-input", "singular-values",
+    "bic", "model-data", "model-error", "pole-zero", "step", "magnitude", "phase"};
+constexpr std::size_t kMostDigits = 9; // of the number of a shot
+
+/// Digits, at least `least`; more only without zeros before them.
+bool isNumber(std::string_view text, std::size_t least)
+{
+    return text.size() >= least && text.size() <= kMostDigits
+        && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; })
+        && (text.size() == least || text.front() != '0');
+}
+
+bool isTableName(std::string_view stem)
+{
+    return std::ranges::find(kTables, stem) != kTables.end()
+        || std::ranges::any_of(kTablesOfShots, [&](std::string_view kind) {
+               constexpr std::string_view kShot = "shot_";
+               if (!stem.starts_with(kind))
+                   return false;
+               const std::string_view series = stem.substr(kind.size());
+               return series == "average"
+                   || (series.starts_with(kShot) && isNumber(series.substr(kShot.size()), 3));
+           });
+}
+
+/// "01-raw-dut"
+bool isPlotName(std::string_view stem)
+{
+    const std::size_t dash = std::min(stem.find('-'), stem.size());
+    return isNumber(stem.substr(0, dash), 2) && dash < stem.size()
+        && std::ranges::find(kPlots, stem.substr(dash + 1)) != kPlots.end();
+}
+
+/// A list of written files that claims anything else is not a run's: exact, because what such a
+/// list has is replaced and removed, and a recording may lie in csv/ too.
 bool isRunName(const std::string &name)
 {
     const fs::path path(name);
     const std::string folder = path.parent_path().string();
     return std::ranges::find(kDocuments, name) != kDocuments.end()
-        || (folder == "csv" && path.extension() == ".csv")
-        || (folder == "plots" && path.extension() == ".svg")
+        || (folder == "csv" && path.extension() == ".csv" && isTableName(path.stem().string()))
+        || (folder == "plots" && path.extension() == ".svg" && isPlotName(path.stem().string()))
         || (folder == "model" && isModelName(path.filename().string()));
+}
+
+/// Both writers may share a folder.
+bool isRunOrModelName(const std::string &name)
+{
+    return isRunName(name) || isModelName(name);
 }
 
 std::vector<std::string> recordingsOf(const CaptureSet &set)
@@ -70,7 +117,8 @@ FolderRequest runFolder(
 {
     std::vector<std::string> names{"csv/", "plots/", "model/"};
     names.insert(names.end(), kDocuments.begin(), kDocuments.end());
-    return {folder, "run", isRunName, std::move(names), recordingsOf(set), std::move(settings)};
+    return {folder, "run", isRunName, std::move(names), recordingsOf(set), std::move(settings),
+        isRunOrModelName};
 }
 
 Result<std::vector<std::string>> writeRunFiles(
@@ -100,8 +148,8 @@ Result<std::vector<std::string>> writeRunFiles(
 FolderRequest modelFolder(
     const std::string &folder, const CaptureSet &set, std::vector<std::string> settings)
 {
-    return {
-        folder, "export", isModelName, modelFileNames(), recordingsOf(set), std::move(settings)};
+    return {folder, "export", isModelName, modelFileNames(), recordingsOf(set), std::move(settings),
+        isRunOrModelName};
 }
 
 Result<std::vector<std::string>> writeModelFiles(const CalibrationResults &results,

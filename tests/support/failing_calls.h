@@ -9,6 +9,8 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdarg>
+#include <functional>
+#include <utility>
 
 #include <dlfcn.h>
 #include <fcntl.h>
@@ -26,6 +28,7 @@ struct FailingCalls
     static inline std::atomic<int> countdown = -1; ///< calls left before the one; negative: off
     static inline std::atomic<int> errorNumber = 0; ///< 0: the process ends
     static inline std::atomic<int> seen = 0;
+    static inline std::function<void()> action; ///< done before that call, which succeeds then
 
     /// The call after `calls` others fails with `error`, or ends the process where that is 0.
     static void arm(int calls, int error)
@@ -34,7 +37,17 @@ struct FailingCalls
         errorNumber = error;
         countdown = calls;
     }
-    static void disarm() { countdown = -1; }
+    /// Something happens between two calls, as another program would do it.
+    static void armAction(int calls, std::function<void()> what)
+    {
+        action = std::move(what);
+        arm(calls, 0);
+    }
+    static void disarm()
+    {
+        countdown = -1;
+        action = nullptr;
+    }
 
     /// True (with errno) where this call is to fail.
     static bool isNow()
@@ -44,6 +57,10 @@ struct FailingCalls
         ++seen;
         if (countdown-- != 0)
             return false;
+        if (const auto once = std::exchange(action, nullptr)) {
+            once();
+            return false;
+        }
         if (errorNumber == 0)
             ::_exit(kEndedThere);
         errno = errorNumber;

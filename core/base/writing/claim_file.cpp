@@ -19,7 +19,8 @@ namespace {
 constexpr std::string_view kSuffix = ".claim";
 constexpr std::string_view kFirstLine = "dyncal-claim/1\n";
 constexpr std::size_t kLongestClaim = 4096;
-constexpr mode_t kReadable = 0644; // other users must see that somebody is writing
+// Other users must see that somebody is writing, whatever the process's umask.
+constexpr mode_t kReadable = 0644;
 
 std::string bytesOf(const ClaimText &text)
 {
@@ -52,7 +53,8 @@ bool writeAndLock(int file, std::string_view bytes)
     const ssize_t written = ::write(file, bytes.data(), bytes.size());
     if (written >= 0 && written < static_cast<ssize_t>(bytes.size()))
         errno = ENOSPC;
-    return written == static_cast<ssize_t>(bytes.size()) && ::flock(file, LOCK_EX | LOCK_NB) == 0;
+    return written == static_cast<ssize_t>(bytes.size()) && ::fchmod(file, kReadable) == 0
+        && ::flock(file, LOCK_EX | LOCK_NB) == 0;
 }
 
 /// Has no name before it is whole, so that a claim is never half written.

@@ -17,6 +17,7 @@
 #include <dirent.h>
 #include <fcntl.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace dyncal {
 namespace {
@@ -84,6 +85,22 @@ std::optional<FileIdentity> identityOf(int folder, const std::string &name)
     return FileIdentity{typeOf(status.st_mode), status.st_dev, status.st_ino,
         static_cast<std::uint64_t>(status.st_size),
         status.st_mtim.tv_sec * kNanosecondsPerSecond + status.st_mtim.tv_nsec};
+}
+
+bool isFolderAt(int folder, const std::string &name, int opened)
+{
+    const auto byName = identityOf(folder, name);
+    const auto byDescriptor = identityOf(opened, ".");
+    return byName && byDescriptor && byName->isSameFile(*byDescriptor);
+}
+
+bool isOwnedByUser(int folder, const std::string &name)
+{
+    const FileDescriptor parent = folderOf(folder, name);
+    struct stat status = {};
+    return parent.valid()
+        && ::fstatat(parent.get(), lastPart(name).c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0
+        && status.st_uid == ::geteuid();
 }
 
 std::string sha256At(int folder, const std::string &name)

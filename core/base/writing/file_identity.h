@@ -35,6 +35,12 @@ struct FileIdentity
 /// of it is a link.
 std::optional<FileIdentity> identityOf(int folder, const std::string &name);
 
+/// Whether the name stands for this open folder.
+bool isFolderAt(int folder, const std::string &name, int opened);
+
+/// Whether the file or folder of that name belongs to the user who runs the program.
+bool isOwnedByUser(int folder, const std::string &name);
+
 /// SHA-256 of a regular file reached without following a link; empty if there is none.
 std::string sha256At(int folder, const std::string &name);
 

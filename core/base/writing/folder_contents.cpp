@@ -22,6 +22,8 @@ namespace fs = std::filesystem;
 
 using FileNumber = std::pair<dev_t, ino_t>;
 
+constexpr int kOpened = O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC;
+constexpr mode_t kPermissions = 07777;
 constexpr std::size_t kLongestList = 16U << 20U;
 
 std::string pathIn(const FolderPlace &place, const std::string &name)
@@ -80,12 +82,16 @@ Result<void> checkRecordings(
 }
 
 /// What was read must not be under a name that is written.
-Result<void> checkSettings(const FolderPlace &place, const FolderRequest &request)
+Result<void> checkSettings(int folder, const FolderRequest &request)
 {
     for (const std::string &given : request.settings) {
-        std::error_code error;
+        struct stat read = {};
+        if (::stat(given.c_str(), &read) != 0)
+            continue;
         const bool isWritten = std::ranges::any_of(request.names, [&](const std::string &name) {
-            return fs::equivalent(given, fs::path(place.path) / name, error);
+            struct stat written = {};
+            return ::fstatat(folder, name.c_str(), &written, 0) == 0
+                && written.st_dev == read.st_dev && written.st_ino == read.st_ino;
         });
         if (isWritten)
             return fail(ErrorKind::Usage,
@@ -117,6 +123,13 @@ std::set<FileNumber> filesIn(int folder)
     return files;
 }
 
+mode_t modeOf(int folder, const std::string &name)
+{
+    struct stat status = {};
+    const bool isKnown = ::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0;
+    return isKnown ? status.st_mode & kPermissions : 0;
+}
+
 /// Sorts the listed files; those that are gone are no longer listed.
 Result<void> readList(
     const FolderPlace &place, const FolderRequest &request, FolderContents &contents)
@@ -129,6 +142,7 @@ Result<void> readList(
     if (!list)
         return isForeign(place, kWrittenList);
     contents.listSha256 = sha256Hex(*text);
+    contents.listMode = modeOf(contents.folder.get(), kWrittenList);
     for (const WrittenFile &file : *list) {
         if (file.by != request.writer) {
             contents.others.push_back(file);
@@ -141,7 +155,7 @@ Result<void> readList(
             continue;
         if (sha256At(contents.folder.get(), file.file) != file.sha256)
             return isChanged(place, file.file);
-        contents.own.push_back({file, *identity});
+        contents.own.push_back({file, *identity, modeOf(contents.folder.get(), file.file)});
     }
     return {};
 }
@@ -168,12 +182,11 @@ Result<void> checkName(const FolderPlace &place, const FolderContents &contents,
 
 } // namespace
 
-Result<FolderContents> inspectFolder(
-    const FolderPlace &place, const FolderRequest &request, const std::vector<std::string> &names)
+Result<FolderContents> inspectFolder(const FolderPlace &place, int claimFolder,
+    const FolderRequest &request, const std::vector<std::string> &names)
 {
     FolderContents contents;
-    contents.folder = FileDescriptor(
-        ::open(place.path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
+    contents.folder = FileDescriptor(::openat(claimFolder, place.claimTarget.c_str(), kOpened));
     if (!contents.folder.valid()) {
         if (errno == ENOENT && place.claimTarget != ".")
             return contents;
@@ -182,7 +195,7 @@ Result<FolderContents> inspectFolder(
     const Result<void> recordings = checkRecordings(place, request, filesIn(contents.folder.get()));
     if (!recordings)
         return tl::unexpected<Error>(recordings.error());
-    if (const Result<void> settings = checkSettings(place, request); !settings)
+    if (const Result<void> settings = checkSettings(contents.folder.get(), request); !settings)
         return tl::unexpected<Error>(settings.error());
     if (const Result<void> listed = readList(place, request, contents); !listed)
         return tl::unexpected<Error>(listed.error());

@@ -25,6 +25,8 @@ struct FolderRequest
     std::vector<std::string> names; ///< files and folders ("csv/") that it is known to write
     std::vector<std::string> recordings; ///< paths; the folder may hold none of them
     std::vector<std::string> settings; ///< paths of recipe and profile as given; may be empty
+    /// Names that any writer of such folders may give: an interrupted write of these is completed.
+    std::function<bool(const std::string &)> mayComplete = {}; ///< empty: mayWrite
 };
 
 /// A file that the folder's list names, as it is now.
@@ -32,6 +34,7 @@ struct OwnFile
 {
     WrittenFile listed;
     FileIdentity identity;
+    mode_t mode = 0; ///< its permissions, which the file that replaces it keeps
 };
 
 /// What an existing folder holds.
@@ -42,10 +45,13 @@ struct FolderContents
     WrittenList others; ///< listed by other writers
     std::optional<FileIdentity> list; ///< of written.json
     std::string listSha256;
+    mode_t listMode = 0; ///< its permissions
 };
 
-/// Looks at the folder and refuses as FolderWrite::begin says; `names` as in FolderRequest.
-Result<FolderContents> inspectFolder(
-    const FolderPlace &place, const FolderRequest &request, const std::vector<std::string> &names);
+/// Looks at the folder and refuses as FolderWrite::begin says; `names` as in FolderRequest. The
+/// folder is reached from `claimFolder`, the opened folder of the claim: a path may lead elsewhere
+/// by now.
+Result<FolderContents> inspectFolder(const FolderPlace &place, int claimFolder,
+    const FolderRequest &request, const std::vector<std::string> &names);
 
 } // namespace dyncal

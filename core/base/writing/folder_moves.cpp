@@ -153,6 +153,11 @@ bool carryOutMoves(int staging, int folder, const FolderPlan &plan)
     return syncFolders(folder, plan.placed);
 }
 
+void takeBackMoves(int staging, int folder, const FolderPlan &plan)
+{
+    Moves(staging, folder, plan).back();
+}
+
 bool linkKept(int folder, int tree, const WrittenList &retired)
 {
     return linkFolder(folder, tree, {}, retired);

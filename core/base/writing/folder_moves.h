@@ -12,6 +12,9 @@ namespace dyncal {
 /// False with errno if something stands in the way; then what was moved is moved back.
 bool carryOutMoves(int staging, int folder, const FolderPlan &plan);
 
+/// Moves everything back that a plan moved, as far as nothing stands in the way.
+void takeBackMoves(int staging, int folder, const FolderPlan &plan);
+
 /// Second names in the tree for everything in the folder that is not to be retired. False if that
 /// is not possible: the moves must do.
 bool linkKept(int folder, int tree, const WrittenList &retired);

@@ -26,7 +26,7 @@ constexpr mode_t kPrivate = 0600;
 
 bool writePlan(int staging, const std::string &name, const FolderPlan &plan)
 {
-    const std::string text = jsonText(Json{{"tree", plan.tree},
+    const std::string text = jsonText(Json{{"tree", plan.tree}, {"folder", plan.folder},
         {"retired", writtenListText(plan.retired)}, {"placed", writtenListText(plan.placed)}});
     const std::string part = name + ".part";
     FileDescriptor file(::openat(
@@ -44,7 +44,10 @@ std::optional<FolderPlan> readPlan(int staging, const std::string &name)
 {
     const auto text = textAt(staging, name, kLongestPlan);
     const Json json = text ? Json::parse(*text, nullptr, false) : Json();
-    if (!json.is_object() || !json.contains("tree") || !json["tree"].is_number_unsigned())
+    const auto isNumber = [&json](const char *key) {
+        return json.is_object() && json.contains(key) && json[key].is_number_unsigned();
+    };
+    if (!isNumber("tree") || !isNumber("folder") || !isOwnedByUser(staging, name))
         return std::nullopt;
     const auto listOf = [&json](const char *key) {
         return json.contains(key) && json[key].is_string()
@@ -55,7 +58,7 @@ std::optional<FolderPlan> readPlan(int staging, const std::string &name)
     const auto placed = listOf("placed");
     if (!retired || !placed)
         return std::nullopt;
-    return FolderPlan{json["tree"].get<ino_t>(), *retired, *placed};
+    return FolderPlan{json["tree"].get<ino_t>(), json["folder"].get<ino_t>(), *retired, *placed};
 }
 
 } // namespace dyncal

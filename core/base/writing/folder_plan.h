@@ -23,12 +23,14 @@ inline constexpr const char *kMovesPlan = "moves"; ///< there: the moves have be
 struct FolderPlan
 {
     ino_t tree = 0; ///< inode of the staged tree
+    ino_t folder = 0; ///< inode of the folder that it is to replace, or whose files are moved
     WrittenList retired; ///< own old files, which go
     WrittenList placed; ///< own new files, written.json the last
 };
 
 /// Writes the plan under its name, whole and flushed; false with errno.
 bool writePlan(int staging, const std::string &name, const FolderPlan &plan);
+/// Empty if there is none, or it is not this user's.
 std::optional<FolderPlan> readPlan(int staging, const std::string &name);
 
 } // namespace dyncal

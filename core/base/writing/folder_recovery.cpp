@@ -3,13 +3,17 @@
 
 #include "core/base/writing/folder_recovery.h"
 
+#include "core/base/content_hash.h"
 #include "core/base/file_descriptor.h"
 #include "core/base/writing/file_identity.h"
 #include "core/base/writing/folder_moves.h"
 #include "core/base/writing/folder_plan.h"
+#include "core/base/writing/set_aside.h"
 
 #include <algorithm>
 #include <cerrno>
+#include <string_view>
+#include <utility>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -18,6 +22,7 @@ namespace dyncal {
 namespace {
 
 constexpr int kMostNames = 1000;
+constexpr std::size_t kLongestList = 16U << 20U;
 
 /// Somebody else's, or changed since: it goes into the new folder, whatever its name is there.
 bool rescue(int from, const std::string &name, int to)
@@ -65,29 +70,95 @@ bool emptyFolder(int from, int to, const std::string &below, const WrittenList &
     return emptied;
 }
 
-tl::unexpected<Error> cannotRecover(const std::string &target, const std::string &staging)
+/// What a killed program left.
+struct Leftover
+{
+    int place; ///< the open folder that holds target and staging
+    int inside; ///< the open staging folder
+    const std::string &staging;
+    const std::string &target;
+};
+
+bool isInode(int place, const std::string &name, ino_t inode)
+{
+    const auto there = identityOf(place, name);
+    return there && there->type == FileType::Folder && there->inode == inode;
+}
+
+tl::unexpected<Error> cannotRecover(const Leftover &left)
 {
     return fail(ErrorKind::Usage,
         {DYNCAL_TEXT("core",
              "An earlier write into %1 was interrupted and cannot be completed, because files in "
              "it were changed since; what it was writing lies in %2. Choose another folder, or "
              "move the changed files away."),
-            {target, staging}});
+            {left.target, left.staging}});
 }
 
-Result<void> recoverExchange(
-    int place, const std::string &staging, const std::string &target, const FolderPlan &plan)
+bool areOurNames(const WrittenList &list, const NameRule &mayWrite)
 {
-    const auto tree = identityOf(place, staging + '/' + kStagedTree);
-    const bool wasExchanged = tree && tree->inode != plan.tree;
-    if (!wasExchanged)
-        return {};
-    const FileDescriptor oldTree(openFolderAt(place, staging + '/' + kStagedTree));
-    const FileDescriptor folder(openFolderAt(place, target));
-    if (!oldTree.valid() || !folder.valid()
-        || !emptyOldTree(oldTree.get(), folder.get(), plan.retired))
-        return cannotRecover(target, staging);
+    return std::ranges::all_of(list, [&](const WrittenFile &file) {
+        return file.file == kWrittenList || (mayWrite && mayWrite(file.file));
+    });
+}
+
+/// The list that was in the folder when the plan was made: still there, or moved aside already.
+WrittenList oldListOf(int staging, int folder, const FolderPlan &plan)
+{
+    const WrittenFile *wanted = listed(plan.retired, kWrittenList);
+    for (const auto &[at, name] : {std::pair(folder, std::string(kWrittenList)),
+             std::pair(staging, std::string(kRetired) + '/' + kWrittenList)}) {
+        const auto text = wanted ? textAt(at, name, kLongestList) : std::nullopt;
+        const auto list
+            = text && sha256Hex(*text) == wanted->sha256 ? parseWrittenList(*text) : std::nullopt;
+        if (list)
+            return *list;
+    }
     return {};
+}
+
+/// Whether everything that the moves would take out of the folder is on the folder's list.
+bool retiresListedOnly(int staging, int folder, const FolderPlan &plan)
+{
+    const WrittenList old = oldListOf(staging, folder, plan);
+    return std::ranges::all_of(plan.retired, [&](const WrittenFile &file) {
+        const bool isPlacedAlready = listed(plan.placed, file.file)
+            && !identityOf(staging, std::string(kStagedTree) + '/' + file.file);
+        const WrittenFile *known = listed(old, file.file);
+        return file.file == kWrittenList || isPlacedAlready || !identityOf(folder, file.file)
+            || (known && known->sha256 == file.sha256);
+    });
+}
+
+Result<void> recoverMoves(const Leftover &left, const FolderPlan &plan)
+{
+    const FileDescriptor folder(openFolderAt(left.place, left.target));
+    if (!isInode(left.place, left.target, plan.folder))
+        return clearOrSetAside(left.place, left.inside, kRetired, left.target, {})
+            ? Result<void>()
+            : cannotRecover(left);
+    const bool done = folder.valid() && retiresListedOnly(left.inside, folder.get(), plan)
+        && carryOutMoves(left.inside, folder.get(), plan);
+    return done ? Result<void>() : cannotRecover(left);
+}
+
+Result<void> recoverExchange(const Leftover &left, const FolderPlan &plan)
+{
+    const auto tree = identityOf(left.inside, kStagedTree);
+    if (!tree || tree->inode == plan.tree)
+        return {}; // emptied already, or not exchanged yet
+    const FileDescriptor oldTree(openFolderAt(left.inside, kStagedTree));
+    const FileDescriptor folder(openFolderAt(left.place, left.target));
+    bool done = false;
+    if (tree->inode != plan.folder)
+        done = takeBackExchange(left.place, left.inside, left.target, plan);
+    else if (!isInode(left.place, left.target, plan.tree))
+        done = clearOrSetAside(left.place, left.inside, kStagedTree, left.target, plan.retired);
+    else
+        done = oldTree.valid() && folder.valid()
+            && emptyOldTree(oldTree.get(), folder.get(), plan.retired)
+            && ::unlinkat(left.inside, kStagedTree, AT_REMOVEDIR) == 0;
+    return done ? Result<void>() : cannotRecover(left);
 }
 
 } // namespace
@@ -97,21 +168,27 @@ bool emptyOldTree(int oldTree, int folder, const WrittenList &retired)
     return emptyFolder(oldTree, folder, {}, retired);
 }
 
-Result<void> recoverFolder(int place, const std::string &staging, const std::string &target)
+Result<void> recoverFolder(
+    int place, const std::string &staging, const std::string &target, const NameRule &mayWrite)
 {
     const FileDescriptor inside(openFolderAt(place, staging));
-    if (!inside.valid())
-        return {}; // it had not come so far
-    if (const auto plan = readPlan(inside.get(), kMovesPlan)) {
-        const FileDescriptor folder(openFolderAt(place, target));
-        if (!folder.valid() || !carryOutMoves(inside.get(), folder.get(), *plan))
-            return cannotRecover(target, staging);
-    } else if (const auto exchange = readPlan(inside.get(), kExchangePlan)) {
-        const Result<void> recovered = recoverExchange(place, staging, target, *exchange);
+    if (!inside.valid() || !isOwnedByUser(inside.get(), "."))
+        return {}; // it had not come so far, or is not ours
+    const Leftover left{place, inside.get(), staging, target};
+    for (const char *name : {kMovesPlan, kExchangePlan}) {
+        if (!identityOf(inside.get(), name))
+            continue;
+        const auto plan = readPlan(inside.get(), name);
+        if (!plan || !areOurNames(plan->retired, mayWrite) || !areOurNames(plan->placed, mayWrite))
+            return {}; // this program never wrote it
+        const Result<void> recovered = std::string_view(name) == kMovesPlan
+            ? recoverMoves(left, *plan)
+            : recoverExchange(left, *plan);
         if (!recovered)
             return recovered;
+        break;
     }
-    return removeTree(place, staging) ? Result<void>() : cannotRecover(target, staging);
+    return removeTree(place, staging) ? Result<void>() : cannotRecover(left);
 }
 
 } // namespace dyncal

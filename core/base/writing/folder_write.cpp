@@ -8,6 +8,7 @@
 #include "core/base/writing/folder_paths.h"
 #include "core/base/writing/folder_plan.h"
 #include "core/base/writing/folder_recovery.h"
+#include "core/base/writing/set_aside.h"
 #include "core/base/writing/write_problem.h"
 
 #include <algorithm>
@@ -29,7 +30,8 @@ constexpr mode_t kFolderMode = 0777; // less the process's umask
 constexpr mode_t kFileMode = 0666;
 constexpr mode_t kPermissions = 07777;
 
-bool writeFile(int folder, const FolderFile &file)
+/// `mode`: the permissions to keep, if it replaces a file.
+bool writeFile(int folder, const FolderFile &file, std::optional<mode_t> mode)
 {
     if (!makeFoldersFor(folder, file.name))
         return false;
@@ -44,7 +46,22 @@ bool writeFile(int folder, const FolderFile &file)
             return false;
         bytes.remove_prefix(static_cast<std::size_t>(written));
     }
-    return out.valid() && ::fsync(out.get()) == 0 && out.close();
+    return out.valid() && (!mode || ::fchmod(out.get(), *mode) == 0) && ::fsync(out.get()) == 0
+        && out.close();
+}
+
+std::optional<mode_t> modeBefore(const FolderContents &before, const std::string &name)
+{
+    if (name == kWrittenList)
+        return before.list ? std::optional(before.listMode) : std::nullopt;
+    const auto own = std::ranges::find_if(
+        before.own, [&](const OwnFile &file) { return file.listed.file == name; });
+    return own != before.own.end() ? std::optional(own->mode) : std::nullopt;
+}
+
+const NameRule &completedBy(const FolderRequest &request)
+{
+    return request.mayComplete ? request.mayComplete : request.mayWrite;
 }
 
 tl::unexpected<Error> cancelled()
@@ -121,17 +138,19 @@ Result<FolderWrite> FolderWrite::begin(const FolderRequest &request)
     Result<FolderPlace> place = locateFolder(request.folder);
     if (!place)
         return tl::unexpected<Error>(place.error());
-    Result<WriteClaim> claim
-        = WriteClaim::take(place->claimFolder, place->claimTarget, ClaimKind::Folder, place->shown);
+    Result<WriteClaim> claim = WriteClaim::take(place->claimFolder, place->claimTarget,
+        ClaimKind::Folder, place->shown, completedBy(request));
     if (!claim)
         return tl::unexpected<Error>(claim.error());
     FolderWrite write(request, std::move(*place), std::move(*claim));
     if (write.m_place.exists && write.m_place.claimTarget != ".") {
-        const Result<void> cleared = clearClaims(write.m_place.path, ".", write.m_place.shown);
+        const Result<void> cleared
+            = clearClaims(write.m_place.path, ".", write.m_place.shown, completedBy(request));
         if (!cleared)
             return tl::unexpected<Error>(cleared.error());
     }
-    const Result<FolderContents> contents = inspectFolder(write.m_place, request, request.names);
+    const Result<FolderContents> contents
+        = inspectFolder(write.m_place, write.m_claim->folder(), request, request.names);
     if (!contents)
         return tl::unexpected<Error>(contents.error());
     return write;
@@ -151,10 +170,11 @@ Result<void> FolderWrite::commitClaimed(
     for (const FolderFile &file : files)
         names.push_back(file.name);
     // The list of earlier files is checked with the others: nobody else's may have its name.
-    const Result<FolderContents> before = inspectFolder(m_place, m_request, names);
+    const Result<FolderContents> before
+        = inspectFolder(m_place, m_claim->folder(), m_request, names);
     if (!before)
         return tl::unexpected<Error>(before.error());
-    if (const Result<void> staged = stage(files, before->others, control); !staged)
+    if (const Result<void> staged = stage(files, *before, control); !staged)
         return staged;
     if (control.stopRequested())
         return cancelled();
@@ -162,7 +182,7 @@ Result<void> FolderWrite::commitClaimed(
 }
 
 Result<void> FolderWrite::stage(
-    const std::vector<FolderFile> &files, const WrittenList &others, const JobControl &control)
+    const std::vector<FolderFile> &files, const FolderContents &before, const JobControl &control)
 {
     const int place = m_claim->folder();
     if (::mkdirat(place, m_claim->temporary().c_str(), kPrivate) != 0)
@@ -174,51 +194,95 @@ Result<void> FolderWrite::stage(
     for (std::size_t i = 0; i < files.size(); ++i) {
         if (control.stopRequested())
             return cancelled();
-        if (!writeFile(m_tree.get(), files[i]))
+        if (!writeFile(m_tree.get(), files[i], modeBefore(before, files[i].name)))
             return cannotWrite((fs::path(m_place.shown) / files[i].name).string());
         m_placed.push_back({files[i].name, m_request.writer, sha256Hex(files[i].bytes)});
         control.report(static_cast<double>(i + 1) / static_cast<double>(files.size()));
     }
     WrittenList all = m_placed;
-    all.insert(all.end(), others.begin(), others.end());
+    all.insert(all.end(), before.others.begin(), before.others.end());
     const std::string list = writtenListText(all);
     m_placed.push_back({kWrittenList, {}, sha256Hex(list)});
-    if (!writeFile(m_tree.get(), {kWrittenList, list}) || !syncFolders(m_tree.get(), m_placed))
+    const std::optional<mode_t> mode = modeBefore(before, kWrittenList);
+    if (!writeFile(m_tree.get(), {kWrittenList, list}, mode)
+        || !syncFolders(m_tree.get(), m_placed))
         return cannotWrite((fs::path(m_place.shown) / kWrittenList).string());
     return {};
 }
 
 Result<void> FolderWrite::placeNewFolder()
 {
+    if (!isStillThere(-1))
+        return wasMoved(m_place.shown);
     if (!renameToFree(m_staging.get(), kStagedTree, m_claim->folder(), m_place.claimTarget))
         return errno == EEXIST ? existsAlready(m_place.shown) : cannotWrite(m_place.shown);
     return ::fsync(m_claim->folder()) == 0 ? Result<void>() : cannotWrite(m_place.shown);
 }
 
+/// Whether the path and the claim still mean this folder (none yet: the place for it).
+bool FolderWrite::isStillThere(int folder) const
+{
+    struct stat byPath = {};
+    struct stat claimed = {};
+    const bool isParentThere = ::stat(m_place.claimFolder.c_str(), &byPath) == 0
+        && ::fstat(m_claim->folder(), &claimed) == 0 && byPath.st_dev == claimed.st_dev
+        && byPath.st_ino == claimed.st_ino;
+    return isParentThere
+        && (folder < 0 || isFolderAt(m_claim->folder(), m_place.claimTarget, folder));
+}
+
 Result<void> FolderWrite::replaceFolder(const FolderContents &before)
 {
     const FolderLock lock(m_place.path);
-    if (!lock.valid())
-        return errno == EWOULDBLOCK ? isBeingWritten(m_place.shown) : cannotWrite(m_place.shown);
-    if (hasLiveClaims(lock.folder(), m_claim->temporary()))
+    if (!lock.valid() && errno != EWOULDBLOCK)
+        return isStillThere(before.folder.get()) ? cannotWrite(m_place.shown)
+                                                 : wasMoved(m_place.shown);
+    if (!lock.valid() || hasLiveClaims(lock.folder(), m_claim->temporary()))
         return isBeingWritten(m_place.shown);
     const auto tree = identityOf(m_staging.get(), kStagedTree);
-    const FolderPlan plan{tree ? tree->inode : 0, retiredOf(before), m_placed};
+    const auto folder = identityOf(before.folder.get(), ".");
+    const FolderPlan plan{
+        tree ? tree->inode : 0, folder ? folder->inode : 0, retiredOf(before), m_placed};
+    if (!isStillThere(before.folder.get()))
+        return wasMoved(m_place.shown);
     if (mayBeExchanged(m_place, before.folder.get(), m_tree.get())
         && linkKept(before.folder.get(), m_tree.get(), plan.retired)
         && writePlan(m_staging.get(), kExchangePlan, plan)
-        && exchange(m_staging.get(), kStagedTree, m_claim->folder(), m_place.claimTarget)) {
-        m_mustStay = !emptyOldTree(before.folder.get(), m_tree.get(), plan.retired);
-        return ::fsync(m_claim->folder()) == 0 ? Result<void>() : cannotWrite(m_place.shown);
-    }
+        && exchange(m_staging.get(), kStagedTree, m_claim->folder(), m_place.claimTarget))
+        return finishExchange(before, plan);
     ::unlinkat(m_staging.get(), kExchangePlan, 0);
+    return moveFiles(before, plan);
+}
+
+/// Names can change hands up to the exchange itself, so what was exchanged is looked at behind it.
+Result<void> FolderWrite::finishExchange(const FolderContents &before, const FolderPlan &plan)
+{
+    const int place = m_claim->folder();
+    if (!isFolderAt(m_staging.get(), kStagedTree, before.folder.get()) || !isStillThere(-1)) {
+        m_mustStay = !takeBackExchange(place, m_staging.get(), m_place.claimTarget, plan);
+        return wasMoved(m_place.shown);
+    }
+    // Only an empty folder goes: somebody may be putting files into it still.
+    m_mustStay = !emptyOldTree(before.folder.get(), m_tree.get(), plan.retired)
+        || ::unlinkat(m_staging.get(), kStagedTree, AT_REMOVEDIR) != 0;
+    return ::fsync(place) == 0 ? Result<void>() : cannotWrite(m_place.shown);
+}
+
+Result<void> FolderWrite::moveFiles(const FolderContents &before, const FolderPlan &plan)
+{
+    const int folder = before.folder.get();
+    if (!isStillThere(folder))
+        return wasMoved(m_place.shown);
     if (!writePlan(m_staging.get(), kMovesPlan, plan))
         return cannotWrite(m_place.shown);
-    if (carryOutMoves(m_staging.get(), before.folder.get(), plan))
-        return {};
+    const bool moved = carryOutMoves(m_staging.get(), folder, plan);
     const int problem = errno;
+    if (moved && isStillThere(folder))
+        return {};
+    if (moved)
+        takeBackMoves(m_staging.get(), folder, plan);
     m_mustStay = isAnyLeft(m_staging.get(), plan.retired);
-    return cannotWrite(m_place.shown, problem);
+    return moved ? wasMoved(m_place.shown) : cannotWrite(m_place.shown, problem);
 }
 
 } // namespace dyncal

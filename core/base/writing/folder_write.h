@@ -8,6 +8,7 @@
 #include "core/base/result.h"
 #include "core/base/writing/folder_contents.h"
 #include "core/base/writing/folder_place.h"
+#include "core/base/writing/folder_plan.h"
 #include "core/base/writing/write_claim.h"
 #include "core/base/writing/written_list.h"
 
@@ -33,7 +34,8 @@ struct FolderFile
 /// flushed, and the two are exchanged in one step. Where that is not possible (the parent cannot be
 /// written to, a mount point, the working folder, folders of somebody else's inside, a file system
 /// without the exchange) the files are moved one by one by a plan that is on disk before; a program
-/// killed within it leaves a plan that the next write into the folder completes.
+/// killed within it leaves a plan that the next write into the folder completes. A folder that is
+/// renamed, moved or replaced meanwhile is left as it is, and so is what has its name then.
 class FolderWrite
 {
 public:
@@ -57,12 +59,15 @@ public:
 
 private:
     FolderWrite(FolderRequest request, FolderPlace place, WriteClaim claim);
-    Result<void> stage(
-        const std::vector<FolderFile> &files, const WrittenList &others, const JobControl &control);
+    Result<void> stage(const std::vector<FolderFile> &files, const FolderContents &before,
+        const JobControl &control);
     Result<void> commitClaimed(const std::vector<FolderFile> &files, const JobControl &control);
     Result<void> placeNewFolder();
     void release();
+    bool isStillThere(int folder) const;
     Result<void> replaceFolder(const FolderContents &before);
+    Result<void> finishExchange(const FolderContents &before, const FolderPlan &plan);
+    Result<void> moveFiles(const FolderContents &before, const FolderPlan &plan);
 
     FolderRequest m_request;
     FolderPlace m_place;

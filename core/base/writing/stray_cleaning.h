@@ -5,10 +5,12 @@
 
 #include "core/base/result.h"
 #include "core/base/writing/claim_text.h"
+#include "core/base/writing/folder_recovery.h"
 
 namespace dyncal {
 
-/// Removes what a claim without a program stands for, or completes it. Fails if it has to stay.
-Result<void> clearStray(int folder, const ClaimText &claim);
+/// Removes what a claim without a program stands for, or completes it (recoverFolder says what is
+/// believed of it). Fails if it has to stay.
+Result<void> clearStray(int folder, const ClaimText &claim, const NameRule &mayWrite);
 
 } // namespace dyncal

@@ -69,14 +69,22 @@ FileDescriptor createUnderFreeName(int folder, ClaimText &text)
     return file;
 }
 
-Result<void> clearLocked(int folder, const std::string &target, const std::string &shown)
+/// A folder that is not being written now is not touched: a planted claim would reach it.
+bool isCleared(const FoundClaim &claim, const std::string &target, const NameRule &mayWrite)
+{
+    return !claim.isLive
+        && (claim.text.kind == ClaimKind::File || (claim.text.target == target && mayWrite));
+}
+
+Result<void> clearLocked(
+    int folder, const std::string &target, const std::string &shown, const NameRule &mayWrite)
 {
     for (const FoundClaim &claim : findClaims(folder)) {
         if (claim.isLive && claim.text.target == target)
             return isBeingWritten(shown);
-        if (claim.isLive)
+        if (!isCleared(claim, target, mayWrite))
             continue;
-        const Result<void> cleared = clearStray(folder, claim.text);
+        const Result<void> cleared = clearStray(folder, claim.text, mayWrite);
         if (!cleared && claim.text.target == target)
             return cleared;
         if (cleared)
@@ -117,22 +125,23 @@ bool hasLiveClaims(int folder, const std::string &own)
         [&](const FoundClaim &claim) { return claim.isLive && claim.text.temporary != own; });
 }
 
-Result<void> clearClaims(
-    const std::string &folder, const std::string &target, const std::string &shown)
+Result<void> clearClaims(const std::string &folder, const std::string &target,
+    const std::string &shown, const NameRule &mayWrite)
 {
     const FolderLock lock(folder);
     if (!lock.valid())
         return errno == EWOULDBLOCK ? isBeingWritten(shown) : cannotWrite(shown);
-    return clearLocked(lock.folder(), target, shown);
+    return clearLocked(lock.folder(), target, shown, mayWrite);
 }
 
-Result<WriteClaim> WriteClaim::take(
-    const std::string &folder, const std::string &target, ClaimKind kind, const std::string &shown)
+Result<WriteClaim> WriteClaim::take(const std::string &folder, const std::string &target,
+    ClaimKind kind, const std::string &shown, const NameRule &mayWrite)
 {
     FolderLock lock(folder);
     if (!lock.valid())
         return errno == EWOULDBLOCK ? isBeingWritten(shown) : cannotWrite(shown);
-    if (const Result<void> cleared = clearLocked(lock.folder(), target, shown); !cleared)
+    const Result<void> cleared = clearLocked(lock.folder(), target, shown, mayWrite);
+    if (!cleared)
         return tl::unexpected<Error>(cleared.error());
     ClaimText text{{}, kind, target};
     WriteClaim claim;

@@ -6,6 +6,7 @@
 #include "core/base/file_descriptor.h"
 #include "core/base/result.h"
 #include "core/base/writing/claim_text.h"
+#include "core/base/writing/folder_recovery.h"
 
 #include <string>
 
@@ -22,11 +23,12 @@ class WriteClaim
 {
 public:
     /// Claims `target`, a name in `folder` ("." for the folder itself), after what earlier programs
-    /// left there was completed or removed. `shown` is the path for messages. Fails (Usage) where
-    /// the folder cannot be written to or another program writes this target, (Internal) on a full
-    /// disk.
+    /// left of it was completed or removed: temporary files of any target, folders of this one
+    /// alone and by files that `mayWrite` allows. `shown` is the path for messages. Fails (Usage)
+    /// where the folder cannot be written to or another program writes this target, (Internal) on a
+    /// full disk.
     static Result<WriteClaim> take(const std::string &folder, const std::string &target,
-        ClaimKind kind, const std::string &shown);
+        ClaimKind kind, const std::string &shown, const NameRule &mayWrite = {});
 
     WriteClaim(WriteClaim &&other) noexcept;
     WriteClaim &operator=(WriteClaim &&other) noexcept;
@@ -65,10 +67,10 @@ private:
     FileDescriptor m_folder;
 };
 
-/// Completes or removes what killed programs left in a folder. Fails (Usage) if that is not
-/// possible for `target`, or if a living program is writing it.
-Result<void> clearClaims(
-    const std::string &folder, const std::string &target, const std::string &shown);
+/// Completes or removes what killed programs left in a folder, as WriteClaim::take. Fails (Usage)
+/// if that is not possible for `target`, or if a living program is writing it.
+Result<void> clearClaims(const std::string &folder, const std::string &target,
+    const std::string &shown, const NameRule &mayWrite);
 
 /// Whether a program that lives writes into this (open, locked) folder, other than by the claim of
 /// the temporary name `own`.

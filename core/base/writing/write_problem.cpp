@@ -68,6 +68,15 @@ tl::unexpected<Error> existsAlready(const std::string &path)
             {path}});
 }
 
+tl::unexpected<Error> wasMoved(const std::string &path)
+{
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "%1 was renamed, moved or replaced while it was being written, so nothing was written "
+             "into it; write again into the folder that you mean."),
+            {path}});
+}
+
 tl::unexpected<Error> isBeingWritten(const std::string &path)
 {
     return fail(ErrorKind::Usage,

@@ -22,6 +22,9 @@ tl::unexpected<Error> cannotWrite(const std::string &path);
 /// Usage: something that may not be replaced has the name already.
 tl::unexpected<Error> existsAlready(const std::string &path);
 
+/// Usage: the folder was renamed, moved or replaced while it was being written.
+tl::unexpected<Error> wasMoved(const std::string &path);
+
 /// Usage: another program is writing there now.
 tl::unexpected<Error> isBeingWritten(const std::string &path);
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/base/content_hash.h"
 #include "core/base/writing/atomic_file.h"
 #include "core/results/model_export.h"
 #include "core/results/results_csv.h"
@@ -24,8 +25,8 @@ RunFiles exampleRun()
     RunFiles run;
     run.outcome.results = example::calibration();
     run.createdUtc = kCreated;
-    run.drawn
-        = {{"certificate.pdf", "%PDF"}, {"plots/01-a.svg", "<svg>a"}, {"plots/02-b.svg", "<svg>b"}};
+    run.drawn = {{"certificate.pdf", "%PDF"}, {"plots/01-raw-dut.svg", "<svg>a"},
+        {"plots/02-responses.svg", "<svg>b"}};
     return run;
 }
 
@@ -57,6 +58,7 @@ private slots:
     void write_resultsJson_isTheLast();
     void write_stoppedAtAnyFile_changesNothing();
     void write_overAFolderOfAnOlderVersion_isRefused();
+    void list_claimsNoNameThatIsNotWritten();
     void model_isWrittenBesideARun();
     void write_stoppedBefore_changesNothing();
     void write_tablesNameTaken_failsAndNamesIt();
@@ -78,7 +80,7 @@ void TestRunFiles::write_completeRun_givesEveryFile()
     QCOMPARE(bytesOf(folder.filePath("results.json")).toStdString(),
         resultsJson(run.outcome, run.recipe, kCreated));
     QCOMPARE(bytesOf(folder.filePath("recipe.json")).toStdString(), recipeJson(run.recipe));
-    QCOMPARE(bytesOf(folder.filePath("plots/02-b.svg")), QByteArray("<svg>b"));
+    QCOMPARE(bytesOf(folder.filePath("plots/02-responses.svg")), QByteArray("<svg>b"));
     const std::vector<CsvFile> tables = resultsCsv(run.outcome.results);
     QVERIFY(!tables.empty());
     QCOMPARE(QDir(folder.filePath("csv")).entryList(QDir::Files).size(),
@@ -129,7 +131,7 @@ void TestRunFiles::write_overAnEarlierRun_removesItsFilesOnly()
     run.outcome.results.model = nullptr; // nor does its model stay
     QVERIFY(writeInto(folder.path(), run));
     for (const char *gone :
-        {"certificate.pdf", "plots/01-a.svg", "plots/02-b.svg", "model/model.mat"})
+        {"certificate.pdf", "plots/01-raw-dut.svg", "plots/02-responses.svg", "model/model.mat"})
         QVERIFY2(!QFile::exists(folder.filePath(gone)), gone);
     for (const char *kept : {"notes.txt", "csv/notes.csv", "plots/photo.svg", "model/my.m"})
         QCOMPARE(bytesOf(folder.filePath(kept)), QByteArray("mine"));
@@ -194,6 +196,31 @@ void TestRunFiles::write_stoppedBefore_changesNothing()
     QVERIFY(!writeInto(folder.path(), exampleRun(), {stop.get_token(), {}}));
     QCOMPARE(bytesOf(folder.filePath("written.json")), before);
     QVERIFY(QFile::exists(folder.filePath("results.json")));
+}
+
+/// A list that names a recording, or anything else that no run writes, removes nothing.
+void TestRunFiles::list_claimsNoNameThatIsNotWritten()
+{
+    const std::string bytes = "recording";
+    for (const char *name : {"csv/shot.csv", "csv/response_shot_1.csv",
+             "csv/response_shot_0001.csv", "csv/response_.csv", "csv/response_shot_001x.csv",
+             "csv/measured_shot_001.csv", "csv/poles.CSV", "plots/photo.svg", "plots/01-photo.svg",
+             "plots/1-step.svg", "plots/step.svg", "plots/.svg", "csv/.csv", "model/mine.m"}) {
+        const QTemporaryDir folder;
+        const std::string at = folder.filePath(name).toStdString();
+        QVERIFY(QDir().mkpath(QFileInfo(folder.filePath(name)).path()));
+        QVERIFY(writeFileAtomically(at, bytes));
+        QVERIFY(writeFileAtomically(folder.filePath("written.json").toStdString(),
+            writtenListText({{name, "run", sha256Hex(bytes)}})));
+        QVERIFY2(!writeInto(folder.path(), exampleRun()), name);
+        QCOMPARE(bytesOf(folder.filePath(name)), QByteArray("recording"));
+    }
+    const FolderRequest request = runFolder("out", {});
+    for (const CsvFile &table : resultsCsv(exampleRun().outcome.results))
+        QVERIFY2(request.mayWrite("csv/" + table.name), table.name.c_str());
+    for (const char *name : {"csv/spectrum_shot_1000.csv", "csv/model_average.csv",
+             "csv/model_input_shot_012.csv", "plots/21-phase.svg"})
+        QVERIFY2(request.mayWrite(name), name);
 }
 
 /// Each kind of writer replaces what it wrote itself.

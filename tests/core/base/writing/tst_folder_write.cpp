@@ -3,7 +3,7 @@
 
 #include "core/base/writing/folder_write.h"
 #include "tests/core/base/guarded_test_child.h"
-#include "tests/core/base/writing/folder_snapshot.h"
+#include "tests/core/base/writing/folder_cases.h"
 #include "tests/support/failing_calls.h"
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
@@ -15,108 +15,11 @@
 
 #include <sys/stat.h>
 
-#include <functional>
 #include <thread>
 
 using namespace dyncal;
 using namespace dyncal::testing;
 namespace fs = std::filesystem;
-
-namespace {
-
-bool isOwn(const std::string &name)
-{
-    return name == "results.json" || name == "certificate.pdf" || name.starts_with("csv/");
-}
-
-FolderRequest requestFor(const std::string &folder)
-{
-    return {folder, "run", isOwn, {"results.json", "certificate.pdf", "csv/"}, {}, {}};
-}
-
-const std::vector<FolderFile> kOld{
-    {"results.json", "old"}, {"certificate.pdf", "old pdf"}, {"csv/a.csv", "1"}};
-const std::vector<FolderFile> kNew{{"results.json", "new"}, {"csv/a.csv", "2"}, {"csv/b.csv", "3"}};
-
-Result<void> write(const FolderRequest &request, const std::vector<FolderFile> &files)
-{
-    Result<FolderWrite> folder = FolderWrite::begin(request);
-    return folder ? folder->commit(files) : Result<void>(tl::unexpected(folder.error()));
-}
-
-std::string sentenceOf(const Result<void> &done)
-{
-    return done ? std::string() : english(done.error().message);
-}
-
-/// A folder "out" in a place of its own, as a case needs it.
-struct Case
-{
-    const char *name;
-    bool exists;
-    std::function<void(const fs::path &out)> prepare; ///< what else lies there
-    bool isExchanged; ///< in one step
-};
-
-void nothing(const fs::path &) { }
-
-void put(const fs::path &file, const std::string &bytes)
-{
-    fs::create_directories(file.parent_path());
-    std::ofstream(file) << bytes;
-}
-
-const std::vector<Case> &cases()
-{
-    static const std::vector<Case> all{
-        {"no folder yet", false, nothing, true},
-        {"an earlier run", true, nothing, true},
-        {"files of somebody else", true,
-            [](const fs::path &out) {
-                put(out / "notes.txt", "mine");
-                put(out / "csv/mine.csv", "mine");
-                fs::create_symlink("/etc/hostname", out / "link");
-            },
-            true},
-        {"a folder of somebody else", true,
-            [](const fs::path &out) { put(out / "photos/1.jpg", "mine"); }, false},
-        {"an access list", true,
-            [](const fs::path &out) {
-                put(out / "photos/1.jpg", "mine");
-                put(out / "csv/mine.csv", "mine");
-            },
-            false},
-    };
-    return all;
-}
-
-struct Laid
-{
-    ScratchFolder place;
-    fs::path out = place.file("out");
-    Snapshot before;
-    Snapshot after;
-};
-
-/// The case with an earlier run in it, and what a whole write makes of it.
-void lay(Laid &laid, const Case &wanted)
-{
-    const auto make = [&](const fs::path &out) {
-        if (wanted.exists && !write(requestFor(out.string()), kOld))
-            qFatal("the earlier run cannot be written");
-        if (wanted.exists)
-            wanted.prepare(out);
-    };
-    make(laid.out);
-    laid.before = snapshotOf(laid.out);
-    const ScratchFolder other;
-    make(other.file("out"));
-    if (!write(requestFor(other.file("out")), kNew))
-        qFatal("the new run cannot be written");
-    laid.after = snapshotOf(other.file("out"));
-}
-
-} // namespace
 
 class TestFolderWrite : public QObject
 {
@@ -136,6 +39,8 @@ private slots:
     void secondWriter_isToldAtOnce();
     void races_haveOneWinner();
     void plantedUnderEveryName_isLeftAlone();
+    void permissions_areKept();
+    void claims_areSeenByOthers();
     void foldersAndLinks_areSaid();
 };
 
@@ -448,6 +353,41 @@ void TestFolderWrite::plantedUnderEveryName_isLeftAlone()
     for (const auto &[name, content] : planted)
         QVERIFY2(now.contains(name) && now.at(name) == content, name.c_str());
     QCOMPARE(now.at("out/results.json"), std::string("new"));
+}
+
+void TestFolderWrite::permissions_areKept()
+{
+    const auto modeOf = [](const fs::path &file) { return fs::status(file).permissions(); };
+    for (const Case &wanted : cases()) {
+        if (!wanted.exists)
+            continue;
+        Laid laid;
+        lay(laid, wanted);
+        constexpr auto kOwner = fs::perms::owner_read | fs::perms::owner_write;
+        for (const char *name : {"results.json", "written.json", "csv/a.csv"})
+            fs::permissions(laid.out / name, kOwner);
+        QVERIFY2(write(requestFor(laid.out.string()), kNew), wanted.name);
+        for (const char *name : {"results.json", "written.json", "csv/a.csv"})
+            QVERIFY2(modeOf(laid.out / name) == kOwner, name);
+        QVERIFY(modeOf(laid.out / "csv/b.csv") != kOwner); // new: as the umask says
+        QCOMPARE(contentOf((laid.out / "csv/a.csv").string()), std::string("2"));
+    }
+}
+
+void TestFolderWrite::claims_areSeenByOthers()
+{
+    const ScratchFolder place;
+    const mode_t before = ::umask(077);
+    const Result<FolderWrite> begun = FolderWrite::begin(requestFor(place.file("out")));
+    ::umask(before);
+    QVERIFY(begun);
+    int claims = 0;
+    for (const auto &entry : fs::directory_iterator(place.file("")))
+        if (entry.path().extension() == ".claim") {
+            ++claims;
+            QVERIFY(fs::status(entry.path()).permissions() == fs::perms(0644));
+        }
+    QCOMPARE(claims, 1);
 }
 
 void TestFolderWrite::foldersAndLinks_areSaid()
