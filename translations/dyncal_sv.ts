@@ -4013,10 +4013,6 @@
         <translation>%1 bytte namn, flyttades eller ersattes medan den skrevs, så inget skrevs i den; skriv igen i den mapp som du menar.</translation>
     </message>
     <message>
-        <source>%1 was renamed, moved or replaced while it was being written, so nothing was written into it; write again into the folder that you mean.</source>
-        <translation>%1 bytte namn, flyttades eller ersattes medan den skrevs, så inget skrevs i den; skriv igen i den mapp som du menar.</translation>
-    </message>
-    <message>
         <source>%1 is being written by another program at this moment; wait until it has ended or choose another name.</source>
         <translation>%1 skrivs just nu av ett annat program; vänta tills det är klart eller välj ett annat namn.</translation>
     </message>
