@@ -300,6 +300,9 @@ void TestReport::write_manyPolesAndFindings_repeatsTableHeads()
         model->poles.push_back(pole);
     }
     results.model = model;
+    auto assessment = std::make_shared<dyncal::ModelAssessment>(*results.assessment);
+    assessment->poles = model->poles;
+    results.assessment = assessment;
     QTemporaryDir folder;
     QVERIFY(writeReport(results, exampleRecipe(), kCreated, folder.path().toStdString()));
     if (!has("pdftotext"))

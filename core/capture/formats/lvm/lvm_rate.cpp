@@ -36,7 +36,7 @@ LvmRate lvmRate(const LvmChannel &channel, std::span<const double> x, double res
     const double meanHalf = resolution / steps; // half a digit at both ends
     const double step = stated ? channel.deltaX : axis.step;
     const double tolerance = std::max(kRateTolerance * step, deltaHalf) + 2.0 * meanHalf;
-    const bool coarse = resolution > 0.5 * step; // single steps say nothing
+    const bool coarse = resolution > 0.5 * std::min(step, mean); // single steps say nothing
     const bool agrees = std::abs(mean - step) <= tolerance && (coarse || !axis.irregular);
     if (!agrees || (coarse && !stated))
         return {0.0, 0.0, true, mean};

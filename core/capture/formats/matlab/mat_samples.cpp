@@ -5,7 +5,7 @@
 
 #include "core/capture/formats/bytes/byte_reader.h"
 
-#include <cmath>
+#include <utility>
 
 namespace dyncal {
 namespace {
@@ -26,8 +26,8 @@ std::optional<RawSamples> converted(
         const In value = numberAt<In>(raw + i * stepBytes, order);
         const auto out = static_cast<Out>(value);
         if constexpr (sizeof(In) == 8 && !std::is_same_v<In, Out>) {
-            constexpr double kExact = 9007199254740992.0; // 2^53
-            if (std::abs(out) > kExact)
+            constexpr std::int64_t kExact = std::int64_t(1) << 53;
+            if (std::cmp_greater(value, kExact) || std::cmp_less(value, -kExact))
                 return {};
         }
         values[static_cast<std::size_t>(i)] = out;

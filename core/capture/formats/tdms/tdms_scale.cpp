@@ -342,11 +342,13 @@ bool agrees(
         double value = x;
         for (const Node &node : chain.nodes)
             value = valueAt(node, value, 0.0);
+        const double here = std::abs(horner(std::span(polynomial.coefficients), x) - value);
+        if (!std::isfinite(here)) // std::max passes over NaN
+            return false;
         largest = std::max(largest, std::abs(value));
-        difference
-            = std::max(difference, std::abs(horner(std::span(polynomial.coefficients), x) - value));
+        difference = std::max(difference, here);
     }
-    return difference <= kTolerance * largest; // false also if a value is not finite
+    return difference <= kTolerance * largest;
 }
 
 } // namespace
