@@ -41,6 +41,20 @@ std::string linkName(const std::string &name, std::set<std::string> &used)
     return unique;
 }
 
+/// The member that stands for each sensor, listed or not: "a/b" and "a|b" are two.
+std::map<std::string, std::string> sensorLinks(const CaptureSet &set)
+{
+    std::set<std::string> used;
+    std::map<std::string, std::string> links;
+    for (const auto &[id, attributes] : set.sensors) // first, as writeCatalogue names them
+        links.emplace(id, linkName(id, used));
+    for (const Shot &shot : set.shots)
+        for (const Channel &channel : shot.channels)
+            if (!channel.sensorId.empty() && !links.contains(channel.sensorId))
+                links.emplace(channel.sensorId, linkName(channel.sensorId, used));
+    return links;
+}
+
 std::string paddedNumber(std::size_t number)
 {
     const std::string digits = std::to_string(number);
@@ -68,6 +82,7 @@ public:
     CaptureWriter(const CaptureSet &set, const JobControl &control)
         : m_set(set)
         , m_control(control)
+        , m_sensorLinks(sensorLinks(set))
     {
         for (const Shot &shot : set.shots) {
             for (const Channel &channel : shot.channels) {
@@ -247,7 +262,7 @@ private:
             && dataset.text("sensor",
                 channel.sensorId.empty()
                     ? ""
-                    : std::string(kSensorFolder) + memberName(channel.sensorId))
+                    : std::string(kSensorFolder) + m_sensorLinks.at(channel.sensorId))
             && dataset.integer("adc_bits", channel.adcBits)
             && (!channel.adcMin || dataset.number("adc_min", *channel.adcMin))
             && (!channel.adcMax || dataset.number("adc_max", *channel.adcMax))
@@ -284,6 +299,7 @@ private:
 
     const CaptureSet &m_set;
     const JobControl &m_control;
+    std::map<std::string, std::string> m_sensorLinks;
     Hdf5Tree m_said;
     std::vector<WrittenChannel> m_channels; ///< of every shot, in order
     std::size_t m_channel = 0; ///< position of the channel being written

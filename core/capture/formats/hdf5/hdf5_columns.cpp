@@ -22,7 +22,7 @@ constexpr double kPlaceBytes = 2.0 * sizeof(SampleExtent);
 constexpr std::uint64_t kLeastCache = 16U << 20;
 constexpr std::uint64_t kLargestCache = 192U << 20;
 constexpr double kMaxUnpackedBytes = 4.0 * 1024 * 1024 * 1024;
-constexpr double kExactIntegers = 9007199254740992.0; ///< 2^53
+constexpr double kInexactIntegers = 9007199254740992.0; ///< 2^53, or 2^53 + 1 rounded
 
 RawSamples::Counts emptyCounts(SampleType type)
 {
@@ -281,7 +281,7 @@ private:
             bool rounded = false;
             samples.visitBlocks(0, samples.size(), [&](auto values, Index) {
                 for (const auto value : values)
-                    rounded = rounded || std::abs(static_cast<double>(value)) > kExactIntegers;
+                    rounded = rounded || std::abs(static_cast<double>(value)) >= kInexactIntegers;
             });
             return rounded;
         });

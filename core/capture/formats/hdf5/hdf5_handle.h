@@ -3,7 +3,11 @@
 
 #pragma once
 
+#if __has_include(<hdf5.h>)
 #include <hdf5.h>
+#else // tests are built without the library's own folder
+#include <hdf5/serial/hdf5.h>
+#endif
 
 #include <mutex>
 #include <utility>

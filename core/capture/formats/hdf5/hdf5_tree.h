@@ -56,7 +56,7 @@ enum class Hdf5Storage {
 enum class Hdf5Fidelity {
     Exact, ///< of the same type
     Widened, ///< of a type that keeps every value
-    MayRound, ///< 64 bit integers as double: exact up to 2^53, refused beyond
+    MayRound, ///< 64 bit integers as double: exact below 2^53, refused from there
 };
 
 struct Hdf5Dataset
