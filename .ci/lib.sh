@@ -93,3 +93,25 @@ check_skips() {
     say "Skipped tests are failures: install what they need, or see why they had nothing to test."
     return 1
 }
+
+# clang-tidy (.clang-tidy) on the sources of core, ui and app: all, or with --changed those that
+# differ from DYNCAL_TIDY_BASE (the commit before), unless they are more than a check may wait for.
+check_tidy() {
+    local base="${DYNCAL_TIDY_BASE:-HEAD~1}" most=40 sources
+    cmake --preset dev > /dev/null || return 1
+    mapfile -t sources < <(git ls-files 'core/*.cpp' 'ui/*.cpp' 'app/*.cpp')
+    if [ "${1:-}" = --changed ]; then
+        git rev-parse --verify --quiet "$base^{commit}" > /dev/null \
+            || die "There is no revision $base to compare with: set DYNCAL_TIDY_BASE."
+        mapfile -t sources < <(git diff --name-only --diff-filter=d "$base" -- \
+            'core/*.cpp' 'ui/*.cpp' 'app/*.cpp' 2> /dev/null)
+        if [ ${#sources[@]} -gt "$most" ]; then
+            say "${#sources[@]} sources changed: $most of them are looked at, .ci/long tidy does all"
+            sources=("${sources[@]:0:most}")
+        fi
+    fi
+    [ ${#sources[@]} -gt 0 ] || return 0
+    # Its note on warnings of g++ that clang does not know would be an error.
+    printf '%s\0' "${sources[@]}" | xargs -0 -n 4 -P "$(nproc)" clang-tidy -p "$root/build-dev" \
+        --quiet --extra-arg=-Wno-unknown-warning-option 2> /dev/null
+}

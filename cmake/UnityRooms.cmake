@@ -5,16 +5,16 @@
 # once: a first build takes far less time. Off in the preset dev, where one changed source should
 # be compiled alone, and where a missing include shows.
 option(DYNCAL_UNITY "Compile the sources of a room together" OFF)
+set(DYNCAL_UNITY_MOST 6 CACHE STRING "Sources in a piece at most")
 
 # dyncal_unite_rooms(target layer [APART room...] [ALONE source...]): the sources of the rooms after
 # APART have constants of the same name and stay alone, as do those after ALONE, which take longest.
-# Pieces of at most 6 sources keep a change quick.
+# Pieces of few sources keep a change quick; the preset odr, built as a whole, takes more.
 function(dyncal_unite_rooms target layer)
     cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "APART;ALONE")
     if(NOT DYNCAL_UNITY)
         return()
     endif()
-    set(most_in_piece 6)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
     # Raised for every class with a member of a file's own type, unless the file is compiled alone.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
@@ -29,7 +29,7 @@ function(dyncal_unite_rooms target layer)
         endif()
         string(MAKE_C_IDENTIFIER "${room}" group)
         math(EXPR count_${group} "${count_${group}} + 1")
-        math(EXPR piece "(${count_${group}} - 1) / ${most_in_piece}")
+        math(EXPR piece "(${count_${group}} - 1) / ${DYNCAL_UNITY_MOST}")
         set_source_files_properties("${source}" PROPERTIES UNITY_GROUP "${group}_${piece}")
     endforeach()
 endfunction()

@@ -46,12 +46,14 @@ bool wasWindowMemoryUsed()
 // next: glibc takes 64 MiB for each new thread. Sanitizers bring their own.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
+// NOLINTBEGIN(bugprone-reserved-identifier): glibc's own names.
 extern "C" {
 void *__libc_malloc(std::size_t size);
 void *__libc_calloc(std::size_t count, std::size_t size);
 void *__libc_realloc(void *old, std::size_t size);
 void __libc_free(void *memory);
 }
+// NOLINTEND(bugprone-reserved-identifier)
 
 namespace dyncal {
 namespace {

@@ -85,7 +85,7 @@ public:
     {
         QMetaObject::invokeMethod(
             receiver,
-            [stop, call = std::move(call)] {
+            [stop = std::move(stop), call = std::move(call)] {
                 if (!stop.stop_requested())
                     call();
             },
@@ -128,7 +128,7 @@ private:
         }
     }
 
-    ProgressSink throttled(ProgressSink progress)
+    ProgressSink throttled(const ProgressSink &progress)
     {
         if (!progress)
             return {};
