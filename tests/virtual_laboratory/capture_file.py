@@ -7,7 +7,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from .laboratory import TRUTH_FREQUENCIES, driven, dut_system
+from .laboratory import SIDE_SENSITIVITY, TRUTH_FREQUENCIES, driven, dut_system
 
 TEXT = h5py.string_dtype("utf-8")
 
@@ -31,10 +31,11 @@ def write_setup(file, lab):
     attributes(file.create_group("setup/sensors/dut"), role="dut", quantity="pressure", unit="V",
                sensitivity=noted.card, u_sensitivity=noted.u_card, sensitivity_unit="V/Pa",
                serial="virtual")
-    for i in range(len(lab.sides)):
+    for i, side in enumerate(lab.sides):
+        card = {"sensitivity": SIDE_SENSITIVITY, "u_sensitivity": SIDE_SENSITIVITY * noted.u_gain,
+                "sensitivity_unit": "V/Pa"} if side.calibrated else {}
         attributes(file.create_group(f"setup/sensors/side{i + 1}"), role="driven_side",
-                   quantity="pressure", unit="V", sensitivity=7e-6, u_sensitivity=7e-6 * noted.u_gain,
-                   sensitivity_unit="V/Pa", serial=f"virtual side {i + 1}")
+                   quantity="pressure", unit="V", serial=f"virtual side {i + 1}", **card)
     attributes(file.create_group("setup/instruments/recorder"), vendor="virtual", adc_bits=lab.recorder.bits)
 
 
@@ -45,9 +46,9 @@ def write_channel(group, lab, channel, t0_s):
     sensor = "dut" if is_dut else "side" + channel.name.split()[1]
     attributes(data, sample_rate_Hz=lab.recorder.rate_hz * noted.rate_factor, t0_s=t0_s / noted.rate_factor,
                scale=channel.scale * (noted.scale_factor if is_dut else 1.0), offset=0.0,
-               unit=channel.unit, quantity="voltage" if is_dut else "pressure", role=channel.role,
+               unit=channel.unit, quantity="voltage" if channel.unit == "V" else "pressure", role=channel.role,
                sensor=f"/setup/sensors/{sensor}", instrument="/setup/instruments/recorder",
-               pressure_reference="" if is_dut else "gauge", adc_bits=channel.adc_bits,
+               pressure_reference="" if channel.unit == "V" else "gauge", adc_bits=channel.adc_bits,
                adc_min=float(-limit), adc_max=float(limit - 1))
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from . import gases, recorder, response, waves
 
 DROP_TAU = 0.3e-3
+SIDE_SENSITIVITY = 7e-6  # V/Pa
 TRUTH_FREQUENCIES = np.geomspace(300.0, 4e6, 200)
 
 
@@ -126,8 +127,9 @@ def to_record(laboratory, plan, shot, full, side_full, rng):
     channels = [Channel("DUT", "dut", "V", dut_counts, code, rec.bits)]
     for i, values in enumerate(sides):
         c, side_code = recorder.counts(values, side_full, 14)
-        channels.append(Channel(f"Side {i + 1}", "driven_side", "Pa",
-                                c, side_code, 14))
+        per_pascal = 1.0 if laboratory.sides[i].calibrated else SIDE_SENSITIVITY
+        channels.append(Channel(f"Side {i + 1}", "driven_side", "V" if per_pascal < 1 else "Pa", c,
+                                side_code * per_pascal, 14))
     p4 = waves.driver_pressure(state, driven(laboratory).gamma, driven(laboratory).sound_speed)
     truth = {"velocity_m_s": state.velocity, "mach": state.mach, "step_pa": state.step, "p2_pa": state.p2,
              "p5_pa": state.p5, "p4_pa": p4, "a1_m_s": driven(laboratory).sound_speed,

@@ -24,6 +24,7 @@ class SideSensor:
     zeta: float = 0.7
     delay_of_rise: float = 0.0  # 50 % of its step is read so many of its rise times late
     gain: float = 1.0  # of the value in Pa that is noted, to the true one
+    calibrated: bool = True  # else its channel is in volts and it has no card
 
 
 @dataclass
@@ -103,11 +104,12 @@ class Laboratory:
 
 
 def default(rng, sensors=None):
-    """Three shots of the issue's sensor; 1 to 3 arrival sensors unless given."""
-    count = sensors or int(rng.integers(1, 4))
+    """Three shots of one sensor; 1 to 3 arrival sensors unless given, calibrated in seven of ten."""
+    count, calibrated = sensors or int(rng.integers(1, 4)), bool(rng.random() < 0.7)
     noted = Noted(distances=list(PLACES[:count]), humidity=0.0)
     sides = [SideSensor(d + rng.normal(0, noted.u_distance), delay_of_rise=rng.uniform(0, DELAY_OF_RISE),
-                        gain=1 + rng.normal(0, noted.u_gain)) for d in noted.distances]
+                        gain=1 + rng.normal(0, noted.u_gain), calibrated=calibrated)
+             for d in noted.distances]
     shots = [ShotPlan(v * (1 + rng.normal(0, 0.003)), level) for v, level in zip(SPEEDS, LEVELS)]
     noted.card *= 1 + rng.normal(0, noted.u_card / noted.card)
     return Laboratory(p1=rng.normal(noted.p1, noted.u_p1), t1=rng.normal(noted.t1, noted.u_t1),

@@ -1,0 +1,93 @@
+# SPDX-FileCopyrightText: 2026 The Dyncal authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The studies: which conditions, how many seeds, and what is printed of them.
+
+python3 -m virtual_laboratory.study --program build-release/app/dyncal [STUDY...] [--seeds N] [--json FILE]
+"""
+import argparse
+import json
+import sys
+from pathlib import Path
+
+from . import orders, power, runner, studies_conditions as sc, tables
+from .conditions_laboratory import CONDITIONS
+
+SPECIAL = {"clean_any", *sc.DRIFT, *sc.STILL, *sc.TUBE, *sc.DAMPING, *sc.NOISE, *sc.FRONT, "bounds_any"}
+ORDINARY = [name for name in CONDITIONS if name not in SPECIAL]
+SHORT = ["clean", "heat_slow", "one_velocity_for_all", "gas_recorded", "rate_doubled", "early_echo"]
+# conditions, runs each, quantities
+STUDIES = {
+    "conditions": (ORDINARY, 40, tables.QUANTITIES),
+    "short": (SHORT, 2, tables.QUANTITIES),
+    "clean": (["clean_any"], 400, tables.QUANTITIES),
+    "onset": ([*sc.DRIFT, *sc.STILL], 40, ("voltage", "sensitivity")),
+    "tube": (list(sc.TUBE), 500, ("velocity", "step")),
+    "damping": ([*sc.DAMPING, "damping_weak"], 200, ("f0", "zeta")),
+    "front": (list(sc.FRONT), 200, ("f0", "zeta")),
+    "response": (list(sc.NOISE), 500, ()),
+    "bounds": (["bounds_any"], 200, ()),
+}
+
+
+def report(name, records):
+    """Markdown of one study."""
+    if name in ("conditions", "short"):
+        return tables.conditions_table(records)
+    parts = [tables.coverage_table(records, STUDIES[name][2])] if STUDIES[name][2] else []
+    for condition, group in tables.by_condition(records).items():
+        parts.append(f"{condition}: {tables.cautions_line(group)}")
+        if name == "response":
+            parts.append(f"{condition}: {tables.rows_coverage(group)}")
+        if name == "bounds":
+            parts.append(tables.bounds_line(group))
+    return "\n\n".join(parts)
+
+
+def show(done, total, record):
+    if sys.stderr.isatty() or done % 50 == 0 or done == total:
+        print(f"\r{done}/{total} {record['condition']:<32}", end="", file=sys.stderr, flush=True)
+
+
+def run(name, arguments):
+    conditions, count, _ = STUDIES[name]
+    chosen = [c for c in conditions if not arguments.only or c in arguments.only]
+    seeds = range(arguments.first_seed, arguments.first_seed + (arguments.seeds or count))
+    records = runner.run_all(arguments.program, [(c, s) for c in chosen for s in seeds],
+                             arguments.processes, arguments.keep, show)
+    print(file=sys.stderr)
+    return records
+
+
+def parse(argv):
+    parser = argparse.ArgumentParser(prog="virtual_laboratory.study", description=__doc__)
+    parser.add_argument("studies", nargs="*", default=["conditions"],
+                        help=f"of {', '.join(STUDIES)}, power, orders; conditions unless given")
+    parser.add_argument("--program", required=True, help="dyncal as built")
+    parser.add_argument("--seeds", type=int, help="runs per condition (each study has its own default)")
+    parser.add_argument("--first-seed", type=int, default=0)
+    parser.add_argument("--only", nargs="*", help="only these conditions")
+    parser.add_argument("--processes", type=int, default=2)
+    parser.add_argument("--keep", help="folder where captures and results stay")
+    parser.add_argument("--json", help="every run as JSON")
+    parser.add_argument("--strict", action="store_true", help="exit code 1 where the table says NO")
+    return parser.parse_args(argv)
+
+
+def main(argv=None):
+    arguments = parse(argv)
+    everything, text = [], []
+    for name in arguments.studies:
+        if name in ("power", "orders"):
+            text.append(f"## {name}\n\n" + {"power": power, "orders": orders}[name].study(arguments))
+        else:
+            records = run(name, arguments)
+            everything += records
+            text.append(f"## {name}\n\n" + report(name, records))
+        print(text[-1] + "\n", flush=True)
+    if arguments.json:
+        Path(arguments.json).write_text(json.dumps(everything, indent=0) + "\n", encoding="utf-8")
+    return int(arguments.strict and any("| NO" in part for part in text))
+
+
+if __name__ == "__main__":
+    sys.exit(main())
