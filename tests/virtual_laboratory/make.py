@@ -9,7 +9,8 @@ import zlib
 
 import numpy as np
 
-from . import capture_file, conditions_record, laboratory, studies_conditions, switches  # noqa: F401
+from . import capture_file, laboratory, switches
+from . import conditions_operator, conditions_record, studies_conditions  # noqa: F401 (they register)
 from .conditions_laboratory import CONDITIONS
 
 
