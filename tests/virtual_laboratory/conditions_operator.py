@@ -47,6 +47,28 @@ def velocity_misread(lab, rng):
     return size
 
 
+def listed(lab, rng):
+    lab.noted.recipe = {"uncertainty": {"budget": [{"quantity": "velocity_m_s", "u": 0.5}]}}
+    return [float(round(shot.velocity + rng.normal(0, 0.5), 2)) for shot in lab.shots]
+
+
+@condition("typed")
+def velocities_listed(lab, rng):
+    """A velocity for every shot, each within its u."""
+    lab.noted.shock = {"velocity_m_s": listed(lab, rng)}
+    return 0.0
+
+
+@condition("typed", operator=True)
+def one_of_the_list_misread(lab, rng):
+    """The same, one of them up to 6 % wrong."""
+    velocities, size = listed(lab, rng), rng.uniform(-0.06, 0.06)
+    lab.judge_shot = int(rng.integers(0, len(velocities)))
+    velocities[lab.judge_shot] *= 1 + size
+    lab.noted.shock = {"velocity_m_s": velocities}
+    return size
+
+
 @condition("gas", operator=True)
 def gas_wrong(lab, rng):
     """Up to pure N2, Ar or CO2 in the tube, air in the capture."""

@@ -36,6 +36,14 @@ def warned(results, truth):
     return "other" if cautions(results) else None
 
 
+def named(results, truth):
+    """What the cautions say of the cause."""
+    words = set(causes(results))
+    if words:
+        return "right" if words & set(truth["causes"]) else "wrong"
+    return "unnamed" if cautions(results) else "none"
+
+
 def ratio(item):
     """|error| in units of U."""
     u = item["k"] * item["u"] if item["u"] else NO_U * abs(item["true"])
@@ -123,6 +131,7 @@ def judge(results, truth):
                 record["exempt"] = True
         quantities[name] = record
     out = {"quantities": quantities, "causes": causes(results), "size": truth["size"],
+           "named": named(results, truth),
            "cautions": sorted({f["id"] for f in cautions(results)}), "drift": results.get("drift"),
            "checks": results.get("checks"), "order": readings.get(results, "model", "order"),
            "shots": len(results["shots"])}

@@ -32,7 +32,7 @@ STUDIES = {
 def report(name, records):
     """Markdown of one study."""
     if name in ("conditions", "short"):
-        return tables.conditions_table(records)
+        return tables.conditions_table(records) + "\n\n" + tables.cautions_table(records)
     parts = [tables.coverage_table(records, STUDIES[name][2])] if STUDIES[name][2] else []
     for condition, group in tables.by_condition(records).items():
         parts.append(f"{condition}: {tables.cautions_line(group)}")

@@ -73,6 +73,19 @@ def conditions_table(records, rows=True):
     return "\n".join(lines)
 
 
+def cautions_table(records):
+    """How often the right cause is named at all, whether or not the numbers suffer."""
+    lines = ["| condition | runs | right cause named | another cause | cautions without cause | none "
+             "| blocked or no results | findings |", "|---|--:|--:|--:|--:|--:|--:|---|"]
+    for condition, group in by_condition(records).items():
+        kinds = [record.get("named", "no results") for record in group]
+        ids = sorted({i for record in group for i in record.get("cautions", [])})
+        cells = [condition, len(group), *(kinds.count(k) for k in ("right", "wrong", "unnamed", "none")),
+                 sum(record["exit"] > 1 for record in group), " ".join(ids)]
+        lines.append("| " + " | ".join(str(c) for c in cells) + " |")
+    return "\n".join(lines)
+
+
 def z_values(records, quantity):
     items = [r.get("quantities", {}).get(quantity) for r in records]
     return np.array([(i["value"] - i["true"]) / i["u"] for i in items if i and i.get("u")])
