@@ -93,12 +93,13 @@ def set_noise(kind):
     return change
 
 
-def set_front(modes, duration, rate=1e7):
+def set_front(modes, duration, noise):
     def change(lab, rng):
         lab.dut.modes, lab.dut.front = modes, ("ramp", duration)
         u = 0.05 * duration
         lab.noted.shock = {"front_duration_s": duration + rng.normal(0, u), "u_front_duration_s": u}
-        fast(lab, rate)
+        lab.noise = noise
+        fast(lab, 5e7)
         return duration
     return change
 
@@ -114,8 +115,8 @@ TUBE = {"tube_3_sensors_prior": set_tube(3, None), "tube_1_sensor_prior": set_tu
            for a in (0.0, 0.002, 0.004, 0.008)}}
 DAMPING = {f"damping_{z:g}": set_modes([(318e3, z, 1.0)]) for z in (0.9, 1.0, 1.1, 1.5, 3.0)}
 NOISE = {f"response_{kind}": set_noise(kind) for kind in ("white", "ar", "flicker")}
-FRONT = {"front_200ns": set_front([(2.33e6, 0.02, 1.0)], 200e-9, 5e7),
-         "front_400ns": set_front([(400e3, 0.7, 1.0)], 400e-9)}
+FRONT = {"front_200ns": set_front([(2.33e6, 0.02, 1.0)], 200e-9, 0.01),
+         "front_400ns": set_front([(400e3, 0.7, 1.0)], 400e-9, 0.003)}
 
 for table, causes in ((DRIFT, ("drift",)), (STILL, ()), (TUBE, ("attenuation",)), (DAMPING, ("order",)),
                       (NOISE, ("noise",)), (FRONT, ("front",))):
