@@ -6,10 +6,14 @@ import numpy as np
 from .conditions_laboratory import condition
 
 
+def at_50_MS(lab):
+    lab.recorder.rate_hz, lab.recorder.before_s, lab.recorder.duration_s = 5e7, 1e-3, 4e-3
+
+
 def well_damped_and_fast(lab, zeta=0.7):
     """400 kHz at 50 MS/s and 0.3 % noise, so that a front is seen at all."""
     lab.dut.modes, lab.noise = [(400e3, zeta, 1.0)], 0.003
-    lab.recorder.rate_hz, lab.recorder.before_s, lab.recorder.duration_s = 5e7, 1e-3, 4e-3
+    at_50_MS(lab)
 
 
 def front_keys(duration, u):
@@ -78,7 +82,7 @@ def front_fast_sensor(lab, rng):
     """2.33 MHz, zeta 0.02, at 50 MS/s, a ramp of up to 400 ns, typed with 5 %."""
     duration = rng.uniform(0, 400e-9)
     lab.dut.modes, lab.dut.front = [(2.33e6, 0.02, 1.0)], ("ramp", duration)
-    lab.recorder.rate_hz, lab.recorder.before_s, lab.recorder.duration_s = 5e7, 1e-3, 4e-3
+    at_50_MS(lab)
     u = 0.05 * duration + 2e-9
     lab.noted.shock = front_keys(max(0.0, duration + rng.normal(0, u)), u)
     return duration
@@ -107,8 +111,10 @@ def noise_white(lab, rng):
 
 @condition("order")
 def damping_weak(lab, rng):
-    """20 kHz, zeta 0.0005, about 32 periods before the plateau ends."""
+    """20 kHz, zeta 0.0005, about 32 periods before the plateau ends, at 1, 10 or 50 MS/s."""
     lab.dut.modes = [(20e3, 0.0005, 1.0)]
+    lab.recorder.rate_hz = (1e6, 1e7, 5e7)[int(rng.integers(0, 3))]
+    lab.recorder.before_s, lab.recorder.duration_s = 1e-3, 5e-3
     return 0.0005
 
 

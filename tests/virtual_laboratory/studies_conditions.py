@@ -35,7 +35,7 @@ def bounds_any(lab, rng):
     lab.noise, lab.recorder.bits = 1e-6, 24
     fast(lab, rate)
     if rate > 5e7:
-        lab.recorder.before_s, lab.recorder.duration_s = 1e-3, 3e-3
+        lab.recorder.before_s, lab.recorder.duration_s = 0.5e-3, 3.5e-3
     windows = rng.uniform(5, 40)
     end = max(windows / (2 * np.pi * f0 * 0.02), 300 / rate)
     lab.noted.recipe = {"window": {"end_s": float(f"{end:.4g}")}, "realization": {"order": 2}}
