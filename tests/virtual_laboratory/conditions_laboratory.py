@@ -119,9 +119,15 @@ def attenuation(lab, rng):
     return lab.attenuation
 
 
+def three_sensors(lab, rng):
+    other = switches.default(rng, 3)
+    lab.sides, lab.noted.distances = other.sides, other.noted.distances
+
+
 @condition("attenuation")
 def attenuation_beyond(lab, rng):
-    """By 1 to 2 %/m, more than is assumed."""
+    """By 1 to 2 %/m, more than is assumed, before three sensors: fewer cannot see it."""
+    three_sensors(lab, rng)
     lab.attenuation = rng.uniform(0.01, 0.02)
     return lab.attenuation
 
