@@ -3,7 +3,7 @@
 """Conditions of the coverage studies: fixed faults, or all inputs drawn from their stated uncertainty."""
 import numpy as np
 
-from . import switches
+from . import laboratory, switches
 from .conditions_laboratory import condition
 
 # The prior on the attenuation: rectangular, per metre.
@@ -83,6 +83,8 @@ def set_tube(sensors, alpha):
         other = switches.default(rng, sensors)
         lab.sides, lab.noted.distances = other.sides, other.noted.distances
         lab.attenuation = rng.uniform(*ATTENUATION) if alpha is None else alpha
+        gas = laboratory.driven(lab)  # recorded, so that the velocity alone decides
+        lab.noted.gamma, lab.noted.molar_mass = gas.gamma, gas.effective_molar_mass
         return lab.attenuation
     return change
 
