@@ -88,8 +88,7 @@ int runGui(int argc, char **argv, const std::vector<std::string> &files)
     if (!keepMemoryForWindow())
         return report({ErrorKind::Internal,
             {DYNCAL_TEXT("core",
-                 "There is not enough memory for a window; close other programs or raise the "
-                 "memory limit."),
+                 "There is not enough memory for a window; close other programs or raise the memory limit."),
                 {}},
             {}, 0});
     // What is exported must be the same bytes as from the command line.

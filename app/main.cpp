@@ -87,8 +87,7 @@ int openWorkbench(int argc, char **argv)
         && !std::getenv("QT_QPA_PLATFORM"))
         return report({ErrorKind::Usage,
             {DYNCAL_TEXT("core",
-                 "The workbench needs a display and there is none; the subcommands work without, "
-                 "see dyncal --help."),
+                 "The workbench needs a display and there is none; the subcommands work without, see dyncal --help."),
                 {}},
             {}, 0});
     return runGui(argc, argv, files);

@@ -34,16 +34,14 @@ Result<void> checkCaptureTarget(const CaptureTarget &target, const std::vector<s
         if (isInput(target.path, input))
             return fail(ErrorKind::Usage,
                 {DYNCAL_TEXT("core",
-                     "%1 is one of the inputs and is not overwritten; give the capture another "
-                     "name."),
+                     "%1 is one of the inputs and is not overwritten; give the capture another name."),
                     {target.path}});
     }
     if (target.replace)
         return {};
     return fail(ErrorKind::Usage,
         {DYNCAL_TEXT("core",
-             "%1 exists already and captures are written once; give the capture another name, or "
-             "say --replace."),
+             "%1 exists already and captures are written once; give the capture another name, or say --replace."),
             {target.path}});
 }
 

@@ -45,15 +45,15 @@ std::string withoutFullStop(std::string text)
 
 int parseAndAct(int argc, char **argv)
 {
-    CLI::App program("Dynamic calibration of pressure sensors. Without a subcommand the workbench "
-                     "opens, with the files given.",
+    CLI::App program(
+        "Dynamic calibration of pressure sensors. Without a subcommand the workbench opens, with the files given.",
         "dyncal");
     program.set_version_flag(
         "--version", std::string("dyncal ") + versionText() + " (build " + buildText() + ")");
     program.require_subcommand(0, 1); // asked for below, so that a wrong option is named first
-    program.footer("Example:\n  dyncal simulate -o example.h5\n  dyncal run example.h5 -o out\n\n"
-                   "Exit codes: 0 done, 1 done with cautions, 2 blocked by data quality, 3 a file "
-                   "cannot be read,\n4 wrong usage, 5 internal error, 130 stopped on request.");
+    program.footer(
+        "Example:\n  dyncal simulate -o example.h5\n  dyncal run example.h5 -o out\n\n"
+        "Exit codes: 0 done, 1 done with cautions, 2 blocked by data quality, 3 a file cannot be read,\n4 wrong usage, 5 internal error, 130 stopped on request.");
     VerbAction action;
     addSimulate(program, action);
     addInfo(program, action);
@@ -86,8 +86,7 @@ Error notEnoughMemory()
 {
     return {ErrorKind::Internal,
         {DYNCAL_TEXT("core",
-             "There is not enough memory for this; close other programs or raise the memory "
-             "limit."),
+             "There is not enough memory for this; close other programs or raise the memory limit."),
             {}},
         {}, 0};
 }

@@ -117,18 +117,14 @@ Result<std::vector<DrawnFile>> drawWithoutWindow(
     if (outcome == GuardedOutcome::Killed)
         return fail(ErrorKind::Internal,
             {DYNCAL_TEXT("core",
-                 "The certificate and the plots were not drawn because the system or another "
-                 "program ended the helper process that draws them, most likely for want of "
-                 "memory, and nothing was written; close other programs and try again."),
+                 "The certificate and the plots were not drawn because the system or another program ended the helper process that draws them, most likely for want of memory, and nothing was written; close other programs and try again."),
                 {}});
     std::optional<std::vector<DrawnFile>> files
         = outcome == GuardedOutcome::Finished ? filesIn(message) : std::nullopt;
     if (!files)
         return fail(ErrorKind::Internal,
             {DYNCAL_TEXT("core",
-                 "The certificate and the plots could not be drawn, most likely because there is "
-                 "not enough memory, and nothing was written; close other programs or raise the "
-                 "memory limit."),
+                 "The certificate and the plots could not be drawn, most likely because there is not enough memory, and nothing was written; close other programs or raise the memory limit."),
                 {}});
     return std::move(*files);
 }

@@ -102,10 +102,10 @@ void addImport(CLI::App &program, VerbAction &action)
         ->type_name("CAPTURE");
     verb->add_flag("--replace", options->replace, "Replace a file of this name");
     options->recipe.declare(*verb);
-    verb->footer("The import section of the recipe is applied once, here: leave it out of the "
-                 "recipe of the run.\n\n"
-                 "Example:\n  dyncal import low.csv medium.csv high.csv -o shots.h5\n"
-                 "  dyncal import recordings/ --profile laboratory.json -o shots.h5");
+    verb->footer(
+        "The import section of the recipe is applied once, here: leave it out of the recipe of the run.\n\n"
+        "Example:\n  dyncal import low.csv medium.csv high.csv -o shots.h5\n"
+        "  dyncal import recordings/ --profile laboratory.json -o shots.h5");
     verb->callback([options, &action] { action = [options] { return importFiles(*options); }; });
 }
 

@@ -63,8 +63,7 @@ void addMissingStep(std::string &text, const CalibrationResults &results)
             addLine(text, "", english(finding.message));
     }
     addLine(text, "Cannot be certified",
-        "sensitivity and magnitude per unit of pressure; frequencies, damping and the response "
-        "relative to the plateau need no pressure");
+        "sensitivity and magnitude per unit of pressure; frequencies, damping and the response relative to the plateau need no pressure");
 }
 
 void addSensitivity(

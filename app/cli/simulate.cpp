@@ -58,8 +58,7 @@ Result<std::vector<ShotLevel>> levelsOf(const std::string &list)
         if (level == ShotLevel::None)
             return fail(ErrorKind::Usage,
                 {DYNCAL_TEXT("core",
-                     "--shots holds \"%1\"; it needs low, medium or high, "
-                     "separated by commas."),
+                     "--shots holds \"%1\"; it needs low, medium or high, separated by commas."),
                     {word}});
         levels.push_back(level);
     }

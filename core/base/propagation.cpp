@@ -55,17 +55,16 @@ Result<void> checkInputs(const std::vector<UncertainInput> &inputs)
         const bool isUncertain = input.u >= 0.0 && std::isfinite(input.u) && input.dof > 0.0;
         if (!std::isfinite(input.value) || !isUncertain)
             return fail(ErrorKind::Usage,
-                Message{DYNCAL_TEXT("core",
-                            "The quantity %1 = %2 has a standard uncertainty of %3 with %4 degrees "
-                            "of freedom; the first two must be finite, the uncertainty 0 or above, "
-                            "the degrees above 0."),
+                Message{
+                    DYNCAL_TEXT("core",
+                        "The quantity %1 = %2 has a standard uncertainty of %3 with %4 degrees of freedom; the first two must be finite, the uncertainty 0 or above, the degrees above 0."),
                     {input.quantity, numberText(input.value), numberText(input.u),
                         numberText(input.dof)}});
         if (!names.insert(input.quantity).second)
             return fail(ErrorKind::Usage,
-                Message{DYNCAL_TEXT("core",
-                            "The quantity %1 is there twice in an uncertainty budget; join the two "
-                            "contributions to one."),
+                Message{
+                    DYNCAL_TEXT("core",
+                        "The quantity %1 is there twice in an uncertainty budget; join the two contributions to one."),
                     {input.quantity}});
     }
     return {};
@@ -84,8 +83,7 @@ Error outsideDomain(Index failed, Index trials, const Error &first)
     return {ErrorKind::DataBlocked,
         Message{
             DYNCAL_TEXT("core",
-                "Monte Carlo: %1 of %2 trials leave the range of the relations (%3); the stated "
-                "uncertainties are too large for the value."),
+                "Monte Carlo: %1 of %2 trials leave the range of the relations (%3); the stated uncertainties are too large for the value."),
             {std::to_string(failed), std::to_string(trials), english(first.message)}},
         {}, 0};
 }

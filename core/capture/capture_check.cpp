@@ -67,8 +67,7 @@ private:
     {
         add("CAP-015", Severity::Block, {},
             {DYNCAL_TEXT("core",
-                 "Shot %1, channel '%2': the samples cannot be read any more, because the file "
-                 "changed or is out of reach; open it again."),
+                 "Shot %1, channel '%2': the samples cannot be read any more, because the file changed or is out of reach; open it again."),
                 {std::to_string(m_shot), m_channel.name}});
     }
 
@@ -77,8 +76,7 @@ private:
         const char *none = DYNCAL_TEXT(
             "core", "Channel '%1' of shot %2 has no samples. Check the file and the role.");
         const char *invalid = DYNCAL_TEXT("core",
-            "Channel '%1' of shot %2 has no valid sample: none of its %3 samples is a number. "
-            "Check the file and the role.");
+            "Channel '%1' of shot %2 has no valid sample: none of its %3 samples is a number. Check the file and the role.");
         add("CAP-008", ofFlat(), {},
             {m_survey.size == 0 ? none : invalid,
                 {m_channel.name, std::to_string(m_shot), std::to_string(m_survey.size)}});
@@ -89,11 +87,9 @@ private:
         const char *all = DYNCAL_TEXT("core",
             "Channel '%1' of shot %2 is flat: all %3 samples are %4. Check cable and role.");
         const char *valid = DYNCAL_TEXT("core",
-            "Channel '%1' of shot %2 is flat: all its valid samples (%3) are %4. Check cable and "
-            "role.");
+            "Channel '%1' of shot %2 is flat: all its valid samples (%3) are %4. Check cable and role.");
         const char *single = DYNCAL_TEXT("core",
-            "Channel '%1' of shot %2 has a single valid sample, %4, which is no record. Check the "
-            "file and the role.");
+            "Channel '%1' of shot %2 has a single valid sample, %4, which is no record. Check the file and the role.");
         const Index count = m_survey.size - m_survey.invalid;
         add("CAP-008", ofFlat(), {},
             {count == 1                    ? single
@@ -107,8 +103,7 @@ private:
     {
         add("CAP-008", ofFlat(), {},
             {DYNCAL_TEXT("core",
-                 "Channel '%1' of shot %2 is flat: its standard deviation is %3 codes of the "
-                 "converter (%4 is the limit). Check cable and role."),
+                 "Channel '%1' of shot %2 is flat: its standard deviation is %3 codes of the converter (%4 is the limit). Check cable and role."),
                 {m_channel.name, std::to_string(m_shot), numberText(m_survey.sd, 2),
                     numberText(m_settings.flatCodes, 3)}},
             m_survey.sd, m_settings.flatCodes);
@@ -121,9 +116,7 @@ private:
         const double time_s = m_channel.timeOf_s(m_survey.firstInvalid);
         add("CAP-006", Severity::Caution, time_s,
             {DYNCAL_TEXT("core",
-                 "Shot %1, %2: %3 invalid samples from %4 on (samples %5 to %6). Inside the "
-                 "response window they block the shot; exclude it or set "
-                 "import.interpolate_invalid."),
+                 "Shot %1, %2: %3 invalid samples from %4 on (samples %5 to %6). Inside the response window they block the shot; exclude it or set import.interpolate_invalid."),
                 {std::to_string(m_shot), m_channel.name, std::to_string(m_survey.invalid),
                     numberWithUnit(time_s, "s", 6), std::to_string(m_survey.firstInvalid),
                     std::to_string(m_survey.lastInvalid)}},
@@ -139,11 +132,9 @@ private:
         if (rail ? !atRail : !isCutOff(m_channel.samples, m_survey, run))
             return;
         const char *known = DYNCAL_TEXT("core",
-            "Shot %1, %2 is saturated for %3 at %4, from %5 on. Inside the response window "
-            "that blocks the shot; use a wider range.");
+            "Shot %1, %2 is saturated for %3 at %4, from %5 on. Inside the response window that blocks the shot; use a wider range.");
         const char *unknown = DYNCAL_TEXT("core",
-            "Shot %1, %2 looks cut off for %3 at %4, from %5 on. More than 20 % of the response "
-            "window like that blocks the shot; use a wider range.");
+            "Shot %1, %2 looks cut off for %3 at %4, from %5 on. More than 20 % of the response window like that blocks the shot; use a wider range.");
         const double time_s = m_channel.timeOf_s(run.begin);
         add("CAP-007", Severity::Caution, time_s,
             {rail ? known : unknown,
@@ -209,8 +200,7 @@ void checkTwins(const CaptureSet &set, Findings &findings)
             continue;
         findings.push_back({"CAP-011", Severity::Caution, static_cast<Index>(i) + 1, dut->name, {},
             {DYNCAL_TEXT("core",
-                 "Shot %1%2 and shot %3%4 hold identical data; a shot counted twice makes the "
-                 "scatter look smaller than it is. Exclude one of them."),
+                 "Shot %1%2 and shot %3%4 hold identical data; a shot counted twice makes the scatter look smaller than it is. Exclude one of them."),
                 {std::to_string(first->second + 1), inputNameOf(set, first->second),
                     std::to_string(i + 1), inputNameOf(set, i)}},
             {}, {}});
@@ -237,9 +227,7 @@ void compareShots(const CaptureSet &set, Findings &findings)
     if (!rates_Hz.empty() && !allEqual(rates_Hz)) {
         findings.push_back({"CAP-004", Severity::Caution, 0, {}, {},
             {DYNCAL_TEXT("core",
-                 "Shots have different sample rates (%1). For PCA they are brought to %2; the "
-                 "model "
-                 "input resamples each from its own rate."),
+                 "Shots have different sample rates (%1). For PCA they are brought to %2; the model input resamples each from its own rate."),
                 {listOf(rates_Hz, "Hz"),
                     numberWithUnit(*std::min_element(rates_Hz.begin(), rates_Hz.end()), "Hz", 6)}},
             {}, {}});
@@ -266,8 +254,7 @@ Findings checkCaptures(const CaptureSet &set, const CheckSettings &settings)
         if (!shot.channelWithRole(ChannelRole::Dut)) {
             findings.push_back({"CAP-002", Severity::Block, number, {}, {},
                 {DYNCAL_TEXT("core",
-                     "Shot %1 has no DUT channel. Choose which channel is the sensor under test "
-                     "(import.channels in the recipe)."),
+                     "Shot %1 has no DUT channel. Choose which channel is the sensor under test (import.channels in the recipe)."),
                     {std::to_string(number)}},
                 {}, {}});
         }

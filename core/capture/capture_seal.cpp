@@ -121,9 +121,7 @@ private:
             return {};
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1 is damaged: the samples of shot %2, channel '%3' are not those that were "
-                 "recorded (their SHA-256 differs from the one in the file); take an unchanged "
-                 "copy."),
+                 "%1 is damaged: the samples of shot %2, channel '%3' are not those that were recorded (their SHA-256 differs from the one in the file); take an unchanged copy."),
                 {pathOf(shot, channel), std::to_string(shot), channel.name}},
             "CAP-018", shot);
     }
@@ -184,8 +182,7 @@ private:
             return changedFile(*input);
         return {ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1: the samples of shot %2, channel '%3' cannot be read any more; check the "
-                 "drive or the network, or copy the file again."),
+                 "%1: the samples of shot %2, channel '%3' cannot be read any more; check the drive or the network, or copy the file again."),
                 {pathOf(shot, channel), std::to_string(shot), channel.name}},
             "CAP-018", shot};
     }
@@ -212,8 +209,7 @@ Findings equalInputs(const CaptureSet &set)
         const Index number = shot != set.shots.end() ? shot - set.shots.begin() + 1 : 0;
         findings.push_back({"CAP-011", Severity::Caution, number, {}, {},
             {DYNCAL_TEXT("core",
-                 "%1 and %2 hold identical data; a shot counted twice makes the scatter look "
-                 "smaller than it is. Take one of them out."),
+                 "%1 and %2 hold identical data; a shot counted twice makes the scatter look smaller than it is. Take one of them out."),
                 {twin->second->path, input.path}},
             {}, {}});
     }
@@ -267,8 +263,7 @@ void reportUnexpected(CaptureSet &set)
         addOnce(set.findings,
             {"CAP-015", Severity::Block, 0, {}, {},
                 {DYNCAL_TEXT("core",
-                     "%1 changed since it was imported. The results are of the new data and cannot "
-                     "be certified in this project."),
+                     "%1 changed since it was imported. The results are of the new data and cannot be certified in this project."),
                     {input.file}},
                 {}, {}});
     }

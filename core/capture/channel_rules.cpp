@@ -25,9 +25,9 @@ bool isRate(double rate_Hz)
 tl::unexpected<Error> missingRate(const Channel &channel, Index shot)
 {
     return fail(ErrorKind::DataBlocked,
-        Message{DYNCAL_TEXT("core",
-                    "Shot %1, channel '%2': the file states no sample rate and has no time column; "
-                    "give import.sample_rate_hz in the recipe."),
+        Message{
+            DYNCAL_TEXT("core",
+                "Shot %1, channel '%2': the file states no sample rate and has no time column; give import.sample_rate_hz in the recipe."),
             {std::to_string(shot), channel.name}},
         "CAP-003", shot);
 }
@@ -42,12 +42,9 @@ bool isCredible(double rate_Hz)
 tl::unexpected<Error> incredibleRate(const Channel &channel, Index shot, double rate_Hz, bool typed)
 {
     const char *ofFile = DYNCAL_TEXT("core",
-        "Shot %1, channel '%2': the file gives a sample rate of %3 (an interval of %4), and "
-        "recordings have %5 to %6. Correct the times or the rate in the file, or give "
-        "import.sample_rate_hz and import.sample_rate_reason.");
+        "Shot %1, channel '%2': the file gives a sample rate of %3 (an interval of %4), and recordings have %5 to %6. Correct the times or the rate in the file, or give import.sample_rate_hz and import.sample_rate_reason.");
     const char *ofRecipe = DYNCAL_TEXT("core",
-        "Shot %1, channel '%2': import.sample_rate_hz is %3 (an interval of %4), and recordings "
-        "have %5 to %6. Correct the key.");
+        "Shot %1, channel '%2': import.sample_rate_hz is %3 (an interval of %4), and recordings have %5 to %6. Correct the key.");
     const double interval_s = 1.0 / std::max(rate_Hz, std::numeric_limits<double>::min());
     return fail(ErrorKind::DataBlocked,
         Message{typed ? ofRecipe : ofFile,
@@ -62,8 +59,7 @@ tl::unexpected<Error> contradictedRate(const Channel &channel, Index shot, doubl
     return fail(ErrorKind::DataBlocked,
         Message{
             DYNCAL_TEXT("core",
-                "Shot %1, channel '%2': the file states %3 but import.sample_rate_hz is %4. "
-                "Leave the key out, or say in import.sample_rate_reason why the file is wrong."),
+                "Shot %1, channel '%2': the file states %3 but import.sample_rate_hz is %4. Leave the key out, or say in import.sample_rate_reason why the file is wrong."),
             {std::to_string(shot), channel.name, numberWithUnit(channel.sampleRate_Hz, "Hz", 6),
                 numberWithUnit(typed_Hz, "Hz", 6)}},
         "CAP-003", shot);
@@ -122,9 +118,9 @@ Result<void> divideBySensitivity(Channel &channel, Index shot, double sensitivit
 {
     if (channel.unit == "Pa")
         return fail(ErrorKind::Usage,
-            Message{DYNCAL_TEXT("core",
-                        "Shot %1, channel '%2' is a pressure already (%3), so it cannot have a "
-                        "sensitivity; leave out the sensitivity or give its unit, e.g. V."),
+            Message{
+                DYNCAL_TEXT("core",
+                    "Shot %1, channel '%2' is a pressure already (%3), so it cannot have a sensitivity; leave out the sensitivity or give its unit, e.g. V."),
                 {std::to_string(shot), channel.name,
                     channel.recordedUnit.empty() ? channel.unit : channel.recordedUnit}});
     channel.userScale /= sensitivity;

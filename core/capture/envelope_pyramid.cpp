@@ -312,8 +312,7 @@ Result<EnvelopePyramid> EnvelopePyramid::build(RawSamples samples, const JobCont
     if (!complete)
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "A recording cannot be read any more: its file was changed or is gone; add it "
-                 "again."),
+                 "A recording cannot be read any more: its file was changed or is gone; add it again."),
                 {}},
             "CAP-018");
     control.report(1.0);

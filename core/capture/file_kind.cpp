@@ -18,20 +18,17 @@ struct KnownKind
 };
 
 constexpr const char *kMatlab = DYNCAL_TEXT("core",
-    "%1 is a MATLAB file, which this version does not read; write the samples as CSV or HDF5 "
-    "capture. Readable are: %2.");
+    "%1 is a MATLAB file, which this version does not read; write the samples as CSV or HDF5 capture. Readable are: %2.");
 
 constexpr std::array kKinds{
     KnownKind{"%PDF"sv,
         DYNCAL_TEXT("core", "%1 is not a recording: it is a PDF document. Readable are: %2.")},
     KnownKind{"PK\x03\x04"sv,
         DYNCAL_TEXT("core",
-            "%1 is not a recording: it is a ZIP archive or an office document; unpack it, or save "
-            "the sheet as CSV. Readable are: %2.")},
+            "%1 is not a recording: it is a ZIP archive or an office document; unpack it, or save the sheet as CSV. Readable are: %2.")},
     KnownKind{"\xD0\xCF\x11\xE0"sv,
         DYNCAL_TEXT("core",
-            "%1 is not a recording: it is an old office document; save the sheet as CSV. Readable "
-            "are: %2.")},
+            "%1 is not a recording: it is an old office document; save the sheet as CSV. Readable are: %2.")},
     KnownKind{"\x89PNG"sv,
         DYNCAL_TEXT("core", "%1 is not a recording: it is a PNG picture. Readable are: %2.")},
     KnownKind{"\xFF\xD8\xFF"sv,
@@ -44,14 +41,11 @@ constexpr std::array kKinds{
         DYNCAL_TEXT("core", "%1 is a 7-Zip archive; unpack it first. Readable are: %2.")},
     KnownKind{"MATLAB 5.0 MAT-file"sv,
         DYNCAL_TEXT("core",
-            "%1 begins like a MATLAB file, but its header is cut or damaged; copy it again. "
-            "Readable are: %2.")},
+            "%1 begins like a MATLAB file, but its header is cut or damaged; copy it again. Readable are: %2.")},
     KnownKind{"MATLAB 7.3 MAT-file"sv, kMatlab},
     KnownKind{"RIFF"sv,
         DYNCAL_TEXT("core",
-            "%1 is a RIFF file but no WAV (a video, a sound font, a picture) or a cut one. "
-            "Readable "
-            "are: %2.")},
+            "%1 is a RIFF file but no WAV (a video, a sound font, a picture) or a cut one. Readable are: %2.")},
     KnownKind{"\x7F"
               "ELF"sv,
         DYNCAL_TEXT("core", "%1 is not a recording: it is a program. Readable are: %2.")},
@@ -62,8 +56,7 @@ constexpr const char *kEmpty
 constexpr const char *kText = DYNCAL_TEXT(
     "core", "%1 is not a recording: it is a text without rows of numbers. Readable are: %2.");
 constexpr const char *kBinary = DYNCAL_TEXT("core",
-    "%1 is not a recording that can be read: it is a binary file of unknown kind. Readable are: "
-    "%2.");
+    "%1 is not a recording that can be read: it is a binary file of unknown kind. Readable are: %2.");
 
 const KnownKind *knownKind(std::string_view head)
 {

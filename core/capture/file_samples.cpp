@@ -142,16 +142,14 @@ Result<std::shared_ptr<const SampleFile>> SampleFile::open(const std::string &pa
     if (descriptor < 0 && (errno == EMFILE || errno == ENFILE))
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1 cannot be opened because the system allows no more open files; read fewer "
-                 "recordings at once, or raise the limit (ulimit -n)."),
+                 "%1 cannot be opened because the system allows no more open files; read fewer recordings at once, or raise the limit (ulimit -n)."),
                 {path}},
             "CAP-018");
     if (descriptor >= 0)
         ::close(descriptor);
     return fail(ErrorKind::FileUnreadable,
         {DYNCAL_TEXT("core",
-             "%1 cannot be opened; check that you may read it and that no other program holds "
-             "it."),
+             "%1 cannot be opened; check that you may read it and that no other program holds it."),
             {path}},
         "CAP-018");
 }

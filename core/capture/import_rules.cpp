@@ -63,9 +63,9 @@ Result<void> checkChannels(const std::string &key, const std::set<std::string> &
     for (const std::string &name : named) {
         if (!existing.contains(name))
             return fail(ErrorKind::Usage,
-                Message{DYNCAL_TEXT("core",
-                            "Recipe %1 names a channel '%2' that no shot has; the channels are "
-                            "%3."),
+                Message{
+                    DYNCAL_TEXT("core",
+                        "Recipe %1 names a channel '%2' that no shot has; the channels are %3."),
                     {key, name, quotedList(existing)}});
     }
     return {};
@@ -84,9 +84,9 @@ Result<void> checkNames(const CaptureSet &set, const ImportSettings &settings)
     for (const auto &[file, own] : settings.files) {
         if (!files.contains(file))
             return fail(ErrorKind::Usage,
-                Message{DYNCAL_TEXT("core",
-                            "Recipe import.files names '%1', which is none of the inputs; these "
-                            "are %2."),
+                Message{
+                    DYNCAL_TEXT("core",
+                        "Recipe import.files names '%1', which is none of the inputs; these are %2."),
                     {file, quotedList(files)}});
         if (const auto known = checkChannels("import.files." + file + ".channels",
                 namedChannels(own.channels, own.channelDetails), channelsOf(set, file));

@@ -190,13 +190,11 @@ CertificateSection statementsSection()
     section.paragraphs = {
         {DYNCAL_TEXT("core", "The results relate only to the item calibrated."), {}},
         {DYNCAL_TEXT("core",
-             "This document shall not be reproduced except in full without the written approval "
-             "of the laboratory."),
+             "This document shall not be reproduced except in full without the written approval of the laboratory."),
             {}},
         {DYNCAL_TEXT("core", "No statement of conformity is made."), {}},
         {DYNCAL_TEXT("core",
-             "The software does not know how the measuring equipment is traceable; this draft "
-             "makes no statement of metrological traceability."),
+             "The software does not know how the measuring equipment is traceable; this draft makes no statement of metrological traceability."),
             {}}};
     return section;
 }

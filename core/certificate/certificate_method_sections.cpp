@@ -19,19 +19,19 @@ Message treatmentSentence(ResponseTreatment treatment)
 {
     switch (treatment) {
     case ResponseTreatment::StepDeflated:
-        return {DYNCAL_TEXT("core",
-                    "Response to a pressure step; the pole of the step is removed before the "
-                    "realisation, so that the model describes the sensor alone."),
+        return {
+            DYNCAL_TEXT("core",
+                "Response to a pressure step; the pole of the step is removed before the realisation, so that the model describes the sensor alone."),
             {}};
     case ResponseTreatment::StepAsImpulse:
-        return {DYNCAL_TEXT("core",
-                    "Response to a pressure step, realised as if it were an impulse response; "
-                    "the model contains the pole of the step."),
+        return {
+            DYNCAL_TEXT("core",
+                "Response to a pressure step, realised as if it were an impulse response; the model contains the pole of the step."),
             {}};
     case ResponseTreatment::Differenced:
-        return {DYNCAL_TEXT("core",
-                    "First difference of the response to a pressure step, realised as an impulse "
-                    "response."),
+        return {
+            DYNCAL_TEXT("core",
+                "First difference of the response to a pressure step, realised as an impulse response."),
             {}};
     case ResponseTreatment::Impulse:
         break;
@@ -170,13 +170,10 @@ CertificateSection methodSection(const CalibrationResults &results, const Recipe
     section.id = "method";
     section.title = {DYNCAL_TEXT("core", "Method"), {}};
     section.fields.push_back(methodField(recipe));
-    section.paragraphs.push_back({DYNCAL_TEXT("core",
-                                      "The sensitivity S(f) is the complex ratio of the item's "
-                                      "output to the change of pressure "
-                                      "at the sensor's face in the end-wall plane of a shock tube; "
-                                      "phase of output over input, "
-                                      "lag negative, relative to the sensor's own onset."),
-        {}});
+    section.paragraphs.push_back(
+        {DYNCAL_TEXT("core",
+             "The sensitivity S(f) is the complex ratio of the item's output to the change of pressure at the sensor's face in the end-wall plane of a shock tube; phase of output over input, lag negative, relative to the sensor's own onset."),
+            {}});
     if (!results.input)
         return section;
     const ModelInput &input = *results.input;
@@ -237,19 +234,12 @@ CertificateSection conditionsSection(const CalibrationResults &results, const Re
     if (stepUncertain)
         section.notes.push_back(
             {DYNCAL_TEXT("core",
-                 "U of the step is its expanded uncertainty with the coverage factor k of the same "
-                 "line, for a coverage probability of %1 %. It follows from the uncertainties of "
-                 "the shock velocity, the initial pressure and temperature and the gas, and holds "
-                 "for an ideal shock tube. It is not contained in the uncertainties of the "
-                 "sensitivity and of the frequency response."),
+                 "U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is not contained in the uncertainties of the sensitivity and of the frequency response."),
                 {numberText(100.0 * recipe.uncertainty.coverage, 4)}});
     if (stepMissing)
         section.notes.push_back(
             {DYNCAL_TEXT("core",
-                 "The pressure step is not determined for every shot: neither a step nor a shock "
-                 "velocity with initial pressure and temperature was given. A sensitivity in the "
-                 "unit "
-                 "of pressure cannot be stated for those shots."),
+                 "The pressure step is not determined for every shot: neither a step nor a shock velocity with initial pressure and temperature was given. A sensitivity in the unit of pressure cannot be stated for those shots."),
                 {}});
     return section;
 }

@@ -87,9 +87,7 @@ void addNuisance(const SensorModel &model, const ModelAssessment *assessment,
     section.tables.push_back(std::move(modes));
     section.notes.push_back(
         {DYNCAL_TEXT("core",
-             "The oscillations above were fitted in each shot together with the sensor. Poles, "
-             "sensitivity and frequency response are those of the sensor without them; the fit "
-             "counts them."),
+             "The oscillations above were fitted in each shot together with the sensor. Poles, sensitivity and frequency response are those of the sensor without them; the fit counts them."),
             {}});
     if (assessment && assessment->nuisanceEffect)
         section.tables.push_back(effectTable(*assessment->nuisanceEffect, gainUnit));
@@ -112,9 +110,7 @@ void addLeftOut(const ModelInput &input, CertificateSection &section)
     section.tables.push_back(std::move(table));
     section.notes.push_back(
         {DYNCAL_TEXT("core",
-             "Times behind the start of the response. These stretches take no part in the model, "
-             "the fit and its uncertainties; in the response without a model they are filled by "
-             "the model."),
+             "Times behind the start of the response. These stretches take no part in the model, the fit and its uncertainties; in the response without a model they are filled by the model."),
             {}});
 }
 

@@ -224,12 +224,7 @@ CertificateSection resultsSection(const CalibrationResults &results)
     addCharacteristics(results, section);
     section.notes.push_back(
         {DYNCAL_TEXT("core",
-             "Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor "
-             "k = 2 and contain only what the noise of the recordings contributes, not the "
-             "uncertainty of the pressure step. A complete uncertainty budget "
-             "was not evaluated; where no uncertainty stands beside a value, none is stated. "
-             "Rise "
-             "time, overshoot, settling time and band edges are those of the model."),
+             "Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes, not the uncertainty of the pressure step. A complete uncertainty budget was not evaluated; where no uncertainty stands beside a value, none is stated. Rise time, overshoot, settling time and band edges are those of the model."),
             {}});
     return section;
 }
@@ -259,11 +254,10 @@ CertificateSection shotsSection(const CalibrationResults &results)
     for (const WindowedResponse &response : results.window->responses)
         table.rows.push_back(shotRow(results, response));
     section.tables.push_back(std::move(table));
-    section.notes.push_back({DYNCAL_TEXT("core",
-                                 "Signal to noise is the output step over the standard deviation "
-                                 "of the noise before it. "
-                                 "Rise time 10 % to 90 %; settling to within 5 % of the step."),
-        {}});
+    section.notes.push_back(
+        {DYNCAL_TEXT("core",
+             "Signal to noise is the output step over the standard deviation of the noise before it. Rise time 10 % to 90 %; settling to within 5 % of the step."),
+            {}});
     return section;
 }
 
@@ -325,9 +319,9 @@ CertificateSection frequencyResponseSection(const CalibrationResults &results)
             verbatim(roundedText(response.fHigh_Hz, kUnknown, "Hz")), false}};
     CertificateTable table;
     table.id = "frequency-response";
-    table.caption = {DYNCAL_TEXT("core",
-                         "Sensitivity over frequency: from the responses without a model, and from "
-                         "the model"),
+    table.caption = {
+        DYNCAL_TEXT("core",
+            "Sensitivity over frequency: from the responses without a model, and from the model"),
         {}};
     table.columns = {{{DYNCAL_TEXT("core", "Frequency"), {}}, true},
         {{DYNCAL_TEXT("core", "Magnitude"), {}}, true},
@@ -338,11 +332,10 @@ CertificateSection frequencyResponseSection(const CalibrationResults &results)
     for (Index i = 0; i < response.frequency_Hz.size(); ++i)
         table.rows.push_back(frequencyRow(response, i));
     section.tables.push_back(std::move(table));
-    section.notes.push_back({DYNCAL_TEXT("core",
-                                 "The lower limit follows from the length of the window, the upper "
-                                 "one from the noise. A "
-                                 "dash means that the value was not determined."),
-        {}});
+    section.notes.push_back(
+        {DYNCAL_TEXT("core",
+             "The lower limit follows from the length of the window, the upper one from the noise. A dash means that the value was not determined."),
+            {}});
     if (response.unit == "1")
         section.notes.push_back(
             {DYNCAL_TEXT(

@@ -54,8 +54,7 @@ Error tooShort(const WindowedResponse &response, double factor)
 {
     return {ErrorKind::DataBlocked,
         {DYNCAL_TEXT("core",
-             "Shot %1 has %2 samples in its window, too few to be reduced %3 times to the rate of "
-             "the other shots; set window.end_s or exclude a shot."),
+             "Shot %1 has %2 samples in its window, too few to be reduced %3 times to the rate of the other shots; set window.end_s or exclude a shot."),
             {std::to_string(response.shot), std::to_string(response.length),
                 numberText(factor, 6)}},
         "CAP-004", response.shot};
@@ -96,8 +95,7 @@ std::optional<Finding> poorFirstComponent(const ComponentResult &result)
     const Index shot = result.shots[static_cast<std::size_t>(worst)];
     return Finding{"PCA-001", Severity::Caution, shot, {}, std::nullopt,
         {DYNCAL_TEXT("core",
-             "The first principal component explains %1 % (limit %2 %). Shot %3 carries %4 % of "
-             "the remainder."),
+             "The first principal component explains %1 % (limit %2 %). Shot %3 carries %4 % of the remainder."),
             {numberText(explained_percent, 3), numberText(kLeastExplained_percent, 3),
                 std::to_string(shot),
                 numberText(std::round(100.0 * energy[worst] / energy.sum()), 4)}},
@@ -148,8 +146,7 @@ Result<ComponentResult> analyseComponents(const std::vector<WindowedResponse> &r
     if (!lawful)
         return fail(ErrorKind::Usage,
             {DYNCAL_TEXT("core",
-                 "The settings of the principal components make no sense: components %1 and "
-                 "residual lags %2 must be at least 1, the confidence %3 between 0 and 1."),
+                 "The settings of the principal components make no sense: components %1 and residual lags %2 must be at least 1, the confidence %3 between 0 and 1."),
                 {std::to_string(settings.components), std::to_string(settings.residualLags),
                     numberText(settings.residualConfidence)}});
     ComponentResult result;

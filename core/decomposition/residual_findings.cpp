@@ -104,14 +104,12 @@ bool startsExplain(const Alignment &alignment)
 Finding startedBetweenSamples(Finding finding, const Alignment &alignment, double left_Hz)
 {
     finding.severity = Severity::Info;
-    finding.message
-        = {DYNCAL_TEXT("core",
-               "Shot %1: %2 % of the resonance at %3 is left in the residual, because its arrival "
-               "differs from the others' by %4 of a sample; aligned, %5 % are left. The average of "
-               "the shots loses some of its ringing by this, stacked shots do not."),
-            {std::to_string(finding.shot), percentText(100.0 * *finding.value),
-                numberWithUnit(left_Hz, "Hz", 4), numberText(alignment.delay_samples, 2),
-                percentText(100.0 * alignment.share)}};
+    finding.message = {
+        DYNCAL_TEXT("core",
+            "Shot %1: %2 % of the resonance at %3 is left in the residual, because its arrival differs from the others' by %4 of a sample; aligned, %5 % are left. The average of the shots loses some of its ringing by this, stacked shots do not."),
+        {std::to_string(finding.shot), percentText(100.0 * *finding.value),
+            numberWithUnit(left_Hz, "Hz", 4), numberText(alignment.delay_samples, 2),
+            percentText(100.0 * alignment.share)}};
     return finding;
 }
 
@@ -127,8 +125,7 @@ void addResonanceLeft(
         densityNear(residual.spectrum, *left_Hz) / densityNear(average.perShot.front(), *left_Hz));
     Finding finding = caution("PCA-003", shot,
         {DYNCAL_TEXT("core",
-             "Shot %1: %2 % of the resonance at %3 is left in the residual; its amplitude or its "
-             "time varies between the shots."),
+             "Shot %1: %2 % of the resonance at %3 is left in the residual; its amplitude or its time varies between the shots."),
             {std::to_string(shot), percentText(100.0 * share), numberWithUnit(*left_Hz, "Hz", 4)}},
         share, kTolerableShare);
     if (share <= kTolerableShare)
@@ -144,8 +141,7 @@ void addWhiteness(Index shot, const ResidualAnalysis &residual, Findings &findin
         return;
     Finding finding = caution("PCA-002", shot,
         {DYNCAL_TEXT("core",
-             "Shot %1: the residual is not white, %2 % of the lags lie outside the confidence "
-             "band."),
+             "Shot %1: the residual is not white, %2 % of the lags lie outside the confidence band."),
             {std::to_string(shot), percentText(100.0 * residual.outsideFraction)}},
         100.0 * residual.outsideFraction, 100.0 * kLargestOutside);
     finding.severity = Severity::Info; // says what one component cannot: no reason to stop
@@ -170,8 +166,7 @@ void addDominance(const ComponentResult &result, Findings &findings)
     const Index shot = result.shots[static_cast<std::size_t>(worst)];
     findings.push_back(caution("PCA-004", shot,
         {DYNCAL_TEXT("core",
-             "Shot %1 holds %2 % of the energy of all residuals; look at it before using the "
-             "average."),
+             "Shot %1 holds %2 % of the energy of all residuals; look at it before using the average."),
             {std::to_string(shot), numberText(100.0 * share, 3)}},
         100.0 * share, 100.0 * limit));
 }

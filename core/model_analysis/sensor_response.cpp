@@ -268,8 +268,7 @@ void compareAnswers(ResponseResult &result)
         if (difference > limit) {
             result.findings.push_back({"RSP-001", Severity::Caution, 0, {}, {},
                 {DYNCAL_TEXT("core",
-                     "At %1 the response taken from the data directly differs by %2 % from the "
-                     "model, more than noise allows: the model misses something there."),
+                     "At %1 the response taken from the data directly differs by %2 % from the model, more than noise allows: the model misses something there."),
                     {numberWithUnit(result.frequency_Hz[k], "Hz", 3),
                         numberText(100.0 * difference / result.modelMagnitude[k], 2)}},
                 difference, limit});
@@ -289,10 +288,7 @@ void reportBelowBand(ResponseResult &result)
         return;
     result.findings.push_back({"WIN-005", Severity::Caution, 0, {}, {},
         {DYNCAL_TEXT("core",
-             "The shortest window, %1, resolves steps of %2, but the response is asked for from "
-             "%3: "
-             "below %2 it is not measured. Lengthen the window or take these frequencies out of "
-             "response.frequencies_hz."),
+             "The shortest window, %1, resolves steps of %2, but the response is asked for from %3: below %2 it is not measured. Lengthen the window or take these frequencies out of response.frequencies_hz."),
             {numberWithUnit(1.0 / result.fLow_Hz, "s", 4), numberWithUnit(result.fLow_Hz, "Hz", 4),
                 numberWithUnit(lowest_Hz, "Hz", 4)}},
         lowest_Hz, result.fLow_Hz});
@@ -319,8 +315,7 @@ void describeShots(const std::vector<WindowedResponse> &responses, const SensorM
     if (!shareOneUnit(responses)) {
         result.findings.push_back({"CAP-023", Severity::Caution, 0, {}, {},
             {DYNCAL_TEXT("core",
-                 "The shots are recorded in different units, so their sensitivities are not "
-                 "averaged; give one unit for all (import.unit)."),
+                 "The shots are recorded in different units, so their sensitivities are not averaged; give one unit for all (import.unit)."),
                 {}},
             {}, {}});
     } else if (count > 0 && count == responses.size()) {

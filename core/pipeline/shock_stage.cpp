@@ -26,8 +26,7 @@ Findings unknownQuantities(const std::vector<BudgetEntry> &budget)
         if (std::ranges::find(statedQuantities(), entry.quantity) == statedQuantities().end())
             findings.push_back({"SHK-013", Severity::Caution, 0, {}, {},
                 {DYNCAL_TEXT("core",
-                     "The uncertainty of '%1' in uncertainty.budget is used for nothing; the "
-                     "nearest quantity that counts is '%2'."),
+                     "The uncertainty of '%1' in uncertainty.budget is used for nothing; the nearest quantity that counts is '%2'."),
                     {entry.quantity, nearestKey(entry.quantity, statedQuantities())}},
                 {}, {}});
     }

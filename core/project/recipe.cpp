@@ -59,8 +59,7 @@ Result<void> checkBudget(const std::vector<BudgetEntry> &budget)
         if (!seen.insert(entry.quantity).second)
             return fail(ErrorKind::Usage,
                 {DYNCAL_TEXT("core",
-                     "Recipe key uncertainty.budget holds the quantity \"%1\" twice; join the two "
-                     "contributions to one."),
+                     "Recipe key uncertainty.budget holds the quantity \"%1\" twice; join the two contributions to one."),
                     {entry.quantity}});
     }
     return {};
@@ -73,8 +72,7 @@ Result<void> checkTogether(const Recipe &recipe)
     if (!realization.order.isAuto() && *realization.order.value > realization.maxOrder)
         return fail(ErrorKind::Usage,
             {DYNCAL_TEXT("core",
-                 "Recipe key realization.order is %1; it needs at most realization.max_order, "
-                 "which is %2."),
+                 "Recipe key realization.order is %1; it needs at most realization.max_order, which is %2."),
                 {std::to_string(*realization.order.value), std::to_string(realization.maxOrder)}});
     return checkBudget(recipe.uncertainty.budget);
 }
@@ -128,8 +126,7 @@ Result<Json> profileDocument(const std::string &path)
         if (key != "schema" && key != "import" && key != "checks")
             return fail(ErrorKind::Usage,
                 {DYNCAL_TEXT("core",
-                     "The profile %1 holds \"%2\"; a laboratory's profile holds the sections "
-                     "import and checks only, the rest belongs into the recipe."),
+                     "The profile %1 holds \"%2\"; a laboratory's profile holds the sections import and checks only, the rest belongs into the recipe."),
                     {path, key}});
     }
     return document;

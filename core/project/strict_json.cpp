@@ -69,10 +69,10 @@ private:
     bool enter()
     {
         if (static_cast<Index>(m_keys.size()) >= kDeepestJson)
-            return refuse({DYNCAL_TEXT("core",
-                               "%1 is nested deeper than the %2 levels that any recipe needs; "
-                               "check that it is the right file."),
-                {m_what, std::to_string(kDeepestJson)}});
+            return refuse(
+                {DYNCAL_TEXT("core",
+                     "%1 is nested deeper than the %2 levels that any recipe needs; check that it is the right file."),
+                    {m_what, std::to_string(kDeepestJson)}});
         m_keys.emplace_back();
         return true;
     }

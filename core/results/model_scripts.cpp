@@ -25,17 +25,14 @@ std::string headOf(Kind kind, const std::string &comment)
     switch (kind) {
     case Kind::Step:
         return head + comment
-            + "Its step response is c0 + sum c_i exp(s_i t), t in seconds from the onset, in units "
-              "of the\n"
+            + "Its step response is c0 + sum c_i exp(s_i t), t in seconds from the onset, in units of the\n"
             + comment + "response as analysed (1 = the plateau, where it was remapped).\n";
     case Kind::Decay:
         return head + comment
-            + "Its impulse response, one sample late (D = 0), is the free decay sum c_i exp(s_i "
-              "t).\n";
+            + "Its impulse response, one sample late (D = 0), is the free decay sum c_i exp(s_i t).\n";
     case Kind::Listing:
         return head + comment
-            + "Its impulse response, one sample late (D = 0), is the recorded step response "
-              "(y_model).\n";
+            + "Its impulse response, one sample late (D = 0), is the recorded step response (y_model).\n";
     }
     return head;
 }

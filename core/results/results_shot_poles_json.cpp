@@ -29,8 +29,8 @@ std::optional<double> sensitivityOf(const std::vector<Index> &shots, const Resul
 
 Json levelJson(const LevelPole &level, const ResultsContext &context)
 {
-    const char *notFitted = "The poles could not be fitted to these shots alone, or none of them "
-                            "oscillates.";
+    const char *notFitted
+        = "The poles could not be fitted to these shots alone, or none of them oscillates.";
     JsonRecord record;
     record.set("shots", level.shots);
     record.text("level", shotLevelName(level.level), "The shot carries no level.");

@@ -159,8 +159,7 @@ Result<std::vector<std::string>> writeModelFiles(const CalibrationResults &resul
     if (model.empty()) {
         return fail(ErrorKind::DataBlocked,
             {DYNCAL_TEXT("core",
-                 "The model of order %1 diverges, so there is nothing to export; choose another "
-                 "order."),
+                 "The model of order %1 diverges, so there is nothing to export; choose another order."),
                 {std::to_string(results.model->order)}},
             "MOD-001");
     }

@@ -19,9 +19,7 @@ Finding swapped(Index shot, const Channel &dut, const Channel &side, double lead
 {
     return {"CAP-010", Severity::Caution, shot, dut.name, {},
         {DYNCAL_TEXT("core",
-             "Shot %1: the step reaches '%2' %3 before '%4', which the shock passes first. The two "
-             "channels look swapped; exchange their roles in import.channels, for one file in "
-             "import.files."),
+             "Shot %1: the step reaches '%2' %3 before '%4', which the shock passes first. The two channels look swapped; exchange their roles in import.channels, for one file in import.files."),
             {std::to_string(shot), dut.name, numberWithUnit(lead_s, "s", 3), side.name}},
         lead_s, 0.0};
 }

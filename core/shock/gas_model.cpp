@@ -69,18 +69,18 @@ Result<GasModel> humidAir(const SectionState &state)
 Result<void> noHeatCapacity(const std::string &name)
 {
     return fail(ErrorKind::Usage,
-        Message{DYNCAL_TEXT("core",
-                    "The gas '%1' has no heat capacity over temperature; choose air, n2, he, ar or "
-                    "co2, or a constant heat capacity."),
+        Message{
+            DYNCAL_TEXT("core",
+                "The gas '%1' has no heat capacity over temperature; choose air, n2, he, ar or co2, or a constant heat capacity."),
             {name}});
 }
 
 Result<void> unknownGas(const std::string &name)
 {
     return fail(ErrorKind::Usage,
-        Message{DYNCAL_TEXT("core",
-                    "The gas '%1' is not known; it must be air, humid-air, n2, he, ar, co2 or "
-                    "custom."),
+        Message{
+            DYNCAL_TEXT("core",
+                "The gas '%1' is not known; it must be air, humid-air, n2, he, ar, co2 or custom."),
             {name}});
 }
 

@@ -45,9 +45,9 @@ Result<void> checkLimits(const std::array<Limit, 5> &limits)
         if (limit.value >= limit.lowest && limit.value <= limit.highest)
             continue;
         return fail(ErrorKind::DataBlocked,
-            Message{DYNCAL_TEXT("core",
-                        "Moist air (Cramer): the %1 is %2 %5, and the formula holds from %3 to %4 "
-                        "%5; choose the gas 'air' or another value."),
+            Message{
+                DYNCAL_TEXT("core",
+                    "Moist air (Cramer): the %1 is %2 %5, and the formula holds from %3 to %4 %5; choose the gas 'air' or another value."),
                 {limit.name, numberText(limit.value, 6), numberText(limit.lowest),
                     numberText(limit.highest), limit.unit}},
             "SHK-009");

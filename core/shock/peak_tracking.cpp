@@ -90,18 +90,16 @@ Finding movingPeak(const FollowedPeak &peak)
     std::vector<std::string> words{
         frequencies, numberText(peak.test.slope, 2), numberText(peak.test.u_slope, 2)};
     if (peak.candidate.empty()) {
-        finding.message
-            = {DYNCAL_TEXT("core",
-                   "Peak %1 follows the sound speed of the gas (slope %2, u %3; of a sensor 0): a "
-                   "tube mode, to be left out of the model."),
-                words};
+        finding.message = {
+            DYNCAL_TEXT("core",
+                "Peak %1 follows the sound speed of the gas (slope %2, u %3; of a sensor 0): a tube mode, to be left out of the model."),
+            words};
     } else {
         words.push_back(peak.candidate);
-        finding.message
-            = {DYNCAL_TEXT("core",
-                   "Peak %1 follows the sound speed of the gas (slope %2, u %3; of a sensor 0): a "
-                   "tube mode, to be left out of the model. The nearest computed is %4."),
-                words};
+        finding.message = {
+            DYNCAL_TEXT("core",
+                "Peak %1 follows the sound speed of the gas (slope %2, u %3; of a sensor 0): a tube mode, to be left out of the model. The nearest computed is %4."),
+            words};
     }
     finding.value = peak.test.slope;
     finding.limit = 1.0;

@@ -34,15 +34,13 @@ void reportMissingPressureAndTemperature(ShockWork &work, bool hasPressure, bool
     if (!hasPressure)
         work.reportMissing(Message{
             DYNCAL_TEXT("core",
-                "The pressure step is not determined: the pressure p1 in the driven section is not "
-                "recorded; enter p1 or the step itself."),
+                "The pressure step is not determined: the pressure p1 in the driven section is not recorded; enter p1 or the step itself."),
             {}});
     if (!hasTemperature)
-        work.reportMissing(
-            Message{DYNCAL_TEXT("core",
-                        "The pressure step is not determined: the temperature T1 in the driven "
-                        "section is not recorded; enter T1 or the step itself."),
-                {}});
+        work.reportMissing(Message{
+            DYNCAL_TEXT("core",
+                "The pressure step is not determined: the temperature T1 in the driven section is not recorded; enter T1 or the step itself."),
+            {}});
 }
 
 /// Plateau of a DUT in the side wall: until the reflected shock is back.
@@ -197,11 +195,10 @@ std::optional<GasModel> drivenModel(ShockWork &work, SectionState &state)
     const auto humidity
         = firstKnown(work.settings.relativeHumidity, work.shot.environment.relativeHumidity);
     if (work.settings.drivenGas.substance == "humid-air" && !humidity) {
-        work.reportMissing(
-            Message{DYNCAL_TEXT("core",
-                        "The pressure step is not determined: the relative humidity of the driven "
-                        "gas is not recorded; enter it or choose the gas 'air'."),
-                {}});
+        work.reportMissing(Message{
+            DYNCAL_TEXT("core",
+                "The pressure step is not determined: the relative humidity of the driven gas is not recorded; enter it or choose the gas 'air'."),
+            {}});
         return std::nullopt;
     }
     state.relativeHumidity = humidity.value_or(0.0);
@@ -312,15 +309,15 @@ Result<void> checkSettings(const ShockSettings &settings, std::size_t shots)
     for (const ArrivalSensor &sensor : settings.arrivalSensors) {
         if (!(sensor.distanceToEndWall_m > 0.0 && std::isfinite(sensor.distanceToEndWall_m)))
             return fail(ErrorKind::Usage,
-                Message{DYNCAL_TEXT("core",
-                            "The arrival sensor '%1' has a distance to the end wall of %2 m; it "
-                            "must be above 0."),
+                Message{
+                    DYNCAL_TEXT("core",
+                        "The arrival sensor '%1' has a distance to the end wall of %2 m; it must be above 0."),
                     {sensor.channel, numberText(sensor.distanceToEndWall_m)}});
         if (!sensor.shotArrival_s.empty() && sensor.shotArrival_s.size() != shots)
             return fail(ErrorKind::Usage,
-                Message{DYNCAL_TEXT("core",
-                            "The arrival sensor '%1' lists %2 arrivals for %3 shots; give one time "
-                            "or null per shot (shock.arrival_sensors[].arrival_s)."),
+                Message{
+                    DYNCAL_TEXT("core",
+                        "The arrival sensor '%1' lists %2 arrivals for %3 shots; give one time or null per shot (shock.arrival_sensors[].arrival_s)."),
                     {sensor.channel, std::to_string(sensor.shotArrival_s.size()),
                         std::to_string(shots)}});
     }

@@ -43,14 +43,12 @@ void judgeVelocity(ShockWork &work, double relativeFromDistance)
     if (relativeFromDistance > kVelocityUncertaintyLimit)
         reportVelocityUncertainty(work,
             DYNCAL_TEXT("core",
-                "The distance alone makes the velocity uncertain by %1 %, which gives %2 % on "
-                "the pressure step (factor %3)."),
+                "The distance alone makes the velocity uncertain by %1 %, which gives %2 % on the pressure step (factor %3)."),
             relativeFromDistance);
     else if (relative > kVelocityUncertaintyLimit)
         reportVelocityUncertainty(work,
             DYNCAL_TEXT("core",
-                "Velocity uncertainty %1 % gives %2 % on the pressure step (factor %3); the budget "
-                "says where it comes from."),
+                "Velocity uncertainty %1 % gives %2 % on the pressure step (factor %3); the budget says where it comes from."),
             relative);
 }
 
@@ -62,9 +60,7 @@ void judgeFit(ShockWork &work, const VelocityEstimate &estimate)
         work.report("SHK-008", Severity::Caution,
             Message{
                 DYNCAL_TEXT("core",
-                    "The DUT marks the arrival at the end wall by its detected start, which its "
-                    "own delay makes late: a microsecond is %1 % of the velocity and %2 % of the "
-                    "step. Use two side sensors, or a model of each shot instead of the average."),
+                    "The DUT marks the arrival at the end wall by its detected start, which its own delay makes late: a microsecond is %1 % of the velocity and %2 % of the step. Use two side sensors, or a model of each shot instead of the average."),
                 {numberText(perMicrosecond, 2),
                     numberText(perMicrosecond * velocitySensitivity(work), 2)}});
     }
@@ -75,10 +71,9 @@ void judgeFit(ShockWork &work, const VelocityEstimate &estimate)
     if (probability >= kScatterProbability)
         return;
     Finding &finding = work.report("SHK-010", Severity::Caution,
-        Message{DYNCAL_TEXT("core",
-                    "The arrivals scatter about their line more than their stated uncertainties "
-                    "allow (chi-square %1, degrees of freedom %2): check distances, delays and "
-                    "arrivals, or let the velocity change along the tube."),
+        Message{
+            DYNCAL_TEXT("core",
+                "The arrivals scatter about their line more than their stated uncertainties allow (chi-square %1, degrees of freedom %2): check distances, delays and arrivals, or let the velocity change along the tube."),
             {numberText(*fit->chiSquare, 3), std::to_string(fit->dof)}});
     finding.value = probability;
     finding.limit = kScatterProbability;
@@ -96,11 +91,9 @@ void judgeMeasured(ShockWork &work)
         Finding &finding = work.report("SHK-002", Severity::Caution,
             Message{m.deviation() < 0.0
                     ? DYNCAL_TEXT("core",
-                        "Measured %1 = %2 at '%5' is %3 % below the computed %4 (both absolute): "
-                        "check velocity, unit and sensitivity, and gauge or absolute.")
+                        "Measured %1 = %2 at '%5' is %3 % below the computed %4 (both absolute): check velocity, unit and sensitivity, and gauge or absolute.")
                     : DYNCAL_TEXT("core",
-                        "Measured %1 = %2 at '%5' is %3 % above the computed %4 (both absolute): "
-                        "check velocity, unit and sensitivity, and gauge or absolute."),
+                        "Measured %1 = %2 at '%5' is %3 % above the computed %4 (both absolute): check velocity, unit and sensitivity, and gauge or absolute."),
                 {m.region, numberWithUnit(m.measured_Pa, "Pa", 3),
                     numberText(100.0 * std::abs(m.deviation()), 2),
                     numberWithUnit(m.predicted_Pa, "Pa", 3), m.channel}});
@@ -118,11 +111,9 @@ void judgeDriverPressure(ShockWork &work, double computed_Pa)
         return;
     const char *text = relative < 0.0
         ? DYNCAL_TEXT("core",
-            "Driver pressure %1 is %2 % below the %3 that the shock implies (both absolute): usual "
-            "for a finite opening time.")
+            "Driver pressure %1 is %2 % below the %3 that the shock implies (both absolute): usual for a finite opening time.")
         : DYNCAL_TEXT("core",
-            "Driver pressure %1 is %2 % above the %3 that the shock implies (both absolute): check "
-            "whether the recorded value is right.");
+            "Driver pressure %1 is %2 % above the %3 that the shock implies (both absolute): check whether the recorded value is right.");
     Finding &finding = work.report("SHK-006", Severity::Info,
         Message{text,
             {numberWithUnit(recorded_Pa, "Pa", 3), numberText(100.0 * std::abs(relative), 2),
@@ -153,12 +144,10 @@ void judgeTypedPressure(ShockWork &work, double p1_Pa)
 void reportPlateau(ShockWork &work)
 {
     const char *text = DYNCAL_TEXT("core",
-        "The reflected shock's return from the contact surface reaches the end wall %1 "
-        "after the step (computed).");
+        "The reflected shock's return from the contact surface reaches the end wall %1 after the step (computed).");
     if (work.conditions.plateauEnd == PlateauEnd::DriverRarefaction)
         text = DYNCAL_TEXT("core",
-            "The expansion reflected at the driver's end reaches the end wall %1 after the step "
-            "(computed), before the contact surface's wave: a longer driver section would help.");
+            "The expansion reflected at the driver's end reaches the end wall %1 after the step (computed), before the contact surface's wave: a longer driver section would help.");
     if (work.conditions.plateauEnd == PlateauEnd::ReflectedShock)
         text = DYNCAL_TEXT(
             "core", "The reflected shock passes the DUT %1 after the step (computed).");

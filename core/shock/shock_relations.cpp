@@ -19,16 +19,16 @@ Result<void> checkGas(const Gas &gas)
 {
     if (!(gas.gamma > 1.0 && gas.gamma <= kHighestGamma))
         return fail(ErrorKind::Usage,
-            Message{DYNCAL_TEXT("core",
-                        "The gas has a ratio of specific heats of %1; it must be above 1 and at "
-                        "most %2 (air: 1.402)."),
+            Message{
+                DYNCAL_TEXT("core",
+                    "The gas has a ratio of specific heats of %1; it must be above 1 and at most %2 (air: 1.402)."),
                 {numberText(gas.gamma), numberText(kHighestGamma)}});
     if (!(gas.molarMass_kg_mol >= kLightestGas_kg_mol
             && gas.molarMass_kg_mol <= kHeaviestGas_kg_mol))
         return fail(ErrorKind::Usage,
-            Message{DYNCAL_TEXT("core",
-                        "The gas has a molar mass of %1 kg/mol; it must lie between %2 and %3 "
-                        "kg/mol (air: 0.028966), so check whether it was typed in g/mol."),
+            Message{
+                DYNCAL_TEXT("core",
+                    "The gas has a molar mass of %1 kg/mol; it must lie between %2 and %3 kg/mol (air: 0.028966), so check whether it was typed in g/mol."),
                 {numberText(gas.molarMass_kg_mol), numberText(kLightestGas_kg_mol),
                     numberText(kHeaviestGas_kg_mol)}});
     return {};
@@ -51,9 +51,9 @@ Result<void> checkTemperature(const char *name, double temperature_K)
                 {name, numberText(temperature_K, 6), numberText(fromCelsius_K, 6)}},
             "SHK-004");
     return fail(ErrorKind::DataBlocked,
-        Message{DYNCAL_TEXT("core",
-                    "%1 = %2 K is outside the range of %3 K to %4 K; enter the temperature of the "
-                    "gas in kelvin."),
+        Message{
+            DYNCAL_TEXT("core",
+                "%1 = %2 K is outside the range of %3 K to %4 K; enter the temperature of the gas in kelvin."),
             {name, numberText(temperature_K, 6), numberText(kLowestTemperature_K),
                 numberText(kHighestTemperature_K)}},
         "SHK-004");
@@ -91,18 +91,18 @@ Result<void> checkShockInputs(const Gas &gas, double p1_Pa, double T1_K, double 
         return checked;
     if (!(p1_Pa > 0.0 && std::isfinite(p1_Pa)))
         return fail(ErrorKind::DataBlocked,
-            Message{DYNCAL_TEXT("core",
-                        "p1 = %1 Pa: the pressure in the driven section is absolute here and must "
-                        "be above 0; add the ambient pressure to a gauge reading."),
+            Message{
+                DYNCAL_TEXT("core",
+                    "p1 = %1 Pa: the pressure in the driven section is absolute here and must be above 0; add the ambient pressure to a gauge reading."),
                 {numberText(p1_Pa)}});
     if (auto checked = checkTemperature("T1", T1_K); !checked)
         return checked;
     const double mach = velocity_m_s / soundSpeed_m_s(gas, T1_K);
     if (!(mach > 1.0 && std::isfinite(mach)))
         return fail(ErrorKind::DataBlocked,
-            Message{DYNCAL_TEXT("core",
-                        "Computed Mach number %1 (velocity %2 m/s); a shock needs more than 1: "
-                        "check sample rate, distance, arrival times and T1."),
+            Message{
+                DYNCAL_TEXT("core",
+                    "Computed Mach number %1 (velocity %2 m/s); a shock needs more than 1: check sample rate, distance, arrival times and T1."),
                 {numberText(mach, 3), numberText(velocity_m_s, 5)}},
             "SHK-001");
     return {};
@@ -177,9 +177,9 @@ Result<double> driverPressure_Pa(
     const double bracket = 1.0 - (driver.gamma - 1.0) * soundRatio * (ratio2 - 1.0) / root;
     if (!(bracket > 0.0))
         return fail(ErrorKind::DataBlocked,
-            Message{DYNCAL_TEXT("core",
-                        "No driver pressure can produce a shock of Mach %1 with this driver gas at "
-                        "%2 K; check the velocity, T4 and the driver gas."),
+            Message{
+                DYNCAL_TEXT("core",
+                    "No driver pressure can produce a shock of Mach %1 with this driver gas at %2 K; check the velocity, T4 and the driver gas."),
                 {numberText(states.mach, 4), numberText(T4_K, 5)}});
     return states.shocked.pressure_Pa
         * std::pow(bracket, -2.0 * driver.gamma / (driver.gamma - 1.0)); // eq 3.10
@@ -191,9 +191,9 @@ Result<double> machOfPressureRatio(const Gas &gas, double ratio)
         return tl::unexpected(checked.error());
     if (!(ratio > 1.0 && std::isfinite(ratio)))
         return fail(ErrorKind::DataBlocked,
-            Message{DYNCAL_TEXT("core",
-                        "The pressure ratio p2/p1 is %1; a shock needs more than 1: check both "
-                        "pressures and whether they are absolute."),
+            Message{
+                DYNCAL_TEXT("core",
+                    "The pressure ratio p2/p1 is %1; a shock needs more than 1: check both pressures and whether they are absolute."),
                 {numberText(ratio, 5)}},
             "SHK-001");
     return std::sqrt(1.0 + (gas.gamma + 1.0) / (2.0 * gas.gamma) * (ratio - 1.0));
@@ -204,9 +204,9 @@ Result<double> velocityOfDriverPressure_m_s(
 {
     if (!(p4_Pa > p1_Pa && std::isfinite(p4_Pa)))
         return fail(ErrorKind::DataBlocked,
-            Message{DYNCAL_TEXT("core",
-                        "The driver pressure p4 = %1 Pa does not exceed p1 = %2 Pa; both are "
-                        "absolute here: add the ambient pressure to a gauge reading."),
+            Message{
+                DYNCAL_TEXT("core",
+                    "The driver pressure p4 = %1 Pa does not exceed p1 = %2 Pa; both are absolute here: add the ambient pressure to a gauge reading."),
                 {numberText(p4_Pa, 6), numberText(p1_Pa, 6)}});
     const double a1_m_s = soundSpeed_m_s(driven, T1_K);
     // p4 grows with the velocity from p1 at M = 1 without limit; where none reaches it, it is more.

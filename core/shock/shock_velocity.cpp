@@ -24,22 +24,21 @@ VelocityEstimate missing(Message message)
 Message noSensorMessage(const Shot &shot)
 {
     if (shot.channelWithRole(ChannelRole::DrivenSide) != nullptr)
-        return {DYNCAL_TEXT("core",
-                    "The pressure step is not determined: the shock velocity is unknown, because "
-                    "the distance from the side sensor to the end wall is not recorded; enter the "
-                    "distance, the velocity or the step itself."),
+        return {
+            DYNCAL_TEXT("core",
+                "The pressure step is not determined: the shock velocity is unknown, because the distance from the side sensor to the end wall is not recorded; enter the distance, the velocity or the step itself."),
             {}};
-    return {DYNCAL_TEXT("core",
-                "The pressure step is not determined: the shock velocity is unknown, because no "
-                "channel marks the passing of the shock; enter the velocity or the step itself."),
+    return {
+        DYNCAL_TEXT("core",
+            "The pressure step is not determined: the shock velocity is unknown, because no channel marks the passing of the shock; enter the velocity or the step itself."),
         {}};
 }
 
 Message noArrivalMessage(const std::string &channel)
 {
-    return {DYNCAL_TEXT("core",
-                "The pressure step is not determined: the shock velocity is unknown, because no "
-                "arrival is found in the channel '%1'; enter the velocity or the step itself."),
+    return {
+        DYNCAL_TEXT("core",
+            "The pressure step is not determined: the shock velocity is unknown, because no arrival is found in the channel '%1'; enter the velocity or the step itself."),
         {channel}};
 }
 
@@ -112,14 +111,13 @@ tl::expected<std::vector<Sighting>, Message> sightings(const CaptureSet &set, In
 Message tooFewMessage(bool atEndWall)
 {
     if (atEndWall)
-        return {DYNCAL_TEXT("core",
-                    "The pressure step is not determined: the shock velocity is unknown, because "
-                    "the arrival at the DUT is not known; enter the velocity or the step itself."),
+        return {
+            DYNCAL_TEXT("core",
+                "The pressure step is not determined: the shock velocity is unknown, because the arrival at the DUT is not known; enter the velocity or the step itself."),
             {}};
-    return {DYNCAL_TEXT("core",
-                "The pressure step is not determined: the shock velocity is unknown, because a DUT "
-                "in the side wall needs two arrival sensors; enter the velocity or the step "
-                "itself."),
+    return {
+        DYNCAL_TEXT("core",
+            "The pressure step is not determined: the shock velocity is unknown, because a DUT in the side wall needs two arrival sensors; enter the velocity or the step itself."),
         {}};
 }
 
@@ -142,9 +140,9 @@ double relativeDistanceUncertainty(const std::vector<Sighting> &seen)
 Error wrongOrder(const Sighting &farthest, const Sighting &nearest)
 {
     return {ErrorKind::DataBlocked,
-        Message{DYNCAL_TEXT("core",
-                    "The shock reaches '%1' %2 after '%3', which is farther down the tube: check "
-                    "whether the two channels are swapped (CAP-010), and their distances."),
+        Message{
+            DYNCAL_TEXT("core",
+                "The shock reaches '%1' %2 after '%3', which is farther down the tube: check whether the two channels are swapped (CAP-010), and their distances."),
             {farthest.channel, numberWithUnit(farthest.time_s - nearest.time_s, "s", 3),
                 nearest.channel}},
         "SHK-001"};

@@ -98,9 +98,9 @@ double reflectedRatio(const VariableGas &gas, const GasState &shocked, double st
 Error outsideValidity(double T_K)
 {
     return {ErrorKind::DataBlocked,
-        Message{DYNCAL_TEXT("core",
-                    "The gas reaches %1 K, and the variable heat capacity holds from %2 K to %3 K; "
-                    "choose a constant one or another gas."),
+        Message{
+            DYNCAL_TEXT("core",
+                "The gas reaches %1 K, and the variable heat capacity holds from %2 K to %3 K; choose a constant one or another gas."),
             {numberText(T_K, 5), numberText(kLowestHeatCapacity_K),
                 numberText(kHighestHeatCapacity_K)}},
         "SHK-009"};

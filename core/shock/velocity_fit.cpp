@@ -109,9 +109,9 @@ Error notTowardsTheWall(const std::vector<Sighting> &sightings, double velocity_
     const auto [nearest, farthest]
         = std::minmax_element(sightings.begin(), sightings.end(), byDistance);
     return {ErrorKind::DataBlocked,
-        Message{DYNCAL_TEXT("core",
-                    "The arrivals from '%1' to '%2' give a velocity of %3 m/s; the shock must run "
-                    "towards the end wall: check channels, distances and arrivals."),
+        Message{
+            DYNCAL_TEXT("core",
+                "The arrivals from '%1' to '%2' give a velocity of %3 m/s; the shock must run towards the end wall: check channels, distances and arrivals."),
             {farthest->channel, nearest->channel, numberText(velocity_m_s, 4)}},
         "SHK-001"};
 }
@@ -260,9 +260,9 @@ Result<VelocityFit> fitCounters(
         const bool isFinite = std::isfinite(r.far_m) && std::isfinite(r.time_s);
         if (!(isFinite && r.far_m > r.near_m && r.near_m >= 0.0 && r.time_s > 0.0))
             return fail(ErrorKind::Usage,
-                Message{DYNCAL_TEXT("core",
-                            "A counter reads %1 s from %2 m to %3 m before the end wall; the time "
-                            "must be above 0 and the first distance the larger one."),
+                Message{
+                    DYNCAL_TEXT("core",
+                        "A counter reads %1 s from %2 m to %3 m before the end wall; the time must be above 0 and the first distance the larger one."),
                     {numberText(r.time_s), numberText(r.far_m), numberText(r.near_m)}});
     }
     if (readings.empty())

@@ -66,8 +66,7 @@ Result<PowerSpectrum> computePowerSpectrum(const Eigen::Ref<const Eigen::VectorX
     if (values.size() < kLeastSamples || !values.allFinite() || !isRate)
         return fail(ErrorKind::DataBlocked,
             {DYNCAL_TEXT("core",
-                 "A power spectrum needs at least %1 valid samples at a known rate; there are %2 "
-                 "samples at %3."),
+                 "A power spectrum needs at least %1 valid samples at a known rate; there are %2 samples at %3."),
                 {std::to_string(kLeastSamples), std::to_string(values.size()),
                     numberWithUnit(rate_Hz, "Hz")}});
     const SpectrumSegments segments = segmentsOf(values.size(), settings);
@@ -87,8 +86,7 @@ Result<PowerSpectrum> computePowerSpectrum(const Eigen::Ref<const Eigen::VectorX
     if (!power.allFinite())
         return fail(ErrorKind::DataBlocked,
             {DYNCAL_TEXT("core",
-                 "The power spectrum exceeds the range of numbers: the largest value is %1; check "
-                 "the scale of the channel."),
+                 "The power spectrum exceeds the range of numbers: the largest value is %1; check the scale of the channel."),
                 {numberText(values.cwiseAbs().maxCoeff(), 3)}});
     const double df_Hz = rate_Hz / static_cast<double>(segments.length);
     const auto last = static_cast<double>(power.size() - 1);

@@ -136,16 +136,12 @@ Error noStepFound(
     if (!std::isfinite(height) || !std::isfinite(noiseSd))
         return {ErrorKind::DataBlocked,
             {DYNCAL_TEXT("core",
-                 "Shot %1, channel %2: no step found, because the record's values are not there or "
-                 "too large to compute with; check the channel's unit and factor, or exclude the "
-                 "shot."),
+                 "Shot %1, channel %2: no step found, because the record's values are not there or too large to compute with; check the channel's unit and factor, or exclude the shot."),
                 {std::to_string(shot), channel.name}},
             "CAP-009", shot};
     return {ErrorKind::DataBlocked,
         {DYNCAL_TEXT("core",
-             "Shot %1, channel %2: no step found. The largest change is %3 with noise of %4, and "
-             "more than %5 times the noise is needed: set window.start by hand or exclude the "
-             "shot."),
+             "Shot %1, channel %2: no step found. The largest change is %3 with noise of %4, and more than %5 times the noise is needed: set window.start by hand or exclude the shot."),
             {std::to_string(shot), channel.name, numberWithUnit(height, channel.unit, 3),
                 numberWithUnit(noiseSd, channel.unit, 3), numberText(eventSigmas)}},
         "CAP-009", shot};
@@ -155,9 +151,7 @@ Error noQuiet(const Channel &channel, Index shot, Index start)
 {
     return {ErrorKind::DataBlocked,
         {DYNCAL_TEXT("core",
-             "Shot %1, channel %2: the start cannot be detected, because the record moves or holds "
-             "no numbers from sample %3 (%4) on and at least %5 quiet samples are needed before. "
-             "Set window.start by hand."),
+             "Shot %1, channel %2: the start cannot be detected, because the record moves or holds no numbers from sample %3 (%4) on and at least %5 quiet samples are needed before. Set window.start by hand."),
             {std::to_string(shot), channel.name, std::to_string(start),
                 numberWithUnit(channel.timeOf_s(start), "s", 6), std::to_string(kLeastQuiet)}},
         "CAP-009", shot};
@@ -167,8 +161,7 @@ Error tooShort(const Channel &channel, Index shot)
 {
     return {ErrorKind::DataBlocked,
         {DYNCAL_TEXT("core",
-             "Shot %1, channel %2: the start cannot be detected in %3 samples, at least %4 are "
-             "needed. Set window.start by hand."),
+             "Shot %1, channel %2: the start cannot be detected in %3 samples, at least %4 are needed. Set window.start by hand."),
             {std::to_string(shot), channel.name, std::to_string(channel.samples.size()),
                 std::to_string(kLeastSamples)}},
         "CAP-009", shot};
@@ -178,8 +171,7 @@ Error nothingValid(const Channel &channel, Index shot)
 {
     return {ErrorKind::DataBlocked,
         {DYNCAL_TEXT("core",
-             "Shot %1, channel %2: there are no valid samples to find a start in; exclude the "
-             "shot."),
+             "Shot %1, channel %2: there are no valid samples to find a start in; exclude the shot."),
             {std::to_string(shot), channel.name}},
         "CAP-009", shot};
 }

@@ -92,8 +92,7 @@ private:
         if (m_settings.endAtPlateau && !plateau_s)
             return Error{ErrorKind::DataBlocked,
                 {DYNCAL_TEXT("core",
-                     "Shot %1: the window is to end with the computed plateau, but there are no "
-                     "shock data to compute it from; give them or a time for window.end_s."),
+                     "Shot %1: the window is to end with the computed plateau, but there are no shock data to compute it from; give them or a time for window.end_s."),
                     {std::to_string(m_shot)}},
                 {}, m_shot};
         const Index limit = size() - m_start;
@@ -146,8 +145,7 @@ private:
             return std::nullopt;
         return Error{ErrorKind::DataBlocked,
             {DYNCAL_TEXT("core",
-                 "Shot %1: the settle band %2 to %3 must lie within the window, 0 to %4 behind the "
-                 "start; move window.settle_s or window.end_s."),
+                 "Shot %1: the settle band %2 to %3 must lie within the window, 0 to %4 behind the start; move window.settle_s or window.end_s."),
                 {std::to_string(m_shot), secondsText(timeOf_s(band.begin)),
                     secondsText(timeOf_s(band.end)), secondsText(timeOf_s(m_bands.window.end))}},
             {}, m_shot};
@@ -157,8 +155,7 @@ private:
     {
         return {ErrorKind::DataBlocked,
             {DYNCAL_TEXT("core",
-                 "Shot %1: the baseline %2 to %3 leaves the record, which reaches from %4 to %5 "
-                 "relative to the start; move window.baseline_s."),
+                 "Shot %1: the baseline %2 to %3 leaves the record, which reaches from %4 to %5 relative to the start; move window.baseline_s."),
                 {std::to_string(m_shot), secondsText(timeOf_s(m_bands.baseline.begin)),
                     secondsText(timeOf_s(m_bands.baseline.end)), secondsText(timeOf_s(0)),
                     secondsText(timeOf_s(size()))}},
@@ -169,8 +166,7 @@ private:
     {
         return {ErrorKind::DataBlocked,
             {DYNCAL_TEXT("core",
-                 "Shot %1: the baseline has %2 samples and needs at least %3; choose another "
-                 "window.baseline_s, or null to subtract nothing."),
+                 "Shot %1: the baseline has %2 samples and needs at least %3; choose another window.baseline_s, or null to subtract nothing."),
                 {std::to_string(m_shot), std::to_string(m_bands.baseline.size()),
                     std::to_string(kLeastBaseline)}},
             "WIN-002", m_shot};
@@ -180,8 +176,7 @@ private:
     {
         return {ErrorKind::DataBlocked,
             {DYNCAL_TEXT("core",
-                 "Shot %1: the baseline %2 to %3 overlaps the response, which begins at 0; move "
-                 "window.baseline_s or window.end_s."),
+                 "Shot %1: the baseline %2 to %3 overlaps the response, which begins at 0; move window.baseline_s or window.end_s."),
                 {std::to_string(m_shot), secondsText(timeOf_s(m_bands.baseline.begin)),
                     secondsText(timeOf_s(m_bands.baseline.end))}},
             "WIN-002", m_shot};
@@ -191,8 +186,7 @@ private:
     {
         return {ErrorKind::DataBlocked,
             {DYNCAL_TEXT("core",
-                 "Shot %1 ends %2 behind its start, before the window's end at %3; set "
-                 "window.end_s to %2 at most or exclude the shot."),
+                 "Shot %1 ends %2 behind its start, before the window's end at %3; set window.end_s to %2 at most or exclude the shot."),
                 {std::to_string(m_shot), secondsText(timeOf_s(size())),
                     secondsText(timeOf_s(m_start + length))}},
             {}, m_shot};

@@ -85,8 +85,7 @@ Finding saturationFinding(const WindowedResponse &response, const SaturatedRun &
         = response.start_s + static_cast<double>(run.begin) / response.sampleRate_Hz;
     Finding result = finding("CAP-007", response,
         {DYNCAL_TEXT("core",
-             "Shot %1: %2 samples in a row at %3 are equal and the extreme of the window; the "
-             "record may be saturated there."),
+             "Shot %1: %2 samples in a row at %3 are equal and the extreme of the window; the record may be saturated there."),
             {shotText(response), std::to_string(run.count), numberWithUnit(begin_s, "s", 6)}},
         static_cast<double>(run.count), static_cast<double>(leastRun));
     result.time_s = begin_s;
@@ -98,13 +97,11 @@ void addStepFindings(const WindowedResponse &response, Findings &findings)
     if (response.step < 0.0)
         findings.push_back(finding("CAP-012", response,
             {DYNCAL_TEXT("core",
-                 "Shot %1: the step is negative (%2); set import.polarity to -1 if "
-                 "the sensor is inverted."),
+                 "Shot %1: the step is negative (%2); set import.polarity to -1 if the sensor is inverted."),
                 {shotText(response), numberWithUnit(response.step, response.unit)}},
             response.step, 0.0));
     const char *text = DYNCAL_TEXT("core",
-        "Shot %1: the settling level still drifts %2 % of the step per ms; the level depends by "
-        "+-%3 % on where the settle band lies.");
+        "Shot %1: the settling level still drifts %2 % of the step per ms; the level depends by +-%3 % on where the settle band lies.");
     if (auto drift = driftFinding("WIN-003", text, response, response.settleSlope_per_s,
             response.settle_s, kSettleDrift_per_ms))
         findings.push_back(std::move(*drift));
@@ -114,8 +111,7 @@ Finding behindPlateau(const WindowedResponse &response, double plateau_s)
 {
     Finding overrun = finding("WIN-001", response,
         {DYNCAL_TEXT("core",
-             "Shot %1: the window ends %2 after the computed end of the plateau, %3 behind the "
-             "start; move window.end_s."),
+             "Shot %1: the window ends %2 after the computed end of the plateau, %3 behind the start; move window.end_s."),
             {shotText(response), numberWithUnit(response.end_s - plateau_s, "s", 3),
                 numberWithUnit(plateau_s, "s", 4)}},
         response.end_s, plateau_s);
@@ -141,9 +137,7 @@ std::optional<Error> stuckWindow(const Channel &channel, Index shot, const Windo
         return std::nullopt;
     return Error{ErrorKind::DataBlocked,
         {DYNCAL_TEXT("core",
-             "Shot %1, channel %2 stands still at %3 for %4 % of the response window, the longest "
-             "time from %5 on, although its baseline shows noise: it was cut off or stuck. The "
-             "shot cannot be used: exclude it."),
+             "Shot %1, channel %2 stands still at %3 for %4 % of the response window, the longest time from %5 on, although its baseline shows noise: it was cut off or stuck. The shot cannot be used: exclude it."),
             {std::to_string(shot), channel.name, numberWithUnit(values[stuck->begin], channel.unit),
                 numberText(100.0 * share, 2),
                 numberWithUnit(channel.timeOf_s(window.begin + stuck->begin), "s", 6)}},
@@ -167,8 +161,7 @@ std::optional<Error> unusableSamples(
         const Index sample = range.begin + (invalid - values.begin());
         return Error{ErrorKind::DataBlocked,
             {DYNCAL_TEXT("core",
-                 "Shot %1, channel %2: invalid sample %3 at %4, inside the response window or its "
-                 "baseline; exclude the shot or set import.interpolate_invalid."),
+                 "Shot %1, channel %2: invalid sample %3 at %4, inside the response window or its baseline; exclude the shot or set import.interpolate_invalid."),
                 {std::to_string(shot), channel.name, std::to_string(sample),
                     numberWithUnit(channel.timeOf_s(sample), "s", 6)}},
             "CAP-006", shot};
@@ -177,8 +170,7 @@ std::optional<Error> unusableSamples(
         if (const auto run = runAtRail(channel, range, checks.saturationRun))
             return Error{ErrorKind::DataBlocked,
                 {DYNCAL_TEXT("core",
-                     "Shot %1, channel %2 is saturated for %3 samples from %4 on, inside the "
-                     "response window or its baseline; the shot cannot be used: exclude it."),
+                     "Shot %1, channel %2 is saturated for %3 samples from %4 on, inside the response window or its baseline; the shot cannot be used: exclude it."),
                     {std::to_string(shot), channel.name, std::to_string(run->count),
                         numberWithUnit(channel.timeOf_s(run->begin), "s", 6)}},
                 "CAP-007", shot};
@@ -246,8 +238,7 @@ Findings windowFindings(const Channel &channel, const WindowedResponse &response
     if (code > 0.0 && std::abs(response.step) < context.checks.leastCodes * code)
         findings.push_back(finding("CAP-014", response,
             {DYNCAL_TEXT("core",
-                 "Shot %1: the step uses %2 codes of the converter; quantisation limits the "
-                 "result."),
+                 "Shot %1: the step uses %2 codes of the converter; quantisation limits the result."),
                 {shotText(response), numberText(std::abs(response.step) / code, 3)}},
             std::abs(response.step) / code, context.checks.leastCodes));
     // Ends lie on samples: the nearest one to the plateau's end is no overrun.

@@ -26,10 +26,10 @@ std::optional<Error> checkSettings(const CaptureSet &set, const WindowSettings &
     const auto starts = static_cast<Index>(settings.start_s.size());
     const auto shots = static_cast<Index>(set.shots.size());
     if (starts > 1 && starts != shots)
-        return usage({DYNCAL_TEXT("core",
-                          "window.start lists %1 times for %2 shots; give one time or one per "
-                          "shot."),
-            {std::to_string(starts), std::to_string(shots)}});
+        return usage(
+            {DYNCAL_TEXT("core",
+                 "window.start lists %1 times for %2 shots; give one time or one per shot."),
+                {std::to_string(starts), std::to_string(shots)}});
     bool finite = std::all_of(settings.start_s.begin(), settings.start_s.end(),
         [](double time_s) { return std::isfinite(time_s); });
     for (const Auto<Interval> &band : {settings.baseline_s, settings.settle_s}) {
@@ -37,10 +37,11 @@ std::optional<Error> checkSettings(const CaptureSet &set, const WindowSettings &
             continue;
         finite = finite && std::isfinite(band.value->length());
         if (finite && !(band.value->length() > 0.0))
-            return usage({DYNCAL_TEXT("core",
-                              "The band %1 to %2 in the window settings must begin before it "
-                              "ends."),
-                {numberWithUnit(band.value->begin, "s"), numberWithUnit(band.value->end, "s")}});
+            return usage(
+                {DYNCAL_TEXT(
+                     "core", "The band %1 to %2 in the window settings must begin before it ends."),
+                    {numberWithUnit(band.value->begin, "s"),
+                        numberWithUnit(band.value->end, "s")}});
     }
     if (!settings.end_s.isAuto())
         finite = finite && std::isfinite(*settings.end_s.value);
@@ -114,16 +115,16 @@ private:
         const std::string number = std::to_string(m_response.shot);
         m_channel = m_shot.channelWithRole(ChannelRole::Dut);
         if (m_channel == nullptr)
-            return error({DYNCAL_TEXT("core",
-                              "Shot %1 has no DUT channel; choose which channel is the sensor "
-                              "under test (import.channels)."),
-                             {number}},
+            return error(
+                {DYNCAL_TEXT("core",
+                     "Shot %1 has no DUT channel; choose which channel is the sensor under test (import.channels)."),
+                    {number}},
                 "CAP-002");
         if (!(m_channel->sampleRate_Hz > 0.0) || !std::isfinite(m_channel->sampleRate_Hz))
-            return error({DYNCAL_TEXT("core",
-                              "Shot %1: the sample rate of channel %2 is unknown; give "
-                              "import.sample_rate_hz."),
-                             {number, m_channel->name}},
+            return error(
+                {DYNCAL_TEXT("core",
+                     "Shot %1: the sample rate of channel %2 is unknown; give import.sample_rate_hz."),
+                    {number, m_channel->name}},
                 "");
         m_response.channel = m_channel->name;
         m_response.unit = m_channel->unit;
@@ -167,8 +168,7 @@ private:
     {
         return error(
             {DYNCAL_TEXT("core",
-                 "Shot %1: window.start %2 lies outside the record, which reaches from "
-                 "%3 to %4."),
+                 "Shot %1: window.start %2 lies outside the record, which reaches from %3 to %4."),
                 {std::to_string(m_response.shot), numberWithUnit(typed_s, "s", 6),
                     numberWithUnit(m_channel->t0_s, "s", 6),
                     numberWithUnit(m_channel->timeOf_s(m_channel->samples.size()), "s", 6)}},
@@ -222,9 +222,7 @@ private:
     {
         return {"CAP-020", Severity::Block, m_response.shot, m_response.channel, m_response.start_s,
             {DYNCAL_TEXT("core",
-                 "Shot %1: the record moves before the response, its baseline is not at rest; the "
-                 "shot is not used. Exclude it, or set window.start and window.baseline_s by "
-                 "hand."),
+                 "Shot %1: the record moves before the response, its baseline is not at rest; the shot is not used. Exclude it, or set window.start and window.baseline_s by hand."),
                 {std::to_string(m_response.shot)}},
             std::nullopt, std::nullopt};
     }
@@ -237,21 +235,19 @@ private:
                 + 1.0 / static_cast<double>(std::max<Index>(m_bands.baseline.size(), 1)));
         const double needed = m_context.checks.stepSigmas * uncertainty;
         if (!std::isfinite(needed) || !std::isfinite(m_response.step))
-            return error({DYNCAL_TEXT("core",
-                              "Shot %1: whether there is a step cannot be told, because the "
-                              "record's values are not there or too large to compute with; check "
-                              "the channel's unit and factor, or exclude the shot."),
-                             {std::to_string(m_response.shot)}},
+            return error(
+                {DYNCAL_TEXT("core",
+                     "Shot %1: whether there is a step cannot be told, because the record's values are not there or too large to compute with; check the channel's unit and factor, or exclude the shot."),
+                    {std::to_string(m_response.shot)}},
                 "CAP-009");
         if (std::abs(m_response.step) > needed)
             return std::nullopt;
-        return error({DYNCAL_TEXT("core",
-                          "Shot %1: no step between baseline and settle band; it is %2, and %3 "
-                          "would be needed to tell it from noise. Check window.start or exclude "
-                          "the shot."),
-                         {std::to_string(m_response.shot),
-                             numberWithUnit(m_response.step, m_response.unit, 3),
-                             numberWithUnit(needed, m_response.unit, 3)}},
+        return error(
+            {DYNCAL_TEXT("core",
+                 "Shot %1: no step between baseline and settle band; it is %2, and %3 would be needed to tell it from noise. Check window.start or exclude the shot."),
+                {std::to_string(m_response.shot),
+                    numberWithUnit(m_response.step, m_response.unit, 3),
+                    numberWithUnit(needed, m_response.unit, 3)}},
             "CAP-009");
     }
 

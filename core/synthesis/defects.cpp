@@ -89,9 +89,9 @@ Result<void> checkDefects(const SimulationSettings &settings)
     for (const Defect &defect : settings.defects) {
         if (defect.shot < 0 || defect.shot > std::ssize(settings.shots))
             return fail(ErrorKind::Usage,
-                Message{DYNCAL_TEXT("core",
-                            "A defect is asked for in shot %1, but the shots to simulate are 1 to "
-                            "%2."),
+                Message{
+                    DYNCAL_TEXT("core",
+                        "A defect is asked for in shot %1, but the shots to simulate are 1 to %2."),
                     {std::to_string(defect.shot), std::to_string(settings.shots.size())}});
     }
     return {};

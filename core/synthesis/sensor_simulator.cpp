@@ -66,9 +66,9 @@ Result<void> checkModes(const SensorSpec &sensor)
     }
     if (!(std::abs(sum - 1.0) <= kWeightSum))
         return fail(ErrorKind::Usage,
-            Message{DYNCAL_TEXT("core",
-                        "The weights of the simulated sensor '%1' add up to %2; they must "
-                        "add up to 1."),
+            Message{
+                DYNCAL_TEXT("core",
+                    "The weights of the simulated sensor '%1' add up to %2; they must add up to 1."),
                 {sensor.name, numberText(sum)}});
     return {};
 }
@@ -98,9 +98,9 @@ Result<void> checkRealPoles(const SensorSpec &sensor)
         for (std::size_t i = 1; i < all.size(); ++i) {
             if (all[i] - all[i - 1] < kPoleDistance * all[i])
                 return fail(ErrorKind::Usage,
-                    Message{DYNCAL_TEXT("core",
-                                "Two real poles of the simulated sensor '%1' coincide at %2 Hz; "
-                                "move one of them."),
+                    Message{
+                        DYNCAL_TEXT("core",
+                            "Two real poles of the simulated sensor '%1' coincide at %2 Hz; move one of them."),
                         {sensor.name, numberText(all[i] / kTwoPi, 6)}});
         }
     }

@@ -56,9 +56,9 @@ Result<void> checkResolved(const SimulationSettings &settings)
     for (const SensorMode &mode : settings.sensor.modes) {
         if (2.0 * mode.f0_Hz >= settings.sampleRate_Hz)
             return fail(ErrorKind::Usage,
-                Message{DYNCAL_TEXT("core",
-                            "The simulated sensor '%1' rings at %2, which a sample rate of %3 "
-                            "cannot show; it needs more than %4."),
+                Message{
+                    DYNCAL_TEXT("core",
+                        "The simulated sensor '%1' rings at %2, which a sample rate of %3 cannot show; it needs more than %4."),
                     {settings.sensor.name, numberWithUnit(mode.f0_Hz, "Hz"),
                         numberWithUnit(settings.sampleRate_Hz, "Hz"),
                         numberWithUnit(2.0 * mode.f0_Hz, "Hz")}});

@@ -121,8 +121,8 @@ int main(int argc, char **argv)
 {
     const int seeds = argc > 1 ? std::atoi(argv[1]) : 100;
     const int first = argc > 2 ? std::atoi(argv[2]) : 1;
-    std::printf("| preset | model rate | orders suggested | quantity, bound | bound | rms error | "
-                "rms z | largest z | beyond 3 |\n|---|---|---|---|---|---|---|---|---|\n");
+    std::printf(
+        "| preset | model rate | orders suggested | quantity, bound | bound | rms error | rms z | largest z | beyond 3 |\n|---|---|---|---|---|---|---|---|---|\n");
     const std::string only = argc > 3 ? argv[3] : "";
     int failed = 0;
     for (const SensorSpec &sensor : sensorPresets()) {

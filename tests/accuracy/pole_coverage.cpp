@@ -14,8 +14,8 @@ int main(int argc, char **argv)
 {
     const int runs = argc > 1 ? std::atoi(argv[1]) : 1000;
     int first = 1;
-    std::printf("| case | f0 inside | zeta inside | rms error/u of f0 | of zeta | told apart | no "
-                "model |\n|---|---|---|---|---|---|---|\n");
+    std::printf(
+        "| case | f0 inside | zeta inside | rms error/u of f0 | of zeta | told apart | no model |\n|---|---|---|---|---|---|---|\n");
     for (const testing::CoverageCase &test : testing::coverageCases()) {
         const testing::PoleCoverage c = testing::poleCoverage(test, runs, first);
         first += 100000; // other noise in every case

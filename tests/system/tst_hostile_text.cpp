@@ -84,8 +84,7 @@ private:
     {
         const QString script = path("strace");
         writeBytes(script,
-            "#!/bin/sh\nexec strace -f -qq -e "
-            "trace=open,openat,openat2,access,stat,newfstatat,statx -o '"
+            "#!/bin/sh\nexec strace -f -qq -e trace=open,openat,openat2,access,stat,newfstatat,statx -o '"
                 + path("opened").toUtf8() + "' '" + qgetenv("DYNCAL_BINARY") + "' \"$@\"\n");
         QFile(script).setPermissions(QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
         return script.toUtf8();

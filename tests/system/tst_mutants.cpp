@@ -200,8 +200,8 @@ private slots:
         QStringList exits;
         for (const auto &[code, count] : tally.exits)
             exits << QString("%1 x %2").arg(code).arg(count);
-        qInfo("%d mutants of %lld endings: exit codes %s; at most %.2f s and %.0f MiB; %d with a "
-              "fault in stderr",
+        qInfo(
+            "%d mutants of %lld endings: exit codes %s; at most %.2f s and %.0f MiB; %d with a fault in stderr",
             trials, static_cast<long long>(m_seeds.size()), qPrintable(exits.join(", ")),
             tally.longest_s, tally.largest_MiB, tally.textFaults);
         for (const QString &fault : tally.faults.mid(0, 40))

@@ -142,8 +142,7 @@ Result<std::vector<DrawnFile>> ReportDrawing::take()
     if (d->failed)
         return fail(ErrorKind::Internal,
             {DYNCAL_TEXT("core",
-                 "The certificate and the plots cannot be drawn: the program found nothing to draw "
-                 "on; start it anew."),
+                 "The certificate and the plots cannot be drawn: the program found nothing to draw on; start it anew."),
                 {}});
     return std::move(d->drawn);
 }

@@ -100,8 +100,7 @@ private:
     {
         return fail(ErrorKind::Internal,
             {DYNCAL_TEXT("core",
-                 "There is not enough memory for this work; close other "
-                 "programs or choose a shorter window."),
+                 "There is not enough memory for this work; close other programs or choose a shorter window."),
                 {}});
     }
 
@@ -122,8 +121,7 @@ private:
         } catch (const std::exception &problem) {
             return fail(ErrorKind::Internal,
                 {DYNCAL_TEXT("core",
-                     "The program met an unexpected condition (%1); please report "
-                     "it with your project file."),
+                     "The program met an unexpected condition (%1); please report it with your project file."),
                     {problem.what()}});
         }
     }

@@ -71,8 +71,7 @@ Findings checkProject(const QJsonObject &project, const QString &name)
     if (!project.contains(kWhole) && !project.contains(kParts))
         return {{"PRJ-002", Severity::Info, 0, {}, {},
             {DYNCAL_TEXT("core",
-                 "Project %1 has no checksum (an older version wrote it), so a change of it is not "
-                 "noticed; save it to give it one."),
+                 "Project %1 has no checksum (an older version wrote it), so a change of it is not noticed; save it to give it one."),
                 {name.toStdString()}},
             {}, {}}};
     const QJsonObject content = withoutChecksums(project);
@@ -82,8 +81,7 @@ Findings checkProject(const QJsonObject &project, const QString &name)
     const QString what = parts.isEmpty() ? QString(kWhole) : parts.join(", ");
     return {{"PRJ-001", Severity::Caution, 0, {}, {},
         {DYNCAL_TEXT("core",
-             "Project %1 was changed after the program saved it: %2. If that was not you, take an "
-             "unchanged copy; otherwise look at what changed and save the project."),
+             "Project %1 was changed after the program saved it: %2. If that was not you, take an unchanged copy; otherwise look at what changed and save the project."),
             {name.toStdString(), what.toStdString()}},
         {}, {}}};
 }

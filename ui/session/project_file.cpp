@@ -155,16 +155,14 @@ Result<ProjectFile> readProjectFile(const QString &path)
     const QJsonDocument document = QJsonDocument::fromJson(bytes, &problem);
     if (!document.isObject() || document["format"].toString() != kFormat)
         return fail(ErrorKind::FileUnreadable,
-            {DYNCAL_TEXT("core",
-                 "%1 is not a Dyncal project; recordings are opened with Open "
-                 "captures."),
+            {DYNCAL_TEXT(
+                 "core", "%1 is not a Dyncal project; recordings are opened with Open captures."),
                 {name}});
     const int version = document["version"].toInt(-1);
     if (version != kVersion)
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "Project %1 has version %2, this program reads version %3; open "
-                 "it with the program that wrote it."),
+                 "Project %1 has version %2, this program reads version %3; open it with the program that wrote it."),
                 {name, std::to_string(version), std::to_string(kVersion)}});
     return ProjectFile{path, document.object(), sha256Hex(bytes.toStdString())};
 }
@@ -206,9 +204,7 @@ Result<std::string> saveProject(
     if (written.error().findingId == kChangedMeanwhile)
         return tl::unexpected(written.error());
     return fail(ErrorKind::FileUnreadable,
-        {DYNCAL_TEXT("core",
-             "The project could not be saved as %1 (%2); choose another "
-             "place."),
+        {DYNCAL_TEXT("core", "The project could not be saved as %1 (%2); choose another place."),
             {path.toStdString(), english(written.error().message)}});
 }
 
@@ -239,8 +235,7 @@ Result<ProjectState> openProject(
     if (!missing.isEmpty())
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1 recordings of this project were not found: %2. Put them back "
-                 "where they were, or beside the project, and open it again."),
+                 "%1 recordings of this project were not found: %2. Put them back where they were, or beside the project, and open it again."),
                 {std::to_string(missing.size()), missing.join(", ").toStdString()}});
     Result<CaptureSet> set = readReferenced(references, recipe->import, control);
     if (!set)

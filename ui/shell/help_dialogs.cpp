@@ -67,9 +67,9 @@ void showShortcuts(QWidget *parent)
 void showAbout(QWidget *parent)
 {
     QMessageBox box(QMessageBox::NoIcon, Help::tr("About Dyncal"),
-        Help::tr("<h3>Dyncal %1</h3><p>Dynamic calibration of pressure sensors.</p>"
-                 "<p>Build %2</p><p>Copyright 2026 The Dyncal authors. Free software under the "
-                 "GNU General Public License, version 3 or later. It comes with no warranty.</p>")
+        Help::tr(
+            "<h3>Dyncal %1</h3><p>Dynamic calibration of pressure sensors.</p>"
+            "<p>Build %2</p><p>Copyright 2026 The Dyncal authors. Free software under the GNU General Public License, version 3 or later. It comes with no warranty.</p>")
             .arg(versionText(), buildText()),
         QMessageBox::Ok, parent);
     box.setTextFormat(Qt::RichText);

@@ -35,8 +35,7 @@ tl::unexpected<Error> isForeign(const FolderPlace &place, const std::string &nam
 {
     return fail(ErrorKind::Usage,
         {DYNCAL_TEXT("core",
-             "%1 is in the way: this program did not write it, or an earlier version did, and it "
-             "is not replaced. Choose another folder, or move it away."),
+             "%1 is in the way: this program did not write it, or an earlier version did, and it is not replaced. Choose another folder, or move it away."),
             {pathIn(place, name)}});
 }
 
@@ -44,8 +43,7 @@ tl::unexpected<Error> isChanged(const FolderPlace &place, const std::string &nam
 {
     return fail(ErrorKind::Usage,
         {DYNCAL_TEXT("core",
-             "%1 was changed since this program wrote it and is not replaced. Choose another "
-             "folder, or move it away."),
+             "%1 was changed since this program wrote it and is not replaced. Choose another folder, or move it away."),
             {pathIn(place, name)}});
 }
 
@@ -53,8 +51,7 @@ tl::unexpected<Error> holdsRecording(const FolderPlace &place, const std::string
 {
     return fail(ErrorKind::Usage,
         {DYNCAL_TEXT("core",
-             "The folder %1 holds the recording %2; results are written into a folder that holds "
-             "none of their recordings. Choose another folder."),
+             "The folder %1 holds the recording %2; results are written into a folder that holds none of their recordings. Choose another folder."),
             {place.shown, recording}});
 }
 
@@ -96,8 +93,7 @@ Result<void> checkSettings(int folder, const FolderRequest &request)
         if (isWritten)
             return fail(ErrorKind::Usage,
                 {DYNCAL_TEXT("core",
-                     "%1 was given to be read and would be replaced by what is written; give it "
-                     "another name or choose another folder."),
+                     "%1 was given to be read and would be replaced by what is written; give it another name or choose another folder."),
                     {given}});
     }
     return {};

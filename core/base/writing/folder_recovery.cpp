@@ -89,9 +89,7 @@ tl::unexpected<Error> cannotRecover(const Leftover &left)
 {
     return fail(ErrorKind::Usage,
         {DYNCAL_TEXT("core",
-             "An earlier write into %1 was interrupted and cannot be completed, because files in "
-             "it were changed since; what it was writing lies in %2. Choose another folder, or "
-             "move the changed files away."),
+             "An earlier write into %1 was interrupted and cannot be completed, because files in it were changed since; what it was writing lies in %2. Choose another folder, or move the changed files away."),
             {left.target, left.staging}});
 }
 

@@ -24,8 +24,7 @@ tl::unexpected<Error> isNoFile(const std::string &path)
 {
     return fail(ErrorKind::Usage,
         {DYNCAL_TEXT("core",
-             "%1 cannot be written: something that is no regular file has this name; choose "
-             "another."),
+             "%1 cannot be written: something that is no regular file has this name; choose another."),
             {path}});
 }
 
@@ -33,8 +32,7 @@ tl::unexpected<Error> wasChanged(const std::string &path)
 {
     return fail(ErrorKind::Usage,
         {DYNCAL_TEXT("core",
-             "%1 was changed by another program since it was read here, and is not replaced; "
-             "choose another name, or look at what it holds now."),
+             "%1 was changed by another program since it was read here, and is not replaced; choose another name, or look at what it holds now."),
             {path}},
         kChangedMeanwhile);
 }

@@ -36,8 +36,7 @@ const char *sentence(int errorNumber)
         return DYNCAL_TEXT("core", "%1 cannot be written: %2; make room and try again.");
     case EFBIG:
         return DYNCAL_TEXT("core",
-            "%1 cannot be written: %2; raise the limit on the size of files or choose another "
-            "place.");
+            "%1 cannot be written: %2; raise the limit on the size of files or choose another place.");
     case ENAMETOOLONG:
         return DYNCAL_TEXT("core", "%1 cannot be written: %2; choose a shorter name.");
     case ENOENT:
@@ -72,8 +71,7 @@ tl::unexpected<Error> wasMoved(const std::string &path)
 {
     return fail(ErrorKind::Usage,
         {DYNCAL_TEXT("core",
-             "%1 was renamed, moved or replaced while it was being written, so nothing was written "
-             "into it; write again into the folder that you mean."),
+             "%1 was renamed, moved or replaced while it was being written, so nothing was written into it; write again into the folder that you mean."),
             {path}});
 }
 
@@ -81,8 +79,7 @@ tl::unexpected<Error> isBeingWritten(const std::string &path)
 {
     return fail(ErrorKind::Usage,
         {DYNCAL_TEXT("core",
-             "%1 is being written by another program at this moment; wait until it has ended or "
-             "choose another name."),
+             "%1 is being written by another program at this moment; wait until it has ended or choose another name."),
             {path}});
 }
 

@@ -177,8 +177,7 @@ Error inDoubt(const Error &error, const std::string &path)
         return error;
     return {ErrorKind::Internal,
         {DYNCAL_TEXT("core",
-             "%1 could not be read, and there is not enough memory to tell whether the file is at "
-             "fault; close other programs or raise the memory limit."),
+             "%1 could not be read, and there is not enough memory to tell whether the file is at fault; close other programs or raise the memory limit."),
             {path}},
         {}, 0};
 }

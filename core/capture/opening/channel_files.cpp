@@ -195,9 +195,7 @@ private:
         }
         m_set.findings.push_back({"CAP-029", Severity::Info, number, {}, {},
             {DYNCAL_TEXT("core",
-                 "%1 were taken as the channels of one recording, as name, time, rate and length "
-                 "agree. Set channel_files to \"apart\" in the recipe's import section if they are "
-                 "not."),
+                 "%1 were taken as the channels of one recording, as name, time, rate and length agree. Set channel_files to \"apart\" in the recipe's import section if they are not."),
                 {files}},
             {}, {}});
     }

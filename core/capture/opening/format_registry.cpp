@@ -43,9 +43,8 @@ Result<std::string> headOf(const std::string &path)
             "CAP-018");
     if (!fs::is_regular_file(path, error))
         return fail(ErrorKind::FileUnreadable,
-            {DYNCAL_TEXT("core",
-                 "%1 is a folder or a device, not a file; name a file. Readable "
-                 "are: %2."),
+            {DYNCAL_TEXT(
+                 "core", "%1 is a folder or a device, not a file; name a file. Readable are: %2."),
                 {path, readableFormatsText()}},
             "CAP-001");
     const auto file = SampleFile::open(path);
@@ -56,8 +55,7 @@ Result<std::string> headOf(const std::string &path)
     if (!(*file)->read(0, head.size(), std::as_writable_bytes(std::span(head)).data()))
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1 cannot be opened; check that you may read it and that no "
-                 "other program holds it."),
+                 "%1 cannot be opened; check that you may read it and that no other program holds it."),
                 {path}},
             "CAP-018");
     return head;

@@ -37,8 +37,7 @@ Result<Shape> chooseShape(const ModelInput &input, const RealizationSettings &se
         return fail(ErrorKind::Usage,
             Message{
                 DYNCAL_TEXT("core",
-                    "Hankel matrix: %1 rows do not fit a model input of %2 samples; choose 2 to "
-                    "%3."),
+                    "Hankel matrix: %1 rows do not fit a model input of %2 samples; choose 2 to %3."),
                 {std::to_string(shape.rows), std::to_string(length), std::to_string(length - 2)}});
     }
     Index total = 0;

@@ -48,8 +48,7 @@ Findings judgeGap(const HankelDecomposition &decomposition)
         return {};
     return {{"ORD-002", Severity::Info, 0, {}, {},
         {DYNCAL_TEXT("core",
-             "No clear gap between the singular values: none above the noise is more than %1 times "
-             "the next. Compare candidates."),
+             "No clear gap between the singular values: none above the noise is more than %1 times the next. Compare candidates."),
             {numberText(kClearGap, 2)}},
         widest, kClearGap}};
 }

@@ -113,9 +113,9 @@ Message reasonFor(const Eigen::VectorXd &bic, Index order)
     const auto above
         = [&](Index n) { return numberText(std::round(bic[n - 1] - bic[order - 1]), 6); };
     if (order > 1 && order < bic.size()) {
-        return {DYNCAL_TEXT("core",
-                    "Order %1 has the smallest BIC on the pre-whitened response: order %2 is %3 "
-                    "higher, order %4 is %5 higher."),
+        return {
+            DYNCAL_TEXT("core",
+                "Order %1 has the smallest BIC on the pre-whitened response: order %2 is %3 higher, order %4 is %5 higher."),
             {std::to_string(order), std::to_string(order - 1), above(order - 1),
                 std::to_string(order + 1), above(order + 1)}};
     }

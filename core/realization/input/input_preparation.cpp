@@ -29,9 +29,9 @@ Result<double> reductionOf(const Source &source, double rate_Hz)
     if (const auto factor = reductionFactor(source.rate_Hz, rate_Hz))
         return *factor;
     return fail(ErrorKind::DataBlocked,
-        Message{DYNCAL_TEXT("core",
-                    "Model input: shot %1 is recorded at %2, below the model rate of %3; choose at "
-                    "most %2."),
+        Message{
+            DYNCAL_TEXT("core",
+                "Model input: shot %1 is recorded at %2, below the model rate of %3; choose at most %2."),
             {std::to_string(source.shot), numberWithUnit(source.rate_Hz, "Hz", 6),
                 numberWithUnit(rate_Hz, "Hz", 6)}},
         "MIN-001", source.shot);
@@ -47,9 +47,9 @@ Index availableSamples(const Source &source, const AntiAliasFilter &filter, Inde
 
 Message tooFewSamples(Index shot, Index found, Index needed)
 {
-    return {DYNCAL_TEXT("core",
-                "Model input: shot %1 offers %2 samples before its window ends, %3 are asked for; "
-                "lengthen the window or ask for fewer samples."),
+    return {
+        DYNCAL_TEXT("core",
+            "Model input: shot %1 offers %2 samples before its window ends, %3 are asked for; lengthen the window or ask for fewer samples."),
         {std::to_string(shot), std::to_string(found), std::to_string(needed)}};
 }
 
@@ -137,9 +137,9 @@ Result<std::vector<Index>> firstSamples(
             = list[i].lead + static_cast<Index>(std::ceil(offset_s * list[i].rate_Hz - 1e-6));
         if (first < filters[i].halfLength()) {
             return fail(ErrorKind::DataBlocked,
-                Message{DYNCAL_TEXT("core",
-                            "Model input: shot %1 has %2 samples before the input starts, the "
-                            "anti-alias filter needs %3; start later or raise the model rate."),
+                Message{
+                    DYNCAL_TEXT("core",
+                        "Model input: shot %1 has %2 samples before the input starts, the anti-alias filter needs %3; start later or raise the model rate."),
                     {std::to_string(list[i].shot), std::to_string(first),
                         std::to_string(filters[i].halfLength())}},
                 "MIN-006", list[i].shot);
@@ -175,8 +175,7 @@ Finding stepAsImpulse()
 {
     return {"MIN-004", Severity::Info, 0, {}, {},
         {DYNCAL_TEXT("core",
-             "The step is treated as an impulse response (thesis method): one extra order "
-             "models the step itself."),
+             "The step is treated as an impulse response (thesis method): one extra order models the step itself."),
             {}},
         {}, {}};
 }

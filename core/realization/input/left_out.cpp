@@ -69,9 +69,9 @@ double interpolated(const ModelSeries &series, const LeftOut &part, Index i)
 tl::unexpected<Error> notInWindow(const ExcludedStretch &stretch, double end_s)
 {
     return fail(ErrorKind::Usage,
-        Message{DYNCAL_TEXT("core",
-                    "window.exclude_stretches: %1 to %2 of shot %3 must begin before it ends and "
-                    "touch its window, which reaches from its start to %4."),
+        Message{
+            DYNCAL_TEXT("core",
+                "window.exclude_stretches: %1 to %2 of shot %3 must begin before it ends and touch its window, which reaches from its start to %4."),
             {numberWithUnit(stretch.from_s, "s", 4), numberWithUnit(stretch.to_s, "s", 4),
                 std::to_string(stretch.shot), numberWithUnit(end_s, "s", 4)}},
         {}, stretch.shot);
@@ -119,9 +119,9 @@ Result<void> checkWhatIsLeft(const ModelSeries &series)
     if (2 * counted >= series.y.size())
         return {};
     return fail(ErrorKind::DataBlocked,
-        Message{DYNCAL_TEXT("core",
-                    "Shot %1: only %2 of the %3 samples of the model input are free of stretches "
-                    "left out; at least half are needed. Mark less, or exclude the shot."),
+        Message{
+            DYNCAL_TEXT("core",
+                "Shot %1: only %2 of the %3 samples of the model input are free of stretches left out; at least half are needed. Mark less, or exclude the shot."),
             {std::to_string(series.shot), std::to_string(counted),
                 std::to_string(series.y.size())}},
         "WIN-008", series.shot);
@@ -137,8 +137,7 @@ Result<void> leaveOut(ModelInput &input, const std::vector<WindowedResponse> &re
     if (input.combine == CombineMethod::PcaAverage) {
         input.findings.push_back({"WIN-009", Severity::Caution, 0, {}, {},
             {DYNCAL_TEXT("core",
-                 "The average of the shots is formed before the fit: the stretches to be left out "
-                 "are in it. Combine the shots as \"stacked\"."),
+                 "The average of the shots is formed before the fit: the stretches to be left out are in it. Combine the shots as \"stacked\"."),
                 {}},
             {}, {}});
         return {};

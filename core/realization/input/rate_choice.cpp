@@ -99,8 +99,7 @@ Result<Findings> judgeRate(double rate_Hz, const SensorTraits &traits)
         return fail(ErrorKind::DataBlocked,
             Message{
                 DYNCAL_TEXT("core",
-                    "Model input: a rate of %1 cannot represent the resonance at %2, which would "
-                    "appear at %3; choose more than %4."),
+                    "Model input: a rate of %1 cannot represent the resonance at %2, which would appear at %3; choose more than %4."),
                 {numberWithUnit(rate_Hz, "Hz", 4), numberWithUnit(f_Hz, "Hz", 4),
                     numberWithUnit(alias_Hz, "Hz", 3), numberWithUnit(2.0 * f_Hz, "Hz", 4)}},
             "MIN-001");
@@ -109,8 +108,7 @@ Result<Findings> judgeRate(double rate_Hz, const SensorTraits &traits)
         const bool few = perPeriod < kFewestPerPeriod;
         findings.push_back({"MIN-002", few ? Severity::Caution : Severity::Info, 0, {}, {},
             {few ? DYNCAL_TEXT("core",
-                 "%1 samples per period of the resonance; damping will be uncertain, 4 or more "
-                 "are better.")
+                 "%1 samples per period of the resonance; damping will be uncertain, 4 or more are better.")
                  : DYNCAL_TEXT("core", "%1 samples per period of the resonance."),
                 {numberText(perPeriod, 3)}},
             perPeriod, kFewestPerPeriod});
@@ -122,8 +120,7 @@ Finding insideFilterFinding(double offset_s, double needed_s)
 {
     return {"MIN-006", Severity::Caution, 0, {}, {},
         {DYNCAL_TEXT("core",
-             "The model input starts %1 behind the onset, inside the anti-alias filter; %2 is "
-             "needed, or damping and order come out wrong."),
+             "The model input starts %1 behind the onset, inside the anti-alias filter; %2 is needed, or damping and order come out wrong."),
             {numberWithUnit(offset_s, "s", 3), numberWithUnit(needed_s, "s", 3)}},
         offset_s, needed_s};
 }

@@ -380,18 +380,14 @@ Findings judgeShots(const ModelAssessment &assessment)
     const std::string probability
         = p < kSmallestP ? "< " + numberText(100.0 * kSmallestP, 1) : numberText(100.0 * p, 2);
     const std::string pole = numberWithUnit(assessment.homogeneity->frequency_Hz, "Hz", 4);
-    Message message{DYNCAL_TEXT("core",
-                        "The shots do not share the pole at %1 (their scatter would be chance "
-                        "in %2 % of cases; the limit is 1 %). Its uncertainty is the scatter "
-                        "between them; state one value per "
-                        "level."),
+    Message message{
+        DYNCAL_TEXT("core",
+            "The shots do not share the pole at %1 (their scatter would be chance in %2 % of cases; the limit is 1 %). Its uncertainty is the scatter between them; state one value per level."),
         {pole, probability}};
     if (highest > lowest)
-        message = {DYNCAL_TEXT("core",
-                       "The shots do not share the pole at %1 (their scatter would be chance "
-                       "in %2 % of cases; the limit is 1 %); their main resonances lie at %3 to "
-                       "%4. Its uncertainty is the scatter between "
-                       "them; state one value per level."),
+        message = {
+            DYNCAL_TEXT("core",
+                "The shots do not share the pole at %1 (their scatter would be chance in %2 % of cases; the limit is 1 %); their main resonances lie at %3 to %4. Its uncertainty is the scatter between them; state one value per level."),
             {pole, probability, numberWithUnit(lowest, "Hz", 6), numberWithUnit(highest, "Hz", 6)}};
     return {{"MOD-010", Severity::Caution, 0, {}, {}, std::move(message),
         assessment.homogeneity->probability, kSignificance}};

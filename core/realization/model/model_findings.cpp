@@ -45,8 +45,7 @@ void judgeSplit(const SensorModel &model, const HankelDecomposition &decompositi
         return;
     out.push_back(about("ORD-001", Severity::Caution,
         {DYNCAL_TEXT("core",
-             "Order %1 splits an oscillating pair (singular values %1 and %2 are %3 and %4). "
-             "Order %2 keeps it."),
+             "Order %1 splits an oscillating pair (singular values %1 and %2 are %3 and %4). Order %2 keeps it."),
             {std::to_string(n), std::to_string(n + 1), numberText(sigma[n - 1], 4),
                 numberText(sigma[n], 4)}},
         sigma[n - 1] / sigma[n]));
@@ -64,12 +63,9 @@ void judgeNoiseStates(
     const Index above = (sigma.array() > floor).count();
     out.push_back(about("ORD-003", Severity::Caution,
         {above > 0 ? DYNCAL_TEXT("core",
-             "Order %1 has states at the noise level: singular value %1 is %3, noise alone reaches "
-             "%4. Order %2 is the highest above it.")
+             "Order %1 has states at the noise level: singular value %1 is %3, noise alone reaches %4. Order %2 is the highest above it.")
                    : DYNCAL_TEXT("core",
-                       "Order %1 has states at the noise level: singular value %1 is %3, noise "
-                       "alone reaches %4. No value is above it: the response holds nothing that "
-                       "could be identified."),
+                       "Order %1 has states at the noise level: singular value %1 is %3, noise alone reaches %4. No value is above it: the response holds nothing that could be identified."),
             {std::to_string(n), std::to_string(above), numberText(sigma[n - 1], 3),
                 numberText(floor, 3)}},
         static_cast<double>(n), static_cast<double>(above)));
@@ -113,8 +109,7 @@ void judgeUnstable(const SensorModel &model, Findings &out)
         largest = std::max(largest, std::abs(pole->z));
     out.push_back(about("MOD-001", Severity::Block,
         {DYNCAL_TEXT("core",
-             "The model of order %1 is unstable: poles that grow, at %2, the largest of magnitude "
-             "%3 (at most 1). It is not reportable; choose another order."),
+             "The model of order %1 is unstable: poles that grow, at %2, the largest of magnitude %3 (at most 1). It is not reportable; choose another order."),
             {std::to_string(model.order), frequenciesOf(poles), numberText(largest, 7)}},
         largest, 1.0));
 }
@@ -126,8 +121,7 @@ void judgeNyquist(const SensorModel &model, const ModelInput &input, Findings &o
         return;
     out.push_back(about("MOD-002", Severity::Caution,
         {DYNCAL_TEXT("core",
-             "Poles at the Nyquist frequency, %1: %2. Dynamics there come from sampling, not from "
-             "the sensor; a lower order or a higher model rate is without them."),
+             "Poles at the Nyquist frequency, %1: %2. Dynamics there come from sampling, not from the sensor; a lower order or a higher model rate is without them."),
             {numberWithUnit(input.sampleRate_Hz / 2.0, "Hz", 4), frequenciesOf(poles)}},
         poles.front()->z.real()));
 }
@@ -148,8 +142,7 @@ void judgeStepPole(const SensorModel &model, const ModelInput &input, Findings &
         return;
     out.push_back(about("MOD-013", Severity::Caution,
         {DYNCAL_TEXT("core",
-             "The response is treated as a free decay but stays at a level: a pole at z = %1. "
-             "Treat it as a step, or the step becomes a part of the sensor."),
+             "The response is treated as a free decay but stays at a level: a pole at z = %1. Treat it as a step, or the step becomes a part of the sensor."),
             {numberText(constants.front()->z.real(), 9)}},
         constants.front()->z.real(), 1.0 - kStepPole));
     out.back().mend = Mend{
@@ -184,8 +177,7 @@ void judgeFit(const SensorModel &model, Findings &out)
     if (model.fit_percent < kGoodShare * attainable) {
         out.push_back(about("MOD-004", Severity::Caution,
             {DYNCAL_TEXT("core",
-                 "FIT is %1 % where the noise allows %2 %: the model misses part of the response. "
-                 "Choose a higher order; the error shows what is missing."),
+                 "FIT is %1 % where the noise allows %2 %: the model misses part of the response. Choose a higher order; the error shows what is missing."),
                 words},
             model.fit_percent, kGoodShare * attainable));
     } else if (model.fit_percent > attainable + kOverFit_points) {
@@ -214,13 +206,11 @@ void judgeAgainstSpectrum(const SensorModel &model, const SpectrumResult &spectr
     }
     if (std::abs(nearest_Hz - seen_Hz) > kSameFrequency * seen_Hz) {
         out.push_back(about("MOD-006", Severity::Caution,
-            {nearest_Hz > 0.0 ? DYNCAL_TEXT("core",
-                 "The spectrum's resonance at %1 is not in the model, whose nearest lies at %2 (2 "
-                 "% "
-                 "apart at most). Choose another order or model rate.")
-                              : DYNCAL_TEXT("core",
-                                  "The spectrum's resonance at %1 is not in the model, which has "
-                                  "none. Choose a higher order."),
+            {nearest_Hz > 0.0
+                    ? DYNCAL_TEXT("core",
+                        "The spectrum's resonance at %1 is not in the model, whose nearest lies at %2 (2 % apart at most). Choose another order or model rate.")
+                    : DYNCAL_TEXT("core",
+                        "The spectrum's resonance at %1 is not in the model, which has none. Choose a higher order."),
                 {numberWithUnit(seen_Hz, "Hz", 4), numberWithUnit(nearest_Hz, "Hz", 4)}},
             nearest_Hz, seen_Hz));
     }
@@ -248,8 +238,7 @@ void judgeOnset(const SensorModel &model, const ModelInput &input, Findings &out
     if (atOnset > kMissingFast) {
         out.push_back(about("MOD-009", Severity::Caution,
             {DYNCAL_TEXT("core",
-                 "The model starts at %1 % of the step instead of 0: a fast part of the response "
-                 "is missing; raise the model rate or the order."),
+                 "The model starts at %1 % of the step instead of 0: a fast part of the response is missing; raise the model rate or the order."),
                 {atOnset > kFarOff ? "> " + numberText(100.0 * kFarOff, 3)
                                    : numberText(100.0 * atOnset, 3)}},
             atOnset, kMissingFast));

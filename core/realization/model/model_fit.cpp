@@ -84,8 +84,7 @@ Result<SensorModel> fitModel(const ModelInput &input, const HankelDecomposition 
         return fail(ErrorKind::Usage,
             Message{
                 DYNCAL_TEXT("core",
-                    "Model order %1 is not possible: the Hankel matrix of %2 rows serves orders 1 "
-                    "to %3; choose one of them, or a longer model input."),
+                    "Model order %1 is not possible: the Hankel matrix of %2 rows serves orders 1 to %3; choose one of them, or a longer model input."),
                 {std::to_string(order), std::to_string(decomposition.rows),
                     std::to_string(largest)}});
     }

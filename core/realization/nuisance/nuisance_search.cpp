@@ -55,16 +55,14 @@ std::vector<NuisanceCandidate> candidatesOf(const ModelInput &input,
         if (f_Hz * window_s < kFewestPeriods) {
             findings.push_back(about("NUI-001", Severity::Caution, response.shot,
                 {DYNCAL_TEXT("core",
-                     "Shot %1: the window of %2 holds %3 periods of the mode %4; below 2 it cannot "
-                     "be told from the plateau and stays in the response."),
+                     "Shot %1: the window of %2 holds %3 periods of the mode %4; below 2 it cannot be told from the plateau and stays in the response."),
                     {std::to_string(response.shot), numberWithUnit(window_s, "s", 3),
                         numberText(f_Hz * window_s, 2), nameOf(mode, f_Hz)}},
                 f_Hz * window_s, kFewestPeriods));
         } else if (f_Hz > kLargestOfRate * response.sampleRate_Hz) {
             findings.push_back(about("NUI-002", Severity::Caution, response.shot,
                 {DYNCAL_TEXT("core",
-                     "Shot %1: the mode %2 lies above 0.4 of the sample rate of %3; it stays in "
-                     "the response."),
+                     "Shot %1: the mode %2 lies above 0.4 of the sample rate of %3; it stays in the response."),
                     {std::to_string(response.shot), nameOf(mode, f_Hz),
                         numberWithUnit(response.sampleRate_Hz, "Hz", 4)}},
                 f_Hz, kLargestOfRate * response.sampleRate_Hz));
@@ -79,8 +77,7 @@ Finding notThere(const NuisanceMode &mode, Index shot, double frequency_Hz)
 {
     return about("NUI-003", Severity::Info, shot,
         {DYNCAL_TEXT("core",
-             "Shot %1: no oscillation near %2 stands out of the noise; nothing is taken out "
-             "there."),
+             "Shot %1: no oscillation near %2 stands out of the noise; nothing is taken out there."),
             {std::to_string(shot), nameOf(mode, frequency_Hz)}},
         frequency_Hz, {});
 }
@@ -124,8 +121,7 @@ void judgeShotsGiven(const NuisanceMode &mode, ModelInput &input)
             continue;
         input.findings.push_back(about("NUI-005", Severity::Caution, series.shot,
             {DYNCAL_TEXT("core",
-                 "Shot %1: the mode %2 has a frequency for the shots 1 to %3 only; it stays in the "
-                 "response of this one."),
+                 "Shot %1: the mode %2 has a frequency for the shots 1 to %3 only; it stays in the response of this one."),
                 {std::to_string(series.shot), nameOf(mode, mode.frequency_Hz.front()),
                     std::to_string(given)}},
             static_cast<double>(given), static_cast<double>(series.shot)));
@@ -143,9 +139,7 @@ void judgeShotOfReading(const NuisanceMode &mode, ModelInput &input)
         return;
     input.findings.push_back(about("NUI-005", Severity::Caution, 0,
         {DYNCAL_TEXT("core",
-             "The mode %1 was read in shot %2, of which no sound speed is known: it is looked for "
-             "at that frequency in every shot. Read it in another shot, or give one frequency per "
-             "shot."),
+             "The mode %1 was read in shot %2, of which no sound speed is known: it is looked for at that frequency in every shot. Read it in another shot, or give one frequency per shot."),
             {nameOf(mode, mode.frequency_Hz.front()), std::to_string(mode.shot)}},
         static_cast<double>(mode.shot), {}));
 }
@@ -173,8 +167,7 @@ void searchNuisance(ModelInput &input, const std::vector<WindowedResponse> &resp
     if (input.combine == CombineMethod::PcaAverage) {
         input.findings.push_back(about("NUI-004", Severity::Caution, 0,
             {DYNCAL_TEXT("core",
-                 "The average of the shots has no tube modes of its own, as each shot has its own "
-                 "sound speed: nothing is taken out. Combine the shots as \"stacked\"."),
+                 "The average of the shots has no tube modes of its own, as each shot has its own sound speed: nothing is taken out. Combine the shots as \"stacked\"."),
                 {}},
             {}, {}));
         return;

@@ -29,10 +29,7 @@ Findings judgeOtherShots(const SensorModel &model, const OrderEvidence &evidence
             continue;
         findings.push_back({"MOD-007", Severity::Caution, shot, {}, {},
             {DYNCAL_TEXT("core",
-                 "Shot %1: FIT is %2 % with the model, but %3 % with the poles of the other shots "
-                 "alone. The shots do not share their poles: look at that shot; if nothing is "
-                 "wrong "
-                 "with it the sensor is not linear."),
+                 "Shot %1: FIT is %2 % with the model, but %3 % with the poles of the other shots alone. The shots do not share their poles: look at that shot; if nothing is wrong with it the sensor is not linear."),
                 {std::to_string(shot), fitPercentText(own->fit_percent), fitPercentText(others)}},
             own->fit_percent - others, kOtherShots_points});
     }

@@ -52,8 +52,7 @@ Message aboutPole(const OrderSpread &spread)
 {
     return {
         DYNCAL_TEXT("core",
-            "The pole at %1 with damping ratio %2 is stable from order %3 to %4; the ranges are "
-            "those over these orders."),
+            "The pole at %1 with damping ratio %2 is stable from order %3 to %4; the ranges are those over these orders."),
         {withSpread(spread.frequency_Hz, spread.frequencySpread_Hz, "Hz"),
             withSpread(spread.dampingRatio, spread.dampingSpread, ""),
             std::to_string(spread.fromOrder), std::to_string(spread.toOrder)}};
@@ -86,16 +85,16 @@ void addCrossShot(const OrderEvidence &evidence, Index n, std::vector<Message> &
     }
     const std::string here = numberText(errors[n - 1], 3);
     if (best == n) {
-        words.push_back({DYNCAL_TEXT("core",
-                             "Poles of the other shots describe a shot best at order %1: they "
-                             "leave %2 % of it."),
-            {std::to_string(n), here}});
+        words.push_back(
+            {DYNCAL_TEXT("core",
+                 "Poles of the other shots describe a shot best at order %1: they leave %2 % of it."),
+                {std::to_string(n), here}});
         return;
     }
-    words.push_back({DYNCAL_TEXT("core",
-                         "Poles of the other shots leave %1 % of a shot at order %2; the least, "
-                         "%3 %, at order %4."),
-        {here, std::to_string(n), numberText(errors[best - 1], 3), std::to_string(best)}});
+    words.push_back(
+        {DYNCAL_TEXT("core",
+             "Poles of the other shots leave %1 % of a shot at order %2; the least, %3 %, at order %4."),
+            {here, std::to_string(n), numberText(errors[best - 1], 3), std::to_string(best)}});
 }
 
 void addSufficient(const OrderEvidence &evidence, std::vector<Message> &words)
@@ -106,16 +105,14 @@ void addSufficient(const OrderEvidence &evidence, std::vector<Message> &words)
     if (const auto order = lowestSufficientOrder(evidence)) {
         words.push_back(
             {DYNCAL_TEXT("core",
-                 "Order %1 is the lowest whose FIT (%2 %) reaches 98 % of the attainable %3 % with "
-                 "neither an unstable nor a Nyquist pole."),
+                 "Order %1 is the lowest whose FIT (%2 %) reaches 98 % of the attainable %3 % with neither an unstable nor a Nyquist pole."),
                 {std::to_string(*order), fitPercentText(evidence.fit_percent[*order - 1]),
                     fitPercentText(attainable)}});
         return;
     }
     words.push_back(
         {DYNCAL_TEXT("core",
-             "No order up to %1 reaches 98 % of the attainable FIT of %2 % with neither an "
-             "unstable nor a Nyquist pole."),
+             "No order up to %1 reaches 98 % of the attainable FIT of %2 % with neither an unstable nor a Nyquist pole."),
             {std::to_string(evidence.fit_percent.size()), fitPercentText(attainable)}});
 }
 

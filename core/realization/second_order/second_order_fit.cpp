@@ -298,8 +298,7 @@ Findings judgeSecondOrder(const SecondOrderModel &fit, double modelFit_percent)
         return {};
     return {{"MOD-011", Severity::Info, 0, {}, {},
         {DYNCAL_TEXT("core",
-             "A second-order sensor (%1, damping %2) does not describe the response: FIT %3 % "
-             "against %4 % of the model."),
+             "A second-order sensor (%1, damping %2) does not describe the response: FIT %3 % against %4 % of the model."),
             {numberWithUnit(fit.f0_Hz, "Hz", 5), numberText(fit.zeta, 3),
                 fitPercentText(fit.fit_percent), fitPercentText(modelFit_percent)}},
         fit.fit_percent, modelFit_percent}};

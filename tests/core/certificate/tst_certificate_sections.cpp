@@ -137,8 +137,7 @@ void TestCertificateSections::method_choiceOfTheOrder_isPrintedWhenGiven()
     QCOMPARE(valueOf(section, "order_spread"),
         std::string("orders 2 to 3: frequency \xC2\xB1"
                     "0.1 %, damping ratio \xC2\xB1"
-                    "0 % (half of "
-                    "the range)"));
+                    "0 % (half of the range)"));
     evidence.poles.pop_back(); // one order alone says nothing of a spread
     QCOMPARE(valueOf(methodSection(results, recipe), "order_spread"), std::string("no field"));
 }

@@ -164,13 +164,13 @@ void add(const SimulatedCapture &capture, const CalibrationResults &results, Sco
 
 void print(const char *name, const Score &score)
 {
-    std::printf("%s, mean square of error over u (largest): f0 %.2f (%.1f), zeta %.2f (%.1f), "
-                "plateau %.2f (%.1f); mode: f %.2f, zeta %.2f (%d found); order 2: %d, failed %d\n",
+    std::printf(
+        "%s, mean square of error over u (largest): f0 %.2f (%.1f), zeta %.2f (%.1f), plateau %.2f (%.1f); mode: f %.2f, zeta %.2f (%d found); order 2: %d, failed %d\n",
         name, score.f0.mean(), score.f0.largest, score.zeta.mean(), score.zeta.largest,
         score.plateau.mean(), score.plateau.largest, score.mode_Hz.mean(), score.modeZeta.mean(),
         score.mode_Hz.count, score.order2, score.failed);
-    std::printf("  second-order sensor: f0 %.2f (%.1f), zeta %.2f (%.1f), plateau %.2f (%.1f), "
-                "onset %.2f (%.1f)\n",
+    std::printf(
+        "  second-order sensor: f0 %.2f (%.1f), zeta %.2f (%.1f), plateau %.2f (%.1f), onset %.2f (%.1f)\n",
         score.f0OfSecondOrder.mean(), score.f0OfSecondOrder.largest, score.zetaOfSecondOrder.mean(),
         score.zetaOfSecondOrder.largest, score.plateauOfSecondOrder.mean(),
         score.plateauOfSecondOrder.largest, score.onsetOfSecondOrder.mean(),

@@ -201,8 +201,8 @@ private slots:
     void object_refusesUnknownKeysAtAnyDepth()
     {
         QCOMPARE(refusal(treeCodec(), "{\"leaves\": [{\"count\": 1, \"nam\": \"x\"}]}", ""),
-            std::string("Recipe key leaves[0].nam is unknown; the nearest known key is "
-                        "leaves[].name."));
+            std::string(
+                "Recipe key leaves[0].nam is unknown; the nearest known key is leaves[].name."));
         QCOMPARE(refusal(treeCodec(), "{\"columns\": {\"tim\": 1}}", ""),
             std::string(
                 "Recipe key columns.tim is unknown; the nearest known key is columns.time."));

@@ -279,20 +279,15 @@ private slots:
         row("zero where above zero", R"({"shock": {"t1_k": 0}})",
             "Recipe key shock.t1_k is 0; it needs null or a number above 0.");
         row("half an order", R"({"realization": {"order": 2.5}})",
-            "Recipe key realization.order is 2.5; it needs \"auto\" or a whole number between 1 "
-            "and 2000.");
+            "Recipe key realization.order is 2.5; it needs \"auto\" or a whole number between 1 and 2000.");
         row("word", R"({"input": {"treatment": "step"}})",
-            "Recipe key input.treatment is \"step\"; it needs one of \"step-deflated\", "
-            "\"step-as-impulse\", \"differenced\", \"impulse\".");
+            "Recipe key input.treatment is \"step\"; it needs one of \"step-deflated\", \"step-as-impulse\", \"differenced\", \"impulse\".");
         row("polarity", R"({"import": {"polarity": 0}})",
             "Recipe key import.polarity is 0; it needs 1 or -1.");
         row("band backwards", R"({"window": {"settle_s": [2e-3, 1e-3]}})",
-            "Recipe key window.settle_s is [0.002,0.001]; it needs a list of two numbers, the "
-            "smaller first.");
+            "Recipe key window.settle_s is [0.002,0.001]; it needs a list of two numbers, the smaller first.");
         row("gas", R"({"shock": {"driven_gas": "steam"}})",
-            "Recipe key shock.driven_gas is \"steam\"; it needs one of \"air\", \"n2\", "
-            "\"he\", \"ar\", \"co2\", \"humid-air\", or an object with gamma and "
-            "molar_mass_kg_mol.");
+            "Recipe key shock.driven_gas is \"steam\"; it needs one of \"air\", \"n2\", \"he\", \"ar\", \"co2\", \"humid-air\", or an object with gamma and molar_mass_kg_mol.");
         row("missing in a list", R"({"import": {"exclude": [{"shot": 1}]}})",
             "Recipe key import.exclude[0] is {\"shot\":1}; it needs the key \"reason\".");
         row("section no object", R"({"window": 3})", "Recipe key window is 3; it needs an object.");
@@ -300,20 +295,15 @@ private slots:
         row("schema", R"({"schema": "dyncal-recipe/2"})",
             "Recipe key schema is \"dyncal-recipe/2\"; it needs \"dyncal-recipe/1\".");
         row("end", R"({"window": {"end_s": "later"}})",
-            "Recipe key window.end_s is \"later\"; it needs \"plateau\" or \"auto\" or a number "
-            "above 0.");
+            "Recipe key window.end_s is \"later\"; it needs \"plateau\" or \"auto\" or a number above 0.");
         row("linear", R"({"response": {"frequencies_hz": "linear:1"}})",
-            "Recipe key response.frequencies_hz is \"linear:1\"; it needs \"third-octave\", "
-            "\"linear:N\" with N between 2 and 100000 or a list of frequencies in hertz.");
+            "Recipe key response.frequencies_hz is \"linear:1\"; it needs \"third-octave\", \"linear:N\" with N between 2 and 100000 or a list of frequencies in hertz.");
         row("list element", R"({"response": {"frequencies_hz": [100, -5]}})",
             "Recipe key response.frequencies_hz[1] is -5; it needs a number above 0.");
         row("order above max", R"({"realization": {"order": 200}})",
-            "Recipe key realization.order is 200; it needs at most realization.max_order, which "
-            "is 120.");
+            "Recipe key realization.order is 200; it needs at most realization.max_order, which is 120.");
         row("channel's role", R"({"import": {"channels": {"A": "duty"}}})",
-            "Recipe key import.channels{A} is \"duty\"; it needs one of \"dut\", "
-            "\"driven_side\", \"driver\", \"trigger\", \"other\", \"velocity\", "
-            "\"driver_static\".");
+            "Recipe key import.channels{A} is \"duty\"; it needs one of \"dut\", \"driven_side\", \"driver\", \"trigger\", \"other\", \"velocity\", \"driver_static\".");
         row("channel's gain", R"({"import": {"channels": {"A": {"gain": 0}}}})",
             "Recipe key import.channels{A}.gain is 0; it needs null or a number above 0.");
         row("file's unit", R"({"import": {"files": {"a.csv": {"unit": 3}}}})",

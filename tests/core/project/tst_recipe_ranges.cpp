@@ -313,8 +313,8 @@ void TestRecipeRanges::budgetQuantityTwice_isRefused()
     Json document;
     document["uncertainty"]["budget"] = Json::array({line, line});
     QCOMPARE(refusal(document),
-        std::string("Recipe key uncertainty.budget holds the quantity \"t1_k\" twice; join the two "
-                    "contributions to one."));
+        std::string(
+            "Recipe key uncertainty.budget holds the quantity \"t1_k\" twice; join the two contributions to one."));
     document["uncertainty"]["budget"][1]["quantity"] = "t1_K";
     QCOMPARE(refusal(document), std::string("(accepted)"));
 }

@@ -48,9 +48,8 @@ private slots:
         QTest::addColumn<double>("step");
         QTest::addColumn<QString>("says"); ///< empty = nothing
         QTest::newRow("psi right") << "psi" << 72.5 << "";
-        QTest::newRow("psi called bar") << "bar" << 72.5
-                                        << "reads 72.5 bar; 500 kPa is expected. "
-                                           "Is the unit psi?";
+        QTest::newRow("psi called bar")
+            << "bar" << 72.5 << "reads 72.5 bar; 500 kPa is expected. Is the unit psi?";
         QTest::newRow("bar called psi") << "psi" << 5.0 << "reads 5 psi";
         QTest::newRow("psi called Pa") << "Pa" << 72.5 << "Is the unit psi?";
         QTest::newRow("MPa called Pa") << "Pa" << 0.5 << "Is the unit MPa?";

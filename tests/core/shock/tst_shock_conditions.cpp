@@ -147,8 +147,8 @@ void TestShockConditions::typedVelocity_thesisEnvironment_endWallStep()
     QVERIFY(std::abs(*c.plateau_s - 1.626e-3) < 5e-7);
     QCOMPARE(ids(result->findings), QStringList({"SHK-005"}));
     QCOMPARE(english(result->findings[0].message),
-        std::string("The reflected shock's return from the contact surface reaches the end wall "
-                    "1.63 ms after the step (computed)."));
+        std::string(
+            "The reflected shock's return from the contact surface reaches the end wall 1.63 ms after the step (computed)."));
 }
 
 void TestShockConditions::typedVelocity_sideWall_stepOfIncidentShock()
@@ -343,9 +343,8 @@ void TestShockConditions::swappedChannels_blockWithSentence()
     QCOMPARE(ids(result->findings), QStringList({"SHK-001"}));
     QCOMPARE(result->findings[0].severity, Severity::Block);
     QCOMPARE(english(result->findings[0].message),
-        std::string("The shock reaches 'Driven side' 310 \xC2\xB5s after 'PXI 0', which is farther "
-                    "down the tube: check whether the two channels are swapped (CAP-010), and "
-                    "their distances."));
+        std::string(
+            "The shock reaches 'Driven side' 310 \xC2\xB5s after 'PXI 0', which is farther down the tube: check whether the two channels are swapped (CAP-010), and their distances."));
 }
 
 void TestShockConditions::slowVelocity_blocksShotWithSHK001()
@@ -389,8 +388,8 @@ void TestShockConditions::distanceUncertainty_large_cautionWithFactor()
     QVERIFY(relativeError(*finding->value, 0.0033) < 1e-9);
     // The factor d ln(p5 - p1) / d ln W at the thesis point is 4.65354.
     QCOMPARE(english(finding->message),
-        std::string("The distance alone makes the velocity uncertain by 0.33 %, which gives 1.5 % "
-                    "on the pressure step (factor 4.65)."));
+        std::string(
+            "The distance alone makes the velocity uncertain by 0.33 %, which gives 1.5 % on the pressure step (factor 4.65)."));
 }
 
 void TestShockConditions::driverPressure_farFromComputed_info()
@@ -403,8 +402,7 @@ void TestShockConditions::driverPressure_farFromComputed_info()
     QCOMPARE(finding->severity, Severity::Info);
     QCOMPARE(english(finding->message),
         std::string(
-            "Driver pressure 596 kPa is 13 % below the 685 kPa that the shock implies (both "
-            "absolute): usual for a finite opening time."));
+            "Driver pressure 596 kPa is 13 % below the 685 kPa that the shock implies (both absolute): usual for a finite opening time."));
     set.shots[0].environment.p4_Pa = 0.670e6;
     const auto near = estimateShockConditions(set, {}, typedVelocity(512.8));
     QVERIFY(findingWithId(near->findings, "SHK-006") == nullptr);

@@ -195,8 +195,8 @@ void TestShockFindings::uncertainVelocity_namesFactor()
     const Finding *finding = findingWithId(result, "SHK-003");
     QVERIFY(finding);
     QCOMPARE(english(finding->message),
-        std::string("Velocity uncertainty 0.33 % gives 1.5 % on the pressure step (factor 4.65); "
-                    "the budget says where it comes from."));
+        std::string(
+            "Velocity uncertainty 0.33 % gives 1.5 % on the pressure step (factor 4.65); the budget says where it comes from."));
 }
 
 void TestShockFindings::stateFromDriverOrP2_givesTheVelocityBack()

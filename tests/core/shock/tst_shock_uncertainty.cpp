@@ -151,8 +151,8 @@ void TestShockUncertainty::exampleBudget_millionTrials_asPrinted()
 {
     const MonteCarloResult mc = drawn(exampleShot(), 1000000).result;
     const double relative = 100.0 * mc.u[kStep] / mc.mean[kStep];
-    qInfo("Monte Carlo of 1e6: %.4f %% (oracle 0.4141), mean %.0f Pa (434 499), 95 %% [%.0f, %.0f] "
-          "([430 982, 438 032])",
+    qInfo(
+        "Monte Carlo of 1e6: %.4f %% (oracle 0.4141), mean %.0f Pa (434 499), 95 %% [%.0f, %.0f] ([430 982, 438 032])",
         relative, mc.mean[kStep], mc.low[kStep], mc.high[kStep]);
     // Both draw a million: 0.0003 % on u, 2.5 Pa on the mean, some 8 Pa on the ends; four sigma of
     // the difference of two such runs.

@@ -303,8 +303,8 @@ void TestSensorSimulator::preset_unknown_namesTheKnown()
     QVERIFY(!preset.has_value());
     QCOMPARE(preset.error().kind, ErrorKind::Usage);
     QCOMPARE(english(preset.error().message),
-        std::string("There is no sensor preset 'optic5'; choose one of piezo, optic1, optic2, "
-                    "optic3, optic4."));
+        std::string(
+            "There is no sensor preset 'optic5'; choose one of piezo, optic1, optic2, optic3, optic4."));
     QVERIFY(!sensorPreset("").has_value());
     QVERIFY(!sensorPreset("Piezo").has_value());
 }

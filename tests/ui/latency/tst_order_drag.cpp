@@ -45,8 +45,8 @@ double percentile(std::vector<double> values, double share)
 
 void print(const char *what, const std::vector<double> &latency_ms)
 {
-    std::printf("order drag, N = %td, %s: p50 %.1f ms, p95 %.1f ms, longest %.1f ms "
-                "(%zu moves; target p95 %.0f ms)\n",
+    std::printf(
+        "order drag, N = %td, %s: p50 %.1f ms, p95 %.1f ms, longest %.1f ms (%zu moves; target p95 %.0f ms)\n",
         kModelSamples, what, percentile(latency_ms, 0.5), percentile(latency_ms, 0.95),
         percentile(latency_ms, 1.0), latency_ms.size(), kTarget_ms);
     std::fflush(stdout);

@@ -153,9 +153,8 @@ void TestPageFlow::widths_anyInput_sumToTotal()
 
 void TestPageFlow::dates_inPdf_areReplacedInPlace()
 {
-    const QByteArray made = "x /CreationDate (D:20250102030405+02'00')\n/ID [ "
-                            "<00112233445566778899aabbccddeeff> "
-                            "<00112233445566778899aabbccddeeff> ]\nend";
+    const QByteArray made
+        = "x /CreationDate (D:20250102030405+02'00')\n/ID [ <00112233445566778899aabbccddeeff> <00112233445566778899aabbccddeeff> ]\nend";
     const QByteArray fixed = dyncal::withFixedDates(made, "2026-11-21T03:04:05Z");
     QCOMPARE(fixed.size(), made.size());
     QVERIFY(fixed.contains("D:20261121030405"));

@@ -115,8 +115,7 @@ void TestWords::words_areAllDifferent_inBothLanguages()
 void TestWords::swedish_sentencesAreTranslated()
 {
     const char *english
-        = "Shot %1 has %2 samples in its window, too few to be reduced %3 times to the rate of "
-          "the other shots; set window.end_s or exclude a shot.";
+        = "Shot %1 has %2 samples in its window, too few to be reduced %3 times to the rate of the other shots; set window.end_s or exclude a shot.";
     const test::InSwedish swedish;
     const QString line = findingLine(finding(english, {"2", "40", "5"}, 2));
     QVERIFY2(line.startsWith("▲ Varning WIN-001: Skott 2 har 40 sampel"), qPrintable(line));

@@ -153,8 +153,8 @@ PlotContent residualSpectrumCurves(const ComponentResult &components, const Wind
     for (std::size_t i = 0; i < spectra.size(); ++i)
         if (const auto &peaks_Hz = components.residuals[i].peaks_Hz; !peaks_Hz.empty())
             markOnce(content, peaks_Hz.front());
-    content.summary = Plots::tr("Power spectra of the residuals; the strongest maximum of each "
-                                "shot is marked.");
+    content.summary = Plots::tr(
+        "Power spectra of the residuals; the strongest maximum of each shot is marked.");
     return content;
 }
 

@@ -132,9 +132,8 @@ PlotContent stabilisationCurves(
     if (order > 0)
         content.levels.push_back(
             {static_cast<double>(order), Plots::tr("order %1").arg(order), CurveRole::Model});
-    content.summary = Plots::tr("Poles of orders 1 to %1: %2, of which stable: %3. f stable: "
-                                "the frequency was there at the order before; f, ζ stable: the "
-                                "damping ratio, too; new: neither; behind them the mean spectrum.")
+    content.summary = Plots::tr(
+        "Poles of orders 1 to %1: %2, of which stable: %3. f stable: the frequency was there at the order before; f, ζ stable: the damping ratio, too; new: neither; behind them the mean spectrum.")
                           .arg(evidence.poles.back().order)
                           .arg(evidence.poles.size())
                           .arg(stable);
@@ -168,10 +167,9 @@ PlotContent evidenceCurves(const OrderEvidence *evidence, const OrderSuggestion 
             Plots::tr("attainable %1 %").arg(valueWithUnit(attainable_percent, QString(), 3)),
             CurveRole::Reference});
     markOrder(content, order);
-    content.summary
-        = Plots::tr("FIT, error of each shot by the poles of the others, and information "
-                    "criterion (BIC) of every order; order %1 is chosen.")
-              .arg(order);
+    content.summary = Plots::tr(
+        "FIT, error of each shot by the poles of the others, and information criterion (BIC) of every order; order %1 is chosen.")
+                          .arg(order);
     return content;
 }
 

@@ -43,8 +43,8 @@ OverviewStrip::OverviewStrip(QWidget *parent)
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setAccessibleName(tr("Overview of the recording"));
-    setToolTip(tr("The whole recording. Drag the box to move the view, its edges to zoom; double "
-                  "click shows everything."));
+    setToolTip(tr(
+        "The whole recording. Drag the box to move the view, its edges to zoom; double click shows everything."));
 }
 
 void OverviewStrip::follow(PlotWidget *plot)

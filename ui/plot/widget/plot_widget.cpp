@@ -342,8 +342,7 @@ void PlotWidget::exportWithDialog()
     }
     if (!done)
         QToolTip::showText(mapToGlobal(rect().center()),
-            tr("The plot could not be written to %1; choose a folder that can be written and a "
-               "name that ends in .svg, .png, .pdf or .csv.")
+            tr("The plot could not be written to %1; choose a folder that can be written and a name that ends in .svg, .png, .pdf or .csv.")
                 .arg(path),
             this);
 }

@@ -21,8 +21,7 @@ Error notEnoughMemory()
 {
     return {ErrorKind::Internal,
         {DYNCAL_TEXT("core",
-             "There is not enough memory to draw the certificate and the plots, and nothing was "
-             "written; close other programs or raise the memory limit."),
+             "There is not enough memory to draw the certificate and the plots, and nothing was written; close other programs or raise the memory limit."),
             {}},
         {}, 0};
 }

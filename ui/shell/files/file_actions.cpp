@@ -85,10 +85,10 @@ FileActions::FileActions(Session &session, CurrentUtc currentUtc, Prompts &promp
     connect(&m_export, &ExportJob::failed, this, &FileActions::showProblem);
     connect(&m_export, &ExportJob::finished, this, [this](bool isWhole) {
         const QString target = shownText(m_exportTarget);
-        emit idle(isWhole ? tr("Written: %1").arg(target)
-                          : tr("Written: %1 (results.json and recipe.json alone, because of "
-                               "what blocks)")
-                                .arg(target));
+        emit idle(isWhole
+                ? tr("Written: %1").arg(target)
+                : tr("Written: %1 (results.json and recipe.json alone, because of what blocks)")
+                      .arg(target));
     });
     connect(&session.undoStack(), &QUndoStack::cleanChanged, this, &FileActions::projectChanged);
 }
@@ -272,8 +272,7 @@ bool FileActions::saveTo(const QString &path, const ProjectFileHash &expected)
 {
     if (!m_session.isSealed()) {
         m_prompts.showProblem(m_window,
-            tr("The recordings are still being read for their hashes, which the project keeps; "
-               "try again in a moment."));
+            tr("The recordings are still being read for their hashes, which the project keeps; try again in a moment."));
         return false;
     }
     Result<std::string> saved = saveProject(path, m_session.state(), expected);
@@ -307,8 +306,8 @@ bool FileActions::hasResults()
     if (m_session.isComputing())
         problem = tr("The results are still being computed; try again in a moment.");
     else if (!m_session.isUpToDate())
-        problem = tr("The results are out of date because the computation was cancelled; press "
-                     "F9 to compute them again.");
+        problem = tr(
+            "The results are out of date because the computation was cancelled; press F9 to compute them again.");
     else if (!m_session.results().model)
         problem = tr("There is no model yet: open recordings and clear what blocks the stages.");
     if (!problem.isEmpty())
@@ -429,8 +428,7 @@ void FileActions::stopForMemory()
     m_session.cancelComputation();
     showProblem({ErrorKind::Internal,
         {DYNCAL_TEXT("core",
-             "The memory is used up, so the work in hand was stopped; save your work, close other "
-             "programs or choose a shorter window."),
+             "The memory is used up, so the work in hand was stopped; save your work, close other programs or choose a shorter window."),
             {}},
         {}, 0});
 }

@@ -32,12 +32,10 @@ QString questionOfFile(const ImportView &view, const ImportSettings &settings)
         return translated(view.problem->message);
     if (view.text && view.text->unreadableCells > 0)
         return VerdictText::tr(
-            "Cells that are no numbers are marked; change separator, decimal mark or header "
-            "rows.");
+            "Cells that are no numbers are marked; change separator, decimal mark or header rows.");
     if (!complete && view.text && view.text->decimalAmbiguous)
         return VerdictText::tr(
-            "The numbers can be read in two ways: choose the decimal mark; the table shows "
-            "the effect.");
+            "The numbers can be read in two ways: choose the decimal mark; the table shows the effect.");
     if (!complete && view.sampleRate_Hz <= 0.0 && !settings.sampleRate_Hz)
         return VerdictText::tr("The file does not say its sample rate: type it.");
     return {};
@@ -49,8 +47,7 @@ QString missingAnswer(const ImportView &view, const ImportSettings &settings, bo
     const auto duts = std::ranges::count(view.channels, ChannelRole::Dut, &ImportChannel::role);
     if (needsRateReason(settings, view) && settings.sampleRateReason.empty())
         return VerdictText::tr(
-            "The rate typed differs from that of the file: say why the file is wrong. The "
-            "results record it.");
+            "The rate typed differs from that of the file: say why the file is wrong. The results record it.");
     if (duts == 0)
         return VerdictText::tr("Choose which channel is the sensor under test (DUT).");
     if (duts > 1)

@@ -64,11 +64,11 @@ ChangedProject Prompts::changedProject(QWidget *parent, const QString &path, boo
     if (m_scripted)
         return m_changedProjects.isEmpty() ? ChangedProject::Cancel : m_changedProjects.dequeue();
     QMessageBox box(QMessageBox::Warning, tr("Project changed"),
-        isThere
-            ? tr("%1 was changed by another window or program since it was opened or saved "
-                 "here. Replacing it loses those changes.")
-                  .arg(shownText(path))
-            : tr("%1 was removed or moved since it was opened or saved here.").arg(shownText(path)),
+        isThere ? tr(
+            "%1 was changed by another window or program since it was opened or saved here. Replacing it loses those changes.")
+                      .arg(shownText(path))
+                : tr("%1 was removed or moved since it was opened or saved here.")
+                      .arg(shownText(path)),
         QMessageBox::Cancel, parent);
     box.setTextFormat(Qt::PlainText);
     const QPushButton *other

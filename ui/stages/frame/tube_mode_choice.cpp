@@ -16,9 +16,8 @@ TubeModeChoice::TubeModeChoice(InspectorForm &form, QObject *parent, bool shown)
 {
     form.addSection(tr("Tube modes: computed, not identified"));
     m_shot = form.addChoice(tr("Ticks"), "tubeModes", {});
-    m_shot->setToolTip(tr("Where the tube may ring by its dimensions and the gas: computed, not "
-                          "identified. (m,n) across the tube, 5.1 its wall, 5.2 its gas before the "
-                          "burst, a5 and mix along it behind the shocks."));
+    m_shot->setToolTip(tr(
+        "Where the tube may ring by its dimensions and the gas: computed, not identified. (m,n) across the tube, 5.1 its wall, 5.2 its gas before the burst, a5 and mix along it behind the shocks."));
     connect(m_shot, &QComboBox::activated, this, [this] {
         m_isChosen = true;
         emit changed();

@@ -231,10 +231,11 @@ void ModelPage::showAssessment()
 {
     const auto &assessment = results().assessment;
     const bool isPending = results().model && !assessment;
-    m_shared->setText(isPending ? tr("Uncertainties of the poles, comparison of the shots and "
-                                     "second-order sensor: not yet.")
-            : assessment        ? homogeneityText(*assessment)
-                                : QString());
+    m_shared->setText(
+        isPending ? tr(
+            "Uncertainties of the poles, comparison of the shots and second-order sensor: not yet.")
+            : assessment ? homogeneityText(*assessment)
+                         : QString());
     const SecondOrderModel *fit
         = assessment && assessment->secondOrder ? &*assessment->secondOrder : nullptr;
     m_drawSecondOrder->setEnabled(fit != nullptr);

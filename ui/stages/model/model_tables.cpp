@@ -107,8 +107,8 @@ QString homogeneityText(const ModelAssessment &assessment)
     const QString p = probabilityShown(assessment.homogeneity->probability);
     return assessment.homogeneity->passed
         ? ModelTables::tr("The shots share their poles (p %1).").arg(p)
-        : ModelTables::tr("The shots do not share the pole at %1 (p %2); the uncertainty is "
-                          "their scatter.")
+        : ModelTables::tr(
+            "The shots do not share the pole at %1 (p %2); the uncertainty is their scatter.")
               .arg(shownQuantity(assessment.homogeneity->frequency_Hz, "Hz", 4), p);
 }
 

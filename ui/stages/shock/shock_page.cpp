@@ -27,8 +27,7 @@ namespace dyncal {
 ShockPage::ShockPage(Session &session)
     : StagePage(session,
         {"shockPage", tr("Reference step"),
-            tr("Gas state and shock velocity, or a typed step, give the pressure that the sensor "
-               "saw.")},
+            tr("Gas state and shock velocity, or a typed step, give the pressure that the sensor saw.")},
         {StageId::Shock, StageId::MonteCarlo})
 {
     buildPlots();

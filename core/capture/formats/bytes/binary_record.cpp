@@ -33,8 +33,7 @@ double sampleRateOf(double interval_s, const std::string &path, const std::strin
         return rate;
     findings.push_back({"CAP-016", Severity::Caution, shot, channel, {},
         {DYNCAL_TEXT("core",
-             "%1 states a sampling interval of %2 s for channel %3, which cannot be; state the "
-             "sample rate in the recipe's import section if it is known."),
+             "%1 states a sampling interval of %2 s for channel %3, which cannot be; state the sample rate in the recipe's import section if it is known."),
             {path, numberText(interval_s, 6), channel}},
         interval_s, {}});
     return 0.0;
@@ -75,8 +74,7 @@ tl::unexpected<Error> endsInHeader(const std::string &path)
 {
     return fail(ErrorKind::FileUnreadable,
         {DYNCAL_TEXT("core",
-             "%1 ends before its first sample, so it is likely an incomplete copy; copy it "
-             "again."),
+             "%1 ends before its first sample, so it is likely an incomplete copy; copy it again."),
             {path}},
         "CAP-018");
 }
@@ -86,8 +84,7 @@ tl::unexpected<Error> endsInSamples(
 {
     return fail(ErrorKind::FileUnreadable,
         {DYNCAL_TEXT("core",
-             "%1 ends after %3 of the %4 samples of channel %2 that its header declares, so it is "
-             "likely an incomplete copy; copy it again."),
+             "%1 ends after %3 of the %4 samples of channel %2 that its header declares, so it is likely an incomplete copy; copy it again."),
             {path, channel, std::to_string(found), std::to_string(declared)}},
         "CAP-018");
 }
@@ -106,8 +103,7 @@ tl::unexpected<Error> unsupportedKind(const std::string &path, const std::string
 {
     return fail(ErrorKind::FileUnreadable,
         {DYNCAL_TEXT("core",
-             "%1 is a recording of kind %2, which this version does not read; save it as "
-             "CSV."),
+             "%1 is a recording of kind %2, which this version does not read; save it as CSV."),
             {path, kind}},
         "CAP-001");
 }

@@ -34,38 +34,27 @@ const char *textOf(Expanding what)
     switch (what) {
     case Expanding::ChannelsUpTo:
         return DYNCAL_TEXT("core",
-            "%1: the channels up to %2 would take %3 of memory, more than the %4 that a file of "
-            "this size may; if you trust the file, raise import.max_expansion in the recipe.");
+            "%1: the channels up to %2 would take %3 of memory, more than the %4 that a file of this size may; if you trust the file, raise import.max_expansion in the recipe.");
     case Expanding::Columns:
         return DYNCAL_TEXT("core",
-            "%1: its %2 columns would take %3 of memory, more than the %4 that a file of this size "
-            "may; if you trust the file, raise import.max_expansion in the recipe.");
+            "%1: its %2 columns would take %3 of memory, more than the %4 that a file of this size may; if you trust the file, raise import.max_expansion in the recipe.");
     case Expanding::RowsUpTo:
         return DYNCAL_TEXT("core",
-            "%1: the rows up to line %2, with the blank lines and empty cells between, would take "
-            "%3 of memory, more than the %4 that a file of this size may; if you trust the file, "
-            "raise import.max_expansion in the recipe.");
+            "%1: the rows up to line %2, with the blank lines and empty cells between, would take %3 of memory, more than the %4 that a file of this size may; if you trust the file, raise import.max_expansion in the recipe.");
     case Expanding::SegmentsUpTo:
         return DYNCAL_TEXT("core",
-            "%1: the segments up to number %2 would take %3 of memory, more than the %4 that a "
-            "file of this size may; if you trust the file, raise import.max_expansion in the "
-            "recipe.");
+            "%1: the segments up to number %2 would take %3 of memory, more than the %4 that a file of this size may; if you trust the file, raise import.max_expansion in the recipe.");
     case Expanding::Pieces:
         return DYNCAL_TEXT("core",
-            "%1: the places of its samples, which lie in %2 pieces, would take %3 of memory, more "
-            "than the %4 that a file of this size may; if you trust the file, raise "
-            "import.max_expansion in the recipe.");
+            "%1: the places of its samples, which lie in %2 pieces, would take %3 of memory, more than the %4 that a file of this size may; if you trust the file, raise import.max_expansion in the recipe.");
     case Expanding::Objects:
         return DYNCAL_TEXT("core",
-            "%1: names and attributes of the first %2 objects in it would take %3 of memory, more "
-            "than the %4 that a file of this size may; if you trust the file, raise "
-            "import.max_expansion in the recipe.");
+            "%1: names and attributes of the first %2 objects in it would take %3 of memory, more than the %4 that a file of this size may; if you trust the file, raise import.max_expansion in the recipe.");
     case Expanding::Channel:
         break;
     }
     return DYNCAL_TEXT("core",
-        "%1: channel %2 would take %3 of memory, more than the %4 that a file of this size may; if "
-        "you trust the file, raise import.max_expansion in the recipe.");
+        "%1: channel %2 would take %3 of memory, more than the %4 that a file of this size may; if you trust the file, raise import.max_expansion in the recipe.");
 }
 
 } // namespace

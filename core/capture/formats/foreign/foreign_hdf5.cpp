@@ -104,8 +104,7 @@ private:
         if (stated.size() > 1 && stated[0] != stated[1])
             return fail(ErrorKind::FileUnreadable,
                 {DYNCAL_TEXT("core",
-                     "%1: %2 states scale and offset in two ways that differ; correct the "
-                     "attributes."),
+                     "%1: %2 states scale and offset in two ways that differ; correct the attributes."),
                     {m_path, m_dataset.path}},
                 "CAP-018");
         return stated.front();
@@ -115,8 +114,7 @@ private:
     {
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1: scale, offset or poly of channel %2 is not a number; without it the counts "
-                 "have no unit."),
+                 "%1: scale, offset or poly of channel %2 is not a number; without it the counts have no unit."),
                 {m_path, m_dataset.path}},
             "CAP-018");
     }
@@ -129,8 +127,7 @@ private:
                 continue;
             m_findings.push_back({"CAP-006", Severity::Caution, 0, m_dataset.path, {},
                 {DYNCAL_TEXT("core",
-                     "%1: %2 marks missing samples by the value %3; such samples are read as they "
-                     "are, so look whether there are any."),
+                     "%1: %2 marks missing samples by the value %3; such samples are read as they are, so look whether there are any."),
                     {m_path, m_dataset.path, value}},
                 {}, {}});
             return;
@@ -228,15 +225,13 @@ tl::unexpected<Error> nothingToRead(const std::string &path,
     if (names.empty())
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1 is an HDF5 file without a dataset of samples (one-dimensional numbers, or a "
-                 "table of at most 64 columns)."),
+                 "%1 is an HDF5 file without a dataset of samples (one-dimensional numbers, or a table of at most 64 columns)."),
                 {path}},
             "CAP-001");
     if (settings.channels.empty())
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1 holds times, but no samples that belong to them (%2); if one of these is a "
-                 "record, name it in import.channels."),
+                 "%1 holds times, but no samples that belong to them (%2); if one of these is a record, name it in import.channels."),
                 {path, names}},
             "CAP-001");
     return fail(ErrorKind::Usage,
@@ -287,8 +282,7 @@ Findings leftOut(const std::string &path, const std::vector<ChannelCandidate> &c
         return {};
     return {{"CAP-026", Severity::Info, 0, {}, {},
         {DYNCAL_TEXT("core",
-             "%1: %2 is of another length or kind than the channels and was left out; name the "
-             "channels to have it."),
+             "%1: %2 is of another length or kind than the channels and was left out; name the channels to have it."),
             {path, names}},
         {}, {}}};
 }
@@ -382,8 +376,7 @@ Result<CaptureSet> readForeignHdf5(
     if (set && lost > 0)
         set->findings.push_back({"CAP-026", Severity::Info, 0, {}, {},
             {DYNCAL_TEXT("core",
-                 "%1: %2 links that lead to other files or places, or cannot be opened, were not "
-                 "followed."),
+                 "%1: %2 links that lead to other files or places, or cannot be opened, were not followed."),
                 {file.path, std::to_string(lost)}},
             static_cast<double>(lost), {}});
     return set;

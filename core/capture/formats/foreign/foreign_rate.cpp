@@ -235,8 +235,7 @@ std::optional<StatedRate> TimingFinder::statedFor(
                 continue;
             findings.push_back({"CAP-003", Severity::Caution, 0, dataset.path, {},
                 {DYNCAL_TEXT("core",
-                     "%1: %2 has the sample rate stated twice, as %3 and as %4; give the right "
-                     "one."),
+                     "%1: %2 has the sample rate stated twice, as %3 and as %4; give the right one."),
                     {m_path, dataset.path, rates.front().text, rate.text}},
                 rate.rate_Hz, rates.front().rate_Hz});
             return StatedRate{};
@@ -269,8 +268,7 @@ SampleTiming TimingFinder::timingOf(
     if (!axis->uniform) {
         findings.push_back({"CAP-016", Severity::Caution, 0, dataset.path, {},
             {DYNCAL_TEXT("core",
-                 "%1: the times in %2 do not rise by equal steps, so the sample rate of %3 is "
-                 "unknown; state it, or resample the record."),
+                 "%1: the times in %2 do not rise by equal steps, so the sample rate of %3 is unknown; state it, or resample the record."),
                 {m_path, axis->dataset->path, dataset.path}},
             {}, {}});
         return {};

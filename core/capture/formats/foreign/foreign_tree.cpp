@@ -84,10 +84,10 @@ ForeignChannels channelsOf(const ForeignDataset &dataset, const std::string &fil
     if (data.obstacle != Hdf5Obstacle::None)
         return none(hdf5ObstacleError(file, dataset.path, data).value().message);
     if (dataset.object->tooManyAttributes != 0)
-        return none({DYNCAL_TEXT("core",
-                         "%1 has more than 1024 attributes, which were not read: its scale and "
-                         "unit are unknown."),
-            {dataset.path}});
+        return none(
+            {DYNCAL_TEXT("core",
+                 "%1 has more than 1024 attributes, which were not read: its scale and unit are unknown."),
+                {dataset.path}});
     ForeignChannels channels;
     if (data.shape.empty() || data.shape[0] > (std::uint64_t(1) << 48))
         return none(tooFew(dataset.path));

@@ -122,8 +122,7 @@ Result<CaptureSet> readMat73(
     if (set && !others.empty())
         set->findings.push_back({"CAP-026", Severity::Info, 0, {}, {},
             {DYNCAL_TEXT("core",
-                 "%1: %2 is no matrix of numbers (a structure, cell, text or the like) and was "
-                 "left out."),
+                 "%1: %2 is no matrix of numbers (a structure, cell, text or the like) and was left out."),
                 {file.path, others}},
             {}, {}});
     return set;

@@ -99,31 +99,26 @@ private:
     Result<void> checkHead(const Hdf5Object &root)
     {
         if (textAttribute(root, "format") != kCaptureFormatName && statesContent(root.attributes))
-            return damaged(DYNCAL_TEXT("core",
-                               "%1 is damaged: it states the hashes of a capture, but its "
-                               "attribute format does not say that it is one; take an unchanged "
-                               "copy."),
+            return damaged(
+                DYNCAL_TEXT("core",
+                    "%1 is damaged: it states the hashes of a capture, but its attribute format does not say that it is one; take an unchanged copy."),
                 {});
         if (textAttribute(root, "format") != kCaptureFormatName)
             return fail(ErrorKind::FileUnreadable,
                 {DYNCAL_TEXT("core",
-                     "%1 is an HDF5 file but no capture: its root lacks the attribute format = "
-                     "\"dyncal-capture\". Export the recording as LVM or CSV, or write it in the "
-                     "capture layout."),
+                     "%1 is an HDF5 file but no capture: its root lacks the attribute format = \"dyncal-capture\". Export the recording as LVM or CSV, or write it in the capture layout."),
                     {m_file.path}},
                 "CAP-001");
         const std::vector<double> version = numbersAttribute(root, "format_version");
         if (version.empty() || version[0] != kCaptureMajorVersion)
             return damaged(
                 DYNCAL_TEXT("core",
-                    "%1 has capture layout version %2; this program reads version 1. Use a newer "
-                    "version of the program."),
+                    "%1 has capture layout version %2; this program reads version 1. Use a newer version of the program."),
                 {version.empty() ? "?" : numberText(version[0])});
         if (version.size() > 1 && version[1] > kCaptureMinorVersion)
             m_set.findings.push_back({"CAP-021", Severity::Info, 0, {}, {},
                 {DYNCAL_TEXT("core",
-                     "%1 was written by a newer version (capture layout 1.%2); what this version "
-                     "does not know was left out."),
+                     "%1 was written by a newer version (capture layout 1.%2); what this version does not know was left out."),
                     {m_file.path, numberText(version[1])}},
                 version[1], static_cast<double>(kCaptureMinorVersion)});
         return {};
@@ -167,8 +162,7 @@ private:
             if (group == nullptr || group->isDataset != 0)
                 return damaged(
                     DYNCAL_TEXT("core",
-                        "%1: shot %2 cannot be opened; the file is damaged, or its shots "
-                        "lie in other files."),
+                        "%1: shot %2 cannot be opened; the file is damaged, or its shots lie in other files."),
                     {link.name});
             if (const Result<void> shot = readShot(*group, link.name); !shot)
                 return shot;
@@ -194,8 +188,7 @@ private:
         if (channels == nullptr || channels->links.empty() || !holdsAll(*channels))
             return damaged(
                 DYNCAL_TEXT("core",
-                    "%1: shot %2 has no channels of its own; a shot holds its samples in "
-                    "its group channels."),
+                    "%1: shot %2 has no channels of its own; a shot holds its samples in its group channels."),
                 {number});
         for (const Hdf5Link &link : channels->links) {
             Result<Channel> channel = readChannel(link, number);
@@ -211,9 +204,9 @@ private:
     {
         if (object.tooManyAttributes == 0)
             return {};
-        return damaged(DYNCAL_TEXT("core",
-                           "%1: %2 has more than 1024 attributes, which no capture has; the file "
-                           "is damaged."),
+        return damaged(
+            DYNCAL_TEXT("core",
+                "%1: %2 has more than 1024 attributes, which no capture has; the file is damaged."),
             {name});
     }
 
@@ -286,8 +279,7 @@ private:
         else if (!stated.empty())
             m_set.findings.push_back({"CAP-015", Severity::Caution, 0, channel.name, {},
                 {DYNCAL_TEXT("core",
-                     "%1: the samples of channel %2 are stored in a type for which the SHA-256 in "
-                     "the file was not checked."),
+                     "%1: the samples of channel %2 are stored in a type for which the SHA-256 in the file was not checked."),
                     {m_file.path, channel.name}},
                 {}, {}});
     }
@@ -317,8 +309,7 @@ private:
         if (!isNumber)
             return damaged(
                 DYNCAL_TEXT("core",
-                    "%1: scale, offset or poly of channel %2 is not a number; without it the "
-                    "counts have no unit."),
+                    "%1: scale, offset or poly of channel %2 is not a number; without it the counts have no unit."),
                 {place});
         channel.polynomial = std::move(coefficients);
         return {};

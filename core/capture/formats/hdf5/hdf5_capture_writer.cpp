@@ -343,8 +343,7 @@ tl::unexpected<Error> notWritten(const std::string &path, const JobControl &cont
             {DYNCAL_TEXT("core", "Writing %1 was cancelled; nothing was left behind."), {path}});
     return fail(ErrorKind::Internal,
         {DYNCAL_TEXT("core",
-             "%1 could not be written completely and was not created; check the space on the "
-             "disk and the free memory."),
+             "%1 could not be written completely and was not created; check the space on the disk and the free memory."),
             {path}});
 }
 

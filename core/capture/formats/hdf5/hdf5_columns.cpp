@@ -269,8 +269,7 @@ private:
     {
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1: channel %2 cannot be unpacked: a compressed piece of it is damaged or larger "
-                 "than it declares; copy the file again."),
+                 "%1: channel %2 cannot be unpacked: a compressed piece of it is damaged or larger than it declares; copy the file again."),
                 {m_file.path, m_wishes[i].name}},
             "CAP-018");
     }
@@ -291,8 +290,7 @@ private:
     {
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1: channel %2 holds integers of more than 53 bits, which would be rounded; save "
-                 "them as 32 bit integers with scale and offset, or as floating point numbers."),
+                 "%1: channel %2 holds integers of more than 53 bits, which would be rounded; save them as 32 bit integers with scale and offset, or as floating point numbers."),
                 {m_file.path, m_wishes[i].name}},
             "CAP-018");
     }

@@ -186,21 +186,18 @@ Message sentence(
     const std::string &file, const std::string &path, Index shot, const std::string &channel)
 {
     if (!channel.empty())
-        return {DYNCAL_TEXT("core",
-                    "%1 changed since it was written: what it says of channel '%2' of shot %3 is "
-                    "not what was recorded. The results are of the changed capture and cannot be "
-                    "certified; take an unchanged copy."),
+        return {
+            DYNCAL_TEXT("core",
+                "%1 changed since it was written: what it says of channel '%2' of shot %3 is not what was recorded. The results are of the changed capture and cannot be certified; take an unchanged copy."),
             {file, channel, std::to_string(shot)}};
     if (shot > 0)
-        return {DYNCAL_TEXT("core",
-                    "%1 changed since it was written: what it says of shot %2 (%3) is not what was "
-                    "recorded. The results are of the changed capture and cannot be certified; "
-                    "take an unchanged copy."),
+        return {
+            DYNCAL_TEXT("core",
+                "%1 changed since it was written: what it says of shot %2 (%3) is not what was recorded. The results are of the changed capture and cannot be certified; take an unchanged copy."),
             {file, std::to_string(shot), path}};
-    return {DYNCAL_TEXT("core",
-                "%1 changed since it was written: what it says in %2 is not what was recorded. "
-                "The results are of the changed capture and cannot be certified; take an unchanged "
-                "copy."),
+    return {
+        DYNCAL_TEXT("core",
+            "%1 changed since it was written: what it says in %2 is not what was recorded. The results are of the changed capture and cannot be certified; take an unchanged copy."),
         {file, path}};
 }
 
@@ -236,11 +233,10 @@ Findings checkContent(const Hdf5Tree &tree, const std::string &path)
         return {};
     const std::vector<std::string> places = differences(hashesIn(stated), hashesIn(found));
     if (!isSound || places.empty())
-        return {changed({DYNCAL_TEXT("core",
-                             "%1 changed since it was written: the hashes it states of itself "
-                             "contradict each other, so that nothing in it can be certified; take "
-                             "an unchanged copy."),
-            {path}})};
+        return {changed(
+            {DYNCAL_TEXT("core",
+                 "%1 changed since it was written: the hashes it states of itself contradict each other, so that nothing in it can be certified; take an unchanged copy."),
+                {path}})};
     Findings findings;
     for (std::size_t i = 0; i < std::min(places.size(), kMostNamed); ++i) {
         const Index shot = shotOf(tree, places[i]);
@@ -248,10 +244,10 @@ Findings checkContent(const Hdf5Tree &tree, const std::string &path)
         findings.push_back(changed(sentence(path, places[i], shot, channel), shot, channel));
     }
     if (places.size() > kMostNamed)
-        findings.push_back(changed({DYNCAL_TEXT("core",
-                                        "%1 changed since it was written in %2 further places; "
-                                        "take an unchanged copy."),
-            {path, std::to_string(places.size() - kMostNamed)}}));
+        findings.push_back(changed(
+            {DYNCAL_TEXT("core",
+                 "%1 changed since it was written in %2 further places; take an unchanged copy."),
+                {path, std::to_string(places.size() - kMostNamed)}}));
     return findings;
 }
 

@@ -27,15 +27,12 @@ Result<void> runHdf5Helper(const std::string &path,
     case GuardedOutcome::NotStarted:
         return fail(ErrorKind::Internal,
             {DYNCAL_TEXT("core",
-                 "%1 was not read because the system could not start a helper process; close other "
-                 "programs."),
+                 "%1 was not read because the system could not start a helper process; close other programs."),
                 {path}});
     case GuardedOutcome::Killed:
         return fail(ErrorKind::Internal,
             {DYNCAL_TEXT("core",
-                 "%1 was not read because the system or another program ended the helper process "
-                 "that reads it, most likely for want of memory; close other programs and try "
-                 "again."),
+                 "%1 was not read because the system or another program ended the helper process that reads it, most likely for want of memory; close other programs and try again."),
                 {path}});
     case GuardedOutcome::Died:
         break;

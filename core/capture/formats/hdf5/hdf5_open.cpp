@@ -20,8 +20,7 @@ tl::unexpected<Error> notHdf5(const std::string &path)
 {
     return fail(ErrorKind::FileUnreadable,
         {DYNCAL_TEXT("core",
-             "%1 cannot be opened as HDF5: it is incomplete, damaged or in use by another program; "
-             "copy it again or close the other program."),
+             "%1 cannot be opened as HDF5: it is incomplete, damaged or in use by another program; copy it again or close the other program."),
             {path}},
         "CAP-018");
 }

@@ -213,8 +213,7 @@ private:
         if (!file)
             return fail(ErrorKind::FileUnreadable,
                 {DYNCAL_TEXT("core",
-                     "%1 describes samples that are in %2, which cannot be opened; put both files "
-                     "into one folder."),
+                     "%1 describes samples that are in %2, which cannot be opened; put both files into one folder."),
                     {m_path, path}},
                 "CAP-018");
         m_payload = *file;
@@ -227,8 +226,7 @@ private:
         if (code != m_format->code || static_cast<Index>(rows) != m_rows)
             return fail(ErrorKind::FileUnreadable,
                 {DYNCAL_TEXT("core",
-                     "%2 does not hold the samples that %1 describes; copy both files again, from "
-                     "the same recording."),
+                     "%2 does not hold the samples that %1 describes; copy both files again, from the same recording."),
                     {m_path, path}},
                 "CAP-018");
         const std::uint64_t there
@@ -269,9 +267,7 @@ private:
         if (std::abs(step_s - implied_s) > kRateTolerance * std::abs(step_s)) {
             m_set.findings.push_back({"CAP-003", Severity::Caution, 1, {}, {},
                 {DYNCAL_TEXT("core",
-                     "%1 states a sampling interval of %2 s, but a record from end to end that "
-                     "means %3 s, so the rate is unknown; state it in the recipe's import "
-                     "section."),
+                     "%1 states a sampling interval of %2 s, but a record from end to end that means %3 s, so the rate is unknown; state it in the recipe's import section."),
                     {m_path, numberText(step_s, 7), numberText(implied_s, 7)}},
                 step_s, implied_s});
             return 0.0;
@@ -338,8 +334,7 @@ Result<CaptureSet> readRohdeBin(const std::string &path, const ImportSettings &,
         const std::string description = path.substr(0, path.size() - kPayloadEnd.size()) + ".bin";
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1 holds only the samples of a Rohde & Schwarz recording; open %2, which "
-                 "describes them."),
+                 "%1 holds only the samples of a Rohde & Schwarz recording; open %2, which describes them."),
                 {path, description}},
             "CAP-001");
     }

@@ -194,8 +194,7 @@ private:
         if (wave.type == PeakDetect)
             return unsupportedKind(m_path,
                 std::string(m_maker.vendor)
-                    + " peak detect (minima and maxima in place of "
-                      "samples)");
+                    + " peak detect (minima and maxima in place of samples)");
         const bool isSignal = (wave.type == Normal || wave.type == Average)
             && buffer.type == FloatBuffer && wave.xUnit == Seconds;
         if (!isSignal) {

@@ -46,8 +46,7 @@ public:
         if (m_file.commaTwice)
             return fail(ErrorKind::FileUnreadable,
                 {DYNCAL_TEXT("core",
-                     "%1 uses the comma as separator and as decimal mark, so its numbers cannot be "
-                     "told apart; save it again with tabs as separator."),
+                     "%1 uses the comma as separator and as decimal mark, so its numbers cannot be told apart; save it again with tabs as separator."),
                     {m_path}},
                 "CAP-019");
         if (m_settings.decimal == "." || m_settings.decimal == ",")
@@ -76,8 +75,7 @@ private:
     {
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1 ends before its first row of samples, so it is likely an incomplete copy; "
-                 "copy it again."),
+                 "%1 ends before its first row of samples, so it is likely an incomplete copy; copy it again."),
                 {m_path}},
             "CAP-018");
     }
@@ -154,8 +152,7 @@ private:
         if (!segment)
             return fail(ErrorKind::FileUnreadable,
                 {DYNCAL_TEXT("core",
-                     "%1, line %2: the line of column names does not have the channels that the "
-                     "header declares; the file is damaged."),
+                     "%1, line %2: the line of column names does not have the channels that the header declares; the file is damaged."),
                     {m_path, std::to_string(lines.number())}},
                 "CAP-018");
         m_header = std::move(*segment);
@@ -172,8 +169,7 @@ private:
         m_saidEmpty = true;
         m_set.findings.push_back({"CAP-018", Severity::Caution, 0, {}, {},
             {DYNCAL_TEXT("core",
-                 "%1: behind segment %2 a header without rows of samples follows, so the file is "
-                 "likely an incomplete copy."),
+                 "%1: behind segment %2 a header without rows of samples follows, so the file is likely an incomplete copy."),
                 {m_path, std::to_string(m_set.shots.size())}},
             {}, {}});
         return {};
@@ -220,8 +216,7 @@ private:
             return {};
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1 claims %2 channels in all its segments, which is more than it can hold; the "
-                 "file is damaged."),
+                 "%1 claims %2 channels in all its segments, which is more than it can hold; the file is damaged."),
                 {m_path, std::to_string(m_channels)}},
             "CAP-018");
     }
@@ -276,8 +271,7 @@ Result<CaptureSet> readLvm(
     if (!text->view().starts_with(kFirstWords))
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1 is no LabVIEW measurement file: it does not begin with \"LabVIEW "
-                 "Measurement\"."),
+                 "%1 is no LabVIEW measurement file: it does not begin with \"LabVIEW Measurement\"."),
                 {path}},
             "CAP-001");
     return LvmReader(path, text->view(), settings, control).read();

@@ -118,9 +118,7 @@ private:
     {
         say(Severity::Caution, "CAP-016", channel.name,
             DYNCAL_TEXT("core",
-                "%1: Delta_X of channel %2 is %3, but its X values are not uniform or step by %4 "
-                "on average; state the sample rate in the recipe's import section if it is "
-                "known."),
+                "%1: Delta_X of channel %2 is %3, but its X values are not uniform or step by %4 on average; state the sample rate in the recipe's import section if it is known."),
             {channel.name, numberText(channel.deltaX, 7), numberText(mean, 7)});
         m_findings.back().value = mean;
         m_findings.back().limit = channel.deltaX;
@@ -136,19 +134,13 @@ private:
         if (m_worstPrecision > kUselessRate)
             say(Severity::Caution, "CAP-003", m_vagueChannel->name,
                 DYNCAL_TEXT("core",
-                    "%1: Delta_X of channel %2 is printed with so few digits that its sample rate "
-                    "of "
-                    "%3 is known to %4 % only, so it was not taken; state sample_rate_hz in the "
-                    "recipe's import section."),
+                    "%1: Delta_X of channel %2 is printed with so few digits that its sample rate of %3 is known to %4 % only, so it was not taken; state sample_rate_hz in the recipe's import section."),
                 words);
         else
             say(m_worstPrecision > kRateTolerance ? Severity::Caution : Severity::Info, "CAP-003",
                 m_vagueChannel->name,
                 DYNCAL_TEXT("core",
-                    "%1: the sample rate of channel %2, %3, is known to %4 % only, as Delta_X is "
-                    "printed with few digits; state sample_rate_hz in the recipe's import section "
-                    "if "
-                    "you know it better."),
+                    "%1: the sample rate of channel %2, %3, is known to %4 % only, as Delta_X is printed with few digits; state sample_rate_hz in the recipe's import section if you know it better."),
                 words);
     }
 
@@ -158,8 +150,7 @@ private:
         if (m_segment.namedChannels > declared)
             say(Severity::Caution, "CAP-018", {},
                 DYNCAL_TEXT("core",
-                    "%1: the header declares %2 channels, but %3 columns have names; the last ones "
-                    "were not read."),
+                    "%1: the header declares %2 channels, but %3 columns have names; the last ones were not read."),
                 {std::to_string(declared), std::to_string(m_segment.namedChannels)});
         const auto &values = m_rows.values();
         const auto empty = std::count_if(values.begin(), values.end(),
@@ -192,15 +183,12 @@ private:
         if (blocks)
             say(Severity::Caution, "CAP-018", channel,
                 DYNCAL_TEXT("core",
-                    "%1: channel %2 has %3 samples where its header declares %4, so blocks were "
-                    "appended and are read as one record. If each is a shot of its own, save with "
-                    "one header per segment."),
+                    "%1: channel %2 has %3 samples where its header declares %4, so blocks were appended and are read as one record. If each is a shot of its own, save with one header per segment."),
                 words);
         else
             say(found < declared ? Severity::Caution : Severity::Info, "CAP-018", channel,
                 DYNCAL_TEXT("core",
-                    "%1: channel %2 has %3 samples where its header declares %4; if it has fewer, "
-                    "the file may be an incomplete copy."),
+                    "%1: channel %2 has %3 samples where its header declares %4; if it has fewer, the file may be an incomplete copy."),
                 words);
         m_findings.back().value = static_cast<double>(found);
         m_findings.back().limit = static_cast<double>(declared);

@@ -139,8 +139,7 @@ private:
             if (!one)
                 return fail(ErrorKind::FileUnreadable,
                     {DYNCAL_TEXT("core",
-                         "%1: the 64-bit integers of %2 are too long to be kept exactly; save them "
-                         "as double."),
+                         "%1: the 64-bit integers of %2 are too long to be kept exactly; save them as double."),
                         {m_path, signal.variable->name}},
                     "CAP-001");
             keptBytes += static_cast<std::uint64_t>(one->size() * bytesPerSample(one->type()));

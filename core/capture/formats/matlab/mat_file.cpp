@@ -202,8 +202,7 @@ private:
     {
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1 ends within its variable number %2, so it is likely an incomplete copy; copy "
-                 "it again."),
+                 "%1 ends within its variable number %2, so it is likely an incomplete copy; copy it again."),
                 {m_path, std::to_string(m_variables.size() + 1)}},
             "CAP-018");
     }
@@ -212,8 +211,7 @@ private:
     {
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1 is damaged: the header of its variable number %2 contradicts itself; copy the "
-                 "file again."),
+                 "%1 is damaged: the header of its variable number %2 contradicts itself; copy the file again."),
                 {m_path, std::to_string(m_variables.size() + 1)}},
             "CAP-018");
     }
@@ -222,8 +220,7 @@ private:
     {
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1 is damaged: its compressed variable number %2 does not expand to what it "
-                 "declares; copy the file again."),
+                 "%1 is damaged: its compressed variable number %2 does not expand to what it declares; copy the file again."),
                 {m_path, std::to_string(variable + 1)}},
             "CAP-018");
     }

@@ -103,9 +103,7 @@ Result<TextPreview> previewText(const std::string &path, const ImportSettings &s
     if (recogniseLvm(path, head->text) > 0)
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1 is a LabVIEW measurement, which says itself how it is to be read; import it "
-                 "as "
-                 "lvm."),
+                 "%1 is a LabVIEW measurement, which says itself how it is to be read; import it as lvm."),
                 {path}},
             "CAP-001");
     const std::optional<TextDialect> dialect = dialectOf(head->text, settings);

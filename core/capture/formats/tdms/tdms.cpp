@@ -149,8 +149,7 @@ private:
         if (record.bareCounts)
             m_set.findings.push_back({"CAP-027", Severity::Caution, 0, channel.name, {},
                 {DYNCAL_TEXT("core",
-                     "%1: channel %2 holds counts of the converter and no scale; state scale and "
-                     "unit, or its values mean nothing."),
+                     "%1: channel %2 holds counts of the converter and no scale; state scale and unit, or its values mean nothing."),
                     {m_path, channel.name}},
                 {}, {}});
         return channel;
@@ -175,8 +174,7 @@ private:
                 "CAP-018", 0};
         return {ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1 holds no data; it is likely an incomplete copy or a recording that never "
-                 "began."),
+                 "%1 holds no data; it is likely an incomplete copy or a recording that never began."),
                 {m_path}},
             "CAP-018", 0};
     }
@@ -186,8 +184,7 @@ private:
         if (m_contents.unknownVersion)
             m_set.findings.push_back({"CAP-021", Severity::Info, 0, {}, {},
                 {DYNCAL_TEXT("core",
-                     "%1 is of the TDMS version %2, which this program does not know; it was read "
-                     "like version 4713."),
+                     "%1 is of the TDMS version %2, which this program does not know; it was read like version 4713."),
                     {m_path, std::to_string(*m_contents.unknownVersion)}},
                 {}, {}});
         if (m_contents.damage)
@@ -204,8 +201,7 @@ private:
         else if (m_contents.endsEarly)
             m_set.findings.push_back({"CAP-018", Severity::Caution, 0, {}, {},
                 {DYNCAL_TEXT("core",
-                     "%1 was not closed by the program that wrote it, or its end is missing; all "
-                     "values that are there were read."),
+                     "%1 was not closed by the program that wrote it, or its end is missing; all values that are there were read."),
                     {m_path}},
                 {}, {}});
     }
@@ -216,9 +212,7 @@ private:
         const auto found = static_cast<double>(object.count);
         return {"CAP-018", Severity::Caution, 0, object.path.channel, {},
             {DYNCAL_TEXT("core",
-                 "%1 is incomplete: channel %2 has %3 of %4 samples. All values that are there "
-                 "were "
-                 "read; copy the file again if the original is whole."),
+                 "%1 is incomplete: channel %2 has %3 of %4 samples. All values that are there were read; copy the file again if the original is whole."),
                 {m_path, object.path.channel, std::to_string(object.count),
                     object.declared < kSensible ? numberText(object.declared) : "?"}},
             found, object.declared};
@@ -230,13 +224,12 @@ private:
             for (const Channel &channel : m_set.shots[i].channels) {
                 if (channel.sampleRate_Hz > 0.0)
                     continue;
-                m_set.findings.push_back(
-                    {"CAP-003", Severity::Caution, static_cast<Index>(i) + 1, channel.name, {},
-                        {DYNCAL_TEXT("core",
-                             "%1: channel %2 states no time between samples (wf_increment); give "
-                             "import.sample_rate_hz in the recipe."),
-                            {m_path, channel.name}},
-                        {}, {}});
+                m_set.findings.push_back({"CAP-003", Severity::Caution, static_cast<Index>(i) + 1,
+                    channel.name, {},
+                    {DYNCAL_TEXT("core",
+                         "%1: channel %2 states no time between samples (wf_increment); give import.sample_rate_hz in the recipe."),
+                        {m_path, channel.name}},
+                    {}, {}});
                 return; // one is enough to ask for it
             }
         }

@@ -139,10 +139,10 @@ private:
         if (lead.data > std::min(lead.next, room)) {
             if (lead.data > room && open)
                 return {}; // the file ends within the metadata
-            return Unexpected({DYNCAL_TEXT("core",
-                                   "%1 is damaged: the samples of the segment at byte %2 would "
-                                   "begin behind its end."),
-                {}});
+            return Unexpected(
+                {DYNCAL_TEXT("core",
+                     "%1 is damaged: the samples of the segment at byte %2 would begin behind its end."),
+                    {}});
         }
         if (lead.has(kMetaData)) {
             m_cursor.limit(begin + lead.data);
@@ -174,10 +174,10 @@ private:
         m_cursor.number(lead.version);
         m_cursor.number(lead.next);
         if (!m_cursor.number(lead.data) || tag != kTag)
-            return Unexpected({DYNCAL_TEXT("core",
-                                   "%1 is damaged: at byte %2, where a segment should begin, there "
-                                   "is none."),
-                {}});
+            return Unexpected(
+                {DYNCAL_TEXT("core",
+                     "%1 is damaged: at byte %2, where a segment should begin, there is none."),
+                    {}});
         constexpr std::uint32_t kVersion1 = 4712;
         constexpr std::uint32_t kVersion2 = 4713;
         if (lead.version != kVersion1 && lead.version != kVersion2)
@@ -221,24 +221,23 @@ private:
             const TdmsObject *object
                 = known != m_ids.end() ? &m_contents.objects[known->second] : nullptr;
             if (object == nullptr && !parseTdmsPath(entry.path))
-                return Unexpected({DYNCAL_TEXT("core",
-                                       "%1 is damaged: the segment at byte %2 has an object with "
-                                       "the name %3, which is no path."),
-                    {entry.path}});
+                return Unexpected(
+                    {DYNCAL_TEXT("core",
+                         "%1 is damaged: the segment at byte %2 has an object with the name %3, which is no path."),
+                        {entry.path}});
             const bool had = object != nullptr && object->index;
             if (entry.kind == TdmsIndexKind::AsBefore && !had)
                 return Unexpected(
                     {DYNCAL_TEXT("core",
-                         "%1 is damaged: the segment at byte %2 says that the data of "
-                         "%3 are as before, but there were none."),
+                         "%1 is damaged: the segment at byte %2 says that the data of %3 are as before, but there were none."),
                         {entry.path}});
             if (entry.kind == TdmsIndexKind::Given && had
                 && (object->type != entry.index.type
                     || !sameStreams(object->streams, streamsOf(entry.index))))
-                return Unexpected({DYNCAL_TEXT("core",
-                                       "%1: the samples of %3 change their type in the segment at "
-                                       "byte %2; such a record cannot be read as one."),
-                    {entry.path}});
+                return Unexpected(
+                    {DYNCAL_TEXT("core",
+                         "%1: the samples of %3 change their type in the segment at byte %2; such a record cannot be read as one."),
+                        {entry.path}});
         }
         return {};
     }
@@ -286,10 +285,10 @@ private:
     {
         const std::size_t lookedAt = m_dataChanged ? m_list.size() : m_withData.size();
         if (!takeWork(lookedAt + 1))
-            return Unexpected({DYNCAL_TEXT("core",
-                                   "%1 is damaged: up to the segment at byte %2 it lists far more "
-                                   "channels than it has samples."),
-                {}});
+            return Unexpected(
+                {DYNCAL_TEXT("core",
+                     "%1 is damaged: up to the segment at byte %2 it lists far more channels than it has samples."),
+                    {}});
         if (m_dataChanged)
             m_withData = listedWithData();
         m_dataChanged = false;
@@ -356,8 +355,7 @@ Result<void> checkTag(const SampleFile &file, const std::string &path)
     if (tag == kIndexTag)
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "%1 is only the index of a TDMS file and holds no samples; open %2, which belongs "
-                 "to it."),
+                 "%1 is only the index of a TDMS file and holds no samples; open %2, which belongs to it."),
                 {path, std::filesystem::path(path).replace_extension(".tdms").filename().string()}},
             "CAP-001");
     return fail(ErrorKind::FileUnreadable,

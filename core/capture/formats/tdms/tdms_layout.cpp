@@ -76,10 +76,10 @@ tl::expected<void, TdmsProblem> placeInterleaved(const TdmsRegion &region, const
     for (const TdmsObject *object : objects) {
         if (object->index->type == TdmsType::String
             || object->index->count != objects.front()->index->count)
-            return Unexpected({DYNCAL_TEXT("core",
-                                   "%1 is damaged: the segment at byte %2 interleaves channels of "
-                                   "different lengths, or texts."),
-                {}});
+            return Unexpected(
+                {DYNCAL_TEXT("core",
+                     "%1 is damaged: the segment at byte %2 interleaves channels of different lengths, or texts."),
+                    {}});
         width += bytesOf(*object->index);
     }
     const std::uint64_t count = objects.front()->index->count;
@@ -139,10 +139,10 @@ tl::expected<void, TdmsProblem> placeContiguous(const TdmsRegion &region, const 
     for (const TdmsObject *object : objects)
         bytes += plainBytes(*object->index);
     if (bytes > kTooWide && !region.ended)
-        return Unexpected({DYNCAL_TEXT("core",
-                               "%1 is damaged: the segment at byte %2 declares more samples than "
-                               "any file can hold."),
-            {}});
+        return Unexpected(
+            {DYNCAL_TEXT("core",
+                 "%1 is damaged: the segment at byte %2 declares more samples than any file can hold."),
+                {}});
     const Chunks chunks = chunksOf(region, bytes);
     declare(region, chunks, objects);
     std::uint64_t offset = region.begin;
@@ -246,8 +246,7 @@ tl::expected<void, TdmsProblem> placeDaqmx(const TdmsRegion &region, const Objec
     if (!scalersFit(objects) || overlapEndlessly(objects))
         return Unexpected(
             {DYNCAL_TEXT("core",
-                 "%1 is damaged: DAQmx channels of the segment at byte %2 do not fit into "
-                 "their raw buffers."),
+                 "%1 is damaged: DAQmx channels of the segment at byte %2 do not fit into their raw buffers."),
                 {}});
     std::vector<Buffer> buffers = buffersOf(objects);
     Wide bytes = 0;
@@ -278,10 +277,10 @@ tl::expected<void, TdmsProblem> placeTdmsRegion(
     if (daqmx == std::ssize(objects))
         return placeDaqmx(region, objects);
     if (daqmx > 0)
-        return Unexpected({DYNCAL_TEXT("core",
-                               "%1 is damaged: the segment at byte %2 mixes DAQmx raw data with "
-                               "other samples."),
-            {}});
+        return Unexpected(
+            {DYNCAL_TEXT("core",
+                 "%1 is damaged: the segment at byte %2 mixes DAQmx raw data with other samples."),
+                {}});
     const bool rows = region.interleaved && objects.size() > 1;
     return rows ? placeInterleaved(region, objects) : placeContiguous(region, objects);
 }

@@ -23,8 +23,7 @@ constexpr std::uint64_t kSmallestProperty = 8; ///< bytes: empty name, type void
 constexpr const char *kEnds = DYNCAL_TEXT("core",
     "%1 is damaged: the description of the segment at byte %2 ends before all that it declares.");
 constexpr const char *kTooMany = DYNCAL_TEXT("core",
-    "%1 is damaged: the segment at byte %2 declares %3 %4, more than it has room for or than any "
-    "recording has.");
+    "%1 is damaged: the segment at byte %2 declares %3 %4, more than it has room for or than any recording has.");
 
 using Unexpected = tl::unexpected<TdmsProblem>;
 
@@ -47,10 +46,10 @@ tl::expected<std::uint32_t, TdmsProblem> readNumberOf(
 
 Unexpected unknownType(const std::string &path, std::uint32_t type)
 {
-    return Unexpected({DYNCAL_TEXT("core",
-                           "%1: channel %3 (segment at byte %2) has samples of the type %4, which "
-                           "cannot be read; write them as integers or float64."),
-        {path, tdmsTypeName(static_cast<TdmsType>(type))}});
+    return Unexpected(
+        {DYNCAL_TEXT("core",
+             "%1: channel %3 (segment at byte %2) has samples of the type %4, which cannot be read; write them as integers or float64."),
+            {path, tdmsTypeName(static_cast<TdmsType>(type))}});
 }
 
 /// Fields of a scaler as in the file: `offset` counts bits for a digital line.
@@ -78,17 +77,17 @@ tl::expected<void, TdmsProblem> readScaler(
         return ends();
     const std::optional<TdmsType> type = daqmxType(fields.type);
     if (!type)
-        return Unexpected({DYNCAL_TEXT("core",
-                               "%1: channel %3 (segment at byte %2) has DAQmx counts of the "
-                               "unknown type %4."),
-            {path, std::to_string(fields.type)}});
+        return Unexpected(
+            {DYNCAL_TEXT("core",
+                 "%1: channel %3 (segment at byte %2) has DAQmx counts of the unknown type %4."),
+                {path, std::to_string(fields.type)}});
     TdmsScaler scaler{*type, fields.buffer, fields.offset, -1, fields.scaleId};
     if (digital) {
         if (cursor.byteOrder() == std::endian::big && tdmsTypeBytes(*type) != 1)
-            return Unexpected({DYNCAL_TEXT("core",
-                                   "%1: channel %3 (segment at byte %2) has digital lines of "
-                                   "several bytes in big-endian order, which cannot be read."),
-                {path}});
+            return Unexpected(
+                {DYNCAL_TEXT("core",
+                     "%1: channel %3 (segment at byte %2) has digital lines of several bytes in big-endian order, which cannot be read."),
+                    {path}});
         scaler.type = TdmsType::UInt8; // a line is one bit of one byte, whatever its port's width
         scaler.byteOffset = fields.offset / 8;
         scaler.bit = static_cast<int>(fields.offset % 8);
@@ -116,10 +115,10 @@ tl::expected<void, TdmsProblem> readDaqmxIndex(
     const bool plainType = index.type != TdmsType::DaqmxRaw;
     if (index.scalers.empty()
         || (plainType && (index.scalers.size() > 1 || index.scalers[0].type != index.type)))
-        return Unexpected({DYNCAL_TEXT("core",
-                               "%1 is damaged: the DAQmx counts of channel %3 (segment at byte %2) "
-                               "are not of the type %4 that it declares."),
-            {path, tdmsTypeName(index.type)}});
+        return Unexpected(
+            {DYNCAL_TEXT("core",
+                 "%1 is damaged: the DAQmx counts of channel %3 (segment at byte %2) are not of the type %4 that it declares."),
+                {path, tdmsTypeName(index.type)}});
     return {};
 }
 

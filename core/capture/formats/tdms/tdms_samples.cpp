@@ -359,8 +359,7 @@ tl::expected<void, Message> TdmsRecords::checkLargeIntegers(
         if (!fits)
             return tl::unexpected(Message{
                 DYNCAL_TEXT("core",
-                    "Channel %1 has 64 bit integers beyond 2^53, which a floating point number "
-                    "does not hold exactly; write it as int32 or float64."),
+                    "Channel %1 has 64 bit integers beyond 2^53, which a floating point number does not hold exactly; write it as int32 or float64."),
                 {channel}});
     }
     return {};

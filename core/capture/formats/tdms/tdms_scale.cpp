@@ -102,8 +102,7 @@ private:
     {
         return problem(
             DYNCAL_TEXT("core",
-                "Channel %1: scale %2 (%3) lacks a number that it needs, or has one that "
-                "makes no sense."),
+                "Channel %1: scale %2 (%3) lacks a number that it needs, or has one that makes no sense."),
             {std::to_string(scale), type});
     }
 
@@ -121,8 +120,7 @@ private:
         if (scale != kRawInput && (scale >= m_scales || !m_open.insert(scale).second))
             return problem(
                 DYNCAL_TEXT("core",
-                    "The scales of channel %1 refer to scale %2, which is not there or needs "
-                    "itself."),
+                    "The scales of channel %1 refer to scale %2, which is not there or needs itself."),
                 {std::to_string(scale)});
         const Place place = scale == kRawInput ? rawInput() : scaleNode(scale);
         if (place)
@@ -133,9 +131,9 @@ private:
     Place rawInput()
     {
         if (m_counts.daqmx && m_counts.scaleIds.size() != 1)
-            return problem(DYNCAL_TEXT("core",
-                               "The scales of channel %1 do not say which of its %2 kinds of "
-                               "counts they are for."),
+            return problem(
+                DYNCAL_TEXT("core",
+                    "The scales of channel %1 do not say which of its %2 kinds of counts they are for."),
                 {std::to_string(m_counts.scaleIds.size())});
         return rawNode(0);
     }
@@ -179,8 +177,7 @@ private:
             return input(scale, "AdvancedAPI_Input_Source");
         return problem(
             DYNCAL_TEXT("core",
-                "Channel %1: scale %2 is of the kind \"%3\", which this program does not "
-                "apply; write the channel scaled."),
+                "Channel %1: scale %2 is of the kind \"%3\", which this program does not apply; write the channel scaled."),
             {std::to_string(scale), type});
     }
 

@@ -78,10 +78,10 @@ TdmsShots signalExpressShots(
     const auto thinned = std::erase_if(groups,
         [](const Group &group) { return countIn(group, "DecimationLevel").value_or(0) > 0; });
     if (thinned > 0)
-        shots.findings.push_back(leftOut({DYNCAL_TEXT("core",
-                                              "%1: %2 groups with thinned-out copies of the "
-                                              "records were left out."),
-            {path, std::to_string(thinned)}}));
+        shots.findings.push_back(
+            leftOut({DYNCAL_TEXT("core",
+                         "%1: %2 groups with thinned-out copies of the records were left out."),
+                {path, std::to_string(thinned)}}));
     std::map<std::uint64_t, TdmsShotPlan> intervals;
     for (const Group &group : groups) {
         const std::uint64_t index = countIn(group, "IntervalIndex").value_or(0);
@@ -94,8 +94,7 @@ TdmsShots signalExpressShots(
     if (shots.shots.size() > 1)
         shots.findings.push_back({"CAP-028", Severity::Info, 0, {}, {},
             {DYNCAL_TEXT("core",
-                 "%1: each of its %2 logged intervals was taken as a shot; exclude those that are "
-                 "none."),
+                 "%1: each of its %2 logged intervals was taken as a shot; exclude those that are none."),
                 {path, std::to_string(shots.shots.size())}},
             {}, {}});
     findUnfinishedLog(contents, path, shots);
@@ -137,8 +136,7 @@ TdmsShots plainShots(const std::vector<Group> &groups, const std::string &path)
         else
             shots.findings.push_back(leftOut(
                 {DYNCAL_TEXT("core",
-                     "%1: the group \"%2\" was left out because its channels are not those of the "
-                     "other groups, of which each is a shot."),
+                     "%1: the group \"%2\" was left out because its channels are not those of the other groups, of which each is a shot."),
                     {path, group.name}}));
     }
     return shots;

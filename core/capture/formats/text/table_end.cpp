@@ -100,8 +100,7 @@ Finding unfinishedLine(const std::string &path, Index line, RowEnd end)
         {cut ? DYNCAL_TEXT("core",
              "%1 ends within line %2, so it is likely an incomplete copy; that line was left out.")
              : DYNCAL_TEXT("core",
-                 "%1 ends without a line end; if the copy is incomplete, the last number in line "
-                 "%2 may lack digits."),
+                 "%1 ends without a line end; if the copy is incomplete, the last number in line %2 may lack digits."),
             {path, std::to_string(line)}},
         {}, {}};
 }

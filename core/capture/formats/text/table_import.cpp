@@ -67,10 +67,7 @@ Result<void> checkCommas(const std::string &path, const TextDialect &dialect, st
     }
     return damaged("CAP-019", path,
         DYNCAL_TEXT("core",
-            "%1: the header names %2 columns but the rows have %3 cells, so the comma seems to be "
-            "both separator and decimal mark; export with another separator, or state separator "
-            "and "
-            "decimal in the recipe's import section."),
+            "%1: the header names %2 columns but the rows have %3 cells, so the comma seems to be both separator and decimal mark; export with another separator, or state separator and decimal in the recipe's import section."),
         {std::to_string(dialect.columns / 2), std::to_string(dialect.columns)});
 }
 
@@ -89,16 +86,14 @@ Findings findingsOfHeader(const std::string &path, const TextDialect &dialect)
             continue;
         findings.push_back(finding("CAP-018", Severity::Caution,
             DYNCAL_TEXT("core",
-                "%1: line %2 is a row of %3 numbers like the data, but other text follows it; it "
-                "was taken as header. Set skip_rows in the recipe's import section to be certain."),
+                "%1: line %2 is a row of %3 numbers like the data, but other text follows it; it was taken as header. Set skip_rows in the recipe's import section to be certain."),
             {path, std::to_string(i + 1), std::to_string(dialect.columns)}));
         break;
     }
     if (const std::optional<Index> names = namesThatDoNotFit(dialect))
         findings.push_back(finding("CAP-018", Severity::Info,
             DYNCAL_TEXT("core",
-                "%1: line %2 has %3 cells above %4 columns, so the columns are numbered, not "
-                "named."),
+                "%1: line %2 has %3 cells above %4 columns, so the columns are numbered, not named."),
             {path, std::to_string(dialect.headerLines()), std::to_string(*names),
                 std::to_string(dialect.columns)}));
     return findings;
@@ -110,8 +105,7 @@ Result<void> checkColumns(const std::string &path, const ImportSettings &setting
         if (column < 0 || column >= columns)
             return fail(ErrorKind::Usage,
                 {DYNCAL_TEXT("core",
-                     "%1 has no column %2 for %3; it has the columns 0 to %4. Change columns in "
-                     "the recipe's import section."),
+                     "%1 has no column %2 for %3; it has the columns 0 to %4. Change columns in the recipe's import section."),
                     {path, std::to_string(column), role, std::to_string(columns - 1)}});
     }
     return {};
@@ -121,8 +115,7 @@ Finding ambiguousDecimal(const std::string &path, const TextDialect &dialect)
 {
     return finding("CAP-019", Severity::Caution,
         DYNCAL_TEXT("core",
-            "%1: \"%2\" can be read in two ways; the comma was taken as %3. Set decimal and "
-            "separator in the recipe's import section to be certain."),
+            "%1: \"%2\" can be read in two ways; the comma was taken as %3. Set decimal and separator in the recipe's import section to be certain."),
         {path, dialect.ambiguous, dialect.decimal == ',' ? "decimal mark" : "separator"});
 }
 
@@ -140,16 +133,14 @@ Result<void> takeCountedHeader(const TextPart &part, ImportedTable &table)
     if (!header->complete && part.whole)
         return damaged("CAP-018", path,
             DYNCAL_TEXT("core",
-                "%1 begins like a header of %2 samples at %3, but has %4 lines, so it is likely an "
-                "incomplete copy. Copy it again, or set skip_rows in the recipe's import section."),
+                "%1 begins like a header of %2 samples at %3, but has %4 lines, so it is likely an incomplete copy. Copy it again, or set skip_rows in the recipe's import section."),
             {declared, rate, std::to_string(column.size())});
     column.erase(column.begin(), column.begin() + header->lines);
     table.countedHeaderLines = header->lines;
     table.time.sampleRate_Hz = rate_Hz;
     table.findings.push_back(finding("CAP-003", Severity::Info,
         DYNCAL_TEXT("core",
-            "%1: the first %2 lines were taken as header, as they count the %3 lines behind: the "
-            "sample rate is %4."),
+            "%1: the first %2 lines were taken as header, as they count the %3 lines behind: the sample rate is %4."),
         {path, std::to_string(header->lines), declared, rate}));
     return {};
 }

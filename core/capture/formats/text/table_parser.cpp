@@ -198,9 +198,9 @@ private:
     {
         const std::size_t values = static_cast<std::size_t>(m_blankRows) * m_row.size();
         if (values > m_text.size())
-            return damaged(DYNCAL_TEXT("core",
-                               "%1, line %2 follows %3 blank lines; the file is damaged, or it "
-                               "holds two tables."),
+            return damaged(
+                DYNCAL_TEXT("core",
+                    "%1, line %2 follows %3 blank lines; the file is damaged, or it holds two tables."),
                 {std::to_string(number), std::to_string(m_blankRows)});
         std::fill(m_row.begin(), m_row.end(), kNan);
         for (; m_blankRows > 0; --m_blankRows) {
@@ -242,17 +242,16 @@ private:
     {
         return damaged(
             DYNCAL_TEXT("core",
-                "%1, line %2 has %3 cells, the lines before have %4; correct the line, or set "
-                "separator and decimal in the recipe's import section."),
+                "%1, line %2 has %3 cells, the lines before have %4; correct the line, or set separator and decimal in the recipe's import section."),
             {std::to_string(number), std::to_string(found), std::to_string(m_row.size())});
     }
 
     /// Whatever the comment says, rows before and behind it need not follow each other in time.
     tl::unexpected<Error> commentWithin() const
     {
-        return damaged(DYNCAL_TEXT("core",
-                           "%1, line %2 is a comment within the data; take it out if the rows "
-                           "around it follow each other, else save them as two files."),
+        return damaged(
+            DYNCAL_TEXT("core",
+                "%1, line %2 is a comment within the data; take it out if the rows around it follow each other, else save them as two files."),
             {std::to_string(m_commentLine)});
     }
 

@@ -32,9 +32,7 @@ Result<void> checkTextSize(const std::string &path, std::uint64_t bytes)
         return {};
     return fail(ErrorKind::FileUnreadable,
         {DYNCAL_TEXT("core",
-             "%1 has %2 bytes, which is too large for a text; export a shorter part, or as "
-             "HDF5 "
-             "capture."),
+             "%1 has %2 bytes, which is too large for a text; export a shorter part, or as HDF5 capture."),
             {path, std::to_string(bytes)}},
         "CAP-018");
 }

@@ -184,8 +184,7 @@ tl::unexpected<Error> unreadableCell(
     constexpr std::size_t kShown = 40;
     return fail(ErrorKind::FileUnreadable,
         {DYNCAL_TEXT("core",
-             "%1, line %2, column %3: \"%4\" is no number; correct the cell, or set decimal, "
-             "separator or skip_rows in the recipe's import section."),
+             "%1, line %2, column %3: \"%4\" is no number; correct the cell, or set decimal, separator or skip_rows in the recipe's import section."),
             {path, std::to_string(line), std::to_string(column), utf8Text(cell.substr(0, kShown))}},
         "CAP-018");
 }
@@ -194,8 +193,7 @@ tl::unexpected<Error> noRowsOfNumbers(const std::string &path)
 {
     return fail(ErrorKind::FileUnreadable,
         {DYNCAL_TEXT("core",
-             "%1 holds no rows of numbers that fit together; check separator, decimal and "
-             "skip_rows in the recipe's import section."),
+             "%1 holds no rows of numbers that fit together; check separator, decimal and skip_rows in the recipe's import section."),
             {path}},
         "CAP-001");
 }

@@ -32,9 +32,7 @@ TimeSentences::Failure TimeSentences::frequencies(const ColumnTitle &title) cons
 {
     return failure("CAP-001",
         DYNCAL_TEXT("core",
-            "%1 is no recording over time: its first column, \"%2\", holds frequencies. If it "
-            "holds "
-            "samples, say so under columns in the recipe's import section."),
+            "%1 is no recording over time: its first column, \"%2\", holds frequencies. If it holds samples, say so under columns in the recipe's import section."),
         {path, title.name});
 }
 
@@ -43,9 +41,7 @@ TimeSentences::Failure TimeSentences::headerContradictsItself(
 {
     return failure("CAP-003",
         DYNCAL_TEXT("core",
-            "%1: line %2 of the header (\"%3\") means %4, but line %5 (\"%6\") means %7. Which one "
-            "is "
-            "right? State sample_rate_hz in the recipe's import section."),
+            "%1: line %2 of the header (\"%3\") means %4, but line %5 (\"%6\") means %7. Which one is right? State sample_rate_hz in the recipe's import section."),
         {path, std::to_string(a.line), a.text, hertz(a.rate_Hz), std::to_string(b.line), b.text,
             hertz(b.rate_Hz)});
 }
@@ -55,10 +51,7 @@ TimeSentences::Failure TimeSentences::headerAgainstTimes(
 {
     return failure("CAP-003",
         DYNCAL_TEXT("core",
-            "%1: line %2 of the header (\"%3\") means %4, but the column of times steps at %5. "
-            "Which "
-            "one is right? State sample_rate_hz in the recipe's import section; to go against the "
-            "times, name only the columns of samples there, too."),
+            "%1: line %2 of the header (\"%3\") means %4, but the column of times steps at %5. Which one is right? State sample_rate_hz in the recipe's import section; to go against the times, name only the columns of samples there, too."),
         {path, std::to_string(header.line), header.text, hertz(header.rate_Hz), hertz(times_Hz)});
 }
 
@@ -66,10 +59,7 @@ TimeSentences::Failure TimeSentences::recipeAgainstTimes(double recipe_Hz, doubl
 {
     return failure("CAP-003",
         DYNCAL_TEXT("core",
-            "%1: the recipe states a sample rate of %2, but the column of times steps at %3. Which "
-            "one is right? Take sample_rate_hz out of the recipe, or say in sample_rate_reason why "
-            "the "
-            "times are wrong."),
+            "%1: the recipe states a sample rate of %2, but the column of times steps at %3. Which one is right? Take sample_rate_hz out of the recipe, or say in sample_rate_reason why the times are wrong."),
         {path, hertz(recipe_Hz), hertz(times_Hz)});
 }
 
@@ -77,9 +67,7 @@ TimeSentences::Failure TimeSentences::noUnitAgrees(double step, double known_Hz)
 {
     return failure("CAP-003",
         DYNCAL_TEXT("core",
-            "%1: the stated sample rate is %2, but the times, which have no unit, step by %3: that "
-            "fits neither in s nor in ms, us or ns. Correct the rate, or name only the columns of "
-            "samples in the recipe's import section."),
+            "%1: the stated sample rate is %2, but the times, which have no unit, step by %3: that fits neither in s nor in ms, us or ns. Correct the rate, or name only the columns of samples in the recipe's import section."),
         {path, hertz(known_Hz), numberText(step, kDigits)});
 }
 
@@ -89,9 +77,7 @@ TimeSentences::Failure TimeSentences::irregular(
     const auto row = static_cast<std::size_t>(*axis.irregular);
     return failure("CAP-016",
         DYNCAL_TEXT("core",
-            "%1: the times are not uniform: line %2 follows its predecessor by %3, others by %4 "
-            "(allowed is 1 %). Record anew, or name only the columns of samples and give the "
-            "sample rate in the recipe's import section."),
+            "%1: the times are not uniform: line %2 follows its predecessor by %3, others by %4 (allowed is 1 %). Record anew, or name only the columns of samples and give the sample rate in the recipe's import section."),
         {path, std::to_string(headerLines + *axis.irregular + 1),
             numberText(times[row] - times[row - 1], 6), numberText(axis.step, 6)});
 }
@@ -108,8 +94,7 @@ Finding TimeSentences::headerOverruled(const HeaderRate &header, double times_Hz
 {
     return finding("CAP-003", Severity::Caution,
         DYNCAL_TEXT("core",
-            "%1: line %2 of the header (\"%3\") means %4, but recipe and column of times agree on "
-            "%5, which was taken."),
+            "%1: line %2 of the header (\"%3\") means %4, but recipe and column of times agree on %5, which was taken."),
         {path, std::to_string(header.line), header.text, hertz(header.rate_Hz), hertz(times_Hz)});
 }
 
@@ -117,9 +102,7 @@ Finding TimeSentences::headerUnitAssumed(const HeaderRate &header) const
 {
     return finding("CAP-003", Severity::Info,
         DYNCAL_TEXT("core",
-            "%1: line %2 of the header (\"%3\") has no unit; in Hz or s it means %4, which was "
-            "taken "
-            "as the sample rate."),
+            "%1: line %2 of the header (\"%3\") has no unit; in Hz or s it means %4, which was taken as the sample rate."),
         {path, std::to_string(header.line), header.text, hertz(header.rate_Hz)});
 }
 
@@ -127,21 +110,18 @@ Finding TimeSentences::ratePassedOver(double recipe_Hz, double times_Hz) const
 {
     return finding("CAP-003", Severity::Caution,
         DYNCAL_TEXT("core",
-            "%1: the recipe's sample rate of %2 was taken although the file's column of times "
-            "steps "
-            "at %3."),
+            "%1: the recipe's sample rate of %2 was taken although the file's column of times steps at %3."),
         {path, hertz(recipe_Hz), hertz(times_Hz)});
 }
 
 Finding TimeSentences::unitUnknown(const std::string &name, double step, bool counter) const
 {
     return finding("CAP-003", Severity::Caution,
-        counter ? DYNCAL_TEXT("core",
-            "%1: column \"%2\" only counts the rows, so the sample rate is unknown; state "
-            "sample_rate_hz in the recipe's import section.")
-                : DYNCAL_TEXT("core",
-                    "%1: column \"%2\" steps by %3 without a unit, so the sample rate is unknown; "
-                    "state sample_rate_hz in the recipe's import section."),
+        counter
+            ? DYNCAL_TEXT("core",
+                "%1: column \"%2\" only counts the rows, so the sample rate is unknown; state sample_rate_hz in the recipe's import section.")
+            : DYNCAL_TEXT("core",
+                "%1: column \"%2\" steps by %3 without a unit, so the sample rate is unknown; state sample_rate_hz in the recipe's import section."),
         {path, name, numberText(step, kDigits)});
 }
 
@@ -150,8 +130,7 @@ Finding TimeSentences::secondsAssumed(
 {
     return finding("CAP-003", severity,
         DYNCAL_TEXT("core",
-            "%1: column \"%2\" has no unit; its numbers were taken as seconds, which makes the "
-            "sample rate %3. If that is wrong, write the unit into the title."),
+            "%1: column \"%2\" has no unit; its numbers were taken as seconds, which makes the sample rate %3. If that is wrong, write the unit into the title."),
         {path, name, hertz(rate_Hz)});
 }
 
@@ -159,8 +138,7 @@ Finding TimeSentences::irregularPassedOver(const TimeAxis &axis) const
 {
     return finding("CAP-016", Severity::Caution,
         DYNCAL_TEXT("core",
-            "%1: the recipe leaves the column of times out, but at line %2 it is not uniform; if "
-            "samples are missing there, all behind them is shifted."),
+            "%1: the recipe leaves the column of times out, but at line %2 it is not uniform; if samples are missing there, all behind them is shifted."),
         {path, std::to_string(headerLines + *axis.irregular + 1)});
 }
 
@@ -168,10 +146,7 @@ Finding TimeSentences::looksLikeTimes(const ColumnTitle &title) const
 {
     return finding("CAP-016", Severity::Caution,
         DYNCAL_TEXT("core",
-            "%1: column \"%2\" rises from row to row like times, but neither title nor unit says "
-            "so; "
-            "it was read as samples. If it holds times, name it time under columns in the recipe's "
-            "import section."),
+            "%1: column \"%2\" rises from row to row like times, but neither title nor unit says so; it was read as samples. If it holds times, name it time under columns in the recipe's import section."),
         {path, title.name});
 }
 

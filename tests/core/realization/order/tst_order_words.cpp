@@ -76,16 +76,15 @@ private slots:
             std::string("Singular value 2 is 20 times the next one; above the noise floor lie 2."));
         // Mean 1000 Hz, half of 990..1010; mean 0.1, half of 0.096..0.104.
         QCOMPARE(with(words, "pole at"),
-            std::string("The pole at 1.000 kHz \xC2\xB1 0.010 kHz with damping ratio 0.1000 "
-                        "\xC2\xB1 0.0040 is stable from order 2 to 4; the ranges are those over "
-                        "these orders."));
+            std::string(
+                "The pole at 1.000 kHz \xC2\xB1 0.010 kHz with damping ratio 0.1000 \xC2\xB1 0.0040 is stable from order 2 to 4; the ranges are those over these orders."));
         QCOMPARE(with(words, "Poles of the other shots"),
-            std::string("Poles of the other shots describe a shot best at order 2: they leave 12 "
-                        "% of it."));
+            std::string(
+                "Poles of the other shots describe a shot best at order 2: they leave 12 % of it."));
         // 0.98 times 88.96 is 87.18, which order 2 reaches.
         QCOMPARE(with(words, "98 %"),
-            std::string("Order 2 is the lowest whose FIT (88 %) reaches 98 % of the attainable 89 "
-                        "% with neither an unstable nor a Nyquist pole."));
+            std::string(
+                "Order 2 is the lowest whose FIT (88 %) reaches 98 % of the attainable 89 % with neither an unstable nor a Nyquist pole."));
     }
 
     void leastOfTheOtherShots_isNamedWhereItLiesElsewhere()
@@ -93,8 +92,8 @@ private slots:
         Scene scene;
         scene.evidence.crossShot_percent = Eigen::Vector4d(60.0, 12.0, kUnknown, 11.5);
         QCOMPARE(with(scene.words(), "Poles of the other shots"),
-            std::string("Poles of the other shots leave 12 % of a shot at order 2; the least, 11.5 "
-                        "%, at order 4."));
+            std::string(
+                "Poles of the other shots leave 12 % of a shot at order 2; the least, 11.5 %, at order 4."));
         scene.evidence.crossShot_percent[1] = kUnknown; // diverges at the order itself
         QVERIFY(with(scene.words(), "Poles of the other shots").empty());
         scene.evidence.crossShot_percent = Eigen::VectorXd(1); // the order was not looked at
@@ -106,8 +105,8 @@ private slots:
         Scene scene;
         scene.evidence.nyquist = {1, 1, 1, 1};
         QCOMPARE(with(scene.words(), "No order"),
-            std::string("No order up to 4 reaches 98 % of the attainable FIT of 89 % with neither "
-                        "an unstable nor a Nyquist pole."));
+            std::string(
+                "No order up to 4 reaches 98 % of the attainable FIT of 89 % with neither an unstable nor a Nyquist pole."));
         for (const double nothing : {kUnknown, 10.0, -20.0}) {
             scene.evidence.fitAttainable_percent = nothing;
             QVERIFY(with(scene.words(), "attainable").empty());

@@ -61,9 +61,8 @@ private slots:
         const auto error = ExpansionBudget(kMebibyte).exceededBy(
             "a.h5", Expanding::Channel, "x", std::uint64_t(3) << 30);
         QCOMPARE(english(error.value().message),
-            std::string("a.h5: channel x would take 3 GiB of memory, more than the 84 MiB that a "
-                        "file of this size may; if you trust the file, raise import.max_expansion "
-                        "in the recipe."));
+            std::string(
+                "a.h5: channel x would take 3 GiB of memory, more than the 84 MiB that a file of this size may; if you trust the file, raise import.max_expansion in the recipe."));
         QCOMPARE(error.value().findingId, std::string("CAP-018"));
     }
 

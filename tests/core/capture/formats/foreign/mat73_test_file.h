@@ -47,8 +47,8 @@ inline void writeHead(const std::string &path)
     QFile file(QString::fromStdString(path));
     if (!file.open(QIODevice::ReadWrite))
         qFatal("cannot write the user block");
-    QByteArray head("MATLAB 7.3 MAT-file, Platform: GLNXA64, Created on: Mon Jan  1 00:00:00 2024 "
-                    "HDF5 schema 1.00 .");
+    QByteArray head(
+        "MATLAB 7.3 MAT-file, Platform: GLNXA64, Created on: Mon Jan  1 00:00:00 2024 HDF5 schema 1.00 .");
     head = head.leftJustified(124, ' ');
     head.append("\0\2IM", 4);
     file.write(head);

@@ -654,17 +654,17 @@ private slots:
 
     void read_fileOfAnIndependentWriter_sameValues()
     {
-        const QString script = "import sys, h5py, numpy as np\n"
-                               "f = h5py.File(sys.argv[1], 'w')\n"
-                               "e = f.create_group('entry'); e.attrs['NX_class'] = 'NXentry'\n"
-                               "d = e.create_dataset('p', data=np.arange(3000, dtype='u2'), "
-                               "chunks=(256,), compression='gzip', shuffle=True)\n"
-                               "d.attrs['units'] = 'Pa'; d.attrs['scale_factor'] = 0.25\n"
-                               "e.create_dataset('q', data=np.arange(3000, dtype='>f4'))\n"
-                               "e.create_dataset('time', data=np.arange(3000) * 1e-6)\n"
-                               "e.create_dataset('name', data='text')\n"
-                               "f['v'] = h5py.SoftLink('/entry/p')\n"
-                               "f.close()\n";
+        const QString script
+            = "import sys, h5py, numpy as np\n"
+              "f = h5py.File(sys.argv[1], 'w')\n"
+              "e = f.create_group('entry'); e.attrs['NX_class'] = 'NXentry'\n"
+              "d = e.create_dataset('p', data=np.arange(3000, dtype='u2'), chunks=(256,), compression='gzip', shuffle=True)\n"
+              "d.attrs['units'] = 'Pa'; d.attrs['scale_factor'] = 0.25\n"
+              "e.create_dataset('q', data=np.arange(3000, dtype='>f4'))\n"
+              "e.create_dataset('time', data=np.arange(3000) * 1e-6)\n"
+              "e.create_dataset('name', data='text')\n"
+              "f['v'] = h5py.SoftLink('/entry/p')\n"
+              "f.close()\n";
         if (!runPython(script, {QString::fromStdString(path("py.h5"))}))
             QSKIP("no Python with h5py here: files of an independent writer not covered");
         const auto set = openCapture(path("py.h5"), {});

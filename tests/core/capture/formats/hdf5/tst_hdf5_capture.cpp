@@ -308,15 +308,14 @@ private slots:
         QTest::addColumn<bool>("exact");
         QTest::newRow("contiguous") << "c.create_dataset('a', data=x)" << true;
         QTest::newRow("shuffle, deflate, fletcher32")
-            << "c.create_dataset('a', data=x, chunks=(512,), compression=9, shuffle=True, "
-               "fletcher32=True)"
+            << "c.create_dataset('a', data=x, chunks=(512,), compression=9, shuffle=True, fletcher32=True)"
             << true;
         QTest::newRow("big endian") << "c.create_dataset('a', data=x.astype('>i2'))" << true;
         QTest::newRow("int32") << "c.create_dataset('a', data=x.astype('i4'))" << true;
         QTest::newRow("double") << "c.create_dataset('a', data=x.astype('f8'))" << true;
-        QTest::newRow("float16") << "c.create_dataset('a', data=np.round(x/16).astype('f2')); "
-                                    "c['a'].attrs['scale'] = 16.0"
-                                 << false;
+        QTest::newRow("float16")
+            << "c.create_dataset('a', data=np.round(x/16).astype('f2')); c['a'].attrs['scale'] = 16.0"
+            << false;
         QTest::newRow("int64") << "c.create_dataset('a', data=x.astype('i8'))" << true;
         QTest::newRow("fixed-length text, numbers as text")
             << "d = c.create_dataset('a', data=x)\n"
@@ -376,18 +375,15 @@ private slots:
                                          << "CAP-018"
                                          << "claims more";
         QTest::newRow("sparse bomb")
-            << "d = c.create_dataset('a', shape=(2**46,), chunks=(2**20,), dtype='i2', "
-               "compression=1)\nd[:10] = 1"
+            << "d = c.create_dataset('a', shape=(2**46,), chunks=(2**20,), dtype='i2', compression=1)\nd[:10] = 1"
             << "CAP-018"
             << "claims more";
         QTest::newRow("deflate bomb")
-            << "d = c.create_dataset('a', shape=(2**46,), chunks=(2**22,), dtype='i1', "
-               "compression=9)\nd[:2**22] = 0"
+            << "d = c.create_dataset('a', shape=(2**46,), chunks=(2**22,), dtype='i1', compression=9)\nd[:2**22] = 0"
             << "CAP-018"
             << "claims more";
         QTest::newRow("deflate bomb of one chunk")
-            << "d = c.create_dataset('a', shape=(2**28,), chunks=(2**28,), dtype='i1', "
-               "compression=1)\nd[:] = 0"
+            << "d = c.create_dataset('a', shape=(2**28,), chunks=(2**28,), dtype='i1', compression=1)\nd[:] = 0"
             << "CAP-018"
             << "64 MiB";
         QTest::newRow("external file")
@@ -395,8 +391,7 @@ private slots:
             << "CAP-018"
             << "another file (/etc/passwd), which is not opened";
         QTest::newRow("large external file")
-            << "c.create_dataset('a', shape=(10**9,), dtype='i2', external=[('/etc/passwd', 0, "
-               "2 * 10**9)])"
+            << "c.create_dataset('a', shape=(10**9,), dtype='i2', external=[('/etc/passwd', 0, 2 * 10**9)])"
             << "CAP-018"
             << "another file (/etc/passwd), which is not opened";
         QTest::newRow("external link") << "c['a'] = h5py.ExternalLink('/tmp/x.h5', '/a')"

@@ -304,8 +304,7 @@ private slots:
         const QString script
             = "import sys, h5py\n"
               "f = h5py.File(sys.argv[1], 'w')\n"
-              "d = f.create_dataset('a', shape=(2**33,), chunks=(2**22,), "
-              "dtype='i1', compression=9)\n"
+              "d = f.create_dataset('a', shape=(2**33,), chunks=(2**22,), dtype='i1', compression=9)\n"
               "import zlib, numpy as np\n"
               "block = zlib.compress(np.zeros(2**22, dtype='i1').tobytes(), 9)\n"
               "for i in range(2**11): d.id.write_direct_chunk((i * 2**22,), block)\n"
