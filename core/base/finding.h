@@ -31,11 +31,11 @@ struct Finding
     std::string id; ///< "CAP-006"
     Severity severity = Severity::Info;
     Index shot = 0; ///< number from 1; 0 = concerns no single shot
-    std::string channel;
-    std::optional<double> time_s; ///< on the record's own axis
-    Message message;
-    std::optional<double> value;
-    std::optional<double> limit;
+    std::string channel = {};
+    std::optional<double> time_s = std::nullopt; ///< on the record's own axis
+    Message message = {};
+    std::optional<double> value = std::nullopt;
+    std::optional<double> limit = std::nullopt;
     std::optional<Mend> mend = std::nullopt; ///< where one change of the recipe would settle it
 
     bool operator==(const Finding &) const = default;

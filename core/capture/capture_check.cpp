@@ -65,10 +65,14 @@ private:
 
     void addUnreadable()
     {
-        add("CAP-015", Severity::Block, {},
-            {DYNCAL_TEXT("core",
-                 "Shot %1, channel '%2': the samples cannot be read any more, because the file changed or is out of reach; open it again."),
-                {std::to_string(m_shot), m_channel.name}});
+        m_findings.push_back({.id = "CAP-015",
+            .severity = Severity::Block,
+            .shot = m_shot,
+            .channel = m_channel.name,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "Shot %1, channel '%2': the samples cannot be read any more, because the file changed or is out of reach; open it again."),
+                {std::to_string(m_shot), m_channel.name}}});
     }
 
     void addEmpty()
@@ -77,9 +81,12 @@ private:
             "core", "Channel '%1' of shot %2 has no samples. Check the file and the role.");
         const char *invalid = DYNCAL_TEXT("core",
             "Channel '%1' of shot %2 has no valid sample: none of its %3 samples is a number. Check the file and the role.");
-        add("CAP-008", ofFlat(), {},
-            {m_survey.size == 0 ? none : invalid,
-                {m_channel.name, std::to_string(m_shot), std::to_string(m_survey.size)}});
+        m_findings.push_back({.id = "CAP-008",
+            .severity = ofFlat(),
+            .shot = m_shot,
+            .channel = m_channel.name,
+            .message = {m_survey.size == 0 ? none : invalid,
+                {m_channel.name, std::to_string(m_shot), std::to_string(m_survey.size)}}});
     }
 
     void addConstant()
@@ -91,22 +98,30 @@ private:
         const char *single = DYNCAL_TEXT("core",
             "Channel '%1' of shot %2 has a single valid sample, %4, which is no record. Check the file and the role.");
         const Index count = m_survey.size - m_survey.invalid;
-        add("CAP-008", ofFlat(), {},
-            {count == 1                    ? single
+        m_findings.push_back({.id = "CAP-008",
+            .severity = ofFlat(),
+            .shot = m_shot,
+            .channel = m_channel.name,
+            .message = {count == 1         ? single
                     : m_survey.invalid > 0 ? valid
                                            : all,
                 {m_channel.name, std::to_string(m_shot), std::to_string(count),
-                    numberWithUnit(physicalValue(m_channel, m_survey.lowest), m_channel.unit)}});
+                    numberWithUnit(physicalValue(m_channel, m_survey.lowest), m_channel.unit)}}});
     }
 
     void addFlat()
     {
-        add("CAP-008", ofFlat(), {},
-            {DYNCAL_TEXT("core",
-                 "Channel '%1' of shot %2 is flat: its standard deviation is %3 codes of the converter (%4 is the limit). Check cable and role."),
+        m_findings.push_back({.id = "CAP-008",
+            .severity = ofFlat(),
+            .shot = m_shot,
+            .channel = m_channel.name,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "Channel '%1' of shot %2 is flat: its standard deviation is %3 codes of the converter (%4 is the limit). Check cable and role."),
                 {m_channel.name, std::to_string(m_shot), numberText(m_survey.sd, 2),
                     numberText(m_settings.flatCodes, 3)}},
-            m_survey.sd, m_settings.flatCodes);
+            .value = m_survey.sd,
+            .limit = m_settings.flatCodes});
     }
 
     void checkInvalid()
@@ -114,13 +129,18 @@ private:
         if (m_survey.invalid == 0)
             return;
         const double time_s = m_channel.timeOf_s(m_survey.firstInvalid);
-        add("CAP-006", Severity::Caution, time_s,
-            {DYNCAL_TEXT("core",
-                 "Shot %1, %2: %3 invalid samples from %4 on (samples %5 to %6). Inside the response window they block the shot; exclude it or set import.interpolate_invalid."),
+        m_findings.push_back({.id = "CAP-006",
+            .severity = Severity::Caution,
+            .shot = m_shot,
+            .channel = m_channel.name,
+            .time_s = time_s,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "Shot %1, %2: %3 invalid samples from %4 on (samples %5 to %6). Inside the response window they block the shot; exclude it or set import.interpolate_invalid."),
                 {std::to_string(m_shot), m_channel.name, std::to_string(m_survey.invalid),
                     numberWithUnit(time_s, "s", 6), std::to_string(m_survey.firstInvalid),
                     std::to_string(m_survey.lastInvalid)}},
-            static_cast<double>(m_survey.invalid));
+            .value = static_cast<double>(m_survey.invalid)});
     }
 
     /// Where the rail is known only what reaches it is saturated, and blocks inside the window;
@@ -136,22 +156,20 @@ private:
         const char *unknown = DYNCAL_TEXT("core",
             "Shot %1, %2 looks cut off for %3 at %4, from %5 on. More than 20 % of the response window like that blocks the shot; use a wider range.");
         const double time_s = m_channel.timeOf_s(run.begin);
-        add("CAP-007", Severity::Caution, time_s,
-            {rail ? known : unknown,
+        m_findings.push_back({.id = "CAP-007",
+            .severity = Severity::Caution,
+            .shot = m_shot,
+            .channel = m_channel.name,
+            .time_s = time_s,
+            .message = {rail ? known : unknown,
                 {std::to_string(m_shot), m_channel.name,
                     numberWithUnit(
                         static_cast<double>(run.count) / m_channel.sampleRate_Hz, "s", 3),
                     numberWithUnit(
                         physicalValue(m_channel, m_channel.samples.at(run.begin)), m_channel.unit),
                     numberWithUnit(time_s, "s", 6)}},
-            static_cast<double>(run.count), static_cast<double>(m_settings.saturationRun));
-    }
-
-    void add(const char *id, Severity severity, std::optional<double> time_s, Message message,
-        std::optional<double> value = {}, std::optional<double> limit = {})
-    {
-        m_findings.push_back(
-            {id, severity, m_shot, m_channel.name, time_s, std::move(message), value, limit});
+            .value = static_cast<double>(run.count),
+            .limit = static_cast<double>(m_settings.saturationRun)});
     }
 
     Findings &m_findings;
@@ -198,12 +216,15 @@ void checkTwins(const CaptureSet &set, Findings &findings)
         const auto [first, isNew] = seen.emplace(dut->sha256, i);
         if (isNew)
             continue;
-        findings.push_back({"CAP-011", Severity::Caution, static_cast<Index>(i) + 1, dut->name, {},
-            {DYNCAL_TEXT("core",
-                 "Shot %1%2 and shot %3%4 hold identical data; a shot counted twice makes the scatter look smaller than it is. Exclude one of them."),
+        findings.push_back({.id = "CAP-011",
+            .severity = Severity::Caution,
+            .shot = static_cast<Index>(i) + 1,
+            .channel = dut->name,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "Shot %1%2 and shot %3%4 hold identical data; a shot counted twice makes the scatter look smaller than it is. Exclude one of them."),
                 {std::to_string(first->second + 1), inputNameOf(set, first->second),
-                    std::to_string(i + 1), inputNameOf(set, i)}},
-            {}, {}});
+                    std::to_string(i + 1), inputNameOf(set, i)}}});
     }
 }
 
@@ -218,26 +239,31 @@ void compareShots(const CaptureSet &set, Findings &findings)
         }
     }
     if (rates_Hz.size() == 1) {
-        findings.push_back({"CAP-017", Severity::Info, 0, {}, {},
-            {DYNCAL_TEXT("core", "One shot: PCA is skipped and repeatability cannot be evaluated."),
+        findings.push_back({.id = "CAP-017",
+            .severity = Severity::Info,
+            .message = {DYNCAL_TEXT("core",
+                            "One shot: PCA is skipped and repeatability cannot be evaluated."),
                 {}},
-            1.0, 2.0});
+            .value = 1.0,
+            .limit = 2.0});
         return;
     }
     if (!rates_Hz.empty() && !allEqual(rates_Hz)) {
-        findings.push_back({"CAP-004", Severity::Caution, 0, {}, {},
-            {DYNCAL_TEXT("core",
-                 "Shots have different sample rates (%1). For PCA they are brought to %2; the model input resamples each from its own rate."),
+        findings.push_back({.id = "CAP-004",
+            .severity = Severity::Caution,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "Shots have different sample rates (%1). For PCA they are brought to %2; the model input resamples each from its own rate."),
                 {listOf(rates_Hz, "Hz"),
-                    numberWithUnit(*std::min_element(rates_Hz.begin(), rates_Hz.end()), "Hz", 6)}},
-            {}, {}});
+                    numberWithUnit(
+                        *std::min_element(rates_Hz.begin(), rates_Hz.end()), "Hz", 6)}}});
     }
     if (!durations_s.empty() && !allEqual(durations_s)) {
-        findings.push_back({"CAP-005", Severity::Info, 0, {}, {},
-            {DYNCAL_TEXT(
-                 "core", "Shots have different lengths (%1); what all of them have is used."),
-                {listOf(durations_s, "s")}},
-            {}, {}});
+        findings.push_back({.id = "CAP-005",
+            .severity = Severity::Info,
+            .message = {DYNCAL_TEXT("core",
+                            "Shots have different lengths (%1); what all of them have is used."),
+                {listOf(durations_s, "s")}}});
     }
 }
 
@@ -252,11 +278,13 @@ Findings checkCaptures(const CaptureSet &set, const CheckSettings &settings)
         if (!shot.included)
             continue;
         if (!shot.channelWithRole(ChannelRole::Dut)) {
-            findings.push_back({"CAP-002", Severity::Block, number, {}, {},
-                {DYNCAL_TEXT("core",
-                     "Shot %1 has no DUT channel. Choose which channel is the sensor under test (import.channels in the recipe)."),
-                    {std::to_string(number)}},
-                {}, {}});
+            findings.push_back({.id = "CAP-002",
+                .severity = Severity::Block,
+                .shot = number,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "Shot %1 has no DUT channel. Choose which channel is the sensor under test (import.channels in the recipe)."),
+                    {std::to_string(number)}}});
         }
         for (const Channel &channel : shot.channels)
             ChannelChecks(findings, number, channel, settings).run();

@@ -207,11 +207,13 @@ Findings equalInputs(const CaptureSet &set)
         const auto shot = std::find_if(set.shots.begin(), set.shots.end(),
             [&](const Shot &s) { return comesFrom(s, static_cast<Index>(i)); });
         const Index number = shot != set.shots.end() ? shot - set.shots.begin() + 1 : 0;
-        findings.push_back({"CAP-011", Severity::Caution, number, {}, {},
-            {DYNCAL_TEXT("core",
-                 "%1 and %2 hold identical data; a shot counted twice makes the scatter look smaller than it is. Take one of them out."),
-                {twin->second->path, input.path}},
-            {}, {}});
+        findings.push_back({.id = "CAP-011",
+            .severity = Severity::Caution,
+            .shot = number,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "%1 and %2 hold identical data; a shot counted twice makes the scatter look smaller than it is. Take one of them out."),
+                {twin->second->path, input.path}}});
     }
     return findings;
 }
@@ -261,11 +263,12 @@ void reportUnexpected(CaptureSet &set)
         if (!input.expectedSha256 || input.sha256.empty() || *input.expectedSha256 == input.sha256)
             continue;
         addOnce(set.findings,
-            {"CAP-015", Severity::Block, 0, {}, {},
-                {DYNCAL_TEXT("core",
-                     "%1 changed since it was imported. The results are of the new data and cannot be certified in this project."),
-                    {input.file}},
-                {}, {}});
+            {.id = "CAP-015",
+                .severity = Severity::Block,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "%1 changed since it was imported. The results are of the new data and cannot be certified in this project."),
+                    {input.file}}});
     }
 }
 

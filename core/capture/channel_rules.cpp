@@ -70,16 +70,21 @@ Finding replacedRate(double stated_Hz, double typed_Hz, const std::string &reaso
     const std::string typed = numberWithUnit(typed_Hz, "Hz", 6);
     const std::string stated = numberWithUnit(stated_Hz, "Hz", 6);
     if (!contradicts)
-        return {"CAP-025", Severity::Info, 0, {}, {},
-            {DYNCAL_TEXT(
-                 "core", "The recipe's sample rate of %1 replaces the %2 that the files state."),
+        return {.id = "CAP-025",
+            .severity = Severity::Info,
+            .message = {DYNCAL_TEXT("core",
+                            "The recipe's sample rate of %1 replaces the %2 that the files state."),
                 {typed, stated}},
-            typed_Hz, stated_Hz};
-    return {"CAP-025", Severity::Caution, 0, {}, {},
-        {DYNCAL_TEXT("core",
-             "The recipe's sample rate of %1 replaces the %2 that the files state; reason: %3."),
+            .value = typed_Hz,
+            .limit = stated_Hz};
+    return {.id = "CAP-025",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "The recipe's sample rate of %1 replaces the %2 that the files state; reason: %3."),
             {typed, stated, reason}},
-        typed_Hz, stated_Hz};
+        .value = typed_Hz,
+        .limit = stated_Hz};
 }
 
 /// What is said of this channel, completed for the DUT by what is said of the DUT.
@@ -136,10 +141,14 @@ void fillGapsOfDut(Channel &channel, Index shot, Index longest, Findings &findin
         return;
     const Index filled = fillGaps(channel.samples, longest); // sha256 stays that of the recording
     if (filled > 0)
-        findings.push_back({"CAP-022", Severity::Caution, shot, channel.name, {},
-            {DYNCAL_TEXT("core", "Shot %1, %2: %3 invalid samples were interpolated."),
+        findings.push_back({.id = "CAP-022",
+            .severity = Severity::Caution,
+            .shot = shot,
+            .channel = channel.name,
+            .message = {DYNCAL_TEXT("core", "Shot %1, %2: %3 invalid samples were interpolated."),
                 {std::to_string(shot), channel.name, std::to_string(filled)}},
-            static_cast<double>(filled), static_cast<double>(longest)});
+            .value = static_cast<double>(filled),
+            .limit = static_cast<double>(longest)});
 }
 
 } // namespace

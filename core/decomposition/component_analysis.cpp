@@ -93,13 +93,17 @@ std::optional<Finding> poorFirstComponent(const ComponentResult &result)
     Index worst = 0;
     energy.maxCoeff(&worst);
     const Index shot = result.shots[static_cast<std::size_t>(worst)];
-    return Finding{"PCA-001", Severity::Caution, shot, {}, std::nullopt,
-        {DYNCAL_TEXT("core",
-             "The first principal component explains %1 % (limit %2 %). Shot %3 carries %4 % of the remainder."),
+    return Finding{.id = "PCA-001",
+        .severity = Severity::Caution,
+        .shot = shot,
+        .message
+        = {DYNCAL_TEXT("core",
+               "The first principal component explains %1 % (limit %2 %). Shot %3 carries %4 % of the remainder."),
             {numberText(explained_percent, 3), numberText(kLeastExplained_percent, 3),
                 std::to_string(shot),
                 numberText(std::round(100.0 * energy[worst] / energy.sum()), 4)}},
-        explained_percent, kLeastExplained_percent};
+        .value = explained_percent,
+        .limit = kLeastExplained_percent};
 }
 
 /// Components, reconstructions and residuals of two and more shots.

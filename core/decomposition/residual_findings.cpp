@@ -23,12 +23,6 @@ constexpr double kTolerableShare = 0.1; ///< amplitude left of a resonance befor
 constexpr double kLargestDelay = 1.0; ///< samples between shots whose starts are whole samples
 constexpr double kLargestShare = 0.9; ///< of the energy that one shot of several can hold
 
-Finding caution(const char *id, Index shot, Message message, double value,
-    std::optional<double> limit = std::nullopt)
-{
-    return {id, Severity::Caution, shot, {}, std::nullopt, std::move(message), value, limit};
-}
-
 /// The peak of a residual that is a resonance of the average, if one is.
 std::optional<double> resonanceLeft(
     const ResidualAnalysis &residual, const std::vector<Resonance> &resonances)
@@ -123,11 +117,15 @@ void addResonanceLeft(
         return;
     const double share = std::sqrt(
         densityNear(residual.spectrum, *left_Hz) / densityNear(average.perShot.front(), *left_Hz));
-    Finding finding = caution("PCA-003", shot,
-        {DYNCAL_TEXT("core",
-             "Shot %1: %2 % of the resonance at %3 is left in the residual; its amplitude or its time varies between the shots."),
+    Finding finding{.id = "PCA-003",
+        .severity = Severity::Caution,
+        .shot = shot,
+        .message
+        = {DYNCAL_TEXT("core",
+               "Shot %1: %2 % of the resonance at %3 is left in the residual; its amplitude or its time varies between the shots."),
             {std::to_string(shot), percentText(100.0 * share), numberWithUnit(*left_Hz, "Hz", 4)}},
-        share, kTolerableShare);
+        .value = share,
+        .limit = kTolerableShare};
     if (share <= kTolerableShare)
         finding.severity = Severity::Info;
     else if (const Alignment alignment = align(result, column, *left_Hz); startsExplain(alignment))
@@ -139,11 +137,15 @@ void addWhiteness(Index shot, const ResidualAnalysis &residual, Findings &findin
 {
     if (residual.outsideFraction <= kLargestOutside)
         return;
-    Finding finding = caution("PCA-002", shot,
-        {DYNCAL_TEXT("core",
-             "Shot %1: the residual is not white, %2 % of the lags lie outside the confidence band."),
+    Finding finding{.id = "PCA-002",
+        .severity = Severity::Caution,
+        .shot = shot,
+        .message
+        = {DYNCAL_TEXT("core",
+               "Shot %1: the residual is not white, %2 % of the lags lie outside the confidence band."),
             {std::to_string(shot), percentText(100.0 * residual.outsideFraction)}},
-        100.0 * residual.outsideFraction, 100.0 * kLargestOutside);
+        .value = 100.0 * residual.outsideFraction,
+        .limit = 100.0 * kLargestOutside};
     finding.severity = Severity::Info; // says what one component cannot: no reason to stop
     findings.push_back(std::move(finding));
 }
@@ -164,11 +166,15 @@ void addDominance(const ComponentResult &result, Findings &findings)
     if (!(share > limit))
         return;
     const Index shot = result.shots[static_cast<std::size_t>(worst)];
-    findings.push_back(caution("PCA-004", shot,
-        {DYNCAL_TEXT("core",
-             "Shot %1 holds %2 % of the energy of all residuals; look at it before using the average."),
+    findings.push_back({.id = "PCA-004",
+        .severity = Severity::Caution,
+        .shot = shot,
+        .message
+        = {DYNCAL_TEXT("core",
+               "Shot %1 holds %2 % of the energy of all residuals; look at it before using the average."),
             {std::to_string(shot), numberText(100.0 * share, 3)}},
-        100.0 * share, 100.0 * limit));
+        .value = 100.0 * share,
+        .limit = 100.0 * limit});
 }
 
 } // namespace

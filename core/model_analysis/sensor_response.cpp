@@ -266,12 +266,15 @@ void compareAnswers(ResponseResult &result)
         const double limit
             = kCoverage * result.u_magnitude[k] + kModelShare * result.modelMagnitude[k];
         if (difference > limit) {
-            result.findings.push_back({"RSP-001", Severity::Caution, 0, {}, {},
-                {DYNCAL_TEXT("core",
-                     "At %1 the response taken from the data directly differs by %2 % from the model, more than noise allows: the model misses something there."),
+            result.findings.push_back({.id = "RSP-001",
+                .severity = Severity::Caution,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "At %1 the response taken from the data directly differs by %2 % from the model, more than noise allows: the model misses something there."),
                     {numberWithUnit(result.frequency_Hz[k], "Hz", 3),
                         numberText(100.0 * difference / result.modelMagnitude[k], 2)}},
-                difference, limit});
+                .value = difference,
+                .limit = limit});
             return;
         }
     }
@@ -286,12 +289,15 @@ void reportBelowBand(ResponseResult &result)
     const double lowest_Hz = result.frequency_Hz.minCoeff();
     if (lowest_Hz >= result.fLow_Hz * (1.0 - 1e-9))
         return;
-    result.findings.push_back({"WIN-005", Severity::Caution, 0, {}, {},
-        {DYNCAL_TEXT("core",
-             "The shortest window, %1, resolves steps of %2, but the response is asked for from %3: below %2 it is not measured. Lengthen the window or take these frequencies out of response.frequencies_hz."),
+    result.findings.push_back({.id = "WIN-005",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "The shortest window, %1, resolves steps of %2, but the response is asked for from %3: below %2 it is not measured. Lengthen the window or take these frequencies out of response.frequencies_hz."),
             {numberWithUnit(1.0 / result.fLow_Hz, "s", 4), numberWithUnit(result.fLow_Hz, "Hz", 4),
                 numberWithUnit(lowest_Hz, "Hz", 4)}},
-        lowest_Hz, result.fLow_Hz});
+        .value = lowest_Hz,
+        .limit = result.fLow_Hz});
 }
 
 void describeShots(const std::vector<WindowedResponse> &responses, const SensorModel &model,
@@ -313,11 +319,12 @@ void describeShots(const std::vector<WindowedResponse> &responses, const SensorM
         result.shots.push_back(std::move(shot));
     }
     if (!shareOneUnit(responses)) {
-        result.findings.push_back({"CAP-023", Severity::Caution, 0, {}, {},
-            {DYNCAL_TEXT("core",
-                 "The shots are recorded in different units, so their sensitivities are not averaged; give one unit for all (import.unit)."),
-                {}},
-            {}, {}});
+        result.findings.push_back({.id = "CAP-023",
+            .severity = Severity::Caution,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "The shots are recorded in different units, so their sensitivities are not averaged; give one unit for all (import.unit)."),
+                {}}});
     } else if (count > 0 && count == responses.size()) {
         result.sensitivity = sum / static_cast<double>(count);
     }

@@ -24,11 +24,12 @@ Findings unknownQuantities(const std::vector<BudgetEntry> &budget)
     Findings findings;
     for (const BudgetEntry &entry : budget) {
         if (std::ranges::find(statedQuantities(), entry.quantity) == statedQuantities().end())
-            findings.push_back({"SHK-013", Severity::Caution, 0, {}, {},
-                {DYNCAL_TEXT("core",
-                     "The uncertainty of '%1' in uncertainty.budget is used for nothing; the nearest quantity that counts is '%2'."),
-                    {entry.quantity, nearestKey(entry.quantity, statedQuantities())}},
-                {}, {}});
+            findings.push_back({.id = "SHK-013",
+                .severity = Severity::Caution,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "The uncertainty of '%1' in uncertainty.budget is used for nothing; the nearest quantity that counts is '%2'."),
+                    {entry.quantity, nearestKey(entry.quantity, statedQuantities())}}});
     }
     return findings;
 }

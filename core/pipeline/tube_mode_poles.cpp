@@ -87,20 +87,26 @@ std::string listed(const Named &named)
 
 Finding seenFinding(const Named &named)
 {
-    return {"MOD-012", Severity::Caution, 0, {}, {},
-        {DYNCAL_TEXT("core",
-             "The model holds poles of the tube's gas: %1 (in brackets the peak that moves with the sound speed, shot by shot). Leave that oscillation out of the model, or it is certified as the sensor's."),
+    return {.id = "MOD-012",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "The model holds poles of the tube's gas: %1 (in brackets the peak that moves with the sound speed, shot by shot). Leave that oscillation out of the model, or it is certified as the sensor's."),
             {listed(named)}},
-        static_cast<double>(named.size()), 0.0};
+        .value = static_cast<double>(named.size()),
+        .limit = 0.0};
 }
 
 Finding computedFinding(const Named &named)
 {
-    return {"MOD-012", Severity::Info, 0, {}, {},
-        {DYNCAL_TEXT("core",
-             "Poles within 3 % of a computed resonance of the tube: %1. If they are not the sensor's, leave that oscillation out of the model."),
+    return {.id = "MOD-012",
+        .severity = Severity::Info,
+        .message
+        = {DYNCAL_TEXT("core",
+               "Poles within 3 % of a computed resonance of the tube: %1. If they are not the sensor's, leave that oscillation out of the model."),
             {listed(named)}},
-        static_cast<double>(named.size()), 0.0};
+        .value = static_cast<double>(named.size()),
+        .limit = 0.0};
 }
 
 } // namespace

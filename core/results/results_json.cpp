@@ -68,12 +68,10 @@ Json findingJson(const Finding &finding)
 /// The error that stopped the run is the gravest finding of all.
 Finding asFinding(const Error &error)
 {
-    Finding finding;
-    finding.id = error.findingId;
-    finding.severity = Severity::Block;
-    finding.shot = error.shot;
-    finding.message = error.message;
-    return finding;
+    return {.id = error.findingId,
+        .severity = Severity::Block,
+        .shot = error.shot,
+        .message = error.message};
 }
 
 void addError(JsonRecord &root, const PipelineOutcome &outcome)

@@ -17,11 +17,16 @@ constexpr double kLeastLead_samples = 5.0; ///< what a detected start may be off
 
 Finding swapped(Index shot, const Channel &dut, const Channel &side, double lead_s)
 {
-    return {"CAP-010", Severity::Caution, shot, dut.name, {},
-        {DYNCAL_TEXT("core",
-             "Shot %1: the step reaches '%2' %3 before '%4', which the shock passes first. The two channels look swapped; exchange their roles in import.channels, for one file in import.files."),
+    return {.id = "CAP-010",
+        .severity = Severity::Caution,
+        .shot = shot,
+        .channel = dut.name,
+        .message
+        = {DYNCAL_TEXT("core",
+               "Shot %1: the step reaches '%2' %3 before '%4', which the shock passes first. The two channels look swapped; exchange their roles in import.channels, for one file in import.files."),
             {std::to_string(shot), dut.name, numberWithUnit(lead_s, "s", 3), side.name}},
-        lead_s, 0.0};
+        .value = lead_s,
+        .limit = 0.0};
 }
 
 } // namespace

@@ -85,25 +85,22 @@ Finding movingPeak(const FollowedPeak &peak)
     for (const PeakOfShot &p : peak.peaks)
         frequencies += std::string(frequencies.empty() ? "" : "/")
             + numberWithUnit(p.frequency_Hz, "Hz", 3);
-    Finding finding;
-    finding.id = "SPC-005";
     std::vector<std::string> words{
         frequencies, numberText(peak.test.slope, 2), numberText(peak.test.u_slope, 2)};
+    Message message;
     if (peak.candidate.empty()) {
-        finding.message = {
+        message = {
             DYNCAL_TEXT("core",
                 "Peak %1 follows the sound speed of the gas (slope %2, u %3; of a sensor 0): a tube mode, to be left out of the model."),
             words};
     } else {
         words.push_back(peak.candidate);
-        finding.message = {
+        message = {
             DYNCAL_TEXT("core",
                 "Peak %1 follows the sound speed of the gas (slope %2, u %3; of a sensor 0): a tube mode, to be left out of the model. The nearest computed is %4."),
             words};
     }
-    finding.value = peak.test.slope;
-    finding.limit = 1.0;
-    return finding;
+    return {.id = "SPC-005", .message = std::move(message), .value = peak.test.slope, .limit = 1.0};
 }
 
 } // namespace

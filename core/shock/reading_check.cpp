@@ -15,14 +15,19 @@ Finding misread(const WindowedResponse &response, double recorded, const std::st
     double read_Pa, double step_Pa)
 {
     const auto fitting = unitThatFits(recorded, step_Pa);
-    return {"CAP-013", Severity::Caution, response.shot, response.channel, {},
-        {fitting ? DYNCAL_TEXT(
-             "core", "Shot %1: the step reads %2; %3 is expected. Is the unit %4? Set import.unit.")
-                 : DYNCAL_TEXT("core",
-                     "Shot %1: the step reads %2; %3 is expected. Check the unit and the scale."),
+    return {.id = "CAP-013",
+        .severity = Severity::Caution,
+        .shot = response.shot,
+        .channel = response.channel,
+        .message
+        = {fitting ? DYNCAL_TEXT("core",
+               "Shot %1: the step reads %2; %3 is expected. Is the unit %4? Set import.unit.")
+                   : DYNCAL_TEXT("core",
+                       "Shot %1: the step reads %2; %3 is expected. Check the unit and the scale."),
             {std::to_string(response.shot), numberWithUnit(recorded, unit, 4),
                 numberWithUnit(step_Pa, "Pa", 4), fitting.value_or("")}},
-        read_Pa, step_Pa};
+        .value = read_Pa,
+        .limit = step_Pa};
 }
 
 } // namespace

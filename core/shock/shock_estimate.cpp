@@ -132,10 +132,11 @@ void addDriver(ShockWork &work)
         *work.conditions.states, work.conditions.drivenGas->constants, driver->constants, *T4_K);
     if (!p4_Pa) { // region 4 carries no result of the calibration
         const Error &error = p4_Pa.error();
-        work.report(error.findingId.empty() ? "SHK-006" : error.findingId.c_str(),
-                Severity::Caution, error.message)
-            .mend
-            = kelvinFor("shock.t4_k", *T4_K);
+        work.findings.push_back({.id = error.findingId.empty() ? "SHK-006" : error.findingId,
+            .severity = Severity::Caution,
+            .shot = work.conditions.shot,
+            .message = error.message,
+            .mend = kelvinFor("shock.t4_k", *T4_K)});
         return;
     }
     work.conditions.driver = gasAtRest(driver->constants, *p4_Pa, *T4_K);

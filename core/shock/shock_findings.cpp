@@ -25,12 +25,14 @@ constexpr double kLowestLikely_Pa = 2000.0; ///< below, a typed p1 may be in ano
 void reportVelocityUncertainty(ShockWork &work, const char *text, double relative)
 {
     const double factor = velocitySensitivity(work);
-    Finding &finding = work.report("SHK-003", Severity::Caution,
-        Message{text,
+    work.findings.push_back({.id = "SHK-003",
+        .severity = Severity::Caution,
+        .shot = work.conditions.shot,
+        .message = {text,
             {numberText(100.0 * relative, 2), numberText(100.0 * relative * factor, 2),
-                numberText(factor, 3)}});
-    finding.value = relative;
-    finding.limit = kVelocityUncertaintyLimit;
+                numberText(factor, 3)}},
+        .value = relative,
+        .limit = kVelocityUncertaintyLimit});
 }
 
 } // namespace
@@ -57,12 +59,14 @@ void judgeFit(ShockWork &work, const VelocityEstimate &estimate)
     if (estimate.usesUncorrectedDut) {
         const double perMicrosecond
             = 100e-6 * work.conditions.states->velocity_m_s / estimate.distance_m;
-        work.report("SHK-008", Severity::Caution,
-            Message{
-                DYNCAL_TEXT("core",
-                    "The DUT marks the arrival at the end wall by its detected start, which its own delay makes late: a microsecond is %1 % of the velocity and %2 % of the step. Use two side sensors, or a model of each shot instead of the average."),
+        work.findings.push_back({.id = "SHK-008",
+            .severity = Severity::Caution,
+            .shot = work.conditions.shot,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "The DUT marks the arrival at the end wall by its detected start, which its own delay makes late: a microsecond is %1 % of the velocity and %2 % of the step. Use two side sensors, or a model of each shot instead of the average."),
                 {numberText(perMicrosecond, 2),
-                    numberText(perMicrosecond * velocitySensitivity(work), 2)}});
+                    numberText(perMicrosecond * velocitySensitivity(work), 2)}}});
     }
     const auto &fit = work.conditions.velocityFit;
     if (!fit || !fit->chiSquare)
@@ -70,13 +74,15 @@ void judgeFit(ShockWork &work, const VelocityEstimate &estimate)
     const double probability = chiSquareSurvival(*fit->chiSquare, static_cast<double>(fit->dof));
     if (probability >= kScatterProbability)
         return;
-    Finding &finding = work.report("SHK-010", Severity::Caution,
-        Message{
-            DYNCAL_TEXT("core",
-                "The arrivals scatter about their line more than their stated uncertainties allow (chi-square %1, degrees of freedom %2): check distances, delays and arrivals, or let the velocity change along the tube."),
-            {numberText(*fit->chiSquare, 3), std::to_string(fit->dof)}});
-    finding.value = probability;
-    finding.limit = kScatterProbability;
+    work.findings.push_back({.id = "SHK-010",
+        .severity = Severity::Caution,
+        .shot = work.conditions.shot,
+        .message
+        = {DYNCAL_TEXT("core",
+               "The arrivals scatter about their line more than their stated uncertainties allow (chi-square %1, degrees of freedom %2): check distances, delays and arrivals, or let the velocity change along the tube."),
+            {numberText(*fit->chiSquare, 3), std::to_string(fit->dof)}},
+        .value = probability,
+        .limit = kScatterProbability});
 }
 
 void judgeMeasured(ShockWork &work)
@@ -88,18 +94,20 @@ void judgeMeasured(ShockWork &work)
             = (m.region == "p2" || m.region == "p5") && (dut == nullptr || dut->name != m.channel);
         if (!judged || std::abs(m.deviation()) <= kPlateauLimit)
             continue;
-        Finding &finding = work.report("SHK-002", Severity::Caution,
-            Message{m.deviation() < 0.0
+        work.findings.push_back({.id = "SHK-002",
+            .severity = Severity::Caution,
+            .shot = work.conditions.shot,
+            .channel = m.channel,
+            .message = {m.deviation() < 0.0
                     ? DYNCAL_TEXT("core",
                         "Measured %1 = %2 at '%5' is %3 % below the computed %4 (both absolute): check velocity, unit and sensitivity, and gauge or absolute.")
                     : DYNCAL_TEXT("core",
                         "Measured %1 = %2 at '%5' is %3 % above the computed %4 (both absolute): check velocity, unit and sensitivity, and gauge or absolute."),
                 {m.region, numberWithUnit(m.measured_Pa, "Pa", 3),
                     numberText(100.0 * std::abs(m.deviation()), 2),
-                    numberWithUnit(m.predicted_Pa, "Pa", 3), m.channel}});
-        finding.channel = m.channel;
-        finding.value = m.deviation();
-        finding.limit = kPlateauLimit;
+                    numberWithUnit(m.predicted_Pa, "Pa", 3), m.channel}},
+            .value = m.deviation(),
+            .limit = kPlateauLimit});
     }
 }
 
@@ -114,12 +122,14 @@ void judgeDriverPressure(ShockWork &work, double computed_Pa)
             "Driver pressure %1 is %2 % below the %3 that the shock implies (both absolute): usual for a finite opening time.")
         : DYNCAL_TEXT("core",
             "Driver pressure %1 is %2 % above the %3 that the shock implies (both absolute): check whether the recorded value is right.");
-    Finding &finding = work.report("SHK-006", Severity::Info,
-        Message{text,
+    work.findings.push_back({.id = "SHK-006",
+        .severity = Severity::Info,
+        .shot = work.conditions.shot,
+        .message = {text,
             {numberWithUnit(recorded_Pa, "Pa", 3), numberText(100.0 * std::abs(relative), 2),
-                numberWithUnit(computed_Pa, "Pa", 3)}});
-    finding.value = relative;
-    finding.limit = kDriverPressureLimit;
+                numberWithUnit(computed_Pa, "Pa", 3)}},
+        .value = relative,
+        .limit = kDriverPressureLimit});
 }
 
 void judgeTypedPressure(ShockWork &work, double p1_Pa)
@@ -130,13 +140,16 @@ void judgeTypedPressure(ShockWork &work, double p1_Pa)
         const double fitting_Pa = p1_Pa * *pascalsPer(unit);
         if (fitting_Pa < kLowestAmbient_Pa || fitting_Pa > kHighestAmbient_Pa)
             continue;
-        Finding &finding = work.report("SHK-011", Severity::Caution,
-            Message{
-                DYNCAL_TEXT("core",
-                    "p1 = %1 Pa? Pressures are in pascals here: %1 %2 are %3 Pa, about ambient."),
-                {numberText(p1_Pa, 6), unit, numberText(fitting_Pa, 6)}});
-        finding.mend = Mend{Message{DYNCAL_TEXT("core", "Use %1 Pa"), {numberText(fitting_Pa, 6)}},
-            "shock.p1_pa", numberText(fitting_Pa)};
+        work.findings.push_back({.id = "SHK-011",
+            .severity = Severity::Caution,
+            .shot = work.conditions.shot,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "p1 = %1 Pa? Pressures are in pascals here: %1 %2 are %3 Pa, about ambient."),
+                {numberText(p1_Pa, 6), unit, numberText(fitting_Pa, 6)}},
+            .mend = Mend{.label = {DYNCAL_TEXT("core", "Use %1 Pa"), {numberText(fitting_Pa, 6)}},
+                .key = "shock.p1_pa",
+                .value = numberText(fitting_Pa)}});
         return;
     }
 }
@@ -151,10 +164,11 @@ void reportPlateau(ShockWork &work)
     if (work.conditions.plateauEnd == PlateauEnd::ReflectedShock)
         text = DYNCAL_TEXT(
             "core", "The reflected shock passes the DUT %1 after the step (computed).");
-    work.report("SHK-005", Severity::Info,
-            Message{text, {numberWithUnit(*work.conditions.plateau_s, "s", 3)}})
-        .value
-        = work.conditions.plateau_s;
+    work.findings.push_back({.id = "SHK-005",
+        .severity = Severity::Info,
+        .shot = work.conditions.shot,
+        .message = {text, {numberWithUnit(*work.conditions.plateau_s, "s", 3)}},
+        .value = work.conditions.plateau_s});
 }
 
 } // namespace dyncal

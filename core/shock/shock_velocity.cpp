@@ -158,8 +158,9 @@ std::optional<Mend> exchangeRoles(
         return std::nullopt;
     const nlohmann::json roles{
         {side->name, channelRoleName(ChannelRole::Dut)}, {dut->name, channelRoleName(side->role)}};
-    return Mend{Message{DYNCAL_TEXT("core", "Exchange '%1' and '%2'"), {side->name, dut->name}},
-        "import.channels", roles.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
+    return Mend{.label = {DYNCAL_TEXT("core", "Exchange '%1' and '%2'"), {side->name, dut->name}},
+        .key = "import.channels",
+        .value = roles.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
 }
 
 Attenuation attenuationOf(const std::string &word)

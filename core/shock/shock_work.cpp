@@ -12,29 +12,22 @@
 
 namespace dyncal {
 
-Finding &ShockWork::report(const char *id, Severity severity, Message message)
-{
-    Finding finding;
-    finding.id = id;
-    finding.severity = severity;
-    finding.shot = conditions.shot;
-    finding.message = std::move(message);
-    findings.push_back(std::move(finding));
-    return findings.back();
-}
-
 void ShockWork::reportProblem(const Error &error, std::optional<Mend> mend)
 {
-    report(error.findingId.empty() ? "SHK-001" : error.findingId.c_str(),
-        conditions.stepTyped ? Severity::Caution : Severity::Block, error.message)
-        .mend
-        = std::move(mend);
+    findings.push_back({.id = error.findingId.empty() ? "SHK-001" : error.findingId,
+        .severity = conditions.stepTyped ? Severity::Caution : Severity::Block,
+        .shot = conditions.shot,
+        .message = error.message,
+        .mend = std::move(mend)});
 }
 
 void ShockWork::reportMissing(Message message)
 {
     if (!conditions.stepTyped)
-        report("SHK-007", Severity::Info, std::move(message));
+        findings.push_back({.id = "SHK-007",
+            .severity = Severity::Info,
+            .shot = conditions.shot,
+            .message = std::move(message)});
 }
 
 double stepOf(const ShockStates &states, bool atEndWall)
@@ -61,8 +54,9 @@ std::optional<Mend> kelvinFor(const char *key, double typed_K)
     const double kelvin = typed_K + kCelsiusZero_K;
     if (!(kelvin >= kLowestTemperature_K && kelvin <= kHighestTemperature_K))
         return std::nullopt;
-    return Mend{
-        Message{DYNCAL_TEXT("core", "Use %1 K"), {numberText(kelvin, 6)}}, key, numberText(kelvin)};
+    return Mend{.label = {DYNCAL_TEXT("core", "Use %1 K"), {numberText(kelvin, 6)}},
+        .key = key,
+        .value = numberText(kelvin)};
 }
 
 } // namespace dyncal

@@ -30,7 +30,6 @@ struct ShockWork
     Result<void> done{}; ///< an error that stops everything
 
     bool atEndWall() const { return settings.dutPosition == kEndWall; }
-    Finding &report(const char *id, Severity severity, Message message);
     /// A typed step stands whatever the velocity says, so nothing is blocked then.
     void reportProblem(const Error &error, std::optional<Mend> mend = std::nullopt);
     void reportMissing(Message message);

@@ -14,11 +14,13 @@ namespace {
 
 Finding monteCarloFailed(Index shot, const Error &error)
 {
-    return {"SHK-012", Severity::Caution, shot, {}, {},
-        {DYNCAL_TEXT("core",
-             "Shot %1: the uncertainty of the step could not be checked by Monte Carlo (%2); what the law of propagation gives may be wrong."),
-            {std::to_string(shot), english(error.message)}},
-        {}, {}};
+    return {.id = "SHK-012",
+        .severity = Severity::Caution,
+        .shot = shot,
+        .message
+        = {DYNCAL_TEXT("core",
+               "Shot %1: the uncertainty of the step could not be checked by Monte Carlo (%2); what the law of propagation gives may be wrong."),
+            {std::to_string(shot), english(error.message)}}};
 }
 
 } // namespace

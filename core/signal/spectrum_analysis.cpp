@@ -153,10 +153,10 @@ std::vector<Resonance> operatorResonances(
 
 Finding noResonance(double nyquist_Hz)
 {
-    return {"SPC-001", Severity::Info, 0, {}, std::nullopt,
-        {DYNCAL_TEXT("core", "No resonance found below %1."),
-            {numberWithUnit(nyquist_Hz, "Hz", 3)}},
-        std::nullopt, std::nullopt};
+    return {.id = "SPC-001",
+        .severity = Severity::Info,
+        .message = {DYNCAL_TEXT("core", "No resonance found below %1."),
+            {numberWithUnit(nyquist_Hz, "Hz", 3)}}};
 }
 
 std::optional<Finding> spreadFinding(const Resonance &resonance)
@@ -169,11 +169,14 @@ std::optional<Finding> spreadFinding(const Resonance &resonance)
     const double spread = (highest - lowest) / resonance.frequency_Hz;
     if (spread <= kLargestSpread)
         return std::nullopt;
-    return Finding{"SPC-002", Severity::Caution, 0, {}, std::nullopt,
-        {DYNCAL_TEXT("core", "The resonance differs between shots: %1 to %2, a spread of %3 %."),
+    return Finding{.id = "SPC-002",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core", "The resonance differs between shots: %1 to %2, a spread of %3 %."),
             {numberWithUnit(lowest, "Hz", 4), numberWithUnit(highest, "Hz", 4),
                 numberText(100.0 * spread, 2)}},
-        100.0 * spread, 100.0 * kLargestSpread};
+        .value = 100.0 * spread,
+        .limit = 100.0 * kLargestSpread};
 }
 
 void addFindings(const SpectrumSettings &settings, SpectrumResult &result)

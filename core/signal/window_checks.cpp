@@ -42,13 +42,6 @@ std::string shotText(const WindowedResponse &response)
     return std::to_string(response.shot);
 }
 
-Finding finding(
-    const char *id, const WindowedResponse &response, Message message, double value, double limit)
-{
-    return {id, Severity::Caution, response.shot, response.channel, std::nullopt,
-        std::move(message), value, limit};
-}
-
 /// Standard uncertainty of a fitted slope per second, for white noise over `band`.
 double slopeUncertainty_per_s(const WindowedResponse &response, const Interval &band)
 {
@@ -64,10 +57,14 @@ std::optional<Finding> driftFinding(const char *id, const char *text,
         || std::abs(slope_per_s) <= kSlopeSigmas * slopeUncertainty_per_s(response, band))
         return std::nullopt;
     const double half_percent = 50.0 * std::abs(slope_per_s * band.length() / response.step);
-    return finding(id, response,
-        {text,
+    return Finding{.id = id,
+        .severity = Severity::Caution,
+        .shot = response.shot,
+        .channel = response.channel,
+        .message = {text,
             {shotText(response), numberText(100.0 * drift_per_ms, 2), numberText(half_percent, 2)}},
-        100.0 * drift_per_ms, 100.0 * limit_per_ms);
+        .value = 100.0 * drift_per_ms,
+        .limit = 100.0 * limit_per_ms};
 }
 
 /// FIT that a perfect model of this window would score, in percent.
@@ -83,11 +80,16 @@ Finding saturationFinding(const WindowedResponse &response, const SaturatedRun &
 {
     const double begin_s
         = response.start_s + static_cast<double>(run.begin) / response.sampleRate_Hz;
-    Finding result = finding("CAP-007", response,
-        {DYNCAL_TEXT("core",
-             "Shot %1: %2 samples in a row at %3 are equal and the extreme of the window; the record may be saturated there."),
+    Finding result{.id = "CAP-007",
+        .severity = Severity::Caution,
+        .shot = response.shot,
+        .channel = response.channel,
+        .message
+        = {DYNCAL_TEXT("core",
+               "Shot %1: %2 samples in a row at %3 are equal and the extreme of the window; the record may be saturated there."),
             {shotText(response), std::to_string(run.count), numberWithUnit(begin_s, "s", 6)}},
-        static_cast<double>(run.count), static_cast<double>(leastRun));
+        .value = static_cast<double>(run.count),
+        .limit = static_cast<double>(leastRun)};
     result.time_s = begin_s;
     return result;
 }
@@ -95,11 +97,16 @@ Finding saturationFinding(const WindowedResponse &response, const SaturatedRun &
 void addStepFindings(const WindowedResponse &response, Findings &findings)
 {
     if (response.step < 0.0)
-        findings.push_back(finding("CAP-012", response,
-            {DYNCAL_TEXT("core",
-                 "Shot %1: the step is negative (%2); set import.polarity to -1 if the sensor is inverted."),
+        findings.push_back({.id = "CAP-012",
+            .severity = Severity::Caution,
+            .shot = response.shot,
+            .channel = response.channel,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "Shot %1: the step is negative (%2); set import.polarity to -1 if the sensor is inverted."),
                 {shotText(response), numberWithUnit(response.step, response.unit)}},
-            response.step, 0.0));
+            .value = response.step,
+            .limit = 0.0});
     const char *text = DYNCAL_TEXT("core",
         "Shot %1: the settling level still drifts %2 % of the step per ms; the level depends by +-%3 % on where the settle band lies.");
     if (auto drift = driftFinding("WIN-003", text, response, response.settleSlope_per_s,
@@ -109,16 +116,22 @@ void addStepFindings(const WindowedResponse &response, Findings &findings)
 
 Finding behindPlateau(const WindowedResponse &response, double plateau_s)
 {
-    Finding overrun = finding("WIN-001", response,
-        {DYNCAL_TEXT("core",
-             "Shot %1: the window ends %2 after the computed end of the plateau, %3 behind the start; move window.end_s."),
+    Finding overrun{.id = "WIN-001",
+        .severity = Severity::Caution,
+        .shot = response.shot,
+        .channel = response.channel,
+        .message
+        = {DYNCAL_TEXT("core",
+               "Shot %1: the window ends %2 after the computed end of the plateau, %3 behind the start; move window.end_s."),
             {shotText(response), numberWithUnit(response.end_s - plateau_s, "s", 3),
                 numberWithUnit(plateau_s, "s", 4)}},
-        response.end_s, plateau_s);
+        .value = response.end_s,
+        .limit = plateau_s};
     if (plateau_s > 0.0)
-        overrun.mend = Mend{
-            Message{DYNCAL_TEXT("core", "Move the end to %1"), {numberWithUnit(plateau_s, "s", 4)}},
-            "window.end_s", numberText(plateau_s)};
+        overrun.mend = Mend{.label
+            = {DYNCAL_TEXT("core", "Move the end to %1"), {numberWithUnit(plateau_s, "s", 4)}},
+            .key = "window.end_s",
+            .value = numberText(plateau_s)};
     return overrun;
 }
 
@@ -236,11 +249,16 @@ Findings windowFindings(const Channel &channel, const WindowedResponse &response
     if (isStepTreatment(context.treatment))
         addStepFindings(response, findings);
     if (code > 0.0 && std::abs(response.step) < context.checks.leastCodes * code)
-        findings.push_back(finding("CAP-014", response,
-            {DYNCAL_TEXT("core",
-                 "Shot %1: the step uses %2 codes of the converter; quantisation limits the result."),
+        findings.push_back({.id = "CAP-014",
+            .severity = Severity::Caution,
+            .shot = response.shot,
+            .channel = response.channel,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "Shot %1: the step uses %2 codes of the converter; quantisation limits the result."),
                 {shotText(response), numberText(std::abs(response.step) / code, 3)}},
-            std::abs(response.step) / code, context.checks.leastCodes));
+            .value = std::abs(response.step) / code,
+            .limit = context.checks.leastCodes});
     // Ends lie on samples: the nearest one to the plateau's end is no overrun.
     if (plateau_s && response.end_s > *plateau_s + 1.0 / response.sampleRate_Hz)
         findings.push_back(behindPlateau(response, *plateau_s));
@@ -250,12 +268,17 @@ Findings windowFindings(const Channel &channel, const WindowedResponse &response
             response.baseline_s, kBaselineDrift_per_ms))
         findings.push_back(std::move(*drift));
     if (response.snr_dB < kLeastSnr_dB)
-        findings.push_back(finding("WIN-006", response,
-            {DYNCAL_TEXT("core",
-                 "Shot %1: SNR %2 dB; even a perfect model would score a FIT of about %3 %."),
+        findings.push_back({.id = "WIN-006",
+            .severity = Severity::Caution,
+            .shot = response.shot,
+            .channel = response.channel,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "Shot %1: SNR %2 dB; even a perfect model would score a FIT of about %3 %."),
                 {shotText(response), numberText(response.snr_dB, 3),
                     numberText(attainableFit_percent(response), 2)}},
-            response.snr_dB, kLeastSnr_dB));
+            .value = response.snr_dB,
+            .limit = kLeastSnr_dB});
     return findings;
 }
 

@@ -220,11 +220,15 @@ private:
 
     Finding notAtRest() const
     {
-        return {"CAP-020", Severity::Block, m_response.shot, m_response.channel, m_response.start_s,
-            {DYNCAL_TEXT("core",
-                 "Shot %1: the record moves before the response, its baseline is not at rest; the shot is not used. Exclude it, or set window.start and window.baseline_s by hand."),
-                {std::to_string(m_response.shot)}},
-            std::nullopt, std::nullopt};
+        return {.id = "CAP-020",
+            .severity = Severity::Block,
+            .shot = m_response.shot,
+            .channel = m_response.channel,
+            .time_s = m_response.start_s,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "Shot %1: the record moves before the response, its baseline is not at rest; the shot is not used. Exclude it, or set window.start and window.baseline_s by hand."),
+                {std::to_string(m_response.shot)}}};
     }
 
     std::optional<Error> checkStep() const

@@ -69,21 +69,23 @@ QJsonObject withChecksums(QJsonObject project)
 Findings checkProject(const QJsonObject &project, const QString &name)
 {
     if (!project.contains(kWhole) && !project.contains(kParts))
-        return {{"PRJ-002", Severity::Info, 0, {}, {},
-            {DYNCAL_TEXT("core",
-                 "Project %1 has no checksum (an older version wrote it), so a change of it is not noticed; save it to give it one."),
-                {name.toStdString()}},
-            {}, {}}};
+        return {{.id = "PRJ-002",
+            .severity = Severity::Info,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "Project %1 has no checksum (an older version wrote it), so a change of it is not noticed; save it to give it one."),
+                {name.toStdString()}}}};
     const QJsonObject content = withoutChecksums(project);
     const QStringList parts = changedParts(project[kParts].toObject(), partsOf(content));
     if (parts.isEmpty() && project[kWhole] == hashOf(content))
         return {};
     const QString what = parts.isEmpty() ? QString(kWhole) : parts.join(", ");
-    return {{"PRJ-001", Severity::Caution, 0, {}, {},
-        {DYNCAL_TEXT("core",
-             "Project %1 was changed after the program saved it: %2. If that was not you, take an unchanged copy; otherwise look at what changed and save the project."),
-            {name.toStdString(), what.toStdString()}},
-        {}, {}}};
+    return {{.id = "PRJ-001",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "Project %1 was changed after the program saved it: %2. If that was not you, take an unchanged copy; otherwise look at what changed and save the project."),
+            {name.toStdString(), what.toStdString()}}}};
 }
 
 } // namespace dyncal

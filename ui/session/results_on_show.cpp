@@ -82,11 +82,11 @@ Findings ResultsOnShow::findings() const
     // The list of results.json leaves out errors that are not of the catalogue; people see them.
     if (m_run.error && m_run.error->findingId.empty()
         && m_run.error->kind != ErrorKind::Cancelled) {
-        Finding block;
-        block.severity = Severity::Block;
-        block.shot = m_run.error->shot;
-        block.message = m_run.error->message;
-        all.insert(all.begin(), block);
+        all.insert(all.begin(),
+            {.id = {}, // of no entry of the catalogue
+                .severity = Severity::Block,
+                .shot = m_run.error->shot,
+                .message = m_run.error->message});
     }
     return all;
 }

@@ -52,9 +52,10 @@ Result<std::vector<Candidate>> filesIn(const std::string &folder)
 Finding skippedFile(const Error &error)
 {
     const bool foreign = error.findingId == "CAP-001";
-    return {"CAP-024", foreign ? Severity::Info : Severity::Caution, 0, {}, {},
-        {DYNCAL_TEXT("core", "A file of the folder was left out. %1"), {english(error.message)}},
-        {}, {}};
+    return {.id = "CAP-024",
+        .severity = foreign ? Severity::Info : Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core", "A file of the folder was left out. %1"), {english(error.message)}}};
 }
 
 void append(CaptureSet &all, CaptureSet part)

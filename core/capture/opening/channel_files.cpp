@@ -193,11 +193,13 @@ private:
             const auto input = static_cast<std::size_t>(inputOf(m_set.shots[shot], channel));
             files.append(files.empty() ? "" : ", ").append(m_set.inputs[input].file);
         }
-        m_set.findings.push_back({"CAP-029", Severity::Info, number, {}, {},
-            {DYNCAL_TEXT("core",
-                 "%1 were taken as the channels of one recording, as name, time, rate and length agree. Set channel_files to \"apart\" in the recipe's import section if they are not."),
-                {files}},
-            {}, {}});
+        m_set.findings.push_back({.id = "CAP-029",
+            .severity = Severity::Info,
+            .shot = number,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "%1 were taken as the channels of one recording, as name, time, rate and length agree. Set channel_files to \"apart\" in the recipe's import section if they are not."),
+                {files}}});
     }
 
     CaptureSet &m_set;

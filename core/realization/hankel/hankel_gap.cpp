@@ -46,11 +46,14 @@ Findings judgeGap(const HankelDecomposition &decomposition)
         widest = std::max(widest, sigma[n - 1] / sigma[n]);
     if (sigma.size() < 2 || widest > kClearGap)
         return {};
-    return {{"ORD-002", Severity::Info, 0, {}, {},
-        {DYNCAL_TEXT("core",
-             "No clear gap between the singular values: none above the noise is more than %1 times the next. Compare candidates."),
+    return {{.id = "ORD-002",
+        .severity = Severity::Info,
+        .message
+        = {DYNCAL_TEXT("core",
+               "No clear gap between the singular values: none above the noise is more than %1 times the next. Compare candidates."),
             {numberText(kClearGap, 2)}},
-        widest, kClearGap}};
+        .value = widest,
+        .limit = kClearGap}};
 }
 
 } // namespace dyncal

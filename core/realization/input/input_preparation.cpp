@@ -173,11 +173,12 @@ Result<Index> chooseLength(const std::vector<Source> &list,
 
 Finding stepAsImpulse()
 {
-    return {"MIN-004", Severity::Info, 0, {}, {},
-        {DYNCAL_TEXT("core",
-             "The step is treated as an impulse response (thesis method): one extra order models the step itself."),
-            {}},
-        {}, {}};
+    return {.id = "MIN-004",
+        .severity = Severity::Info,
+        .message
+        = {DYNCAL_TEXT("core",
+               "The step is treated as an impulse response (thesis method): one extra order models the step itself."),
+            {}}};
 }
 
 void nameLevels(const std::vector<WindowedResponse> &responses, std::vector<ModelSeries> &series)

@@ -79,11 +79,14 @@ tl::unexpected<Error> notInWindow(const ExcludedStretch &stretch, double end_s)
 
 Finding leftOutFinding(const ExcludedStretch &stretch)
 {
-    return {"WIN-007", Severity::Info, stretch.shot, {}, stretch.from_s,
-        {DYNCAL_TEXT("core", "Shot %1: %2 to %3 behind the start is left out of the fit: %4"),
+    return {.id = "WIN-007",
+        .severity = Severity::Info,
+        .shot = stretch.shot,
+        .time_s = stretch.from_s,
+        .message
+        = {DYNCAL_TEXT("core", "Shot %1: %2 to %3 behind the start is left out of the fit: %4"),
             {std::to_string(stretch.shot), numberWithUnit(stretch.from_s, "s", 4),
-                numberWithUnit(stretch.to_s, "s", 4), stretch.reason}},
-        {}, {}};
+                numberWithUnit(stretch.to_s, "s", 4), stretch.reason}}};
 }
 
 /// The stretch as samples; ranges that touch become one.
@@ -135,11 +138,12 @@ Result<void> leaveOut(ModelInput &input, const std::vector<WindowedResponse> &re
     if (stretches.empty())
         return {};
     if (input.combine == CombineMethod::PcaAverage) {
-        input.findings.push_back({"WIN-009", Severity::Caution, 0, {}, {},
-            {DYNCAL_TEXT("core",
-                 "The average of the shots is formed before the fit: the stretches to be left out are in it. Combine the shots as \"stacked\"."),
-                {}},
-            {}, {}});
+        input.findings.push_back({.id = "WIN-009",
+            .severity = Severity::Caution,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "The average of the shots is formed before the fit: the stretches to be left out are in it. Combine the shots as \"stacked\"."),
+                {}}});
         return {};
     }
     for (const ExcludedStretch &stretch : stretches) {

@@ -106,23 +106,29 @@ Result<Findings> judgeRate(double rate_Hz, const SensorTraits &traits)
     }
     if (perPeriod < 10.0) {
         const bool few = perPeriod < kFewestPerPeriod;
-        findings.push_back({"MIN-002", few ? Severity::Caution : Severity::Info, 0, {}, {},
-            {few ? DYNCAL_TEXT("core",
-                 "%1 samples per period of the resonance; damping will be uncertain, 4 or more are better.")
-                 : DYNCAL_TEXT("core", "%1 samples per period of the resonance."),
+        findings.push_back({.id = "MIN-002",
+            .severity = few ? Severity::Caution : Severity::Info,
+            .message
+            = {few ? DYNCAL_TEXT("core",
+                   "%1 samples per period of the resonance; damping will be uncertain, 4 or more are better.")
+                   : DYNCAL_TEXT("core", "%1 samples per period of the resonance."),
                 {numberText(perPeriod, 3)}},
-            perPeriod, kFewestPerPeriod});
+            .value = perPeriod,
+            .limit = kFewestPerPeriod});
     }
     return findings;
 }
 
 Finding insideFilterFinding(double offset_s, double needed_s)
 {
-    return {"MIN-006", Severity::Caution, 0, {}, {},
-        {DYNCAL_TEXT("core",
-             "The model input starts %1 behind the onset, inside the anti-alias filter; %2 is needed, or damping and order come out wrong."),
+    return {.id = "MIN-006",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "The model input starts %1 behind the onset, inside the anti-alias filter; %2 is needed, or damping and order come out wrong."),
             {numberWithUnit(offset_s, "s", 3), numberWithUnit(needed_s, "s", 3)}},
-        offset_s, needed_s};
+        .value = offset_s,
+        .limit = needed_s};
 }
 
 } // namespace dyncal

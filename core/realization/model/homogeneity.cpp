@@ -389,8 +389,11 @@ Findings judgeShots(const ModelAssessment &assessment)
             DYNCAL_TEXT("core",
                 "The shots do not share the pole at %1 (their scatter would be chance in %2 % of cases; the limit is 1 %); their main resonances lie at %3 to %4. Its uncertainty is the scatter between them; state one value per level."),
             {pole, probability, numberWithUnit(lowest, "Hz", 6), numberWithUnit(highest, "Hz", 6)}};
-    return {{"MOD-010", Severity::Caution, 0, {}, {}, std::move(message),
-        assessment.homogeneity->probability, kSignificance}};
+    return {{.id = "MOD-010",
+        .severity = Severity::Caution,
+        .message = std::move(message),
+        .value = assessment.homogeneity->probability,
+        .limit = kSignificance}};
 }
 
 } // namespace dyncal

@@ -25,16 +25,11 @@ constexpr double kFarOff = 10.0; ///< plateaus at the onset: how many more says 
 constexpr double kStepPole = 1e-3; ///< from 1, in the z plane
 constexpr double kLikeAStep = 0.1; ///< of the largest amplitude
 
-Finding about(const char *id, Severity severity, Message message, std::optional<double> value = {},
-    std::optional<double> limit = {})
-{
-    return {id, severity, 0, {}, {}, std::move(message), value, limit};
-}
-
 Mend useOrder(Index order)
 {
-    return {{DYNCAL_TEXT("core", "Use order %1"), {std::to_string(order)}}, "realization.order",
-        std::to_string(order)};
+    return {.label = {DYNCAL_TEXT("core", "Use order %1"), {std::to_string(order)}},
+        .key = "realization.order",
+        .value = std::to_string(order)};
 }
 
 void judgeSplit(const SensorModel &model, const HankelDecomposition &decomposition, Findings &out)
@@ -43,12 +38,14 @@ void judgeSplit(const SensorModel &model, const HankelDecomposition &decompositi
     const Eigen::VectorXd &sigma = decomposition.singularValues;
     if (!splitsPair(decomposition, n))
         return;
-    out.push_back(about("ORD-001", Severity::Caution,
-        {DYNCAL_TEXT("core",
-             "Order %1 splits an oscillating pair (singular values %1 and %2 are %3 and %4). Order %2 keeps it."),
+    out.push_back({.id = "ORD-001",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "Order %1 splits an oscillating pair (singular values %1 and %2 are %3 and %4). Order %2 keeps it."),
             {std::to_string(n), std::to_string(n + 1), numberText(sigma[n - 1], 4),
                 numberText(sigma[n], 4)}},
-        sigma[n - 1] / sigma[n]));
+        .value = sigma[n - 1] / sigma[n]});
     out.back().mend = useOrder(n + 1);
 }
 
@@ -61,14 +58,17 @@ void judgeNoiseStates(
     if (n > sigma.size() || !(floor > 0.0) || sigma[n - 1] >= floor)
         return;
     const Index above = (sigma.array() > floor).count();
-    out.push_back(about("ORD-003", Severity::Caution,
-        {above > 0 ? DYNCAL_TEXT("core",
-             "Order %1 has states at the noise level: singular value %1 is %3, noise alone reaches %4. Order %2 is the highest above it.")
-                   : DYNCAL_TEXT("core",
-                       "Order %1 has states at the noise level: singular value %1 is %3, noise alone reaches %4. No value is above it: the response holds nothing that could be identified."),
+    out.push_back({.id = "ORD-003",
+        .severity = Severity::Caution,
+        .message = {above > 0
+                ? DYNCAL_TEXT("core",
+                    "Order %1 has states at the noise level: singular value %1 is %3, noise alone reaches %4. Order %2 is the highest above it.")
+                : DYNCAL_TEXT("core",
+                    "Order %1 has states at the noise level: singular value %1 is %3, noise alone reaches %4. No value is above it: the response holds nothing that could be identified."),
             {std::to_string(n), std::to_string(above), numberText(sigma[n - 1], 3),
                 numberText(floor, 3)}},
-        static_cast<double>(n), static_cast<double>(above)));
+        .value = static_cast<double>(n),
+        .limit = static_cast<double>(above)});
     if (above > 0)
         out.back().mend = useOrder(above);
 }
@@ -107,11 +107,14 @@ void judgeUnstable(const SensorModel &model, Findings &out)
     double largest = 0.0;
     for (const Pole *pole : poles)
         largest = std::max(largest, std::abs(pole->z));
-    out.push_back(about("MOD-001", Severity::Block,
-        {DYNCAL_TEXT("core",
-             "The model of order %1 is unstable: poles that grow, at %2, the largest of magnitude %3 (at most 1). It is not reportable; choose another order."),
+    out.push_back({.id = "MOD-001",
+        .severity = Severity::Block,
+        .message
+        = {DYNCAL_TEXT("core",
+               "The model of order %1 is unstable: poles that grow, at %2, the largest of magnitude %3 (at most 1). It is not reportable; choose another order."),
             {std::to_string(model.order), frequenciesOf(poles), numberText(largest, 7)}},
-        largest, 1.0));
+        .value = largest,
+        .limit = 1.0});
 }
 
 void judgeNyquist(const SensorModel &model, const ModelInput &input, Findings &out)
@@ -119,19 +122,22 @@ void judgeNyquist(const SensorModel &model, const ModelInput &input, Findings &o
     const std::vector<const Pole *> poles = polesOfClass(model, PoleClass::Nyquist);
     if (poles.empty())
         return;
-    out.push_back(about("MOD-002", Severity::Caution,
-        {DYNCAL_TEXT("core",
-             "Poles at the Nyquist frequency, %1: %2. Dynamics there come from sampling, not from the sensor; a lower order or a higher model rate is without them."),
+    out.push_back({.id = "MOD-002",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "Poles at the Nyquist frequency, %1: %2. Dynamics there come from sampling, not from the sensor; a lower order or a higher model rate is without them."),
             {numberWithUnit(input.sampleRate_Hz / 2.0, "Hz", 4), frequenciesOf(poles)}},
-        poles.front()->z.real()));
+        .value = poles.front()->z.real()});
 }
 
 void judgeStepPole(const SensorModel &model, const ModelInput &input, Findings &out)
 {
     for (const Pole *pole : polesOfClass(model, PoleClass::Step))
-        out.push_back(about("MOD-003", Severity::Info,
-            {DYNCAL_TEXT("core", "The pole at z = %1 is the step itself."),
-                {numberText(pole->z.real(), 9)}}));
+        out.push_back({.id = "MOD-003",
+            .severity = Severity::Info,
+            .message = {DYNCAL_TEXT("core", "The pole at z = %1 is the step itself."),
+                {numberText(pole->z.real(), 9)}}});
     if (input.treatment != ResponseTreatment::Impulse)
         return;
     const auto constants = polesWhere(model, [&](const Pole &pole) {
@@ -140,13 +146,17 @@ void judgeStepPole(const SensorModel &model, const ModelInput &input, Findings &
     });
     if (constants.empty())
         return;
-    out.push_back(about("MOD-013", Severity::Caution,
-        {DYNCAL_TEXT("core",
-             "The response is treated as a free decay but stays at a level: a pole at z = %1. Treat it as a step, or the step becomes a part of the sensor."),
+    out.push_back({.id = "MOD-013",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "The response is treated as a free decay but stays at a level: a pole at z = %1. Treat it as a step, or the step becomes a part of the sensor."),
             {numberText(constants.front()->z.real(), 9)}},
-        constants.front()->z.real(), 1.0 - kStepPole));
-    out.back().mend = Mend{
-        {DYNCAL_TEXT("core", "Treat as a step"), {}}, "input.treatment", "\"step-deflated\""};
+        .value = constants.front()->z.real(),
+        .limit = 1.0 - kStepPole});
+    out.back().mend = Mend{.label = {DYNCAL_TEXT("core", "Treat as a step"), {}},
+        .key = "input.treatment",
+        .value = "\"step-deflated\""};
 }
 
 bool isCancelled(const Pole &pole, const std::vector<std::complex<double>> &zeros)
@@ -161,10 +171,12 @@ void judgeCancelling(const SensorModel &model, Findings &out)
         = polesWhere(model, [&](const Pole &pole) { return isCancelled(pole, model.zeros); });
     if (cancelled.empty())
         return;
-    out.push_back(about("MOD-005", Severity::Info,
-        {DYNCAL_TEXT("core", "Poles nearly cancelled by zeros: %1 (%2). A lower order may do."),
+    out.push_back({.id = "MOD-005",
+        .severity = Severity::Info,
+        .message
+        = {DYNCAL_TEXT("core", "Poles nearly cancelled by zeros: %1 (%2). A lower order may do."),
             {std::to_string(cancelled.size()), frequenciesOf(cancelled)}},
-        static_cast<double>(cancelled.size())));
+        .value = static_cast<double>(cancelled.size())});
 }
 
 void judgeFit(const SensorModel &model, Findings &out)
@@ -175,17 +187,23 @@ void judgeFit(const SensorModel &model, Findings &out)
     const std::vector<std::string> words{
         fitPercentText(model.fit_percent), fitPercentText(attainable)};
     if (model.fit_percent < kGoodShare * attainable) {
-        out.push_back(about("MOD-004", Severity::Caution,
-            {DYNCAL_TEXT("core",
-                 "FIT is %1 % where the noise allows %2 %: the model misses part of the response. Choose a higher order; the error shows what is missing."),
+        out.push_back({.id = "MOD-004",
+            .severity = Severity::Caution,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "FIT is %1 % where the noise allows %2 %: the model misses part of the response. Choose a higher order; the error shows what is missing."),
                 words},
-            model.fit_percent, kGoodShare * attainable));
+            .value = model.fit_percent,
+            .limit = kGoodShare * attainable});
     } else if (model.fit_percent > attainable + kOverFit_points) {
-        out.push_back(about("MOD-008", Severity::Caution,
-            {DYNCAL_TEXT("core",
-                 "FIT %1 % is above the %2 % that the noise allows: order %3 also fits noise."),
+        out.push_back({.id = "MOD-008",
+            .severity = Severity::Caution,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "FIT %1 % is above the %2 % that the noise allows: order %3 also fits noise."),
                 {words[0], words[1], std::to_string(model.order)}},
-            model.fit_percent, attainable));
+            .value = model.fit_percent,
+            .limit = attainable});
     }
 }
 
@@ -205,14 +223,16 @@ void judgeAgainstSpectrum(const SensorModel &model, const SpectrumResult &spectr
             nearest_Hz = ringing_Hz;
     }
     if (std::abs(nearest_Hz - seen_Hz) > kSameFrequency * seen_Hz) {
-        out.push_back(about("MOD-006", Severity::Caution,
-            {nearest_Hz > 0.0
+        out.push_back({.id = "MOD-006",
+            .severity = Severity::Caution,
+            .message = {nearest_Hz > 0.0
                     ? DYNCAL_TEXT("core",
                         "The spectrum's resonance at %1 is not in the model, whose nearest lies at %2 (2 % apart at most). Choose another order or model rate.")
                     : DYNCAL_TEXT("core",
                         "The spectrum's resonance at %1 is not in the model, which has none. Choose a higher order."),
                 {numberWithUnit(seen_Hz, "Hz", 4), numberWithUnit(nearest_Hz, "Hz", 4)}},
-            nearest_Hz, seen_Hz));
+            .value = nearest_Hz,
+            .limit = seen_Hz});
     }
 }
 
@@ -236,12 +256,15 @@ void judgeOnset(const SensorModel &model, const ModelInput &input, Findings &out
         return;
     const double atOnset = shareAtOnset(model);
     if (atOnset > kMissingFast) {
-        out.push_back(about("MOD-009", Severity::Caution,
-            {DYNCAL_TEXT("core",
-                 "The model starts at %1 % of the step instead of 0: a fast part of the response is missing; raise the model rate or the order."),
+        out.push_back({.id = "MOD-009",
+            .severity = Severity::Caution,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "The model starts at %1 % of the step instead of 0: a fast part of the response is missing; raise the model rate or the order."),
                 {atOnset > kFarOff ? "> " + numberText(100.0 * kFarOff, 3)
                                    : numberText(100.0 * atOnset, 3)}},
-            atOnset, kMissingFast));
+            .value = atOnset,
+            .limit = kMissingFast});
     }
 }
 

@@ -21,12 +21,6 @@ constexpr double kFewestPeriods = 2.0; ///< below, a mode and the plateau are on
 constexpr double kPeriodsFitted = 6.0;
 constexpr double kLargestOfRate = 0.4; ///< of the record's rate
 
-Finding about(const char *id, Severity severity, Index shot, Message message,
-    std::optional<double> value, std::optional<double> limit)
-{
-    return {id, severity, shot, {}, {}, std::move(message), value, limit};
-}
-
 std::string nameOf(const NuisanceMode &mode, double frequency_Hz)
 {
     const std::string frequency = numberWithUnit(frequency_Hz, "Hz", 4);
@@ -53,19 +47,27 @@ std::vector<NuisanceCandidate> candidatesOf(const ModelInput &input,
         const double f_Hz = *expected_Hz[i];
         const NuisanceMode &mode = input.nuisanceModes[i];
         if (f_Hz * window_s < kFewestPeriods) {
-            findings.push_back(about("NUI-001", Severity::Caution, response.shot,
-                {DYNCAL_TEXT("core",
-                     "Shot %1: the window of %2 holds %3 periods of the mode %4; below 2 it cannot be told from the plateau and stays in the response."),
+            findings.push_back({.id = "NUI-001",
+                .severity = Severity::Caution,
+                .shot = response.shot,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "Shot %1: the window of %2 holds %3 periods of the mode %4; below 2 it cannot be told from the plateau and stays in the response."),
                     {std::to_string(response.shot), numberWithUnit(window_s, "s", 3),
                         numberText(f_Hz * window_s, 2), nameOf(mode, f_Hz)}},
-                f_Hz * window_s, kFewestPeriods));
+                .value = f_Hz * window_s,
+                .limit = kFewestPeriods});
         } else if (f_Hz > kLargestOfRate * response.sampleRate_Hz) {
-            findings.push_back(about("NUI-002", Severity::Caution, response.shot,
-                {DYNCAL_TEXT("core",
-                     "Shot %1: the mode %2 lies above 0.4 of the sample rate of %3; it stays in the response."),
+            findings.push_back({.id = "NUI-002",
+                .severity = Severity::Caution,
+                .shot = response.shot,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "Shot %1: the mode %2 lies above 0.4 of the sample rate of %3; it stays in the response."),
                     {std::to_string(response.shot), nameOf(mode, f_Hz),
                         numberWithUnit(response.sampleRate_Hz, "Hz", 4)}},
-                f_Hz, kLargestOfRate * response.sampleRate_Hz));
+                .value = f_Hz,
+                .limit = kLargestOfRate * response.sampleRate_Hz});
         } else {
             list.push_back({i, f_Hz});
         }
@@ -75,11 +77,14 @@ std::vector<NuisanceCandidate> candidatesOf(const ModelInput &input,
 
 Finding notThere(const NuisanceMode &mode, Index shot, double frequency_Hz)
 {
-    return about("NUI-003", Severity::Info, shot,
-        {DYNCAL_TEXT("core",
-             "Shot %1: no oscillation near %2 stands out of the noise; nothing is taken out there."),
+    return {.id = "NUI-003",
+        .severity = Severity::Info,
+        .shot = shot,
+        .message
+        = {DYNCAL_TEXT("core",
+               "Shot %1: no oscillation near %2 stands out of the noise; nothing is taken out there."),
             {std::to_string(shot), nameOf(mode, frequency_Hz)}},
-        frequency_Hz, {});
+        .value = frequency_Hz};
 }
 
 /// First estimate from the part of the record where the sensor has settled.
@@ -119,12 +124,16 @@ void judgeShotsGiven(const NuisanceMode &mode, ModelInput &input)
     for (const ModelSeries &series : input.series) {
         if (given < 2 || series.shot <= given)
             continue;
-        input.findings.push_back(about("NUI-005", Severity::Caution, series.shot,
-            {DYNCAL_TEXT("core",
-                 "Shot %1: the mode %2 has a frequency for the shots 1 to %3 only; it stays in the response of this one."),
+        input.findings.push_back({.id = "NUI-005",
+            .severity = Severity::Caution,
+            .shot = series.shot,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "Shot %1: the mode %2 has a frequency for the shots 1 to %3 only; it stays in the response of this one."),
                 {std::to_string(series.shot), nameOf(mode, mode.frequency_Hz.front()),
                     std::to_string(given)}},
-            static_cast<double>(given), static_cast<double>(series.shot)));
+            .value = static_cast<double>(given),
+            .limit = static_cast<double>(series.shot)});
     }
 }
 
@@ -137,11 +146,13 @@ void judgeShotOfReading(const NuisanceMode &mode, ModelInput &input)
         return;
     if (mode.shot <= std::ssize(speeds) && speeds[static_cast<std::size_t>(mode.shot - 1)])
         return;
-    input.findings.push_back(about("NUI-005", Severity::Caution, 0,
-        {DYNCAL_TEXT("core",
-             "The mode %1 was read in shot %2, of which no sound speed is known: it is looked for at that frequency in every shot. Read it in another shot, or give one frequency per shot."),
+    input.findings.push_back({.id = "NUI-005",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "The mode %1 was read in shot %2, of which no sound speed is known: it is looked for at that frequency in every shot. Read it in another shot, or give one frequency per shot."),
             {nameOf(mode, mode.frequency_Hz.front()), std::to_string(mode.shot)}},
-        static_cast<double>(mode.shot), {}));
+        .value = static_cast<double>(mode.shot)});
 }
 
 } // namespace
@@ -165,11 +176,12 @@ void setNuisance(const ModelInput &input, ModelSeries &series, std::vector<Nuisa
 void searchNuisance(ModelInput &input, const std::vector<WindowedResponse> &responses)
 {
     if (input.combine == CombineMethod::PcaAverage) {
-        input.findings.push_back(about("NUI-004", Severity::Caution, 0,
-            {DYNCAL_TEXT("core",
-                 "The average of the shots has no tube modes of its own, as each shot has its own sound speed: nothing is taken out. Combine the shots as \"stacked\"."),
-                {}},
-            {}, {}));
+        input.findings.push_back({.id = "NUI-004",
+            .severity = Severity::Caution,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "The average of the shots has no tube modes of its own, as each shot has its own sound speed: nothing is taken out. Combine the shots as \"stacked\"."),
+                {}}});
         return;
     }
     for (const NuisanceMode &mode : input.nuisanceModes) {

@@ -27,11 +27,15 @@ Findings judgeOtherShots(const SensorModel &model, const OrderEvidence &evidence
         const double others = evidence.crossShotFit_percent(model.order - 1, static_cast<Index>(i));
         if (own == model.series.end() || !(own->fit_percent - others > kOtherShots_points))
             continue;
-        findings.push_back({"MOD-007", Severity::Caution, shot, {}, {},
-            {DYNCAL_TEXT("core",
-                 "Shot %1: FIT is %2 % with the model, but %3 % with the poles of the other shots alone. The shots do not share their poles: look at that shot; if nothing is wrong with it the sensor is not linear."),
+        findings.push_back({.id = "MOD-007",
+            .severity = Severity::Caution,
+            .shot = shot,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "Shot %1: FIT is %2 % with the model, but %3 % with the poles of the other shots alone. The shots do not share their poles: look at that shot; if nothing is wrong with it the sensor is not linear."),
                 {std::to_string(shot), fitPercentText(own->fit_percent), fitPercentText(others)}},
-            own->fit_percent - others, kOtherShots_points});
+            .value = own->fit_percent - others,
+            .limit = kOtherShots_points});
     }
     return findings;
 }

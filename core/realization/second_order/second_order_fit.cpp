@@ -296,12 +296,15 @@ Findings judgeSecondOrder(const SecondOrderModel &fit, double modelFit_percent)
 {
     if (fit.describes)
         return {};
-    return {{"MOD-011", Severity::Info, 0, {}, {},
-        {DYNCAL_TEXT("core",
-             "A second-order sensor (%1, damping %2) does not describe the response: FIT %3 % against %4 % of the model."),
+    return {{.id = "MOD-011",
+        .severity = Severity::Info,
+        .message
+        = {DYNCAL_TEXT("core",
+               "A second-order sensor (%1, damping %2) does not describe the response: FIT %3 % against %4 % of the model."),
             {numberWithUnit(fit.f0_Hz, "Hz", 5), numberText(fit.zeta, 3),
                 fitPercentText(fit.fit_percent), fitPercentText(modelFit_percent)}},
-        fit.fit_percent, modelFit_percent}};
+        .value = fit.fit_percent,
+        .limit = modelFit_percent}};
 }
 
 } // namespace dyncal

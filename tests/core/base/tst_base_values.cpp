@@ -21,7 +21,7 @@ namespace {
 
 Finding findingOf(Severity severity)
 {
-    return {"XXX-001", severity, 0, {}, {}, {}, {}, {}};
+    return {.id = "XXX-001", .severity = severity};
 }
 
 } // namespace

@@ -191,11 +191,20 @@ void TestCertificateData::findings_cautions_areListedWithReason()
 {
     CalibrationResults results = dyncal::example::calibration();
     QVERIFY(table(certificateOf(results), "remarks") == nullptr);
-    writable(results.captures).findings
-        = {Finding{"CAP-005", Severity::Info, 0, "", {}, {"Only for information.", {}}, {}, {}}};
-    writable(results.window).findings
-        = {Finding{"WIN-001", Severity::Caution, 3, "", {}, {"Shot %1 drifts.", {"3"}}, {}, {}},
-            Finding{"CAP-020", Severity::Block, 2, "", {}, {"Not at rest.", {}}, {}, {}}};
+    writable(results.captures).findings = {Finding{.id = "CAP-005",
+        .severity = Severity::Info,
+        .channel = "",
+        .message = {"Only for information.", {}}}};
+    writable(results.window).findings = {Finding{.id = "WIN-001",
+                                             .severity = Severity::Caution,
+                                             .shot = 3,
+                                             .channel = "",
+                                             .message = {"Shot %1 drifts.", {"3"}}},
+        Finding{.id = "CAP-020",
+            .severity = Severity::Block,
+            .shot = 2,
+            .channel = "",
+            .message = {"Not at rest.", {}}}};
     Recipe recipe = typedRecipe();
     recipe.acknowledge = {{"WIN-001", 3, "known of this tube"}, {"CAP-020", 1, "other"}};
     const CertificateData data = certificateOf(results, recipe);

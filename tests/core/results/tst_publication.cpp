@@ -13,7 +13,7 @@ namespace {
 
 Finding finding(const char *id, Severity severity)
 {
-    return {id, severity, 2, {}, {}, {"Shot 2 is odd.", {}}, {}, {}};
+    return {.id = id, .severity = severity, .shot = 2, .message = {"Shot 2 is odd.", {}}};
 }
 
 /// The example's results with one more finding of a stage.

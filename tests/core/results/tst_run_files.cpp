@@ -111,7 +111,8 @@ void TestRunFiles::write_blockedRun_givesRecipeAndResultsOnly()
     const QTemporaryDir folder;
     RunFiles run = exampleRun(); // complete, but for what one stage found
     auto response = std::make_shared<ResponseResult>(*run.outcome.results.response);
-    response->findings.push_back({"CAP-015", Severity::Block, 0, {}, {}, {"Changed.", {}}, {}, {}});
+    response->findings.push_back(
+        {.id = "CAP-015", .severity = Severity::Block, .message = {"Changed.", {}}});
     run.outcome.results.response = response;
     QVERIFY(writeInto(folder.path(), run));
     QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot),

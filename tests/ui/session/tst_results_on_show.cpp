@@ -27,7 +27,7 @@ PipelineOutcome runUpTo(StageId last, const std::string &name, Index order)
     if (last >= StageId::Assessment) {
         auto assessment = std::make_shared<ModelAssessment>();
         assessment->findings.push_back(
-            {"MOD-010", Severity::Caution, 0, {}, {}, {"Of %1.", {name}}, {}, {}});
+            {.id = "MOD-010", .severity = Severity::Caution, .message = {"Of %1.", {name}}});
         results.assessment = assessment;
     }
     return outcome;

@@ -31,11 +31,15 @@ double sampleRateOf(double interval_s, const std::string &path, const std::strin
     const double rate = 1.0 / interval_s;
     if (interval_s > 0.0 && std::isfinite(interval_s) && std::isfinite(rate))
         return rate;
-    findings.push_back({"CAP-016", Severity::Caution, shot, channel, {},
-        {DYNCAL_TEXT("core",
-             "%1 states a sampling interval of %2 s for channel %3, which cannot be; state the sample rate in the recipe's import section if it is known."),
+    findings.push_back({.id = "CAP-016",
+        .severity = Severity::Caution,
+        .shot = shot,
+        .channel = channel,
+        .message
+        = {DYNCAL_TEXT("core",
+               "%1 states a sampling interval of %2 s for channel %3, which cannot be; state the sample rate in the recipe's import section if it is known."),
             {path, numberText(interval_s, 6), channel}},
-        interval_s, {}});
+        .value = interval_s});
     return 0.0;
 }
 
@@ -64,10 +68,12 @@ std::string freeChannelName(const Shot &shot, const std::string &name)
 
 Finding leftOut(const std::string &path, const std::string &name, const std::string &kind)
 {
-    return {"CAP-026", Severity::Info, 0, name, {},
-        {DYNCAL_TEXT("core", "%1: \"%2\" was left out, because it is no sampled signal (%3)."),
-            {path, name, kind}},
-        {}, {}};
+    return {.id = "CAP-026",
+        .severity = Severity::Info,
+        .channel = name,
+        .message
+        = {DYNCAL_TEXT("core", "%1: \"%2\" was left out, because it is no sampled signal (%3)."),
+            {path, name, kind}}};
 }
 
 tl::unexpected<Error> endsInHeader(const std::string &path)

@@ -125,11 +125,13 @@ private:
             const std::string value = textAttribute(*m_dataset.object, name).value_or("nan");
             if (value == "nan")
                 continue;
-            m_findings.push_back({"CAP-006", Severity::Caution, 0, m_dataset.path, {},
-                {DYNCAL_TEXT("core",
-                     "%1: %2 marks missing samples by the value %3; such samples are read as they are, so look whether there are any."),
-                    {m_path, m_dataset.path, value}},
-                {}, {}});
+            m_findings.push_back({.id = "CAP-006",
+                .severity = Severity::Caution,
+                .channel = m_dataset.path,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "%1: %2 marks missing samples by the value %3; such samples are read as they are, so look whether there are any."),
+                    {m_path, m_dataset.path, value}}});
             return;
         }
     }
@@ -208,8 +210,10 @@ Findings damagedDatasets(const std::vector<ChannelCandidate> &candidates)
     Findings findings;
     for (const ChannelCandidate &candidate : candidates) {
         if (candidate.channels.names.empty() && isDamaged(candidate) && findings.size() < kMost)
-            findings.push_back({"CAP-018", Severity::Caution, 0, candidate.dataset.path, {},
-                candidate.channels.whyNot, {}, {}});
+            findings.push_back({.id = "CAP-018",
+                .severity = Severity::Caution,
+                .channel = candidate.dataset.path,
+                .message = candidate.channels.whyNot});
     }
     return findings;
 }
@@ -280,11 +284,12 @@ Findings leftOut(const std::string &path, const std::vector<ChannelCandidate> &c
     }
     if (names.empty())
         return {};
-    return {{"CAP-026", Severity::Info, 0, {}, {},
-        {DYNCAL_TEXT("core",
-             "%1: %2 is of another length or kind than the channels and was left out; name the channels to have it."),
-            {path, names}},
-        {}, {}}};
+    return {{.id = "CAP-026",
+        .severity = Severity::Info,
+        .message
+        = {DYNCAL_TEXT("core",
+               "%1: %2 is of another length or kind than the channels and was left out; name the channels to have it."),
+            {path, names}}}};
 }
 
 /// Channels of the chosen datasets, described and with their samples.
@@ -374,11 +379,13 @@ Result<CaptureSet> readForeignHdf5(
     Result<CaptureSet> set = readCandidates(file, all, candidates, settings, control);
     const Index lost = linksNotFollowed(file.tree);
     if (set && lost > 0)
-        set->findings.push_back({"CAP-026", Severity::Info, 0, {}, {},
-            {DYNCAL_TEXT("core",
-                 "%1: %2 links that lead to other files or places, or cannot be opened, were not followed."),
+        set->findings.push_back({.id = "CAP-026",
+            .severity = Severity::Info,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "%1: %2 links that lead to other files or places, or cannot be opened, were not followed."),
                 {file.path, std::to_string(lost)}},
-            static_cast<double>(lost), {}});
+            .value = static_cast<double>(lost)});
     return set;
 }
 

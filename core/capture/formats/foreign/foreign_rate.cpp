@@ -233,11 +233,15 @@ std::optional<StatedRate> TimingFinder::statedFor(
         for (const StatedRate &rate : rates) {
             if (ratesAgree(rate.rate_Hz, rates.front().rate_Hz))
                 continue;
-            findings.push_back({"CAP-003", Severity::Caution, 0, dataset.path, {},
-                {DYNCAL_TEXT("core",
-                     "%1: %2 has the sample rate stated twice, as %3 and as %4; give the right one."),
+            findings.push_back({.id = "CAP-003",
+                .severity = Severity::Caution,
+                .channel = dataset.path,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "%1: %2 has the sample rate stated twice, as %3 and as %4; give the right one."),
                     {m_path, dataset.path, rates.front().text, rate.text}},
-                rate.rate_Hz, rates.front().rate_Hz});
+                .value = rate.rate_Hz,
+                .limit = rates.front().rate_Hz});
             return StatedRate{};
         }
         if (!rates.empty())
@@ -266,11 +270,13 @@ SampleTiming TimingFinder::timingOf(
     if (axis == nullptr)
         return {stated ? stated->rate_Hz : 0.0, statedStart_s(dataset)};
     if (!axis->uniform) {
-        findings.push_back({"CAP-016", Severity::Caution, 0, dataset.path, {},
-            {DYNCAL_TEXT("core",
-                 "%1: the times in %2 do not rise by equal steps, so the sample rate of %3 is unknown; state it, or resample the record."),
-                {m_path, axis->dataset->path, dataset.path}},
-            {}, {}});
+        findings.push_back({.id = "CAP-016",
+            .severity = Severity::Caution,
+            .channel = dataset.path,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "%1: the times in %2 do not rise by equal steps, so the sample rate of %3 is unknown; state it, or resample the record."),
+                {m_path, axis->dataset->path, dataset.path}}});
         return {};
     }
     if (!stated || ratesAgree(stated->rate_Hz, axis->rate_Hz)) {
@@ -280,12 +286,16 @@ SampleTiming TimingFinder::timingOf(
         return {same ? stated->rate_Hz : axis->rate_Hz, axis->first_s};
     }
     if (stated->rate_Hz > 0.0)
-        findings.push_back({"CAP-003", Severity::Caution, 0, dataset.path, {},
-            {DYNCAL_TEXT("core",
-                 "%1: %2 states %3, but the times in %4 give %5; give the right sample rate."),
+        findings.push_back({.id = "CAP-003",
+            .severity = Severity::Caution,
+            .channel = dataset.path,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "%1: %2 states %3, but the times in %4 give %5; give the right sample rate."),
                 {m_path, dataset.path, stated->text, axis->dataset->path,
                     numberWithUnit(axis->rate_Hz, "Hz", 6)}},
-            axis->rate_Hz, stated->rate_Hz});
+            .value = axis->rate_Hz,
+            .limit = stated->rate_Hz});
     return {0.0, axis->first_s};
 }
 

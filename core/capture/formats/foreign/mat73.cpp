@@ -120,11 +120,12 @@ Result<CaptureSet> readMat73(
     Result<CaptureSet> set = readCandidates(file, variables, candidates, settings, control);
     const std::string others = otherVariables(file);
     if (set && !others.empty())
-        set->findings.push_back({"CAP-026", Severity::Info, 0, {}, {},
-            {DYNCAL_TEXT("core",
-                 "%1: %2 is no matrix of numbers (a structure, cell, text or the like) and was left out."),
-                {file.path, others}},
-            {}, {}});
+        set->findings.push_back({.id = "CAP-026",
+            .severity = Severity::Info,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "%1: %2 is no matrix of numbers (a structure, cell, text or the like) and was left out."),
+                {file.path, others}}});
     return set;
 }
 

@@ -116,11 +116,14 @@ private:
                     "%1 has capture layout version %2; this program reads version 1. Use a newer version of the program."),
                 {version.empty() ? "?" : numberText(version[0])});
         if (version.size() > 1 && version[1] > kCaptureMinorVersion)
-            m_set.findings.push_back({"CAP-021", Severity::Info, 0, {}, {},
-                {DYNCAL_TEXT("core",
-                     "%1 was written by a newer version (capture layout 1.%2); what this version does not know was left out."),
+            m_set.findings.push_back({.id = "CAP-021",
+                .severity = Severity::Info,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "%1 was written by a newer version (capture layout 1.%2); what this version does not know was left out."),
                     {m_file.path, numberText(version[1])}},
-                version[1], static_cast<double>(kCaptureMinorVersion)});
+                .value = version[1],
+                .limit = static_cast<double>(kCaptureMinorVersion)});
         return {};
     }
 
@@ -277,11 +280,13 @@ private:
         if (dataset.dataset.fidelity == Hdf5Fidelity::Exact)
             channel.statedSha256 = stated;
         else if (!stated.empty())
-            m_set.findings.push_back({"CAP-015", Severity::Caution, 0, channel.name, {},
-                {DYNCAL_TEXT("core",
-                     "%1: the samples of channel %2 are stored in a type for which the SHA-256 in the file was not checked."),
-                    {m_file.path, channel.name}},
-                {}, {}});
+            m_set.findings.push_back({.id = "CAP-015",
+                .severity = Severity::Caution,
+                .channel = channel.name,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "%1: the samples of channel %2 are stored in a type for which the SHA-256 in the file was not checked."),
+                    {m_file.path, channel.name}}});
     }
 
     std::string sensorRole(const std::string &sensorId) const

@@ -203,7 +203,11 @@ Message sentence(
 
 Finding changed(Message message, Index shot = 0, const std::string &channel = {})
 {
-    return {"CAP-015", Severity::Block, shot, channel, {}, std::move(message), {}, {}};
+    return {.id = "CAP-015",
+        .severity = Severity::Block,
+        .shot = shot,
+        .channel = channel,
+        .message = std::move(message)};
 }
 
 } // namespace

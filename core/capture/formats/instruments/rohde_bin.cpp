@@ -265,11 +265,15 @@ private:
         const double span_s = number("XStop").value_or(m_start_s) - m_start_s;
         const double implied_s = span_s / static_cast<double>(m_count);
         if (std::abs(step_s - implied_s) > kRateTolerance * std::abs(step_s)) {
-            m_set.findings.push_back({"CAP-003", Severity::Caution, 1, {}, {},
-                {DYNCAL_TEXT("core",
-                     "%1 states a sampling interval of %2 s, but a record from end to end that means %3 s, so the rate is unknown; state it in the recipe's import section."),
+            m_set.findings.push_back({.id = "CAP-003",
+                .severity = Severity::Caution,
+                .shot = 1,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "%1 states a sampling interval of %2 s, but a record from end to end that means %3 s, so the rate is unknown; state it in the recipe's import section."),
                     {m_path, numberText(step_s, 7), numberText(implied_s, 7)}},
-                step_s, implied_s});
+                .value = step_s,
+                .limit = implied_s});
             return 0.0;
         }
         return sampleRateOf(step_s, m_path, m_sources.front(), 1, m_set.findings);

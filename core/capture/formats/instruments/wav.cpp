@@ -242,17 +242,21 @@ private:
         const auto declared = static_cast<Index>(
             std::min<std::uint64_t>(m_data.bytes / m_format->frameBytes, PTRDIFF_MAX));
         if (!m_data.declared)
-            m_set.findings.push_back({"CAP-018", Severity::Caution, 0, {}, {},
-                {DYNCAL_TEXT("core",
-                     "%1 was written as a stream without its length; it was read up to its end (%2 samples per channel), which nothing confirms."),
-                    {m_path, std::to_string(frames)}},
-                {}, {}});
+            m_set.findings.push_back({.id = "CAP-018",
+                .severity = Severity::Caution,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "%1 was written as a stream without its length; it was read up to its end (%2 samples per channel), which nothing confirms."),
+                    {m_path, std::to_string(frames)}}});
         else if (m_data.bytes > there || bytes % m_format->frameBytes != 0)
-            m_set.findings.push_back({"CAP-018", Severity::Caution, 0, {}, {},
-                {DYNCAL_TEXT("core",
-                     "%1 ends after %2 of the %3 samples per channel that it declares, or within one; it is likely an incomplete copy."),
+            m_set.findings.push_back({.id = "CAP-018",
+                .severity = Severity::Caution,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "%1 ends after %2 of the %3 samples per channel that it declares, or within one; it is likely an incomplete copy."),
                     {m_path, std::to_string(frames), std::to_string(declared)}},
-                static_cast<double>(frames), static_cast<double>(declared)});
+                .value = static_cast<double>(frames),
+                .limit = static_cast<double>(declared)});
         return frames;
     }
 
@@ -264,11 +268,14 @@ private:
             = static_cast<double>(m_format->bytesPerSecond) / m_format->frameBytes;
         if (rate_Hz > 0.0 && rate_Hz == implied_Hz)
             return rate_Hz;
-        m_set.findings.push_back({"CAP-016", Severity::Caution, 0, {}, {},
-            {DYNCAL_TEXT("core",
-                 "%1 states %2 samples per second, but its bytes per second mean %3; state the sample rate in the recipe's import section if it is known."),
+        m_set.findings.push_back({.id = "CAP-016",
+            .severity = Severity::Caution,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "%1 states %2 samples per second, but its bytes per second mean %3; state the sample rate in the recipe's import section if it is known."),
                 {m_path, numberText(rate_Hz), numberText(implied_Hz, 7)}},
-            implied_Hz, rate_Hz});
+            .value = implied_Hz,
+            .limit = rate_Hz});
         return 0.0;
     }
 

@@ -167,11 +167,12 @@ private:
         if (m_saidEmpty)
             return {};
         m_saidEmpty = true;
-        m_set.findings.push_back({"CAP-018", Severity::Caution, 0, {}, {},
-            {DYNCAL_TEXT("core",
-                 "%1: behind segment %2 a header without rows of samples follows, so the file is likely an incomplete copy."),
-                {m_path, std::to_string(m_set.shots.size())}},
-            {}, {}});
+        m_set.findings.push_back({.id = "CAP-018",
+            .severity = Severity::Caution,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "%1: behind segment %2 a header without rows of samples follows, so the file is likely an incomplete copy."),
+                {m_path, std::to_string(m_set.shots.size())}}});
         return {};
     }
 

@@ -68,14 +68,6 @@ private:
         return channel;
     }
 
-    void say(Severity severity, const char *id, const std::string &channel, const char *text,
-        std::vector<std::string> words)
-    {
-        words.insert(words.begin(), m_path);
-        m_findings.push_back(
-            {id, severity, m_number, channel, {}, {text, std::move(words)}, {}, {}});
-    }
-
     /// One X column for all belongs to the first channel and those of the same Delta_X.
     bool hasOwnX(const LvmChannel &channel) const
     {
@@ -116,12 +108,16 @@ private:
 
     void contradict(const LvmChannel &channel, double mean)
     {
-        say(Severity::Caution, "CAP-016", channel.name,
-            DYNCAL_TEXT("core",
-                "%1: Delta_X of channel %2 is %3, but its X values are not uniform or step by %4 on average; state the sample rate in the recipe's import section if it is known."),
-            {channel.name, numberText(channel.deltaX, 7), numberText(mean, 7)});
-        m_findings.back().value = mean;
-        m_findings.back().limit = channel.deltaX;
+        m_findings.push_back({.id = "CAP-016",
+            .severity = Severity::Caution,
+            .shot = m_number,
+            .channel = channel.name,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "%1: Delta_X of channel %2 is %3, but its X values are not uniform or step by %4 on average; state the sample rate in the recipe's import section if it is known."),
+                {m_path, channel.name, numberText(channel.deltaX, 7), numberText(mean, 7)}},
+            .value = mean,
+            .limit = channel.deltaX});
     }
 
     /// A rate of 1/0.000977 is known to 0.05 % only, and so is every frequency.
@@ -129,36 +125,49 @@ private:
     {
         if (m_vagueChannel == nullptr || m_worstPrecision <= kPreciseRate)
             return;
-        const std::vector<std::string> words{m_vagueChannel->name,
+        const std::vector<std::string> words{m_path, m_vagueChannel->name,
             numberWithUnit(m_vagueRate_Hz, "Hz", 7), numberText(100.0 * m_worstPrecision, 2)};
         if (m_worstPrecision > kUselessRate)
-            say(Severity::Caution, "CAP-003", m_vagueChannel->name,
-                DYNCAL_TEXT("core",
-                    "%1: Delta_X of channel %2 is printed with so few digits that its sample rate of %3 is known to %4 % only, so it was not taken; state sample_rate_hz in the recipe's import section."),
-                words);
+            m_findings.push_back({.id = "CAP-003",
+                .severity = Severity::Caution,
+                .shot = m_number,
+                .channel = m_vagueChannel->name,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "%1: Delta_X of channel %2 is printed with so few digits that its sample rate of %3 is known to %4 % only, so it was not taken; state sample_rate_hz in the recipe's import section."),
+                    words}});
         else
-            say(m_worstPrecision > kRateTolerance ? Severity::Caution : Severity::Info, "CAP-003",
-                m_vagueChannel->name,
-                DYNCAL_TEXT("core",
-                    "%1: the sample rate of channel %2, %3, is known to %4 % only, as Delta_X is printed with few digits; state sample_rate_hz in the recipe's import section if you know it better."),
-                words);
+            m_findings.push_back({.id = "CAP-003",
+                .severity = m_worstPrecision > kRateTolerance ? Severity::Caution : Severity::Info,
+                .shot = m_number,
+                .channel = m_vagueChannel->name,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "%1: the sample rate of channel %2, %3, is known to %4 % only, as Delta_X is printed with few digits; state sample_rate_hz in the recipe's import section if you know it better."),
+                    words}});
     }
 
     void compareColumns()
     {
         const auto declared = static_cast<Index>(m_segment.channels.size());
         if (m_segment.namedChannels > declared)
-            say(Severity::Caution, "CAP-018", {},
-                DYNCAL_TEXT("core",
-                    "%1: the header declares %2 channels, but %3 columns have names; the last ones were not read."),
-                {std::to_string(declared), std::to_string(m_segment.namedChannels)});
+            m_findings.push_back({.id = "CAP-018",
+                .severity = Severity::Caution,
+                .shot = m_number,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "%1: the header declares %2 channels, but %3 columns have names; the last ones were not read."),
+                    {m_path, std::to_string(declared), std::to_string(m_segment.namedChannels)}}});
         const auto &values = m_rows.values();
         const auto empty = std::count_if(values.begin(), values.end(),
             [](const SampleColumn &column) { return column.size() == 0; });
         if (empty > 0)
-            say(Severity::Info, "CAP-018", {},
-                DYNCAL_TEXT("core", "%1: %2 of %3 channels have no samples and were left out."),
-                {std::to_string(empty), std::to_string(declared)});
+            m_findings.push_back({.id = "CAP-018",
+                .severity = Severity::Info,
+                .shot = m_number,
+                .message
+                = {DYNCAL_TEXT("core", "%1: %2 of %3 channels have no samples and were left out."),
+                    {m_path, std::to_string(empty), std::to_string(declared)}}});
     }
 
     void compareCounts()
@@ -179,19 +188,29 @@ private:
     {
         const bool blocks = declared > 1 && found > declared;
         const std::vector<std::string> words{
-            channel, std::to_string(found), std::to_string(declared)};
+            m_path, channel, std::to_string(found), std::to_string(declared)};
         if (blocks)
-            say(Severity::Caution, "CAP-018", channel,
-                DYNCAL_TEXT("core",
-                    "%1: channel %2 has %3 samples where its header declares %4, so blocks were appended and are read as one record. If each is a shot of its own, save with one header per segment."),
-                words);
+            m_findings.push_back({.id = "CAP-018",
+                .severity = Severity::Caution,
+                .shot = m_number,
+                .channel = channel,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "%1: channel %2 has %3 samples where its header declares %4, so blocks were appended and are read as one record. If each is a shot of its own, save with one header per segment."),
+                    words},
+                .value = static_cast<double>(found),
+                .limit = static_cast<double>(declared)});
         else
-            say(found < declared ? Severity::Caution : Severity::Info, "CAP-018", channel,
-                DYNCAL_TEXT("core",
-                    "%1: channel %2 has %3 samples where its header declares %4; if it has fewer, the file may be an incomplete copy."),
-                words);
-        m_findings.back().value = static_cast<double>(found);
-        m_findings.back().limit = static_cast<double>(declared);
+            m_findings.push_back({.id = "CAP-018",
+                .severity = found < declared ? Severity::Caution : Severity::Info,
+                .shot = m_number,
+                .channel = channel,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "%1: channel %2 has %3 samples where its header declares %4; if it has fewer, the file may be an incomplete copy."),
+                    words},
+                .value = static_cast<double>(found),
+                .limit = static_cast<double>(declared)});
     }
 
     const std::string &m_path;

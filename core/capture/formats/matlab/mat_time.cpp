@@ -151,21 +151,25 @@ std::optional<double> MatTime::stated() const
 
 Finding MatTime::contradiction(const std::string &name, double step) const
 {
-    return {"CAP-003", Severity::Caution, 0, {}, {},
-        {DYNCAL_TEXT("core",
-             "%1: the sample rate is stated as %2, but %3 steps by %4, which fits it in no unit of time, so the rate is unknown. Which one is right? State it in the recipe's import section."),
+    return {.id = "CAP-003",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "%1: the sample rate is stated as %2, but %3 steps by %4, which fits it in no unit of time, so the rate is unknown. Which one is right? State it in the recipe's import section."),
             {m_path, rateText(*stated()), name, numberText(step, 7)}},
-        step, stated()};
+        .value = step,
+        .limit = stated()};
 }
 
 MatRate MatTime::rateByAxis(const Axis &axis, Findings &findings) const
 {
     if (!axis.uniform) {
-        findings.push_back({"CAP-016", Severity::Caution, 0, {}, {},
-            {DYNCAL_TEXT("core",
-                 "%1: the times in %2 are not uniform (allowed is 1 %), so the sample rate is unknown; state it in the recipe's import section if it is known."),
-                {m_path, axis.name}},
-            {}, {}});
+        findings.push_back({.id = "CAP-016",
+            .severity = Severity::Caution,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "%1: the times in %2 are not uniform (allowed is 1 %), so the sample rate is unknown; state it in the recipe's import section if it is known."),
+                {m_path, axis.name}}});
         return {};
     }
     const double step = axis.uniform->step;
@@ -181,19 +185,23 @@ MatRate MatTime::rateByAxis(const Axis &axis, Findings &findings) const
     if (axis.unit_s > 0.0)
         return {1.0 / (step * axis.unit_s), axis.uniform->first * axis.unit_s};
     if (axis.byConvention) {
-        findings.push_back({"CAP-016", Severity::Info, 0, {}, {},
-            {DYNCAL_TEXT("core",
-                 "%1: %2 has no unit and was taken as seconds, which makes the sample rate %3; state the rate in the recipe's import section if it is another."),
+        findings.push_back({.id = "CAP-016",
+            .severity = Severity::Info,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "%1: %2 has no unit and was taken as seconds, which makes the sample rate %3; state the rate in the recipe's import section if it is another."),
                 {m_path, axis.name, rateText(1.0 / step)}},
-            step, {}});
+            .value = step});
         return {1.0 / step, axis.uniform->first};
     }
-    findings.push_back({"CAP-016", Severity::Caution, 0, {}, {},
-        {DYNCAL_TEXT("core",
-             "%1: %2 increases uniformly by %3 and was taken as the times, but its unit is said nowhere. State the sample rate in the recipe's import section: %4 if they are seconds, %5 if milliseconds, %6 if microseconds."),
+    findings.push_back({.id = "CAP-016",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "%1: %2 increases uniformly by %3 and was taken as the times, but its unit is said nowhere. State the sample rate in the recipe's import section: %4 if they are seconds, %5 if milliseconds, %6 if microseconds."),
             {m_path, axis.name, numberText(step, 7), rateText(1.0 / step),
                 rateText(1.0 / (step * 1e-3)), rateText(1.0 / (step * 1e-6))}},
-        step, {}});
+        .value = step});
     return {};
 }
 
@@ -221,11 +229,14 @@ MatRate MatTime::statedRate(Findings &findings) const
 {
     if (!m_operator_Hz && m_rate_Hz && m_interval_s
         && !ratesAgree(*m_rate_Hz * *m_interval_s, 1.0)) {
-        findings.push_back({"CAP-003", Severity::Caution, 0, {}, {},
-            {DYNCAL_TEXT("core",
-                 "%1 states a sample rate of %2 and an interval of %3 s, which contradict each other, so the rate is unknown; state it in the recipe's import section."),
+        findings.push_back({.id = "CAP-003",
+            .severity = Severity::Caution,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "%1 states a sample rate of %2 and an interval of %3 s, which contradict each other, so the rate is unknown; state it in the recipe's import section."),
                 {m_path, rateText(*m_rate_Hz), numberText(*m_interval_s, 7)}},
-            m_rate_Hz, 1.0 / *m_interval_s});
+            .value = m_rate_Hz,
+            .limit = 1.0 / *m_interval_s});
         return {};
     }
     return {stated().value_or(0.0), m_start_s};

@@ -147,20 +147,23 @@ private:
         if (channel.unit.empty() || record.bareCounts)
             channel.unit = "1";
         if (record.bareCounts)
-            m_set.findings.push_back({"CAP-027", Severity::Caution, 0, channel.name, {},
-                {DYNCAL_TEXT("core",
-                     "%1: channel %2 holds counts of the converter and no scale; state scale and unit, or its values mean nothing."),
-                    {m_path, channel.name}},
-                {}, {}});
+            m_set.findings.push_back({.id = "CAP-027",
+                .severity = Severity::Caution,
+                .channel = channel.name,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "%1: channel %2 holds counts of the converter and no scale; state scale and unit, or its values mean nothing."),
+                    {m_path, channel.name}}});
         return channel;
     }
 
     void leaveOut(Message reason, Severity severity)
     {
         m_lastReason = reason;
-        m_set.findings.push_back({"CAP-026", severity, 0, {}, {},
-            {DYNCAL_TEXT("core", "%1: a channel was left out. %2"), {m_path, english(reason)}}, {},
-            {}});
+        m_set.findings.push_back({.id = "CAP-026",
+            .severity = severity,
+            .message
+            = {DYNCAL_TEXT("core", "%1: a channel was left out. %2"), {m_path, english(reason)}}});
     }
 
     Error nothingRead() const
@@ -182,16 +185,17 @@ private:
     void findDamage()
     {
         if (m_contents.unknownVersion)
-            m_set.findings.push_back({"CAP-021", Severity::Info, 0, {}, {},
-                {DYNCAL_TEXT("core",
-                     "%1 is of the TDMS version %2, which this program does not know; it was read like version 4713."),
-                    {m_path, std::to_string(*m_contents.unknownVersion)}},
-                {}, {}});
+            m_set.findings.push_back({.id = "CAP-021",
+                .severity = Severity::Info,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "%1 is of the TDMS version %2, which this program does not know; it was read like version 4713."),
+                    {m_path, std::to_string(*m_contents.unknownVersion)}}});
         if (m_contents.damage)
-            m_set.findings.push_back({"CAP-018", Severity::Caution, 0, {}, {},
-                {DYNCAL_TEXT("core", "%1 What stands before was read."),
-                    {english(*m_contents.damage)}},
-                {}, {}});
+            m_set.findings.push_back({.id = "CAP-018",
+                .severity = Severity::Caution,
+                .message = {DYNCAL_TEXT("core", "%1 What stands before was read."),
+                    {english(*m_contents.damage)}}});
         const auto cut = std::find_if(
             m_contents.objects.begin(), m_contents.objects.end(), [](const TdmsObject &object) {
                 return object.declared > static_cast<double>(object.count);
@@ -199,23 +203,28 @@ private:
         if (cut != m_contents.objects.end())
             m_set.findings.push_back(incomplete(*cut));
         else if (m_contents.endsEarly)
-            m_set.findings.push_back({"CAP-018", Severity::Caution, 0, {}, {},
-                {DYNCAL_TEXT("core",
-                     "%1 was not closed by the program that wrote it, or its end is missing; all values that are there were read."),
-                    {m_path}},
-                {}, {}});
+            m_set.findings.push_back({.id = "CAP-018",
+                .severity = Severity::Caution,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "%1 was not closed by the program that wrote it, or its end is missing; all values that are there were read."),
+                    {m_path}}});
     }
 
     Finding incomplete(const TdmsObject &object) const
     {
         constexpr double kSensible = 1e15;
         const auto found = static_cast<double>(object.count);
-        return {"CAP-018", Severity::Caution, 0, object.path.channel, {},
-            {DYNCAL_TEXT("core",
-                 "%1 is incomplete: channel %2 has %3 of %4 samples. All values that are there were read; copy the file again if the original is whole."),
+        return {.id = "CAP-018",
+            .severity = Severity::Caution,
+            .channel = object.path.channel,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "%1 is incomplete: channel %2 has %3 of %4 samples. All values that are there were read; copy the file again if the original is whole."),
                 {m_path, object.path.channel, std::to_string(object.count),
                     object.declared < kSensible ? numberText(object.declared) : "?"}},
-            found, object.declared};
+            .value = found,
+            .limit = object.declared};
     }
 
     void findMissingRates()
@@ -224,12 +233,14 @@ private:
             for (const Channel &channel : m_set.shots[i].channels) {
                 if (channel.sampleRate_Hz > 0.0)
                     continue;
-                m_set.findings.push_back({"CAP-003", Severity::Caution, static_cast<Index>(i) + 1,
-                    channel.name, {},
-                    {DYNCAL_TEXT("core",
-                         "%1: channel %2 states no time between samples (wf_increment); give import.sample_rate_hz in the recipe."),
-                        {m_path, channel.name}},
-                    {}, {}});
+                m_set.findings.push_back({.id = "CAP-003",
+                    .severity = Severity::Caution,
+                    .shot = static_cast<Index>(i) + 1,
+                    .channel = channel.name,
+                    .message
+                    = {DYNCAL_TEXT("core",
+                           "%1: channel %2 states no time between samples (wf_increment); give import.sample_rate_hz in the recipe."),
+                        {m_path, channel.name}}});
                 return; // one is enough to ask for it
             }
         }

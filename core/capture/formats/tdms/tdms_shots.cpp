@@ -48,7 +48,7 @@ std::optional<std::uint64_t> countIn(const Group &group, const char *name)
 
 Finding leftOut(Message message)
 {
-    return {"CAP-026", Severity::Info, 0, {}, {}, std::move(message), {}, {}};
+    return {.id = "CAP-026", .severity = Severity::Info, .message = std::move(message)};
 }
 
 bool isSignalExpress(const std::vector<Group> &groups)
@@ -64,11 +64,12 @@ void findUnfinishedLog(const TdmsContents &contents, const std::string &path, Td
         = root != nullptr ? countOf(root->properties, "recording-complete") : std::nullopt;
     if (complete.value_or(1) != 0)
         return;
-    shots.findings.push_back({"CAP-018", Severity::Caution, 0, {}, {},
-        {DYNCAL_TEXT("core",
-             "%1 says that its recording was not completed; check that the records are whole."),
-            {path}},
-        {}, {}});
+    shots.findings.push_back({.id = "CAP-018",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "%1 says that its recording was not completed; check that the records are whole."),
+            {path}}});
 }
 
 TdmsShots signalExpressShots(
@@ -92,11 +93,12 @@ TdmsShots signalExpressShots(
     for (auto &[index, plan] : intervals)
         shots.shots.push_back(std::move(plan));
     if (shots.shots.size() > 1)
-        shots.findings.push_back({"CAP-028", Severity::Info, 0, {}, {},
-            {DYNCAL_TEXT("core",
-                 "%1: each of its %2 logged intervals was taken as a shot; exclude those that are none."),
-                {path, std::to_string(shots.shots.size())}},
-            {}, {}});
+        shots.findings.push_back({.id = "CAP-028",
+            .severity = Severity::Info,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "%1: each of its %2 logged intervals was taken as a shot; exclude those that are none."),
+                {path, std::to_string(shots.shots.size())}}});
     findUnfinishedLog(contents, path, shots);
     return shots;
 }

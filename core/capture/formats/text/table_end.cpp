@@ -96,13 +96,14 @@ RowEnd lastRowEnd(std::string_view text, std::string_view line, const TextDialec
 Finding unfinishedLine(const std::string &path, Index line, RowEnd end)
 {
     const bool cut = end == RowEnd::Cut;
-    return {"CAP-018", cut ? Severity::Caution : Severity::Info, 0, {}, {},
-        {cut ? DYNCAL_TEXT("core",
-             "%1 ends within line %2, so it is likely an incomplete copy; that line was left out.")
-             : DYNCAL_TEXT("core",
-                 "%1 ends without a line end; if the copy is incomplete, the last number in line %2 may lack digits."),
-            {path, std::to_string(line)}},
-        {}, {}};
+    return {.id = "CAP-018",
+        .severity = cut ? Severity::Caution : Severity::Info,
+        .message
+        = {cut ? DYNCAL_TEXT("core",
+               "%1 ends within line %2, so it is likely an incomplete copy; that line was left out.")
+               : DYNCAL_TEXT("core",
+                   "%1 ends without a line end; if the copy is incomplete, the last number in line %2 may lack digits."),
+            {path, std::to_string(line)}}};
 }
 
 } // namespace dyncal

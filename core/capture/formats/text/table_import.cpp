@@ -23,12 +23,6 @@ tl::unexpected<Error> damaged(
     return fail(ErrorKind::FileUnreadable, {sentence, std::move(more)}, id);
 }
 
-Finding finding(
-    const char *id, Severity severity, const char *sentence, std::vector<std::string> words)
-{
-    return {id, severity, 0, {}, {}, {sentence, std::move(words)}, {}, {}};
-}
-
 /// A first row with one bad cell must not pass for a header: its other cells are measured values.
 Result<void> checkHeader(const std::string &path, const TextDialect &dialect)
 {
@@ -84,18 +78,22 @@ Findings findingsOfHeader(const std::string &path, const TextDialect &dialect)
                });
         if (!row)
             continue;
-        findings.push_back(finding("CAP-018", Severity::Caution,
-            DYNCAL_TEXT("core",
-                "%1: line %2 is a row of %3 numbers like the data, but other text follows it; it was taken as header. Set skip_rows in the recipe's import section to be certain."),
-            {path, std::to_string(i + 1), std::to_string(dialect.columns)}));
+        findings.push_back({.id = "CAP-018",
+            .severity = Severity::Caution,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "%1: line %2 is a row of %3 numbers like the data, but other text follows it; it was taken as header. Set skip_rows in the recipe's import section to be certain."),
+                {path, std::to_string(i + 1), std::to_string(dialect.columns)}}});
         break;
     }
     if (const std::optional<Index> names = namesThatDoNotFit(dialect))
-        findings.push_back(finding("CAP-018", Severity::Info,
-            DYNCAL_TEXT("core",
-                "%1: line %2 has %3 cells above %4 columns, so the columns are numbered, not named."),
-            {path, std::to_string(dialect.headerLines()), std::to_string(*names),
-                std::to_string(dialect.columns)}));
+        findings.push_back({.id = "CAP-018",
+            .severity = Severity::Info,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "%1: line %2 has %3 cells above %4 columns, so the columns are numbered, not named."),
+                {path, std::to_string(dialect.headerLines()), std::to_string(*names),
+                    std::to_string(dialect.columns)}}});
     return findings;
 }
 
@@ -113,10 +111,12 @@ Result<void> checkColumns(const std::string &path, const ImportSettings &setting
 
 Finding ambiguousDecimal(const std::string &path, const TextDialect &dialect)
 {
-    return finding("CAP-019", Severity::Caution,
-        DYNCAL_TEXT("core",
-            "%1: \"%2\" can be read in two ways; the comma was taken as %3. Set decimal and separator in the recipe's import section to be certain."),
-        {path, dialect.ambiguous, dialect.decimal == ',' ? "decimal mark" : "separator"});
+    return {.id = "CAP-019",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "%1: \"%2\" can be read in two ways; the comma was taken as %3. Set decimal and separator in the recipe's import section to be certain."),
+            {path, dialect.ambiguous, dialect.decimal == ',' ? "decimal mark" : "separator"}}};
 }
 
 /// Takes a header of bare numbers off the only column, and the rate from it.
@@ -138,10 +138,12 @@ Result<void> takeCountedHeader(const TextPart &part, ImportedTable &table)
     column.erase(column.begin(), column.begin() + header->lines);
     table.countedHeaderLines = header->lines;
     table.time.sampleRate_Hz = rate_Hz;
-    table.findings.push_back(finding("CAP-003", Severity::Info,
-        DYNCAL_TEXT("core",
-            "%1: the first %2 lines were taken as header, as they count the %3 lines behind: the sample rate is %4."),
-        {path, std::to_string(header->lines), declared, rate}));
+    table.findings.push_back({.id = "CAP-003",
+        .severity = Severity::Info,
+        .message
+        = {DYNCAL_TEXT("core",
+               "%1: the first %2 lines were taken as header, as they count the %3 lines behind: the sample rate is %4."),
+            {path, std::to_string(header->lines), declared, rate}}});
     return {};
 }
 

@@ -16,11 +16,6 @@ tl::unexpected<Error> failure(const char *id, const char *text, std::vector<std:
     return fail(ErrorKind::FileUnreadable, {text, std::move(words)}, id);
 }
 
-Finding finding(const char *id, Severity severity, const char *text, std::vector<std::string> words)
-{
-    return {id, severity, 0, {}, {}, {text, std::move(words)}, {}, {}};
-}
-
 std::string hertz(double rate_Hz)
 {
     return numberWithUnit(rate_Hz, "Hz", kDigits);
@@ -92,62 +87,76 @@ TimeSentences::Failure TimeSentences::unknownUnit(const std::string &unit) const
 
 Finding TimeSentences::headerOverruled(const HeaderRate &header, double times_Hz) const
 {
-    return finding("CAP-003", Severity::Caution,
-        DYNCAL_TEXT("core",
-            "%1: line %2 of the header (\"%3\") means %4, but recipe and column of times agree on %5, which was taken."),
-        {path, std::to_string(header.line), header.text, hertz(header.rate_Hz), hertz(times_Hz)});
+    return {.id = "CAP-003",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "%1: line %2 of the header (\"%3\") means %4, but recipe and column of times agree on %5, which was taken."),
+            {path, std::to_string(header.line), header.text, hertz(header.rate_Hz),
+                hertz(times_Hz)}}};
 }
 
 Finding TimeSentences::headerUnitAssumed(const HeaderRate &header) const
 {
-    return finding("CAP-003", Severity::Info,
-        DYNCAL_TEXT("core",
-            "%1: line %2 of the header (\"%3\") has no unit; in Hz or s it means %4, which was taken as the sample rate."),
-        {path, std::to_string(header.line), header.text, hertz(header.rate_Hz)});
+    return {.id = "CAP-003",
+        .severity = Severity::Info,
+        .message
+        = {DYNCAL_TEXT("core",
+               "%1: line %2 of the header (\"%3\") has no unit; in Hz or s it means %4, which was taken as the sample rate."),
+            {path, std::to_string(header.line), header.text, hertz(header.rate_Hz)}}};
 }
 
 Finding TimeSentences::ratePassedOver(double recipe_Hz, double times_Hz) const
 {
-    return finding("CAP-003", Severity::Caution,
-        DYNCAL_TEXT("core",
-            "%1: the recipe's sample rate of %2 was taken although the file's column of times steps at %3."),
-        {path, hertz(recipe_Hz), hertz(times_Hz)});
+    return {.id = "CAP-003",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "%1: the recipe's sample rate of %2 was taken although the file's column of times steps at %3."),
+            {path, hertz(recipe_Hz), hertz(times_Hz)}}};
 }
 
 Finding TimeSentences::unitUnknown(const std::string &name, double step, bool counter) const
 {
-    return finding("CAP-003", Severity::Caution,
-        counter
-            ? DYNCAL_TEXT("core",
-                "%1: column \"%2\" only counts the rows, so the sample rate is unknown; state sample_rate_hz in the recipe's import section.")
-            : DYNCAL_TEXT("core",
-                "%1: column \"%2\" steps by %3 without a unit, so the sample rate is unknown; state sample_rate_hz in the recipe's import section."),
-        {path, name, numberText(step, kDigits)});
+    return {.id = "CAP-003",
+        .severity = Severity::Caution,
+        .message
+        = {counter ? DYNCAL_TEXT("core",
+               "%1: column \"%2\" only counts the rows, so the sample rate is unknown; state sample_rate_hz in the recipe's import section.")
+                   : DYNCAL_TEXT("core",
+                       "%1: column \"%2\" steps by %3 without a unit, so the sample rate is unknown; state sample_rate_hz in the recipe's import section."),
+            {path, name, numberText(step, kDigits)}}};
 }
 
 Finding TimeSentences::secondsAssumed(
     const std::string &name, double rate_Hz, Severity severity) const
 {
-    return finding("CAP-003", severity,
-        DYNCAL_TEXT("core",
-            "%1: column \"%2\" has no unit; its numbers were taken as seconds, which makes the sample rate %3. If that is wrong, write the unit into the title."),
-        {path, name, hertz(rate_Hz)});
+    return {.id = "CAP-003",
+        .severity = severity,
+        .message
+        = {DYNCAL_TEXT("core",
+               "%1: column \"%2\" has no unit; its numbers were taken as seconds, which makes the sample rate %3. If that is wrong, write the unit into the title."),
+            {path, name, hertz(rate_Hz)}}};
 }
 
 Finding TimeSentences::irregularPassedOver(const TimeAxis &axis) const
 {
-    return finding("CAP-016", Severity::Caution,
-        DYNCAL_TEXT("core",
-            "%1: the recipe leaves the column of times out, but at line %2 it is not uniform; if samples are missing there, all behind them is shifted."),
-        {path, std::to_string(headerLines + *axis.irregular + 1)});
+    return {.id = "CAP-016",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "%1: the recipe leaves the column of times out, but at line %2 it is not uniform; if samples are missing there, all behind them is shifted."),
+            {path, std::to_string(headerLines + *axis.irregular + 1)}}};
 }
 
 Finding TimeSentences::looksLikeTimes(const ColumnTitle &title) const
 {
-    return finding("CAP-016", Severity::Caution,
-        DYNCAL_TEXT("core",
-            "%1: column \"%2\" rises from row to row like times, but neither title nor unit says so; it was read as samples. If it holds times, name it time under columns in the recipe's import section."),
-        {path, title.name});
+    return {.id = "CAP-016",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "%1: column \"%2\" rises from row to row like times, but neither title nor unit says so; it was read as samples. If it holds times, name it time under columns in the recipe's import section."),
+            {path, title.name}}};
 }
 
 } // namespace dyncal

@@ -121,8 +121,8 @@ private slots:
         addFile(set, "/d/C2seq.trc", "C2", 3); // named first: its shots come first
         addFile(set, "/d/other.trc", "C1", 1);
         addFile(set, "/d/C1seq.trc", "C1", 3);
-        set.findings.push_back({"CAP-016", Severity::Caution, 4, {}, {}, {}, {}, {}});
-        set.findings.push_back({"CAP-026", Severity::Info, 6, {}, {}, {}, {}, {}});
+        set.findings.push_back({.id = "CAP-016", .severity = Severity::Caution, .shot = 4});
+        set.findings.push_back({.id = "CAP-026", .severity = Severity::Info, .shot = 6});
         joinChannelFiles(set);
         QCOMPARE(set.shots.size(), std::size_t(4));
         for (std::size_t k = 0; k < 3; ++k) {

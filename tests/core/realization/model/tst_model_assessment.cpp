@@ -191,9 +191,10 @@ private slots:
     {
         ResultCache cache;
         CalibrationResults results = runPipeline(captures(), ofOrder(4), cache).results;
-        const Finding model{"MOD-005", Severity::Info, 0, {}, {}, {"of the model", {}}, {}, {}};
+        const Finding model{
+            .id = "MOD-005", .severity = Severity::Info, .message = {"of the model", {}}};
         const Finding found{
-            "MOD-010", Severity::Caution, 0, {}, {}, {"of the assessment", {}}, {}, {}};
+            .id = "MOD-010", .severity = Severity::Caution, .message = {"of the assessment", {}}};
         SensorModel fitted = *results.model;
         fitted.findings.push_back(model);
         ModelAssessment assessment = *results.assessment;

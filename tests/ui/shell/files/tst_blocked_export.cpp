@@ -22,7 +22,7 @@ PipelineOutcome blocked(const std::shared_ptr<const CaptureSet> &, const Recipe 
     PipelineOutcome outcome{example::calibration(), {}, {}};
     auto response = std::make_shared<ResponseResult>(*outcome.results.response);
     response->findings.push_back(
-        {"CAP-015", Severity::Block, 0, {}, {}, {"The recording changed.", {}}, {}, {}});
+        {.id = "CAP-015", .severity = Severity::Block, .message = {"The recording changed.", {}}});
     outcome.results.response = response;
     return outcome;
 }

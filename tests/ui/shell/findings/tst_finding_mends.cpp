@@ -21,8 +21,11 @@ namespace {
 
 Finding finding(const char *id, Index shot, const char *channel = "Sensor")
 {
-    return {
-        id, Severity::Caution, shot, channel, {}, {"%1 %2 %3 %4", {"a", "b", "c", "psi"}}, {}, {}};
+    return {.id = id,
+        .severity = Severity::Caution,
+        .shot = shot,
+        .channel = channel,
+        .message = {"%1 %2 %3 %4", {"a", "b", "c", "psi"}}};
 }
 
 /// Three shots in three files.
@@ -274,7 +277,7 @@ void TestFindingMends::panel_sameFindings_keepRowsAndSelection()
     FindingsPanel panel;
     const CaptureSet captures;
     const auto finding = [](Severity severity, const char *sentence) {
-        return Finding{"ORD-009", severity, 0, {}, {}, {sentence, {}}, {}, {}};
+        return Finding{.id = "ORD-009", .severity = severity, .message = {sentence, {}}};
     };
     Findings findings{finding(Severity::Info, "First."), finding(Severity::Caution, "Second.")};
     panel.setFindings(findings, {}, captures);
@@ -349,7 +352,7 @@ void TestFindingMends::settingsForAll_keepWhatIsOfShotsAndOtherFiles()
 void TestFindingMends::ownMend_ofAFinding_isOffered()
 {
     Finding celsius = finding("SHK-004", 1);
-    celsius.mend = Mend{{"Use %1 K", {"294.15"}}, "shock.t1_k", "294.15"};
+    celsius.mend = Mend{.label = {"Use %1 K", {"294.15"}}, .key = "shock.t1_k", .value = "294.15"};
     const std::vector<Remedy> mends = mendsOf(celsius, threeFiles());
     QCOMPARE(labels(mends), QStringList("Use 294.15 K"));
     QVERIFY(mends.front().ofFinding == celsius.mend);

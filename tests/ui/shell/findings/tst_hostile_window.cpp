@@ -78,8 +78,12 @@ PipelineOutcome hostilePipeline(const std::string &text,
     CalibrationResults &results = outcome.results;
     auto shock = std::make_shared<ShockConditionsSet>(*results.shock);
     for (const char *id : {"CAP-004", "CAP-013", "SHK-007"})
-        shock->findings.push_back({id, Severity::Caution, 1, text, {},
-            {"The channel %1 of %2 has the unit %3, not %4.", {text, text, text, text}}, {}, {}});
+        shock->findings.push_back({.id = id,
+            .severity = Severity::Caution,
+            .shot = 1,
+            .channel = text,
+            .message
+            = {"The channel %1 of %2 has the unit %3, not %4.", {text, text, text, text}}});
     for (ShockConditions &shot : shock->shots) {
         MeasuredPressure pressure;
         pressure.channel = pressure.region = text;
@@ -118,7 +122,10 @@ CaptureSet hostileCaptures(const std::string &text)
     set.tube[text] = text;
     set.sensors[text][text] = text;
     set.instruments[text][text] = text;
-    set.findings.push_back({"CAP-002", Severity::Caution, 0, text, {}, {"%1", {text}}, {}, {}});
+    set.findings.push_back({.id = "CAP-002",
+        .severity = Severity::Caution,
+        .channel = text,
+        .message = {"%1", {text}}});
     return set;
 }
 
