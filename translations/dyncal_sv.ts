@@ -292,7 +292,7 @@
     </message>
 </context>
 <context>
-    <name>Mends</name>
+    <name>Corrections</name>
     <message>
         <source>Exclude shot %1</source>
         <translation>Uteslut skott %1</translation>

@@ -15,13 +15,13 @@ namespace dyncal {
 enum class Severity { Info, Caution, Block };
 
 /// One change of the recipe that would settle a finding: what a button offers, ready to apply.
-struct Mend
+struct Correction
 {
     Message label; ///< "Use 294.15 K"
     std::string key; ///< dotted path of the recipe: "shock.t1_k"
     std::string value; ///< as JSON: "294.15"
 
-    bool operator==(const Mend &) const = default;
+    bool operator==(const Correction &) const = default;
 };
 
 /// A result exists and the operator must see something about it. Ids are stable (findings catalogue
@@ -36,7 +36,8 @@ struct Finding
     Message message = {};
     std::optional<double> value = std::nullopt;
     std::optional<double> limit = std::nullopt;
-    std::optional<Mend> mend = std::nullopt; ///< where one change of the recipe would settle it
+    std::optional<Correction> correction
+        = std::nullopt; ///< where one change of the recipe would settle it
 
     bool operator==(const Finding &) const = default;
 };

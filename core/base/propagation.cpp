@@ -285,18 +285,6 @@ double coverageFactor(double dof, double coverage)
     return studentQuantile(0.5 * (1.0 + coverage), dof);
 }
 
-double commonCovariance(const GumBudget &a, const GumBudget &b, Index result)
-{
-    double covariance = 0.0;
-    for (const BudgetLine &line : a.lines) {
-        const auto same = std::find_if(b.lines.begin(), b.lines.end(),
-            [&](const BudgetLine &other) { return other.input.quantity == line.input.quantity; });
-        if (line.input.common && same != b.lines.end())
-            covariance += line.contribution[result] * same->contribution[result];
-    }
-    return covariance;
-}
-
 Result<MonteCarloResult> propagateMonteCarlo(const std::vector<UncertainInput> &inputs,
     const Measurement &measurement, const MonteCarloSettings &settings, const JobControl &control)
 {

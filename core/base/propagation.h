@@ -65,9 +65,6 @@ Result<GumBudget> propagateGum(
 /// k with P(|T| <= k) = coverage for Student's t.
 double coverageFactor(double dof, double coverage);
 
-/// Covariance of one result between two shots: the lines common to both, matched by name.
-double commonCovariance(const GumBudget &a, const GumBudget &b, Index result);
-
 struct MonteCarloSettings
 {
     Index trials = 10000; ///< 0 = adaptive: batches of 10000 until stable to a digit, at most 1e6

@@ -351,19 +351,4 @@ std::optional<std::vector<SampleExtremes>> EnvelopePyramid::stretches(
         m_levels);
 }
 
-std::optional<std::vector<SampleExtremes>> EnvelopePyramid::query(
-    Index begin, Index end, Index columns) const
-{
-    if (columns <= 0)
-        return std::vector<SampleExtremes>();
-    std::vector<Index> edges;
-    edges.reserve(at(columns) + 1);
-    // Quotient and remainder apart: k (end - begin) may be more than an Index holds.
-    const Index whole = (end - begin) / columns;
-    const Index rest = (end - begin) % columns;
-    for (Index k = 0; k <= columns; ++k)
-        edges.push_back(begin + k * whole + k * rest / columns);
-    return stretches(edges);
-}
-
 } // namespace dyncal

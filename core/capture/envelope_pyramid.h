@@ -55,10 +55,6 @@ public:
     /// record's end. Nothing if the samples cannot be read any more.
     std::optional<std::vector<SampleExtremes>> stretches(std::span<const Index> edges) const;
 
-    /// The same for `columns` stretches that divide [begin, end) evenly: column k begins at
-    /// begin + floor(k (end - begin) / columns).
-    std::optional<std::vector<SampleExtremes>> query(Index begin, Index end, Index columns) const;
-
 private:
     template <typename T>
     struct Level

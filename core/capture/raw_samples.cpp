@@ -69,9 +69,4 @@ std::string sha256OfSamples(const RawSamples &samples)
     return complete ? hash.hex() : std::string();
 }
 
-bool sameSamples(const RawSamples &a, const RawSamples &b)
-{
-    return a.type() == b.type() && a.size() == b.size() && sha256OfSamples(a) == sha256OfSamples(b);
-}
-
 } // namespace dyncal

@@ -102,9 +102,6 @@ private:
 /// SHA-256 of the samples as little-endian bytes; empty if they cannot be read.
 std::string sha256OfSamples(const RawSamples &samples);
 
-/// Whether type, number and every bit agree.
-bool sameSamples(const RawSamples &a, const RawSamples &b);
-
 template <typename T, typename Visit>
 bool RawSamples::goesOn(Visit &visit, std::span<const T> values, Index first)
 {

@@ -3,6 +3,7 @@
 
 #include "core/certificate/certificate_method_sections.h"
 
+#include "core/base/constants.h"
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
 #include "core/certificate/certificate_words.h"

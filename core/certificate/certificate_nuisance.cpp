@@ -3,6 +3,7 @@
 
 #include "core/certificate/certificate_nuisance.h"
 
+#include "core/base/constants.h"
 #include "core/base/rounding.h"
 #include "core/certificate/certificate_words.h"
 

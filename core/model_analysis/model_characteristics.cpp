@@ -21,8 +21,8 @@ namespace {
 ExponentialSum normalisedSum(const SensorModel &model)
 {
     ExponentialSum sum{1.0, Eigen::VectorXcd(model.amplitudes.size()), model.amplitudes};
-    for (Index i = 0; i < sum.rates_rad_s.size(); ++i)
-        sum.rates_rad_s[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;
+    for (Index i = 0; i < sum.poles_rad_s.size(); ++i)
+        sum.poles_rad_s[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;
     sum.amplitudes /= model.plateauGain;
     return sum;
 }
@@ -63,12 +63,12 @@ std::vector<TimeGrid> timeGrids(const ExponentialSum &y)
 {
     constexpr double kMostPoints = 1e6; ///< in all: 80 per period for a zeta of 1e-4
     constexpr double kLeft = 1e-4;
-    const Index parts = y.rates_rad_s.size();
+    const Index parts = y.poles_rad_s.size();
     Eigen::ArrayXd ends_s(parts);
     for (Index i = 0; i < parts; ++i) {
         const double size = std::abs(y.amplitudes[i]) / kLeft * static_cast<double>(parts);
         const double timeConstants = size > 0.0 ? std::max(8.0, std::log(size)) : 8.0;
-        ends_s[i] = timeConstants / -y.rates_rad_s[i].real();
+        ends_s[i] = timeConstants / -y.poles_rad_s[i].real();
     }
     std::vector<TimeGrid> grids;
     double points = 0.0;
@@ -79,7 +79,7 @@ std::vector<TimeGrid> timeGrids(const ExponentialSum &y)
             if (ends_s[i] <= begin_s)
                 continue;
             end_s = std::min(end_s, ends_s[i]);
-            fastest = std::max(fastest, std::abs(y.rates_rad_s[i]));
+            fastest = std::max(fastest, std::abs(y.poles_rad_s[i]));
         }
         grids.push_back({begin_s, end_s - begin_s, 40.0 * fastest});
         points += grids.back().length_s * grids.back().rate_Hz;
@@ -108,7 +108,7 @@ public:
     void follow(const TimeGrid &grid)
     {
         ExponentialSum later = m_y;
-        later.amplitudes.array() *= (m_y.rates_rad_s.array() * grid.begin_s).exp();
+        later.amplitudes.array() *= (m_y.poles_rad_s.array() * grid.begin_s).exp();
         const double count = std::ceil(grid.length_s * grid.rate_Hz);
         const double step_s = grid.length_s / count;
         const ExponentialSampler sampler(later, step_s);
@@ -190,7 +190,7 @@ void describeStep(const SensorModel &model, StepCharacteristics &result)
 std::vector<double> frequencyGrid_Hz(const SensorModel &model)
 {
     constexpr int kPerDecade = 400;
-    const Eigen::ArrayXd rates = normalisedSum(model).rates_rad_s.cwiseAbs();
+    const Eigen::ArrayXd rates = normalisedSum(model).poles_rad_s.cwiseAbs();
     const double from_Hz = 1e-3 * rates.minCoeff() / kTwoPi;
     const double to_Hz = 20.0 * rates.maxCoeff() / kTwoPi;
     const int steps = static_cast<int>(std::ceil(std::log10(to_Hz / from_Hz) * kPerDecade));

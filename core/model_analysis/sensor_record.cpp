@@ -29,7 +29,7 @@ std::vector<NuisanceTerm> termsOfShot(const SensorModel &model, Index shot)
 void takeOff(const NuisanceTerm &term, double rate_Hz, Eigen::VectorXd &values)
 {
     ExponentialSum sum{0.0, Eigen::VectorXcd(2), Eigen::VectorXcd(2)};
-    sum.rates_rad_s << term.rate_rad_s, std::conj(term.rate_rad_s);
+    sum.poles_rad_s << term.pole_rad_s, std::conj(term.pole_rad_s);
     sum.amplitudes << 0.5 * term.amplitude, 0.5 * std::conj(term.amplitude);
     const ExponentialSampler sampler(sum, 1.0 / rate_Hz);
     constexpr Index kBlock = ExponentialSampler::kBlock;
@@ -69,8 +69,8 @@ std::complex<double> SensorRecord::ofStep(std::complex<double> transform, double
 {
     std::complex<double> input = 1.0;
     for (const Driven &mode : driven) {
-        transform += stepTransformOf(mode.response, mode.rate_rad_s, frequency_Hz);
-        input += stepTransformOf(mode.pressure, mode.rate_rad_s, frequency_Hz);
+        transform += stepTransformOf(mode.response, mode.pole_rad_s, frequency_Hz);
+        input += stepTransformOf(mode.pressure, mode.pole_rad_s, frequency_Hz);
     }
     return transform / input;
 }
@@ -87,20 +87,20 @@ SensorRecord sensorRecord(
     const std::vector<NuisanceTerm> terms = termsOfShot(model, response.shot);
     for (NuisanceTerm term : terms) {
         term.amplitude *= std::exp(
-            -term.rate_rad_s * (static_cast<double>(record.early) / response.sampleRate_Hz));
+            -term.pole_rad_s * (static_cast<double>(record.early) / response.sampleRate_Hz));
         takeOff(term, response.sampleRate_Hz, record.values);
     }
     for (const SampleRange &range : fit->leftOut)
         bridgeOver(range, *fit, response.sampleRate_Hz, record);
-    Eigen::ArrayXcd rates(fit->amplitudes.size());
-    for (Index i = 0; i < rates.size(); ++i)
-        rates[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;
+    Eigen::ArrayXcd poles(fit->amplitudes.size());
+    for (Index i = 0; i < poles.size(); ++i)
+        poles[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;
     for (const NuisanceTerm &term : termsAt(terms, fit->onset_s)) {
         if (!term.startsWithStep)
             continue;
-        const std::complex<double> s = term.rate_rad_s;
+        const std::complex<double> s = term.pole_rad_s;
         const std::complex<double> gain
-            = fit->plateauGain + (fit->amplitudes.array() * s / (s - rates)).sum();
+            = fit->plateauGain + (fit->amplitudes.array() * s / (s - poles)).sum();
         record.driven.push_back({s, term.amplitude, term.amplitude / gain});
     }
     return record;

@@ -22,7 +22,7 @@ struct SensorRecord
     /// step, both at the onset.
     struct Driven
     {
-        std::complex<double> rate_rad_s;
+        std::complex<double> pole_rad_s;
         std::complex<double> response;
         std::complex<double> pressure;
     };

@@ -3,6 +3,7 @@
 
 #include "core/model_analysis/sensor_response.h"
 
+#include "core/base/constants.h"
 #include "core/base/number_text.h"
 #include "core/model_analysis/model_response.h"
 #include "core/model_analysis/sensor_record.h"
@@ -83,8 +84,8 @@ ExponentialSum modelStep(const SensorModel &model, const SeriesFit &fit, double 
 {
     const double share = fit.plateauGain != 0.0 ? plateau / fit.plateauGain : 1.0;
     ExponentialSum step{plateau, Eigen::VectorXcd(fit.amplitudes.size()), share * fit.amplitudes};
-    for (Index i = 0; i < step.rates_rad_s.size(); ++i)
-        step.rates_rad_s[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;
+    for (Index i = 0; i < step.poles_rad_s.size(); ++i)
+        step.poles_rad_s[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;
     return step;
 }
 

@@ -82,8 +82,8 @@ std::complex<double> stepTransformError(
     };
     std::complex<double> Y = sum.constant * spectrum(0.0);
     std::complex<double> G = sum.constant;
-    for (Index i = 0; i < sum.rates_rad_s.size(); ++i) {
-        const std::complex<double> s = sum.rates_rad_s[i];
+    for (Index i = 0; i < sum.poles_rad_s.size(); ++i) {
+        const std::complex<double> s = sum.poles_rad_s[i];
         Y += sum.amplitudes[i] * spectrum(s);
         G += sum.amplitudes[i] * jw / (jw - s);
     }

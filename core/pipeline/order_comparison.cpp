@@ -3,6 +3,7 @@
 
 #include "core/pipeline/order_comparison.h"
 
+#include "core/base/constants.h"
 #include "core/base/distributions.h"
 #include "core/decomposition/residual_analysis.h"
 #include "core/pipeline/model_stages.h"

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/base/constants.h"
 #include "core/pipeline/pipeline.h"
 
 #include <memory>

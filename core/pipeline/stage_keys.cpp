@@ -3,6 +3,7 @@
 
 #include "core/pipeline/stage_keys.h"
 
+#include "core/base/constants.h"
 #include "core/base/content_hash.h"
 #include "core/base/number_text.h"
 #include "core/pipeline/stage_table.h"

@@ -58,10 +58,10 @@ Json findingJson(const Finding &finding)
     record.set("message", english(finding.message));
     record.number("value", finding.value, "Is not about one number.");
     record.number("limit", finding.limit, "Has no limit.");
-    if (finding.mend)
+    if (finding.correction)
         record.set("mend",
-            {{"label", english(finding.mend->label)}, {"key", finding.mend->key},
-                {"value", finding.mend->value}});
+            {{"label", english(finding.correction->label)}, {"key", finding.correction->key},
+                {"value", finding.correction->value}});
     return record.take();
 }
 

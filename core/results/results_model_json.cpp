@@ -3,6 +3,7 @@
 
 #include "core/results/results_model_json.h"
 
+#include "core/base/constants.h"
 #include "core/realization/model/pole_classes.h"
 #include "core/results/results_shot_poles_json.h"
 

@@ -16,8 +16,6 @@ struct MoistAir
     double waterFraction = 0.0; ///< mole fraction of water vapour
 };
 
-inline constexpr double kUsualCarbonDioxide = 4e-4; ///< mole fraction
-
 /// `relativeHumidity` 0..1, `carbonDioxide` as mole fraction. Cramer's formula holds for 0..30
 /// degC, 75..102 kPa, water up to a mole fraction of 0.06 and carbon dioxide up to 0.01: fails
 /// (DataBlocked, SHK-009) outside, naming the quantity.

@@ -136,7 +136,7 @@ void addDriver(ShockWork &work)
             .severity = Severity::Caution,
             .shot = work.conditions.shot,
             .message = error.message,
-            .mend = kelvinFor("shock.t4_k", *T4_K)});
+            .correction = kelvinFor("shock.t4_k", *T4_K)});
         return;
     }
     work.conditions.driver = gasAtRest(driver->constants, *p4_Pa, *T4_K);
@@ -274,7 +274,7 @@ void addStates(ShockWork &work, const std::optional<DutArrival> &dutArrival)
     work.conditions.sightings = estimate.sightings;
     work.conditions.velocityFit = estimate.fit;
     if (estimate.problem) {
-        work.reportProblem(*estimate.problem, estimate.mend);
+        work.reportProblem(*estimate.problem, estimate.correction);
         return;
     }
     if (!p1_Pa || !T1_K || (fromVelocity && !estimate.velocity_m_s))

@@ -147,7 +147,8 @@ void judgeTypedPressure(ShockWork &work, double p1_Pa)
             = {DYNCAL_TEXT("core",
                    "p1 = %1 Pa? Pressures are in pascals here: %1 %2 are %3 Pa, about ambient."),
                 {numberText(p1_Pa, 6), unit, numberText(fitting_Pa, 6)}},
-            .mend = Mend{.label = {DYNCAL_TEXT("core", "Use %1 Pa"), {numberText(fitting_Pa, 6)}},
+            .correction
+            = Correction{.label = {DYNCAL_TEXT("core", "Use %1 Pa"), {numberText(fitting_Pa, 6)}},
                 .key = "shock.p1_pa",
                 .value = numberText(fitting_Pa)}});
         return;

@@ -250,22 +250,4 @@ GasState expandedDriver(const ShockStates &states, const Gas &driver, double p4_
     return state;
 }
 
-double reflectedMachOf(const Gas &gas, double mach)
-{
-    const double g = gas.gamma;
-    const double excess = (mach - 1.0) * (mach + 1.0);
-    const double right = mach / excess
-        * std::sqrt(
-            1.0 + 2.0 * (g - 1.0) / ((g + 1.0) * (g + 1.0)) * excess * (g + 1.0 / (mach * mach)));
-    // M_R/(M_R^2 - 1) = right is M_R^2 - M_R/right - 1 = 0; its positive root.
-    const double half = 0.5 / right;
-    return half + std::hypot(half, 1.0);
-}
-
-double reflectedRatioOf(const Gas &gas, double mach)
-{
-    const double reflected = reflectedMachOf(gas, mach);
-    return 1.0 + 2.0 * gas.gamma / (gas.gamma + 1.0) * (reflected - 1.0) * (reflected + 1.0);
-}
-
 } // namespace dyncal

@@ -74,9 +74,4 @@ Result<double> velocityOfDriverPressure_m_s(
 /// shock; u3 = u2. `p4_Pa` at least p2.
 GasState expandedDriver(const ShockStates &states, const Gas &driver, double p4_Pa, double T4_K);
 
-/// p5/p2 a second way, as a check of eq 3.5: from the reflected Mach number, which follows from M
-/// in closed form (M_R/(M_R^2 - 1) = M/(M^2 - 1) sqrt(1 + 2(g-1)/(g+1)^2 (M^2 - 1)(g + 1/M^2))).
-double reflectedMachOf(const Gas &gas, double mach);
-double reflectedRatioOf(const Gas &gas, double mach);
-
 } // namespace dyncal

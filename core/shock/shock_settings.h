@@ -13,6 +13,7 @@ namespace dyncal {
 
 inline constexpr const char *kConstantHeatCapacity = "constant";
 inline constexpr const char *kVariableHeatCapacity = "variable";
+inline constexpr double kUsualCarbonDioxide = 4e-4; ///< mole fraction in air
 
 /// A gas: constants, which serve with a constant heat capacity, and what substance it is.
 struct GasSettings
@@ -63,7 +64,7 @@ struct ShockSettings
     std::string stateFrom = "velocity"; ///< or "p2", "p4": which pressure the state follows from
     std::optional<double> p2_Pa = std::nullopt; ///< absolute; for "p2"
     std::optional<double> p4_Pa = std::nullopt; ///< absolute; for "p4", and to compare with
-    double carbonDioxide = 4e-4; ///< mole fraction in humid air
+    double carbonDioxide = kUsualCarbonDioxide; ///< mole fraction in humid air
     std::vector<CounterReading> counters = {}; ///< win over arrival sensors
     std::string attenuation = "auto"; ///< or "none", "linear"
     bool useDutArrival = true; ///< a DUT in the end wall marks the arrival there

@@ -149,7 +149,7 @@ Error wrongOrder(const Sighting &farthest, const Sighting &nearest)
 }
 
 /// Exchanges the roles of a DUT and a side sensor that were mixed up.
-std::optional<Mend> exchangeRoles(
+std::optional<Correction> exchangeRoles(
     const Shot &shot, const Sighting &farthest, const Sighting &nearest)
 {
     const Channel *side = shot.channelCalled(farthest.channel);
@@ -158,7 +158,8 @@ std::optional<Mend> exchangeRoles(
         return std::nullopt;
     const nlohmann::json roles{
         {side->name, channelRoleName(ChannelRole::Dut)}, {dut->name, channelRoleName(side->role)}};
-    return Mend{.label = {DYNCAL_TEXT("core", "Exchange '%1' and '%2'"), {side->name, dut->name}},
+    return Correction{
+        .label = {DYNCAL_TEXT("core", "Exchange '%1' and '%2'"), {side->name, dut->name}},
         .key = "import.channels",
         .value = roles.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace)};
 }
@@ -255,7 +256,7 @@ VelocityEstimate estimateVelocity(const CaptureSet &set, Index shot,
     }
     if (farthest.time_s >= nearest.time_s) {
         estimate.problem = wrongOrder(farthest, nearest);
-        estimate.mend
+        estimate.correction
             = exchangeRoles(set.shots.at(static_cast<std::size_t>(shot - 1)), farthest, nearest);
         return estimate;
     }

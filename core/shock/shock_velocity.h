@@ -60,7 +60,7 @@ struct VelocityEstimate
     std::vector<Sighting> sightings; ///< what the fit was made of, farthest first
     std::optional<VelocityFit> fit; ///< where the velocity was measured
     bool usesUncorrectedDut = false;
-    std::optional<Mend> mend; ///< of the problem
+    std::optional<Correction> correction; ///< of the problem
     std::optional<Message> missing; ///< an input that is not there
     std::optional<Error> problem; ///< inputs that contradict each other
 };

@@ -12,13 +12,13 @@
 
 namespace dyncal {
 
-void ShockWork::reportProblem(const Error &error, std::optional<Mend> mend)
+void ShockWork::reportProblem(const Error &error, std::optional<Correction> correction)
 {
     findings.push_back({.id = error.findingId.empty() ? "SHK-001" : error.findingId,
         .severity = conditions.stepTyped ? Severity::Caution : Severity::Block,
         .shot = conditions.shot,
         .message = error.message,
-        .mend = std::move(mend)});
+        .correction = std::move(correction)});
 }
 
 void ShockWork::reportMissing(Message message)
@@ -49,12 +49,12 @@ double velocitySensitivity(const ShockWork &work)
         / (2.0 * relative * stepOf(states, work.atEndWall()));
 }
 
-std::optional<Mend> kelvinFor(const char *key, double typed_K)
+std::optional<Correction> kelvinFor(const char *key, double typed_K)
 {
     const double kelvin = typed_K + kCelsiusZero_K;
     if (!(kelvin >= kLowestTemperature_K && kelvin <= kHighestTemperature_K))
         return std::nullopt;
-    return Mend{.label = {DYNCAL_TEXT("core", "Use %1 K"), {numberText(kelvin, 6)}},
+    return Correction{.label = {DYNCAL_TEXT("core", "Use %1 K"), {numberText(kelvin, 6)}},
         .key = key,
         .value = numberText(kelvin)};
 }

@@ -31,7 +31,7 @@ struct ShockWork
 
     bool atEndWall() const { return settings.dutPosition == kEndWall; }
     /// A typed step stands whatever the velocity says, so nothing is blocked then.
-    void reportProblem(const Error &error, std::optional<Mend> mend = std::nullopt);
+    void reportProblem(const Error &error, std::optional<Correction> correction = std::nullopt);
     void reportMissing(Message message);
 };
 
@@ -42,6 +42,6 @@ double stepOf(const ShockStates &states, bool atEndWall);
 double velocitySensitivity(const ShockWork &work);
 
 /// The temperature in kelvin where degrees Celsius were typed, if that is what happened.
-std::optional<Mend> kelvinFor(const char *key, double typed_K);
+std::optional<Correction> kelvinFor(const char *key, double typed_K);
 
 } // namespace dyncal

@@ -138,12 +138,6 @@ std::optional<SoundSpeedTest> testSoundSpeed(const std::vector<PeakOfShot> &peak
     return test;
 }
 
-double sideWallAveraging(double frequency_Hz, double diameter_m, double velocity_m_s)
-{
-    const double x = std::numbers::pi * frequency_Hz * diameter_m / velocity_m_s;
-    return x < 1e-6 ? 1.0 : std::abs(2.0 * std::cyl_bessel_j(1.0, x) / x);
-}
-
 double sideWallLimit_Hz(double diameter_m, double velocity_m_s)
 {
     constexpr double kHalfPower = 1.616339948310703; ///< x with 2 J1(x)/x = 1/sqrt(2)

@@ -82,10 +82,6 @@ struct SoundSpeedTest
 /// larger. Empty on fewer than two shots, or sound speeds all the same.
 std::optional<SoundSpeedTest> testSoundSpeed(const std::vector<PeakOfShot> &peaks);
 
-/// |2 J1(x)/x| with x = pi f d/W: what a diaphragm of diameter d in the side wall, swept by the
-/// shock, leaves of a frequency.
-double sideWallAveraging(double frequency_Hz, double diameter_m, double velocity_m_s);
-
 /// Frequency at which that is 1/sqrt(2): 0.514 W/d.
 double sideWallLimit_Hz(double diameter_m, double velocity_m_s);
 

@@ -3,15 +3,7 @@
 
 #include "core/signal/signal_settings.h"
 
-#include <array>
-
 namespace dyncal {
-namespace {
-
-constexpr std::array kTreatments{ResponseTreatment::StepDeflated, ResponseTreatment::StepAsImpulse,
-    ResponseTreatment::Differenced, ResponseTreatment::Impulse};
-
-} // namespace
 
 const char *responseTreatmentName(ResponseTreatment treatment)
 {
@@ -26,15 +18,6 @@ const char *responseTreatmentName(ResponseTreatment treatment)
         return "impulse";
     }
     return "";
-}
-
-std::optional<ResponseTreatment> responseTreatmentFromName(std::string_view name)
-{
-    for (const ResponseTreatment treatment : kTreatments) {
-        if (name == responseTreatmentName(treatment))
-            return treatment;
-    }
-    return std::nullopt;
 }
 
 } // namespace dyncal

@@ -9,7 +9,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace dyncal {
@@ -19,7 +18,6 @@ namespace dyncal {
 enum class ResponseTreatment { StepDeflated, StepAsImpulse, Differenced, Impulse };
 
 const char *responseTreatmentName(ResponseTreatment treatment); ///< "step-deflated", ...
-std::optional<ResponseTreatment> responseTreatmentFromName(std::string_view name);
 inline bool isStepTreatment(ResponseTreatment t)
 {
     return t != ResponseTreatment::Impulse;

@@ -128,7 +128,7 @@ Finding behindPlateau(const WindowedResponse &response, double plateau_s)
         .value = response.end_s,
         .limit = plateau_s};
     if (plateau_s > 0.0)
-        overrun.mend = Mend{.label
+        overrun.correction = Correction{.label
             = {DYNCAL_TEXT("core", "Move the end to %1"), {numberWithUnit(plateau_s, "s", 4)}},
             .key = "window.end_s",
             .value = numberText(plateau_s)};

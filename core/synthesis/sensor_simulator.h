@@ -23,7 +23,4 @@ Result<SensorSpec> sensorPreset(const std::string &name);
 /// add up to 1, values out of range (docs/simulator.md), real poles that coincide.
 Result<void> checkSensor(const SensorSpec &sensor);
 
-/// G(jw) of the truth, for tests: complex response at a frequency.
-std::complex<double> sensorResponse(const SensorSpec &sensor, double frequency_Hz);
-
 } // namespace dyncal

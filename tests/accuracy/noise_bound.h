@@ -48,16 +48,16 @@ inline std::vector<std::complex<double>> truePoles(const SensorSpec &sensor)
 inline double minus3dB_Hz(const std::vector<ExponentialSum> &records)
 {
     SensorModel model;
-    model.amplitudes = Eigen::VectorXcd::Zero(records.front().rates_rad_s.size());
+    model.amplitudes = Eigen::VectorXcd::Zero(records.front().poles_rad_s.size());
     for (const ExponentialSum &record : records) {
         const double onset_s
-            = findOnset_s(record, 3.0 / record.rates_rad_s.cwiseAbs().maxCoeff()).value_or(0.0);
+            = findOnset_s(record, 3.0 / record.poles_rad_s.cwiseAbs().maxCoeff()).value_or(0.0);
         const double share = 1.0 / static_cast<double>(records.size());
         model.plateauGain += share * record.constant;
         model.amplitudes.array()
-            += share * record.amplitudes.array() * (record.rates_rad_s.array() * onset_s).exp();
+            += share * record.amplitudes.array() * (record.poles_rad_s.array() * onset_s).exp();
     }
-    for (const std::complex<double> &s : records.front().rates_rad_s) {
+    for (const std::complex<double> &s : records.front().poles_rad_s) {
         Pole pole;
         pole.s_rad_s = s;
         model.poles.push_back(pole);
@@ -96,7 +96,7 @@ inline NoiseBound noiseBound(const SensorSpec &sensor, int shots, double rate_Hz
 
     NoiseBound bound;
     const Index pair = sensor.realPole_Hz ? 1 : 0;
-    const std::complex<double> s = exact->rates_rad_s[static_cast<std::size_t>(pair)];
+    const std::complex<double> s = exact->poles_rad_s[static_cast<std::size_t>(pair)];
     const double w = std::abs(s);
     const Eigen::Matrix2d block = exact->covariance.block<2, 2>(pair, pair);
     const Eigen::Vector2d frequency(s.real() / w, s.imag() / w);

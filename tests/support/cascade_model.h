@@ -15,16 +15,16 @@ namespace dyncal::testing {
 
 /// Model of prod_i (-s_i)/(s - s_i) with distinct poles: amplitudes of its step response by the
 /// residues of G(s)/s. Pairs stand together, the upper half first.
-inline SensorModel modelOfPoles(const std::vector<std::complex<double>> &rates_rad_s)
+inline SensorModel modelOfPoles(const std::vector<std::complex<double>> &poles_rad_s)
 {
     SensorModel model;
     model.plateauGain = 1.0;
-    model.order = static_cast<Index>(rates_rad_s.size());
+    model.order = static_cast<Index>(poles_rad_s.size());
     model.amplitudes.resize(model.order);
     for (Index i = 0; i < model.order; ++i) {
-        const std::complex<double> s = rates_rad_s[static_cast<std::size_t>(i)];
+        const std::complex<double> s = poles_rad_s[static_cast<std::size_t>(i)];
         std::complex<double> c = -1.0;
-        for (const std::complex<double> &other : rates_rad_s) {
+        for (const std::complex<double> &other : poles_rad_s) {
             if (other != s)
                 c *= -other / (s - other);
         }
@@ -42,13 +42,13 @@ inline SensorModel modelOfPoles(const std::vector<std::complex<double>> &rates_r
 /// The same of second-order sensors one behind the other: f0 in Hz and zeta of each.
 inline SensorModel cascadeModel(const std::vector<std::pair<double, double>> &modes)
 {
-    std::vector<std::complex<double>> rates_rad_s;
+    std::vector<std::complex<double>> poles_rad_s;
     for (const auto &[f0_Hz, zeta] : modes) {
         const double w0 = 2.0 * std::numbers::pi * f0_Hz;
-        rates_rad_s.push_back(w0 * std::complex<double>(-zeta, std::sqrt(1.0 - zeta * zeta)));
-        rates_rad_s.push_back(std::conj(rates_rad_s.back()));
+        poles_rad_s.push_back(w0 * std::complex<double>(-zeta, std::sqrt(1.0 - zeta * zeta)));
+        poles_rad_s.push_back(std::conj(poles_rad_s.back()));
     }
-    return modelOfPoles(rates_rad_s);
+    return modelOfPoles(poles_rad_s);
 }
 
 } // namespace dyncal::testing

@@ -22,10 +22,10 @@ inline SensorModel secondOrderModel(double f0_Hz, double zeta, double gain = 1.0
     model.amplitudes.resize(2);
     const std::complex<double> c = gain * std::conj(s) / (s - std::conj(s)); // y(0) = y'(0) = 0
     model.amplitudes << c, std::conj(c);
-    for (const std::complex<double> &rate : {s, std::conj(s)}) {
+    for (const std::complex<double> &half : {s, std::conj(s)}) {
         Pole pole;
-        pole.s_rad_s = rate;
-        pole.z = std::exp(rate / (100.0 * f0_Hz));
+        pole.s_rad_s = half;
+        pole.z = std::exp(half / (100.0 * f0_Hz));
         pole.poleClass = PoleClass::Sensor;
         pole.frequency_Hz = f0_Hz;
         pole.dampingRatio = zeta;

@@ -147,12 +147,4 @@ Result<std::vector<DrawnFile>> ReportDrawing::take()
     return std::move(d->drawn);
 }
 
-Result<std::vector<DrawnFile>> drawReport(
-    const CalibrationResults &results, const Recipe &recipe, const std::string &createdUtc)
-{
-    ReportDrawing drawing(results, recipe, createdUtc, ReportParts::CertificateAndPlots);
-    drawing.draw(std::chrono::hours(24));
-    return drawing.take();
-}
-
 } // namespace dyncal

@@ -41,8 +41,4 @@ private:
     std::unique_ptr<Private> d;
 };
 
-/// All at once, for callers without a window.
-Result<std::vector<DrawnFile>> drawReport(
-    const CalibrationResults &results, const Recipe &recipe, const std::string &createdUtc);
-
 } // namespace dyncal

@@ -111,15 +111,6 @@ std::vector<FigureMaker> figureMakers(const CalibrationResults &results)
     return makers.take();
 }
 
-std::vector<ReportFigure> reportFigures(const CalibrationResults &results)
-{
-    std::vector<ReportFigure> figures;
-    for (const FigureMaker &make : figureMakers(results))
-        if (std::optional<ReportFigure> figure = make())
-            figures.push_back(std::move(*figure));
-    return figures;
-}
-
 const PlotContent *findFigure(const std::vector<ReportFigure> &figures, const std::string &id)
 {
     const auto found = std::find_if(figures.begin(), figures.end(),

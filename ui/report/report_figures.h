@@ -27,9 +27,6 @@ using FigureMaker = std::function<std::optional<ReportFigure>()>;
 /// leaves the window time to answer.
 std::vector<FigureMaker> figureMakers(const CalibrationResults &results);
 
-/// Every plot at once.
-std::vector<ReportFigure> reportFigures(const CalibrationResults &results);
-
 /// The content of one figure, or null.
 const PlotContent *findFigure(const std::vector<ReportFigure> &figures, const std::string &id);
 

@@ -185,9 +185,10 @@ void MainWindow::buildContents()
     connect(m_findings, &FindingsPanel::stageRequested, this, &MainWindow::showStage);
     connect(m_findings, &FindingsPanel::reasonRequested, this,
         [this](const Finding &finding) { acknowledge(finding, m_session, m_prompts, this); });
-    connect(m_findings, &FindingsPanel::mendRequested, this, [this](const Remedy &mend) {
-        applyMend(mend, m_session, m_files->captures(), m_prompts, this);
-    });
+    connect(m_findings, &FindingsPanel::correctionRequested, this,
+        [this](const OfferedCorrection &correction) {
+            applyCorrection(correction, m_session, m_files->captures(), m_prompts, this);
+        });
     buildProblems();
     delete m_chips;
     m_chips = new ShotChips(this);

@@ -8,6 +8,7 @@
 #include "ui/plot/widget/overview_strip.h"
 #include "ui/session/capture_edit.h"
 #include "ui/session/capture_reading.h"
+#include "ui/stages/frame/position_in.h"
 #include "ui/stages/frame/prompts.h"
 #include "ui/stages/frame/quantity_edit.h"
 #include "ui/text/level_text.h"
@@ -38,12 +39,6 @@ constexpr std::array kRoles{ChannelRole::Dut, ChannelRole::DrivenSide, ChannelRo
 constexpr std::array kPlottedRoles{ChannelRole::Dut, ChannelRole::DrivenSide, ChannelRole::Driver};
 constexpr std::array kLevels{ShotLevel::None, ShotLevel::Low, ShotLevel::Medium, ShotLevel::High};
 const std::array<std::string, 3> kReferences{"", "gauge", "absolute"};
-
-template <typename List, typename T>
-int positionIn(const List &list, const T &value)
-{
-    return static_cast<int>(std::ranges::find(list, value) - std::begin(list));
-}
 
 } // namespace
 

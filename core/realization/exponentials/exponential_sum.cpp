@@ -13,10 +13,10 @@ namespace dyncal {
 double ExponentialSum::derivative(double t_s, int k) const
 {
     std::complex<double> sum = k == 0 ? constant : 0.0;
-    for (Index i = 0; i < rates_rad_s.size(); ++i) {
-        std::complex<double> term = amplitudes[i] * std::exp(rates_rad_s[i] * t_s);
+    for (Index i = 0; i < poles_rad_s.size(); ++i) {
+        std::complex<double> term = amplitudes[i] * std::exp(poles_rad_s[i] * t_s);
         for (int d = 0; d < k; ++d)
-            term *= rates_rad_s[i];
+            term *= poles_rad_s[i];
         sum += term;
     }
     return sum.real();
@@ -149,19 +149,19 @@ Eigen::MatrixX2d powerTable(std::complex<double> exponent, Index rows)
 ExponentialSampler::ExponentialSampler(const ExponentialSum &sum, double dt_s)
     : m_sum(sum)
     , m_dt_s(dt_s)
-    , m_powers(kBlock, 2 * sum.rates_rad_s.size())
+    , m_powers(kBlock, 2 * sum.poles_rad_s.size())
 {
-    for (Index i = 0; i < sum.rates_rad_s.size(); ++i)
-        m_powers.middleCols(2 * i, 2) = powerTable(sum.rates_rad_s[i] * dt_s, kBlock);
+    for (Index i = 0; i < sum.poles_rad_s.size(); ++i)
+        m_powers.middleCols(2 * i, 2) = powerTable(sum.poles_rad_s[i] * dt_s, kBlock);
 }
 
 Eigen::VectorXd ExponentialSampler::block(Index block) const
 {
     const double t_s = static_cast<double>(block * kBlock) * m_dt_s;
     Eigen::VectorXd gains(m_powers.cols());
-    for (Index i = 0; i < m_sum.rates_rad_s.size(); ++i) {
+    for (Index i = 0; i < m_sum.poles_rad_s.size(); ++i) {
         const std::complex<double> gain
-            = m_sum.amplitudes[i] * std::exp(m_sum.rates_rad_s[i] * t_s);
+            = m_sum.amplitudes[i] * std::exp(m_sum.poles_rad_s[i] * t_s);
         gains[2 * i] = gain.real();
         gains[2 * i + 1] = -gain.imag();
     }

@@ -13,11 +13,11 @@
 namespace dyncal {
 
 /// y(t) = c0 + sum c_i e^(s_i t): the form in which all results are kept (docs/method/model.md).
-/// `rates` come in exact conjugate pairs (upper half first) or real; amplitudes likewise.
+/// Poles come in exact conjugate pairs (upper half first) or real; amplitudes likewise.
 struct ExponentialSum
 {
     double constant = 0.0; ///< c0
-    Eigen::VectorXcd rates_rad_s; ///< s_i
+    Eigen::VectorXcd poles_rad_s; ///< s_i
     Eigen::VectorXcd amplitudes; ///< c_i
 
     /// Value of the k-th derivative at time t (k = 0: the value itself).

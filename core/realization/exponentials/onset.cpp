@@ -56,9 +56,9 @@ double largest(const ExponentialSum &response, int k, double search_s)
 
 std::optional<double> findOnset_s(const ExponentialSum &response, double search_s)
 {
-    if (response.rates_rad_s.size() < 2)
+    if (response.poles_rad_s.size() < 2)
         return nearestRoot(response, 0, search_s);
-    if (response.rates_rad_s.size() % 2 == 1) {
+    if (response.poles_rad_s.size() % 2 == 1) {
         // Degree three: slope and curvature vanish together, and noise turns the double root of the
         // slope into two or none; the simple root of the curvature stays put.
         constexpr double kVanishes = 0.05;

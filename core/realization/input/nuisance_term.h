@@ -10,18 +10,18 @@
 
 namespace dyncal {
 
-/// What one mode that is not the sensor's adds to one record: Re(amplitude e^(rate t)), t from the
-/// detected start. Rate and amplitude are that record's own (docs/method/nuisance-modes.md).
+/// What one mode that is not the sensor's adds to one record: Re(amplitude e^(pole t)), t from the
+/// detected start. Pole and amplitude are that record's own (docs/method/nuisance-modes.md).
 struct NuisanceTerm
 {
     std::size_t mode = 0; ///< place in the recipe's list
     bool startsWithStep = true; ///< driven by the step (tube), or there before it (anything else)
-    std::complex<double> rate_rad_s; ///< upper half of the pair
+    std::complex<double> pole_rad_s; ///< upper half of the pair
     std::complex<double> amplitude;
 
-    double frequency_Hz() const { return std::abs(rate_rad_s) / (2.0 * std::numbers::pi); }
-    double dampingRatio() const { return -rate_rad_s.real() / std::abs(rate_rad_s); }
-    double value(double t_s) const { return (amplitude * std::exp(rate_rad_s * t_s)).real(); }
+    double frequency_Hz() const { return std::abs(pole_rad_s) / (2.0 * std::numbers::pi); }
+    double dampingRatio() const { return -pole_rad_s.real() / std::abs(pole_rad_s); }
+    double value(double t_s) const { return (amplitude * std::exp(pole_rad_s * t_s)).real(); }
 };
 
 } // namespace dyncal

@@ -3,6 +3,7 @@
 
 #include "core/realization/model/homogeneity.h"
 
+#include "core/base/constants.h"
 #include "core/base/distributions.h"
 #include "core/base/number_text.h"
 #include "core/realization/refinement/coloured_covariance.h"
@@ -60,7 +61,7 @@ std::vector<bool> wantedPoles(
     const Source &source, const std::vector<std::size_t> &series, bool mainOnly)
 {
     std::vector<bool> wanted;
-    for (Index i = 0; i < std::ssize(source.draft.rates_rad_s); ++i) {
+    for (Index i = 0; i < std::ssize(source.draft.poles_rad_s); ++i) {
         const bool isMain = source.main && (i == *source.main || i == *source.main + 1);
         const bool standsOut = std::any_of(series.begin(), series.end(),
             [&](std::size_t r) { return energyOf(source.input, source.draft, r, i) > kStandsOut; });
@@ -73,12 +74,12 @@ PartFit fitPoles(const Source &source, const std::vector<std::size_t> &series,
     const std::vector<bool> &wanted, const JobControl &control)
 {
     PartFit part{series, {}, {}, {}};
-    std::vector<std::complex<double>> start_rad_s;
+    std::vector<std::complex<double>> startPoles_rad_s;
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         part.place.emplace_back();
         if (wanted[i]) {
-            part.place.back() = std::ssize(start_rad_s);
-            start_rad_s.push_back(source.draft.rates_rad_s[i]);
+            part.place.back() = std::ssize(startPoles_rad_s);
+            startPoles_rad_s.push_back(source.draft.poles_rad_s[i]);
         }
     }
     std::vector<RefinementRecord> records;
@@ -88,7 +89,7 @@ PartFit fitPoles(const Source &source, const std::vector<std::size_t> &series,
         noise.push_back(source.input.series[r].fullRateNoise);
     }
     part.refinement
-        = refinePoles(records, start_rad_s, isStepTreatment(source.input.treatment), control);
+        = refinePoles(records, startPoles_rad_s, isStepTreatment(source.input.treatment), control);
     if (part.refinement)
         part.noise = allowForColour(records, noise, *part.refinement);
     return part;
@@ -182,15 +183,16 @@ double disagreement(const std::vector<PartFit> &fits, Index pole, Index size, In
     Eigen::VectorXd weighted = Eigen::VectorXd::Zero(size);
     double squares = 0.0;
     Index shots = 0;
-    std::complex<double> first; // differences from it: the squares of the rates themselves would
+    std::complex<double> first; // differences from it: the squares of the poles themselves would
                                 // cancel to nothing where the noise is small
     for (const PartFit &fit : fits) {
         if (!fit.has(pole))
             continue;
         const Index at = fit.at(pole);
-        const std::complex<double> rate = fit.refinement->rates_rad_s[static_cast<std::size_t>(at)];
-        first = shots == 0 ? rate : first;
-        const std::complex<double> s = rate - first;
+        const std::complex<double> fitted
+            = fit.refinement->poles_rad_s[static_cast<std::size_t>(at)];
+        first = shots == 0 ? fitted : first;
+        const std::complex<double> s = fitted - first;
         const Eigen::VectorXd theta = Eigen::Vector2d(s.real(), s.imag()).head(size);
         const Eigen::MatrixXd V = fit.refinement->covariance.block(at, at, size, size);
         const Eigen::LDLT<Eigen::MatrixXd> solver(V);

@@ -3,7 +3,7 @@
 
 #include "core/realization/model/model_assessing.h"
 
-#include "core/realization/exponentials/pole_rates.h"
+#include "core/realization/exponentials/pole_mapping.h"
 #include "core/realization/model/homogeneity.h"
 #include "core/realization/model/model_description.h"
 #include "core/realization/model/model_findings.h"
@@ -22,8 +22,8 @@ std::optional<NuisanceEffect> effectOfNuisance(const ModelInput &input, const Se
     const std::vector<Pole> &assessed, const JobControl &control)
 {
     const ModelInput plain = withModesLeftIn(input);
-    ModelDraft draft
-        = linearDraft(plain, discretePoles(model.draft.realised_rad_s, sampleInterval_s(plain)));
+    ModelDraft draft = linearDraft(
+        plain, discretePoles(model.draft.realizedPoles_rad_s, sampleInterval_s(plain)));
     refineDraft(plain, draft, control);
     if (!draft.refinement)
         return std::nullopt;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/base/constants.h"
 #include "core/base/finding.h"
 #include "core/base/index.h"
 #include "core/capture/capture_set.h"

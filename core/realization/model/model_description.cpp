@@ -3,7 +3,8 @@
 
 #include "core/realization/model/model_description.h"
 
-#include "core/realization/exponentials/pole_rates.h"
+#include "core/base/constants.h"
+#include "core/realization/exponentials/pole_mapping.h"
 #include "core/realization/input/left_out.h"
 #include "core/realization/model/pole_classes.h"
 #include "core/realization/model/series_fit.h"
@@ -71,17 +72,17 @@ std::vector<Pole> listPoles(const ModelInput &input, const ModelDraft &draft,
     const std::vector<bool> &standsOut, std::optional<std::complex<double>> stepPole)
 {
     const double dt_s = sampleInterval_s(input);
-    const auto z = discretePoles(draft.rates_rad_s, dt_s);
+    const auto z = discretePoles(draft.poles_rad_s, dt_s);
     const std::vector<PoleClass> classes
         = classifyPoles(z, ResponseTreatment::StepDeflated, standsOut);
     std::vector<Pole> poles;
     for (std::size_t i = 0; i < z.size(); ++i) {
-        poles.push_back(makePole(z[i], draft.rates_rad_s[i], classes[i]));
+        poles.push_back(makePole(z[i], draft.poles_rad_s[i], classes[i]));
         if (!standsOut[i])
             poles.back().flags.push_back(kBelowNoiseFlag);
     }
     if (stepPole)
-        poles.push_back(makePole(*stepPole, rateOf(*stepPole, dt_s), PoleClass::Step));
+        poles.push_back(makePole(*stepPole, continuousPole(*stepPole, dt_s), PoleClass::Step));
     return poles;
 }
 
@@ -110,7 +111,7 @@ void addUncertainties(const ModelDraft &draft, std::vector<Pole> &poles)
     if (!draft.refinement)
         return;
     const double k = coverageFactor95(draft.noise.dof);
-    for (std::size_t i = 0; i < draft.rates_rad_s.size(); ++i) {
+    for (std::size_t i = 0; i < draft.poles_rad_s.size(); ++i) {
         const PoleFigures figures = poleFigures(*draft.refinement, static_cast<Index>(i));
         poles[i].u_frequency_Hz = figures.u_frequency_Hz;
         poles[i].u_dampingRatio = figures.u_dampingRatio;

@@ -25,7 +25,7 @@ constexpr double kFarOff = 10.0; ///< plateaus at the onset: how many more says 
 constexpr double kStepPole = 1e-3; ///< from 1, in the z plane
 constexpr double kLikeAStep = 0.1; ///< of the largest amplitude
 
-Mend useOrder(Index order)
+Correction useOrder(Index order)
 {
     return {.label = {DYNCAL_TEXT("core", "Use order %1"), {std::to_string(order)}},
         .key = "realization.order",
@@ -46,7 +46,7 @@ void judgeSplit(const SensorModel &model, const HankelDecomposition &decompositi
             {std::to_string(n), std::to_string(n + 1), numberText(sigma[n - 1], 4),
                 numberText(sigma[n], 4)}},
         .value = sigma[n - 1] / sigma[n]});
-    out.back().mend = useOrder(n + 1);
+    out.back().correction = useOrder(n + 1);
 }
 
 void judgeNoiseStates(
@@ -70,7 +70,7 @@ void judgeNoiseStates(
         .value = static_cast<double>(n),
         .limit = static_cast<double>(above)});
     if (above > 0)
-        out.back().mend = useOrder(above);
+        out.back().correction = useOrder(above);
 }
 
 /// Frequencies of some poles, a pair once: "1.2 MHz, 3.4 MHz, ...".
@@ -154,7 +154,7 @@ void judgeStepPole(const SensorModel &model, const ModelInput &input, Findings &
             {numberText(constants.front()->z.real(), 9)}},
         .value = constants.front()->z.real(),
         .limit = 1.0 - kStepPole});
-    out.back().mend = Mend{.label = {DYNCAL_TEXT("core", "Treat as a step"), {}},
+    out.back().correction = Correction{.label = {DYNCAL_TEXT("core", "Treat as a step"), {}},
         .key = "input.treatment",
         .value = "\"step-deflated\""};
 }

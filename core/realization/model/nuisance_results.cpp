@@ -29,7 +29,7 @@ NuisanceOfShot ofShot(
         const Eigen::Matrix4d covariance = nuisanceCovariance(
             *draft.refinement, static_cast<Index>(series), static_cast<Index>(term));
         const PoleFigures figures
-            = pairFigures(result.term.rate_rad_s, covariance.topLeftCorner<2, 2>());
+            = pairFigures(result.term.pole_rad_s, covariance.topLeftCorner<2, 2>());
         result.u_frequency_Hz = figures.u_frequency_Hz;
         result.u_dampingRatio = figures.u_dampingRatio;
     }

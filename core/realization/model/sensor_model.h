@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/base/constants.h"
 #include "core/base/finding.h"
 #include "core/base/index.h"
 #include "core/realization/exponentials/exponential_sum.h"
@@ -29,8 +30,6 @@ const char *poleClassName(PoleClass poleClass); ///< "sensor", "step", ...
 inline constexpr const char *kBelowNoiseFlag = "below-noise";
 inline constexpr const char *kShotsDisagreeFlag = "shots-disagree";
 inline constexpr const char *kTubeModeFlag = "tube-mode"; ///< where the gas of the tube may ring
-
-inline constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 /// One pole of the model: z in the sampled plane, s = ln(z)/Ts in the continuous one.
 struct Pole

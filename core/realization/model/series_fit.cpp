@@ -3,6 +3,7 @@
 
 #include "core/realization/model/series_fit.h"
 
+#include "core/base/constants.h"
 #include "core/realization/exponentials/onset.h"
 #include "core/realization/input/left_out.h"
 #include "core/realization/nuisance/nuisance_modes.h"
@@ -22,12 +23,12 @@ ExponentialSum sensorPart(const ExponentialSum &sum, const std::vector<bool> &is
     ExponentialSum part;
     part.constant = sum.constant;
     const Index kept = std::count(isSensor.begin(), isSensor.end(), true);
-    part.rates_rad_s.resize(kept);
+    part.poles_rad_s.resize(kept);
     part.amplitudes.resize(kept);
     Index at = 0;
     for (std::size_t i = 0; i < isSensor.size(); ++i) {
         if (isSensor[i]) {
-            part.rates_rad_s[at] = sum.rates_rad_s[static_cast<Index>(i)];
+            part.poles_rad_s[at] = sum.poles_rad_s[static_cast<Index>(i)];
             part.amplitudes[at++] = sum.amplitudes[static_cast<Index>(i)];
         }
     }
@@ -42,10 +43,10 @@ ExponentialSum drivenPart(const ExponentialSum &sum, const std::vector<bool> &is
     for (const NuisanceTerm &term : terms) {
         if (!term.startsWithStep)
             continue;
-        const Index n = part.rates_rad_s.size();
-        part.rates_rad_s.conservativeResize(n + 2);
+        const Index n = part.poles_rad_s.size();
+        part.poles_rad_s.conservativeResize(n + 2);
         part.amplitudes.conservativeResize(n + 2);
-        part.rates_rad_s.tail(2) << term.rate_rad_s, std::conj(term.rate_rad_s);
+        part.poles_rad_s.tail(2) << term.pole_rad_s, std::conj(term.pole_rad_s);
         part.amplitudes.tail(2) << 0.5 * term.amplitude, 0.5 * std::conj(term.amplitude);
     }
     return part;
@@ -54,7 +55,7 @@ ExponentialSum drivenPart(const ExponentialSum &sum, const std::vector<bool> &is
 /// Search range for the onset: six tenths of the period (or time constant) of the fastest part.
 double onsetSearch_s(const ExponentialSum &part)
 {
-    const double fastest = part.rates_rad_s.cwiseAbs().maxCoeff();
+    const double fastest = part.poles_rad_s.cwiseAbs().maxCoeff();
     return 0.6 * 2.0 * std::numbers::pi / fastest;
 }
 
@@ -67,7 +68,7 @@ struct Onset
 Onset locateOnset(const ModelDraft &draft, std::size_t series, const std::vector<bool> &isSensor)
 {
     const ExponentialSum part = sensorPart(draft.series[series], isSensor);
-    if (part.rates_rad_s.size() == 0)
+    if (part.poles_rad_s.size() == 0)
         return {};
     const double search_s = onsetSearch_s(part);
     const auto onsetOf = [&](const ExponentialSum &sum) {
@@ -122,10 +123,10 @@ SeriesFit describeSeries(const ModelInput &input, const ModelDraft &draft, std::
         fit.onset_s = onset.time_s;
         fit.u_onset_s = onset.u_s;
     }
-    fit.amplitudes = sum.amplitudes.array() * (sum.rates_rad_s.array() * fit.onset_s).exp();
+    fit.amplitudes = sum.amplitudes.array() * (sum.poles_rad_s.array() * fit.onset_s).exp();
     if (isStepTreatment(input.treatment))
         fit.amplitudes = amplitudesOfStep(
-            sum.rates_rad_s, fit.amplitudes, sum.constant, termsAt(draft.nuisance[r], fit.onset_s));
+            sum.poles_rad_s, fit.amplitudes, sum.constant, termsAt(draft.nuisance[r], fit.onset_s));
     fit.simulated = isThesisMode(input)
         ? Eigen::VectorXd(impulseResponse(stateSpace, series.y.size() + 1).tail(series.y.size()))
         : simulate(series, sum, draft.nuisance[r], sampleInterval_s(input));

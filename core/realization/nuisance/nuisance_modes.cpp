@@ -3,7 +3,7 @@
 
 #include "core/realization/nuisance/nuisance_modes.h"
 
-#include "core/realization/exponentials/pole_rates.h"
+#include "core/realization/exponentials/pole_mapping.h"
 #include "core/signal/spectrum_analysis.h"
 
 #include <algorithm>
@@ -85,12 +85,6 @@ SpectrumResult withoutNuisancePeaks(const SpectrumResult &spectrum,
     return rest;
 }
 
-bool hasCorrection(const ModelInput &input)
-{
-    return std::any_of(input.series.begin(), input.series.end(),
-        [](const ModelSeries &series) { return series.correction.size() > 0; });
-}
-
 bool hasNuisance(const ModelInput &input)
 {
     return std::any_of(input.series.begin(), input.series.end(),
@@ -116,7 +110,7 @@ std::vector<std::complex<double>> withoutNuisancePoles(
     const auto isNuisance = [&](const std::complex<double> &z) {
         if (z.imag() == 0.0)
             return false;
-        const double f_Hz = std::abs(rateOf(z, dt_s)) / (2.0 * std::numbers::pi);
+        const double f_Hz = std::abs(continuousPole(z, dt_s)) / (2.0 * std::numbers::pi);
         return std::any_of(
             input.series.begin(), input.series.end(), [&](const ModelSeries &series) {
                 return std::any_of(
@@ -133,23 +127,23 @@ std::vector<std::complex<double>> withoutNuisancePoles(
     return rest;
 }
 
-Eigen::VectorXcd amplitudesOfStep(const Eigen::VectorXcd &rates_rad_s,
+Eigen::VectorXcd amplitudesOfStep(const Eigen::VectorXcd &poles_rad_s,
     const Eigen::VectorXcd &amplitudes, double constant, const std::vector<NuisanceTerm> &terms)
 {
     constexpr int kRounds = 30; // each is closer by about the relative size of the modes
     Eigen::VectorXcd found = amplitudes;
     for (int round = 0; round < kRounds; ++round) {
-        Eigen::ArrayXcd input = Eigen::ArrayXcd::Ones(rates_rad_s.size());
+        Eigen::ArrayXcd input = Eigen::ArrayXcd::Ones(poles_rad_s.size());
         for (const NuisanceTerm &term : terms) {
             if (!term.startsWithStep)
                 continue;
-            const std::complex<double> s = term.rate_rad_s;
+            const std::complex<double> s = term.pole_rad_s;
             const std::complex<double> gain
-                = constant + (found.array() * s / (s - rates_rad_s.array())).sum();
+                = constant + (found.array() * s / (s - poles_rad_s.array())).sum();
             const std::complex<double> a = term.amplitude / gain;
-            input += 0.5 * rates_rad_s.array()
-                * (a / (rates_rad_s.array() - s)
-                    + std::conj(a) / (rates_rad_s.array() - std::conj(s)));
+            input += 0.5 * poles_rad_s.array()
+                * (a / (poles_rad_s.array() - s)
+                    + std::conj(a) / (poles_rad_s.array() - std::conj(s)));
         }
         found = (amplitudes.array() / input).matrix();
     }
@@ -160,7 +154,7 @@ std::vector<NuisanceTerm> termsAt(const std::vector<NuisanceTerm> &terms, double
 {
     std::vector<NuisanceTerm> moved = terms;
     for (NuisanceTerm &term : moved)
-        term.amplitude *= std::exp(term.rate_rad_s * onset_s);
+        term.amplitude *= std::exp(term.pole_rad_s * onset_s);
     return moved;
 }
 

@@ -34,9 +34,6 @@ SpectrumResult withoutNuisancePeaks(const SpectrumResult &spectrum,
     const std::vector<WindowedResponse> &responses, const std::vector<NuisanceMode> &modes,
     const std::vector<std::optional<double>> &soundSpeeds_m_s);
 
-/// Whether anything was taken out of the series, or bridged.
-bool hasCorrection(const ModelInput &input);
-
 /// Whether any mode was found in any series.
 bool hasNuisance(const ModelInput &input);
 
@@ -50,7 +47,7 @@ std::vector<std::complex<double>> withoutNuisancePoles(
 /// Amplitudes that the step alone gives a sensor, from those of its response to the step and the
 /// tube's modes that the step set off: 1 + sum Re(a e^(s_m t)) from the onset on, a = A/G(s_m).
 /// `amplitudes` and `terms` at the onset; terms that were there before the step change nothing.
-Eigen::VectorXcd amplitudesOfStep(const Eigen::VectorXcd &rates_rad_s,
+Eigen::VectorXcd amplitudesOfStep(const Eigen::VectorXcd &poles_rad_s,
     const Eigen::VectorXcd &amplitudes, double constant, const std::vector<NuisanceTerm> &terms);
 
 /// The terms with time 0 moved to `onset_s`.

@@ -163,7 +163,7 @@ void setNuisance(const ModelInput &input, ModelSeries &series, std::vector<Nuisa
     if (series.correction.size() == 0)
         series.correction = Eigen::VectorXd::Zero(series.y.size());
     for (const NuisanceTerm &term : series.nuisance) {
-        const std::complex<double> s = term.rate_rad_s;
+        const std::complex<double> s = term.pole_rad_s;
         const std::complex<double> first
             = term.amplitude * series.filter.delayedGain(s, series.first_s);
         for (Index k = 0; k < series.y.size(); ++k)

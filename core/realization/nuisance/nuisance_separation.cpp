@@ -3,7 +3,7 @@
 
 #include "core/realization/nuisance/nuisance_separation.h"
 
-#include "core/realization/exponentials/pole_rates.h"
+#include "core/realization/exponentials/pole_mapping.h"
 #include "core/realization/hankel/hankel_decomposition.h"
 #include "core/realization/hankel/order_suggestion.h"
 #include "core/realization/hankel/realized_poles.h"
@@ -25,18 +25,18 @@ constexpr Index kMostStates = 12;
 constexpr int kRounds = 3;
 constexpr double kSettled = 1e-4; ///< relative change of the modes' frequencies
 
-/// Poles of one order as rates, where all of them decay.
-std::vector<std::complex<double>> sensorRates(
+/// Continuous poles of one order, where all of them decay.
+std::vector<std::complex<double>> sensorPoles(
     const ModelInput &input, const HankelDecomposition &hankel, Index order)
 {
-    std::vector<std::complex<double>> rates;
+    std::vector<std::complex<double>> poles;
     for (const std::complex<double> &z :
         withoutNuisancePoles(input, realizedPoles(hankel, order))) {
         if (!(std::abs(z) < 1.0) || (z.imag() == 0.0 && z.real() <= 0.0))
             return {};
-        rates.push_back(rateOf(z, sampleInterval_s(input)));
+        poles.push_back(continuousPole(z, sampleInterval_s(input)));
     }
-    return rates;
+    return poles;
 }
 
 /// Sensor and modes together, with the suggested order of `rest`, the response without the modes.
@@ -50,11 +50,11 @@ std::optional<Refinement> jointFit(
         return std::nullopt;
     Index order = std::min(kMostStates, suggestOrder(rest, *hankel).order);
     for (; order >= 1 && !control.stopRequested(); --order) {
-        const auto rates = sensorRates(input, *hankel, order);
-        if (rates.empty())
+        const auto poles = sensorPoles(input, *hankel, order);
+        if (poles.empty())
             continue;
         if (auto fit = refinePoles(
-                refinementRecords(input), rates, isStepTreatment(input.treatment), control))
+                refinementRecords(input), poles, isStepTreatment(input.treatment), control))
             return fit;
     }
     return std::nullopt;

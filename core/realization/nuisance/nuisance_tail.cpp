@@ -19,7 +19,7 @@ constexpr double kPerPeriod = 24.0; ///< samples of the search, at the fastest m
 constexpr double kPresent = 20.0; ///< drop of the squares over their mean: far beyond any noise
 constexpr std::array kDampings{0.0, 0.005, 0.015, 0.04, 0.1, 0.2};
 
-/// Constant and modes of these rates by least squares; returns the squares left.
+/// Constant and modes of these poles by least squares; returns the squares left.
 double fitTail(const NuisanceTail &tail, std::vector<NuisanceTerm> &terms)
 {
     const Index modes = std::ssize(terms);
@@ -33,7 +33,7 @@ double fitTail(const NuisanceTail &tail, std::vector<NuisanceTerm> &terms)
             basis(row, 0) = 1.0;
             for (Index i = 0; i < modes; ++i) {
                 const std::complex<double> power
-                    = std::exp(terms[static_cast<std::size_t>(i)].rate_rad_s * t_s);
+                    = std::exp(terms[static_cast<std::size_t>(i)].pole_rad_s * t_s);
                 basis(row, 1 + 2 * i) = power.real();
                 basis(row, 2 + 2 * i) = -power.imag();
             }
@@ -45,7 +45,7 @@ double fitTail(const NuisanceTail &tail, std::vector<NuisanceTerm> &terms)
     return (y - basis * x).squaredNorm();
 }
 
-std::complex<double> rateFrom(double frequency_Hz, double zeta)
+std::complex<double> poleFrom(double frequency_Hz, double zeta)
 {
     return kTwoPi * frequency_Hz * std::complex<double>(-zeta, std::sqrt(1.0 - zeta * zeta));
 }
@@ -89,7 +89,7 @@ bool addBestTerm(const NuisanceTail &tail, const NuisanceCandidate &candidate, b
         const double f_Hz = candidate.frequency_Hz * (1.0 + reach * step / steps);
         for (const double zeta : kDampings) {
             std::vector<NuisanceTerm> tried = terms;
-            tried.push_back({candidate.mode, startsWithStep, rateFrom(f_Hz, zeta), 0.0});
+            tried.push_back({candidate.mode, startsWithStep, poleFrom(f_Hz, zeta), 0.0});
             const double left = fitTail(tail, tried);
             if (left < least) {
                 least = left;
@@ -112,7 +112,7 @@ void polish(const NuisanceTail &tail, bool withConstant, std::vector<NuisanceTer
         return;
     terms = fit->nuisance.front();
     for (NuisanceTerm &term : terms)
-        term.amplitude *= std::exp(-term.rate_rad_s * tail.begin_s);
+        term.amplitude *= std::exp(-term.pole_rad_s * tail.begin_s);
 }
 
 } // namespace dyncal

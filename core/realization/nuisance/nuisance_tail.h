@@ -46,7 +46,7 @@ struct NuisanceCandidate
 bool addBestTerm(const NuisanceTail &tail, const NuisanceCandidate &candidate, bool startsWithStep,
     std::vector<NuisanceTerm> &terms);
 
-/// Rates as well, from where the search left them; amplitudes at time 0.
+/// Poles as well, from where the search left them; amplitudes at time 0.
 void polish(const NuisanceTail &tail, bool withConstant, std::vector<NuisanceTerm> &terms);
 
 } // namespace dyncal

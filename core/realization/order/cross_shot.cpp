@@ -3,6 +3,7 @@
 
 #include "core/realization/order/cross_shot.h"
 
+#include "core/base/constants.h"
 #include "core/realization/exponentials/shared_fit.h"
 #include "core/realization/hankel/hankel_decomposition.h"
 #include "core/realization/hankel/realized_poles.h"

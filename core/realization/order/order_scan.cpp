@@ -3,7 +3,8 @@
 
 #include "core/realization/order/order_scan.h"
 
-#include "core/realization/exponentials/pole_rates.h"
+#include "core/base/constants.h"
+#include "core/realization/exponentials/pole_mapping.h"
 #include "core/realization/exponentials/shared_fit.h"
 #include "core/realization/hankel/hankel_gap.h"
 #include "core/realization/hankel/realized_poles.h"
@@ -37,7 +38,7 @@ Index highestOrder(const ModelInput &input, const HankelDecomposition &decomposi
 
 OrderPole describePole(std::complex<double> z, Index order, double dt_s)
 {
-    const std::complex<double> s = rateOf(z, dt_s);
+    const std::complex<double> s = continuousPole(z, dt_s);
     OrderPole pole;
     pole.order = order;
     pole.frequency_Hz = std::abs(s) / (2.0 * std::numbers::pi);
@@ -160,9 +161,9 @@ private:
         const double dt_s = sampleInterval_s(m_input);
         ModelDraft draft;
         for (const std::complex<double> &z : poles)
-            draft.rates_rad_s.push_back(rateOf(z, dt_s));
+            draft.poles_rad_s.push_back(continuousPole(z, dt_s));
         for (std::size_t r = 0; r < fits.size(); ++r)
-            draft.series.push_back(atStart(m_input.series[r], draft.rates_rad_s, fits[r]));
+            draft.series.push_back(atStart(m_input.series[r], draft.poles_rad_s, fits[r]));
         const std::vector<bool> standsOut = standingOut(m_input, draft);
         for (std::size_t i = 0; i < poles.size(); ++i) {
             if (!isUpperOfPair(poles, i))

@@ -38,10 +38,10 @@ Eigen::VectorXd residualOf(const RefinementRecord &record, const ExponentialSum 
 {
     ExponentialSum whole = sum;
     for (const NuisanceTerm &term : terms) {
-        const Index n = whole.rates_rad_s.size();
-        whole.rates_rad_s.conservativeResize(n + 1);
+        const Index n = whole.poles_rad_s.size();
+        whole.poles_rad_s.conservativeResize(n + 1);
         whole.amplitudes.conservativeResize(n + 1);
-        whole.rates_rad_s[n] = term.rate_rad_s; // its real part alone is sampled
+        whole.poles_rad_s[n] = term.pole_rad_s; // its real part alone is sampled
         whole.amplitudes[n] = term.amplitude;
     }
     const ExponentialSampler sampler(whole, 1.0 / record.rate_Hz);

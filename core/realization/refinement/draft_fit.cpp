@@ -3,7 +3,7 @@
 
 #include "core/realization/refinement/draft_fit.h"
 
-#include "core/realization/exponentials/pole_rates.h"
+#include "core/realization/exponentials/pole_mapping.h"
 #include "core/realization/input/left_out.h"
 #include "core/realization/refinement/coloured_covariance.h"
 #include "core/realization/refinement/pole_refinement.h"
@@ -17,9 +17,9 @@ namespace {
 constexpr Index kLargestRefined = 12; ///< beyond, spurious poles make the fit ill-posed
 
 /// Pairs stay together: both have the same |s|, the upper half comes first.
-void sortByFrequency(std::vector<std::complex<double>> &rates)
+void sortByFrequency(std::vector<std::complex<double>> &poles)
 {
-    std::stable_sort(rates.begin(), rates.end(), [](const auto &a, const auto &b) {
+    std::stable_sort(poles.begin(), poles.end(), [](const auto &a, const auto &b) {
         const double left = std::abs(a);
         const double right = std::abs(b);
         return left != right ? left < right : a.imag() > b.imag();
@@ -38,15 +38,15 @@ bool canRefine(const ModelInput &input, const std::vector<std::complex<double>> 
 } // namespace
 
 ExponentialSum atStart(const ModelSeries &series,
-    const std::vector<std::complex<double>> &rates_rad_s, const AmplitudeFit &fit)
+    const std::vector<std::complex<double>> &poles_rad_s, const AmplitudeFit &fit)
 {
     ExponentialSum sum;
     sum.constant = fit.constant;
-    sum.rates_rad_s = Eigen::Map<const Eigen::VectorXcd>(
-        rates_rad_s.data(), static_cast<Index>(rates_rad_s.size()));
+    sum.poles_rad_s = Eigen::Map<const Eigen::VectorXcd>(
+        poles_rad_s.data(), static_cast<Index>(poles_rad_s.size()));
     sum.amplitudes = fit.amplitudes;
     for (Index i = 0; i < sum.amplitudes.size(); ++i) {
-        const std::complex<double> s = sum.rates_rad_s[i];
+        const std::complex<double> s = sum.poles_rad_s[i];
         sum.amplitudes[i] *= std::exp(-s * series.first_s) / series.filter.gain(s);
     }
     return sum;
@@ -56,10 +56,10 @@ ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<d
 {
     ModelDraft draft;
     for (const std::complex<double> &z : poles)
-        draft.rates_rad_s.push_back(rateOf(z, sampleInterval_s(input)));
-    sortByFrequency(draft.rates_rad_s);
-    draft.realised_rad_s = draft.rates_rad_s;
-    const auto sorted = discretePoles(draft.rates_rad_s, sampleInterval_s(input));
+        draft.poles_rad_s.push_back(continuousPole(z, sampleInterval_s(input)));
+    sortByFrequency(draft.poles_rad_s);
+    draft.realizedPoles_rad_s = draft.poles_rad_s;
+    const auto sorted = discretePoles(draft.poles_rad_s, sampleInterval_s(input));
     Eigen::MatrixXd records(input.samples, static_cast<Index>(input.series.size()));
     for (Index r = 0; r < records.cols(); ++r) {
         const ModelSeries &series = input.series[static_cast<std::size_t>(r)];
@@ -69,7 +69,7 @@ ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<d
     }
     const auto fits = fitAmplitudesTogether(records, sorted, isStepTreatment(input.treatment));
     for (std::size_t r = 0; r < fits.size(); ++r) {
-        draft.series.push_back(atStart(input.series[r], draft.rates_rad_s, fits[r]));
+        draft.series.push_back(atStart(input.series[r], draft.poles_rad_s, fits[r]));
         draft.nuisance.push_back(input.series[r].nuisance);
     }
     return draft;
@@ -90,18 +90,18 @@ std::vector<RefinementRecord> refinementRecords(const ModelInput &input)
 
 void refineDraft(const ModelInput &input, ModelDraft &draft, const JobControl &control)
 {
-    if (!canRefine(input, discretePoles(draft.rates_rad_s, sampleInterval_s(input))))
+    if (!canRefine(input, discretePoles(draft.poles_rad_s, sampleInterval_s(input))))
         return;
     const std::vector<RefinementRecord> records = refinementRecords(input);
     draft.refinement
-        = refinePoles(records, draft.rates_rad_s, isStepTreatment(input.treatment), control);
+        = refinePoles(records, draft.poles_rad_s, isStepTreatment(input.treatment), control);
     if (!draft.refinement)
         return;
     std::vector<NoiseCovariance> noise;
     for (const ModelSeries &series : input.series)
         noise.push_back(series.fullRateNoise);
     draft.noise = allowForColour(records, noise, *draft.refinement);
-    draft.rates_rad_s = draft.refinement->rates_rad_s;
+    draft.poles_rad_s = draft.refinement->poles_rad_s;
     draft.series = draft.refinement->records;
     draft.nuisance = draft.refinement->nuisance;
 }

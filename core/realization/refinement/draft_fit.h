@@ -16,10 +16,10 @@ namespace dyncal {
 
 /// What was fitted to a series' samples, brought back to time 0 and freed of the filter's gain.
 ExponentialSum atStart(const ModelSeries &series,
-    const std::vector<std::complex<double>> &rates_rad_s, const AmplitudeFit &fit);
+    const std::vector<std::complex<double>> &poles_rad_s, const AmplitudeFit &fit);
 
 /// Amplitudes by least squares at the model rate for the poles given (z plane, without the step's),
-/// brought back to time 0 and freed of the filter's gain. Rates sorted by |s|.
+/// brought back to time 0 and freed of the filter's gain. Poles sorted by |s|.
 ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<double>> &poles);
 
 /// What the refinement fits: the series at their own rate, weighted by their noise, with their

@@ -11,7 +11,7 @@ namespace dyncal {
 double energyOverNoise(const ModelSeries &series, const ExponentialSum &sum, Index i, double dt_s)
 {
     constexpr double kRounding = 1e-20;
-    const std::complex<double> s = sum.rates_rad_s[i];
+    const std::complex<double> s = sum.poles_rad_s[i];
     const double noise
         = std::max(series.noiseSd * series.noiseSd, kRounding * series.y.squaredNorm());
     const double first
@@ -26,7 +26,7 @@ double energyOverNoise(const ModelSeries &series, const ExponentialSum &sum, Ind
 
 std::vector<bool> standingOut(const ModelInput &input, const ModelDraft &draft)
 {
-    std::vector<bool> result(draft.rates_rad_s.size(), false);
+    std::vector<bool> result(draft.poles_rad_s.size(), false);
     for (std::size_t r = 0; r < input.series.size(); ++r) {
         for (std::size_t i = 0; i < result.size(); ++i) {
             if (energyOverNoise(input.series[r], draft.series[r], static_cast<Index>(i),

@@ -18,8 +18,8 @@ namespace dyncal {
 /// Poles and, per series, the response they give, while the model is being built.
 struct ModelDraft
 {
-    std::vector<std::complex<double>> rates_rad_s; ///< without the step pole
-    std::vector<std::complex<double>> realised_rad_s; ///< the same before any refinement
+    std::vector<std::complex<double>> poles_rad_s; ///< without the step pole
+    std::vector<std::complex<double>> realizedPoles_rad_s; ///< the same before any refinement
     std::vector<ExponentialSum> series; ///< at time 0 = detected start
     std::vector<std::vector<NuisanceTerm>> nuisance; ///< per series, beside them
     std::optional<Refinement> refinement;

@@ -179,7 +179,7 @@ private:
     Eigen::MatrixXd m_sum; ///< its lower half
 };
 
-/// The two (a pair) or one parameters of a rate, then those of its amplitude, at their places.
+/// The two (a pair) or one parameters of a pole, then those of its amplitude, at their places.
 void addMode(Sensitivities &result, Complex exponent, Complex gain, Index ratePlace,
     Index amplitudePlace, bool isPair)
 {
@@ -210,7 +210,7 @@ Sensitivities sensitivitiesOf(
     result.dt_s = 1.0 / data.rate_Hz;
     result.columns.resize(static_cast<std::size_t>(nuisance) + 4 * terms.size());
     for (Index i = 0; i < n; ++i) {
-        const Complex exponent = sum.rates_rad_s[i] * result.dt_s;
+        const Complex exponent = sum.poles_rad_s[i] * result.dt_s;
         const Complex amplitude = sum.amplitudes[i];
         if (exponent.imag() > 0.0)
             addMode(result, exponent, 2.0 * amplitude, i, n + i, true);
@@ -223,7 +223,7 @@ Sensitivities sensitivitiesOf(
     }
     Index own = nuisance;
     for (const NuisanceTerm &term : terms) {
-        addMode(result, term.rate_rad_s * result.dt_s, term.amplitude, own, own + 2, true);
+        addMode(result, term.pole_rad_s * result.dt_s, term.amplitude, own, own + 2, true);
         own += 4;
     }
     return result;

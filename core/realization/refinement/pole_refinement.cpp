@@ -18,12 +18,12 @@ namespace {
 using Problem = RefinementProblem;
 
 ExponentialSum recordSum(const Problem &problem, const Eigen::VectorXd &theta,
-    const std::vector<std::complex<double>> &rates, std::size_t record)
+    const std::vector<std::complex<double>> &poles, std::size_t record)
 {
     const Index n = problem.poles();
     const Index offset = problem.offset(record);
     ExponentialSum sum;
-    sum.rates_rad_s = Eigen::Map<const Eigen::VectorXcd>(rates.data(), n);
+    sum.poles_rad_s = Eigen::Map<const Eigen::VectorXcd>(poles.data(), n);
     sum.amplitudes.resize(n);
     Index at = 0;
     for (const bool pair : problem.isPair()) {
@@ -47,13 +47,13 @@ std::vector<NuisanceTerm> recordNuisance(
     std::vector<NuisanceTerm> terms = problem.records()[record].nuisance;
     for (std::size_t i = 0; i < terms.size(); ++i) {
         const Index own = problem.nuisanceOffset(record, i);
-        terms[i].rate_rad_s = std::complex<double>(theta[own], theta[own + 1]) / problem.unit_s();
+        terms[i].pole_rad_s = std::complex<double>(theta[own], theta[own + 1]) / problem.unit_s();
         terms[i].amplitude = {theta[own + 2], theta[own + 3]};
     }
     return terms;
 }
 
-/// 1 / unit of time for rates, 1 for everything else.
+/// 1 / unit of time for poles, 1 for everything else.
 Eigen::VectorXd unitsOf(const Problem &problem)
 {
     Eigen::VectorXd units = Eigen::VectorXd::Ones(problem.parameters());
@@ -137,14 +137,14 @@ Index samplesPerMean(const Problem &problem)
     for (const RefinementRecord &record : problem.records()) {
         double fastest_rad_s = 1.0 / problem.unit_s();
         for (const NuisanceTerm &term : record.nuisance)
-            fastest_rad_s = std::max(fastest_rad_s, std::abs(term.rate_rad_s));
+            fastest_rad_s = std::max(fastest_rad_s, std::abs(term.pole_rad_s));
         fewest = std::min({fewest, kRadians * record.rate_Hz / fastest_rad_s,
             static_cast<double>(record.y.size() / kMeans)});
     }
     return problem.records().empty() ? 0 : static_cast<Index>(fewest);
 }
 
-/// The equations where the descent from the rates of `theta` ends, in `theta` too; empty when it
+/// The equations where the descent from the poles of `theta` ends, in `theta` too; empty when it
 /// was stopped or ends elsewhere than it started.
 std::optional<RegressionEquations> descended(
     const Problem &problem, Eigen::VectorXd &theta, const JobControl &control)
@@ -168,13 +168,13 @@ Refinement unpack(
     for (const bool pair : problem.isPair()) {
         const std::complex<double> s(
             theta[at] / problem.unit_s(), pair ? theta[at + 1] / problem.unit_s() : 0.0);
-        result.rates_rad_s.push_back(s);
+        result.poles_rad_s.push_back(s);
         if (pair)
-            result.rates_rad_s.push_back(std::conj(s));
+            result.poles_rad_s.push_back(std::conj(s));
         at += pair ? 2 : 1;
     }
     for (std::size_t r = 0; r < problem.records().size(); ++r) {
-        result.records.push_back(recordSum(problem, theta, result.rates_rad_s, r));
+        result.records.push_back(recordSum(problem, theta, result.poles_rad_s, r));
         result.nuisance.push_back(recordNuisance(problem, theta, r));
         result.offsets.push_back(problem.offset(r));
     }
@@ -187,17 +187,17 @@ Refinement unpack(
 } // namespace
 
 std::optional<Refinement> refinePoles(const std::vector<RefinementRecord> &records,
-    const std::vector<std::complex<double>> &start_rad_s, bool withConstant,
+    const std::vector<std::complex<double>> &startPoles_rad_s, bool withConstant,
     const JobControl &control)
 {
-    const Problem problem(records, start_rad_s, withConstant);
+    const Problem problem(records, startPoles_rad_s, withConstant);
     if (!(problem.unit_s() > 0.0))
         return std::nullopt;
     Eigen::VectorXd theta = problem.start();
     const Index factor = samplesPerMean(problem);
     if (factor >= kWorthwhile) {
         const std::vector<RefinementRecord> means = averaged(records, factor);
-        if (!descended(Problem(means, start_rad_s, withConstant), theta, control))
+        if (!descended(Problem(means, startPoles_rad_s, withConstant), theta, control))
             return std::nullopt;
     }
     const auto equations = descended(problem, theta, control);

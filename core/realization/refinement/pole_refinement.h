@@ -20,7 +20,7 @@ namespace dyncal {
 /// all; they too must stay within that factor. Without any pole only they are fitted; with neither
 /// there is no result. Assumes white noise within each record.
 std::optional<Refinement> refinePoles(const std::vector<RefinementRecord> &records,
-    const std::vector<std::complex<double>> &start_rad_s, bool withConstant,
+    const std::vector<std::complex<double>> &startPoles_rad_s, bool withConstant,
     const JobControl &control = {});
 
 } // namespace dyncal

@@ -22,10 +22,10 @@ PoleFigures pairFigures(std::complex<double> s, const Eigen::Matrix2d &covarianc
 
 PoleFigures poleFigures(const Refinement &refinement, Index i)
 {
-    const auto &rates = refinement.rates_rad_s;
-    if (rates[static_cast<std::size_t>(i)].imag() < 0.0)
+    const auto &poles = refinement.poles_rad_s;
+    if (poles[static_cast<std::size_t>(i)].imag() < 0.0)
         --i; // the pair's parameters stand at its upper half
-    const std::complex<double> s = rates[static_cast<std::size_t>(i)];
+    const std::complex<double> s = poles[static_cast<std::size_t>(i)];
     const Eigen::MatrixXd &covariance = refinement.covariance;
     if (s.imag() != 0.0)
         return pairFigures(s, covariance.block<2, 2>(i, i));

@@ -15,13 +15,13 @@ ExponentialSum perturbed(const Refinement &refinement, Index record, Index index
     }
     const bool movesPole = index < n;
     const Index i = movesPole ? index : index - n;
-    Eigen::VectorXcd &values = movesPole ? sum.rates_rad_s : sum.amplitudes;
+    Eigen::VectorXcd &values = movesPole ? sum.poles_rad_s : sum.amplitudes;
     const double share = movesPole ? delta : delta / 2.0; // amplitudes are fitted as 2 Re, 2 Im
-    const std::vector<std::complex<double>> &rates = refinement.rates_rad_s;
-    if (isUpperOfPair(rates, static_cast<std::size_t>(i))) {
+    const std::vector<std::complex<double>> &poles = refinement.poles_rad_s;
+    if (isUpperOfPair(poles, static_cast<std::size_t>(i))) {
         values[i] += share;
         values[i + 1] += share;
-    } else if (i > 0 && isUpperOfPair(rates, static_cast<std::size_t>(i - 1))) {
+    } else if (i > 0 && isUpperOfPair(poles, static_cast<std::size_t>(i - 1))) {
         values[i - 1] += std::complex<double>(0.0, share);
         values[i] -= std::complex<double>(0.0, share);
     } else {

@@ -22,14 +22,14 @@ struct RefinementRecord
     Eigen::VectorXd y;
     double rate_Hz = 0.0;
     double weight = 1.0; ///< 1 / noise sd
-    std::vector<NuisanceTerm> nuisance = {}; ///< rates to start from; amplitudes are fitted
+    std::vector<NuisanceTerm> nuisance = {}; ///< poles to start from; amplitudes are fitted
     std::vector<SampleRange> used = {}; ///< samples that take part, in order; empty = all
 };
 
 /// Outcome of the joint fit: poles shared by all records, amplitudes of each its own.
 struct Refinement
 {
-    std::vector<std::complex<double>> rates_rad_s; ///< s_i, paired as given
+    std::vector<std::complex<double>> poles_rad_s; ///< s_i, paired as given
     std::vector<ExponentialSum> records; ///< amplitudes at t = 0, without the nuisance terms
     std::vector<std::vector<NuisanceTerm>> nuisance; ///< per record, as fitted
     Eigen::MatrixXd covariance; ///< of (real parameters of the poles, then per record of
@@ -47,7 +47,7 @@ ExponentialSum perturbed(const Refinement &refinement, Index record, Index index
 /// Covariance of the poles' and one record's parameters, in the order of perturbed().
 Eigen::MatrixXd recordCovariance(const Refinement &refinement, Index record);
 
-/// Covariance of (Re rate, Im rate, Re amplitude, Im amplitude) of one nuisance term of a record.
+/// Covariance of (Re pole, Im pole, Re amplitude, Im amplitude) of one nuisance term of a record.
 Eigen::Matrix4d nuisanceCovariance(const Refinement &refinement, Index record, Index term);
 
 } // namespace dyncal

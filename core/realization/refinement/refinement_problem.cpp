@@ -16,25 +16,25 @@
 namespace dyncal {
 
 RefinementProblem::RefinementProblem(const std::vector<RefinementRecord> &records,
-    const std::vector<std::complex<double>> &start_rad_s, bool withConstant)
+    const std::vector<std::complex<double>> &startPoles_rad_s, bool withConstant)
     : m_records(records)
     , m_withConstant(withConstant)
 {
     double fastest = 0.0;
-    for (const std::complex<double> &rate : start_rad_s)
-        fastest = std::max(fastest, std::abs(rate));
+    for (const std::complex<double> &pole : startPoles_rad_s)
+        fastest = std::max(fastest, std::abs(pole));
     for (const RefinementRecord &record : records) {
         m_regressions.emplace_back(record.y, record.used);
-        if (start_rad_s.empty() && !record.nuisance.empty())
-            fastest = std::max(fastest, std::abs(record.nuisance.front().rate_rad_s));
+        if (startPoles_rad_s.empty() && !record.nuisance.empty())
+            fastest = std::max(fastest, std::abs(record.nuisance.front().pole_rad_s));
     }
     m_unit_s = fastest > 0.0 ? 1.0 / fastest : 0.0;
     std::vector<double> start;
-    for (std::size_t i = 0; i < start_rad_s.size(); ++i) {
-        m_isPair.push_back(isUpperOfPair(start_rad_s, i));
-        start.push_back(start_rad_s[i].real() * m_unit_s);
+    for (std::size_t i = 0; i < startPoles_rad_s.size(); ++i) {
+        m_isPair.push_back(isUpperOfPair(startPoles_rad_s, i));
+        start.push_back(startPoles_rad_s[i].real() * m_unit_s);
         if (m_isPair.back()) {
-            start.push_back(start_rad_s[i].imag() * m_unit_s);
+            start.push_back(startPoles_rad_s[i].imag() * m_unit_s);
             ++i;
         }
     }
@@ -104,7 +104,7 @@ std::vector<Index> RefinementProblem::amplitudePlaces(std::size_t record) const
     return places;
 }
 
-/// Where the parameters of the record's regression lie in the whole: rates, then amplitudes.
+/// Where the parameters of the record's regression lie in the whole: poles, then amplitudes.
 std::vector<Index> RefinementProblem::places(std::size_t record) const
 {
     std::vector<Index> list(static_cast<std::size_t>(poles()));
@@ -159,9 +159,9 @@ Eigen::VectorXd RefinementProblem::start() const
     theta.head(poles()) = m_start;
     for (std::size_t r = 0; r < m_records.size(); ++r) {
         for (std::size_t i = 0; i < m_records[r].nuisance.size(); ++i) {
-            const std::complex<double> rate = m_records[r].nuisance[i].rate_rad_s;
-            theta[nuisanceOffset(r, i)] = rate.real() * m_unit_s;
-            theta[nuisanceOffset(r, i) + 1] = rate.imag() * m_unit_s;
+            const std::complex<double> pole = m_records[r].nuisance[i].pole_rad_s;
+            theta[nuisanceOffset(r, i)] = pole.real() * m_unit_s;
+            theta[nuisanceOffset(r, i) + 1] = pole.imag() * m_unit_s;
         }
     }
     return theta;
@@ -182,7 +182,7 @@ bool RefinementProblem::isNearStart(const Eigen::VectorXd &theta) const
     }
     for (std::size_t r = 0; r < m_records.size(); ++r) {
         for (std::size_t i = 0; i < m_records[r].nuisance.size(); ++i) {
-            const double before = m_records[r].nuisance[i].rate_rad_s.imag() * m_unit_s;
+            const double before = m_records[r].nuisance[i].pole_rad_s.imag() * m_unit_s;
             if (!isSameOscillation(before, theta[nuisanceOffset(r, i) + 1]))
                 return false;
         }

@@ -14,16 +14,16 @@
 namespace dyncal {
 
 /// The least squares of refinePoles() as a function of one vector of parameters: poles first, then
-/// per record n amplitudes, maybe c0, and per nuisance term Re and Im of rate and amplitude. Times
+/// per record n amplitudes, maybe c0, and per nuisance term Re and Im of pole and amplitude. Times
 /// are scaled by `unit_s`, so that all parameters of the sensor are of order one. Keeps a reference
 /// to the records.
 class RefinementProblem
 {
 public:
-    /// `start_rad_s`: pairs together, the upper half first. Without any rate there is nothing to
-    /// fit, and unit_s() is 0.
+    /// `startPoles_rad_s`: pairs together, the upper half first. Without any pole there is nothing
+    /// to fit, and unit_s() is 0.
     RefinementProblem(const std::vector<RefinementRecord> &records,
-        const std::vector<std::complex<double>> &start_rad_s, bool withConstant);
+        const std::vector<std::complex<double>> &startPoles_rad_s, bool withConstant);
 
     const std::vector<RefinementRecord> &records() const { return m_records; }
     /// Per mode: conjugate pair, or one real pole.
@@ -38,11 +38,11 @@ public:
     /// Samples that take part, of all records.
     Index samples() const;
 
-    /// Parameters at the rates to start from, amplitudes zero.
+    /// Parameters at the poles to start from, amplitudes zero.
     Eigen::VectorXd start() const;
     /// J^T J, J^T r and r^T r of all records, weighted.
     RegressionEquations equations(const Eigen::VectorXd &theta) const;
-    /// Best amplitudes for the rates of `theta`.
+    /// Best amplitudes for the poles of `theta`.
     void solveAmplitudes(Eigen::VectorXd &theta) const;
     /// Whether every pole decays and every mode still speaks of the oscillation it started from.
     bool isNearStart(const Eigen::VectorXd &theta) const;
@@ -64,7 +64,7 @@ private:
 };
 
 /// The records as means of `factor` samples, without the rest at their ends and the means that a
-/// sample left out touches. Exponentials stay exponentials of the same rates.
+/// sample left out touches. Exponentials stay exponentials of the same poles.
 std::vector<RefinementRecord> averaged(const std::vector<RefinementRecord> &records, Index factor);
 
 } // namespace dyncal

@@ -18,10 +18,10 @@ Eigen::VectorXd simulate(const ModelSeries &series, const ExponentialSum &sum,
         const std::complex<double> first = amplitude * series.filter.delayedGain(s, series.first_s);
         y += exponentials(s * dt_s, y.size()) * Eigen::Vector2d(first.real(), -first.imag());
     };
-    for (Index i = 0; i < sum.rates_rad_s.size(); ++i)
-        add(sum.rates_rad_s[i], sum.amplitudes[i]);
+    for (Index i = 0; i < sum.poles_rad_s.size(); ++i)
+        add(sum.poles_rad_s[i], sum.amplitudes[i]);
     for (const NuisanceTerm &term : terms)
-        add(term.rate_rad_s, term.amplitude);
+        add(term.pole_rad_s, term.amplitude);
     return y;
 }
 

@@ -113,7 +113,7 @@ bool isSensible(const Problem &problem, const Eigen::VectorXd &theta)
     for (std::size_t r = 0; r < problem.records.size(); ++r) {
         Index at = problem.offset(r) + 2;
         for (const NuisanceTerm &term : problem.records[r].nuisance) {
-            const double before = term.rate_rad_s.imag() * problem.unit_s;
+            const double before = term.pole_rad_s.imag() * problem.unit_s;
             if (!isSameOscillation(before, theta[at + 1]))
                 return false;
             at += 4;
@@ -132,7 +132,7 @@ Eigen::VectorXd startOf(const Problem &problem, const SecondOrderStart &start)
         step.plateau = start.plateau[r];
         step.onset = start.onset_s[r] / problem.unit_s;
         for (const NuisanceTerm &term : problem.records[r].nuisance)
-            step.modes.push_back({term.rate_rad_s * problem.unit_s, term.amplitude});
+            step.modes.push_back({term.pole_rad_s * problem.unit_s, term.amplitude});
         theta(problem.places(r)) = step.parameterValues();
     }
     return theta;
@@ -161,21 +161,21 @@ Refinement asExponentials(const Problem &problem, const Eigen::VectorXd &theta)
         const Eigen::Vector2d gain = x.segment(2 + 2 * std::ssize(local.modes), 2);
         ExponentialSum sum;
         sum.constant = local.plateau;
-        sum.rates_rad_s.resize(2);
+        sum.poles_rad_s.resize(2);
         sum.amplitudes.resize(2);
         if (local.rings()) {
-            sum.rates_rad_s << Complex(x[0], x[1]), Complex(x[0], -x[1]);
+            sum.poles_rad_s << Complex(x[0], x[1]), Complex(x[0], -x[1]);
             sum.amplitudes << 0.5 * Complex(gain[0], gain[1]), 0.5 * Complex(gain[0], -gain[1]);
         } else {
-            sum.rates_rad_s << x[0], x[1];
+            sum.poles_rad_s << x[0], x[1];
             sum.amplitudes << gain[0], gain[1];
         }
-        sum.rates_rad_s /= problem.unit_s;
-        fit.rates_rad_s.assign(sum.rates_rad_s.begin(), sum.rates_rad_s.end());
+        sum.poles_rad_s /= problem.unit_s;
+        fit.poles_rad_s.assign(sum.poles_rad_s.begin(), sum.poles_rad_s.end());
         fit.records.push_back(std::move(sum));
         std::vector<NuisanceTerm> terms = problem.records[r].nuisance;
         for (std::size_t i = 0; i < terms.size(); ++i) {
-            terms[i].rate_rad_s = local.modes[i].rate / problem.unit_s;
+            terms[i].pole_rad_s = local.modes[i].pole / problem.unit_s;
             terms[i].amplitude = local.modes[i].amplitude;
         }
         fit.nuisance.push_back(std::move(terms));
@@ -185,7 +185,7 @@ Refinement asExponentials(const Problem &problem, const Eigen::VectorXd &theta)
     return fit;
 }
 
-/// d (parameters of asExponentials) / d theta, rates in seconds.
+/// d (parameters of asExponentials) / d theta, poles in units of problem.unit_s.
 Eigen::MatrixXd chain(const Problem &problem, const Eigen::VectorXd &theta, const Refinement &fit)
 {
     const Index rows = fit.offsets.back() + 3 + 4 * std::ssize(fit.nuisance.back());

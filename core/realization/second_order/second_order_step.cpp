@@ -22,7 +22,7 @@ void SecondOrderStep::setParameters(const Eigen::VectorXd &values)
     onset = values[3];
     Index at = 4;
     for (Mode &mode : modes) {
-        mode.rate = {values[at], values[at + 1]};
+        mode.pole = {values[at], values[at + 1]};
         mode.amplitude = {values[at + 2], values[at + 3]};
         at += 4;
     }
@@ -34,7 +34,7 @@ Eigen::VectorXd SecondOrderStep::parameterValues() const
     values.head(4) << logOmega, logZeta, plateau, onset;
     Index at = 4;
     for (const Mode &mode : modes) {
-        values.segment(at, 4) << mode.rate.real(), mode.rate.imag(), mode.amplitude.real(),
+        values.segment(at, 4) << mode.pole.real(), mode.pole.imag(), mode.amplitude.real(),
             mode.amplitude.imag();
         at += 4;
     }
@@ -56,11 +56,11 @@ Complex SecondOrderStep::factorOfModes(Complex s) const
     for (const Mode &mode : modes) {
         if (!mode.startsWithStep)
             continue;
-        const Complex r = mode.rate / omega;
+        const Complex r = mode.pole / omega;
         const Complex gain = plateau / (r * r + 2.0 * zeta() * r + 1.0);
-        const Complex pressure = mode.amplitude * std::exp(mode.rate * onset) / gain;
+        const Complex pressure = mode.amplitude * std::exp(mode.pole * onset) / gain;
         factor += 0.5 * s
-            * (pressure / (s - mode.rate) + std::conj(pressure) / (s - std::conj(mode.rate)));
+            * (pressure / (s - mode.pole) + std::conj(pressure) / (s - std::conj(mode.pole)));
     }
     return factor;
 }
@@ -89,7 +89,7 @@ Eigen::VectorXd SecondOrderStep::exponentials() const
     }
     Index at = 2;
     for (const Mode &mode : modes) {
-        x.segment(at, 2) << mode.rate.real(), mode.rate.imag();
+        x.segment(at, 2) << mode.pole.real(), mode.pole.imag();
         x.segment(gains + at, 2) << mode.amplitude.real(), mode.amplitude.imag();
         at += 2;
     }
@@ -107,7 +107,7 @@ Eigen::MatrixXd SecondOrderStep::derivatives() const
     steps[2] = ofGain;
     for (std::size_t i = 0; i < modes.size(); ++i) {
         const Index at = 4 + 4 * static_cast<Index>(i);
-        steps.segment(at, 2).setConstant(kStep * std::max(kSmallest, std::abs(modes[i].rate)));
+        steps.segment(at, 2).setConstant(kStep * std::max(kSmallest, std::abs(modes[i].pole)));
         steps.segment(at + 2, 2).setConstant(ofGain);
     }
     Eigen::MatrixXd J(5 + 4 * std::ssize(modes), here.size());

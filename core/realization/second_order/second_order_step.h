@@ -18,10 +18,10 @@ namespace dyncal {
 class SecondOrderStep
 {
 public:
-    /// Re(amplitude e^(rate t)) in the record.
+    /// Re(amplitude e^(pole t)) in the record.
     struct Mode
     {
-        std::complex<double> rate;
+        std::complex<double> pole;
         std::complex<double> amplitude;
         bool startsWithStep = true; ///< it is part of the pressure from the onset on
     };
@@ -32,7 +32,7 @@ public:
     double onset = 0.0;
     std::vector<Mode> modes;
 
-    /// logOmega, logZeta, plateau, onset, then Re, Im of rate and of amplitude of each mode.
+    /// logOmega, logZeta, plateau, onset, then Re, Im of pole and of amplitude of each mode.
     Index parameters() const { return 4 + 4 * std::ssize(modes); }
     void setParameters(const Eigen::VectorXd &values);
     Eigen::VectorXd parameterValues() const;
@@ -43,7 +43,7 @@ public:
     /// Whether the two poles are a pair.
     bool rings() const { return zeta() < 1.0; }
 
-    /// Re s, Im s (or two real rates); Re, Im of each mode's rate; Re g, Im g of Re(g e^(s t)) (or
+    /// Re s, Im s (or two real poles); Re, Im of each mode's pole; Re g, Im g of Re(g e^(s t)) (or
     /// two real gains); Re, Im of each mode's amplitude; K.
     Eigen::VectorXd exponentials() const;
 

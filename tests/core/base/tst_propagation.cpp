@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/base/propagation.h"
+#include "tests/support/common_covariance.h"
 #include "tests/support/test_program.h"
 
 #include "core/base/distributions.h"
@@ -11,6 +12,7 @@
 #include <cmath>
 
 using namespace dyncal;
+using testing::commonCovariance;
 
 namespace {
 

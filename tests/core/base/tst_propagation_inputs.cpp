@@ -4,6 +4,7 @@
 // What every budget must satisfy whatever the measurement is, and inputs that are none.
 
 #include "core/base/propagation.h"
+#include "tests/support/common_covariance.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -14,6 +15,7 @@
 #include <set>
 
 using namespace dyncal;
+using testing::commonCovariance;
 
 namespace {
 

@@ -3,6 +3,7 @@
 
 #include "core/capture/channel.h"
 #include "core/capture/file_samples.h"
+#include "tests/support/same_samples.h"
 #include "tests/support/test_program.h"
 
 #include <QFile>
@@ -156,7 +157,7 @@ void TestFileSamples::blocks_ofALongRecord_coverItOnce()
     const auto filed = opened(write(bytesOf(values)),
         {SampleType::UInt8, std::endian::little, 0, {{0, std::ssize(values)}}});
     QVERIFY(filed && !filed->isInMemory() && held.isInMemory());
-    QVERIFY(sameSamples(held, *filed));
+    QVERIFY(testing::sameSamples(held, *filed));
     int calls = 0;
     filed->visitBlocks(0, filed->size(), [&](auto, Index) { return ++calls < 2; });
     QCOMPARE(calls, 2);
@@ -169,7 +170,7 @@ void TestFileSamples::inMemory_copiesExactly()
         values[i] = static_cast<float>(i) / 3.0F;
     const auto filed = opened(
         write(bytesOf(values)), {SampleType::Float32, std::endian::little, 0, {{0, 3000}}});
-    QVERIFY(sameSamples(filed->inMemory(), RawSamples{RawSamples::Counts(values)}));
+    QVERIFY(testing::sameSamples(filed->inMemory(), RawSamples{RawSamples::Counts(values)}));
     const RawSamples part = filed->inMemory(10, 5);
     QVERIFY(part.isInMemory() && part.size() == 5 && part.at(0) == double(values[10]));
 }

@@ -51,7 +51,7 @@ struct Scene
                 true, 1.0}};
         NuisanceOfShot mode;
         mode.shot = 1;
-        mode.term.rate_rad_s = {-600.0, 6e4};
+        mode.term.pole_rad_s = {-600.0, 6e4};
         mode.u_frequency_Hz = 3.2;
         mode.u_dampingRatio = 1e-4;
         mode.relativeAmplitude = 0.03;

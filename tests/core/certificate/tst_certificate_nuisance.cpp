@@ -22,7 +22,7 @@ NuisanceOfShot modeOfShot(Index shot, double amplitude)
     NuisanceOfShot found;
     found.shot = shot;
     const double w = 2.0 * M_PI * 10e3;
-    found.term.rate_rad_s = w * std::complex<double>(-0.01, std::sqrt(1.0 - 1e-4));
+    found.term.pole_rad_s = w * std::complex<double>(-0.01, std::sqrt(1.0 - 1e-4));
     found.u_frequency_Hz = 3.21;
     found.u_dampingRatio = 0.00034;
     found.relativeAmplitude = amplitude;

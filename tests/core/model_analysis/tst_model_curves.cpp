@@ -150,7 +150,7 @@ private slots:
         const double rate_Hz = 1e6;
         const SensorModel model = testing::secondOrderModel(300e3, 0.02);
         ExponentialSum sum{1.0, Eigen::VectorXcd(2), model.amplitudes};
-        sum.rates_rad_s << model.poles[0].s_rad_s, model.poles[1].s_rad_s;
+        sum.poles_rad_s << model.poles[0].s_rad_s, model.poles[1].s_rad_s;
         for (const Index samples : {Index(30), Index(3000)}) {
             for (const double first : {0.0, 0.3, 0.99, -2.4}) {
                 const Eigen::VectorXd y
@@ -178,7 +178,7 @@ private slots:
         const double rate_Hz = 1e6, f_Hz = 1.7e5, onset_s = -0.3e-6;
         const SensorModel model = testing::secondOrderModel(300e3, 0.02);
         ExponentialSum sum{1.0, Eigen::VectorXcd(2), model.amplitudes};
-        sum.rates_rad_s << model.poles[0].s_rad_s, model.poles[1].s_rad_s;
+        sum.poles_rad_s << model.poles[0].s_rad_s, model.poles[1].s_rad_s;
         std::complex<double> aliases = 0.0;
         for (int m = -400; m <= 400; ++m) {
             const double at_Hz = f_Hz + m * rate_Hz;

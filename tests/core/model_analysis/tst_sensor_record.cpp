@@ -42,11 +42,11 @@ struct Sensor
 };
 
 /// What a tube mode a e^(s t) of the pressure leaves in the record, transients of the sensor aside.
-NuisanceTerm termOf(Complex rate_rad_s, Complex pressure, bool startsWithStep)
+NuisanceTerm termOf(Complex pole_rad_s, Complex pressure, bool startsWithStep)
 {
     // Amplitude G(s) a at the onset, brought back to the detected start.
-    const Complex atOnset = Sensor{}.gainAt(rate_rad_s) * pressure;
-    return {0, startsWithStep, rate_rad_s, atOnset * std::exp(-rate_rad_s * kOnset_s)};
+    const Complex atOnset = Sensor{}.gainAt(pole_rad_s) * pressure;
+    return {0, startsWithStep, pole_rad_s, atOnset * std::exp(-pole_rad_s * kOnset_s)};
 }
 
 WindowedResponse responseOf(const std::vector<NuisanceTerm> &terms, Index size)
@@ -97,8 +97,8 @@ SeriesFit fitOf()
     fit.amplitudes.resize(2);
     fit.amplitudes << Sensor{}.amplitude(), std::conj(Sensor{}.amplitude());
     fit.recorded = {Sensor{}.gain, Eigen::VectorXcd(2), fit.amplitudes};
-    fit.recorded.rates_rad_s << kPole, std::conj(kPole);
-    fit.recorded.amplitudes.array() *= (-fit.recorded.rates_rad_s.array() * kOnset_s).exp();
+    fit.recorded.poles_rad_s << kPole, std::conj(kPole);
+    fit.recorded.amplitudes.array() *= (-fit.recorded.poles_rad_s.array() * kOnset_s).exp();
     return fit;
 }
 
@@ -158,10 +158,10 @@ private slots:
         const SensorRecord record = sensorRecord(responseOf(terms, 100), modelOf(terms), &fit);
         QCOMPARE(record.driven.size(), std::size_t(1));
         const SensorRecord::Driven &mode = record.driven[0];
-        QCOMPARE(mode.rate_rad_s, Complex(-300.0, 4e4));
+        QCOMPARE(mode.pole_rad_s, Complex(-300.0, 4e4));
         QVERIFY(std::abs(mode.pressure - Complex(0.03, 0.01)) < kRounding);
         QVERIFY(
-            std::abs(mode.response - Sensor{}.gainAt(mode.rate_rad_s) * mode.pressure) < kRounding);
+            std::abs(mode.response - Sensor{}.gainAt(mode.pole_rad_s) * mode.pressure) < kRounding);
     }
 
     void responseToTheStepAlone_isTheSensorsAtEveryFrequency()

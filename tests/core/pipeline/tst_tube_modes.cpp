@@ -8,6 +8,7 @@
 #include "core/pipeline/pipeline.h"
 #include "core/synthesis/sensor_simulator.h"
 #include "core/synthesis/shot_generator.h"
+#include "tests/support/sensor_truth.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -193,7 +194,7 @@ double largestMeanSquare(int n)
 /// |S(f)| over |S(f -> 0)|, at a frequency of the truth.
 double relativeTruth(const SensorSpec &sensor, double frequency_Hz)
 {
-    return std::abs(sensorResponse(sensor, frequency_Hz) / sensor.sensitivity_V_Pa);
+    return std::abs(testing::sensorResponse(sensor, frequency_Hz) / sensor.sensitivity_V_Pa);
 }
 
 SensorSpec specOf(const Sensor &sensor)

@@ -116,7 +116,7 @@ void spoil(SensorModel &model)
     for (SeriesFit &fit : model.series)
         fit.onset_s = fit.u_onset_s = fit.fit_percent = nan;
     NuisanceOfShot &mode = model.nuisance[0].perShot[0];
-    mode.term.rate_rad_s = {nan, nan};
+    mode.term.pole_rad_s = {nan, nan};
     mode.relativeAmplitude = mode.phase_rad = nan;
 }
 

@@ -101,12 +101,12 @@ void TestShockFindings::celsius_offersKelvin()
     settings.T1_K = 21.0;
     const auto result = estimated(thesisSet(), settings);
     const Finding *finding = findingWithId(result, "SHK-004");
-    QVERIFY(finding && finding->severity == Severity::Block && finding->mend);
-    QCOMPARE(finding->mend->key, std::string("shock.t1_k"));
-    QCOMPARE(finding->mend->value, std::string("294.15"));
-    QCOMPARE(english(finding->mend->label), std::string("Use 294.15 K"));
+    QVERIFY(finding && finding->severity == Severity::Block && finding->correction);
+    QCOMPARE(finding->correction->key, std::string("shock.t1_k"));
+    QCOMPARE(finding->correction->value, std::string("294.15"));
+    QCOMPARE(english(finding->correction->label), std::string("Use 294.15 K"));
     settings.T1_K = 500.0; // nothing to offer
-    QVERIFY(!findingWithId(estimated(thesisSet(), settings), "SHK-004")->mend);
+    QVERIFY(!findingWithId(estimated(thesisSet(), settings), "SHK-004")->correction);
 }
 
 void TestShockFindings::celsiusOfTheDriver_offersKelvin()
@@ -115,8 +115,8 @@ void TestShockFindings::celsiusOfTheDriver_offersKelvin()
     settings.T4_K = 22.0;
     const auto result = estimated(thesisSet(), settings);
     const Finding *finding = findingWithId(result, "SHK-004");
-    QVERIFY(finding && finding->severity == Severity::Caution && finding->mend);
-    QCOMPARE(finding->mend->key, std::string("shock.t4_k"));
+    QVERIFY(finding && finding->severity == Severity::Caution && finding->correction);
+    QCOMPARE(finding->correction->key, std::string("shock.t4_k"));
     QVERIFY(result.shots[0].step_Pa.has_value());
 }
 
@@ -129,9 +129,9 @@ void TestShockFindings::psiForPascal_offersPascal()
         settings.p1_Pa = value;
         const auto result = estimated(thesisSet(), settings);
         const Finding *finding = findingWithId(result, "SHK-011");
-        QVERIFY(finding && finding->mend);
-        QCOMPARE(finding->mend->key, std::string("shock.p1_pa"));
-        QVERIFY(std::abs(std::stod(finding->mend->value) / pascals - 1.0) < 1e-12);
+        QVERIFY(finding && finding->correction);
+        QCOMPARE(finding->correction->key, std::string("shock.p1_pa"));
+        QVERIFY(std::abs(std::stod(finding->correction->value) / pascals - 1.0) < 1e-12);
     }
     for (const double fine : {101100.0, 454.0, 50e3}) {
         settings.p1_Pa = fine;
@@ -152,10 +152,10 @@ void TestShockFindings::swappedChannels_offerTheExchange()
     settings.arrivalSensors = {{side.name, 0.8, 2e-4, 2e-3, 1e-7, 0.0, 0.0}};
     const auto result = estimated(set, settings, {{1, 0.5e-3}});
     const Finding *finding = findingWithId(result, "SHK-001");
-    QVERIFY(finding && finding->mend);
-    QCOMPARE(finding->mend->key, std::string("import.channels"));
+    QVERIFY(finding && finding->correction);
+    QCOMPARE(finding->correction->key, std::string("import.channels"));
     const std::string exchanged = "{\"ch 1\":\"dut\",\"ch 2\":\"driven_side\"}";
-    QCOMPARE(finding->mend->value, exchanged);
+    QCOMPARE(finding->correction->value, exchanged);
 }
 
 void TestShockFindings::uncorrectedDut_isWarnedAbout()

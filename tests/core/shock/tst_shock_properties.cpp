@@ -10,6 +10,7 @@
 #include "core/shock/shock_estimate.h"
 #include "core/shock/variable_shock.h"
 #include "tests/support/python_answer.h"
+#include "tests/support/side_wall_averaging.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -226,11 +227,12 @@ void TestShockProperties::sideWall_averagingIsTheMeanOverTheDisc()
         }
         const double mean = std::abs(2.0 * sum / kStrips);
         QVERIFY(
-            std::abs(sideWallAveraging(frequency_Hz, kDiameter_m, kVelocity_m_s) - mean) < 1e-10);
+            std::abs(testing::sideWallAveraging(frequency_Hz, kDiameter_m, kVelocity_m_s) - mean)
+            < 1e-10);
     }
     const double limit_Hz = sideWallLimit_Hz(kDiameter_m, kVelocity_m_s);
-    QVERIFY(near(sideWallAveraging(limit_Hz, kDiameter_m, kVelocity_m_s), std::sqrt(0.5)));
-    QCOMPARE(sideWallAveraging(0.0, kDiameter_m, kVelocity_m_s), 1.0);
+    QVERIFY(near(testing::sideWallAveraging(limit_Hz, kDiameter_m, kVelocity_m_s), std::sqrt(0.5)));
+    QCOMPARE(testing::sideWallAveraging(0.0, kDiameter_m, kVelocity_m_s), 1.0);
 }
 
 void TestShockProperties::resonances_scaleWithTheTube()

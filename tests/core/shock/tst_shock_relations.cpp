@@ -13,6 +13,26 @@ using namespace dyncal;
 
 namespace {
 
+/// p5/p2 a second way, as a check of eq 3.5: from the reflected Mach number, which follows from M
+/// in closed form (M_R/(M_R^2 - 1) = M/(M^2 - 1) sqrt(1 + 2(g-1)/(g+1)^2 (M^2 - 1)(g + 1/M^2))).
+double reflectedMachOf(const Gas &gas, double mach)
+{
+    const double g = gas.gamma;
+    const double excess = (mach - 1.0) * (mach + 1.0);
+    const double right = mach / excess
+        * std::sqrt(
+            1.0 + 2.0 * (g - 1.0) / ((g + 1.0) * (g + 1.0)) * excess * (g + 1.0 / (mach * mach)));
+    // M_R/(M_R^2 - 1) = right is M_R^2 - M_R/right - 1 = 0; its positive root.
+    const double half = 0.5 / right;
+    return half + std::hypot(half, 1.0);
+}
+
+double reflectedRatioOf(const Gas &gas, double mach)
+{
+    const double reflected = reflectedMachOf(gas, mach);
+    return 1.0 + 2.0 * gas.gamma / (gas.gamma + 1.0) * (reflected - 1.0) * (reflected + 1.0);
+}
+
 const Gas kThesisAir{}; // table 4.1
 constexpr double kThesisP1_Pa = 101100.0;
 constexpr double kThesisT1_K = 294.15;

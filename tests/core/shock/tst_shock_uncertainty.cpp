@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/shock/shock_uncertainty.h"
+#include "tests/support/common_covariance.h"
 #include "tests/support/test_program.h"
 
 #include "tests/support/velocity_coverage.h"
@@ -11,6 +12,7 @@
 #include <cmath>
 
 using namespace dyncal;
+using testing::commonCovariance;
 
 namespace {
 

@@ -247,7 +247,7 @@ private slots:
                      .empty());
     }
 
-    void wrongOrder_isAProblemWithItsMend()
+    void wrongOrder_isAProblemWithItsCorrection()
     {
         ShockSettings settings;
         settings.arrivalSensors = {sensorAt("near", 0.6)};
@@ -257,8 +257,8 @@ private slots:
             QVERIFY(!estimate.velocity_m_s && estimate.problem);
             QCOMPARE(estimate.problem->findingId, std::string("SHK-001"));
             QVERIFY(estimate.problem->kind == ErrorKind::DataBlocked);
-            QVERIFY(estimate.mend.has_value());
-            const auto roles = nlohmann::json::parse(estimate.mend->value);
+            QVERIFY(estimate.correction.has_value());
+            const auto roles = nlohmann::json::parse(estimate.correction->value);
             QCOMPARE(roles["near"].get<std::string>(), std::string("dut"));
             QCOMPARE(roles["PT1"].get<std::string>(), std::string("driven_side"));
         }
@@ -267,7 +267,7 @@ private slots:
         settings.arrivalSensors.push_back(sensorAt("far", 1.2));
         const auto estimate = estimateVelocity(
             captureSet(), 1, {}, {seenAt("near", 0.0), seenAt("far", 1e-3)}, settings);
-        QVERIFY(estimate.problem && !estimate.mend);
+        QVERIFY(estimate.problem && !estimate.correction);
         QVERIFY(contains(english(estimate.problem->message), "1 ms"));
     }
 

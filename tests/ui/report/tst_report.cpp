@@ -23,6 +23,15 @@ using dyncal::Result;
 
 namespace {
 
+/// All files at once.
+Result<std::vector<DrawnFile>> drawReport(
+    const CalibrationResults &results, const Recipe &recipe, const std::string &createdUtc)
+{
+    ReportDrawing drawing(results, recipe, createdUtc, ReportParts::CertificateAndPlots);
+    drawing.draw(std::chrono::hours(24));
+    return drawing.take();
+}
+
 constexpr const char *kCreated = "2026-11-21T03:04:05Z";
 
 QByteArray bytesOf(const QString &path)
@@ -42,7 +51,7 @@ Recipe exampleRecipe()
 Result<std::vector<std::string>> writeReport(const CalibrationResults &results,
     const Recipe &recipe, const std::string &createdUtc, const std::string &folder)
 {
-    const auto drawn = dyncal::drawReport(results, recipe, createdUtc);
+    const auto drawn = drawReport(results, recipe, createdUtc);
     if (!drawn)
         return tl::unexpected(drawn.error());
     std::vector<std::string> names;

@@ -5,6 +5,7 @@
 #include "core/base/writing/write_problem.h"
 #include "core/capture/capture_seal.h"
 #include "core/capture/opening/capture_open.h"
+#include "tests/support/same_samples.h"
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 #include "ui/session/capture_edit.h"
@@ -123,7 +124,7 @@ void TestProjectFile::removedShot_staysOut()
     QCOMPARE(opened->captures->shots.size(), std::size_t(2));
     for (std::size_t i = 0; i < 2; ++i) {
         QCOMPARE(opened->captures->shots[i].inFile, static_cast<Index>(i) + 2);
-        QVERIFY(sameSamples(opened->captures->shots[i].channels[0].samples,
+        QVERIFY(testing::sameSamples(opened->captures->shots[i].channels[0].samples,
             m_state.captures->shots[i + 1].channels[0].samples));
     }
     QVERIFY(opened->recipe == state.recipe);

@@ -47,15 +47,6 @@ constexpr RoleEntry kRoles[] = {
     {CurveRole::NewPole, "#767676", "#9A9A9A", Qt::SolidLine, 1.0, MarkerShape::Dot},
 };
 
-double luminance(const QColor &color)
-{
-    const auto linear = [](double channel) {
-        return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF())
-        + 0.0722 * linear(color.blueF());
-}
-
 PlotTheme lightTheme()
 {
     PlotTheme theme;
@@ -112,12 +103,6 @@ PlotTheme printTheme()
     // Turns ligatures off, so that the text of a printed plot can be searched.
     theme.font.setLetterSpacing(QFont::AbsoluteSpacing, 0.02);
     return theme;
-}
-
-double contrastRatio(const QColor &a, const QColor &b)
-{
-    const auto [darker, lighter] = std::minmax({luminance(a), luminance(b)});
-    return (lighter + 0.05) / (darker + 0.05);
 }
 
 } // namespace dyncal

@@ -59,7 +59,4 @@ PlotTheme screenTheme(const QPalette &palette, const QFont &font);
 /// Always light, with a font size in pixels of a 96 dpi page: the same bytes on every screen.
 PlotTheme printTheme();
 
-/// WCAG 2 contrast ratio of two opaque colours, 1..21.
-double contrastRatio(const QColor &a, const QColor &b);
-
 } // namespace dyncal

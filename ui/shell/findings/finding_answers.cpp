@@ -3,7 +3,7 @@
 
 #include "ui/shell/findings/finding_answers.h"
 
-#include "core/project/recipe_mend.h"
+#include "core/project/recipe_correction.h"
 #include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
@@ -37,28 +37,28 @@ void acknowledge(const Finding &finding, Session &session, Prompts &prompts, QWi
     session.apply(next, Answers::tr("Give a reason for %1").arg(id));
 }
 
-void applyMend(const Remedy &mend, Session &session, CaptureImport &captures, Prompts &prompts,
-    QWidget *parent)
+void applyCorrection(const OfferedCorrection &correction, Session &session, CaptureImport &captures,
+    Prompts &prompts, QWidget *parent)
 {
-    if (!mend.importPath.isEmpty()) {
-        captures.edit(mend.importPath);
+    if (!correction.importPath.isEmpty()) {
+        captures.edit(correction.importPath);
         return;
     }
-    if (mend.ofFinding) {
-        if (const Result<Recipe> next = mendedRecipe(session.recipe(), *mend.ofFinding))
-            session.apply(*next, mend.step);
+    if (correction.ofFinding) {
+        if (const Result<Recipe> next = correctedRecipe(session.recipe(), *correction.ofFinding))
+            session.apply(*next, correction.step);
         else
             prompts.showProblem(parent, translated(next.error().message));
         return;
     }
     std::optional<QString> reason = QString();
-    if (!mend.question.isEmpty())
-        reason = prompts.sentence(parent, mend.step, mend.question);
+    if (!correction.question.isEmpty())
+        reason = prompts.sentence(parent, correction.step, correction.question);
     if (!reason)
         return;
     Recipe next = session.recipe();
-    mend.apply(next.import, reason->toStdString());
-    session.apply(next, mend.step);
+    correction.apply(next.import, reason->toStdString());
+    session.apply(next, correction.step);
 }
 
 } // namespace dyncal

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "ui/session/session.h"
-#include "ui/shell/findings/finding_mends.h"
+#include "ui/shell/findings/finding_corrections.h"
 #include "ui/shell/import/capture_import.h"
 #include "ui/stages/frame/prompts.h"
 
@@ -15,7 +15,7 @@ void acknowledge(const Finding &finding, Session &session, Prompts &prompts, QWi
 
 /// Does what a finding's button offers: opens the import of a file, or changes the recipe, with a
 /// reason where one is needed.
-void applyMend(const Remedy &mend, Session &session, CaptureImport &captures, Prompts &prompts,
-    QWidget *parent);
+void applyCorrection(const OfferedCorrection &correction, Session &session, CaptureImport &captures,
+    Prompts &prompts, QWidget *parent);
 
 } // namespace dyncal

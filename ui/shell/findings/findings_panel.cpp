@@ -46,7 +46,7 @@ void FindingsPanel::setFindings(const Findings &findings,
     m_shown = findings;
     std::ranges::stable_sort(
         m_shown, [](const Finding &a, const Finding &b) { return a.severity > b.severity; });
-    m_mends.clear();
+    m_corrections.clear();
     QStringList words;
     for (const Finding &finding : m_shown) {
         QString line = findingLine(finding);
@@ -54,9 +54,9 @@ void FindingsPanel::setFindings(const Findings &findings,
             if (entry.finding == finding.id && entry.shot == finding.shot)
                 line += " " + tr("Accepted: %1").arg(shownText(entry.reason));
         words << line;
-        m_mends.push_back(mendsOf(finding, captures));
-        for (const Remedy &mend : m_mends.back())
-            words << mend.label;
+        m_corrections.push_back(correctionsOf(finding, captures));
+        for (const OfferedCorrection &correction : m_corrections.back())
+            words << correction.label;
     }
     // While an order is dragged the same sentences come many times a second.
     if (m_words == words && count() > 0)
@@ -65,7 +65,7 @@ void FindingsPanel::setFindings(const Findings &findings,
     fill();
 }
 
-/// Rows for m_shown and m_mends in the words of m_words.
+/// Rows for m_shown and m_corrections in the words of m_words.
 void FindingsPanel::fill()
 {
     clear();
@@ -73,13 +73,13 @@ void FindingsPanel::fill()
     qsizetype word = 0;
     for (std::size_t i = 0; i < m_shown.size(); ++i) {
         addItem(m_words[word]);
-        word += 1 + std::ssize(m_mends[i]);
+        word += 1 + std::ssize(m_corrections[i]);
         m_rows.push_back(i);
         item(count() - 1)
             ->setToolTip(m_shown[i].severity == Severity::Caution
                     ? tr("Click to go to the stage; right click to give a reason")
                     : tr("Click to go to the stage"));
-        if (!m_mends[i].empty()) {
+        if (!m_corrections[i].empty()) {
             addButtons(i);
             m_rows.push_back(i);
         }
@@ -99,15 +99,18 @@ void FindingsPanel::addButtons(std::size_t shown)
     auto *column = new QVBoxLayout(box);
     column->setContentsMargins(kButtonIndent, 0, 4, 6);
     column->setSpacing(3);
-    for (std::size_t i = 0; i < m_mends[shown].size(); ++i) {
-        auto *button = new QPushButton(withoutMnemonic(m_mends[shown][i].label), box);
+    for (std::size_t i = 0; i < m_corrections[shown].size(); ++i) {
+        auto *button = new QPushButton(withoutMnemonic(m_corrections[shown][i].label), box);
         button->setObjectName(
-            QString("mend_%1_%2").arg(rawText(finding.id)).arg(column->count() + 1));
+            QString("correction_%1_%2").arg(rawText(finding.id)).arg(column->count() + 1));
         button->setAccessibleDescription(findingLine(finding));
-        // The panel is filled anew by what the mend changes: not within the click.
+        // The panel is filled anew by what the correction changes: not within the click.
         connect(button, &QPushButton::clicked, this, [this, shown, i] {
             QMetaObject::invokeMethod(
-                this, [this, mend = m_mends[shown][i]] { emit mendRequested(mend); },
+                this,
+                [this, correction = m_corrections[shown][i]] {
+                    emit correctionRequested(correction);
+                },
                 Qt::QueuedConnection);
         });
         column->addWidget(button, 0, Qt::AlignLeft);

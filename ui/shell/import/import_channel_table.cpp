@@ -3,6 +3,8 @@
 
 #include "ui/shell/import/import_channel_table.h"
 
+#include "ui/shell/import/fixed_item.h"
+#include "ui/stages/frame/position_in.h"
 #include "ui/stages/frame/quantity_edit.h"
 #include "ui/text/level_text.h"
 #include "ui/text/shown_text.h"
@@ -27,20 +29,6 @@ const std::array<std::string, 3> kReferences{"", "gauge", "absolute"};
 constexpr double kMillivoltPerKilopascal = 1e-6; ///< in V/Pa
 constexpr double kSmallest = 1e-30;
 constexpr double kLargest = 1e30;
-
-QTableWidgetItem *fixedItem(const QString &text)
-{
-    auto *item = new QTableWidgetItem(text);
-    item->setFlags(Qt::ItemIsSelectable | Qt::ItemIsEnabled);
-    return item;
-}
-
-template <typename List, typename T>
-int positionIn(const List &list, const T &value)
-{
-    const auto at = std::ranges::find(list, value);
-    return at == std::end(list) ? 0 : static_cast<int>(at - std::begin(list));
-}
 
 } // namespace
 

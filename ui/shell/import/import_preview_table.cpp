@@ -4,6 +4,7 @@
 #include "ui/shell/import/import_preview_table.h"
 
 #include "core/base/number_text.h"
+#include "ui/shell/import/fixed_item.h"
 #include "ui/text/shown_text.h"
 
 #include <QHeaderView>
@@ -26,13 +27,6 @@ bool isNumber(std::string cell, char decimal)
     if (cell.starts_with('+'))
         cell.erase(0, 1);
     return cell.empty() || parseNumber(cell).has_value();
-}
-
-QTableWidgetItem *fixedItem(const QString &text)
-{
-    auto *item = new QTableWidgetItem(text);
-    item->setFlags(Qt::ItemIsSelectable | Qt::ItemIsEnabled);
-    return item;
 }
 
 } // namespace

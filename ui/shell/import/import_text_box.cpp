@@ -6,6 +6,7 @@
 #include "ui/session/import_choices.h"
 #include "ui/shell/import/import_preview_table.h"
 #include "ui/shell/import/named_control.h"
+#include "ui/stages/frame/position_in.h"
 #include "ui/text/shown_text.h"
 
 #include <QComboBox>
@@ -25,13 +26,6 @@ constexpr int kAutomatic = -1; ///< of the header rows
 
 const std::array<std::string, 6> kSeparators{"auto", ",", ";", "tab", "space", "|"};
 const std::array<std::string, 3> kDecimals{"auto", ".", ","};
-
-template <typename List, typename T>
-int positionIn(const List &list, const T &value)
-{
-    const auto at = std::ranges::find(list, value);
-    return at == std::end(list) ? 0 : static_cast<int>(at - std::begin(list));
-}
 
 QString decimalName(char decimal)
 {

@@ -85,9 +85,4 @@ void Preferences::addRecentFile(const QString &path)
     m_settings.setValue("recentFiles", files.mid(0, kMostRecentFiles));
 }
 
-void Preferences::clearRecentFiles()
-{
-    m_settings.remove("recentFiles");
-}
-
 } // namespace dyncal

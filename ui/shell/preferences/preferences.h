@@ -31,7 +31,6 @@ public:
     /// Projects opened last, newest first, at most ten, only those that still exist.
     QStringList recentFiles() const;
     void addRecentFile(const QString &path);
-    void clearRecentFiles();
 
 private:
     mutable QSettings m_settings;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/base/constants.h"
 #include "core/pipeline/order_comparison.h"
 #include "ui/plot/values/plot_content.h"
 

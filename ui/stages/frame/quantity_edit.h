@@ -17,6 +17,9 @@ struct ShownUnit
     QString text;
     double si = 1.0;
 };
+inline const ShownUnit kMetre{"m", 1.0};
+inline const ShownUnit kMillimetre{"mm", 1e-3};
+inline const ShownUnit kMicroseconds{"µs", 1e-6};
 
 /// A number with unit, typed with ',' or '.' as decimal mark, or stepped. Values in and out are SI.
 class QuantityEdit : public QDoubleSpinBox

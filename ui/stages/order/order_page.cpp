@@ -3,6 +3,7 @@
 
 #include "ui/stages/order/order_page.h"
 
+#include "core/base/constants.h"
 #include "core/realization/hankel/hankel_gap.h"
 #include "ui/plot/curves/model_curves.h"
 #include "ui/plot/curves/order_curves.h"

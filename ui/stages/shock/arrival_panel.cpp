@@ -22,9 +22,6 @@ namespace dyncal {
 
 namespace {
 
-const ShownUnit kMetre{"m", 1.0};
-const ShownUnit kMillimetre{"mm", 1e-3};
-const ShownUnit kMicroseconds{"µs", 1e-6};
 const QString kArrival = QStringLiteral("arrival");
 constexpr double kLongest_s = 1e4;
 constexpr int kSensorLength = 18; ///< characters: a channel and its place

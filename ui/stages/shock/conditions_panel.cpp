@@ -17,9 +17,6 @@ namespace {
 
 const ShownUnit kKilopascal{"kPa", 1e3};
 const ShownUnit kKelvin{"K", 1.0};
-const ShownUnit kMetre{"m", 1.0};
-const ShownUnit kMillimetre{"mm", 1e-3};
-const ShownUnit kMicroseconds{"µs", 1e-6};
 
 std::optional<double> recorded(double value)
 {

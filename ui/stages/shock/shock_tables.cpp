@@ -3,6 +3,7 @@
 
 #include "ui/stages/shock/shock_tables.h"
 
+#include "core/base/constants.h"
 #include "core/shock/step_monte_carlo.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/shown_text.h"

@@ -28,7 +28,6 @@ const QString kSettle = QStringLiteral("settle");
 const QString kStart = QStringLiteral("start");
 const QString kEnd = QStringLiteral("end");
 const QString kGuard = QStringLiteral("guard");
-const ShownUnit kMicroseconds{"µs", 1e-6};
 constexpr double kLongest_s = 100.0;
 constexpr double kRoom
     = 0.15; ///< of the view, behind the window's end: to drag it, to see the guard

@@ -74,7 +74,7 @@ private slots:
         const double w0 = 2.0 * std::numbers::pi * f0_Hz;
         const Complex s = w0 * Complex(-zeta, std::sqrt(1.0 - zeta * zeta));
         ExponentialSum sum{1.0, Eigen::VectorXcd(2), Eigen::VectorXcd(2)};
-        sum.rates_rad_s << s, std::conj(s);
+        sum.poles_rad_s << s, std::conj(s);
         // 1 + 2 Re(c e^(s t)) with y(0) = y'(0) = 0
         const Complex c = std::conj(s) / (s - std::conj(s));
         const double onset_s = -early / f0_Hz;
@@ -87,7 +87,7 @@ private slots:
     void onset_ofAFirstOrderLag()
     {
         ExponentialSum sum{2.0, Eigen::VectorXcd(1), Eigen::VectorXcd(1)};
-        sum.rates_rad_s << -1e5;
+        sum.poles_rad_s << -1e5;
         sum.amplitudes << -2.0 * std::exp(-0.3); // began 3 us before
         const auto found = findOnset_s(sum, 1e-5);
         QVERIFY(found && std::abs(*found + 3e-6) < 1e-12);
@@ -148,7 +148,7 @@ private slots:
     void sampler_givesTheValuesOfTheSum()
     {
         ExponentialSum sum{0.7, Eigen::VectorXcd(3), Eigen::VectorXcd(3)};
-        sum.rates_rad_s << Complex(-300.0, 9e4), Complex(-300.0, -9e4), Complex(-20.0, 0.0);
+        sum.poles_rad_s << Complex(-300.0, 9e4), Complex(-300.0, -9e4), Complex(-20.0, 0.0);
         sum.amplitudes << Complex(0.3, -0.4), Complex(0.3, 0.4), Complex(-1.1, 0.0);
         const double dt_s = 1e-6;
         const ExponentialSampler sampler(sum, dt_s);

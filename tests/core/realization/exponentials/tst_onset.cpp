@@ -25,8 +25,8 @@ ExponentialSum stepAt(const SensorModel &model, double onset_s)
 {
     ExponentialSum sum{model.plateauGain, Eigen::VectorXcd(model.order), model.amplitudes};
     for (Index i = 0; i < model.order; ++i) {
-        sum.rates_rad_s[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;
-        sum.amplitudes[i] *= std::exp(-sum.rates_rad_s[i] * onset_s);
+        sum.poles_rad_s[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;
+        sum.amplitudes[i] *= std::exp(-sum.poles_rad_s[i] * onset_s);
     }
     return sum;
 }

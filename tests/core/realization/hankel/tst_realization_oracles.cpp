@@ -182,7 +182,7 @@ private slots:
         }
     }
 
-    void randomSystems_areRealisedExactly()
+    void randomSystems_areRealizedExactly()
     {
         for (std::uint64_t seed = 1; seed <= 10; ++seed) {
             const System system = randomSystem(3, seed);
@@ -196,7 +196,7 @@ private slots:
         }
     }
 
-    void longRecord_isRealisedByLanczosAsWell()
+    void longRecord_isRealizedByLanczosAsWell()
     {
         const System system = randomSystem(3, 5);
         const Eigen::MatrixXd y = markovParameters(system, 1500);

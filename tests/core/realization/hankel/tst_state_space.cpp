@@ -242,7 +242,7 @@ private slots:
         QCOMPARE(impulseResponse(model, 1)[0], 0.25);
     }
 
-    void realisedSensor_isItsZeroOrderHold()
+    void realizedSensor_isItsZeroOrderHold()
     {
         if (!testing::hasNumericalPython())
             QSKIP("numpy and scipy are missing: not compared with them");
@@ -264,17 +264,17 @@ private slots:
             RealizationSettings settings;
             settings.refine = refine;
             const SensorModel model = fitModel(input, *hankel, 4, settings, {}).value();
-            constexpr double kOfRealisation = 1e-6;
+            constexpr double kOfRealization = 1e-6;
             const Eigen::VectorXd again = impulseResponse(model.stateSpace, 300);
-            QVERIFY(std::abs(model.poles[0].frequency_Hz / 40e3 - 1.0) < kOfRealisation);
-            QVERIFY(std::abs(model.poles[2].frequency_Hz / 130e3 - 1.0) < kOfRealisation);
-            QVERIFY(std::abs(model.poles[0].dampingRatio / 0.04 - 1.0) < kOfRealisation);
-            QVERIFY(std::abs(model.poles[2].dampingRatio / 0.1 - 1.0) < kOfRealisation);
+            QVERIFY(std::abs(model.poles[0].frequency_Hz / 40e3 - 1.0) < kOfRealization);
+            QVERIFY(std::abs(model.poles[2].frequency_Hz / 130e3 - 1.0) < kOfRealization);
+            QVERIFY(std::abs(model.poles[0].dampingRatio / 0.04 - 1.0) < kOfRealization);
+            QVERIFY(std::abs(model.poles[2].dampingRatio / 0.1 - 1.0) < kOfRealization);
             // At zero frequency the sampled model is the plateau.
-            QVERIFY(std::abs(responseAt(model.stateSpace, 1.0) - 1.0) < kOfRealisation);
+            QVERIFY(std::abs(responseAt(model.stateSpace, 1.0) - 1.0) < kOfRealization);
             for (Index k = 0; k < 300; ++k)
                 QVERIFY(
-                    std::abs(again[k] - h[static_cast<std::size_t>(k)].real()) < kOfRealisation);
+                    std::abs(again[k] - h[static_cast<std::size_t>(k)].real()) < kOfRealization);
         }
     }
 

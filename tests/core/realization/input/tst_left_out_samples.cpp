@@ -271,7 +271,7 @@ void TestLeftOutSamples::stretchToTheEnd_isBridgedByTheLevelBefore()
 void TestLeftOutSamples::bridge_putsTheModelInPlace()
 {
     ExponentialSum sensor{1.0, Eigen::VectorXcd(2), Eigen::VectorXcd(2)};
-    sensor.rates_rad_s << std::complex<double>(-2e3, 9e4), std::complex<double>(-2e3, -9e4);
+    sensor.poles_rad_s << std::complex<double>(-2e3, 9e4), std::complex<double>(-2e3, -9e4);
     sensor.amplitudes << std::complex<double>(-0.5, 0.1), std::complex<double>(-0.5, -0.1);
     const NuisanceTerm tube{0, true, {-500.0, 2e4}, {0.05, 0.02}};
     const auto truth

@@ -187,10 +187,10 @@ private slots:
         if (!isSplit)
             return;
         const auto split = std::ranges::find(findings, "ORD-001", &Finding::id);
-        QVERIFY(split->mend.has_value());
-        QCOMPARE(split->mend->key, std::string("realization.order"));
-        QCOMPARE(split->mend->value, std::to_string(order + 1));
-        QCOMPARE(english(split->mend->label), "Use order " + std::to_string(order + 1));
+        QVERIFY(split->correction.has_value());
+        QCOMPARE(split->correction->key, std::string("realization.order"));
+        QCOMPARE(split->correction->value, std::to_string(order + 1));
+        QCOMPARE(english(split->correction->label), "Use order " + std::to_string(order + 1));
     }
 
     void splitPair_realPolesAndNoise_areNone()
@@ -220,11 +220,11 @@ private slots:
         scene.model.order = 3;
         const Findings findings = scene.judge();
         const auto found = std::ranges::find(findings, "ORD-003", &Finding::id);
-        QCOMPARE(found->mend->value, std::string("2"));
+        QCOMPARE(found->correction->value, std::string("2"));
         scene.hankel.noiseFloor_p95 = 20.0;
         const Findings nothing = scene.judge();
         const auto none = std::ranges::find(nothing, "ORD-003", &Finding::id);
-        QVERIFY(!none->mend);
+        QVERIFY(!none->correction);
         QVERIFY(
             english(none->message).find("nothing that could be identified") != std::string::npos);
     }
@@ -248,15 +248,15 @@ private slots:
             text.c_str());
     }
 
-    void stepTreatedAsDecay_isSaid_andMended()
+    void stepTreatedAsDecay_isSaid_andCorrected()
     {
         ModelInput input = testing::makeInput(ResponseTreatment::Impulse, 1e6,
             {testing::makeSeries(1, testing::sampledStep(30e3, 0.05, 1e6, 400), 1e6)});
         const auto step = fitModel(input, *decomposeHankel(input, {}), 3, {}, {});
         const auto found = std::ranges::find(step->findings, "MOD-013", &Finding::id);
         QVERIFY(found != step->findings.end());
-        QCOMPARE(found->mend->key, std::string("input.treatment"));
-        QCOMPARE(found->mend->value, std::string("\"step-deflated\""));
+        QCOMPARE(found->correction->key, std::string("input.treatment"));
+        QCOMPARE(found->correction->value, std::string("\"step-deflated\""));
 
         input.series.front().y.array() = 1.0 - input.series.front().y.array(); // a free decay
         input.series.front().fullRate = input.series.front().y;

@@ -116,7 +116,7 @@ private slots:
         const auto results
             = nuisanceResults(input, draft, {fitOf(1, 1.0, 0.0), fitOf(2, 1.0, 0.0)});
         const auto check = [](const NuisanceOfShot &found, double varRe, double varIm) {
-            const std::complex<double> s = found.term.rate_rad_s;
+            const std::complex<double> s = found.term.pole_rad_s;
             const double w = std::abs(s);
             const double u
                 = std::hypot(s.real() / w * std::sqrt(varRe), s.imag() / w * std::sqrt(varIm));

@@ -58,11 +58,11 @@ Pole poleAt(std::complex<double> s)
 }
 
 SensorModel modelOf(
-    const std::vector<std::complex<double>> &rates, const std::vector<double> &plateaus)
+    const std::vector<std::complex<double>> &poles, const std::vector<double> &plateaus)
 {
     SensorModel model;
     model.draft = draftOf(plateaus.size());
-    for (const auto &s : rates)
+    for (const auto &s : poles)
         model.poles.push_back(poleAt(s));
     for (const double plateau : plateaus) {
         SeriesFit fit;
@@ -112,10 +112,10 @@ private slots:
             = inputOf([&](double t_s) { return lagsStep(slow, fast, t_s); }, {1.0});
         // In whatever order; found is w0 = sqrt(a b), zeta = (a + b)/(2 w0). One lag alone: the
         // other is taken as nine times as fast.
-        for (const std::vector<std::complex<double>> &rates :
+        for (const std::vector<std::complex<double>> &poles :
             {std::vector<std::complex<double>>{-1.05 * slow, -0.95 * fast}, {-fast, -slow},
                 {-slow}}) {
-            const auto found = fitSecondOrderBeside(input, modelOf(rates, {1.0}), {});
+            const auto found = fitSecondOrderBeside(input, modelOf(poles, {1.0}), {});
             QVERIFY(found.has_value());
             const double omega = std::sqrt(slow * fast);
             QVERIFY(std::abs(found->f0_Hz / (omega / (2.0 * M_PI)) - 1.0) < 1e-4);

@@ -224,7 +224,7 @@ private slots:
         QVERIFY(hasFinding(model->findings, "MOD-009"));
     }
 
-    void refinement_giveUp_keepsTheRealisation()
+    void refinement_giveUp_keepsTheRealization()
     {
         // Pure noise has no decaying pole to converge to; whatever happens must stay finite.
         testing::Noise noise(2);

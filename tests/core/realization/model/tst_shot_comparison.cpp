@@ -80,9 +80,9 @@ Compared compared(const ModelInput &input, Index modes = 1)
     ModelDraft &draft = result.model.draft;
     draft = linearDraft(input, z);
     refineDraft(input, draft, {});
-    for (std::size_t i = 0; i < draft.rates_rad_s.size(); ++i) {
+    for (std::size_t i = 0; i < draft.poles_rad_s.size(); ++i) {
         Pole pole;
-        pole.s_rad_s = draft.rates_rad_s[i];
+        pole.s_rad_s = draft.poles_rad_s[i];
         pole.poleClass = PoleClass::Sensor;
         pole.amplitude = std::abs(draft.series.front().amplitudes[static_cast<Index>(i)]);
         pole.frequency_Hz = std::abs(pole.s_rad_s) / (2.0 * M_PI);
@@ -110,8 +110,8 @@ std::vector<Alone> fittedAlone(const ModelInput &input, const ModelDraft &draft)
 {
     std::vector<Alone> list;
     for (const RefinementRecord &record : refinementRecords(input)) {
-        const auto fit = refinePoles({record}, draft.rates_rad_s, true).value();
-        const std::complex<double> s = fit.rates_rad_s[0];
+        const auto fit = refinePoles({record}, draft.poles_rad_s, true).value();
+        const std::complex<double> s = fit.poles_rad_s[0];
         list.push_back({{s.real(), s.imag()}, fit.covariance.topLeftCorner<2, 2>()});
     }
     return list;
@@ -429,7 +429,7 @@ void TestShotComparison::levels_fittedTogetherFromLowToHigh()
     // Plateaus: the mean weighted by 1/u^2, from the joint fit of the two.
     const auto records = refinementRecords(input);
     const auto fit
-        = refinePoles({records[0], records[2]}, result.model.draft.rates_rad_s, true).value();
+        = refinePoles({records[0], records[2]}, result.model.draft.poles_rad_s, true).value();
     double weights = 0.0;
     double sum = 0.0;
     for (Index i = 0; i < 2; ++i) {

@@ -17,7 +17,7 @@ using Speeds = std::vector<std::optional<double>>;
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
-Complex rateFrom(double frequency_Hz, double zeta)
+Complex poleFrom(double frequency_Hz, double zeta)
 {
     return kTwoPi * frequency_Hz * Complex(-zeta, std::sqrt(1.0 - zeta * zeta));
 }
@@ -107,42 +107,42 @@ private slots:
     void amplitudesOfStep_undoWhatTheModeAdded()
     {
         // Forward by the formula of the pressure step (1 + sum Re(a e^(r t))), partial fractions.
-        const Complex s = rateFrom(3e4, 0.05);
-        Eigen::VectorXcd rates(3);
-        rates << s, std::conj(s), Complex(-5e4, 0.0);
+        const Complex s = poleFrom(3e4, 0.05);
+        Eigen::VectorXcd poles(3);
+        poles << s, std::conj(s), Complex(-5e4, 0.0);
         Eigen::VectorXcd truth(3);
         truth << Complex(-0.6, 0.2), Complex(-0.6, -0.2), Complex(0.2, 0.0);
         const double c0 = 1.0;
         const std::vector<std::pair<Complex, Complex>> modes{
-            {rateFrom(6.8e3, 0.01), std::polar(0.04, 0.7)},
-            {rateFrom(9.1e3, 0.03), std::polar(0.03, 0.4)}};
+            {poleFrom(6.8e3, 0.01), std::polar(0.04, 0.7)},
+            {poleFrom(9.1e3, 0.03), std::polar(0.03, 0.4)}};
         Eigen::VectorXcd recorded = truth;
         std::vector<NuisanceTerm> terms;
         for (Index i = 0; i < 3; ++i) {
             Complex input = 1.0;
             for (const auto &[r, a] : modes)
-                input += 0.5 * rates[i] * (a / (rates[i] - r))
-                    + 0.5 * rates[i] * std::conj(a) / (rates[i] - std::conj(r));
+                input += 0.5 * poles[i] * (a / (poles[i] - r))
+                    + 0.5 * poles[i] * std::conj(a) / (poles[i] - std::conj(r));
             recorded[i] *= input;
         }
         for (const auto &[r, a] : modes) {
             Complex gain = c0;
             for (Index i = 0; i < 3; ++i)
-                gain += truth[i] * r / (r - rates[i]);
+                gain += truth[i] * r / (r - poles[i]);
             terms.push_back({0, true, r, a * gain});
         }
-        const Eigen::VectorXcd found = amplitudesOfStep(rates, recorded, c0, terms);
+        const Eigen::VectorXcd found = amplitudesOfStep(poles, recorded, c0, terms);
         QVERIFY((found - truth).norm() < 1e-12);
         QVERIFY((recorded - truth).norm() > 0.02);
         // What was there before the step changes nothing.
         for (NuisanceTerm &term : terms)
             term.startsWithStep = false;
-        QCOMPARE((amplitudesOfStep(rates, recorded, c0, terms) - recorded).norm(), 0.0);
+        QCOMPARE((amplitudesOfStep(poles, recorded, c0, terms) - recorded).norm(), 0.0);
     }
 
     void termsAt_moveTimeZero()
     {
-        const NuisanceTerm term{0, true, rateFrom(5e3, 0.02), Complex(0.1, -0.2)};
+        const NuisanceTerm term{0, true, poleFrom(5e3, 0.02), Complex(0.1, -0.2)};
         const NuisanceTerm moved = termsAt({term}, 3e-5).front();
         QVERIFY(std::abs(moved.value(1e-5) - term.value(4e-5)) < 1e-15);
         QVERIFY(std::abs(term.frequency_Hz() - 5e3) < 1e-9);
@@ -151,8 +151,8 @@ private slots:
 
     void separation_findsEachShotsOwnTerm()
     {
-        const std::vector<NuisanceTerm> truth{{0, false, rateFrom(6.1e3, 0.01), {0.02, 0.01}},
-            {0, false, rateFrom(6.8e3, 0.02), {-0.03, 0.0}}};
+        const std::vector<NuisanceTerm> truth{{0, false, poleFrom(6.1e3, 0.01), {0.02, 0.01}},
+            {0, false, poleFrom(6.8e3, 0.02), {-0.03, 0.0}}};
         std::vector<WindowedResponse> responses;
         for (Index shot = 1; shot <= 2; ++shot)
             responses.push_back(windowOf(
@@ -172,8 +172,8 @@ private slots:
         QVERIFY((rest.series[0].y - sensor).cwiseAbs().maxCoeff() < 2e-4);
         QVERIFY((input.series[0].y - sensor).cwiseAbs().maxCoeff() > 0.01);
         // A pole there is the mode's, one elsewhere is the sensor's.
-        const Complex mode = std::exp(rateFrom(6.3e3, 0.01) / 1e6);
-        const Complex pole = std::exp(rateFrom(3e4, 0.05) / 1e6);
+        const Complex mode = std::exp(poleFrom(6.3e3, 0.01) / 1e6);
+        const Complex pole = std::exp(poleFrom(3e4, 0.05) / 1e6);
         QCOMPARE(
             withoutNuisancePoles(input, {mode, std::conj(mode), pole, std::conj(pole), 0.9}).size(),
             std::size_t(3));

@@ -19,7 +19,7 @@ using Complex = std::complex<double>;
 
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
-Complex rateFrom(double frequency_Hz, double zeta)
+Complex poleFrom(double frequency_Hz, double zeta)
 {
     return kTwoPi * frequency_Hz * Complex(-zeta, std::sqrt(1.0 - zeta * zeta));
 }
@@ -36,7 +36,7 @@ struct Scene
     NuisanceTerm term(Index shot) const
     {
         const double f_Hz = frequency_Hz[static_cast<std::size_t>(shot - 1)] / time;
-        return {0, false, rateFrom(f_Hz, 0.015), value * std::polar(0.03, double(shot))};
+        return {0, false, poleFrom(f_Hz, 0.015), value * std::polar(0.03, double(shot))};
     }
     Eigen::VectorXd sensor(Index count) const
     {
@@ -112,7 +112,7 @@ private slots:
             QCOMPARE(series.nuisance.size(), std::size_t(1));
             const NuisanceTerm truth = scene.term(series.shot);
             const NuisanceTerm &found = series.nuisance[0];
-            QVERIFY2(std::abs(found.rate_rad_s / truth.rate_rad_s - 1.0) < 1e-4,
+            QVERIFY2(std::abs(found.pole_rad_s / truth.pole_rad_s - 1.0) < 1e-4,
                 qPrintable(QString::number(found.frequency_Hz() * time, 'g', 9)));
             QVERIFY(std::abs(found.amplitude / truth.amplitude - 1.0) < 2e-3);
         }
@@ -129,7 +129,7 @@ private slots:
             const NuisanceTerm &a = there.series[r].nuisance[0];
             const NuisanceTerm &b = back.series[1 - r].nuisance[0];
             QCOMPARE(there.series[r].shot, back.series[1 - r].shot);
-            QVERIFY(std::abs(a.rate_rad_s / b.rate_rad_s - 1.0) < 1e-7);
+            QVERIFY(std::abs(a.pole_rad_s / b.pole_rad_s - 1.0) < 1e-7);
             QVERIFY(std::abs(a.amplitude / b.amplitude - 1.0) < 1e-5);
         }
     }
@@ -139,7 +139,7 @@ private slots:
         const ModelInput one = separated({}, {1, 2});
         const ModelInput other = separated({}, {1, 2});
         for (std::size_t r = 0; r < 2; ++r) {
-            QVERIFY(one.series[r].nuisance[0].rate_rad_s == other.series[r].nuisance[0].rate_rad_s);
+            QVERIFY(one.series[r].nuisance[0].pole_rad_s == other.series[r].nuisance[0].pole_rad_s);
             QVERIFY(one.series[r].correction == other.series[r].correction);
         }
     }
@@ -176,7 +176,7 @@ private slots:
         QVERIFY2(worst < 1e-3, qPrintable(QString::number(worst)));
         if (withMode)
             QVERIFY(
-                std::abs(input.series[0].nuisance[0].rate_rad_s / scene.term(1).rate_rad_s - 1.0)
+                std::abs(input.series[0].nuisance[0].pole_rad_s / scene.term(1).pole_rad_s - 1.0)
                 < 1e-3);
     }
 

@@ -19,7 +19,7 @@ using Complex = std::complex<double>;
 constexpr double kTwoPi = 2.0 * std::numbers::pi;
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
-Complex rateFrom(double frequency_Hz, double zeta)
+Complex poleFrom(double frequency_Hz, double zeta)
 {
     return kTwoPi * frequency_Hz * Complex(-zeta, std::sqrt(1.0 - zeta * zeta));
 }
@@ -41,11 +41,11 @@ Eigen::VectorXd sumOf(
 }
 
 /// What the mean of a block leaves of e^(s t) at the block's middle: the geometric sum.
-Complex gainOfBlock(Complex rate_rad_s, double rate_Hz, int block)
+Complex gainOfBlock(Complex pole_rad_s, double rate_Hz, int block)
 {
-    const Complex q = std::exp(rate_rad_s / rate_Hz);
+    const Complex q = std::exp(pole_rad_s / rate_Hz);
     const Complex sum = block == 1 ? 1.0 : (1.0 - std::pow(q, block)) / (1.0 - q);
-    return sum / static_cast<double>(block) * std::exp(-0.5 * (block - 1) * rate_rad_s / rate_Hz);
+    return sum / static_cast<double>(block) * std::exp(-0.5 * (block - 1) * pole_rad_s / rate_Hz);
 }
 
 bool findsIn(const ModelSeries &series, double frequency_Hz, std::vector<NuisanceTerm> &terms)
@@ -124,7 +124,7 @@ private slots:
 
     void everythingLeftOut_holdsNoMode()
     {
-        const NuisanceTerm term{0, true, rateFrom(6.8e3, 0.01), 0.05};
+        const NuisanceTerm term{0, true, poleFrom(6.8e3, 0.01), 0.05};
         ModelSeries series = seriesOf(sumOf({term}, 1.0, 1e6, 1600), 1e6);
         series.leftOut = {{{700, 1600}, Eigen::VectorXd::Zero(900)}};
         std::vector<NuisanceTerm> terms;
@@ -147,7 +147,7 @@ private slots:
         QFETCH(double, off);
         constexpr double kRate_Hz = 1e6;
         const double f_Hz = 6.8e3;
-        const NuisanceTerm truth{0, true, rateFrom(f_Hz, zeta), std::polar(0.03, -2.1)};
+        const NuisanceTerm truth{0, true, poleFrom(f_Hz, zeta), std::polar(0.03, -2.1)};
         const ModelSeries series = seriesOf(sumOf({truth}, 1.0, kRate_Hz, 1600), kRate_Hz);
         const NuisanceTail tail = tailOf(series, 0.8e-3, f_Hz);
         std::vector<NuisanceTerm> terms;
@@ -156,18 +156,18 @@ private slots:
         QCOMPARE(terms[0].mode, std::size_t(4));
         QVERIFY(!terms[0].startsWithStep);
         polish(tail, true, terms);
-        QVERIFY2(std::abs(terms[0].rate_rad_s / truth.rate_rad_s - 1.0) < 1e-7,
+        QVERIFY2(std::abs(terms[0].pole_rad_s / truth.pole_rad_s - 1.0) < 1e-7,
             qPrintable(QString::number(terms[0].frequency_Hz(), 'g', 12)));
         const Complex seen = truth.amplitude
-            * gainOfBlock(truth.rate_rad_s, kRate_Hz, static_cast<int>(tail.step_s * 1e6 + 0.5));
+            * gainOfBlock(truth.pole_rad_s, kRate_Hz, static_cast<int>(tail.step_s * 1e6 + 0.5));
         QVERIFY2(std::abs(terms[0].amplitude / seen - 1.0) < 1e-5,
             qPrintable(QString::number(std::abs(terms[0].amplitude / seen - 1.0))));
     }
 
     void twoModes_areTakenOneAfterTheOther()
     {
-        const std::vector<NuisanceTerm> truth{{0, true, rateFrom(5e3, 0.01), {0.02, 0.0}},
-            {1, true, rateFrom(8.9e3, 0.02), {0.0, 0.05}}};
+        const std::vector<NuisanceTerm> truth{{0, true, poleFrom(5e3, 0.01), {0.02, 0.0}},
+            {1, true, poleFrom(8.9e3, 0.02), {0.0, 0.05}}};
         const ModelSeries series = seriesOf(sumOf(truth, 0.7, 1e6, 3000), 1e6);
         const NuisanceTail tail = tailOf(series, 1e-3, 8.9e3);
         std::vector<NuisanceTerm> terms;
@@ -211,7 +211,7 @@ private slots:
     void brokenRecord_changesNothing()
     {
         Eigen::VectorXd values
-            = sumOf({{0, true, rateFrom(6.8e3, 0.01), {0.03, 0.0}}}, 1.0, 1e6, 1600);
+            = sumOf({{0, true, poleFrom(6.8e3, 0.01), {0.03, 0.0}}}, 1.0, 1e6, 1600);
         values[1234] = kNan;
         std::vector<NuisanceTerm> terms;
         QVERIFY(!findsIn(seriesOf(values, 1e6), 6.8e3, terms));

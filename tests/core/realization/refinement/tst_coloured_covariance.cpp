@@ -67,7 +67,7 @@ Eigen::VectorXd moved(
     if (inTerm >= 0 && inTerm < 4 * std::ssize(terms)) {
         NuisanceTerm &term = terms[static_cast<std::size_t>(inTerm / 4)];
         const std::complex<double> step = inTerm % 2 ? std::complex<double>(0.0, delta) : delta;
-        (inTerm % 4 < 2 ? term.rate_rad_s : term.amplitude) += step;
+        (inTerm % 4 < 2 ? term.pole_rad_s : term.amplitude) += step;
     }
     Eigen::VectorXd y(data.y.size());
     for (Index k = 0; k < y.size(); ++k) {
@@ -194,7 +194,7 @@ private slots:
                 continue;
             allowForColour(
                 {data}, {noiseCovariance(noise.head(1000), kLargestNoiseModelOrder)}, *fit);
-            const std::complex<double> error = fit->rates_rad_s[0] - kPair;
+            const std::complex<double> error = fit->poles_rad_s[0] - kPair;
             squares += Eigen::Vector3d(error.real(), error.imag(), fit->records[0].constant - 1.0)
                            .cwiseAbs2();
             stated += Eigen::Vector3d(

@@ -4,7 +4,7 @@
 // The steps between poles and model: z to s and back, amplitudes brought to time 0 and freed of
 // the filter, what stands out of the noise, and when nothing is refined.
 
-#include "core/realization/exponentials/pole_rates.h"
+#include "core/realization/exponentials/pole_mapping.h"
 #include "core/realization/refinement/draft_fit.h"
 #include "core/realization/refinement/model_draft.h"
 #include "core/realization/refinement/series_simulation.h"
@@ -71,19 +71,20 @@ private slots:
         const std::vector<Complex> poles{{0.9, 0.3}, {0.9, -0.3}, {0.5, 0.0}, {-0.7, 0.0},
             {1.01, 0.0}, {-0.2, 0.97}, {-0.2, -0.97}};
         for (const double dt_s : {1.0, 1e-9, 3e7}) {
-            std::vector<Complex> rates;
+            std::vector<Complex> continuous;
             for (const Complex &z : poles)
-                rates.push_back(rateOf(z, dt_s));
-            const std::vector<Complex> again = discretePoles(rates, dt_s);
+                continuous.push_back(continuousPole(z, dt_s));
+            const std::vector<Complex> again = discretePoles(continuous, dt_s);
             for (std::size_t i = 0; i < poles.size(); ++i) {
                 QVERIFY(std::abs(again[i] - poles[i]) < kRounding);
                 // Real stays exactly real, also on the negative axis.
                 QCOMPARE(again[i].imag() == 0.0, poles[i].imag() == 0.0);
             }
-            QCOMPARE(rateOf(std::conj(poles[0]), dt_s), std::conj(rateOf(poles[0], dt_s)));
+            QCOMPARE(continuousPole(std::conj(poles[0]), dt_s),
+                std::conj(continuousPole(poles[0], dt_s)));
         }
-        QVERIFY(std::isfinite(std::abs(rateOf(0.0, 1e-6)))); // a pure delay
-        QVERIFY(std::abs(discretePoles({rateOf(0.0, 1e-6)}, 1e-6)[0]) < 1e-200);
+        QVERIFY(std::isfinite(std::abs(continuousPole(0.0, 1e-6)))); // a pure delay
+        QVERIFY(std::abs(discretePoles({continuousPole(0.0, 1e-6)}, 1e-6)[0]) < 1e-200);
     }
 
     void amplitudes_areThoseAtTimeZero_whateverTheFilterAndTheBegin_data()
@@ -107,7 +108,7 @@ private slots:
         QVERIFY(std::abs(sum.constant - truth.constant) < 1e-9);
         QVERIFY(std::abs(sum.amplitudes[0] - truth.c) < 1e-9);
         QCOMPARE(sum.amplitudes[1], std::conj(sum.amplitudes[0]));
-        QVERIFY(std::abs(sum.rates_rad_s[0] - truth.s) < 1e-6);
+        QVERIFY(std::abs(sum.poles_rad_s[0] - truth.s) < 1e-6);
         // Simulated through the same filter it is the series again.
         const Eigen::VectorXd again = simulate(input.series[0], sum, {}, 1.0 / kRate_Hz);
         QVERIFY((again - input.series[0].y).cwiseAbs().maxCoeff() < 1e-10);
@@ -134,15 +135,15 @@ private slots:
             std::polar(0.99, 0.1), std::polar(0.99, -0.1), {0.999, 0.0}};
         ModelInput input = Decay{}.input(1.0, 0);
         const ModelDraft draft = linearDraft(input, poles);
-        QCOMPARE(draft.rates_rad_s.size(), poles.size());
+        QCOMPARE(draft.poles_rad_s.size(), poles.size());
         for (std::size_t i = 1; i < poles.size(); ++i)
-            QVERIFY(std::abs(draft.rates_rad_s[i])
-                >= std::abs(draft.rates_rad_s[i - 1]) * (1.0 - kRounding));
+            QVERIFY(std::abs(draft.poles_rad_s[i])
+                >= std::abs(draft.poles_rad_s[i - 1]) * (1.0 - kRounding));
         for (const std::size_t upper : {1U, 4U}) {
-            QVERIFY(draft.rates_rad_s[upper].imag() > 0.0);
-            QCOMPARE(draft.rates_rad_s[upper + 1], std::conj(draft.rates_rad_s[upper]));
+            QVERIFY(draft.poles_rad_s[upper].imag() > 0.0);
+            QCOMPARE(draft.poles_rad_s[upper + 1], std::conj(draft.poles_rad_s[upper]));
         }
-        QVERIFY(draft.realised_rad_s == draft.rates_rad_s);
+        QVERIFY(draft.realizedPoles_rad_s == draft.poles_rad_s);
         QCOMPARE(draft.series.at(0).amplitudes.size(), Index(6));
     }
 
@@ -157,7 +158,7 @@ private slots:
             ModelSeries &series = input.series[0];
             series.noiseSd = 0.03;
             ExponentialSum sum{0.0, Eigen::VectorXcd(1), Eigen::VectorXcd(1)};
-            sum.rates_rad_s << s;
+            sum.poles_rad_s << s;
             sum.amplitudes << decay.c;
             double energy = 0.0;
             for (Index k = 0; k < series.y.size(); ++k) {
@@ -183,7 +184,7 @@ private slots:
         poles.emplace_back(0.2);
         const ModelDraft draft = linearDraft(input, poles);
         std::vector<bool> expected;
-        for (const Complex &s : draft.rates_rad_s)
+        for (const Complex &s : draft.poles_rad_s)
             expected.push_back(s.imag() != 0.0);
         QVERIFY(standingOut(input, draft) == expected);
         input.series.pop_back();
@@ -205,7 +206,7 @@ private slots:
             ModelDraft draft = linearDraft(input, poles);
             const ModelDraft before = draft;
             refineDraft(input, draft, {});
-            if (!draft.refinement && draft.rates_rad_s != before.rates_rad_s)
+            if (!draft.refinement && draft.poles_rad_s != before.poles_rad_s)
                 qFatal("changed without a refinement");
             return draft.refinement.has_value();
         };

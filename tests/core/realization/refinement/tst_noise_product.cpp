@@ -15,7 +15,7 @@ namespace {
 using Complex = std::complex<double>;
 constexpr double kAgree = 1e-7; // the filter's end is cut at 1e-8 of its largest output
 
-/// A pair, a real pole and a constant, rate and amplitude of each.
+/// A pair, a real pole and a constant, pole and amplitude of each.
 Sensitivities someSensitivities()
 {
     const Complex i(0.0, 1.0);
@@ -244,11 +244,11 @@ void TestNoiseProduct::sensitivities_areTheDerivativesOfTheModel()
     const Complex s(-6e3, 2e5);
     ExponentialSum sum;
     sum.constant = 1.2;
-    sum.rates_rad_s.resize(3);
-    sum.rates_rad_s << s, std::conj(s), -3e4;
+    sum.poles_rad_s.resize(3);
+    sum.poles_rad_s << s, std::conj(s), -3e4;
     sum.amplitudes.resize(3);
     sum.amplitudes << Complex(-0.4, 0.1), Complex(-0.4, -0.1), -0.3;
-    fit.rates_rad_s = {s, std::conj(s), -3e4};
+    fit.poles_rad_s = {s, std::conj(s), -3e4};
     fit.records = {sum};
     fit.nuisance = {{{0, true, {-1e3, 4e4}, {0.1, 0.2}}}};
     RefinementRecord data;
@@ -271,7 +271,7 @@ void TestNoiseProduct::sensitivities_areTheDerivativesOfTheModel()
     const NuisanceTerm &term = fit.nuisance[0][0];
     for (Index k = 0; k < 200; k += 7) {
         const double t_s = static_cast<double>(k) / data.rate_Hz;
-        const Complex e = std::exp(term.rate_rad_s * t_s);
+        const Complex e = std::exp(term.pole_rad_s * t_s);
         const auto value = [&](std::size_t i) { return valueOf(found, found.columns[7 + i], k); };
         QVERIFY(std::abs(value(0) - (t_s * term.amplitude * e).real()) < 1e-15);
         QVERIFY(std::abs(value(1) + (t_s * term.amplitude * e).imag()) < 1e-15);

@@ -18,13 +18,13 @@ constexpr double kRate_Hz = 1e6;
 const std::complex<double> kPair(-6e3, 2e5);
 const std::complex<double> kAmplitude(-0.5, 0.1);
 
-/// c0 + sum of the given rates and amplitudes, pairs by their upper half.
+/// c0 + sum of the given poles and amplitudes, pairs by their upper half.
 ExponentialSum pairSum(std::complex<double> s, std::complex<double> c, double constant)
 {
     ExponentialSum sum;
     sum.constant = constant;
-    sum.rates_rad_s.resize(2);
-    sum.rates_rad_s << s, std::conj(s);
+    sum.poles_rad_s.resize(2);
+    sum.poles_rad_s << s, std::conj(s);
     sum.amplitudes.resize(2);
     sum.amplitudes << c, std::conj(c);
     return sum;
@@ -33,7 +33,7 @@ ExponentialSum pairSum(std::complex<double> s, std::complex<double> c, double co
 ExponentialSum realSum(double s, double c)
 {
     ExponentialSum sum;
-    sum.rates_rad_s = Eigen::VectorXcd::Constant(1, s);
+    sum.poles_rad_s = Eigen::VectorXcd::Constant(1, s);
     sum.amplitudes = Eigen::VectorXcd::Constant(1, c);
     return sum;
 }
@@ -82,7 +82,7 @@ private slots:
                 const auto fit = refinePoles({record}, twice, true);
                 for (Index i = 0; fit && i < 4; ++i)
                     QVERIFY(fit->covariance(i, i) > 0.0);
-                QVERIFY(!fit || (fit->rates_rad_s[0] != fit->rates_rad_s[2]));
+                QVERIFY(!fit || (fit->poles_rad_s[0] != fit->poles_rad_s[2]));
             }
         }
     }
@@ -97,7 +97,7 @@ private slots:
             {std::complex<double>(-9e3, 2.02e5), {-4e3, 1.97e5}, {-1.2e4, 2.05e5}}) {
             const auto fit = refinePoles({record}, pairOf(start), true);
             QVERIFY(fit.has_value());
-            QVERIFY(std::abs(fit->rates_rad_s[0] - near->rates_rad_s[0]) < 2e-3 * u);
+            QVERIFY(std::abs(fit->poles_rad_s[0] - near->poles_rad_s[0]) < 2e-3 * u);
         }
     }
 
@@ -108,12 +108,12 @@ private slots:
         const auto truth = refinePoles({record}, pairOf(kPair), true);
         QVERIFY(truth.has_value());
         const double u = std::sqrt(truth->covariance(0, 0) + truth->covariance(1, 1));
-        QVERIFY(std::abs(truth->rates_rad_s[0] - kPair) < 4.0 * u);
+        QVERIFY(std::abs(truth->poles_rad_s[0] - kPair) < 4.0 * u);
         for (const std::complex<double> start :
             {std::complex<double>(-9e3, 2.02e5), {-4e3, 1.97e5}, {-1.2e4, 2.05e5}}) {
             const auto fit = refinePoles({record}, pairOf(start), true);
             QVERIFY(fit.has_value());
-            QVERIFY(std::abs(fit->rates_rad_s[0] - truth->rates_rad_s[0]) < 2e-3 * u);
+            QVERIFY(std::abs(fit->poles_rad_s[0] - truth->poles_rad_s[0]) < 2e-3 * u);
             QVERIFY(std::abs(fit->covariance(1, 1) / truth->covariance(1, 1) - 1.0) < 1e-3);
         }
         // Samples left out take no part in either.
@@ -123,7 +123,7 @@ private slots:
         spoilt.y.segment(1003, 14).setConstant(1e3);
         const auto fit = refinePoles({spoilt}, pairOf({-9e3, 2.02e5}), true);
         QVERIFY(clean.has_value() && fit.has_value());
-        QVERIFY(std::abs(fit->rates_rad_s[0] - clean->rates_rad_s[0]) < 1e-6 * u);
+        QVERIFY(std::abs(fit->poles_rad_s[0] - clean->poles_rad_s[0]) < 1e-6 * u);
     }
 
     void longRecord_withAFasterTermOfItsOwn_isNotAveragedAway()
@@ -138,7 +138,7 @@ private slots:
         const auto fit = refinePoles({record}, pairOf({-7e3, 2.01e5}), true);
         QVERIFY(fit.has_value());
         const double u = std::sqrt(nuisanceCovariance(*fit, 0, 0).diagonal().head(2).sum());
-        QVERIFY(std::abs(fit->nuisance[0][0].rate_rad_s - fast) < 4.0 * u);
+        QVERIFY(std::abs(fit->nuisance[0][0].pole_rad_s - fast) < 4.0 * u);
         QVERIFY(u < 1e-3 * std::abs(fast));
     }
 
@@ -159,8 +159,8 @@ private slots:
             {std::complex<double>(-9e3, 2.02e5), {-4e3, 1.97e5}, {-1.2e4, 2.05e5}, {-6e3, 2e5}}) {
             const auto fit = refinePoles({record}, pairOf(start), true);
             QVERIFY(fit.has_value());
-            QVERIFY(std::abs(fit->rates_rad_s[0] - kPair) < 1e-7 * std::abs(kPair));
-            QCOMPARE(fit->rates_rad_s[1], std::conj(fit->rates_rad_s[0]));
+            QVERIFY(std::abs(fit->poles_rad_s[0] - kPair) < 1e-7 * std::abs(kPair));
+            QCOMPARE(fit->poles_rad_s[1], std::conj(fit->poles_rad_s[0]));
             QVERIFY(std::abs(fit->records[0].amplitudes[0] - kAmplitude) < 1e-6);
             QVERIFY(std::abs(fit->records[0].constant - 1.0) < 1e-7);
         }
@@ -172,7 +172,7 @@ private slots:
         const auto second = recordOf(pairSum(kPair, {0.3, 0.7}, -2.0), 900, 0.0, 1, 1.25e6);
         const auto fit = refinePoles({first, second}, pairOf({-7e3, 2.01e5}), true);
         QVERIFY(fit.has_value());
-        QVERIFY(std::abs(fit->rates_rad_s[0] - kPair) < 1e-7 * std::abs(kPair));
+        QVERIFY(std::abs(fit->poles_rad_s[0] - kPair) < 1e-7 * std::abs(kPair));
         QVERIFY(std::abs(fit->records[1].amplitudes[0] - std::complex<double>(0.3, 0.7)) < 1e-6);
         QVERIFY(std::abs(fit->records[1].constant + 2.0) < 1e-6);
     }
@@ -218,7 +218,7 @@ private slots:
                 {recordOf(truth, 400, kNoise, static_cast<std::uint64_t>(trial + 10))},
                 pairOf(kPair), true);
             QVERIFY(fit.has_value());
-            const std::complex<double> ds = fit->rates_rad_s[0] - kPair;
+            const std::complex<double> ds = fit->poles_rad_s[0] - kPair;
             // Amplitudes are parametrised as 2 Re, 2 Im.
             const std::complex<double> dc = 2.0 * (fit->records[0].amplitudes[0] - kAmplitude);
             Eigen::VectorXd error(5);
@@ -305,21 +305,21 @@ private slots:
     void perturbed_realPoleBesideAPair_movesTheRightOne()
     {
         ExponentialSum truth = pairSum(kPair, kAmplitude, 1.0);
-        truth.rates_rad_s.conservativeResize(3);
+        truth.poles_rad_s.conservativeResize(3);
         truth.amplitudes.conservativeResize(3);
-        truth.rates_rad_s[2] = -3e4;
+        truth.poles_rad_s[2] = -3e4;
         truth.amplitudes[2] = 0.4;
         const auto fit
             = refinePoles({recordOf(truth, 800)}, {kPair, std::conj(kPair), {-3e4, 0.0}}, true);
         QVERIFY(fit.has_value());
         const ExponentialSum &before = fit->records[0];
-        QCOMPARE(perturbed(*fit, 0, 2, 7.0).rates_rad_s[2], before.rates_rad_s[2] + 7.0);
-        QCOMPARE(perturbed(*fit, 0, 2, 7.0).rates_rad_s[0], before.rates_rad_s[0]);
+        QCOMPARE(perturbed(*fit, 0, 2, 7.0).poles_rad_s[2], before.poles_rad_s[2] + 7.0);
+        QCOMPARE(perturbed(*fit, 0, 2, 7.0).poles_rad_s[0], before.poles_rad_s[0]);
         QCOMPARE(perturbed(*fit, 0, 6, 0.5).constant, before.constant + 0.5);
         // A real pole's amplitude is fitted as it is, only pairs are fitted as 2 Re, 2 Im.
         QCOMPARE(perturbed(*fit, 0, 5, 0.5).amplitudes[2], before.amplitudes[2] + 0.5);
         const ExponentialSum imaginary = perturbed(*fit, 0, 1, 3.0);
-        QCOMPARE(imaginary.rates_rad_s[1], std::conj(imaginary.rates_rad_s[0]));
+        QCOMPARE(imaginary.poles_rad_s[1], std::conj(imaginary.poles_rad_s[0]));
     }
 
     void termsOfARecordsOwn_areFittedBesideTheSharedPoles()
@@ -332,14 +332,14 @@ private slots:
             for (Index k = 0; k < 1500; ++k)
                 records[r].y[k] += truth[r].value(static_cast<double>(k) / kRate_Hz);
             records[r].nuisance
-                = {{0, true, truth[r].rate_rad_s * std::complex<double>(1.02), 0.0}};
+                = {{0, true, truth[r].pole_rad_s * std::complex<double>(1.02), 0.0}};
         }
         const auto fit = refinePoles(records, pairOf({-7e3, 2.01e5}), true);
         QVERIFY(fit.has_value());
-        QVERIFY(std::abs(fit->rates_rad_s[0] - kPair) < 1e-4 * std::abs(kPair));
+        QVERIFY(std::abs(fit->poles_rad_s[0] - kPair) < 1e-4 * std::abs(kPair));
         for (std::size_t r = 0; r < 2; ++r) {
             const NuisanceTerm &found = fit->nuisance[r].front();
-            QVERIFY(std::abs(found.rate_rad_s - truth[r].rate_rad_s) < 1e-3 * 4e4);
+            QVERIFY(std::abs(found.pole_rad_s - truth[r].pole_rad_s) < 1e-3 * 4e4);
             QVERIFY(std::abs(found.amplitude - truth[r].amplitude) < 1e-6);
             QVERIFY(std::abs(fit->records[r].constant - 1.0) < 1e-6);
             QVERIFY(std::abs(fit->records[r].amplitudes[0] - kAmplitude) < 1e-6);
@@ -361,7 +361,7 @@ private slots:
             const auto fit = refinePoles({record}, pairOf(kPair), true);
             QVERIFY(fit.has_value());
             const Eigen::Matrix4d covariance = nuisanceCovariance(*fit, 0, 0);
-            const double error = fit->nuisance[0][0].rate_rad_s.imag() - truth.rate_rad_s.imag();
+            const double error = fit->nuisance[0][0].pole_rad_s.imag() - truth.pole_rad_s.imag();
             frequency += error * error / covariance(1, 1) / kTrials;
             const Eigen::MatrixXd own = recordCovariance(*fit, 0);
             const double offset = fit->records[0].constant - 1.0;
@@ -379,7 +379,7 @@ private slots:
         record.used = {{0, 100}, {250, 1000}};
         const auto fit = refinePoles({record}, pairOf({-7e3, 2.01e5}), true);
         QVERIFY(fit.has_value());
-        QVERIFY(std::abs(fit->rates_rad_s[0] - kPair) < 1e-6 * std::abs(kPair));
+        QVERIFY(std::abs(fit->poles_rad_s[0] - kPair) < 1e-6 * std::abs(kPair));
         QVERIFY(std::abs(fit->records[0].constant - 1.0) < 1e-8);
     }
 

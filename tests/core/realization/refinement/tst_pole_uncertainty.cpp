@@ -31,7 +31,7 @@ bool isNear(double a, double b, double relative = kRounding)
 Refinement pairAndReal()
 {
     Refinement fit;
-    fit.rates_rad_s = {poleOf(0.1), std::conj(poleOf(0.1)), -4e4};
+    fit.poles_rad_s = {poleOf(0.1), std::conj(poleOf(0.1)), -4e4};
     fit.poleParameters = 3;
     fit.covariance = Eigen::MatrixXd::Zero(6, 6);
     fit.covariance.topLeftCorner<2, 2>() << 90.0, 12.0, 12.0, 40.0;

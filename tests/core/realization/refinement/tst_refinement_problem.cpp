@@ -63,7 +63,7 @@ private slots:
         QCOMPARE(problem.offset(1), Index(3 + 4 + 4));
         QCOMPARE(problem.parameters(), Index(3 + 4 + 4 + 4));
         QCOMPARE(problem.samples(), Index(90));
-        // Rates of order one, the fastest of size one.
+        // Poles of order one, the fastest of size one.
         const Eigen::VectorXd start = problem.start();
         QCOMPARE(problem.unit_s(), 1.0 / std::abs(kPair));
         QCOMPARE(std::hypot(start[0], start[1]), 1.0);
@@ -154,7 +154,7 @@ private slots:
         QCOMPARE(RefinementProblem(records, {}, true).unit_s(), 0.0);
     }
 
-    void means_keepTheRates()
+    void means_keepThePoles()
     {
         constexpr Index kFactor = 8;
         RefinementRecord record;

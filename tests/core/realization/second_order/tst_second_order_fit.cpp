@@ -53,7 +53,7 @@ ModelInput twoShots(double f0_Hz, double zeta, double noise = 0.0, std::uint64_t
 /// What the tube adds to the pressure of shot 1 or 2, over its step: 1 + Re(a e^(r t)).
 struct TubeMode
 {
-    std::complex<double> rate_rad_s;
+    std::complex<double> pole_rad_s;
     std::complex<double> pressure;
 };
 
@@ -72,7 +72,7 @@ Eigen::VectorXd answerToTube(double f0_Hz, double zeta, double first, Index coun
     const double w = 2.0 * std::numbers::pi * f0_Hz;
     using State = Eigen::Vector2d; // y, y'/w
     const auto slope = [&](double t_s, const State &x) {
-        const double u = 1.0 + (mode.pressure * std::exp(mode.rate_rad_s * t_s)).real();
+        const double u = 1.0 + (mode.pressure * std::exp(mode.pole_rad_s * t_s)).real();
         return State(w * x[1], w * (u - x[0] - 2.0 * zeta * x[1]));
     };
     State x = State::Zero();
@@ -104,13 +104,13 @@ ModelInput twoShotsInTube(double f0_Hz, double zeta, double noise, std::uint64_t
         const double shot = static_cast<double>(series.shot);
         const TubeMode mode = modeOfShot(series.shot);
         const Eigen::VectorXd clean
-            = answerToTube(f0_Hz, zeta, 0.3 * shot, 400, {mode.rate_rad_s, 0.0});
+            = answerToTube(f0_Hz, zeta, 0.3 * shot, 400, {mode.pole_rad_s, 0.0});
         const Eigen::VectorXd whole = answerToTube(f0_Hz, zeta, 0.3 * shot, 400, mode);
         series.y += 0.4 * shot * (whole - clean);
         series.fullRate = series.y;
-        const std::complex<double> s = mode.rate_rad_s / (2.0 * std::numbers::pi * f0_Hz);
+        const std::complex<double> s = mode.pole_rad_s / (2.0 * std::numbers::pi * f0_Hz);
         const std::complex<double> gain = 1.0 / (s * s + 2.0 * zeta * s + 1.0);
-        series.nuisance = {{0, true, mode.rate_rad_s * 1.01,
+        series.nuisance = {{0, true, mode.pole_rad_s * 1.01,
             0.4 * shot * mode.pressure * gain * std::polar(0.95, 0.05)}};
     }
     return input;
@@ -236,7 +236,7 @@ private slots:
         // A vibration, say: in the record, but not in the pressure step.
         ModelInput input = twoShots(50e3, 0.05);
         for (ModelSeries &series : input.series) {
-            const NuisanceTerm term{0, false, modeOfShot(1).rate_rad_s, {0.02, 0.01}};
+            const NuisanceTerm term{0, false, modeOfShot(1).pole_rad_s, {0.02, 0.01}};
             for (Index k = 0; k < series.y.size(); ++k)
                 series.y[k] += term.value(static_cast<double>(k) / kRate_Hz);
             series.fullRate = series.y;

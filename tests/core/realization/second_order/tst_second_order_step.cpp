@@ -35,25 +35,25 @@ ExponentialSum sumOf(const SecondOrderStep &step)
     const Eigen::VectorXd x = step.exponentials();
     const auto modes = static_cast<Index>(step.modes.size());
     const Index gains = 2 + 2 * modes;
-    std::vector<Complex> rates;
+    std::vector<Complex> poles;
     std::vector<Complex> amplitudes;
     const auto addPair = [&](Index at) {
-        const Complex rate(x[at], x[at + 1]);
+        const Complex pole(x[at], x[at + 1]);
         const Complex half = 0.5 * Complex(x[gains + at], x[gains + at + 1]);
-        rates.insert(rates.end(), {rate, std::conj(rate)});
+        poles.insert(poles.end(), {pole, std::conj(pole)});
         amplitudes.insert(amplitudes.end(), {half, std::conj(half)});
     };
     if (step.rings()) {
         addPair(0);
     } else {
-        rates = {x[0], x[1]};
+        poles = {x[0], x[1]};
         amplitudes = {x[gains], x[gains + 1]};
     }
     for (Index i = 0; i < modes; ++i) {
         if (step.modes[static_cast<std::size_t>(i)].startsWithStep)
             addPair(2 + 2 * i);
     }
-    return {x[x.size() - 1], Eigen::Map<const Eigen::VectorXcd>(rates.data(), std::ssize(rates)),
+    return {x[x.size() - 1], Eigen::Map<const Eigen::VectorXcd>(poles.data(), std::ssize(poles)),
         Eigen::Map<const Eigen::VectorXcd>(amplitudes.data(), std::ssize(amplitudes))};
 }
 
@@ -64,9 +64,9 @@ double pressure(const SecondOrderStep &step, double t)
     const double omega = std::exp(step.logOmega);
     double sum = step.plateau;
     for (const SecondOrderStep::Mode &mode : step.modes) {
-        const Complex r = mode.rate / omega;
+        const Complex r = mode.pole / omega;
         if (mode.startsWithStep)
-            sum += (mode.amplitude * std::exp(mode.rate * t)
+            sum += (mode.amplitude * std::exp(mode.pole * t)
                 * (r * r + 2.0 * step.zeta() * r + 1.0))
                        .real();
     }
@@ -134,7 +134,7 @@ private slots:
         const Eigen::VectorXd x = step.exponentials();
         const Eigen::MatrixXd J = step.derivatives();
         QVERIFY((J.col(0).head(2) - x.head(2)).norm() < kExact * x.head(2).norm()); // s ~ w
-        QVERIFY(J.col(2).head(2).norm() < kExact); // no rate depends on K or on the onset
+        QVERIFY(J.col(2).head(2).norm() < kExact); // no pole depends on K or on the onset
         QVERIFY(J.col(3).head(2).norm() < kExact);
         const Eigen::Vector2d ofGain = x.segment(2, 2) / step.plateau; // linear in K
         QVERIFY((J.col(2).segment(2, 2) - ofGain).norm() < kExact * ofGain.norm());

@@ -21,13 +21,25 @@ using dyncal::CalibrationResults;
 using dyncal::ChannelRole;
 using dyncal::CurveRole;
 using dyncal::CurveStyle;
+using dyncal::FigureMaker;
+using dyncal::figureMakers;
 using dyncal::Index;
 using dyncal::PlotContent;
 using dyncal::PlotCurve;
-using dyncal::reportFigures;
+using dyncal::ReportFigure;
 using dyncal::ResponseTreatment;
 
 namespace {
+
+/// Every plot at once.
+std::vector<ReportFigure> reportFigures(const CalibrationResults &results)
+{
+    std::vector<ReportFigure> figures;
+    for (const FigureMaker &make : figureMakers(results))
+        if (std::optional<ReportFigure> figure = make())
+            figures.push_back(std::move(*figure));
+    return figures;
+}
 
 /// A one-channel set of one shot.
 dyncal::CaptureSet captureOf(dyncal::RawSamples samples, std::vector<double> polynomial)

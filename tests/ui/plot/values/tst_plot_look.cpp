@@ -7,6 +7,7 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -14,13 +15,28 @@
 using dyncal::axisLabel;
 using dyncal::AxisPrefix;
 using dyncal::axisPrefix;
-using dyncal::contrastRatio;
 using dyncal::CurveRole;
 using dyncal::PlotTheme;
 using dyncal::powerOfTen;
 using dyncal::valueWithUnit;
 
 namespace {
+
+double luminance(const QColor &color)
+{
+    const auto linear = [](double channel) {
+        return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF())
+        + 0.0722 * linear(color.blueF());
+}
+
+/// WCAG 2 contrast ratio of two opaque colours, 1..21.
+double contrastRatio(const QColor &a, const QColor &b)
+{
+    const auto [darker, lighter] = std::minmax({luminance(a), luminance(b)});
+    return (lighter + 0.05) / (darker + 0.05);
+}
 
 constexpr std::array<CurveRole, 22> kRoles{CurveRole::ShotLow, CurveRole::ShotMedium,
     CurveRole::ShotHigh, CurveRole::ShotOther, CurveRole::Mean, CurveRole::Measured,

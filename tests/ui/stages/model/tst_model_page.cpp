@@ -238,7 +238,7 @@ void TestModelPage::noiseMode_opensItsTab()
         mode.mode.label = "transverse (1,0)";
         NuisanceOfShot shot;
         shot.shot = 2;
-        shot.term.rate_rad_s = {-50.0, 2.0 * M_PI * 6.8e3};
+        shot.term.pole_rad_s = {-50.0, 2.0 * M_PI * 6.8e3};
         shot.relativeAmplitude = 0.031;
         mode.perShot = {shot};
         model.nuisance = {mode};

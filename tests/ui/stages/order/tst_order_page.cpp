@@ -153,8 +153,8 @@ void TestOrderPage::splitPair_isSaidAndOffersTheWholeOne()
     const Findings findings = allFindings(m_session.results());
     const auto split = std::ranges::find(findings, "ORD-001", &Finding::id);
     QVERIFY(split != findings.end());
-    QCOMPARE(split->mend->key, std::string("realization.order"));
-    QCOMPARE(split->mend->value, std::string("2"));
+    QCOMPARE(split->correction->key, std::string("realization.order"));
+    QCOMPARE(split->correction->value, std::string("2"));
     pin({1});
     QTest::qWait(20);
     QTRY_VERIFY(find<QLabel>(*cardOf(1), "candidateText")->text().contains("splits a pair"));

@@ -165,13 +165,13 @@ private slots:
         PageBench<WindowPage> bench(m_set);
         emit bench.control<PlotWidget>("windowPlot")->lineMoved("end", 2e-3, true);
         waitComputed(bench.session);
-        std::optional<Mend> mend;
+        std::optional<Correction> correction;
         for (const Finding &finding : bench.session.results().window->findings) {
             if (finding.id == "WIN-001" && finding.shot == 3)
-                mend = finding.mend;
+                correction = finding.correction;
         }
-        QVERIFY(mend.has_value());
-        QCOMPARE(mend->key, std::string("window.end_s"));
+        QVERIFY(correction.has_value());
+        QCOMPARE(correction->key, std::string("window.end_s"));
         bench.session.undoStack().undo();
         QVERIFY(bench.session.recipe().window.end_s.isAuto());
     }

@@ -125,7 +125,7 @@ private slots:
         auto model = std::make_shared<SensorModel>();
         NuisanceOfShot shot;
         shot.shot = 3;
-        shot.term.rate_rad_s = {-10.0, 2.0 * M_PI * 6.4e3};
+        shot.term.pole_rad_s = {-10.0, 2.0 * M_PI * 6.4e3};
         model->nuisance = {{mode, {shot}}};
         CalibrationResults results = resultsWithCandidates();
         results.model = model;

@@ -5,6 +5,7 @@
 #include "core/capture/formats/hdf5/hdf5_capture_reader.h"
 #include "core/capture/formats/hdf5/hdf5_capture_writer.h"
 #include "tests/core/capture/capture_test_support.h"
+#include "tests/support/same_samples.h"
 #include "tests/support/test_program.h"
 
 #include "core/base/content_hash.h"
@@ -183,7 +184,8 @@ private slots:
         set.shots = {shotOf(values)};
         const Result<CaptureSet> read = readSealed(written("long.h5", set));
         QVERIFY2(read, sentence(read).c_str());
-        QVERIFY(sameSamples(read->shots[0].channels[0].samples, set.shots[0].channels[0].samples));
+        QVERIFY(testing::sameSamples(
+            read->shots[0].channels[0].samples, set.shots[0].channels[0].samples));
     }
 
     void write_sameNamesAndEmptyRecord_keptApart()
@@ -287,7 +289,7 @@ private slots:
             const Result<CaptureSet> read
                 = readSealed(write(m_folder.filePath("flip.h5"), flipped));
             if (read)
-                QVERIFY(sameSamples(
+                QVERIFY(testing::sameSamples(
                     read->shots[0].channels[0].samples, set.shots[0].channels[0].samples));
         }
     }

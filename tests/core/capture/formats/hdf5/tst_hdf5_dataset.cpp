@@ -8,6 +8,7 @@
 #include "core/capture/formats/hdf5/hdf5_open.h"
 #include "tests/core/capture/capture_test_support.h"
 #include "tests/support/python_answer.h"
+#include "tests/support/same_samples.h"
 #include "tests/support/scratch_folder.h"
 #include "tests/support/test_program.h"
 
@@ -210,7 +211,7 @@ private slots:
         const auto many = columnsOf(*file, "many", 0);
         QVERIFY2(few && many, sentence(many).c_str());
         QVERIFY(!few->at(0).at(0).isInMemory() && many->at(0).at(0).isInMemory());
-        QVERIFY(sameSamples(few->at(0).at(0).inMemory(), many->at(0).at(0)));
+        QVERIFY(testing::sameSamples(few->at(0).at(0).inMemory(), many->at(0).at(0)));
         QCOMPARE(many->at(0).at(0).at(19999), 19999.0);
     }
 

@@ -5,6 +5,7 @@
 #include "core/capture/formats/hdf5/hdf5_capture_writer.h"
 #include "tests/core/base/guarded_test_child.h"
 #include "tests/core/capture/capture_test_support.h"
+#include "tests/support/same_samples.h"
 #include "tests/support/test_program.h"
 
 #include "core/base/content_hash.h"
@@ -123,7 +124,7 @@ private slots:
         QCOMPARE(code, int(kAsItShouldBe));
         const Result<CaptureSet> read = readHdf5Capture(target, {}, {});
         QVERIFY2(read, sentence(read).c_str());
-        QVERIFY(sameSamples(
+        QVERIFY(testing::sameSamples(
             read->shots[1].channels[0].samples, setToWrite().shots[1].channels[0].samples));
     }
 

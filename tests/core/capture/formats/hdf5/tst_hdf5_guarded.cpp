@@ -7,6 +7,7 @@
 #include "core/capture/opening/capture_open.h"
 #include "tests/core/capture/capture_test_support.h"
 #include "tests/core/capture/formats/hdf5/hdf5_test_file.h"
+#include "tests/support/same_samples.h"
 #include "tests/support/test_program.h"
 
 #include <QDirIterator>
@@ -89,7 +90,7 @@ bool isAsWritten(const CaptureSet &set)
 {
     const RawSamples expected(counts(200));
     return std::all_of(set.shots[0].channels.begin(), set.shots[0].channels.end(),
-        [&](const Channel &channel) { return sameSamples(channel.samples, expected); });
+        [&](const Channel &channel) { return testing::sameSamples(channel.samples, expected); });
 }
 
 } // namespace

@@ -15,9 +15,9 @@
 
 namespace dyncal {
 
-/// One way to mend what a finding says: an edit of the recipe, as one step of undo. Nothing on disk
+/// One way to settle a finding: an edit of the recipe, as one step of undo. Nothing on disk
 /// changes.
-struct Remedy
+struct OfferedCorrection
 {
     QString label; ///< of the button: "Invert polarity"
     QString step; ///< of undo: "Invert the DUT's polarity"
@@ -25,11 +25,11 @@ struct Remedy
     /// Changes the import section; `reason` is what the question was answered with.
     std::function<void(ImportSettings &settings, const std::string &reason)> apply;
     QString importPath; ///< not empty: shows the import settings of this file instead
-    std::optional<Mend> ofFinding; ///< or the change that the finding itself proposes
+    std::optional<Correction> ofFinding; ///< or the change that the finding itself proposes
 };
 
 /// The ways there are, the best first; none for most findings. `set` are the recordings on show,
 /// with the import section applied.
-std::vector<Remedy> mendsOf(const Finding &finding, const CaptureSet &set);
+std::vector<OfferedCorrection> correctionsOf(const Finding &finding, const CaptureSet &set);
 
 } // namespace dyncal

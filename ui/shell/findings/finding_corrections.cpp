@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "ui/shell/findings/finding_mends.h"
+#include "ui/shell/findings/finding_corrections.h"
 
 #include "ui/session/capture_edit.h"
 #include "ui/text/core_text.h"
@@ -15,9 +15,9 @@ namespace dyncal {
 
 namespace {
 
-struct Mends
+struct Corrections
 {
-    Q_DECLARE_TR_FUNCTIONS(Mends)
+    Q_DECLARE_TR_FUNCTIONS(Corrections)
 };
 
 constexpr Index kLongestGap = 5; ///< samples; longer ones hide what happened
@@ -26,7 +26,7 @@ constexpr std::size_t kUnitArgument = 3; ///< of CAP-013: the unit that fits, or
 
 using Apply = std::function<void(ImportSettings &, const std::string &)>;
 
-Remedy edit(const QString &label, const QString &step, Apply apply)
+OfferedCorrection edit(const QString &label, const QString &step, Apply apply)
 {
     return {label, step, {}, std::move(apply), {}, {}};
 }
@@ -43,34 +43,34 @@ const InputFile *fileOf(const Shot *shot, const CaptureSet &set)
     return shot && input < set.inputs.size() ? &set.inputs[input] : nullptr;
 }
 
-Remedy excludeShot(Index shot)
+OfferedCorrection excludeShot(Index shot)
 {
-    const QString step = Mends::tr("Exclude shot %1").arg(shot);
+    const QString step = Corrections::tr("Exclude shot %1").arg(shot);
     return {step + QStringLiteral("..."), step,
-        Mends::tr("Why is this shot not used? The certificate prints the reason."),
+        Corrections::tr("Why is this shot not used? The certificate prints the reason."),
         [shot](ImportSettings &settings, const std::string &reason) {
             setShotExcluded(settings, shot, reason);
         },
         {}, {}};
 }
 
-std::vector<Remedy> chooseDut(const Shot *shot)
+std::vector<OfferedCorrection> chooseDut(const Shot *shot)
 {
-    std::vector<Remedy> mends;
+    std::vector<OfferedCorrection> corrections;
     for (const Channel &channel : shot ? shot->channels : std::vector<Channel>()) {
-        if (mends.size() == kMostChannels)
+        if (corrections.size() == kMostChannels)
             break;
         const QString name = shownText(channel.name);
-        mends.push_back(edit(Mends::tr("\"%1\" is the DUT").arg(name),
-            Mends::tr("Choose %1 as the DUT").arg(name),
+        corrections.push_back(edit(Corrections::tr("\"%1\" is the DUT").arg(name),
+            Corrections::tr("Choose %1 as the DUT").arg(name),
             [name = channel.name](ImportSettings &settings, const std::string &) {
                 settings.channels[name] = channelRoleName(ChannelRole::Dut);
             }));
     }
-    return mends;
+    return corrections;
 }
 
-std::vector<Remedy> swapChannels(const Shot *shot, const CaptureSet &set)
+std::vector<OfferedCorrection> swapChannels(const Shot *shot, const CaptureSet &set)
 {
     const Channel *dut = shot ? shot->channelWithRole(ChannelRole::Dut) : nullptr;
     const Channel *side = shot ? shot->channelWithRole(ChannelRole::DrivenSide) : nullptr;
@@ -81,21 +81,21 @@ std::vector<Remedy> swapChannels(const Shot *shot, const CaptureSet &set)
               roles[first] = channelRoleName(ChannelRole::DrivenSide);
               roles[second] = channelRoleName(ChannelRole::Dut);
           };
-    std::vector<Remedy> mends;
-    const QString step = Mends::tr("Swap DUT and driven side");
+    std::vector<OfferedCorrection> corrections;
+    const QString step = Corrections::tr("Swap DUT and driven side");
     const InputFile *file = fileOf(shot, set);
     if (file && set.inputs.size() > 1)
-        mends.push_back(edit(Mends::tr("Swap in %1").arg(shownText(file->file)), step,
+        corrections.push_back(edit(Corrections::tr("Swap in %1").arg(shownText(file->file)), step,
             [swapIn, name = file->file](ImportSettings &settings, const std::string &) {
                 swapIn(settings.files[name].channels);
             }));
-    mends.push_back(edit(Mends::tr("Swap in all shots"), step,
+    corrections.push_back(edit(Corrections::tr("Swap in all shots"), step,
         [swapIn](ImportSettings &settings, const std::string &) {
             swapIn(settings.channels);
             for (auto &[name, own] : settings.files)
                 own.channels.clear();
         }));
-    return mends;
+    return corrections;
 }
 
 /// What the recipe says of the channel of a finding, where it does: that wins over what it says of
@@ -110,23 +110,23 @@ ChannelImport *detailsOf(
     return found == settings.channelDetails.end() ? nullptr : &found->second;
 }
 
-std::vector<Remedy> useUnit(const Finding &finding, const std::string &file)
+std::vector<OfferedCorrection> useUnit(const Finding &finding, const std::string &file)
 {
     const auto &words = finding.message.arguments;
     if (words.size() <= kUnitArgument || words[kUnitArgument].empty())
         return {};
     const std::string unit = words[kUnitArgument];
-    return {
-        edit(Mends::tr("The unit is %1").arg(shownText(unit)), Mends::tr("Change the DUT's unit"),
-            [unit, file, channel = finding.channel](ImportSettings &settings, const std::string &) {
-                ChannelImport *details = detailsOf(settings, file, channel);
-                (details && details->unit ? details->unit : settings.unit) = unit;
-            })};
+    return {edit(Corrections::tr("The unit is %1").arg(shownText(unit)),
+        Corrections::tr("Change the DUT's unit"),
+        [unit, file, channel = finding.channel](ImportSettings &settings, const std::string &) {
+            ChannelImport *details = detailsOf(settings, file, channel);
+            (details && details->unit ? details->unit : settings.unit) = unit;
+        })};
 }
 
-Remedy invertPolarity(const Finding &finding, const std::string &file)
+OfferedCorrection invertPolarity(const Finding &finding, const std::string &file)
 {
-    return edit(Mends::tr("Invert polarity"), Mends::tr("Change the DUT's polarity"),
+    return edit(Corrections::tr("Invert polarity"), Corrections::tr("Change the DUT's polarity"),
         [file, channel = finding.channel](ImportSettings &settings, const std::string &) {
             ChannelImport *details = detailsOf(settings, file, channel);
             if (details && details->polarity)
@@ -136,17 +136,18 @@ Remedy invertPolarity(const Finding &finding, const std::string &file)
         });
 }
 
-Remedy interpolate()
+OfferedCorrection interpolate()
 {
-    return edit(Mends::tr("Interpolate gaps of up to %1 samples").arg(kLongestGap),
-        Mends::tr("Interpolate invalid samples"),
+    return edit(Corrections::tr("Interpolate gaps of up to %1 samples").arg(kLongestGap),
+        Corrections::tr("Interpolate invalid samples"),
         [](ImportSettings &settings, const std::string &) {
             settings.interpolateInvalid = kLongestGap;
         });
 }
 
 /// Of the file that the finding speaks of: by its shot, or named in the sentence.
-std::vector<Remedy> showImport(const Finding &finding, const Shot *shot, const CaptureSet &set)
+std::vector<OfferedCorrection> showImport(
+    const Finding &finding, const Shot *shot, const CaptureSet &set)
 {
     const InputFile *file = fileOf(shot, set);
     for (const InputFile &input : set.inputs)
@@ -155,11 +156,12 @@ std::vector<Remedy> showImport(const Finding &finding, const Shot *shot, const C
                 file = &input;
     if (!file)
         return {};
-    return {{Mends::tr("Import settings..."), {}, {}, {}, rawText(file->path), {}}};
+    return {{Corrections::tr("Import settings..."), {}, {}, {}, rawText(file->path), {}}};
 }
 
-/// What mends the finding itself, shot by shot or for all.
-std::vector<Remedy> remedies(const Finding &finding, const Shot *shot, const CaptureSet &set)
+/// Corrections in the import section, for one shot or for all.
+std::vector<OfferedCorrection> importCorrections(
+    const Finding &finding, const Shot *shot, const CaptureSet &set)
 {
     const InputFile *file = fileOf(shot, set);
     const std::string fileName = file ? file->file : std::string();
@@ -180,20 +182,20 @@ std::vector<Remedy> remedies(const Finding &finding, const Shot *shot, const Cap
 
 } // namespace
 
-std::vector<Remedy> mendsOf(const Finding &finding, const CaptureSet &set)
+std::vector<OfferedCorrection> correctionsOf(const Finding &finding, const CaptureSet &set)
 {
     const Shot *shot = shotOf(finding, set);
-    std::vector<Remedy> mends = remedies(finding, shot, set);
-    if (finding.mend) {
-        const QString label = translated(finding.mend->label);
-        mends.push_back({label, label, {}, {}, {}, finding.mend});
+    std::vector<OfferedCorrection> corrections = importCorrections(finding, shot, set);
+    if (finding.correction) {
+        const QString label = translated(finding.correction->label);
+        corrections.push_back({label, label, {}, {}, {}, finding.correction});
     }
     const bool canExclude
         = shot && shot->included && std::ranges::count_if(set.shots, &Shot::included) > 1;
     for (const char *id : {"CAP-006", "CAP-007", "CAP-008", "CAP-009", "CAP-011", "CAP-020"})
         if (finding.id == id && canExclude)
-            mends.push_back(excludeShot(finding.shot));
-    return mends;
+            corrections.push_back(excludeShot(finding.shot));
+    return corrections;
 }
 
 } // namespace dyncal

@@ -11,6 +11,6 @@ namespace dyncal {
 /// The recipe with one key changed as a finding proposes. An object is merged into what is there:
 /// roles of two channels leave those of the others alone. Fails (Usage) like parseRecipe if the
 /// key does not exist or does not take the value.
-Result<Recipe> mendedRecipe(const Recipe &recipe, const Mend &mend);
+Result<Recipe> correctedRecipe(const Recipe &recipe, const Correction &correction);
 
 } // namespace dyncal

@@ -6,7 +6,7 @@
 #include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/sample_results.h"
 #include "ui/session/file_import.h"
-#include "ui/shell/findings/finding_mends.h"
+#include "ui/shell/findings/finding_corrections.h"
 #include "ui/shell/findings/findings_panel.h"
 #include "ui/shell/main_window.h"
 
@@ -39,17 +39,17 @@ CaptureSet threeFiles()
     return set;
 }
 
-QStringList labels(const std::vector<Remedy> &mends)
+QStringList labels(const std::vector<OfferedCorrection> &corrections)
 {
     QStringList texts;
-    for (const Remedy &mend : mends)
-        texts << mend.label;
+    for (const OfferedCorrection &correction : corrections)
+        texts << correction.label;
     return texts;
 }
 
-ImportSettings mended(const Remedy &mend, ImportSettings settings = {})
+ImportSettings corrected(const OfferedCorrection &correction, ImportSettings settings = {})
 {
-    mend.apply(settings, "reason");
+    correction.apply(settings, "reason");
     return settings;
 }
 
@@ -61,13 +61,13 @@ ChannelRole roleIn(const CaptureSet &set, std::size_t shot, const char *channel)
 
 } // namespace
 
-class TestFindingMends : public QObject
+class TestFindingCorrections : public QObject
 {
     Q_OBJECT
 
 private slots:
     void others_haveNone();
-    void ownMend_ofAFinding_isOffered();
+    void ownCorrection_ofAFinding_isOffered();
     void noDut_offersEveryChannel();
     void swapped_oneFile_swapsThatShotOnly();
     void swapped_all_swapsEveryShot();
@@ -85,28 +85,30 @@ private slots:
     void settingsForAll_keepWhatIsOfShotsAndOtherFiles();
 };
 
-void TestFindingMends::others_haveNone()
+void TestFindingCorrections::others_haveNone()
 {
     for (const char *id : {"CAP-004", "CAP-005", "WIN-001", "SHK-001", ""})
-        QVERIFY2(mendsOf(finding(id, 1), threeFiles()).empty(), id);
+        QVERIFY2(correctionsOf(finding(id, 1), threeFiles()).empty(), id);
     for (const char *id : {"CAP-002", "CAP-007", "CAP-010"}) // there is no such shot
         for (const Index shot : {0, 4, -1})
-            QVERIFY2(mendsOf(finding(id, shot), threeFiles()).empty(), id);
+            QVERIFY2(correctionsOf(finding(id, shot), threeFiles()).empty(), id);
 }
 
-void TestFindingMends::noDut_offersEveryChannel()
+void TestFindingCorrections::noDut_offersEveryChannel()
 {
-    const std::vector<Remedy> mends = mendsOf(finding("CAP-002", 1), threeFiles());
-    QCOMPARE(labels(mends), QStringList({"\"Sensor\" is the DUT", "\"Side\" is the DUT"}));
-    QCOMPARE(mended(mends[1]).channels, (std::map<std::string, std::string>{{"Side", "dut"}}));
+    const std::vector<OfferedCorrection> corrections
+        = correctionsOf(finding("CAP-002", 1), threeFiles());
+    QCOMPARE(labels(corrections), QStringList({"\"Sensor\" is the DUT", "\"Side\" is the DUT"}));
+    QCOMPARE(
+        corrected(corrections[1]).channels, (std::map<std::string, std::string>{{"Side", "dut"}}));
 }
 
-void TestFindingMends::swapped_oneFile_swapsThatShotOnly()
+void TestFindingCorrections::swapped_oneFile_swapsThatShotOnly()
 {
     const CaptureSet set = threeFiles();
-    const std::vector<Remedy> mends = mendsOf(finding("CAP-010", 2), set);
-    QCOMPARE(labels(mends), QStringList({"Swap in mid.h5", "Swap in all shots"}));
-    const Result<CaptureSet> applied = applyImportSettings(set, mended(mends[0]));
+    const std::vector<OfferedCorrection> corrections = correctionsOf(finding("CAP-010", 2), set);
+    QCOMPARE(labels(corrections), QStringList({"Swap in mid.h5", "Swap in all shots"}));
+    const Result<CaptureSet> applied = applyImportSettings(set, corrected(corrections[0]));
     QVERIFY(applied);
     QCOMPARE(roleIn(*applied, 0, "Sensor"), ChannelRole::Dut);
     QCOMPARE(roleIn(*applied, 1, "Sensor"), ChannelRole::DrivenSide);
@@ -114,12 +116,13 @@ void TestFindingMends::swapped_oneFile_swapsThatShotOnly()
     QCOMPARE(roleIn(*applied, 2, "Sensor"), ChannelRole::Dut);
 }
 
-void TestFindingMends::swapped_all_swapsEveryShot()
+void TestFindingCorrections::swapped_all_swapsEveryShot()
 {
     const CaptureSet set = threeFiles();
-    const std::vector<Remedy> mends = mendsOf(finding("CAP-010", 2), set);
+    const std::vector<OfferedCorrection> corrections = correctionsOf(finding("CAP-010", 2), set);
     // Also where one file had been swapped before.
-    const Result<CaptureSet> applied = applyImportSettings(set, mended(mends[1], mended(mends[0])));
+    const Result<CaptureSet> applied
+        = applyImportSettings(set, corrected(corrections[1], corrected(corrections[0])));
     QVERIFY(applied);
     for (std::size_t shot = 0; shot < 3; ++shot) {
         QCOMPARE(roleIn(*applied, shot, "Sensor"), ChannelRole::DrivenSide);
@@ -127,79 +130,84 @@ void TestFindingMends::swapped_all_swapsEveryShot()
     }
 }
 
-void TestFindingMends::swapped_oneInput_offersAllOnly()
+void TestFindingCorrections::swapped_oneInput_offersAllOnly()
 {
-    QCOMPARE(labels(mendsOf(finding("CAP-010", 2), test::sampleCaptures())),
+    QCOMPARE(labels(correctionsOf(finding("CAP-010", 2), test::sampleCaptures())),
         QStringList("Swap in all shots"));
 }
 
-void TestFindingMends::inverted_flipsWhatIsInForce()
+void TestFindingCorrections::inverted_flipsWhatIsInForce()
 {
-    const std::vector<Remedy> mends = mendsOf(finding("CAP-012", 2), threeFiles());
-    QCOMPARE(mends.size(), std::size_t(1));
-    QCOMPARE(mended(mends[0]).polarity, -1);
-    QCOMPARE(mended(mends[0], mended(mends[0])).polarity, 1);
+    const std::vector<OfferedCorrection> corrections
+        = correctionsOf(finding("CAP-012", 2), threeFiles());
+    QCOMPARE(corrections.size(), std::size_t(1));
+    QCOMPARE(corrected(corrections[0]).polarity, -1);
+    QCOMPARE(corrected(corrections[0], corrected(corrections[0])).polarity, 1);
     ImportSettings channel;
     channel.channelDetails["Sensor"].polarity = -1; // wins over that of the DUT
-    QCOMPARE(mended(mends[0], channel).channelDetails["Sensor"].polarity, std::optional<int>(1));
-    QCOMPARE(mended(mends[0], channel).polarity, 1);
+    QCOMPARE(corrected(corrections[0], channel).channelDetails["Sensor"].polarity,
+        std::optional<int>(1));
+    QCOMPARE(corrected(corrections[0], channel).polarity, 1);
     ImportSettings file = channel;
     file.files["mid.h5"].channelDetails["Sensor"].polarity = 1; // wins over both
-    const ImportSettings next = mended(mends[0], file);
+    const ImportSettings next = corrected(corrections[0], file);
     QCOMPARE(next.files.at("mid.h5").channelDetails.at("Sensor").polarity, std::optional<int>(-1));
     QCOMPARE(next.channelDetails.at("Sensor").polarity, std::optional<int>(-1)); // of the others
 }
 
-void TestFindingMends::unit_takesTheOneThatFits()
+void TestFindingCorrections::unit_takesTheOneThatFits()
 {
-    const std::vector<Remedy> mends = mendsOf(finding("CAP-013", 1), threeFiles());
-    QCOMPARE(labels(mends), QStringList("The unit is psi"));
-    QCOMPARE(mended(mends[0]).unit, std::optional<std::string>("psi"));
+    const std::vector<OfferedCorrection> corrections
+        = correctionsOf(finding("CAP-013", 1), threeFiles());
+    QCOMPARE(labels(corrections), QStringList("The unit is psi"));
+    QCOMPARE(corrected(corrections[0]).unit, std::optional<std::string>("psi"));
     ImportSettings channel;
     channel.channelDetails["Sensor"].unit = "bar";
-    QCOMPARE(
-        mended(mends[0], channel).channelDetails["Sensor"].unit, std::optional<std::string>("psi"));
+    QCOMPARE(corrected(corrections[0], channel).channelDetails["Sensor"].unit,
+        std::optional<std::string>("psi"));
     Finding none = finding("CAP-013", 1);
     none.message.arguments[3].clear(); // no unit fits
-    QVERIFY(mendsOf(none, threeFiles()).empty());
+    QVERIFY(correctionsOf(none, threeFiles()).empty());
 }
 
-void TestFindingMends::gaps_areInterpolatedOrTheShotExcluded()
+void TestFindingCorrections::gaps_areInterpolatedOrTheShotExcluded()
 {
-    const std::vector<Remedy> mends = mendsOf(finding("CAP-006", 3), threeFiles());
-    QCOMPARE(mends.size(), std::size_t(2));
-    QVERIFY(mends[0].question.isEmpty());
-    QCOMPARE(mended(mends[0]).interpolateInvalid, Index(5));
-    QVERIFY(!mends[1].question.isEmpty());
-    const ImportSettings excluded = mended(mends[1]);
+    const std::vector<OfferedCorrection> corrections
+        = correctionsOf(finding("CAP-006", 3), threeFiles());
+    QCOMPARE(corrections.size(), std::size_t(2));
+    QVERIFY(corrections[0].question.isEmpty());
+    QCOMPARE(corrected(corrections[0]).interpolateInvalid, Index(5));
+    QVERIFY(!corrections[1].question.isEmpty());
+    const ImportSettings excluded = corrected(corrections[1]);
     QCOMPARE(excluded.exclude.size(), std::size_t(1));
     QCOMPARE(excluded.exclude[0].shot, Index(3));
     QCOMPARE(excluded.exclude[0].reason, std::string("reason"));
 }
 
-void TestFindingMends::lastShot_cannotBeExcluded()
+void TestFindingCorrections::lastShot_cannotBeExcluded()
 {
     CaptureSet set = threeFiles();
-    QCOMPARE(mendsOf(finding("CAP-007", 1), set).size(), std::size_t(1));
-    QVERIFY(mendsOf(finding("CAP-007", 0), set).empty()); // of no shot in particular
+    QCOMPARE(correctionsOf(finding("CAP-007", 1), set).size(), std::size_t(1));
+    QVERIFY(correctionsOf(finding("CAP-007", 0), set).empty()); // of no shot in particular
     set.shots[1].included = set.shots[2].included = false;
-    QVERIFY(mendsOf(finding("CAP-007", 1), set).empty());
-    QVERIFY(mendsOf(finding("CAP-007", 2), set).empty()); // is out already
+    QVERIFY(correctionsOf(finding("CAP-007", 1), set).empty());
+    QVERIFY(correctionsOf(finding("CAP-007", 2), set).empty()); // is out already
 }
 
-void TestFindingMends::rate_showsTheImportSettings()
+void TestFindingCorrections::rate_showsTheImportSettings()
 {
-    QCOMPARE(mendsOf(finding("CAP-003", 2), threeFiles())[0].importPath, QString("/data/mid.h5"));
+    QCOMPARE(
+        correctionsOf(finding("CAP-003", 2), threeFiles())[0].importPath, QString("/data/mid.h5"));
     Finding named = finding("CAP-019", 0);
     named.message.arguments = {"/data/high.h5"};
-    QCOMPARE(mendsOf(named, threeFiles())[0].importPath, QString("/data/high.h5"));
+    QCOMPARE(correctionsOf(named, threeFiles())[0].importPath, QString("/data/high.h5"));
     named.message.arguments = {"/data/other.h5"};
-    QVERIFY(mendsOf(named, threeFiles()).empty());
+    QVERIFY(correctionsOf(named, threeFiles()).empty());
 }
 
 namespace {
 
-/// Raises one finding as long as nothing was mended.
+/// Raises one finding as long as nothing was corrected.
 PipelineOutcome oneFinding(const std::shared_ptr<const CaptureSet> &captures, const Recipe &recipe,
     ResultCache &cache, StageId last, const JobControl &control)
 {
@@ -224,20 +232,20 @@ struct Bench : test::WindowBench
     }
     QPushButton *button(const QString &id) const
     {
-        return window->findChild<QPushButton *>("mend_" + id + "_1");
+        return window->findChild<QPushButton *>("correction_" + id + "_1");
     }
 };
 
 } // namespace
 
-void TestFindingMends::panel_buttons_editTheRecipeAsOneStep()
+void TestFindingCorrections::panel_buttons_editTheRecipeAsOneStep()
 {
     Bench bench;
     QTRY_VERIFY(bench.button("CAP-012"));
     QVERIFY(bench.button("CAP-012")->accessibleDescription().contains("CAP-012"));
     bench.button("CAP-012")->click();
     QTRY_COMPARE(bench.window->session().recipe().import.polarity, -1);
-    QTRY_VERIFY(!bench.button("CAP-012")); // what is mended is gone
+    QTRY_VERIFY(!bench.button("CAP-012")); // what is corrected is gone
     QCOMPARE(bench.window->session().undoStack().count(), 1);
     bench.prompts.setNextSentence("burst too late");
     bench.button("CAP-007")->click();
@@ -250,7 +258,7 @@ void TestFindingMends::panel_buttons_editTheRecipeAsOneStep()
     QTRY_VERIFY(bench.button("CAP-012"));
 }
 
-void TestFindingMends::panel_excludeAskedInVain_changesNothing()
+void TestFindingCorrections::panel_excludeAskedInVain_changesNothing()
 {
     Bench bench;
     QTRY_VERIFY(bench.button("CAP-007"));
@@ -259,7 +267,7 @@ void TestFindingMends::panel_excludeAskedInVain_changesNothing()
     QCOMPARE(bench.window->session().undoStack().count(), 0);
 }
 
-void TestFindingMends::panel_copy_leavesButtonsOut()
+void TestFindingCorrections::panel_copy_leavesButtonsOut()
 {
     Bench bench;
     QTRY_VERIFY(bench.button("CAP-007"));
@@ -272,7 +280,7 @@ void TestFindingMends::panel_copy_leavesButtonsOut()
     QVERIFY(lines.size() >= 2);
 }
 
-void TestFindingMends::panel_sameFindings_keepRowsAndSelection()
+void TestFindingCorrections::panel_sameFindings_keepRowsAndSelection()
 {
     FindingsPanel panel;
     const CaptureSet captures;
@@ -303,7 +311,7 @@ void TestFindingMends::panel_sameFindings_keepRowsAndSelection()
     QCOMPARE(panel.count(), 2);
 }
 
-void TestFindingMends::ownSettings_readBackAsWanted()
+void TestFindingCorrections::ownSettings_readBackAsWanted()
 {
     ImportSettings all;
     all.decimal = ",";
@@ -333,7 +341,7 @@ void TestFindingMends::ownSettings_readBackAsWanted()
     QVERIFY(withOwnSettings(next, "x.csv", same).files.size() == 1);
 }
 
-void TestFindingMends::settingsForAll_keepWhatIsOfShotsAndOtherFiles()
+void TestFindingCorrections::settingsForAll_keepWhatIsOfShotsAndOtherFiles()
 {
     ImportSettings job;
     job.levels = {"low"};
@@ -349,14 +357,15 @@ void TestFindingMends::settingsForAll_keepWhatIsOfShotsAndOtherFiles()
     QVERIFY(!next.files.contains("x.csv") && next.files.contains("y.csv"));
 }
 
-void TestFindingMends::ownMend_ofAFinding_isOffered()
+void TestFindingCorrections::ownCorrection_ofAFinding_isOffered()
 {
     Finding celsius = finding("SHK-004", 1);
-    celsius.mend = Mend{.label = {"Use %1 K", {"294.15"}}, .key = "shock.t1_k", .value = "294.15"};
-    const std::vector<Remedy> mends = mendsOf(celsius, threeFiles());
-    QCOMPARE(labels(mends), QStringList("Use 294.15 K"));
-    QVERIFY(mends.front().ofFinding == celsius.mend);
+    celsius.correction
+        = Correction{.label = {"Use %1 K", {"294.15"}}, .key = "shock.t1_k", .value = "294.15"};
+    const std::vector<OfferedCorrection> corrections = correctionsOf(celsius, threeFiles());
+    QCOMPARE(labels(corrections), QStringList("Use 294.15 K"));
+    QVERIFY(corrections.front().ofFinding == celsius.correction);
 }
 
-DYNCAL_TEST(TestFindingMends)
-#include "tst_finding_mends.moc"
+DYNCAL_TEST(TestFindingCorrections)
+#include "tst_finding_corrections.moc"

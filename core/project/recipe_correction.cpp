@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/project/recipe_mend.h"
+#include "core/project/recipe_correction.h"
 
 #include "core/project/json_merge.h"
 #include "core/project/strict_json.h"
@@ -20,15 +20,15 @@ Json alone(const std::string &key, const Json &value)
 
 } // namespace
 
-Result<Recipe> mendedRecipe(const Recipe &recipe, const Mend &mend)
+Result<Recipe> correctedRecipe(const Recipe &recipe, const Correction &correction)
 {
-    const Result<Json> value = parseStrictJson(mend.value, mend.key);
+    const Result<Json> value = parseStrictJson(correction.value, correction.key);
     if (!value)
         return tl::unexpected(value.error());
     Result<Json> whole = parseStrictJson(recipeJson(recipe), "recipe");
     if (!whole)
         return tl::unexpected(whole.error());
-    putOver(*whole, alone(mend.key, *value));
+    putOver(*whole, alone(correction.key, *value));
     return parseRecipe(whole->dump());
 }
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/project/recipe_mend.h"
+#include "core/project/recipe_correction.h"
 #include "tests/core/project/full_recipe.h"
 #include "tests/support/test_program.h"
 
@@ -12,7 +12,7 @@
 using namespace dyncal;
 
 /// What a finding proposes changes one key of the recipe and nothing else.
-class TestRecipeMend : public QObject
+class TestRecipeCorrection : public QObject
 {
     Q_OBJECT
 
@@ -25,51 +25,51 @@ private slots:
     void everyKeyByItself_makesTheWholeRecipe();
 
 private:
-    static Mend mendOf(const std::string &key, const std::string &value)
+    static Correction correctionOf(const std::string &key, const std::string &value)
     {
         return {{}, key, value};
     }
 };
 
-void TestRecipeMend::number_isSetAndNothingElse()
+void TestRecipeCorrection::number_isSetAndNothingElse()
 {
     Recipe recipe;
     recipe.import.channels["A.1"] = "dut";
     recipe.shock.T1_K = 21.0;
-    const Result<Recipe> mended = mendedRecipe(recipe, mendOf("shock.t1_k", "294.15"));
-    QVERIFY(mended.has_value());
-    QCOMPARE(*mended->shock.T1_K, 294.15);
+    const Result<Recipe> corrected = correctedRecipe(recipe, correctionOf("shock.t1_k", "294.15"));
+    QVERIFY(corrected.has_value());
+    QCOMPARE(*corrected->shock.T1_K, 294.15);
     recipe.shock.T1_K = 294.15;
-    QVERIFY(*mended == recipe);
+    QVERIFY(*corrected == recipe);
 }
 
-void TestRecipeMend::object_isMergedIntoWhatIsThere()
+void TestRecipeCorrection::object_isMergedIntoWhatIsThere()
 {
     Recipe recipe;
     recipe.import.channels = {{"a", "dut"}, {"b", "driven_side"}, {"c", "trigger"}};
-    const Result<Recipe> mended
-        = mendedRecipe(recipe, mendOf("import.channels", R"({"a": "driven_side", "b": "dut"})"));
-    QVERIFY(mended.has_value());
+    const Result<Recipe> corrected = correctedRecipe(
+        recipe, correctionOf("import.channels", R"({"a": "driven_side", "b": "dut"})"));
+    QVERIFY(corrected.has_value());
     const std::map<std::string, std::string> expected{
         {"a", "driven_side"}, {"b", "dut"}, {"c", "trigger"}};
-    QVERIFY(mended->import.channels == expected);
+    QVERIFY(corrected->import.channels == expected);
 }
 
 /// The button that exchanges two roles must not take the sensitivity with it: volts would be left.
-void TestRecipeMend::roleOfAChannel_leavesWhatElseIsKnownOfIt()
+void TestRecipeCorrection::roleOfAChannel_leavesWhatElseIsKnownOfIt()
 {
     Recipe recipe;
     recipe.import.channels = {{"a", "dut"}, {"b", "driven_side"}};
     recipe.import.channelDetails["a"].sensitivity = 5e-6;
     recipe.import.channelDetails["c"].gain = 10.0;
-    const Result<Recipe> mended = mendedRecipe(
-        recipe, mendOf("import.channels", R"({"a": "driven_side", "b": "dut", "c": "trigger"})"));
-    QVERIFY(mended.has_value());
+    const Result<Recipe> corrected = correctedRecipe(recipe,
+        correctionOf("import.channels", R"({"a": "driven_side", "b": "dut", "c": "trigger"})"));
+    QVERIFY(corrected.has_value());
     recipe.import.channels = {{"a", "driven_side"}, {"b", "dut"}, {"c", "trigger"}};
-    QVERIFY(*mended == recipe);
+    QVERIFY(*corrected == recipe);
 }
 
-void TestRecipeMend::keyOrValueThatTheRecipeDoesNotTake_isRefused_data()
+void TestRecipeCorrection::keyOrValueThatTheRecipeDoesNotTake_isRefused_data()
 {
     QTest::addColumn<QByteArray>("key");
     QTest::addColumn<QByteArray>("value");
@@ -94,40 +94,42 @@ void TestRecipeMend::keyOrValueThatTheRecipeDoesNotTake_isRefused_data()
     row("shock", "[]");
 }
 
-void TestRecipeMend::keyOrValueThatTheRecipeDoesNotTake_isRefused()
+void TestRecipeCorrection::keyOrValueThatTheRecipeDoesNotTake_isRefused()
 {
     QFETCH(QByteArray, key);
     QFETCH(QByteArray, value);
     Recipe recipe;
     recipe.shock.T1_K = 294.0;
     const Result<Recipe> refused
-        = mendedRecipe(recipe, mendOf(key.toStdString(), value.toStdString()));
+        = correctedRecipe(recipe, correctionOf(key.toStdString(), value.toStdString()));
     QVERIFY(!refused.has_value());
     QVERIFY(refused.error().kind == ErrorKind::Usage);
     QVERIFY(english(refused.error().message).size() > 20);
 }
 
-/// From the default to a recipe in which nothing has its default, one mend after the other.
-void TestRecipeMend::everyKeyByItself_makesTheWholeRecipe()
+/// From the default to a recipe in which nothing has its default, one correction after the other.
+void TestRecipeCorrection::everyKeyByItself_makesTheWholeRecipe()
 {
     const nlohmann::json full = nlohmann::json::parse(recipeJson(fullRecipe()));
     Recipe recipe;
     for (const auto &[section, values] : full.items()) {
         if (!values.is_object()) {
-            const Result<Recipe> mended = mendedRecipe(recipe, mendOf(section, values.dump()));
-            QVERIFY2(mended.has_value(), section.c_str());
-            recipe = *mended;
+            const Result<Recipe> corrected
+                = correctedRecipe(recipe, correctionOf(section, values.dump()));
+            QVERIFY2(corrected.has_value(), section.c_str());
+            recipe = *corrected;
             continue;
         }
         for (const auto &[key, value] : values.items()) {
             const std::string path = std::string(section).append(".").append(key);
-            const Result<Recipe> mended = mendedRecipe(recipe, mendOf(path, value.dump()));
-            QVERIFY2(mended.has_value(), path.c_str());
-            recipe = *mended;
+            const Result<Recipe> corrected
+                = correctedRecipe(recipe, correctionOf(path, value.dump()));
+            QVERIFY2(corrected.has_value(), path.c_str());
+            recipe = *corrected;
         }
     }
     QVERIFY(recipe == fullRecipe());
 }
 
-DYNCAL_TEST(TestRecipeMend)
-#include "tst_recipe_mend.moc"
+DYNCAL_TEST(TestRecipeCorrection)
+#include "tst_recipe_correction.moc"

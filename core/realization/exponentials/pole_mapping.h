@@ -9,10 +9,10 @@
 namespace dyncal {
 
 /// s = ln(z) / dt; finite for z = 0 too.
-std::complex<double> rateOf(std::complex<double> z, double dt_s);
+std::complex<double> continuousPole(std::complex<double> z, double dt_s);
 
-/// z = e^(s dt) of every rate; the s of a negative real z gives that real z back.
+/// z = e^(s dt) of every continuous pole; the s of a negative real z gives that real z back.
 std::vector<std::complex<double>> discretePoles(
-    const std::vector<std::complex<double>> &rates_rad_s, double dt_s);
+    const std::vector<std::complex<double>> &poles_rad_s, double dt_s);
 
 } // namespace dyncal
