@@ -61,7 +61,7 @@ def build(folder: pathlib.Path, program: pathlib.Path) -> None:
     root = source.parent.parent.parent
     subprocess.run(
         ["g++", "-std=c++20", "-O2", "-I", root, "-isystem", "/usr/include/eigen3", source, "-o", program,
-         folder / "core/libdyncal_core.a", "-lfftw3", "-lpthread"], check=True)
+         folder / "core/libdyncal_core.a", "-lfftw3", "-lcrypto", "-lpthread"], check=True)
 
 
 def run(command: list) -> list[float] | str:
