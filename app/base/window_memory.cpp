@@ -21,7 +21,8 @@ constexpr std::size_t kReserve = std::size_t(64) << 20U;
 constexpr std::size_t kEmptyWindow = std::size_t(192) << 20U;
 
 constinit thread_local bool t_isWindow = false;
-constinit MemoryReserve *s_reserve = nullptr; ///< never goes: what is taken from it may outlive all
+constinit MemoryReserve *s_reserve
+    = nullptr; ///< never deleted: pieces of it may be in use to the very end
 
 } // namespace
 
@@ -41,9 +42,9 @@ bool wasWindowMemoryUsed()
 
 } // namespace dyncal
 
-// Qt's strings, lists and pictures come from malloc, so its own names are the only place to help
-// (glibc manual, "Replacing malloc"). Given back to the system, the part would go to whoever asks
-// next: glibc takes 64 MiB for each new thread. Sanitizers bring their own.
+// Qt's strings, lists and pictures come from malloc, so malloc itself is replaced here (glibc
+// manual, "Replacing malloc"). If the part were freed instead, any thread could take it: glibc
+// takes 64 MiB for each new one. Sanitizers bring their own.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
 // NOLINTBEGIN(bugprone-reserved-identifier): glibc's own names.

@@ -45,11 +45,11 @@ private:
     std::chrono::milliseconds m_time;
 };
 
-/// Runs `work` in a forked copy of this process under limits: what crashes or bloats a library
-/// there does not touch us. All that comes back is what it writes, handed to `receive` in pieces of
-/// any size; false from there ends it. Nothing received may be used unless it finished. `work` may
-/// use only what is safe after fork in a threaded program: memory, files it only reads, and
-/// libraries whose locks no other thread holds now.
+/// Runs `work` in a forked copy of this process under limits: if a library crashes there, or takes
+/// all memory, this process goes on. All that comes back is what it writes, handed to `receive` in
+/// pieces of any size; false from there ends it. Nothing received may be used unless it finished.
+/// `work` may use only what is safe after fork in a threaded program: memory, files it only reads,
+/// and libraries whose locks no other thread holds now.
 GuardedOutcome runGuarded(const std::function<void(GuardedOutput &)> &work,
     const std::function<bool(std::span<const std::byte>)> &receive, const GuardedLimits &limits,
     const std::stop_token &stop);

@@ -56,8 +56,8 @@ struct GumBudget
 };
 
 /// Sensitivities by central differences over a tenth of each u; an input with u = 0 contributes
-/// nothing. Fails (Usage) on an input whose value, u or dof is none (not a number, infinite, u
-/// below 0, dof not above 0) and on two inputs of one name, (DataBlocked) where a result is not
+/// nothing. Fails (Usage) on an input whose value, u or dof is of no use (not a number, infinite,
+/// u below 0, dof not above 0) and on two inputs of one name, (DataBlocked) where a result is not
 /// finite, and where f fails at the values or beside them.
 Result<GumBudget> propagateGum(
     const std::vector<UncertainInput> &inputs, const Measurement &measurement);

@@ -143,8 +143,9 @@ private:
             .value = static_cast<double>(m_survey.invalid)});
     }
 
-    /// Where the rail is known only what reaches it is saturated, and blocks inside the window;
-    /// else the window stage blocks what stands still for long.
+    /// Where the converter's limits are known, only a run at a limit is saturation; inside the
+    /// window it blocks. Where they are not, the window stage blocks a signal that stands still too
+    /// long.
     void checkSaturation(const EqualRun &run, const std::optional<double> &rail, bool atRail)
     {
         if (run.count < m_settings.saturationRun)

@@ -146,7 +146,7 @@ std::string complexText(std::complex<double> z)
     return coordinateText(z.real()) + (pair ? " \xC2\xB1 j" + coordinateText(z.imag()) : "");
 }
 
-/// A dash where the number means nothing: not known, or of a simulation that runs away.
+/// A dash where the number means nothing: not known, or of a simulation that diverges.
 std::string fitText(double percent, bool diverges = false)
 {
     return diverges || !(std::abs(percent) < kMostPercent) ? english(dash())

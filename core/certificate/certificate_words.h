@@ -14,7 +14,7 @@ namespace dyncal {
 
 /// Coverage factor of the expanded uncertainties on the certificate, where no other is printed.
 inline constexpr double kCoverageFactor = 2.0;
-/// FIT of this size means nothing any more: the simulation ran away.
+/// A FIT of this magnitude has no meaning: the simulation diverged.
 inline constexpr double kMostPercent = 1e6;
 
 /// Whether nothing was typed but blanks.

@@ -25,9 +25,9 @@ struct ExpectedShock
     Findings findings; ///< CAP-010
 };
 
-/// By the starts of the DUTs, detected or typed (window.start), which a sensor's delay makes late:
-/// for the plateau's end, and so that the records are read once. Never fails: what is wrong with
-/// the settings is said by shockStage().
+/// From the starts of the DUTs, detected or typed (window.start), which are late by the sensor's
+/// delay. Gives the plateau's end to the window, and has the records read only once. Never fails:
+/// what is wrong with the settings is said by shockStage().
 Result<ExpectedShock> expectedShock(
     const CaptureSet &set, const RecordStarts &starts, const Recipe &recipe);
 

@@ -14,7 +14,7 @@
 namespace dyncal {
 
 /// A JSON object of results in which nothing is left out without a word: what is missing or not
-/// finite becomes null with "<key>_reason" beside it. Internal to core/pipeline.
+/// finite becomes null with "<key>_reason" beside it. Internal to core/results.
 class JsonRecord
 {
 public:

@@ -11,7 +11,7 @@
 
 namespace dyncal {
 
-/// Spectra of several shots on one frequency axis. Internal to core/pipeline.
+/// Spectra of several shots on one frequency axis. Internal to core/results.
 struct SharedSpectrum
 {
     Eigen::VectorXd frequency_Hz;

@@ -48,7 +48,7 @@ struct ShockStates
 };
 
 /// Fails (DataBlocked, SHK-001) if M <= 1, (SHK-004) if T1 is outside 200..400 K, and on p1 <= 0;
-/// (Usage) on a gas that is none: gamma outside (1, 2], molar mass outside 0.001..0.4 kg/mol.
+/// (Usage) on an impossible gas: gamma outside (1, 2], molar mass outside 0.001..0.4 kg/mol.
 /// Relative error of the results below 1e-12 down to M - 1 = 1e-6.
 Result<ShockStates> shockStates(const Gas &gas, double p1_Pa, double T1_K, double velocity_m_s);
 
@@ -57,7 +57,7 @@ Result<ShockStates> shockStates(const Gas &gas, double p1_Pa, double T1_K, doubl
 double plateauTime_s(const ShockStates &states, double drivenLength_m);
 
 /// Driver pressure that an ideal diaphragm needs for this shock (eq 3.10). Fails where none can
-/// (DataBlocked), on T4 outside 200..400 K (SHK-004) and on a driver gas that is none (Usage).
+/// (DataBlocked), on T4 outside 200..400 K (SHK-004) and on an impossible driver gas (Usage).
 Result<double> driverPressure_Pa(
     const ShockStates &states, const Gas &driven, const Gas &driver, double T4_K);
 

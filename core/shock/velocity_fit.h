@@ -76,7 +76,7 @@ double refittedVelocity_m_s(
     const VelocityFit &fit, const Eigen::VectorXd &distance_m, const Eigen::VectorXd &time_s);
 
 /// The same for counters: the mean velocity of each interval at its middle, fitted by a constant or
-/// a straight line. Fails (Usage) without a reading or on a reading that is none.
+/// a straight line. Fails (Usage) without a reading or on an impossible one.
 Result<VelocityFit> fitCounters(
     const std::vector<CounterReading> &readings, Attenuation attenuation);
 

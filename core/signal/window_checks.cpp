@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kSettleDrift_per_ms = 0.01; ///< of the step
 constexpr double kBaselineDrift_per_ms = 0.005;
-constexpr double kSlopeSigmas = 3.0; ///< a slope that noise alone explains is none
+constexpr double kSlopeSigmas = 3.0; ///< below so many u a slope may be noise
 constexpr double kLeastSnr_dB = 20.0;
 constexpr double kMilli = 1e-3;
 constexpr double kMostStuck = 0.2; ///< of the window's samples

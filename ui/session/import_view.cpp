@@ -49,7 +49,7 @@ ChannelRole roleOf(const ImportChannel &channel, const ImportSettings &settings)
     return named == settings.channels.end() ? channel.fileRole : channelRoleFromName(named->second);
 }
 
-/// As the rules of import have it: what is given replaces the file's DUT; one channel alone is it.
+/// As applyImportSettings(): a DUT that is given replaces the file's; an only channel is the DUT.
 void giveRoles(std::vector<ImportChannel> &channels, const ImportSettings &settings)
 {
     const auto dutGiven = [&](const ImportChannel &channel) {

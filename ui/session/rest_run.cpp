@@ -7,7 +7,7 @@ namespace dyncal {
 
 namespace {
 
-/// A hand that rests this long within a drag wants to see everything.
+/// A pause of this length within a drag: now the rest is computed.
 constexpr int kRest_ms = 150;
 
 } // namespace

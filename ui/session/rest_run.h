@@ -11,8 +11,8 @@
 namespace dyncal {
 
 /// The second part of every run: the stages behind the one on show. Within a series of changes that
-/// merge (a drag, keys) it waits until the hand rests, so that no move waits for what it does not
-/// show.
+/// merge (a drag, keys) it waits for a pause of the operator, so that no move waits for what it
+/// does not show.
 class RestRun
 {
 public:
@@ -25,7 +25,7 @@ public:
     /// it is time for a run.
     RestRun(JobRunner &jobs, std::function<void()> begin);
 
-    /// The first part is there: `begin` comes at once, or within a series when the hand rests.
+    /// The first part is there: `begin` comes at once, or within a series at the next pause.
     void ask(bool isSeries);
     void hurry(); ///< the hand has let go
     void withdraw() { m_asked.stop(); }

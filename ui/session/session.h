@@ -92,7 +92,7 @@ public:
     bool isOfThisRun(StageId stage) const { return m_shown.isOfThisRun(stage); }
 
     /// The stage on show is computed and delivered first. The rest follows at once, or within a
-    /// series of changes that merge (a drag, keys) as soon as the hand rests or endMerge() is
+    /// series of changes that merge (a drag, keys) at the next pause or when endMerge() is
     /// called: moves never wait for what they do not show.
     void setFocus(StageId stage) { m_focus = stage; }
     void cancelComputation();

@@ -27,9 +27,9 @@ struct WhitenedInput
     std::vector<double> floors = {}; ///< mean square per series below which nothing is information
 };
 
-/// Errors of rounding that the noise does not break up have no colour that the record before the
-/// start could tell: the response as it is, and no residual counts below the noise and the largest
-/// such error, which has three times the mean square of all.
+/// Rounding errors that the noise does not randomise do not show in the record before the start, so
+/// it says nothing of their spectrum. The response is then used as it is, and a residual counts as
+/// no less than noise and largest rounding error, which has three times their mean square.
 std::optional<WhitenedInput> roundedInput(const ModelInput &input)
 {
     if (std::none_of(input.series.begin(), input.series.end(), roundingCounts))

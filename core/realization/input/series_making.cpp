@@ -38,8 +38,8 @@ double uncertaintyOfMean(const NoiseCovariance &noise)
         / std::abs(1.0 + model.coefficients.sum());
 }
 
-/// What the errors of rounding are like in a response of so many samples, which the record before
-/// the start does not tell: from sample to sample another one where it moves, one and the same for
+/// The noise with the rounding errors of a response of so many samples, which the record before the
+/// start does not show: a new error at each sample while the response moves, the same error for
 /// long where it comes to rest (docs/method/order.md).
 NoiseCovariance withRounding(
     const NoiseCovariance &noise, double leastSd, double lastingSd, Index samples)

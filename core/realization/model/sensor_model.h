@@ -99,7 +99,7 @@ struct SensorModel
     double fit_percent = 0.0; ///< aligned, pooled over the shots
     double fitAttainable_percent = 0.0;
     std::optional<double> fitListing_percent; ///< thesis mode: as the listing computes it
-    bool diverges = false; ///< a pole outside the unit circle makes the simulation run away
+    bool diverges = false; ///< with a pole outside the unit circle the simulation diverges
     bool refined = false;
     ModelDraft draft; ///< what the assessment goes on from
     std::vector<NuisanceResult> nuisance; ///< left out of everything above but `simulated`

@@ -52,7 +52,7 @@ public:
     Eigen::MatrixXd derivatives() const;
 
 private:
-    /// What the modes make of the part e^(s t) of the answer to the step alone.
+    /// By what the tube's modes multiply the amplitude of e^(s t) that the step alone would give.
     std::complex<double> factorOfModes(std::complex<double> s) const;
 };
 

@@ -19,7 +19,7 @@ constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kClipShare = 0.5; ///< of the measured range, to either side
 constexpr double kFarthestShown = 2.0; ///< zeros beyond this radius are only counted
 
-/// Keeps a curve that runs away within reach of the data.
+/// Cuts a curve that diverges off near the data.
 void clipTo(const Eigen::VectorXd &measured, std::vector<double> &values)
 {
     if (measured.size() == 0)

@@ -11,7 +11,7 @@ namespace dyncal {
 
 namespace {
 
-/// Numbers that somebody else holds.
+/// Samples that the caller owns.
 class ViewedNumbers : public SampleSource
 {
 public:

@@ -14,7 +14,7 @@ namespace {
 
 /// Up to this many samples per column are drawn as they are: the polyline is then as exact.
 constexpr Index kSamplesPerColumn = 4;
-/// A column of this many grains may begin half a grain beside its pixel: nobody sees that.
+/// A column of this many grains (grain(): samples) may begin half a grain off: that is not seen.
 constexpr Index kGrainsPerColumn = 8;
 
 void appendColumn(const SampleExtremes &found, double x, DrawnPoints &drawn)

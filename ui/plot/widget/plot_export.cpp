@@ -66,7 +66,7 @@ bool saveSvg(const PlotPicture &picture, QSize size, QIODevice &device)
     generator.setResolution(kPageDpi);
     generator.setSize(size);
     generator.setViewBox(QRect(QPoint(0, 0), size));
-    // Qt 6.4 writes both as they are, markup and all.
+    // Qt 6.4 writes title and description into the SVG without escaping them.
     generator.setTitle(picture.content->title.toHtmlEscaped());
     generator.setDescription(picture.content->summary.toHtmlEscaped());
     QPainter painter;

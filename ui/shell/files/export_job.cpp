@@ -10,7 +10,7 @@ namespace dyncal {
 
 namespace {
 
-/// Of one tick: below what a hand on the mouse feels.
+/// Of one step: too short to be noticed at the mouse.
 constexpr std::chrono::milliseconds kDrawingTime{15};
 /// Of the progress: drawing takes about this part of the whole.
 constexpr double kDrawingShare = 0.7;

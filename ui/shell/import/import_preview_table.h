@@ -10,7 +10,7 @@
 namespace dyncal {
 
 /// The first rows of a text table as they are read: cells that are no numbers are marked, the
-/// column of times stands back.
+/// column of times is grey.
 class ImportPreviewTable : public QTableWidget
 {
     Q_OBJECT

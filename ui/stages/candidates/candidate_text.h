@@ -41,7 +41,7 @@ QStringList cardLines(const CandidateRow &row);
 /// "< 0.001" or the p value.
 QString probabilityShown(std::optional<double> p);
 
-/// What b.9 proposes to write where it is true of the order, else what is true.
+/// A reason to adopt this order, for the operator to edit: only what is true of it.
 QString proposedReason(const SensorModel &model, const CalibrationResults &results);
 
 } // namespace dyncal

@@ -24,7 +24,7 @@ class OrderPage : public StagePage
 public:
     explicit OrderPage(Session &session);
 
-    /// What follows the cut at once; the measured response comes when the hand rests.
+    /// What follows the cut at once; the measured response comes at the next pause.
     StageId focus() const override { return StageId::Shock; }
 
 protected:

@@ -71,8 +71,8 @@ private:
     std::vector<std::byte> m_bytes;
 };
 
-/// Turns bytes into values and believes nothing: where they do not fit, ok() is false from then on
-/// and values stay empty. No length is allocated that the bytes cannot hold.
+/// Turns bytes into values and checks each: after one that does not fit ok() is false and values
+/// stay empty. No length is allocated that the bytes cannot hold.
 class ByteUnpacker
 {
 public:

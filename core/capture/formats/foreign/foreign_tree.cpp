@@ -10,7 +10,7 @@
 namespace dyncal {
 namespace {
 
-/// Walks the tree in depth, each object once: links may make circles. The nesting is at most what
+/// Walks the tree in depth, each object once: links may make cycles. The nesting is at most what
 /// the description allows (64 groups), so recursion is safe.
 class Walk
 {

@@ -15,8 +15,8 @@
 
 namespace dyncal {
 
-/// An HDF5 file as a helper process described it. libhdf5 crashes, hangs and bloats on some damaged
-/// files, so this process never lets it near a file that it did not write itself.
+/// An HDF5 file as a helper process described it. libhdf5 crashes, hangs or takes all memory on
+/// some damaged files, so this process opens with it only files that it has written itself.
 struct Hdf5File
 {
     std::string path;

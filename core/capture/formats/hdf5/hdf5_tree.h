@@ -102,7 +102,7 @@ struct Hdf5Object
 
 struct Hdf5Tree
 {
-    std::vector<Hdf5Object> objects; ///< the first is the root; hard links may make circles
+    std::vector<Hdf5Object> objects; ///< the first is the root; hard links may make cycles
     /// If not 0, names and attributes have at least so many bytes, more than is described of a file
     /// of this size; then the objects are not all of it.
     std::uint64_t tooManyBytes = 0;
@@ -113,8 +113,8 @@ constexpr std::uint64_t kDescriptionCopies = 8;
 
 std::vector<std::byte> packed(const Hdf5Tree &tree);
 
-/// Empty if the bytes are no tree: all positions and kinds are checked, so that whoever walks the
-/// tree has only circles to fear. What datasets claim is not checked here.
+/// Empty if the bytes are no tree: all positions and kinds are checked, so that who walks the
+/// tree need only mind cycles of links. What datasets claim is not checked here.
 std::optional<Hdf5Tree> unpackedTree(std::span<const std::byte> bytes);
 
 /// Member of that name, or null.

@@ -14,7 +14,7 @@ namespace dyncal {
 namespace {
 
 constexpr double kPreciseRate = 1e-4; ///< relative: not worth a word
-constexpr double kUselessRate = 1e-2; ///< a rate this vague is none
+constexpr double kUselessRate = 1e-2; ///< a rate known no better is not used
 
 /// Makes the channels of one segment.
 class ShotMaker
