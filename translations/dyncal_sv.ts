@@ -80,6 +80,65 @@
     </message>
 </context>
 <context>
+    <name>Corrections</name>
+    <message>
+        <source>Exclude shot %1</source>
+        <translation>Uteslut skott %1</translation>
+    </message>
+    <message>
+        <source>Why is this shot not used? The certificate prints the reason.</source>
+        <translation>Varför används inte detta skott? Skälet skrivs ut i kalibreringsbeviset.</translation>
+    </message>
+    <message>
+        <source>&quot;%1&quot; is the DUT</source>
+        <translation>”%1” är DUT</translation>
+    </message>
+    <message>
+        <source>Choose %1 as the DUT</source>
+        <translation>Välj %1 som DUT</translation>
+    </message>
+    <message>
+        <source>Swap in all shots</source>
+        <translation>Byt plats i alla skott</translation>
+    </message>
+    <message>
+        <source>Swap DUT and driven side</source>
+        <translation>Byt plats på DUT och drivna sidan</translation>
+    </message>
+    <message>
+        <source>The unit is %1</source>
+        <translation>Enheten är %1</translation>
+    </message>
+    <message>
+        <source>Change the DUT&apos;s unit</source>
+        <translation>Ändra DUT:s enhet</translation>
+    </message>
+    <message>
+        <source>Invert polarity</source>
+        <translation>Vänd polariteten</translation>
+    </message>
+    <message>
+        <source>Change the DUT&apos;s polarity</source>
+        <translation>Ändra DUT:s polaritet</translation>
+    </message>
+    <message>
+        <source>Interpolate gaps of up to %1 samples</source>
+        <translation>Interpolera luckor på högst %1 sampel</translation>
+    </message>
+    <message>
+        <source>Interpolate invalid samples</source>
+        <translation>Interpolera ogiltiga sampel</translation>
+    </message>
+    <message>
+        <source>Swap in %1</source>
+        <translation>Byt plats i %1</translation>
+    </message>
+    <message>
+        <source>Import settings...</source>
+        <translation>Importinställningar...</translation>
+    </message>
+</context>
+<context>
     <name>FindingAnswers</name>
     <message>
         <source>Reason for %1</source>
@@ -289,65 +348,6 @@
     <message>
         <source>The file can be imported.</source>
         <translation>Filen kan importeras.</translation>
-    </message>
-</context>
-<context>
-    <name>Corrections</name>
-    <message>
-        <source>Exclude shot %1</source>
-        <translation>Uteslut skott %1</translation>
-    </message>
-    <message>
-        <source>Why is this shot not used? The certificate prints the reason.</source>
-        <translation>Varför används inte detta skott? Skälet skrivs ut i kalibreringsbeviset.</translation>
-    </message>
-    <message>
-        <source>&quot;%1&quot; is the DUT</source>
-        <translation>”%1” är DUT</translation>
-    </message>
-    <message>
-        <source>Choose %1 as the DUT</source>
-        <translation>Välj %1 som DUT</translation>
-    </message>
-    <message>
-        <source>Swap in all shots</source>
-        <translation>Byt plats i alla skott</translation>
-    </message>
-    <message>
-        <source>Swap DUT and driven side</source>
-        <translation>Byt plats på DUT och drivna sidan</translation>
-    </message>
-    <message>
-        <source>The unit is %1</source>
-        <translation>Enheten är %1</translation>
-    </message>
-    <message>
-        <source>Change the DUT&apos;s unit</source>
-        <translation>Ändra DUT:s enhet</translation>
-    </message>
-    <message>
-        <source>Invert polarity</source>
-        <translation>Vänd polariteten</translation>
-    </message>
-    <message>
-        <source>Change the DUT&apos;s polarity</source>
-        <translation>Ändra DUT:s polaritet</translation>
-    </message>
-    <message>
-        <source>Interpolate gaps of up to %1 samples</source>
-        <translation>Interpolera luckor på högst %1 sampel</translation>
-    </message>
-    <message>
-        <source>Interpolate invalid samples</source>
-        <translation>Interpolera ogiltiga sampel</translation>
-    </message>
-    <message>
-        <source>Swap in %1</source>
-        <translation>Byt plats i %1</translation>
-    </message>
-    <message>
-        <source>Import settings...</source>
-        <translation>Importinställningar...</translation>
     </message>
 </context>
 <context>
