@@ -2801,6 +2801,10 @@
         <translation>%1, rad %2, kolumn %3: &quot;%4&quot; är inget tal; rätta cellen, eller ange decimal, separator eller skip_rows i receptets avsnitt import.</translation>
     </message>
     <message>
+        <source>%1: column &quot;%2&quot; holds other times than column &quot;%3&quot;, and one shot has one sample rate. Save each with its samples in a file of its own, or name the columns of one of them, time included, in the recipe&apos;s import section.</source>
+        <translation>%1: kolumn ”%2” innehåller andra tider än kolumn ”%3”, och ett skott har en enda samplingsfrekvens. Spara var och en med sina sampel i en egen fil, eller namnge kolumnerna för en av dem, tiden inräknad, i receptets avsnitt import.</translation>
+    </message>
+    <message>
         <source>%1: the times are not uniform: line %2 follows its predecessor by %3, others by %4 (allowed is 1 %). Record anew, or name only the columns of samples and give the sample rate in the recipe&apos;s import section.</source>
         <translation>%1: tiderna är inte jämnt fördelade: rad %2 följer sin föregångare med %3, andra med %4 (1 % är tillåtet). Gör om registreringen, eller ange bara kolumnerna med sampel och ge samplingsfrekvensen i receptets avsnitt import.</translation>
     </message>

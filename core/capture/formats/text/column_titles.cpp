@@ -33,6 +33,20 @@ std::vector<std::string_view> cellsWithoutTail(
     return cells;
 }
 
+/// "time (s)" is one title in a table split by blanks, too.
+std::vector<std::string_view> withUnitsJoined(const std::vector<std::string_view> &cells)
+{
+    std::vector<std::string_view> joined;
+    for (const std::string_view cell : cells) {
+        if (joined.empty() || !(cell.starts_with('(') || cell.starts_with('[')))
+            joined.push_back(cell);
+        else
+            joined.back() = {joined.back().data(),
+                static_cast<std::size_t>(cell.data() + cell.size() - joined.back().data())};
+    }
+    return joined;
+}
+
 /// Cells of a header line, one per column, or none. Headers of tables split by blanks often use
 /// another separator ("# time (s),<tab>acceleration (g)").
 std::vector<std::string_view> titleCells(std::string_view line, const TextDialect &dialect)
@@ -44,6 +58,8 @@ std::vector<std::string_view> titleCells(std::string_view line, const TextDialec
     const auto columns = static_cast<std::size_t>(dialect.columns);
     for (const char separator : {dialect.separator, ',', ';', '\t', kBlankSeparator}) {
         std::vector<std::string_view> cells = cellsWithoutTail(line, separator, columns);
+        if (cells.size() != columns && separator == kBlankSeparator)
+            cells = withUnitsJoined(cells);
         if (cells.size() == columns)
             return cells;
         if (!comment && dialect.separator != kBlankSeparator)
@@ -132,7 +148,9 @@ TitleRows titleRowsOf(const TextDialect &dialect)
 ColumnTitle timeTitleOf(const TextDialect &dialect)
 {
     for (auto line = dialect.header.rbegin(); line != dialect.header.rend(); ++line) {
-        const std::vector<std::string_view> cells = cellsOf(*line, dialect.separator);
+        std::vector<std::string_view> cells = cellsOf(*line, dialect.separator);
+        if (dialect.separator == kBlankSeparator)
+            cells = withUnitsJoined(cells);
         if (cells.size() > 1 && isTimeTitle(titleOf(cells[0])))
             return titleOf(cells[0]);
     }

@@ -47,13 +47,28 @@ bool isWordCharacter(char c)
         || static_cast<unsigned char>(c) >= 0x80;
 }
 
+/// "50,000" above data with decimal points: thousands in most headers, thousandths in some.
+bool mayBeGrouped(std::string_view digits, char decimal)
+{
+    constexpr std::size_t kGroup = 3;
+    constexpr std::string_view kDigits = "0123456789";
+    const std::size_t mark = digits.find_first_not_of(kDigits);
+    if (mark == 0 || mark > kGroup || mark == std::string_view::npos || digits[0] == '0'
+        || digits[mark] != (decimal == '.' ? ',' : '.'))
+        return false;
+    const std::string_view behind = digits.substr(mark + 1);
+    const std::size_t end = std::min(behind.find_first_not_of(kDigits), behind.size());
+    return end == kGroup && (end == behind.size() || behind[end] == digits[mark]);
+}
+
 /// Takes what a value is behind a key apart: "[us], 0,01", ": 10 MHz", "_hz = 1e6".
 class ValueCursor
 {
 public:
-    ValueCursor(std::string_view text, bool commaSeparates)
+    ValueCursor(std::string_view text, const TextDialect &dialect)
         : m_rest(text)
-        , m_commaSeparates(commaSeparates)
+        , m_commaSeparates(dialect.separator == ',')
+        , m_decimal(dialect.decimal)
     {
     }
 
@@ -96,6 +111,8 @@ private:
     {
         skip(kBetween);
         std::string_view digits = m_rest.substr(0, m_rest.find_first_not_of("0123456789+-.,e"));
+        if (mayBeGrouped(digits, m_decimal))
+            return false;
         const std::size_t comma = digits.find(',');
         if (m_commaSeparates || digits.find('.') < comma)
             digits = digits.substr(0, comma); // the cell ends there
@@ -125,6 +142,7 @@ private:
 
     std::string_view m_rest;
     bool m_commaSeparates;
+    char m_decimal;
 };
 
 std::optional<HeaderRate> rateOf(Kind kind, double number, const std::string &unit)
@@ -158,7 +176,7 @@ bool matchesAt(std::string_view line, std::size_t at, std::string_view words)
 }
 
 /// The statement that begins at the first key of the line.
-std::optional<HeaderRate> rateInLine(std::string_view original, bool commaSeparates)
+std::optional<HeaderRate> rateInLine(std::string_view original, const TextDialect &dialect)
 {
     const std::string line = lowerCase(utf8Text(original.substr(0, kLineBytes)));
     for (std::size_t at = 0; at < line.size(); ++at) {
@@ -168,7 +186,7 @@ std::optional<HeaderRate> rateInLine(std::string_view original, bool commaSepara
             double number = 0.0;
             std::string unit;
             std::string_view behind = std::string_view(line).substr(at + key.words.size());
-            if (!ValueCursor(behind, commaSeparates).read(number, unit))
+            if (!ValueCursor(behind, dialect).read(number, unit))
                 continue;
             if (std::optional<HeaderRate> rate = rateOf(key.kind, number, unit))
                 return rate;
@@ -201,7 +219,7 @@ std::vector<HeaderRate> headerRates(const TextDialect &dialect)
     constexpr std::size_t kShown = 60;
     std::vector<HeaderRate> rates;
     for (std::size_t i = 0; i < dialect.header.size(); ++i) {
-        std::optional<HeaderRate> rate = rateInLine(dialect.header[i], dialect.separator == ',');
+        std::optional<HeaderRate> rate = rateInLine(dialect.header[i], dialect);
         if (!rate && i + 1 < dialect.header.size())
             rate = rateBelowTitle(dialect.header[i], dialect.header[i + 1], dialect);
         if (!rate)

@@ -22,7 +22,8 @@ struct HeaderRate
 
 /// All statements like "Sample rate: 10 MHz", "Sampling interval [us],0.01", "fs = 50000" or a cell
 /// "Increment" with a number below it, in order. Without a unit a statement counts only if it gives
-/// at least kCredibleRate_Hz.
+/// at least kCredibleRate_Hz. "50,000 Hz" above decimal points counts for nothing, nor "50.000"
+/// above decimal commas: it may be 50 kHz as well as 50 Hz.
 std::vector<HeaderRate> headerRates(const TextDialect &dialect);
 
 /// A rate read from a number without unit is believed from here on.

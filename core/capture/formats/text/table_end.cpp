@@ -3,10 +3,12 @@
 
 #include "core/capture/formats/text/table_end.h"
 
+#include "core/base/ascii_text.h"
 #include "core/capture/formats/text/text_dialect.h"
 #include "core/capture/formats/text/text_table.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -48,7 +50,10 @@ std::vector<Shape> shapesAbove(std::string_view text, const TextDialect &dialect
             continue;
         const std::vector<std::string_view> cells = cellsOf(line, dialect.separator);
         const auto column = static_cast<std::size_t>(dialect.columns) - 1;
-        if (column < cells.size() && !cells[column].empty())
+        double value = 0.0; // the header may be here, too, and "nan"
+        if (column < cells.size()
+            && readCell(cells[column], dialect.decimal, value) == CellKind::Number
+            && std::isfinite(value))
             shapes.push_back(shapeOf(cells[column], dialect.decimal));
     }
     return shapes;
@@ -66,10 +71,12 @@ RowEnd compared(const Shape &last, const std::vector<Shape> &above)
     const auto exponent = range(&Shape::exponentDigits);
     const bool fixed = decimals.first == decimals.second && exponent.first == exponent.second
         && (decimals.second > 0 || exponent.second > 0);
-    if (fixed)
-        return last.decimals == decimals.first && last.exponentDigits == exponent.first
-            ? RowEnd::Whole
-            : RowEnd::Cut;
+    if (fixed && last.decimals == decimals.first && last.exponentDigits == exponent.first)
+        return RowEnd::Whole;
+    if (fixed) // more digits than above were never cut, but may have been more yet
+        return last.decimals < decimals.first || last.exponentDigits < exponent.first
+            ? RowEnd::Cut
+            : RowEnd::Unclear;
     const bool exponentCut
         = last.exponentDigits >= 0 && last.exponentDigits < std::max<Index>(1, exponent.second);
     return last.size < range(&Shape::size).first || exponentCut ? RowEnd::Cut : RowEnd::Unclear;
@@ -81,12 +88,18 @@ RowEnd lastRowEnd(std::string_view text, std::string_view line, const TextDialec
 {
     const std::vector<std::string_view> cells = cellsOf(line, dialect.separator);
     const auto columns = static_cast<std::size_t>(dialect.columns);
+    const bool quoteIsOpen = std::any_of(
+        cells.begin(), cells.end(), [](std::string_view cell) { return cell.starts_with('"'); });
+    if (quoteIsOpen)
+        return RowEnd::Cut; // "-2 of "-2,5"
     if (cells.size() > columns)
         return RowEnd::Whole; // a separator follows the last number
     double value = 0.0;
     if (cells.size() < columns
         || readCell(cells.back(), dialect.decimal, value) != CellKind::Number)
         return RowEnd::Cut;
+    if (trimmed(line).ends_with('"'))
+        return RowEnd::Whole; // a quote closes the last number
     const std::vector<Shape> above
         = shapesAbove(text.substr(0, text.size() - line.size()), dialect);
     return above.empty() ? RowEnd::Unclear

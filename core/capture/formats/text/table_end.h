@@ -13,7 +13,7 @@ namespace dyncal {
 
 /// What can be told of a last line that has no line end.
 enum class RowEnd {
-    Whole, ///< its last number has the digits that all numbers above have
+    Whole, ///< its last number has the digits that all numbers above have, or quotes around
     Unclear, ///< it may be whole
     Cut, ///< cells or digits are missing
 };

@@ -68,12 +68,19 @@ Row rowOf(std::string_view line, char separator, char decimal)
     return row;
 }
 
+/// What one row has more than another must be empty: some programs write a separator behind some
+/// last cells.
+bool alike(const Row &a, const Row &b)
+{
+    return std::max(a.used, b.used) <= std::min(a.cells, b.cells);
+}
+
 bool tableStartsAt(const std::vector<Row> &rows, std::size_t start)
 {
     const std::size_t end = std::min(start + kRowsToStart, rows.size());
     for (std::size_t i = start; i < end; ++i) {
         const bool blankAtEnd = i > start && rows[i].used == 0;
-        if (!blankAtEnd && (!rows[i].numeric || rows[i].cells != rows[start].cells))
+        if (!blankAtEnd && (!rows[i].numeric || !alike(rows[i], rows[start])))
             return i + 1 == rows.size() && i > start; // the last line may be cut
     }
     return start < rows.size();
@@ -92,7 +99,7 @@ Trial tried(const std::vector<std::string_view> &lines, char separator, char dec
     while (!skipRows && trial.start < rows.size() && !tableStartsAt(rows, trial.start))
         ++trial.start;
     for (std::size_t i = trial.start; i < rows.size(); ++i) {
-        const bool fits = rows[i].numeric && rows[i].cells == rows[trial.start].cells;
+        const bool fits = rows[i].numeric && alike(rows[i], rows[trial.start]);
         trial.rows += fits ? 1 : 0;
         trial.columns = fits ? std::max(trial.columns, rows[i].used) : trial.columns;
     }
@@ -163,10 +170,13 @@ public:
 
     bool isPair()
     {
-        if (m_start > 0) {
-            const std::size_t cells = cellsOf(m_lines[m_start - 1], ',').size();
-            m_certain = true;
-            return cells == 2;
+        std::size_t title = m_start; // behind it
+        while (title > 0 && isBlankRow(m_lines[title - 1], ','))
+            --title;
+        if (title > 0) {
+            const bool pair = cellCount(m_lines[title - 1], ',') == 2;
+            m_certain = pair || !firstPartCountsUp(); // a note has no second name either
+            return pair;
         }
         m_certain = anyLeadingZero();
         return !m_certain && firstPartCountsUp();

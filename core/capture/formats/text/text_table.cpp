@@ -23,6 +23,25 @@ const char *firstOf(char c, const char *begin, const char *end)
     return found != nullptr ? static_cast<const char *>(found) : end;
 }
 
+/// Whether a number that no double can hold is too small for it, not too large: its first digit
+/// that is not zero stands behind the mark once the exponent has moved it.
+bool isTooSmall(std::string_view number)
+{
+    constexpr double kBeyondAll = 1e300;
+    const std::size_t end = std::min(number.find_first_of("eE"), number.size());
+    const std::size_t mark = std::min(number.find('.'), end);
+    const auto places
+        = static_cast<double>(mark) - static_cast<double>(number.find_first_of("123456789"));
+    number.remove_prefix(std::min(end + 1, number.size()));
+    double exponent = number.starts_with('-') ? -kBeyondAll : kBeyondAll;
+    if (number.empty())
+        exponent = 0.0;
+    else if (number.starts_with('+'))
+        number.remove_prefix(1);
+    std::from_chars(number.data(), number.data() + number.size(), exponent);
+    return places + exponent < 0.0;
+}
+
 /// from_chars on the whole text, with the way values that are too small or written "+1" go.
 CellKind readPlainNumber(const char *begin, const char *end, double &value)
 {
@@ -33,10 +52,9 @@ CellKind readPlainNumber(const char *begin, const char *end, double &value)
     if (read.ptr != end || read.ec == std::errc::invalid_argument)
         return CellKind::Unreadable;
     if (read.ec == std::errc::result_out_of_range) {
-        const std::string_view text(begin, static_cast<std::size_t>(end - begin));
-        if (text.find("e-") == std::string_view::npos && text.find("E-") == std::string_view::npos)
+        if (!isTooSmall({begin, static_cast<std::size_t>(end - begin)}))
             return CellKind::Unreadable; // too large: that is no measured value
-        value = 0.0;
+        value = *begin == '-' ? -0.0 : 0.0;
     }
     return CellKind::Number;
 }
@@ -156,7 +174,8 @@ CellKind readCell(std::string_view cell, char decimal, double &value)
         return CellKind::Unreadable;
     if (mark == std::string_view::npos)
         return readPlainNumber(cell.data(), cell.data() + cell.size(), value);
-    std::array<char, 64> buffer;
+    constexpr std::size_t kLongest = 1200; // more than the longest of all doubles printed whole has
+    std::array<char, kLongest> buffer;
     const bool digitBehind
         = mark + 1 < cell.size() && cell[mark + 1] >= '0' && cell[mark + 1] <= '9';
     if (cell.size() > buffer.size() || !digitBehind)

@@ -72,6 +72,8 @@ public:
         const TimeAxis axis = timeAxisOf(m_columns[column]);
         if (axis.irregular)
             return m_say.irregular(m_columns[column], axis);
+        if (const Result<void> alone = checkOtherTimes(axis, scale_s.value_or(1.0)); !alone)
+            return tl::unexpected(alone.error());
         const Result<void> rated = scale_s ? takeStated(axis, *scale_s) : takeUnstated(axis);
         if (!rated)
             return tl::unexpected(rated.error());
@@ -109,6 +111,27 @@ private:
         m_time.column = titledColumn();
         m_titled = m_time.column.has_value();
         return m_titled ? Result<void>() : findUntitled(first, riseOf(m_columns[0]));
+    }
+
+    /// Columns in pairs, each with times of its own, must not all take the first one's.
+    Result<void> checkOtherTimes(const TimeAxis &axis, double scale_s) const
+    {
+        for (std::size_t i = 0; m_settings.columns.empty() && i < m_columns.size(); ++i) {
+            const ColumnTitle title = withUnitSplit(m_say.titles[i]);
+            const auto unit_s = secondsPerUnit(title.unit);
+            const ColumnRise rise = riseOf(m_columns[i]);
+            if (static_cast<Index>(i) == *m_time.column || !(unit_s || isTimeTitle(title))
+                || rise == ColumnRise::None || rise == ColumnRise::Uneven)
+                continue;
+            const TimeAxis other = timeAxisOf(m_columns[i]);
+            const double factor = unit_s.value_or(scale_s) / scale_s;
+            const bool same = ratesAgree(other.step * factor, axis.step)
+                && std::abs(other.first * factor - axis.first) <= 0.5 * axis.step;
+            if (!same)
+                return m_say.otherTimes(m_say.titles[i].name,
+                    m_say.titles[static_cast<std::size_t>(*m_time.column)].name);
+        }
+        return {};
     }
 
     std::optional<Index> titledColumn() const

@@ -35,8 +35,8 @@ struct TextTime
 ///
 /// Fails: CAP-001 the first column holds frequencies, CAP-003 times, header and
 /// settings.sampleRate_Hz differ by more than 0.1 % (not the last, if settings.sampleRateReason
-/// says why: then the import rules replace the rate), CAP-016 times are not uniform or their unit
-/// is unknown.
+/// says why: then the import rules replace the rate), or another column holds other times, CAP-016
+/// times are not uniform or their unit is unknown.
 Result<TextTime> timeOfTable(const std::string &path, const ImportSettings &settings,
     const TextDialect &dialect, const std::vector<ColumnTitle> &titles,
     const std::vector<std::vector<double>> &columns);

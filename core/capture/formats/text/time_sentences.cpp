@@ -66,6 +66,17 @@ TimeSentences::Failure TimeSentences::noUnitAgrees(double step, double known_Hz)
         {path, hertz(known_Hz), numberText(step, kDigits)});
 }
 
+TimeSentences::Failure TimeSentences::otherTimes(
+    const std::string &name, const std::string &timeName) const
+{
+    return failure("CAP-003",
+        DYNCAL_TEXT("core",
+            "%1: column \"%2\" holds other times than column \"%3\", and one shot has one "
+            "sample rate. Save each with its samples in a file of its own, or name the columns "
+            "of one of them, time included, in the recipe's import section."),
+        {path, name, timeName});
+}
+
 TimeSentences::Failure TimeSentences::irregular(
     const std::vector<double> &times, const TimeAxis &axis) const
 {

@@ -28,6 +28,8 @@ struct TimeSentences
     Failure headerContradictsItself(const HeaderRate &a, const HeaderRate &b) const; ///< CAP-003
     Failure headerAgainstTimes(const HeaderRate &header, double times_Hz) const; ///< CAP-003
     Failure recipeAgainstTimes(double recipe_Hz, double times_Hz) const; ///< CAP-003
+    /// The column holds times, too, but others than the column of times.
+    Failure otherTimes(const std::string &name, const std::string &timeName) const; ///< CAP-003
     Failure noUnitAgrees(double step, double known_Hz) const; ///< CAP-003
     Failure irregular(const std::vector<double> &times, const TimeAxis &axis) const; ///< CAP-016
     Failure unknownUnit(const std::string &unit) const; ///< CAP-016
