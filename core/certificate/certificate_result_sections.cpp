@@ -189,14 +189,38 @@ Message cell(double value, double u, std::string_view unit)
     return std::isfinite(value) ? withRounding(value, u, unit) : dash();
 }
 
-std::vector<Message> frequencyRow(const ResponseResult &response, Index i)
+std::vector<double> sortedFrequencies(const ResponseResult &response)
+{
+    std::vector<double> sorted(
+        response.frequency_Hz.data(), response.frequency_Hz.data() + response.frequency_Hz.size());
+    std::erase_if(sorted, [](double f) { return !std::isfinite(f); });
+    std::sort(sorted.begin(), sorted.end());
+    return sorted;
+}
+
+/// How far the nearest other frequency is, where five digits might print both alike; else unknown.
+double stepToTell(const std::vector<double> &sorted, double frequency_Hz)
+{
+    constexpr double kFiveDigits = 1e-4;
+    double nearest = kFiveDigits * frequency_Hz;
+    const auto [same, above] = std::equal_range(sorted.begin(), sorted.end(), frequency_Hz);
+    if (same != sorted.begin())
+        nearest = std::min(nearest, frequency_Hz - *(same - 1));
+    if (above != sorted.end())
+        nearest = std::min(nearest, *above - frequency_Hz);
+    return nearest < kFiveDigits * frequency_Hz ? nearest : kUnknown;
+}
+
+std::vector<Message> frequencyRow(
+    const ResponseResult &response, const std::vector<double> &sorted, Index i)
 {
     const std::string unit = response.unit == "1" ? "" : response.unit;
     const double magnitude = valueAt(response.magnitude, i);
     const double uMagnitude = valueAt(response.u_magnitude, i);
     const double phase = kDegreesPerRadian * valueAt(response.phase_rad, i);
     const double uPhase = kDegreesPerRadian * valueAt(response.u_phase_rad, i);
-    return {cell(response.frequency_Hz[i], kUnknown, "Hz"), cell(magnitude, uMagnitude, unit),
+    const double frequency = response.frequency_Hz[i];
+    return {cell(frequency, stepToTell(sorted, frequency), "Hz"), cell(magnitude, uMagnitude, unit),
         std::isfinite(magnitude) ? expanded(magnitude, uMagnitude, unit) : dash(),
         cell(phase, uPhase, "\xC2\xB0"),
         std::isfinite(phase) ? expanded(phase, uPhase, "\xC2\xB0") : dash(),
@@ -330,8 +354,9 @@ CertificateSection frequencyResponseSection(const CalibrationResults &results)
         {{DYNCAL_TEXT("core", "U (k = 2)"), {}}, true},
         {{DYNCAL_TEXT("core", "Model, magnitude"), {}}, true},
         {{DYNCAL_TEXT("core", "Model, phase"), {}}, true}};
+    const std::vector<double> sorted = sortedFrequencies(response);
     for (Index i = 0; i < response.frequency_Hz.size(); ++i)
-        table.rows.push_back(frequencyRow(response, i));
+        table.rows.push_back(frequencyRow(response, sorted, i));
     section.tables.push_back(std::move(table));
     section.notes.push_back(
         {DYNCAL_TEXT("core",
