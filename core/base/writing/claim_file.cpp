@@ -50,11 +50,11 @@ std::optional<ClaimText> parse(std::string_view bytes, std::string_view temporar
 
 bool writeAndLock(int file, std::string_view bytes)
 {
+    (void)::fchmod(file, kReadable); // whatever the umask; some file systems have no modes
     const ssize_t written = ::write(file, bytes.data(), bytes.size());
     if (written >= 0 && written < static_cast<ssize_t>(bytes.size()))
         errno = ENOSPC;
-    return written == static_cast<ssize_t>(bytes.size()) && ::fchmod(file, kReadable) == 0
-        && ::flock(file, LOCK_EX | LOCK_NB) == 0;
+    return written == static_cast<ssize_t>(bytes.size()) && ::flock(file, LOCK_EX | LOCK_NB) == 0;
 }
 
 /// Has no name before it is whole, so that a claim is never half written.

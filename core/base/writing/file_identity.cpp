@@ -24,6 +24,7 @@ namespace {
 
 constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
 constexpr std::size_t kBlock = 1U << 18U;
+constexpr std::size_t kTextBlock = 1U << 14U;
 
 /// The folder of a name's last part, opened part by part, so that no link is followed.
 FileDescriptor folderOf(int folder, const std::string &name)
@@ -119,15 +120,14 @@ std::string sha256At(int folder, const std::string &name)
 std::optional<std::string> textAt(int folder, const std::string &name, std::size_t most)
 {
     const FileDescriptor file = openRegular(folder, name);
-    std::string text(most + 1, '\0');
-    std::size_t size = 0;
+    std::string text; // `most` is a bound: what is read is as a rule a few lines
+    std::array<char, kTextBlock> block;
     ssize_t got = file.valid() ? 1 : -1;
-    while (got > 0 && size < text.size()) {
-        got = ::read(file.get(), text.data() + size, text.size() - size);
-        size += got > 0 ? static_cast<std::size_t>(got) : 0;
+    while (got > 0 && text.size() <= most) {
+        got = ::read(file.get(), block.data(), block.size());
+        text.append(block.data(), got > 0 ? static_cast<std::size_t>(got) : 0);
     }
-    text.resize(size);
-    return got < 0 || size > most ? std::nullopt : std::optional(std::move(text));
+    return got < 0 || text.size() > most ? std::nullopt : std::optional(std::move(text));
 }
 
 std::vector<std::string> namesIn(int folder)

@@ -16,19 +16,11 @@
 namespace dyncal {
 namespace {
 
-/// The folder that a name lies in, reached without following a link.
-FileDescriptor parentOf(int folder, const std::string &name)
+/// Moves one file, making the folders on its way, which go into `made`.
+bool moveFile(int from, const std::string &source, int to, const std::string &target,
+    std::vector<std::string> *made = nullptr)
 {
-    const std::size_t slash = name.rfind('/');
-    return FileDescriptor(slash == std::string::npos
-            ? ::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC)
-            : openFolderAt(folder, name.substr(0, slash)));
-}
-
-/// Moves one file, making the folders on its way.
-bool moveFile(int from, const std::string &source, int to, const std::string &target)
-{
-    if (!makeFoldersFor(to, target))
+    if (!makeFoldersFor(to, target, made))
         return false;
     const FileDescriptor sourceFolder = parentOf(from, source);
     const FileDescriptor targetFolder = parentOf(to, target);
@@ -63,6 +55,8 @@ public:
                 && sha256At(m_folder, file.file) == file.sha256)
                 moveFile(m_folder, file.file, m_staging, m_tree + file.file);
         }
+        for (; !m_made.empty(); m_made.pop_back())
+            removeEmptyFolder(m_folder, m_made.back());
         for (const WrittenFile &file : m_plan.retired)
             if (isThere(m_staging, m_old + file.file))
                 moveFile(m_staging, m_old + file.file, m_folder, file.file);
@@ -90,10 +84,10 @@ private:
         return moveFile(m_folder, file.file, m_staging, m_old + file.file);
     }
 
-    bool place(const WrittenFile &file) const
+    bool place(const WrittenFile &file)
     {
         return !isThere(m_staging, m_tree + file.file)
-            || moveFile(m_staging, m_tree + file.file, m_folder, file.file);
+            || moveFile(m_staging, m_tree + file.file, m_folder, file.file, &m_made);
     }
 
     int m_staging;
@@ -101,6 +95,7 @@ private:
     const FolderPlan &m_plan;
     const std::string m_tree = std::string(kStagedTree) + '/';
     const std::string m_old = std::string(kRetired) + '/';
+    std::vector<std::string> m_made; ///< folders that were not there before
 };
 
 bool linkFolder(int from, int to, const std::string &below, const WrittenList &retired);

@@ -3,14 +3,25 @@
 
 #pragma once
 
+#include "core/base/file_descriptor.h"
 #include "core/base/writing/written_list.h"
 
 #include <string>
+#include <vector>
 
 namespace dyncal {
 
-/// Makes the folders on the way to a name; false with errno.
-bool makeFoldersFor(int folder, const std::string &name);
+// None of these follows a link.
+
+/// The folder that a name lies in; invalid with errno.
+FileDescriptor parentOf(int folder, const std::string &name);
+
+/// Makes the folders on the way to a name; false with errno. Those that were not there go into
+/// `made`, the deepest last.
+bool makeFoldersFor(int folder, const std::string &name, std::vector<std::string> *made = nullptr);
+
+/// Removes a folder if it is empty.
+void removeEmptyFolder(int folder, const std::string &name);
 
 /// Removes the folders on the way to a name as far as they are empty.
 void removeEmptyFoldersOf(int folder, const std::string &name);

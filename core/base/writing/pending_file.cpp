@@ -67,7 +67,7 @@ Result<PendingFile> PendingFile::create(const std::string &path, const Existing 
     if (const Result<void> allowed = file.checkTarget(); !allowed)
         return tl::unexpected<Error>(allowed.error());
     file.m_file = FileDescriptor(::openat(file.m_claim->folder(), file.m_claim->temporary().c_str(),
-        O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, kNewFileMode));
+        O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, file.firstMode()));
     if (!file.m_file.valid())
         return cannotWrite(path);
     file.m_exists = true;
@@ -114,6 +114,16 @@ Result<void> PendingFile::checkTarget() const
         && (!m_existing.sha256 || sha256At(folder, m_name) != *m_existing.sha256))
         return wasChanged(m_path);
     return {};
+}
+
+/// Nobody may read meanwhile what he may not read in the end.
+mode_t PendingFile::firstMode() const
+{
+    struct stat status = {};
+    const bool replaces
+        = ::fstatat(m_claim->folder(), m_name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0
+        && S_ISREG(status.st_mode);
+    return replaces ? kNewFileMode & (status.st_mode | S_IRUSR | S_IWUSR) : kNewFileMode;
 }
 
 /// A file that others may not read stays one.

@@ -49,6 +49,7 @@ public:
 private:
     PendingFile(std::string path, std::string name, Existing existing, WriteClaim claim);
     Result<void> checkTarget() const;
+    mode_t firstMode() const;
     Result<void> keepMode() const;
     bool takeName() const;
 

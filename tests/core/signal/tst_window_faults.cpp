@@ -230,10 +230,10 @@ void TestWindowFaults::findings_windowBehindPlateau()
     QVERIFY(findingOf(result, "WIN-001"));
     QVERIFY(std::abs(*findingOf(result, "WIN-001")->value - 2e-3) < 1e-12);
     QCOMPARE(*findingOf(result, "WIN-001")->limit, 1.63e-3);
-    QVERIFY(findingOf(result, "WIN-001")->mend.has_value());
-    QCOMPARE(findingOf(result, "WIN-001")->mend->key, std::string("window.end_s"));
-    QCOMPARE(findingOf(result, "WIN-001")->mend->value, std::string("0.00163"));
-    settings.end_s = 1.63e-3; // as the mend has it
+    QVERIFY(findingOf(result, "WIN-001")->correction.has_value());
+    QCOMPARE(findingOf(result, "WIN-001")->correction->key, std::string("window.end_s"));
+    QCOMPARE(findingOf(result, "WIN-001")->correction->value, std::string("0.00163"));
+    settings.end_s = 1.63e-3; // as the correction has it
     QVERIFY(!findingOf(cut(stepChannel(), settings, context), "WIN-001"));
     settings.end_s = 1.6e-3;
     QVERIFY(!findingOf(cut(stepChannel(), settings, context), "WIN-001"));

@@ -4,12 +4,11 @@
 #pragma once
 
 #include "core/base/writing/folder_write.h"
-#include "tests/core/base/writing/folder_snapshot.h"
+#include "tests/core/base/writing/opened_folder.h"
 
 #include <QtGlobal>
 
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <string>
 #include <vector>
@@ -52,12 +51,6 @@ struct Case
 };
 
 inline void nothing(const std::filesystem::path &) { }
-
-inline void put(const std::filesystem::path &file, const std::string &bytes)
-{
-    std::filesystem::create_directories(file.parent_path());
-    std::ofstream(file) << bytes;
-}
 
 inline const std::vector<Case> &cases()
 {
