@@ -6,37 +6,35 @@
 #include "core/base/free_memory.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
+#include "ui/session/job_threads.h"
 
 #include <QElapsedTimer>
 #include <QObject>
-#include <QThreadPool>
 
+#include <chrono>
 #include <functional>
 #include <memory>
+#include <new>
+#include <optional>
 #include <stop_token>
+#include <thread>
 
 namespace dyncal {
 
 /// Runs one background job at a time; the newest request wins. A new start asks the running job to
 /// stop and drops its result; with two threads the new one does not wait until the old one obeys.
 /// Results arrive on the thread of `receiver` by a queued call, never after a newer start, a
-/// cancel() or the runner's death. Jobs must capture values only.
-///
-/// No QFuture is kept: in Qt 6.4 QFuture::takeResult resets the shared state and a second copy's
-/// waitForFinished() then never returns.
+/// cancel() or the runner's death. Jobs must capture values only. Where memory runs out, in the job
+/// or for its thread or for its result's way, an error that says so arrives instead.
 class JobRunner
 {
 public:
-    explicit JobRunner(QObject *receiver, int threads = 1)
+    explicit JobRunner(QObject *receiver, std::size_t threads = 1)
         : m_receiver(receiver)
+        , m_threads(threads)
     {
-        m_pool.setMaxThreadCount(threads);
     }
-    ~JobRunner()
-    {
-        cancel();
-        m_pool.waitForDone();
-    }
+    ~JobRunner() { cancel(); }
     JobRunner(const JobRunner &) = delete;
     JobRunner &operator=(const JobRunner &) = delete;
 
@@ -54,20 +52,17 @@ public:
         ++m_number;
         m_age.start();
         const JobControl control{m_stop.get_token(), throttled(std::move(progress))};
-        if (!isMemoryLeft(kThreadBytes)) { // Qt would keep silent about a thread that never runs
-            post(control.stop, [this, deliver] {
-                m_running = false;
-                deliver(notEnoughMemory());
-            });
-            return;
-        }
-        m_pool.start([this, job = std::move(job), deliver = std::move(deliver), control] {
-            auto result = std::make_shared<Result<T>>(guarded<T>(job, control));
-            post(control.stop, [this, result, deliver] {
-                m_running = false;
-                deliver(std::move(*result));
-            });
-        });
+        const auto result = std::make_shared<Outcome<T>>();
+        const std::function<void()> end = [this, result, deliver = std::move(deliver)] {
+            m_running = false;
+            deliver(*result ? std::move(**result) : Result<T>(notEnoughMemory()));
+        };
+        if (!isMemoryLeft(kThreadBytes)
+            || !m_threads.start([this, job = std::move(job), control, result, end] {
+                   *result = outcomeOf<T>(job, control);
+                   postSurely(control.stop, end, *result);
+               }))
+            post(m_receiver, control.stop, end);
     }
 
     void cancel()
@@ -104,9 +99,18 @@ private:
                 {}});
     }
 
-    void post(std::stop_token stop, std::function<void()> call)
+    /// Empty where there was no memory for it.
+    template <typename T>
+    using Outcome = std::optional<Result<T>>;
+
+    template <typename T>
+    static Outcome<T> outcomeOf(const Job<T> &job, const JobControl &control)
     {
-        post(m_receiver, std::move(stop), std::move(call));
+        try {
+            return guarded<T>(job, control);
+        } catch (const std::bad_alloc &) {
+            return std::nullopt;
+        }
     }
 
     template <typename T>
@@ -117,12 +121,29 @@ private:
                 return fail(ErrorKind::Cancelled, {DYNCAL_TEXT("core", "Cancelled."), {}});
             return job(control);
         } catch (const std::bad_alloc &) {
-            return notEnoughMemory();
+            throw;
         } catch (const std::exception &problem) {
             return fail(ErrorKind::Internal,
                 {DYNCAL_TEXT("core",
                      "The program met an unexpected condition (%1); please report it with your project file."),
                     {problem.what()}});
+        }
+    }
+
+    /// From the job's thread. Without its end the receiver would wait for ever, so what it found is
+    /// given up for the memory of the call, and that is tried until others have given back theirs.
+    template <typename T>
+    void postSurely(const std::stop_token &stop, const std::function<void()> &end, T &outcome)
+    {
+        constexpr std::chrono::milliseconds kPause{20};
+        while (!stop.stop_requested()) {
+            try {
+                post(m_receiver, stop, end);
+                return;
+            } catch (const std::bad_alloc &) {
+                outcome.reset();
+                std::this_thread::sleep_for(kPause);
+            }
         }
     }
 
@@ -142,11 +163,11 @@ private:
     }
 
     QObject *m_receiver;
-    QThreadPool m_pool;
     std::stop_source m_stop;
     QElapsedTimer m_age;
     bool m_running = false;
     quint64 m_number = 0;
+    JobThreads m_threads; ///< last: waits for its jobs before the rest goes
 };
 
 } // namespace dyncal

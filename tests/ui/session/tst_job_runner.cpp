@@ -8,8 +8,48 @@
 #include <QtTest>
 
 #include <atomic>
+#include <cerrno>
+#include <cstdlib>
+#include <new>
+
+#include <dlfcn.h>
+#include <pthread.h>
 
 using namespace dyncal;
+
+namespace {
+
+std::atomic<bool> s_noThreads = false; ///< the system gives none
+thread_local int t_failing = 0; ///< so many of this thread's allocations fail
+
+} // namespace
+
+extern "C" int pthread_create(
+    pthread_t *thread, const pthread_attr_t *attributes, void *(*start)(void *), void *argument)
+{
+    static auto *const real
+        = reinterpret_cast<decltype(&::pthread_create)>(::dlsym(RTLD_NEXT, "pthread_create"));
+    return s_noThreads ? EAGAIN : real(thread, attributes, start, argument);
+}
+
+void *operator new(std::size_t bytes)
+{
+    void *memory = t_failing > 0 ? nullptr : std::malloc(bytes > 0 ? bytes : 1);
+    t_failing -= t_failing > 0 ? 1 : 0;
+    if (memory == nullptr)
+        throw std::bad_alloc();
+    return memory;
+}
+
+void operator delete(void *memory) noexcept
+{
+    std::free(memory);
+}
+
+void operator delete(void *memory, std::size_t) noexcept
+{
+    std::free(memory);
+}
 
 class TestJobRunner : public QObject
 {
@@ -21,6 +61,10 @@ private slots:
     void cancel_dropsTheResultAndAsksTheJobToStop();
     void exception_becomesInternalError();
     void lackOfMemory_becomesInternalError();
+    void noMemoryForTheEnd_isSaidAllTheSame();
+    void noThread_becomesInternalError();
+    void noSecondThread_waitsForTheFirst();
+    void manyJobs_allEndInTheirOrder();
     void destructor_stopsAndWaits();
     void progress_isThrottled();
 };
@@ -111,6 +155,94 @@ void TestJobRunner::lackOfMemory_becomesInternalError()
     QTRY_VERIFY(error);
     QCOMPARE(error->kind, ErrorKind::Internal);
     QVERIFY(english(error->message).find("memory") != std::string::npos);
+}
+
+/// What is to tell the receiver needs memory itself.
+void TestJobRunner::noMemoryForTheEnd_isSaidAllTheSame()
+{
+    for (const int failing : {1, 2, 3, 5, 8}) {
+        QObject receiver;
+        JobRunner runner(&receiver);
+        std::optional<Error> error;
+        runner.start<int>(
+            [failing](const JobControl &) -> Result<int> {
+                t_failing = failing;
+                return 1;
+            },
+            [&](Result<int> result) {
+                if (!result)
+                    error = result.error();
+            });
+        QTRY_VERIFY(error);
+        QVERIFY(english(error->message).find("memory") != std::string::npos);
+        QVERIFY(!runner.isRunning());
+    }
+}
+
+void TestJobRunner::noThread_becomesInternalError()
+{
+    QObject receiver;
+    JobRunner runner(&receiver);
+    std::optional<Error> error;
+    bool hasRun = false;
+    const auto start = [&] {
+        runner.start<int>(
+            [&](const JobControl &) -> Result<int> {
+                hasRun = true;
+                return 1;
+            },
+            [&](Result<int> result) {
+                error = result ? std::nullopt : std::optional(result.error());
+            });
+    };
+    s_noThreads = true;
+    start();
+    s_noThreads = false;
+    QTRY_VERIFY(error);
+    QVERIFY(english(error->message).find("memory") != std::string::npos);
+    QVERIFY(!hasRun && !runner.isRunning());
+    start(); // there are threads again
+    QTRY_VERIFY(!error);
+    QVERIFY(hasRun);
+}
+
+/// The newer job is done, however late, and the older one's thread does it.
+void TestJobRunner::noSecondThread_waitsForTheFirst()
+{
+    QObject receiver;
+    JobRunner runner(&receiver, 2);
+    std::atomic<bool> begun = false, mayEnd = false;
+    runner.start<int>(
+        [&](const JobControl &) -> Result<int> {
+            begun = true;
+            while (!mayEnd)
+                QThread::msleep(1);
+            return 1;
+        },
+        [](Result<int>) {});
+    QTRY_VERIFY(begun);
+    int value = 0;
+    s_noThreads = true;
+    runner.start<int>([](const JobControl &) -> Result<int> { return 2; },
+        [&](Result<int> result) { value = *result; });
+    s_noThreads = false;
+    mayEnd = true;
+    QTRY_COMPARE(value, 2);
+}
+
+/// Threads come and go between them.
+void TestJobRunner::manyJobs_allEndInTheirOrder()
+{
+    QObject receiver;
+    JobRunner runner(&receiver);
+    int value = 0;
+    for (int i = 1; i <= 300; ++i) {
+        runner.start<int>([i](const JobControl &) -> Result<int> { return i; },
+            [&value](Result<int> result) { value = value == *result - 1 ? *result : -1; });
+        while (value == i - 1)
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        QCOMPARE(value, i);
+    }
 }
 
 void TestJobRunner::destructor_stopsAndWaits()
