@@ -5,6 +5,7 @@
 
 #include "app/base/clock.h"
 #include "app/base/interrupt.h"
+#include "app/base/painting_thread.h"
 #include "app/base/window_memory.h"
 #include "app/cli/console.h"
 #include "core/base/version.h"
@@ -61,6 +62,15 @@ void prepareApplication()
     QApplication::setWindowIcon(QIcon(":/icons/dyncal.svg"));
 }
 
+Error noMemoryForWindow()
+{
+    return {ErrorKind::Internal,
+        {DYNCAL_TEXT("core",
+             "There is not enough memory for a window; close other programs or raise the memory limit."),
+            {}},
+        {}, 0};
+}
+
 std::atomic<MainWindow *> shownWindow = nullptr;
 
 /// INT, TERM, HUP: what is not saved is kept for the next start.
@@ -86,14 +96,12 @@ int runGui(int argc, char **argv, const std::vector<std::string> &files)
     if (tour && !qEnvironmentVariableIsSet("DISPLAY"))
         qputenv("QT_QPA_PLATFORM", "offscreen");
     if (!keepMemoryForWindow())
-        return report({ErrorKind::Internal,
-            {DYNCAL_TEXT("core",
-                 "There is not enough memory for a window; close other programs or raise the memory limit."),
-                {}},
-            {}, 0});
+        return report(noMemoryForWindow());
     // What is exported must be the same bytes as from the command line.
     QHashSeed::setDeterministicGlobalSeed();
     onEndRequest(endInOrder);
+    if (!keepPaintingThread())
+        ::_exit(report(noMemoryForWindow()));
     Application application(argc, argv);
     prepareApplication();
 

@@ -4,6 +4,7 @@
 #include "app/base/interrupt.h"
 
 #include <csignal>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -45,13 +46,17 @@ void onEndRequest(std::function<void(int)> end)
     if (sigisemptyset(&signals) != 0)
         return;
     pthread_sigmask(SIG_BLOCK, &signals, nullptr);
-    std::thread([end = std::move(end), signals] {
-        int caught = 0;
-        sigwait(&signals, &caught);
-        end(caught);
-        sigwait(&signals, &caught);
-        ::_exit(128 + caught);
-    }).detach();
+    try {
+        std::thread([end = std::move(end), signals] {
+            int caught = 0;
+            sigwait(&signals, &caught);
+            end(caught);
+            sigwait(&signals, &caught);
+            ::_exit(128 + caught);
+        }).detach();
+    } catch (const std::system_error &) { // no room for it: the first one ends the program at once
+        pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
+    }
 }
 
 std::stop_token interruptToken()

@@ -82,9 +82,14 @@ private:
     /// What the window says in the end of an export under this limit; "" if it has died.
     QString exportAt(std::uint64_t limit_MiB)
     {
+        WindowProcess window(path("home"), {capture()}, limit_MiB * kMiB);
+        return exportIn(window);
+    }
+
+    QString exportIn(WindowProcess &window)
+    {
         QDir(path("exported")).removeRecursively();
         QDir().mkpath(path("exported"));
-        WindowProcess window(path("home"), {capture()}, limit_MiB * kMiB);
         QString said = "nothing";
         QString state;
         bool asked = false;
@@ -213,6 +218,25 @@ private slots:
             return said.contains("memory") ? Outcome::Refused : Outcome::Wrong;
         });
         QVERIFY2(isDone, m_what);
+    }
+
+    /// The system gives the window only so many threads, all from 0 on until it has done its work.
+    void window_fewThreads()
+    {
+        QVERIFY(QFile::exists(qEnvironmentVariable("DYNCAL_FEW_THREADS")));
+        int refused = 0, done = 0;
+        for (int threads = 0; done < 2; ++threads) {
+            WindowProcess window(path("home"), {capture()}, 0,
+                {"ASAN_OPTIONS=detect_leaks=0:verify_asan_link_order=0", // where it is so built
+                    "LD_PRELOAD=" + qEnvironmentVariable("DYNCAL_FEW_THREADS"),
+                    "DYNCAL_THREADS=" + QString::number(threads)});
+            const QString said = exportIn(window);
+            const QByteArray what = QByteArray::number(threads) + " threads: " + said.toUtf8();
+            QVERIFY2(said.startsWith("Written") || said.contains("memory"), what);
+            (said.startsWith("Written") ? done : refused) += 1;
+        }
+        qInfo("%d numbers of threads refused", refused);
+        QVERIFY(refused > 2);
     }
 };
 

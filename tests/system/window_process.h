@@ -19,8 +19,10 @@
 class WindowProcess
 {
 public:
-    /// `addressSpace`: bytes that it may have, 0 = no limit.
-    WindowProcess(const QString &home, const QStringList &files, std::uint64_t addressSpace = 0)
+    /// `addressSpace`: bytes that it may have, 0 = no limit. `extra`: further environment variables
+    /// ("NAME=value").
+    WindowProcess(const QString &home, const QStringList &files, std::uint64_t addressSpace = 0,
+        const QStringList &extra = {})
     {
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         for (const char *name : {"DISPLAY", "WAYLAND_DISPLAY", "SOURCE_DATE_EPOCH"})
@@ -31,6 +33,8 @@ public:
         environment.insert("XDG_CONFIG_HOME", home + "/config");
         environment.insert("QT_PLUGIN_PATH", qEnvironmentVariable("DYNCAL_WINDOW_DRIVER"));
         environment.insert("QT_QPA_GENERIC_PLUGINS", "dyncal_window_driver");
+        for (const QString &variable : extra)
+            environment.insert(variable.section('=', 0, 0), variable.section('=', 1));
         m_process.setProcessEnvironment(environment);
         limitAddressSpace(m_process, addressSpace);
         m_process.start(qEnvironmentVariable("DYNCAL_BINARY"), files);
