@@ -24,8 +24,7 @@ private:
 
     static QString script()
     {
-        const QString source = qEnvironmentVariable("DYNCAL_SOURCE_DIR");
-        return QDir(source.isEmpty() ? QString(QT_TESTCASE_SOURCEDIR) + "/.." : source)
+        return QDir(qEnvironmentVariable("DYNCAL_SOURCE_DIR", "."))
             .filePath("tests/audit/recompute.py");
     }
 
