@@ -88,6 +88,16 @@ std::optional<FileIdentity> identityOf(int folder, const std::string &name)
         status.st_mtim.tv_sec * kNanosecondsPerSecond + status.st_mtim.tv_nsec};
 }
 
+std::uint64_t mountOf(int folder, const std::string &name)
+{
+    struct statx status = {};
+    if (::statx(folder, name.c_str(), AT_SYMLINK_NOFOLLOW, STATX_MNT_ID, &status) == 0
+        && (status.stx_mask & STATX_MNT_ID) != 0)
+        return status.stx_mnt_id;
+    struct stat plain = {};
+    return ::fstatat(folder, name.c_str(), &plain, AT_SYMLINK_NOFOLLOW) == 0 ? plain.st_dev : 0;
+}
+
 bool isFolderAt(int folder, const std::string &name, int opened)
 {
     const auto byName = identityOf(folder, name);

@@ -35,6 +35,9 @@ struct FileIdentity
 /// of it is a link.
 std::optional<FileIdentity> identityOf(int folder, const std::string &name);
 
+/// Which mount a name lies on: files cannot be moved from one to another.
+std::uint64_t mountOf(int folder, const std::string &name);
+
 /// Whether the name stands for this open folder.
 bool isFolderAt(int folder, const std::string &name, int opened);
 

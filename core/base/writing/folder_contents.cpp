@@ -55,6 +55,26 @@ tl::unexpected<Error> holdsRecording(const FolderPlace &place, const std::string
             {place.shown, recording}});
 }
 
+tl::unexpected<Error> isOtherMount(const FolderPlace &place, const std::string &name)
+{
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "%1 lies on another file system than the folder that holds it, so the two cannot be "
+             "written in one step; choose another folder, or unmount it."),
+            {pathIn(place, name)}});
+}
+
+/// Files cannot be moved from one to another.
+Result<void> checkMounts(
+    const FolderPlace &place, int folder, const std::vector<std::string> &names)
+{
+    for (const std::string &name : names)
+        if (const bool isFolder = name.ends_with('/') && identityOf(folder, name + '.');
+            isFolder && mountOf(folder, name + '.') != mountOf(folder, "."))
+            return isOtherMount(place, name);
+    return {};
+}
+
 bool liesIn(const fs::path &path, const fs::path &folder)
 {
     const auto [end, ignored]
@@ -191,6 +211,8 @@ Result<FolderContents> inspectFolder(const FolderPlace &place, int claimFolder,
     const Result<void> recordings = checkRecordings(place, request, filesIn(contents.folder.get()));
     if (!recordings)
         return tl::unexpected<Error>(recordings.error());
+    if (const Result<void> mounts = checkMounts(place, contents.folder.get(), names); !mounts)
+        return tl::unexpected<Error>(mounts.error());
     if (const Result<void> settings = checkSettings(contents.folder.get(), request); !settings)
         return tl::unexpected<Error>(settings.error());
     if (const Result<void> listed = readList(place, request, contents); !listed)

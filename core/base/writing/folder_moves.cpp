@@ -123,9 +123,11 @@ bool linkEntry(
         return false;
     const FileDescriptor copy(openFolderAt(to, name));
     struct stat status = {};
-    return copy.valid() && ::fstat(inside.get(), &status) == 0
+    const bool isLinked = copy.valid() && ::fstat(inside.get(), &status) == 0
         && ::fchmod(copy.get(), status.st_mode & 07777) == 0
         && linkFolder(inside.get(), copy.get(), whole + '/', retired);
+    ::unlinkat(to, name.c_str(), AT_REMOVEDIR); // if nothing is in it, as the moves do
+    return isLinked;
 }
 
 bool linkFolder(int from, int to, const std::string &below, const WrittenList &retired)

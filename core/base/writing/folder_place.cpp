@@ -3,6 +3,8 @@
 
 #include "core/base/writing/folder_place.h"
 
+#include "core/base/writing/file_identity.h"
+
 #include <filesystem>
 #include <system_error>
 
@@ -43,21 +45,10 @@ std::error_code makeParents(const fs::path &folder, std::vector<std::string> &ma
     return error;
 }
 
-/// Which mount a path lies on: files cannot be moved from one to another.
-std::uint64_t mountOf(const std::string &path)
-{
-    struct statx status = {};
-    if (::statx(AT_FDCWD, path.c_str(), 0, STATX_MNT_ID, &status) == 0
-        && (status.stx_mask & STATX_MNT_ID) != 0)
-        return status.stx_mnt_id;
-    struct stat plain = {};
-    return ::stat(path.c_str(), &plain) == 0 ? plain.st_dev : 0;
-}
-
 bool isClaimFolder(const fs::path &parent, const fs::path &folder)
 {
     return folder.has_filename() && ::access(parent.c_str(), R_OK | W_OK | X_OK) == 0
-        && mountOf(parent.string()) == mountOf(folder.string());
+        && mountOf(AT_FDCWD, parent.string()) == mountOf(AT_FDCWD, folder.string());
 }
 
 } // namespace

@@ -15,6 +15,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <filesystem>
+#include <set>
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -100,6 +101,38 @@ WrittenList retiredOf(const FolderContents &before)
     return retired;
 }
 
+/// Own files under other names stay as those of other writers do.
+void keepUnwritten(FolderContents &contents, const std::vector<std::string> &names)
+{
+    const auto kept = std::ranges::partition(contents.own, [&](const OwnFile &own) {
+        return std::ranges::find(names, own.listed.file) != names.end();
+    });
+    for (const OwnFile &own : kept)
+        contents.others.push_back(own.listed);
+    contents.own.erase(kept.begin(), kept.end());
+}
+
+/// The folders below that hold files of ours, locked: who writes into one of them has it open, and
+/// an exchange would take it from under him. Empty if somebody does.
+std::optional<std::vector<FolderLock>> lockBelow(
+    const FolderPlace &place, int folder, const FolderPlan &plan)
+{
+    std::set<std::string> parts;
+    for (const WrittenList &list : {plan.retired, plan.placed})
+        for (const WrittenFile &file : list)
+            if (const std::size_t slash = file.file.find('/'); slash != std::string::npos)
+                parts.insert(file.file.substr(0, slash));
+    std::vector<FolderLock> locks;
+    for (const std::string &part : parts) {
+        if (!identityOf(folder, part))
+            continue;
+        locks.emplace_back((fs::path(place.path) / part).string());
+        if (!locks.back().valid() || hasLiveClaims(locks.back().folder(), {}))
+            return std::nullopt;
+    }
+    return locks;
+}
+
 bool isAnyLeft(int staging, const WrittenList &retired)
 {
     const FileDescriptor old(openFolderAt(staging, kRetired));
@@ -170,10 +203,11 @@ Result<void> FolderWrite::commitClaimed(
     for (const FolderFile &file : files)
         names.push_back(file.name);
     // The list of earlier files is checked with the others: nobody else's may have its name.
-    const Result<FolderContents> before
-        = inspectFolder(m_place, m_claim->folder(), m_request, names);
+    Result<FolderContents> before = inspectFolder(m_place, m_claim->folder(), m_request, names);
     if (!before)
         return tl::unexpected<Error>(before.error());
+    if (m_request.keepsOthers)
+        keepUnwritten(*before, names);
     if (const Result<void> staged = stage(files, *before, control); !staged)
         return staged;
     if (control.stopRequested())
@@ -245,7 +279,8 @@ Result<void> FolderWrite::replaceFolder(const FolderContents &before)
         tree ? tree->inode : 0, folder ? folder->inode : 0, retiredOf(before), m_placed};
     if (!isStillThere(before.folder.get()))
         return wasMoved(m_place.shown);
-    if (mayBeExchanged(m_place, before.folder.get(), m_tree.get())
+    const auto below = lockBelow(m_place, before.folder.get(), plan);
+    if (below && mayBeExchanged(m_place, before.folder.get(), m_tree.get())
         && linkKept(before.folder.get(), m_tree.get(), plan.retired)
         && writePlan(m_staging.get(), kExchangePlan, plan)
         && exchange(m_staging.get(), kStagedTree, m_claim->folder(), m_place.claimTarget))

@@ -6,6 +6,8 @@
 #include "core/base/writing/file_identity.h"
 #include "core/base/writing/write_problem.h"
 
+#include <algorithm>
+#include <array>
 #include <cerrno>
 #include <filesystem>
 
@@ -35,6 +37,13 @@ tl::unexpected<Error> wasChanged(const std::string &path)
              "%1 was changed by another program since it was read here, and is not replaced; choose another name, or look at what it holds now."),
             {path}},
         kChangedMeanwhile);
+}
+
+std::string linkText(int folder, const std::string &name)
+{
+    std::array<char, 256> text; // of more, the beginning
+    const ssize_t size = ::readlinkat(folder, name.c_str(), text.data(), text.size());
+    return std::string(text.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
 }
 
 } // namespace
@@ -106,6 +115,9 @@ Result<void> PendingFile::checkTarget() const
     if (m_existing.rule == Existing::Rule::Refused)
         return existsAlready(m_path);
     struct stat target = {};
+    // Such a link stands for what a process has open, whatever that is.
+    if (S_ISLNK(status.st_mode) && linkText(folder, m_name).starts_with("/proc/"))
+        return isNoFile(m_path);
     const bool leadsElsewhere = S_ISLNK(status.st_mode)
         && ::fstatat(folder, m_name.c_str(), &target, 0) == 0 && !S_ISREG(target.st_mode);
     if ((!S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode)) || leadsElsewhere)

@@ -37,6 +37,10 @@ const char *sentence(int errorNumber)
     case EFBIG:
         return DYNCAL_TEXT("core",
             "%1 cannot be written: %2; raise the limit on the size of files or choose another place.");
+    case EMFILE:
+    case ENFILE:
+        return DYNCAL_TEXT("core",
+            "%1 cannot be written: %2; close other programs or raise the limit on open files (ulimit -n).");
     case ENAMETOOLONG:
         return DYNCAL_TEXT("core", "%1 cannot be written: %2; choose a shorter name.");
     case ENOENT:

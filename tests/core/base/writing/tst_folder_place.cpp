@@ -142,7 +142,8 @@ private slots:
             {EROFS, "another place"}, {EPERM, "another place"}, {ENAMETOOLONG, "a shorter name"},
             {ELOOP, "another place"}};
         const std::map<int, const char *> internal{{ENOSPC, "make room"}, {EDQUOT, "make room"},
-            {EFBIG, "raise the limit"}, {EIO, "another place"}, {ENOMEM, ""}, {EMFILE, ""}};
+            {EFBIG, "raise the limit"}, {EIO, "another place"}, {ENOMEM, ""},
+            {EMFILE, "limit on open files"}};
         for (const auto &[kind, errors] :
             {std::pair(ErrorKind::Usage, usage), std::pair(ErrorKind::Internal, internal)})
             for (const auto &[number, remedy] : errors) {
