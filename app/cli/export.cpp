@@ -51,9 +51,15 @@ Result<ProjectState> sealed(Result<ProjectState> project, const JobControl &cont
 Result<ProjectState> readJob(const ExportOptions &options)
 {
     if (isProject(options.files)) {
+        const QString project = QString::fromStdString(options.files.front());
+        if (project.toStdString() != options.files.front())
+            return fail(ErrorKind::FileUnreadable,
+                {DYNCAL_TEXT(
+                     "core", "The name of project %1 is not valid UTF-8; rename the project."),
+                    {options.files.front()}});
         ProgressLine progress("Reading");
         const JobControl control{interruptToken(), progress.sink()};
-        return sealed(openProject(QString::fromStdString(options.files.front()), control), control);
+        return sealed(openProject(project, control), control);
     }
     ProjectState state;
     Result<Recipe> recipe = options.recipe.read();

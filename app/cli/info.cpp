@@ -74,24 +74,25 @@ bool isCapture(const InputFile &input)
 
 /// Of each input: empty for other formats, and for captures in which a changed label is not
 /// noticed.
-std::vector<std::string> contentHashes(const CaptureSet &set)
+Result<std::vector<std::string>> contentHashes(const CaptureSet &set)
 {
     std::vector<std::string> captures;
     for (const InputFile &input : set.inputs) {
         if (isCapture(input))
             captures.push_back(input.path);
     }
-    const std::vector<std::string> stated = statedContentHashes(captures);
+    const Result<std::vector<std::string>> stated = statedContentHashes(captures);
+    if (!stated)
+        return stated;
     std::vector<std::string> hashes;
     for (std::size_t next = 0; const InputFile &input : set.inputs)
-        hashes.push_back(isCapture(input) ? stated[next++] : std::string());
+        hashes.push_back(isCapture(input) ? (*stated)[next++] : std::string());
     return hashes;
 }
 
-Json infoJson(const CaptureSet &set)
+Json infoJson(const CaptureSet &set, const std::vector<std::string> &hashes)
 {
     Json files = Json::array();
-    const std::vector<std::string> hashes = contentHashes(set);
     for (std::size_t i = 0; i < set.inputs.size(); ++i) {
         const InputFile &input = set.inputs[i];
         files.push_back({{"file", input.file}, {"format", input.format}, {"sha256", input.sha256},
@@ -157,9 +158,8 @@ void printShots(const CaptureSet &set)
     }
 }
 
-void printInfo(const CaptureSet &set)
+void printInfo(const CaptureSet &set, const std::vector<std::string> &hashes)
 {
-    const std::vector<std::string> hashes = contentHashes(set);
     for (std::size_t i = 0; i < set.inputs.size(); ++i) {
         const InputFile &input = set.inputs[i];
         std::cout << presentableInBrief(input.file) << ": " << input.format << ", sha256 "
@@ -184,10 +184,13 @@ int info(const InfoOptions &options)
         = readCaptures(options.files, recipe->import, {interruptToken(), progress.sink()});
     if (!set)
         return report(set.error());
+    const Result<std::vector<std::string>> hashes = contentHashes(*set);
+    if (!hashes)
+        return report(hashes.error());
     if (options.json)
-        std::cout << jsonText(infoJson(*set));
+        std::cout << jsonText(infoJson(*set, *hashes));
     else
-        printInfo(*set);
+        printInfo(*set, *hashes);
     reportFindings(set->findings);
     return static_cast<int>(exitCodeOf(set->findings));
 }

@@ -96,11 +96,18 @@ private:
 
 } // namespace
 
-Result<Json> parseStrictJson(const std::string &text, const std::string &what)
+Result<void> checkStrictJson(const std::string &text, const std::string &what)
 {
     StrictChecker checker(text, what);
     if (!Json::sax_parse(text, &checker) && checker.error)
         return tl::unexpected<Error>(*checker.error);
+    return {};
+}
+
+Result<Json> parseStrictJson(const std::string &text, const std::string &what)
+{
+    if (const Result<void> isStrict = checkStrictJson(text, what); !isStrict)
+        return tl::unexpected<Error>(isStrict.error());
     return Json::parse(text, nullptr, false);
 }
 

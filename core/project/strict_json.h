@@ -23,4 +23,7 @@ inline constexpr Index kDeepestJson = 16;
 /// sentences ("The recipe").
 Result<Json> parseStrictJson(const std::string &text, const std::string &what);
 
+/// Fails as parseStrictJson, without the value.
+Result<void> checkStrictJson(const std::string &text, const std::string &what);
+
 } // namespace dyncal

@@ -7,6 +7,7 @@
 #include "core/base/writing/atomic_file.h"
 #include "core/base/writing/write_problem.h"
 #include "core/capture/capture_seal.h"
+#include "core/project/strict_json.h"
 #include "ui/session/capture_edit.h"
 #include "ui/session/capture_reading.h"
 #include "ui/session/example.h"
@@ -76,10 +77,18 @@ QJsonArray captureReferences(const ProjectState &state, const QDir &folder)
     return list;
 }
 
+/// As it stands in the file; a project of another minor version (1.7) is another one too.
+std::string versionText(const QJsonValue &version)
+{
+    const std::string text
+        = QJsonDocument(QJsonArray{version}).toJson(QJsonDocument::Compact).toStdString();
+    return version.isUndefined() ? "none" : text.substr(1, text.size() - 2);
+}
+
 CaptureReference locate(const QJsonObject &entry, const QDir &folder, const QString &otherFolder)
 {
     CaptureReference reference{entry["path"].toString(), {}};
-    if (!entry["sha256"].isNull())
+    if (entry["sha256"].isString())
         reference.sha256 = entry["sha256"].toString();
     for (const auto &place : entry["shots"].toArray())
         reference.shots.insert(static_cast<Index>(place.toInteger()));
@@ -158,17 +167,27 @@ Result<ProjectFile> readProjectFile(const QString &path)
             {DYNCAL_TEXT(
                  "core", "%1 is not a Dyncal project; recordings are opened with Open captures."),
                 {name}});
-    const int version = document["version"].toInt(-1);
-    if (version != kVersion)
+    const std::string text = bytes.toStdString();
+    const Result<void> isStrict = checkStrictJson(text, "Project " + name);
+    if (!isStrict)
+        return fail(ErrorKind::FileUnreadable, isStrict.error().message);
+    const QJsonValue version = document["version"];
+    if (version != QJsonValue(kVersion))
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
                  "Project %1 has version %2, this program reads version %3; open it with the program that wrote it."),
-                {name, std::to_string(version), std::to_string(kVersion)}});
-    return ProjectFile{path, document.object(), sha256Hex(bytes.toStdString())};
+                {name, versionText(version), std::to_string(kVersion)}});
+    return ProjectFile{path, document.object(), sha256Hex(text)};
 }
 
 Result<Recipe> recipeOfProject(const QJsonObject &project)
 {
+    if (!project["recipe"].isObject())
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core",
+                 "The project holds no recipe: the key \"recipe\" is missing or no object; take "
+                 "another copy of the project."),
+                {}});
     return parseRecipe(
         QJsonDocument(project["recipe"].toObject()).toJson(QJsonDocument::Compact).toStdString());
 }

@@ -29,7 +29,7 @@ std::string statedIn(const std::string &path)
 
 } // namespace
 
-std::vector<std::string> statedContentHashes(const std::vector<std::string> &paths)
+Result<std::vector<std::string>> statedContentHashes(const std::vector<std::string> &paths)
 {
     std::vector<std::string> hashes;
     while (hashes.size() < paths.size()) {
@@ -47,6 +47,8 @@ std::vector<std::string> statedContentHashes(const std::vector<std::string> &pat
         std::size_t begin = 0;
         for (std::size_t end; (end = lines.find('\n', begin)) != lines.npos; begin = end + 1)
             hashes.push_back(lines.substr(begin, end - begin));
+        if (!done && done.error().kind != ErrorKind::FileUnreadable)
+            return tl::unexpected<Error>(done.error());
         if (hashes.size() < paths.size() && !done)
             hashes.emplace_back(); // of the file on which the helper ended
     }

@@ -11,6 +11,6 @@ namespace dyncal {
 /// The SHA-256 that each capture states of all that it says (docs/method/captures.md), in the order
 /// of the paths; empty for one that states none, as those of older versions and other programs:
 /// nothing protects their texts.
-std::vector<std::string> statedContentHashes(const std::vector<std::string> &paths);
+Result<std::vector<std::string>> statedContentHashes(const std::vector<std::string> &paths);
 
 } // namespace dyncal
