@@ -9,8 +9,12 @@
 #include "core/base/content_hash.h"
 #include "core/base/message.h"
 
+#include <pthread.h>
 #include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstddef>
 #include <cstdlib>
@@ -23,6 +27,33 @@
 
 namespace dyncal {
 namespace {
+
+/// Where the caller allows too little stack, what may be had is taken, for all threads too. False:
+/// it does not do.
+bool allowStack()
+{
+    constexpr rlim_t kLeast = 2 << 20, kWanted = 8 << 20;
+    rlimit stack{};
+    if (::getrlimit(RLIMIT_STACK, &stack) != 0 || stack.rlim_cur >= kLeast)
+        return true;
+    if (stack.rlim_max < kLeast)
+        return false;
+    stack.rlim_cur = std::min(stack.rlim_max, kWanted);
+    pthread_attr_t ofThreads;
+    ::pthread_attr_init(&ofThreads);
+    ::pthread_attr_setstacksize(&ofThreads, kWanted);
+    const bool isAllowed
+        = ::setrlimit(RLIMIT_STACK, &stack) == 0 && ::pthread_setattr_default_np(&ofThreads) == 0;
+    ::pthread_attr_destroy(&ofThreads);
+    return isAllowed;
+}
+
+/// A mask that takes the user's own rights would leave files that the program itself cannot open
+/// again.
+void keepOwnRights()
+{
+    ::umask(::umask(S_IRWXG | S_IRWXO) & (S_IRWXG | S_IRWXO));
+}
 
 /// The stack grows where it is touched, and is a crash where no memory is left for that; so it
 /// grows now to what the program needs.
@@ -108,17 +139,24 @@ void takeSignals()
 
 int main(int argc, char **argv)
 {
+    if (!dyncal::allowStack()) {
+        std::cerr << "The stack may not grow to the 2 MiB that are needed; raise its limit (ulimit "
+                     "-s).\n";
+        return 5;
+    }
     dyncal::growStack();
+    dyncal::keepOwnRights();
     if (!dyncal::setUpHashing()) {
         std::cerr << "There is not enough memory to start; raise the memory limit.\n";
         return 5;
     }
     dyncal::allowManyFiles();
     dyncal::takeSignals();
-    const dyncal::TerminalText answers(std::cout);
-    const dyncal::TerminalText complaints(std::cerr);
+    const bool isCommandLine = dyncal::isCommandLine(argc, argv);
+    const auto isStopped = isCommandLine ? &dyncal::isStopRequested : nullptr;
+    const dyncal::TerminalText answers(std::cout, STDOUT_FILENO, isStopped);
+    const dyncal::TerminalText complaints(std::cerr, STDERR_FILENO, isStopped);
     if ((argc == 3 || argc == 4) && std::string_view(argv[1]) == "--screenshot-tour")
         return dyncal::runGui(argc, argv, {});
-    return dyncal::isCommandLine(argc, argv) ? dyncal::runCommandLine(argc, argv)
-                                             : dyncal::openWorkbench(argc, argv);
+    return isCommandLine ? dyncal::runCommandLine(argc, argv) : dyncal::openWorkbench(argc, argv);
 }

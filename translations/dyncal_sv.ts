@@ -4060,6 +4060,26 @@
         <source>%1: the samples of channel %2 lie in another file (%3), which is not opened; copy them into this file, for example with h5repack.</source>
         <translation>%1: samplen i kanal %2 ligger i en annan fil (%3), som inte öppnas; kopiera in dem i den här filen, till exempel med h5repack.</translation>
     </message>
+    <message>
+        <source>Too few files may be open at once; raise that limit (ulimit -n) to 64 and one for each recording.</source>
+        <translation>För få filer får vara öppna samtidigt; höj den gränsen (ulimit -n) till 64 och en för varje inspelning.</translation>
+    </message>
+    <message>
+        <source>The name of project %1 is not valid UTF-8; rename the project.</source>
+        <translation>Namnet på projektet %1 är inte giltig UTF-8; byt namn på projektet.</translation>
+    </message>
+    <message>
+        <source>%1 lies on another file system than the folder that holds it, so the two cannot be written in one step; choose another folder, or unmount it.</source>
+        <translation>%1 ligger på ett annat filsystem än mappen som innehåller den, så de två kan inte skrivas i ett steg; välj en annan mapp eller avmontera den.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be written: %2; close other programs or raise the limit on open files (ulimit -n).</source>
+        <translation>%1 kan inte skrivas: %2; stäng andra program eller höj gränsen för öppna filer (ulimit -n).</translation>
+    </message>
+    <message>
+        <source>The project holds no recipe: the key &quot;recipe&quot; is missing or no object; take another copy of the project.</source>
+        <translation>Projektet saknar recept: nyckeln &quot;recipe&quot; saknas eller är inget objekt; ta en annan kopia av projektet.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

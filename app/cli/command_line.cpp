@@ -4,6 +4,7 @@
 #include "app/cli/command_line.h"
 
 #include "app/base/interrupt.h"
+#include "app/base/open_files.h"
 #include "app/cli/console.h"
 #include "app/cli/verbs.h"
 
@@ -25,6 +26,8 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kVerbs{
     "simulate", "info", "import", "check", "run", "compare", "export"};
+/// Open at once while a recording is read and results are written.
+constexpr int kFilesOfAVerb = 12;
 /// Further apart than this, a word is not taken for a misspelt subcommand.
 constexpr Index kMostMisspelt = 2;
 
@@ -71,6 +74,8 @@ int parseAndAct(int argc, char **argv)
     }
     if (!action)
         return report(usageError("a subcommand is missing"));
+    if (!areFilesLeft(kFilesOfAVerb))
+        return report(tooFewFiles());
     return action();
 }
 
@@ -89,6 +94,13 @@ Error notEnoughMemory()
              "There is not enough memory for this; close other programs or raise the memory limit."),
             {}},
         {}, 0};
+}
+
+Error unsaid()
+{
+    return {ErrorKind::Internal,
+        {DYNCAL_TEXT("core", "The answer could not be written to the standard output."), {}}, {},
+        0};
 }
 
 /// So much is kept back for the sentence that says that nothing is left.
@@ -124,10 +136,13 @@ int runCommandLine(int argc, char **argv)
         code = report(internalError(e.what()));
     }
     if (!std::cout.flush())
-        code = report({ErrorKind::Internal,
-            {DYNCAL_TEXT("core", "The answer could not be written to the standard output."), {}},
-            {}, 0});
+        code = isStopRequested() ? report({ErrorKind::Cancelled, {}, {}, 0}) : report(unsaid());
     return code;
+}
+
+bool isStopRequested()
+{
+    return interruptToken().stop_requested();
 }
 
 std::string similarVerb(const std::string &word)

@@ -14,6 +14,9 @@ bool isCommandLine(int argc, const char *const *argv);
 /// Runs the subcommand and returns the exit code (ExitCode in console.h). Never throws.
 int runCommandLine(int argc, char **argv);
 
+/// Whether INT, TERM or HUP has asked a subcommand to end.
+bool isStopRequested();
+
 /// The subcommand that a word is close to, or empty.
 std::string similarVerb(const std::string &word);
 

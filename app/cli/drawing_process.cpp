@@ -4,6 +4,7 @@
 #include "app/cli/drawing_process.h"
 
 #include "app/base/interrupt.h"
+#include "app/base/open_files.h"
 
 #include "core/base/guarded_run.h"
 #include "ui/report/report_drawing.h"
@@ -104,6 +105,9 @@ Result<std::vector<DrawnFile>> drawWithoutWindow(
     const CalibrationResults &results, const Recipe &recipe, const std::string &createdUtc)
 {
     constexpr GuardedLimits kLimits{std::uint64_t(4) << 30U, std::chrono::minutes(2)};
+    constexpr int kFilesOfDrawing = 10;
+    if (!areFilesLeft(kFilesOfDrawing))
+        return tl::unexpected<Error>(tooFewFiles());
     std::string message;
     const GuardedOutcome outcome = runGuarded(
         [&](GuardedOutput &output) { sendDrawing(results, recipe, createdUtc, output); },

@@ -5,13 +5,21 @@
 
 #include "core/base/foreign_text.h"
 
+#include <poll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
 #include <ostream>
+#include <string_view>
 
 namespace dyncal {
 
-TerminalText::TerminalText(std::ostream &stream)
+TerminalText::TerminalText(std::ostream &stream, int descriptor, bool (*isStopped)())
     : m_stream(stream)
     , m_target(stream.rdbuf(this))
+    , m_descriptor(descriptor)
+    , m_isStopped(isStopped)
 {
 }
 
@@ -40,8 +48,29 @@ bool TerminalText::pass()
 {
     const std::string shown = presentable(m_line, LineBreaks::Keep);
     m_line.clear();
-    const auto size = static_cast<std::streamsize>(shown.size());
-    return m_target->sputn(shown.data(), size) == size;
+    constexpr std::size_t kAtOnce = 4096; // so much a pipe takes whole where it takes anything
+    for (std::string_view rest = shown; !rest.empty();) {
+        if (!isWritable())
+            return false;
+        const ssize_t written = ::write(m_descriptor, rest.data(), std::min(rest.size(), kAtOnce));
+        if (written < 0 && errno != EINTR && errno != EAGAIN)
+            return false;
+        rest.remove_prefix(static_cast<std::size_t>(std::max<ssize_t>(written, 0)));
+    }
+    return true;
+}
+
+/// A write into a full pipe would not come back before somebody reads.
+bool TerminalText::isWritable() const
+{
+    constexpr int kLook_ms = 50;
+    for (;;) {
+        pollfd wait{m_descriptor, POLLOUT, 0};
+        if (::poll(&wait, 1, kLook_ms) > 0)
+            return true; // or failing, which the write tells
+        if (m_isStopped != nullptr && m_isStopped())
+            return false;
+    }
 }
 
 } // namespace dyncal

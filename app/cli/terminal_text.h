@@ -15,7 +15,9 @@ namespace dyncal {
 class TerminalText : private std::streambuf
 {
 public:
-    explicit TerminalText(std::ostream &stream);
+    /// `descriptor`: where the stream leads. What nobody reads is waited for, until `isStopped`
+    /// (none: for ever) says that the program is to end; then the stream fails.
+    TerminalText(std::ostream &stream, int descriptor, bool (*isStopped)() = nullptr);
     ~TerminalText() override;
     TerminalText(const TerminalText &) = delete;
     TerminalText &operator=(const TerminalText &) = delete;
@@ -24,9 +26,12 @@ private:
     int_type overflow(int_type byte) override;
     int sync() override;
     bool pass();
+    bool isWritable() const;
 
     std::ostream &m_stream;
     std::streambuf *m_target;
+    int m_descriptor;
+    bool (*m_isStopped)();
     std::string m_line;
 };
 

@@ -53,6 +53,14 @@ private:
         return 0;
     }
 
+    static bool ignoresInterrupt(pid_t process)
+    {
+        const QByteArray status = fileBytes(QString("/proc/%1/status").arg(process));
+        const qsizetype mask = status.indexOf("SigIgn:\t");
+        return mask >= 0
+            && (status.mid(mask + 8, 16).toULongLong(nullptr, 16) & (1ULL << (SIGINT - 1))) != 0;
+    }
+
     static QElapsedTimer running()
     {
         QElapsedTimer timer;
@@ -102,6 +110,21 @@ private slots:
             QSKIP("The helper was done before it could be killed");
         QCOMPARE(process->exitCode(), 5);
         QVERIFY2(err.contains("ended the helper process") && !err.contains("damaged"), err);
+    }
+
+    void stoppedHelper_endsWithItsProgram()
+    {
+        const auto process = started(run(), [] {});
+        QVERIFY(process);
+        pid_t helper = helperOf(*process);
+        while (helper > 0 && !ignoresInterrupt(helper)) // which it does once it is set up
+            helper = helperOf(*process);
+        QVERIFY(helper > 0);
+        QCOMPARE(::kill(helper, SIGSTOP), 0);
+        process->kill();
+        QVERIFY(process->waitForFinished(kLongest_ms));
+        const QString status = QString("/proc/%1/status").arg(helper);
+        QTRY_VERIFY(!QFile::exists(status) || fileBytes(status).contains("State:\tZ"));
     }
 
     void endOfChildrenIgnoredByTheCaller_filesAreRead()
