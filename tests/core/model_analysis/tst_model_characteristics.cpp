@@ -5,6 +5,7 @@
 // one: tst_model_curves.cpp): closed forms, the differential equation integrated, and the defining
 // properties.
 
+#include "core/base/constants.h"
 #include "core/model_analysis/model_characteristics.h"
 #include "core/model_analysis/model_curves.h"
 #include "core/model_analysis/model_response.h"
@@ -26,7 +27,6 @@ using testing::modelOfPoles;
 namespace {
 
 constexpr ResponseTreatment kStep = ResponseTreatment::StepDeflated;
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 /// Crossings are bisected to the last digit; what remains is rounding of the sum of exponentials.
 constexpr double kExact = 1e-9;
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/base/constants.h"
 #include "core/synthesis/sensor_simulator.h"
 #include "tests/support/sensor_truth.h"
 #include "tests/support/test_program.h"
@@ -17,8 +18,6 @@
 using namespace dyncal;
 
 namespace {
-
-constexpr double kTwoPi = 6.283185307179586;
 
 SensorSpec single(double f0_Hz, double zeta)
 {

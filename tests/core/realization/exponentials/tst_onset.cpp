@@ -4,21 +4,18 @@
 // Where a step response begins, from the exponentials that describe it: sensors whose transfer
 // function is written down, moved by a known time.
 
+#include "core/base/constants.h"
 #include "core/realization/exponentials/onset.h"
 #include "tests/support/cascade_model.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
 
-#include <numbers>
-
 using namespace dyncal;
 using testing::modelOfPoles;
 using Complex = std::complex<double>;
 
 namespace {
-
-constexpr double kTwoPi = 2.0 * std::numbers::pi;
 
 /// The model's step response as a sum of exponentials whose step comes at `onset_s`.
 ExponentialSum stepAt(const SensorModel &model, double onset_s)
