@@ -12,7 +12,6 @@
 #include <pthread.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <csignal>
@@ -154,8 +153,8 @@ int main(int argc, char **argv)
     dyncal::takeSignals();
     const bool isCommandLine = dyncal::isCommandLine(argc, argv);
     const auto isStopped = isCommandLine ? &dyncal::isStopRequested : nullptr;
-    const dyncal::TerminalText answers(std::cout, STDOUT_FILENO, isStopped);
-    const dyncal::TerminalText complaints(std::cerr, STDERR_FILENO, isStopped);
+    const dyncal::TerminalText answers(std::cout, isStopped);
+    const dyncal::TerminalText complaints(std::cerr, isStopped);
     if ((argc == 3 || argc == 4) && std::string_view(argv[1]) == "--screenshot-tour")
         return dyncal::runGui(argc, argv, {});
     return isCommandLine ? dyncal::runCommandLine(argc, argv) : dyncal::openWorkbench(argc, argv);

@@ -47,7 +47,8 @@ complain("(setToolTip|setWindowTitle|setTitle|showText|addTab|setPlaceholderText
 
 glob(files app core)
 complain("std::(printf|fprintf|puts|fputs|perror|clog)|STDOUT_FILENO"
-    "answers go through std::cout and std::cerr" app/cli/console.cpp)
+    "answers go through std::cout and std::cerr" app/cli/console.cpp
+    app/cli/terminal_text.cpp)
 complain("\\.dump\\(" "JSON is written by jsonText()" core/base/json_text.cpp
     core/project/json_codec.cpp core/project/json_codec.h core/shock/shock_velocity.cpp)
 

@@ -10,15 +10,15 @@
 
 #include <algorithm>
 #include <cerrno>
-#include <ostream>
+#include <iostream>
 #include <string_view>
 
 namespace dyncal {
 
-TerminalText::TerminalText(std::ostream &stream, int descriptor, bool (*isStopped)())
+TerminalText::TerminalText(std::ostream &stream, bool (*isStopped)())
     : m_stream(stream)
     , m_target(stream.rdbuf(this))
-    , m_descriptor(descriptor)
+    , m_descriptor(&stream == &std::cout ? STDOUT_FILENO : STDERR_FILENO)
     , m_isStopped(isStopped)
 {
 }

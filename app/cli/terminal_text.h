@@ -15,9 +15,9 @@ namespace dyncal {
 class TerminalText : private std::streambuf
 {
 public:
-    /// `descriptor`: where the stream leads. What nobody reads is waited for, until `isStopped`
-    /// (none: for ever) says that the program is to end; then the stream fails.
-    TerminalText(std::ostream &stream, int descriptor, bool (*isStopped)() = nullptr);
+    /// For std::cout or std::cerr. What nobody reads is waited for, until `isStopped` (none: for
+    /// ever) says that the program is to end; then the stream fails.
+    TerminalText(std::ostream &stream, bool (*isStopped)());
     ~TerminalText() override;
     TerminalText(const TerminalText &) = delete;
     TerminalText &operator=(const TerminalText &) = delete;

@@ -149,7 +149,7 @@ FolderRequest modelFolder(
     const std::string &folder, const CaptureSet &set, std::vector<std::string> settings)
 {
     return {folder, "export", isModelName, modelFileNames(), recordingsOf(set), std::move(settings),
-        isRunOrModelName, true};
+        isRunOrModelName};
 }
 
 Result<std::vector<std::string>> writeModelFiles(const CalibrationResults &results,

@@ -45,7 +45,7 @@ FolderRequest modelFolder(
     const std::string &folder, const CaptureSet &set, std::vector<std::string> settings = {});
 
 /// Writes the model in the given formats (modelFormats) as one transaction; the paths. Files of
-/// other formats that an earlier export left stay, and stay listed. Fails as
+/// an earlier export go, those of other formats too: two models never lie side by side. Fails as
 /// FolderWrite::commit, and with MOD-001 (DataBlocked) if the model diverges.
 Result<std::vector<std::string>> writeModelFiles(const CalibrationResults &results,
     const std::vector<std::string> &formats, FolderWrite &folder, const JobControl &control = {});

@@ -88,7 +88,7 @@ std::string versionText(const QJsonValue &version)
 CaptureReference locate(const QJsonObject &entry, const QDir &folder, const QString &otherFolder)
 {
     CaptureReference reference{entry["path"].toString(), {}};
-    if (entry["sha256"].isString())
+    if (!entry["sha256"].isNull()) // one that was taken out is no such thing
         reference.sha256 = entry["sha256"].toString();
     for (const auto &place : entry["shots"].toArray())
         reference.shots.insert(static_cast<Index>(place.toInteger()));

@@ -27,7 +27,6 @@ struct FolderRequest
     std::vector<std::string> settings; ///< paths of recipe and profile as given; may be empty
     /// Names that any writer of such folders may give: an interrupted write of these is completed.
     std::function<bool(const std::string &)> mayComplete = {}; ///< empty: mayWrite
-    bool keepsOthers = false; ///< own files that are not written again stay, and stay listed
 };
 
 /// A file that the folder's list names, as it is now.

@@ -101,17 +101,6 @@ WrittenList retiredOf(const FolderContents &before)
     return retired;
 }
 
-/// Own files under other names stay as those of other writers do.
-void keepUnwritten(FolderContents &contents, const std::vector<std::string> &names)
-{
-    const auto kept = std::ranges::partition(contents.own, [&](const OwnFile &own) {
-        return std::ranges::find(names, own.listed.file) != names.end();
-    });
-    for (const OwnFile &own : kept)
-        contents.others.push_back(own.listed);
-    contents.own.erase(kept.begin(), kept.end());
-}
-
 /// The folders below that hold files of ours, locked: who writes into one of them has it open, and
 /// an exchange would take it from under him. Empty if somebody does.
 std::optional<std::vector<FolderLock>> lockBelow(
@@ -203,11 +192,10 @@ Result<void> FolderWrite::commitClaimed(
     for (const FolderFile &file : files)
         names.push_back(file.name);
     // The list of earlier files is checked with the others: nobody else's may have its name.
-    Result<FolderContents> before = inspectFolder(m_place, m_claim->folder(), m_request, names);
+    const Result<FolderContents> before
+        = inspectFolder(m_place, m_claim->folder(), m_request, names);
     if (!before)
         return tl::unexpected<Error>(before.error());
-    if (m_request.keepsOthers)
-        keepUnwritten(*before, names);
     if (const Result<void> staged = stage(files, *before, control); !staged)
         return staged;
     if (control.stopRequested())

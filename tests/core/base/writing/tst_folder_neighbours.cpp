@@ -54,19 +54,11 @@ private slots:
         QVERIFY(inspectFolder(place, root.get(), request, {"none/"}));
     }
 
-    void othersAreKept_andStayListed()
+    void filesNotWrittenAgain_goWithTheirFolder()
     {
         const ScratchFolder place;
-        FolderRequest request = requestFor(place.file("out"));
-        request.keepsOthers = true;
+        const FolderRequest request = requestFor(place.file("out"));
         QVERIFY(write(request, {{"csv/a.csv", "1"}, {"results.json", "old"}}));
-        QVERIFY(write(request, {{"csv/b.csv", "2"}, {"results.json", "new"}}));
-        const auto list = parseWrittenList(contentOf(place.file("out/written.json")));
-        QVERIFY(list && list->size() == 3);
-        for (const WrittenFile &file : *list)
-            QVERIFY(file.by == "run" && fs::exists(place.file("out/" + file.file)));
-        QCOMPARE(contentOf(place.file("out/csv/a.csv")), std::string("1"));
-        request.keepsOthers = false; // and whoever does not keep them takes them all
         QVERIFY(write(request, {{"results.json", "last"}}));
         Snapshot left = snapshotOf(place.file("out"));
         left.erase("written.json");
