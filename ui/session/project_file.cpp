@@ -124,6 +124,7 @@ Result<CaptureSet> readReferenced(const std::vector<CaptureReference> &reference
     const ImportSettings &settings, const JobControl &control)
 {
     std::vector<std::string> paths;
+    paths.reserve(references.size());
     for (const CaptureReference &reference : references)
         paths.push_back(reference.path.toStdString());
     Result<CapturesRead> read = readEach(paths, settings, control);
