@@ -3,74 +3,19 @@
 
 #include "core/pipeline/order_comparison.h"
 
-#include "core/base/constants.h"
-#include "core/base/distributions.h"
-#include "core/decomposition/residual_analysis.h"
 #include "core/pipeline/model_stages.h"
 #include "core/realization/hankel/hankel_gap.h"
 #include "core/realization/hankel/realized_poles.h"
-#include "core/realization/input/whitening.h"
 #include "core/realization/model/model_assessing.h"
+#include "core/realization/model/residual_whiteness.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace dyncal {
 namespace {
 
 constexpr std::size_t kMostOrders = 50;
 constexpr Index kReferenceOrder = 100; ///< the thesis's high order
-constexpr Index kWhitenessLags = 20;
-
-/// Autocorrelation at lags 1 .. of a record, with its variance under white noise (Ljung and Box).
-struct Correlogram
-{
-    Eigen::ArrayXd values;
-    Eigen::ArrayXd variances;
-};
-
-std::optional<Correlogram> correlogramOf(const Eigen::VectorXd &record)
-{
-    const auto n = static_cast<double>(record.size());
-    if (record.size() <= 4 * kWhitenessLags)
-        return std::nullopt;
-    const Eigen::VectorXd covariance
-        = autocovariance((record.array() - record.mean()).matrix(), kWhitenessLags);
-    if (!(covariance[0] > 0.0))
-        return std::nullopt;
-    const Eigen::ArrayXd lags
-        = Eigen::ArrayXd::LinSpaced(kWhitenessLags, 1.0, static_cast<double>(kWhitenessLags));
-    return Correlogram{
-        covariance.tail(kWhitenessLags).array() / covariance[0], (n - lags) / (n * (n + 2.0))};
-}
-
-/// Whether what is left of the series has the colour of their pre-trigger noise: both are made
-/// white by the noise's model, and their autocorrelations compared (docs/method/order.md).
-double whitenessOf(const ModelInput &input, const SensorModel &model)
-{
-    std::vector<NoiseCovariance> noise;
-    for (const ModelSeries &series : input.series)
-        noise.push_back(noiseCovariance(series.noise, kLargestNoiseModel));
-    const auto noiseModels = chooseAutoregressiveModels(noise, kLargestNoiseModel);
-    double statistic = 0.0;
-    Index lags = 0;
-    for (std::size_t r = 0; r < model.series.size() && !model.diverges; ++r) {
-        const Eigen::VectorXd &a = noiseModels[r].coefficients;
-        const auto left = correlogramOf(whitened(model.series[r].error, a));
-        if (!left)
-            continue;
-        const Eigen::VectorXd &before = input.series[r].noise;
-        const auto quiet = before.size() > a.size() ? correlogramOf(whitened(before, a))
-                                                    : std::optional<Correlogram>();
-        const Eigen::ArrayXd difference
-            = quiet ? Eigen::ArrayXd(left->values - quiet->values) : left->values;
-        const Eigen::ArrayXd variance
-            = quiet ? Eigen::ArrayXd(left->variances + quiet->variances) : left->variances;
-        statistic += (difference.square() / variance).sum();
-        lags += kWhitenessLags;
-    }
-    return lags > 0 ? chiSquareSurvival(statistic, static_cast<double>(lags)) : kUnknown;
-}
 
 template <typename T>
 Result<std::shared_ptr<const T>> shared(Result<T> result)
@@ -130,7 +75,7 @@ ComparedOrder compareOne(
     }
     compared.model = std::move(*model);
     compared.assessment = std::move(*assessment);
-    compared.whiteness_p = whitenessOf(*results.input, *compared.model);
+    compared.whiteness_p = residualWhiteness_p(*results.input, *compared.model);
     auto response = responseOf(results, recipe, compared.model);
     if (response)
         compared.response = std::move(*response);
