@@ -6464,6 +6464,22 @@
         <source>Nothing to show yet</source>
         <translation>Inget att visa än</translation>
     </message>
+    <message>
+        <source>Undo</source>
+        <translation>Ångra</translation>
+    </message>
+    <message>
+        <source>Takes the last change back (Ctrl+Z)</source>
+        <translation>Tar tillbaka den senaste ändringen (Ctrl+Z)</translation>
+    </message>
+    <message>
+        <source>Undo: %1</source>
+        <translation>Ångra: %1</translation>
+    </message>
+    <message>
+        <source>As before the last change: %1</source>
+        <translation>Som före den senaste ändringen: %1</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::StartPage</name>

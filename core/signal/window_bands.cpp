@@ -153,12 +153,14 @@ private:
 
     Error outsideRecord() const
     {
+        // As typed: samples far outside the record are not told apart.
+        const Interval asked = m_settings.baseline_s.value.value_or(
+            Interval{timeOf_s(m_bands.baseline.begin), timeOf_s(m_bands.baseline.end)});
         return {ErrorKind::DataBlocked,
             {DYNCAL_TEXT("core",
                  "Shot %1: the baseline %2 to %3 leaves the record, which reaches from %4 to %5 relative to the start; move window.baseline_s."),
-                {std::to_string(m_shot), secondsText(timeOf_s(m_bands.baseline.begin)),
-                    secondsText(timeOf_s(m_bands.baseline.end)), secondsText(timeOf_s(0)),
-                    secondsText(timeOf_s(size()))}},
+                {std::to_string(m_shot), secondsText(asked.begin), secondsText(asked.end),
+                    secondsText(timeOf_s(0)), secondsText(timeOf_s(size()))}},
             "WIN-002", m_shot};
     }
 

@@ -19,6 +19,7 @@ CalibrationResults merged(CalibrationResults part, const CalibrationResults &old
         if (!now)
             now = before;
     };
+    keep(part.captures, old.captures);
     keep(part.starts, old.starts);
     keep(part.expected, old.expected);
     keep(part.window, old.window);
@@ -39,9 +40,15 @@ CalibrationResults merged(CalibrationResults part, const CalibrationResults &old
 
 } // namespace
 
+bool ResultsOnShow::isLastGood(StageId stage) const
+{
+    return !hasResult(m_run.results, stage) && hasResult(m_withLastGood, stage);
+}
+
 bool ResultsOnShow::isOfThisRun(StageId stage) const
 {
-    return keyOf(stage) == m_run.results.keys[static_cast<std::size_t>(stage)];
+    return !isLastGood(stage)
+        && keyOf(stage) == m_run.results.keys[static_cast<std::size_t>(stage)];
 }
 
 const std::string &ResultsOnShow::keyOf(StageId stage) const
@@ -51,8 +58,8 @@ const std::string &ResultsOnShow::keyOf(StageId stage) const
 
 std::shared_ptr<const ResponseResult> ResultsOnShow::response() const
 {
-    const auto &known = m_run.results.response;
-    if (!known || isOfThisRun(StageId::Response))
+    const auto &known = m_withLastGood.response;
+    if (!known || isLastGood(StageId::Response) || isOfThisRun(StageId::Response))
         return known;
     const auto stage = static_cast<std::size_t>(StageId::Response);
     return m_keyOfCurve == m_run.results.keys[stage] ? m_modelCurve : nullptr;
@@ -99,6 +106,7 @@ void ResultsOnShow::markStaleFrom(StageId stage)
 void ResultsOnShow::take(const PipelineOutcome &outcome, bool newerWaits)
 {
     m_run.results = outcome.results;
+    m_withLastGood = merged(outcome.results, m_withLastGood);
     m_areFirstTriplets = false;
     m_run.error = outcome.error;
     m_run.failedStage = outcome.failedStage;
@@ -119,6 +127,7 @@ void ResultsOnShow::takePart(
             m_keys[i] = part.keys[i];
     }
     m_run.results = merged(part, m_run.results);
+    m_withLastGood = merged(m_run.results, m_withLastGood);
     if (m_run.error && m_run.failedStage <= upTo)
         m_run.error.reset();
     if (!newerWaits)

@@ -17,6 +17,13 @@ class ResultsOnShow
 {
 public:
     const RunState &run() const { return m_run; }
+    /// Those of the run, and for stages that it could not reach the last ones that there were: to
+    /// look at, never to be printed or exported.
+    const CalibrationResults &withLastGood() const { return m_withLastGood; }
+    /// Whether a stage has no result of the run but an older one on show.
+    bool isLastGood(StageId stage) const;
+    /// Old results are of other recordings.
+    void forgetLastGood() { m_withLastGood = m_run.results; }
     StageStatus status(StageId stage) const { return stageStatus(m_run, stage); }
     /// Whether they belong to the recipe as it is.
     bool areUpToDate() const { return !m_run.computing && m_run.firstStale == kStageCount; }
@@ -45,6 +52,7 @@ public:
 
 private:
     RunState m_run;
+    CalibrationResults m_withLastGood;
     std::array<std::string, kStageCount> m_keys; ///< each result's own
     bool m_areFirstTriplets = false;
     std::shared_ptr<const ResponseResult> m_modelCurve;

@@ -62,7 +62,10 @@ void Session::apply(const Recipe &next, const QString &label, const QString &mer
 {
     if (next == m_state.recipe)
         return;
+    if (!m_isMerging || mergeKey != m_mergeKey)
+        m_beforeMerge = m_state.recipe;
     m_isMerging = !mergeKey.isEmpty();
+    m_mergeKey = mergeKey;
     m_undo.push(new ReplaceState([this](const ProjectState &state) { setState(state); }, m_state,
         {m_state.captures, next}, label, mergeKey, m_mergeEpoch));
 }
@@ -72,6 +75,14 @@ void Session::endMerge()
     ++m_mergeEpoch;
     m_isMerging = false;
     m_restRun.hurry();
+}
+
+/// Merged with the series, going back to its begin is a step that changes nothing: undo drops it.
+void Session::cancelMerge()
+{
+    if (m_isMerging)
+        apply(Recipe(m_beforeMerge), m_undo.undoText(), QString(m_mergeKey));
+    endMerge();
 }
 
 void Session::applyState(const ProjectState &next, const QString &label)
@@ -109,8 +120,10 @@ void Session::setState(const ProjectState &wanted)
     const auto affected = otherCaptures ? std::optional(StageId::Captures)
                                         : firstAffectedStage(m_state.recipe, state.recipe);
     m_state = state;
-    if (otherCaptures)
+    if (otherCaptures) {
+        m_shown.forgetLastGood();
         emit capturesChanged();
+    }
     emit recipeChanged();
     if (affected)
         markStaleFrom(*affected);

@@ -44,6 +44,10 @@ public:
     const ProjectState &state() const { return m_state; }
     const Recipe &recipe() const { return m_state.recipe; }
     const CalibrationResults &results() const { return m_shown.run().results; }
+    /// With the last good results of stages that the last run could not reach: for the screen only.
+    const CalibrationResults &resultsOnShow() const { return m_shown.withLastGood(); }
+    /// Whether what is on show of a stage is its last good result, of an older recipe.
+    bool isLastGood(StageId stage) const { return m_shown.isLastGood(stage); }
     /// Why the last run ended early, if it did.
     const std::optional<Error> &error() const { return m_shown.run().error; }
     StageId failedStage() const { return m_shown.run().failedStage; }
@@ -72,6 +76,9 @@ public:
     /// step until endMerge(): a drag, or a run of key presses.
     void apply(const Recipe &next, const QString &label, const QString &mergeKey = {});
     void endMerge();
+    /// Takes a series of changes that merge back: the recipe is that before it, and undo does not
+    /// know of the series. Then as endMerge().
+    void cancelMerge();
     /// Adds or removes recordings (and adjusts the recipe with them), as one undo step.
     void applyState(const ProjectState &next, const QString &label);
 
@@ -90,6 +97,9 @@ public:
     /// way, later stages keep what an earlier run gave: good for their own pages, which say that it
     /// is stale, and not to be shown beside newer numbers.
     bool isOfThisRun(StageId stage) const { return m_shown.isOfThisRun(stage); }
+
+    /// As isOfThisRun(), or the last good one of a stage that the run could not reach.
+    bool isShowable(StageId stage) const { return isOfThisRun(stage) || isLastGood(stage); }
 
     /// The stage on show is computed and delivered first. The rest follows at once, or within a
     /// series of changes that merge (a drag, keys) at the next pause or when endMerge() is
@@ -133,6 +143,8 @@ private:
     QUndoStack m_undo;
     int m_mergeEpoch = 0;
     bool m_isMerging = false; ///< the last change may be one of a series
+    Recipe m_beforeMerge;
+    QString m_mergeKey;
     EnvelopeStore m_envelopes;
     FrequencyCursors m_frequencyCursors;
     std::shared_ptr<ResultCache> m_cache = std::make_shared<ResultCache>();

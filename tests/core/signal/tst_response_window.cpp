@@ -191,6 +191,8 @@ void TestResponseWindow::baseline_wrongPlace_isBlocked()
     compareError(cut(stepChannel(), settings), "WIN-002", "needs at least 50");
     settings.baseline_s = Interval{-5e-4, -1e-4};
     compareError(cut(stepChannel(), settings), "WIN-002", "leaves the record");
+    settings.baseline_s = Interval{-5.0, -4.0}; // far outside: said as it was typed
+    compareError(cut(stepChannel(), settings), "WIN-002", "the baseline -5 s to -4 s leaves");
     settings.baseline_s = Interval{-1e300, -1e299};
     compareError(cut(stepChannel(), settings), "WIN-002", "leaves the record");
     settings.baseline_s = Interval{-3e-4, -1e-4};

@@ -52,6 +52,7 @@ private slots:
     void modelCurve_standsForTheResponse_untilItComes();
     void assessment_isNeverBesideAnotherModel();
     void assessment_remembered_comesWithItsModel();
+    void failure_leavesTheLastGoodOnShow_neverAmongTheResults();
 };
 
 void TestResultsOnShow::part_keepsWhatHasNotComeYet_andSaysSo()
@@ -68,6 +69,39 @@ void TestResultsOnShow::part_keepsWhatHasNotComeYet_andSaysSo()
     QVERIFY(!shown.isOfThisRun(StageId::Response));
     QCOMPARE(shown.keyOf(StageId::Response), std::string("first"));
     QCOMPARE(shown.run().firstStale, static_cast<int>(StageId::Shock) + 1);
+}
+
+void TestResultsOnShow::failure_leavesTheLastGoodOnShow_neverAmongTheResults()
+{
+    ResultsOnShow shown;
+    shown.take(runUpTo(kLastStage, "first", 2), false);
+    QVERIFY(!shown.isLastGood(StageId::Model));
+    PipelineOutcome failed = runUpTo(StageId::Window, "second", 0);
+    failed.error = Error{ErrorKind::DataBlocked, {"No step.", {}}, "CAP-009", 1};
+    failed.failedStage = StageId::Window;
+    shown.take(failed, false);
+    QVERIFY(!shown.run().results.model); // what is exported
+    QCOMPARE(shown.withLastGood().model->order, Index(2));
+    QVERIFY(shown.withLastGood().assessment);
+    QVERIFY(shown.isLastGood(StageId::Model) && shown.isLastGood(StageId::Response));
+    QVERIFY(!shown.isLastGood(StageId::Captures)); // that one is of this run
+    QVERIFY(!shown.isLastGood(StageId::Spectrum)); // there never was one
+    QVERIFY(!shown.isOfThisRun(StageId::Model));
+    QVERIFY(shown.response());
+    QCOMPARE(shown.status(StageId::Model), StageStatus::Blocked);
+    for (const Finding &finding : shown.findings())
+        QVERIFY(finding.id != "MOD-010"); // of a model that is out of date
+
+    shown.take(failed, false); // a second failure loses nothing
+    QCOMPARE(shown.withLastGood().model->order, Index(2));
+    shown.take(runUpTo(kLastStage, "third", 4), false);
+    QVERIFY(!shown.isLastGood(StageId::Model));
+    QCOMPARE(shown.withLastGood().model->order, Index(4));
+
+    shown.take(failed, false);
+    shown.forgetLastGood(); // other recordings
+    QVERIFY(!shown.withLastGood().model);
+    QVERIFY(!shown.isLastGood(StageId::Model));
 }
 
 void TestResultsOnShow::whole_isUpToDate_unlessANewerWaits()

@@ -90,6 +90,7 @@ private slots:
     void apply_sameRecipe_doesNothing();
     void apply_whileDragging_isOneUndoStep();
     void endMerge_separatesTwoDrags();
+    void cancelMerge_takesTheSeriesBack_andNothingElse();
     void undoRedo_manySteps_returnsTheSameState();
     void results_whileComputing_stayVisibleAndAreStale();
     void status_afterOrderChange_keepsEarlierStagesDone();
@@ -169,6 +170,32 @@ void TestSession::endMerge_separatesTwoDrags()
     session.apply(withOrder(session.recipe(), 3), "Order", "drag");
     session.endMerge();
     session.apply(withOrder(session.recipe(), 4), "Order", "drag");
+    QCOMPARE(session.undoStack().count(), 2);
+    session.undoStack().undo();
+    QCOMPARE(*session.recipe().realization.order.value, Index(3));
+}
+
+void TestSession::cancelMerge_takesTheSeriesBack_andNothingElse()
+{
+    FakePipeline pipeline;
+    Session session(pipeline);
+    session.reset(threeShots());
+    session.cancelMerge(); // no series
+    session.apply(withOrder(session.recipe(), 3), "Order 3");
+    session.cancelMerge(); // nor now
+    QCOMPARE(session.undoStack().count(), 1);
+    session.apply(withOrder(session.recipe(), 4), "Order", "drag");
+    session.endMerge();
+    const Recipe before = session.recipe();
+    for (Index order = 5; order < 9; ++order)
+        session.apply(withOrder(session.recipe(), order), "Order", "drag");
+    session.cancelMerge();
+    QVERIFY(session.recipe() == before);
+    QCOMPARE(session.undoStack().count(), 2);
+    session.apply(withOrder(session.recipe(), 7), "Order", "drag");
+    session.apply(before, "Order", "drag"); // a series that has come back by itself
+    session.cancelMerge();
+    QVERIFY(session.recipe() == before);
     QCOMPARE(session.undoStack().count(), 2);
     session.undoStack().undo();
     QCOMPARE(*session.recipe().realization.order.value, Index(3));

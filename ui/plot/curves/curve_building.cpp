@@ -151,7 +151,8 @@ PlotContent spectraContent(const QString &title, const WindowResult &window,
     content.xAxis = frequencyAxisMeaning();
     const QString unit = responseAxisMeaning(window).unit;
     content.yAxis = {Plots::tr("Power spectral density"),
-        unit.isEmpty() ? QStringLiteral("dB re 1/Hz") : QStringLiteral("dB re %1²/Hz").arg(unit)};
+        unit.isEmpty() ? QStringLiteral("dB re 1/Hz")
+                       : QStringLiteral("dB re ") + unit + QStringLiteral("²/Hz")};
     content.curves = spectraOfShots(shots, spectra);
     content.yMin = lowestShown_dB(content.curves);
     return content;

@@ -10,6 +10,7 @@ namespace dyncal {
 namespace {
 
 constexpr std::size_t kMostViews = 50;
+constexpr double kDimming = 0.6;
 
 bool sameAxis(const PlotAxis &a, const PlotAxis &b)
 {
@@ -77,11 +78,20 @@ void PlotCanvas::replotDecorations()
 
 void PlotCanvas::applyTheme()
 {
-    const PlotTheme theme = screenTheme(m_owner.palette(), m_owner.font());
+    PlotTheme theme = screenTheme(m_owner.palette(), m_owner.font());
+    theme.fading = m_isDimmed ? kDimming : 0.0;
     m_scene.setTheme(theme);
     m_handles.setTheme(theme);
     m_cursors.refresh(m_scene);
     replot();
+}
+
+void PlotCanvas::setDimmed(bool dimmed)
+{
+    if (dimmed == m_isDimmed)
+        return;
+    m_isDimmed = dimmed;
+    applyTheme();
 }
 
 void PlotCanvas::fitView()

@@ -39,6 +39,8 @@ public:
 
     void setContent(const PlotContent &content);
     void applyTheme(); ///< that of the owner's palette and font
+    void setDimmed(bool dimmed); ///< pale curves: what they show is out of date
+    bool isDimmed() const { return m_isDimmed; }
     void replot();
 
     View view() const { return {m_plot->xAxis->range(), m_plot->yAxis->range()}; }
@@ -58,6 +60,7 @@ signals:
     void replotted(); ///< after the pixels are up to date
     void xRangeChanged(dyncal::Interval x); ///< other than by setting content
     void handleMoved(const dyncal::HandleState &state, bool finished);
+    void handleDragCancelled(const dyncal::HandleState &before); ///< it stands there again
     void spanMarked(dyncal::Interval x);
     void markingChanged(bool on);
     void pointPicked(double x, double y);
@@ -76,6 +79,7 @@ private:
     PlotHandles m_handles;
     PlotCursors m_cursors;
     bool m_isReplotQueued = false;
+    bool m_isDimmed = false;
     bool m_hasView = false; ///< a content with data has been fitted
     View m_fitted; ///< the view as it was last fitted to a content
     std::vector<View> m_back, m_forward;

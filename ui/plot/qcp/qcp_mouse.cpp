@@ -264,7 +264,7 @@ bool PlotMouse::cancelDrag()
     m_rubberBand->hide();
     if (const auto *handle = std::get_if<DragHandle>(&cancelled)) {
         m_canvas.handles().set(handle->before);
-        emit m_canvas.handleMoved(handle->before, true);
+        emit m_canvas.handleDragCancelled(handle->before);
     } else if (const auto *pan = std::get_if<DragPan>(&cancelled)) {
         m_canvas.setView({pan->x, pan->y});
     }

@@ -51,6 +51,7 @@ public:
     /// Restores what the drag under way has moved; false without one.
     bool cancelDrag();
     bool isDragging() const { return !std::holds_alternative<std::monostate>(m_drag); }
+    bool isDraggingHandle() const { return std::holds_alternative<DragHandle>(m_drag); }
 
     void setMarkable(bool markable) { m_markable = markable; }
     void setMarking(bool on);

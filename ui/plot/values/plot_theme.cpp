@@ -47,6 +47,15 @@ constexpr RoleEntry kRoles[] = {
     {CurveRole::NewPole, "#767676", "#9A9A9A", Qt::SolidLine, 1.0, MarkerShape::Dot},
 };
 
+QColor mixed(const QColor &color, const QColor &other, double share)
+{
+    const auto channel = [share](int from, int to) {
+        return static_cast<int>(std::lround(from + share * (to - from)));
+    };
+    return {channel(color.red(), other.red()), channel(color.green(), other.green()),
+        channel(color.blue(), other.blue())};
+}
+
 PlotTheme lightTheme()
 {
     PlotTheme theme;
@@ -84,7 +93,9 @@ RoleStyle PlotTheme::style(CurveRole role) const
 {
     const auto entry = std::find_if(std::begin(kRoles), std::end(kRoles),
         [role](const RoleEntry &candidate) { return candidate.role == role; });
-    return {QColor(dark ? entry->dark : entry->light), entry->dash, entry->width, entry->marker};
+    const QColor color(dark ? entry->dark : entry->light);
+    return {fading > 0.0 ? mixed(color, background, fading) : color, entry->dash, entry->width,
+        entry->marker};
 }
 
 PlotTheme screenTheme(const QPalette &palette, const QFont &font)

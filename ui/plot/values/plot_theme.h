@@ -49,6 +49,7 @@ struct PlotTheme
     QColor handle; ///< edges of bands, lines
     QColor focus; ///< ring, focused handle
     QColor readoutFill;
+    double fading = 0.0; ///< share of the background in the colours of curves, 0 to 1
 
     RoleStyle style(CurveRole role) const;
 };

@@ -10,6 +10,7 @@
 #include <QClipboard>
 #include <QContextMenuEvent>
 #include <QFileDialog>
+#include <QLabel>
 #include <QMenu>
 #include <QMimeData>
 #include <QStyle>
@@ -22,6 +23,7 @@ namespace dyncal {
 namespace {
 
 constexpr int kRing_px = 2; ///< width of the focus ring around the plot
+constexpr int kNoticeMargin_px = 8;
 
 } // namespace
 
@@ -47,6 +49,7 @@ struct PlotWidget::Parts
     PlotMouse mouse;
     PlotKeyboard keyboard;
     QCustomPlot &plot;
+    QLabel *notice = nullptr; ///< made with the first sentence
 };
 
 PlotWidget::PlotWidget(QWidget *parent)
@@ -79,6 +82,9 @@ void PlotWidget::connectCanvas()
             else
                 emit bandMoved(state.id, state.x, finished);
         });
+    connect(canvas, &PlotCanvas::handleDragCancelled, this,
+        [this](const HandleState &before) { emit dragCancelled(before.id, before.x); });
+    connect(canvas, &PlotCanvas::replotted, this, &PlotWidget::placeNotice);
 }
 
 PlotWidget::~PlotWidget() = default;
@@ -101,6 +107,46 @@ void PlotWidget::fit()
     d->canvas.remember();
     d->canvas.fitView();
     d->canvas.replot();
+}
+
+void PlotWidget::setNotice(const QString &sentence, bool dimmed)
+{
+    d->canvas.setDimmed(dimmed && !sentence.isEmpty());
+    if (!d->notice && sentence.isEmpty())
+        return;
+    if (!d->notice) {
+        d->notice = new QLabel(this);
+        d->notice->setObjectName("plotNotice");
+        d->notice->setWordWrap(true);
+        d->notice->setMargin(kNoticeMargin_px);
+        d->notice->setAttribute(Qt::WA_TransparentForMouseEvents);
+        d->notice->setAutoFillBackground(true);
+    }
+    d->notice->setText(sentence);
+    d->notice->setHidden(sentence.isEmpty());
+    placeNotice();
+}
+
+/// In the upper part of the axes, as wide as they allow.
+void PlotWidget::placeNotice()
+{
+    if (!d->notice || d->notice->isHidden())
+        return;
+    const QRect room = axesRect().adjusted(
+        kNoticeMargin_px, kNoticeMargin_px, -kNoticeMargin_px, -kNoticeMargin_px);
+    const int width = std::max(room.width(), 0);
+    const int height = std::min(d->notice->heightForWidth(width), std::max(room.height(), 0));
+    d->notice->setGeometry(room.left(), room.top(), width, height);
+}
+
+QString PlotWidget::notice() const
+{
+    return d->notice && !d->notice->isHidden() ? d->notice->text() : QString();
+}
+
+bool PlotWidget::isDimmed() const
+{
+    return d->canvas.isDimmed();
 }
 
 void PlotWidget::setBand(const QString &id, const QString &label, Interval x, bool movable)
@@ -131,6 +177,16 @@ void PlotWidget::removeLine(const QString &id)
 {
     d->canvas.handles().remove(id, true);
     d->canvas.replot();
+}
+
+const std::vector<HandleState> &PlotWidget::handles() const
+{
+    return d->canvas.handles().states();
+}
+
+bool PlotWidget::isHandleDragged() const
+{
+    return d->mouse.isDraggingHandle();
 }
 
 void PlotWidget::setMarkable(bool markable)

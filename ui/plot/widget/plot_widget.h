@@ -5,11 +5,14 @@
 
 #include "core/base/interval.h"
 #include "ui/plot/values/plot_content.h"
+#include "ui/plot/values/plot_handle_state.h"
 
 #include <QWidget>
 
 #include <memory>
+#include <vector>
 
+class QLabel;
 class QPainter;
 
 namespace dyncal {
@@ -37,6 +40,12 @@ public:
     const PlotContent &content() const;
     void fit();
 
+    /// A sentence over the curves: why there are none, or why those on show are out of date and
+    /// pale (`dimmed`). Empty takes it away.
+    void setNotice(const QString &sentence, bool dimmed);
+    QString notice() const;
+    bool isDimmed() const;
+
     /// A draggable band over x with two edges; `id` names it in signals. Drawn behind the curves,
     /// hatched where it cannot be moved.
     void setBand(const QString &id, const QString &label, Interval x, bool movable = true);
@@ -47,6 +56,9 @@ public:
     /// (the cut in the singular values: value n means "keep n").
     void setLine(const QString &id, const QString &label, double x, bool snapToIntegers = false);
     void removeLine(const QString &id);
+    const std::vector<HandleState> &handles() const; ///< bands and lines as they stand
+    /// Whether the operator holds one of them: it is not to be set meanwhile.
+    bool isHandleDragged() const;
 
     /// Shift and left drag mark a span of x (spanMarked).
     void setMarkable(bool markable);
@@ -85,6 +97,9 @@ public:
 signals:
     void bandMoved(const QString &id, dyncal::Interval x, bool finished); ///< finished = released
     void lineMoved(const QString &id, double x, bool finished);
+    /// Esc ended the drag of a band or line: it stands where it stood before, and what was done at
+    /// its moves is to be taken back.
+    void dragCancelled(const QString &id, dyncal::Interval x);
     void spanMarked(dyncal::Interval x);
     void markingChanged(bool on); ///< also when it ends by itself
     void pointPicked(double x, double y); ///< plain click, at the nearest data point
@@ -112,6 +127,7 @@ protected:
 
 private:
     void connectCanvas();
+    void placeNotice();
     void showMenu(const QPoint &globalPosition);
     void exportWithDialog();
 

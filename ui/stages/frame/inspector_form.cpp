@@ -49,6 +49,7 @@ QLabel *InspectorForm::addReadout(const QString &label, const QString &objectNam
     auto *value = new QLabel(this);
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
     value->setWordWrap(true);
+    m_readouts.push_back(value);
     return add(label, objectName, value);
 }
 
@@ -60,6 +61,12 @@ QLabel *InspectorForm::addNote(const QString &objectName)
     note->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_layout->addRow(note);
     return note;
+}
+
+void InspectorForm::setReadoutsEnabled(bool enabled)
+{
+    for (QLabel *readout : m_readouts)
+        readout->setEnabled(enabled);
 }
 
 void InspectorForm::addWide(QWidget *control)

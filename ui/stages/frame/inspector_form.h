@@ -6,6 +6,8 @@
 #include <QLabel>
 #include <QWidget>
 
+#include <vector>
+
 class QComboBox;
 class QFormLayout;
 
@@ -38,6 +40,8 @@ public:
     QLabel *addNote(const QString &objectName);
     /// A control that says by itself what it is (a button, a check box).
     void addWide(QWidget *control);
+    /// Pale read-outs are out of date.
+    void setReadoutsEnabled(bool enabled);
 
 private:
     template <typename Control>
@@ -52,6 +56,7 @@ private:
     }
     void addRow(const QString &label, QWidget *control);
     QFormLayout *m_layout;
+    std::vector<QLabel *> m_readouts;
 };
 
 } // namespace dyncal

@@ -5,10 +5,12 @@
 
 #include "ui/stages/frame/recipe_change.h"
 #include "ui/stages/frame/status_text.h"
+#include "ui/stages/frame/value_table.h"
 #include "ui/text/core_text.h"
 #include "ui/text/finding_text.h"
 
 #include <QLabel>
+#include <QPushButton>
 
 #include <algorithm>
 
@@ -21,6 +23,7 @@ StagePage::StagePage(Session &session, const PageText &text, std::vector<StageId
     , m_inspector(new InspectorForm)
     , m_status(new QLabel(this))
     , m_problem(new QLabel(this))
+    , m_wayBack(new QPushButton(this))
     , m_content(new QVBoxLayout)
 {
     setObjectName(text.name);
@@ -29,6 +32,11 @@ StagePage::StagePage(Session &session, const PageText &text, std::vector<StageId
     m_problem->setObjectName("pageProblem");
     m_problem->setWordWrap(true);
     m_problem->hide();
+    m_wayBack->setObjectName("pageWayBack");
+    m_wayBack->setText(tr("Undo"));
+    m_wayBack->setToolTip(tr("Takes the last change back (Ctrl+Z)"));
+    m_wayBack->hide();
+    connect(m_wayBack, &QPushButton::clicked, &session.undoStack(), &QUndoStack::undo);
 
     auto *title = new QLabel(text.title, this);
     QFont font = title->font();
@@ -46,7 +54,10 @@ StagePage::StagePage(Session &session, const PageText &text, std::vector<StageId
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 6, 8, 6);
     layout->addLayout(head);
-    layout->addWidget(m_problem);
+    auto *problem = new QHBoxLayout;
+    problem->addWidget(m_problem, 1);
+    problem->addWidget(m_wayBack);
+    layout->addLayout(problem);
     layout->addLayout(m_content, 1);
 
     const auto whenShown = [this](void (StagePage::*what)()) {
@@ -86,19 +97,62 @@ void StagePage::showEvent(QShowEvent *event)
 void StagePage::refresh()
 {
     showStatus();
+    if (!m_session.isComputing()) // until then it is not known how this goes
+        m_isCurrent = reasonWhyBlocked().isEmpty() || !showsOld(m_stages.front());
+    setTablesEnabled(true);
     showResults();
     showRecipe();
+    if (!m_isCurrent)
+        setTablesEnabled(false);
+    m_inspector->setReadoutsEnabled(m_isCurrent);
+    showNotices();
+}
+
+void StagePage::setTablesEnabled(bool enabled)
+{
+    for (ValueTable *table : findChildren<ValueTable *>())
+        table->setEnabled(enabled);
 }
 
 void StagePage::showStatus()
 {
     const StageStatus now = status();
     m_status->setText(statusGlyph(now) + " " + statusWord(now));
+    const QString reason = now == StageStatus::Blocked ? reasonWhyBlocked() : QString();
+    m_problem->setHidden(reason.isEmpty());
+    m_problem->setText(severityGlyph(Severity::Block) + " " + reason);
+    const QUndoStack &undo = m_session.undoStack();
+    m_wayBack->setHidden(reason.isEmpty() || !undo.canUndo());
+    m_wayBack->setText(tr("Undo: %1").arg(undo.undoText()));
+}
+
+QString StagePage::reasonWhyBlocked() const
+{
     const std::optional<Error> &error = m_session.error();
-    const bool blocked = now == StageStatus::Blocked && error && !m_session.isComputing();
-    m_problem->setVisible(blocked);
-    if (blocked)
-        m_problem->setText(severityGlyph(Severity::Block) + " " + translated(error->message));
+    return error && !m_session.isComputing() ? translated(error->message) : QString();
+}
+
+/// A plot never is empty, nor out of date, without its reason.
+void StagePage::showNotices()
+{
+    if (m_session.isComputing())
+        return; // until it is known whether that goes well
+    const QString reason = reasonWhyBlocked();
+    for (const ShownPlot &shown : m_shownPlots) {
+        const bool isOld = !reason.isEmpty() && showsOld(shown.from);
+        const bool isEmpty = m_session.status(shown.from) == StageStatus::Blocked
+            && shown.plot->content().curves.empty();
+        shown.plot->setNotice(isOld ? tr("As before the last change: %1").arg(reason)
+                : isEmpty           ? reason
+                                    : QString(),
+            isOld);
+    }
+}
+
+void StagePage::takeBackDrag()
+{
+    m_session.cancelMerge();
+    showRecipe();
 }
 
 PlotContent StagePage::nothingYet()
@@ -108,11 +162,14 @@ PlotContent StagePage::nothingYet()
     return content;
 }
 
-PlotWidget *StagePage::makePlot(const QString &objectName, const QString &accessibleName)
+PlotWidget *StagePage::makePlot(
+    const QString &objectName, const QString &accessibleName, std::optional<StageId> from)
 {
     auto *plot = new PlotWidget(this);
     plot->setObjectName(objectName);
     plot->setAccessibleName(accessibleName);
+    m_shownPlots.push_back({plot, from.value_or(m_stages.front())});
+    connect(plot, &PlotWidget::dragCancelled, this, &StagePage::takeBackDrag);
     return plot;
 }
 

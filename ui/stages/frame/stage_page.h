@@ -11,6 +11,10 @@
 #include <QWidget>
 
 #include <functional>
+#include <optional>
+#include <vector>
+
+class QPushButton;
 
 namespace dyncal {
 
@@ -44,14 +48,20 @@ public:
 protected:
     virtual void showRecipe() = 0; ///< sets the controls
     virtual void showResults() = 0; ///< draws plots, tables and read-outs
+    /// Whether what is on show of a stage is older than the recipe, as the run did not get there.
+    virtual bool showsOld(StageId from) const { return m_session.isLastGood(from); }
+    virtual void takeBackDrag(); ///< after Esc in a drag: the recipe is as before it
     void showEvent(QShowEvent *event) override;
 
     Session &session() { return m_session; }
     const Session &session() const { return m_session; }
-    const CalibrationResults &results() const { return m_session.results(); }
+    /// What is on show: of stages that the last run could not reach, their last good results.
+    const CalibrationResults &results() const { return m_session.resultsOnShow(); }
     const Recipe &recipe() const { return m_session.recipe(); }
     QVBoxLayout *content() { return m_content; }
-    PlotWidget *makePlot(const QString &objectName, const QString &accessibleName);
+    /// `from`: the stage whose result it shows; without, that of the page.
+    PlotWidget *makePlot(
+        const QString &objectName, const QString &accessibleName, std::optional<StageId> from = {});
     /// Cursors of these plots stand where those of all other frequency views stand.
     void shareFrequencyCursors(const std::vector<PlotWidget *> &plots);
 
@@ -62,14 +72,25 @@ protected:
 private:
     void refresh();
     void showStatus();
+    void showNotices();
+    void setTablesEnabled(bool enabled);
+    QString reasonWhyBlocked() const;
 
     Session &m_session;
     PageText m_text;
     std::vector<StageId> m_stages;
     InspectorForm *m_inspector;
     QLabel *m_status;
+    bool m_isCurrent = true; ///< else tables and read-outs are pale
     QLabel *m_problem;
+    QPushButton *m_wayBack; ///< undoes what blocked the page
     QVBoxLayout *m_content;
+    struct ShownPlot
+    {
+        PlotWidget *plot;
+        StageId from;
+    };
+    std::vector<ShownPlot> m_shownPlots;
 };
 
 } // namespace dyncal

@@ -36,9 +36,10 @@ void ModelPage::buildPlots()
 {
     m_fit = makePlot("modelFitPlot", tr("Data and model"));
     m_error = makePlot("modelErrorPlot", tr("Error of the model"));
-    m_residual = makePlot("modelResidualPlot", tr("Residual autocorrelation"));
-    m_magnitude = makePlot("magnitudePlot", tr("Magnitude of the frequency response"));
-    m_phase = makePlot("phasePlot", tr("Phase of the frequency response"));
+    m_residual = makePlot("modelResidualPlot", tr("Residual autocorrelation"), StageId::Assessment);
+    m_magnitude
+        = makePlot("magnitudePlot", tr("Magnitude of the frequency response"), StageId::Response);
+    m_phase = makePlot("phasePlot", tr("Phase of the frequency response"), StageId::Response);
     m_poles = makePlot("polePlot", tr("Poles and zeros"));
     auto *left = new QSplitter(Qt::Vertical);
     for (QWidget *widget : {m_fit, m_error, m_residual})
@@ -166,7 +167,7 @@ void ModelPage::showTime()
 void ModelPage::showResponse()
 {
     const auto &model = results().model;
-    const auto response = session().isOfThisRun(StageId::Response) ? results().response : nullptr;
+    const auto response = session().isShowable(StageId::Response) ? results().response : nullptr;
     const auto candidates
         = m_candidates->isChecked() ? overlaidModels(session()) : std::vector<OverlaidModel>();
     PlotContent magnitude = response ? bodeMagnitudeCurves(*response) : nothingYet();

@@ -71,11 +71,12 @@ OrderPage::OrderPage(Session &session)
 void OrderPage::buildPlots()
 {
     m_values = makePlot("singularValuePlot", tr("Singular values"));
-    m_strip = makePlot("stabilisationPlot", tr("Stabilisation of poles over the order"));
+    m_strip = makePlot(
+        "stabilisationPlot", tr("Stabilisation of poles over the order"), StageId::Evidence);
     m_evidence = makePlot("orderEvidencePlot", tr("FIT and criteria over the order"));
-    m_fit = makePlot("orderFitPlot", tr("Data and model"));
-    m_bode = makePlot("orderBodePlot", tr("Frequency response of the model"));
-    m_poles = makePlot("orderPolePlot", tr("Poles and zeros"));
+    m_fit = makePlot("orderFitPlot", tr("Data and model"), StageId::Model);
+    m_bode = makePlot("orderBodePlot", tr("Frequency response of the model"), StageId::Response);
+    m_poles = makePlot("orderPolePlot", tr("Poles and zeros"), StageId::Model);
     auto *split = new QSplitter(Qt::Horizontal, this);
     split->addWidget(column({m_values, m_evidence, m_poles}));
     split->addWidget(column({m_strip, m_fit, m_bode}));
@@ -141,7 +142,6 @@ void OrderPage::connectPlots()
 {
     connect(m_values, &PlotWidget::lineMoved, this,
         [this](const QString &, double order, bool finished) {
-            m_dragging = !finished;
             setOrder(order, kDragKey);
             if (finished)
                 session().endMerge();
@@ -313,7 +313,7 @@ void OrderPage::showRecipe()
     if (const auto adopted = adoptedOrder(session()))
         m_adopted = adopted;
     m_controls->showRecipe(recipe(), results(), shownOrder());
-    if (!m_dragging && results().decomposition)
+    if (!m_values->isHandleDragged() && results().decomposition)
         m_values->setLine(kCut, tr("order"), static_cast<double>(shownOrder()), true);
     RealizationSettings settings = recipe().realization;
     settings.order = {}; // what depends on it comes with the results
@@ -344,7 +344,7 @@ void OrderPage::showEvidence()
     m_values->setContent(values);
     if (!decomposition)
         m_values->removeLine(kCut);
-    const bool known = evidence && results().spectrum && session().isOfThisRun(StageId::Evidence);
+    const bool known = evidence && results().spectrum && session().isShowable(StageId::Evidence);
     m_strip->setContent(
         known ? stabilisationCurves(*evidence, *results().spectrum, modelOrder()) : nothingYet());
     m_evidence->setContent(decomposition
@@ -377,7 +377,7 @@ void OrderPage::showModel()
     const bool isCurrent
         = model && model->order == shownOrder() && session().isOfThisRun(StageId::Model);
     CalibrationResults shown = results();
-    if (!session().isOfThisRun(StageId::Evidence))
+    if (!session().isShowable(StageId::Evidence))
         shown.evidence = nullptr;
     m_controls->showResults(shown, isCurrent, isCurrent && adoptedOrder(session()) == modelOrder());
     showCandidates();

@@ -66,7 +66,6 @@ private:
     QPushButton *m_compare;
     QCheckBox *m_difference;
     OrderInspector *m_controls;
-    bool m_dragging = false;
     RealizationSettings m_shownSettings; ///< without the order
     std::optional<Index> m_adopted; ///< the last order adopted, also while another is looked at
 };

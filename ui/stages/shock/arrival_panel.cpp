@@ -8,6 +8,7 @@
 #include "ui/stages/frame/recipe_change.h"
 #include "ui/stages/frame/stage_page.h"
 #include "ui/stages/shock/sensor_arrivals.h"
+#include "ui/stages/shock/shock_on_show.h"
 #include "ui/text/level_text.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/shown_text.h"
@@ -133,7 +134,7 @@ void ArrivalPanel::build(InspectorForm *form)
 
 const ShockConditions *ArrivalPanel::shownShot() const
 {
-    const auto &shock = m_session.results().shock;
+    const ShockConditionsSet *shock = shockOnShow(m_session);
     return shock ? shock->ofShot(m_shot) : nullptr;
 }
 
@@ -153,7 +154,7 @@ std::size_t ArrivalPanel::shownSensor() const
 
 const Channel *ArrivalPanel::shownChannel() const
 {
-    const auto &captures = m_session.results().captures;
+    const auto &captures = m_session.resultsOnShow().captures;
     const auto at = static_cast<std::size_t>(std::max<Index>(m_shot - 1, 0));
     if (!captures || at >= captures->set.shots.size())
         return nullptr;
@@ -227,7 +228,6 @@ void ArrivalPanel::setArrival(const std::optional<double> &arrival_s, const QStr
 
 void ArrivalPanel::moveArrival(double time_s, bool finished)
 {
-    m_dragging = !finished;
     setArrival(time_s, kArrival);
     if (finished)
         m_session.endMerge();
@@ -290,7 +290,7 @@ void ArrivalPanel::showRecord()
     const auto list = sensors();
     const bool isSensor = shownSensor() < list.size();
     EnvelopeStore &envelopes = m_session.envelopes();
-    envelopes.want(wantedRecords(m_session.results().captures->set, *channel));
+    envelopes.want(wantedRecords(m_session.resultsOnShow().captures->set, *channel));
     const double distance_m = isSensor ? list[shownSensor()].distanceToEndWall_m : 0.0;
     PlotContent content = arrivalCurves(
         *channel, *shot, distance_m, [&](const Channel &record) { return envelopes.find(record); });
@@ -301,7 +301,7 @@ void ArrivalPanel::showRecord()
         m_record.fit();
     m_fittedView = view;
     const auto arrival_s = isSensor ? usedArrival_s(*shot, list[shownSensor()]) : std::nullopt;
-    if (m_dragging)
+    if (m_record.isHandleDragged())
         return;
     if (arrival_s)
         m_record.setLine(kArrival, tr("arrival"), *arrival_s);

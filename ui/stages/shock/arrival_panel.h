@@ -65,7 +65,6 @@ private:
     QPushButton *m_addSensor;
     QPushButton *m_removeSensor;
     QString m_fittedView; ///< shot and channel that the record's view was last fitted to
-    bool m_dragging = false;
 };
 
 } // namespace dyncal

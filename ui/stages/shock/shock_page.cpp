@@ -8,6 +8,7 @@
 #include "ui/stages/shock/arrival_panel.h"
 #include "ui/stages/shock/conditions_panel.h"
 #include "ui/stages/shock/shock_budget_table.h"
+#include "ui/stages/shock/shock_on_show.h"
 #include "ui/stages/shock/shock_tables.h"
 #include "ui/text/core_text.h"
 #include "ui/text/level_text.h"
@@ -109,7 +110,13 @@ Index ShockPage::shownNumber() const
 
 const ShockConditions *ShockPage::shownShot() const
 {
-    return results().shock ? results().shock->ofShot(shownNumber()) : nullptr;
+    const ShockConditionsSet *shock = shockOnShow(session());
+    return shock ? shock->ofShot(shownNumber()) : nullptr;
+}
+
+bool ShockPage::showsOld(StageId from) const
+{
+    return from == StageId::Shock ? isOldShockOnShow(session()) : StagePage::showsOld(from);
 }
 
 void ShockPage::showRecipe()
@@ -164,9 +171,10 @@ void ShockPage::showTables()
         table->setValues(values.headers, values.rows);
     };
     const ShockConditionsSet none;
-    const ShockConditionsSet &shock = results().shock ? *results().shock : none;
+    const ShockConditionsSet *known = shockOnShow(session());
+    const ShockConditionsSet &shock = known ? *known : none;
     const ShockConditions *shot = shownShot();
-    show(m_states, results().shock ? stateTable(shock) : ShownTable{{tr("Quantity")}, {}});
+    show(m_states, known ? stateTable(shock) : ShownTable{{tr("Quantity")}, {}});
     show(m_measured, measuredTable(shock));
     show(m_arrivals, arrivalTable(shock));
     show(m_uncertainty, uncertaintyTable(shock, results().monteCarlo.get()));
@@ -176,7 +184,7 @@ void ShockPage::showTables()
 
 void ShockPage::showSensitivity()
 {
-    const auto &response = results().response;
+    const auto &response = session().results().response;
     QVector<QStringList> rows;
     if (response)
         for (const ShotSensitivity &shot : response->shots)
@@ -191,9 +199,11 @@ void ShockPage::showSensitivity()
         return;
     }
     QStringList reasons;
-    if (results().shock)
-        for (const Finding &finding : results().shock->findings)
+    if (const ShockConditionsSet *shock = shockOnShow(session()))
+        for (const Finding &finding : shock->findings)
             reasons << translated(finding.message);
+    if (session().error() && !session().isComputing())
+        reasons << translated(session().error()->message);
     reasons.removeDuplicates();
     m_reason->setText(tr("Sensitivity: not determined. %1").arg(reasons.join(' ')));
 }

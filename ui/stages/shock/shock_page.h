@@ -28,6 +28,7 @@ public:
 protected:
     void showRecipe() override;
     void showResults() override;
+    bool showsOld(StageId from) const override;
 
 private:
     void buildPlots();

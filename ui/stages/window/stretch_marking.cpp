@@ -49,6 +49,7 @@ StretchMarking::StretchMarking(
         plot->setMarkable(true);
         connect(plot, &PlotWidget::spanMarked, this, &StretchMarking::mark);
         connect(plot, &PlotWidget::bandMoved, this, &StretchMarking::moveBand);
+        connect(plot, &PlotWidget::dragCancelled, this, &StretchMarking::takeBackDraft);
         connect(plot, &PlotWidget::markingChanged, this, [this](bool on) {
             m_list.setMarking(on);
             for (PlotWidget *other : m_plots)
@@ -73,7 +74,7 @@ std::vector<MarkedStretch> StretchMarking::stretches() const
 const std::vector<WindowedResponse> &StretchMarking::responses() const
 {
     static const std::vector<WindowedResponse> kNone;
-    const auto &window = m_session.results().window;
+    const auto &window = m_session.resultsOnShow().window;
     return window ? window->responses : kNone;
 }
 
@@ -159,7 +160,6 @@ void StretchMarking::moveBand(const QString &id, Interval span_s, bool finished)
         return;
     MarkedStretch moved = isDraft ? *m_draft : all[static_cast<std::size_t>(row)];
     moved.span_s = withinWindows(span_s, moved.shots, responses());
-    m_dragging = !finished;
     m_list.select(row);
     if (isDraft) {
         m_draft = moved;
@@ -174,6 +174,14 @@ void StretchMarking::moveBand(const QString &id, Interval span_s, bool finished)
     }
 }
 
+/// The recipe is the page's to take back.
+void StretchMarking::takeBackDraft(const QString &id, Interval span_s)
+{
+    if (m_draft && id == kPrefix + QString::number(stretches().size()))
+        m_draft->span_s = span_s;
+    show();
+}
+
 void StretchMarking::show()
 {
     std::vector<StretchRow> rows;
@@ -182,7 +190,7 @@ void StretchMarking::show()
     if (m_draft)
         rows.push_back({*m_draft, remark(*m_draft, true)});
     m_list.show(rows, choices());
-    if (!m_dragging)
+    if (std::ranges::none_of(m_plots, &PlotWidget::isHandleDragged))
         showBands(rows);
 }
 

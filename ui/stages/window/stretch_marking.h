@@ -32,6 +32,7 @@ private:
     void takeDraft(const MarkedStretch &stretch);
     void remove(int row);
     void moveBand(const QString &id, Interval span_s, bool finished);
+    void takeBackDraft(const QString &id, Interval span_s);
     void apply(const std::vector<MarkedStretch> &stretches, const QString &label,
         const QString &mergeKey = {});
 
@@ -48,7 +49,6 @@ private:
     std::optional<MarkedStretch> m_draft; ///< the list's last row while it is not applied
     Index m_shot = 1;
     int m_bands = 0; ///< drawn in the plots
-    bool m_dragging = false;
 };
 
 } // namespace dyncal

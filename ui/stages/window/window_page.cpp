@@ -132,7 +132,6 @@ void WindowPage::moveBand(const QString &id, Interval band, bool finished)
 {
     if (id != kBaseline && id != kSettle)
         return; // a stretch left out
-    m_dragging = !finished;
     if (id == kBaseline)
         change(
             tr("Move the baseline"), [&](Recipe &r) { r.window.baseline_s = band; }, id);
@@ -146,7 +145,6 @@ void WindowPage::moveBand(const QString &id, Interval band, bool finished)
 /// The start moves the axis itself, so it is applied once, on release.
 void WindowPage::moveLine(const QString &id, double time_s, bool finished)
 {
-    m_dragging = !finished;
     if (id == kStart && finished)
         shiftStarts(time_s);
     if (id == kEnd && time_s > 0.0)
@@ -249,7 +247,7 @@ void WindowPage::showRecipe()
 
 void WindowPage::showHandles()
 {
-    if (m_dragging)
+    if (m_plot->isHandleDragged())
         return;
     const WindowedResponse *chosen = responseOfChosenShot();
     if (!chosen) {

@@ -47,7 +47,6 @@ private:
     PlotWidget *m_detail;
     ValueTable *m_table;
     StretchMarking *m_stretches;
-    bool m_dragging = false;
 
     QComboBox *m_startShot;
     AutoEdit *m_start;

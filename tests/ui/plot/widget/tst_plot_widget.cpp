@@ -6,6 +6,7 @@
 
 #include <QApplication>
 #include <QImage>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QtTest>
@@ -38,7 +39,32 @@ private slots:
     void keys_prefixOfAxis_followsRange();
     void content_growing_isFittedUntilTheViewIsMoved();
     void decorationsAlone_areMovedToWhereANewPlotHasThem();
+    void notice_standsInTheAxes_andDimsTheCurves();
 };
+
+void TestPlotWidget::notice_standsInTheAxes_andDimsTheCurves()
+{
+    PlotWidget plot;
+    plot.resize(500, 300);
+    plot.setContent(timeContent());
+    plot.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&plot));
+    const QImage bright = plot.grab().toImage();
+    plot.setNotice("The baseline overlaps the response, which begins at 0; move it.", true);
+    QTest::qWait(50);
+    QVERIFY(plot.isDimmed());
+    const auto *label = plot.findChild<QLabel *>("plotNotice");
+    QVERIFY(label && label->isVisible());
+    QVERIFY(plot.axesRect().contains(label->geometry()));
+    QVERIFY(label->height() >= label->heightForWidth(label->width()));
+    plot.setNotice("Why there are none.", false);
+    QVERIFY(!plot.isDimmed());
+    QCOMPARE(plot.notice(), QString("Why there are none."));
+    plot.setNotice({}, false);
+    QVERIFY(plot.notice().isEmpty() && label->isHidden());
+    QTest::qWait(50);
+    QCOMPARE(plot.grab().toImage(), bright);
+}
 
 void TestPlotWidget::init_contentOfOneCurve_fitsIt()
 {

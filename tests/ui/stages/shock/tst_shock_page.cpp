@@ -47,6 +47,34 @@ private:
 private slots:
     void initTestCase() { m_set = testing::simulatedExample(kRate_Hz, kDuration_s); }
 
+    /// A model rate too low for the resonance blocks the model, not the shock before it.
+    void modelBlocked_theShockOfTheseSettingsStays()
+    {
+        PageBench<ShockPage> bench(m_set);
+        const double before_K = conditionsOf(bench.session, 3).states->reflected.temperature_K;
+        Recipe recipe = bench.recipe();
+        recipe.input.sampleRate_Hz = 1e6;
+        recipe.shock.T1_K = 300.0;
+        bench.session.apply(recipe, "Change the model rate");
+        waitComputed(bench.session);
+        QVERIFY(bench.session.error() && !bench.session.results().shock);
+        auto *diagram = bench.control<PlotWidget>("tubeDiagram");
+        QVERIFY(!diagram->content().curves.empty() && !diagram->isDimmed());
+        QVERIFY(!bench.control<PlotWidget>("sidePlot")->content().curves.empty());
+        auto *states = bench.control<ValueTable>("stateTable");
+        QVERIFY(states->isEnabled() && states->columnCount() == 4);
+        QString shown;
+        for (int row = 0; row < states->rowCount(); ++row)
+            if (states->item(row, 0)->text() == "T1")
+                shown = states->item(row, 3)->text();
+        QVERIFY2(shown.startsWith("300"), qPrintable(shown));
+        const QString sensitivity = bench.control<QLabel>("sensitivityReason")->text();
+        QVERIFY2(sensitivity.contains("not determined"), qPrintable(sensitivity));
+        bench.session.undoStack().undo();
+        waitComputed(bench.session);
+        QCOMPARE(conditionsOf(bench.session, 3).states->reflected.temperature_K, before_K);
+    }
+
     void diagramAndTables_showTheShot()
     {
         PageBench<ShockPage> bench(m_set);

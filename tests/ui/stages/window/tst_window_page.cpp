@@ -10,6 +10,7 @@
 #include "ui/stages/window/window_page.h"
 
 #include <QCheckBox>
+#include <QPushButton>
 #include <QtTest>
 
 #include <cmath>
@@ -91,7 +92,62 @@ private slots:
     void remapOff_showsTheRecordsUnit();
     void nonsense_changesNothing();
     void table_stepIsSettledLessBaseline();
+    void s18_baselineOverTheStep_saysSoWhileDragging_andEscRestores();
+    void blocked_keepsTheLastCurves_paleWithTheReason_andOneWayBack();
 };
+
+void TestWindowPage::s18_baselineOverTheStep_saysSoWhileDragging_andEscRestores()
+{
+    Bench &bench = fresh();
+    auto *plot = bench.control<PlotWidget>("windowPlot");
+    const Interval view = plot->xRange();
+    const double y = 0.5 * (plot->yRange().begin + plot->yRange().end);
+    const Recipe before = bench.recipe();
+    const double edge_s = responseAt(bench, 0).baseline_s.end;
+    QTest::mousePress(plot, Qt::LeftButton, {}, plot->pixelOf(edge_s, y) - QPoint(2, 0));
+    QTest::mouseMove(plot, plot->pixelOf(2e-4, y));
+    waitComputed(bench.session);
+    QVERIFY(bench.session.error());
+    QCOMPARE(bench.session.error()->findingId, std::string("WIN-002"));
+    QVERIFY(!plot->content().curves.empty() && plot->isDimmed());
+    QVERIFY2(plot->notice().contains("overlaps"), qPrintable(plot->notice()));
+    QCOMPARE(plot->xRange(), view);
+    const auto edge = std::ranges::find(plot->handles(), QString("baseline"), &HandleState::id);
+    QVERIFY(std::abs(edge->x.end - 2e-4) < 1e-5); // where the hand is
+    QTest::keyClick(plot, Qt::Key_Escape);
+    QTest::mouseRelease(plot, Qt::LeftButton, {}, plot->pixelOf(2e-4, y));
+    QVERIFY(bench.recipe() == before);
+    QVERIFY(bench.control<QCheckBox>("baselineAuto")->isChecked());
+    waitComputed(bench.session);
+    QVERIFY(!bench.session.error() && !plot->isDimmed() && plot->notice().isEmpty());
+    QCOMPARE(bench.session.undoStack().count(), 0);
+}
+
+void TestWindowPage::blocked_keepsTheLastCurves_paleWithTheReason_andOneWayBack()
+{
+    Bench &bench = fresh();
+    const auto before = bench.session.results().window;
+    auto *table = bench.control<ValueTable>("windowTable");
+    Recipe recipe = bench.recipe();
+    recipe.window.baseline_s = Interval{-1e-4, 1e-4};
+    bench.session.apply(recipe, "Change the baseline");
+    waitComputed(bench.session);
+    QVERIFY(!bench.session.results().window);
+    QCOMPARE(bench.session.resultsOnShow().window, before);
+    for (const char *name : {"windowPlot", "windowDetailPlot"}) {
+        auto *plot = bench.control<PlotWidget>(name);
+        QVERIFY(!plot->content().curves.empty() && plot->isDimmed() && !plot->notice().isEmpty());
+    }
+    QVERIFY(!table->isEnabled() && table->rowCount() == 3);
+    QVERIFY(!bench.control<QLabel>("windowLength")->isEnabled());
+    auto *back = bench.control<QPushButton>("pageWayBack");
+    QVERIFY(back->isVisible());
+    QCOMPARE(back->text(), QString("Undo: Change the baseline"));
+    QTest::mouseClick(back, Qt::LeftButton);
+    waitComputed(bench.session);
+    QCOMPARE(bench.session.results().window, before);
+    QVERIFY(table->isEnabled() && !back->isVisible());
+}
 
 void TestWindowPage::end_dragged_isOneStep_andTheReadoutsAgree()
 {
