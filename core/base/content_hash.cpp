@@ -3,6 +3,7 @@
 
 #include "core/base/content_hash.h"
 
+#include <openssl/crypto.h>
 #include <openssl/evp.h>
 
 #include <algorithm>
@@ -36,8 +37,10 @@ struct Sha256::State
 };
 
 Sha256::Sha256()
-    : m_state(std::make_unique<State>())
 {
+    // Without its configuration file, which has no say in SHA-256 and takes 0.6 ms of every start.
+    needs(OPENSSL_init_crypto(OPENSSL_INIT_NO_LOAD_CONFIG, nullptr));
+    m_state = std::make_unique<State>();
     needs(m_state->context ? 1 : 0);
     needs(EVP_DigestInit_ex(m_state->context.get(), EVP_sha256(), nullptr));
 }
