@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/index.h"
+#include "core/base/lanes.h"
 
 #include <atomic>
 #include <exception>
@@ -38,7 +39,10 @@ void forEachPart(Index parts, bool worthAThread, const Function &f)
     {
         std::jthread second;
         try {
-            second = std::jthread([&] { work(problems[1]); });
+            second = std::jthread([&] {
+                freeUpperLanes();
+                work(problems[1]);
+            });
         } catch (const std::system_error &) { // no memory or no number for one more
         }
         work(problems[0]);

@@ -92,12 +92,12 @@ std::string identityOf(const CaptureSet &captures)
         + attributesOf(captures.instruments) + wordsOf(captures.findings);
 }
 
-/// The recipe sections one stage reads, as JSON with everything else at its default.
-std::string sectionsOf(const Stage &stage, const Recipe &recipe)
+/// The recipe sections one stage reads, everything else at its default.
+Recipe sectionsOf(const Stage &stage, const Recipe &recipe)
 {
     Recipe part;
     stage.read(recipe, part);
-    return recipeJson(part);
+    return part;
 }
 
 } // namespace
@@ -110,9 +110,19 @@ std::array<std::string, kStageCount> stageKeys(const CaptureSet &captures, const
         const Stage &stage = stageOf(static_cast<StageId>(i));
         const std::string &before
             = i == 0 ? identity : keys[static_cast<std::size_t>(stage.follows)];
-        keys[i] = sha256Hex(before + stage.name + sectionsOf(stage, recipe));
+        keys[i] = sha256Hex(before + stage.name + recipeJson(sectionsOf(stage, recipe)));
     }
     return keys;
+}
+
+std::optional<StageId> firstDifferentStage(const Recipe &before, const Recipe &after)
+{
+    for (int i = 0; i < kStageCount; ++i) {
+        const Stage &stage = stageOf(static_cast<StageId>(i));
+        if (!(sectionsOf(stage, before) == sectionsOf(stage, after)))
+            return stage.id;
+    }
+    return std::nullopt;
 }
 
 } // namespace dyncal

@@ -8,6 +8,7 @@
 #include "core/project/recipe.h"
 
 #include <array>
+#include <optional>
 #include <string>
 
 namespace dyncal {
@@ -16,5 +17,9 @@ namespace dyncal {
 /// the stage and of those it follows (`Stage::follows`). Equal keys mean equal
 /// results: the one table behind caching, stale marks and instant undo.
 std::array<std::string, kStageCount> stageKeys(const CaptureSet &captures, const Recipe &recipe);
+
+/// The first stage that reads different sections of two recipes: the first whose key can differ.
+/// Empty when none does (texts of the certificate, acknowledgements).
+std::optional<StageId> firstDifferentStage(const Recipe &before, const Recipe &after);
 
 } // namespace dyncal

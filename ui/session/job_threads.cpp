@@ -3,6 +3,8 @@
 
 #include "ui/session/job_threads.h"
 
+#include "core/base/lanes.h"
+
 #include <new>
 #include <system_error>
 #include <utility>
@@ -52,6 +54,7 @@ void JobThreads::addWorker()
 
 void JobThreads::work(Worker &worker)
 {
+    freeUpperLanes();
     std::unique_lock lock(m_mutex);
     while (!m_waiting.empty()) {
         {

@@ -3,6 +3,7 @@
 
 #include "ui/session/session.h"
 
+#include "core/pipeline/stage_keys.h"
 #include "ui/session/order_candidates.h"
 #include "ui/session/replace_state.h"
 
@@ -118,7 +119,7 @@ void Session::setState(const ProjectState &wanted)
     state.captures = m_sealing.latest(state.captures);
     const bool otherCaptures = state.captures != m_state.captures;
     const auto affected = otherCaptures ? std::optional(StageId::Captures)
-                                        : firstAffectedStage(m_state.recipe, state.recipe);
+                                        : firstDifferentStage(m_state.recipe, state.recipe);
     m_state = state;
     if (otherCaptures) {
         m_shown.forgetLastGood();

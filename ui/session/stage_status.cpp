@@ -3,7 +3,6 @@
 
 #include "ui/session/stage_status.h"
 
-#include "core/pipeline/stage_keys.h"
 #include "core/pipeline/stage_table.h"
 
 namespace dyncal {
@@ -29,17 +28,6 @@ StageStatus stageStatus(const RunState &run, StageId stage)
         break;
     }
     return StageStatus::Done;
-}
-
-std::optional<StageId> firstAffectedStage(const Recipe &before, const Recipe &after)
-{
-    const CaptureSet same; // the recordings do not change with the recipe
-    const auto keysBefore = stageKeys(same, before);
-    const auto keysAfter = stageKeys(same, after);
-    for (std::size_t stage = 0; stage < keysBefore.size(); ++stage)
-        if (keysBefore[stage] != keysAfter[stage])
-            return static_cast<StageId>(stage);
-    return std::nullopt;
 }
 
 } // namespace dyncal

@@ -25,9 +25,4 @@ struct RunState
 
 StageStatus stageStatus(const RunState &run, StageId stage);
 
-/// The first stage whose result can differ between two recipes; empty when none can (texts of the
-/// certificate, acknowledgements). By the keys the pipeline caches by, so that a stale mark and
-/// what is computed again cannot disagree.
-std::optional<StageId> firstAffectedStage(const Recipe &before, const Recipe &after);
-
 } // namespace dyncal

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/pipeline/stage_keys.h"
 #include "core/pipeline/stage_table.h"
 #include "tests/support/test_program.h"
 #include "ui/session/capture_edit.h"
@@ -359,13 +360,13 @@ void TestSession::affected_shock_startsAtExpected()
 {
     const Recipe before;
     Recipe after = before;
-    QVERIFY(!dyncal::firstAffectedStage(before, after));
+    QVERIFY(!dyncal::firstDifferentStage(before, after));
     after.certificate.fields["customer"] = "A";
-    QVERIFY(!dyncal::firstAffectedStage(before, after));
+    QVERIFY(!dyncal::firstDifferentStage(before, after));
     after.response.reference = "unit-step";
-    QCOMPARE(dyncal::firstAffectedStage(before, after).value(), StageId::Response);
+    QCOMPARE(dyncal::firstDifferentStage(before, after).value(), StageId::Response);
     after.shock.enabled = !before.shock.enabled;
-    QCOMPARE(dyncal::firstAffectedStage(before, after).value(), StageId::Expected);
+    QCOMPARE(dyncal::firstDifferentStage(before, after).value(), StageId::Expected);
 }
 
 void TestSession::cancel_leavesStale()
