@@ -4080,6 +4080,10 @@
         <source>The project holds no recipe: the key &quot;recipe&quot; is missing or no object; take another copy of the project.</source>
         <translation>Projektet saknar recept: nyckeln &quot;recipe&quot; saknas eller är inget objekt; ta en annan kopia av projektet.</translation>
     </message>
+    <message>
+        <source>%1 was changed, moved or removed while it was in use, or can no longer be read, so nothing was made of it; leave it where it is and start again, or take an unchanged copy.</source>
+        <translation>%1 ändrades, flyttades eller togs bort medan den användes, eller kan inte längre läsas, så inget gjordes av den; låt den ligga där den är och börja om, eller ta en oförändrad kopia.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

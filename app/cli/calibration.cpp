@@ -7,6 +7,7 @@
 #include "app/cli/console.h"
 
 #include "core/base/number_text.h"
+#include "core/capture/capture_seal.h"
 #include "core/capture/opening/capture_open.h"
 #include "core/pipeline/stage_table.h"
 
@@ -59,12 +60,25 @@ Result<CaptureSet> readForCalibration(const std::vector<std::string> &files, con
     return readCaptures(files, recipe.import, {interruptToken(), progress.sink()});
 }
 
+PipelineOutcome ofWholeRecordings(PipelineOutcome outcome, const CaptureSet &set)
+{
+    if (outcome.error && outcome.error->kind == ErrorKind::Cancelled)
+        return outcome;
+    Result<void> whole = checkStillWhole(set);
+    if (whole)
+        return outcome;
+    outcome = {};
+    outcome.error = std::move(whole.error());
+    return outcome;
+}
+
 PipelineOutcome calibrate(const CaptureSet &set, const Recipe &recipe, StageId last)
 {
     ProgressLine progress("Computing");
     ResultCache cache;
-    return runPipeline(std::make_shared<CaptureSet>(set), recipe, cache, last,
-        {interruptToken(), progress.sink()});
+    return ofWholeRecordings(runPipeline(std::make_shared<CaptureSet>(set), recipe, cache, last,
+                                 {interruptToken(), progress.sink()}),
+        set);
 }
 
 int reportOutcome(const PipelineOutcome &outcome)

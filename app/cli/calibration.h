@@ -19,7 +19,11 @@ Result<Recipe> withOrder(Recipe recipe, const std::string &order);
 /// Reads the files by the recipe, with progress on stderr.
 Result<CaptureSet> readForCalibration(const std::vector<std::string> &files, const Recipe &recipe);
 
-/// Runs the method up to `last`, with progress on stderr; stops on Ctrl-C.
+/// The outcome, or nothing but the error of checkStillWhole if the recordings are not.
+PipelineOutcome ofWholeRecordings(PipelineOutcome outcome, const CaptureSet &set);
+
+/// Runs the method up to `last`, with progress on stderr; stops on Ctrl-C. What was computed of
+/// recordings that did not stay whole meanwhile is not given out.
 PipelineOutcome calibrate(const CaptureSet &set, const Recipe &recipe, StageId last = kLastStage);
 
 /// Reports the findings and, where they do not say it, the error that stopped the run; the exit

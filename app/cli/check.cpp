@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "app/base/interrupt.h"
+#include "app/cli/calibration.h"
 #include "app/cli/console.h"
 #include "app/cli/findings_json.h"
 #include "app/cli/recipe_options.h"
@@ -80,8 +81,9 @@ PipelineOutcome cut(const CaptureSet &set, const Recipe &recipe)
 {
     ProgressLine progress("Checking");
     ResultCache cache;
-    return runPipeline(std::make_shared<CaptureSet>(set), recipe, cache, StageId::Window,
-        {interruptToken(), progress.sink()});
+    return ofWholeRecordings(runPipeline(std::make_shared<CaptureSet>(set), recipe, cache,
+                                 StageId::Window, {interruptToken(), progress.sink()}),
+        set);
 }
 
 int check(const CheckOptions &options)

@@ -102,6 +102,8 @@ int exportJob(const ExportOptions &options)
     if (!folder)
         return report(folder.error());
     const PipelineOutcome outcome = calibrate(*job->captures, *recipe, StageId::Assessment);
+    if (outcome.error && outcome.error->kind == ErrorKind::FileUnreadable)
+        return report(*outcome.error);
     if (!mayPublish(outcome))
         return reportBlocked(outcome);
     const auto paths

@@ -9,6 +9,7 @@
 #include "app/cli/verbs.h"
 
 #include "core/base/foreign_text.h"
+#include "core/capture/capture_seal.h"
 #include "core/capture/formats/hdf5/hdf5_capture_writer.h"
 #include "core/capture/import_rules.h"
 #include "core/capture/opening/capture_open.h"
@@ -41,7 +42,9 @@ Result<CaptureSet> readAndApply(const ImportOptions &options, const Recipe &reci
         = readCaptures(options.files, recipe.import, {interruptToken(), progress.sink()});
     if (!set)
         return set;
-    return applyImportSettings(std::move(*set), recipe.import, recipe.checks);
+    Result<CaptureSet> applied = applyImportSettings(*set, recipe.import, recipe.checks);
+    const Result<void> whole = checkStillWhole(*set); // else what is missing looks like gaps
+    return whole ? applied : tl::unexpected<Error>(whole.error());
 }
 
 Result<void> write(const CaptureSet &set, const ImportOptions &options, const std::string &created)

@@ -257,6 +257,23 @@ bool isUnchanged(const InputFile &input)
     return now.bytes == input.bytes && now.changed_ns == input.changed_ns;
 }
 
+Result<void> checkStillWhole(const CaptureSet &set)
+{
+    for (const Shot &shot : set.shots) {
+        for (const Channel &channel : shot.channels) {
+            if (channel.samples.isWhole())
+                continue;
+            const auto input = static_cast<std::size_t>(inputOf(shot, channel));
+            return fail(ErrorKind::FileUnreadable,
+                {DYNCAL_TEXT("core",
+                     "%1 was changed, moved or removed while it was in use, or can no longer be read, so nothing was made of it; leave it where it is and start again, or take an unchanged copy."),
+                    {input < set.inputs.size() ? set.inputs[input].path : channel.name}},
+                "CAP-015");
+        }
+    }
+    return {};
+}
+
 void reportUnexpected(CaptureSet &set)
 {
     for (const InputFile &input : set.inputs) {

@@ -27,6 +27,11 @@ bool isUnchanged(const InputFile &input);
 /// nothing.
 Result<CaptureSet> sealCaptures(CaptureSet set, const JobControl &control = {});
 
+/// Fails with CAP-015, naming the file, if samples that stay in it can no longer be vouched for: it
+/// was changed, moved or removed, or a part could not be read. To be asked when everything is
+/// computed and before anything made of the samples is kept: what cannot be read looks like gaps.
+Result<void> checkStillWhole(const CaptureSet &set);
+
 /// Finding CAP-015, which blocks, for every input whose hash is known and not the expected one.
 void reportUnexpected(CaptureSet &set);
 

@@ -30,6 +30,8 @@ public:
         });
     }
 
+    bool isUnchanged() const override { return m_channel.samples.isWhole(); }
+
 private:
     Channel m_channel;
 };

@@ -79,6 +79,8 @@ public:
         return true;
     }
 
+    bool isUnchanged() const override { return m_file->unchanged(); }
+
 private:
     bool liesWithin(const SampleExtent &extent) const
     {

@@ -6,6 +6,7 @@
 #include "core/base/index.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -37,6 +38,16 @@ public:
     /// opened (file changed, shortened, unreachable): then nothing of `target` may be used.
     /// Several threads may read at once.
     virtual bool read(Index begin, Index count, std::byte *target) const = 0;
+
+    /// Whether they are still what they were when the source was opened, as far as can be told
+    /// without reading them.
+    virtual bool isUnchanged() const { return true; }
+
+    void noteFailure() const { m_hasFailed = true; }
+    bool hasFailed() const { return m_hasFailed; }
+
+private:
+    mutable std::atomic<bool> m_hasFailed = false; ///< what was made of them may have gaps
 };
 
 /// The samples of one channel exactly as recorded: integer counts where the source has counts.
@@ -65,6 +76,12 @@ public:
         return m_type != SampleType::Float32 && m_type != SampleType::Float64;
     }
     bool isInMemory() const { return m_source == nullptr; }
+    /// Whether every sample could be read so far and still can: false of a file that changed, also
+    /// if only a name of it did.
+    bool isWhole() const
+    {
+        return isInMemory() || (!m_source->hasFailed() && m_source->isUnchanged());
+    }
     /// Whether both are one and the same record, however it is kept; equal copies are not.
     bool sharesWith(const RawSamples &other) const
     {
@@ -124,8 +141,10 @@ bool RawSamples::visitAs(Index begin, Index end, Visit &visit) const
     for (Index first = begin; first < end; first += kBlock) {
         const std::span values(
             block.data(), static_cast<std::size_t>(std::min(end - first, kBlock)));
-        if (!m_source->read(first, std::ssize(values), std::as_writable_bytes(values).data()))
+        if (!m_source->read(first, std::ssize(values), std::as_writable_bytes(values).data())) {
+            m_source->noteFailure();
             return false;
+        }
         if (!goesOn<T>(visit, values, first))
             return true;
     }

@@ -3,6 +3,7 @@
 
 #include "core/results/run_files.h"
 
+#include "core/capture/capture_seal.h"
 #include "core/results/model_export.h"
 #include "core/results/publication.h"
 #include "core/results/results_csv.h"
@@ -118,7 +119,7 @@ FolderRequest runFolder(
     std::vector<std::string> names{"csv/", "plots/", "model/"};
     names.insert(names.end(), kDocuments.begin(), kDocuments.end());
     return {folder, "run", isRunName, std::move(names), recordingsOf(set), std::move(settings),
-        isRunOrModelName};
+        isRunOrModelName, [set] { return checkStillWhole(set); }};
 }
 
 Result<std::vector<std::string>> writeRunFiles(
@@ -149,7 +150,7 @@ FolderRequest modelFolder(
     const std::string &folder, const CaptureSet &set, std::vector<std::string> settings)
 {
     return {folder, "export", isModelName, modelFileNames(), recordingsOf(set), std::move(settings),
-        isRunOrModelName};
+        isRunOrModelName, [set] { return checkStillWhole(set); }};
 }
 
 Result<std::vector<std::string>> writeModelFiles(const CalibrationResults &results,

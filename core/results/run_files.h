@@ -27,8 +27,9 @@ struct RunFiles
     std::vector<DrawnFile> drawn; ///< none of a run that may not be published
 };
 
-/// The folder of a run: what it writes there, and that it may hold no recording of `set`.
-/// `settings`: paths of the recipe and profile that were given.
+/// The folder of a run: what it writes there, and that it may hold no recording of `set`. Nothing
+/// is put there if the recordings are not whole when it is to be (checkStillWhole). `settings`:
+/// paths of the recipe and profile that were given.
 FolderRequest runFolder(
     const std::string &folder, const CaptureSet &set, std::vector<std::string> settings = {});
 
@@ -40,7 +41,7 @@ FolderRequest runFolder(
 Result<std::vector<std::string>> writeRunFiles(
     const RunFiles &run, FolderWrite &folder, const JobControl &control = {});
 
-/// The folder of an exported model.
+/// The folder of an exported model; recordings as for runFolder.
 FolderRequest modelFolder(
     const std::string &folder, const CaptureSet &set, std::vector<std::string> settings = {});
 

@@ -27,6 +27,8 @@ struct FolderRequest
     std::vector<std::string> settings; ///< paths of recipe and profile as given; may be empty
     /// Names that any writer of such folders may give: an interrupted write of these is completed.
     std::function<bool(const std::string &)> mayComplete = {}; ///< empty: mayWrite
+    /// Asked when all is staged, just before it takes its place: an error leaves all as it was.
+    std::function<Result<void>()> mayCommit = {};
 };
 
 /// A file that the folder's list names, as it is now.

@@ -200,6 +200,8 @@ Result<void> FolderWrite::commitClaimed(
         return staged;
     if (control.stopRequested())
         return cancelled();
+    if (const Result<void> may = m_request.mayCommit ? m_request.mayCommit() : Result<void>(); !may)
+        return may;
     return before->folder.valid() ? replaceFolder(*before) : placeNewFolder();
 }
 

@@ -53,8 +53,8 @@ public:
     const std::string &folder() const { return m_place.shown; }
 
     /// Writes the files and the list, once; the claim ends with it, however it went. Asked to stop
-    /// before the exchange it leaves everything as it was (Cancelled). Fails as begin(), and
-    /// (Internal) where writing fails; nothing changed then.
+    /// before the exchange it leaves everything as it was (Cancelled). Fails as begin(), as
+    /// FolderRequest::mayCommit, and (Internal) where writing fails; nothing changed then.
     Result<void> commit(const std::vector<FolderFile> &files, const JobControl &control = {});
 
 private:

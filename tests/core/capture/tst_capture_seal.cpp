@@ -10,9 +10,13 @@
 #include "core/capture/opening/capture_open.h"
 #include "tests/core/capture/capture_test_support.h"
 
+#include <QProcess>
 #include <QTemporaryDir>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <utility>
 
 namespace dyncal {
 
@@ -98,6 +102,69 @@ private slots:
         QVERIFY(contains(sentence(sealed), path));
         QVERIFY(contains(sentence(sealed), "damaged"));
         QVERIFY(contains(sentence(sealed), "DUT"));
+    }
+
+    void checkStillWhole_data()
+    {
+        QTest::addColumn<QString>("change");
+        QTest::addColumn<bool>("isWhole");
+        QTest::newRow("left alone") << "" << true;
+        QTest::newRow("moved") << "mv used.raw other.raw" << false;
+        QTest::newRow("removed") << "rm used.raw" << false;
+        QTest::newRow("permissions") << "chmod 0600 used.raw && chmod 0400 used.raw" << false;
+        QTest::newRow("appended") << "printf xx >> used.raw" << false;
+        QTest::newRow("in place, time kept")
+            << "touch -r used.raw t && printf xx | dd of=used.raw conv=notrunc && touch -r t used.raw"
+            << false;
+    }
+
+    void checkStillWhole()
+    {
+        QFETCH(QString, change);
+        QFETCH(bool, isWhole);
+        const std::string path = write(file("used.raw"), kBytes);
+        const CaptureSet set = *sealCaptures(setInFile(path));
+        QTest::qWait(20); // file systems count time in ticks
+        QProcess shell;
+        shell.setWorkingDirectory(m_folder.path());
+        shell.start("sh", {"-c", change});
+        QVERIFY(shell.waitForFinished());
+        QCOMPARE(shell.exitCode(), 0);
+        const Result<void> whole = dyncal::checkStillWhole(set);
+        QCOMPARE(whole.has_value(), isWhole);
+        if (isWhole)
+            return;
+        QCOMPARE(whole.error().kind, ErrorKind::FileUnreadable);
+        QCOMPARE(whole.error().findingId, std::string("CAP-015"));
+        QVERIFY(english(whole.error().message).find(path) != std::string::npos);
+    }
+
+    void checkStillWhole_samplesInMemory_needNoFile()
+    {
+        CaptureSet set;
+        set.shots = {shotOf(kCounts)};
+        QVERIFY(dyncal::checkStillWhole(set).has_value());
+    }
+
+    void checkStillWhole_aReadThatFailed_isRemembered()
+    {
+        class Once : public SampleSource
+        {
+            bool read(Index, Index count, std::byte *target) const override
+            {
+                std::fill_n(target, 2 * count, std::byte());
+                return std::exchange(m_works, true);
+            }
+            mutable bool m_works = false;
+        };
+        CaptureSet set;
+        set.inputs.resize(1);
+        set.shots = {shotOf(kCounts)};
+        const RawSamples samples(std::make_shared<Once>(), SampleType::Int16, 3);
+        set.shots[0].channels[0].samples = samples;
+        QVERIFY(std::isnan(samples.at(0)));
+        QCOMPARE(samples.at(0), 0.0);
+        QVERIFY(!dyncal::checkStillWhole(set).has_value());
     }
 
     void sealCaptures_fileChangedSinceOpened_isCap015_data()

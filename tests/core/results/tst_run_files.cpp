@@ -3,6 +3,8 @@
 
 #include "core/base/content_hash.h"
 #include "core/base/writing/atomic_file.h"
+#include "core/capture/capture_seal.h"
+#include "core/capture/file_samples.h"
 #include "core/results/model_export.h"
 #include "core/results/results_csv.h"
 #include "core/results/results_json.h"
@@ -62,6 +64,7 @@ private slots:
     void model_isWrittenBesideARun();
     void write_stoppedBefore_changesNothing();
     void write_tablesNameTaken_failsAndNamesIt();
+    void write_recordingGoneMeanwhile_keepsTheEarlierRun();
     void progress_risesToOne();
 };
 
@@ -258,6 +261,45 @@ void TestRunFiles::write_tablesNameTaken_failsAndNamesIt()
     QVERIFY2(sentence.find("csv is in the way") != std::string::npos, sentence.c_str());
     QVERIFY(!QFile::exists(folder.filePath("results.json")));
     QCOMPARE(bytesOf(folder.filePath("csv")), QByteArray("a file"));
+}
+
+void TestRunFiles::write_recordingGoneMeanwhile_keepsTheEarlierRun()
+{
+    const QTemporaryDir folder;
+    const std::string recording = folder.filePath("a.raw").toStdString();
+    QVERIFY(writeFileAtomically(recording, "abcdef"));
+    SampleLayout layout;
+    layout.extents = {{0, 3}};
+    CaptureSet set;
+    set.inputs = {stampedInput(recording, "raw")};
+    set.shots.resize(1);
+    set.shots[0].channels.resize(1);
+    set.shots[0].channels[0].samples = *samplesInFile(*SampleFile::open(recording), layout);
+    const std::string out = folder.filePath("out").toStdString();
+    const auto write = [&](const FolderRequest &request, const auto &writer) {
+        Result<FolderWrite> target = FolderWrite::begin(request);
+        return target ? writer(*target)
+                      : Result<std::vector<std::string>>(tl::unexpected(target.error()));
+    };
+    RunFiles run = exampleRun();
+    const auto writeRun = [&](FolderWrite &target) { return writeRunFiles(run, target); };
+    const auto writeModel = [&](FolderWrite &target) {
+        return writeModelFiles(run.outcome.results, modelFormats(), target);
+    };
+    QVERIFY(write(runFolder(out, set), writeRun).has_value());
+    const QByteArray before = bytesOf(folder.filePath("out/results.json"));
+    QTest::qWait(20); // file systems count time in ticks
+    QVERIFY(QFile::rename(folder.filePath("a.raw"), folder.filePath("b.raw")));
+    run.createdUtc = "2026-11-22T03:04:05Z";
+    for (const auto &refused :
+        {write(runFolder(out, set), writeRun), write(modelFolder(out, set), writeModel)}) {
+        QVERIFY(!refused.has_value());
+        QCOMPARE(refused.error().findingId, std::string("CAP-015"));
+    }
+    QCOMPARE(bytesOf(folder.filePath("out/results.json")), before);
+    QVERIFY(!QFile::exists(folder.filePath("out/model.mat")));
+    QCOMPARE(QDir(folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+        QStringList({"b.raw", "out"}));
 }
 
 void TestRunFiles::progress_risesToOne()

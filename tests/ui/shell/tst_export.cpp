@@ -80,6 +80,7 @@ private slots:
     void certificate_exported_writesOneFile();
     void quit_whileWriting_isRefused();
     void edit_whileWriting_isNotInWhatIsWritten();
+    void recordingMoved_isSaidAndNothingIsWritten(); // the last: nothing can be exported after it
 
 private:
     QString path(const QString &name) const { return m_folder.filePath(name); }
@@ -282,6 +283,24 @@ void TestExport::edit_whileWriting_isNotInWhatIsWritten()
     compareWithCommandLine(folder);
     m_window->session().undoStack().undo();
     QTRY_VERIFY_WITH_TIMEOUT(!m_window->session().isComputing(), kPatience_ms);
+}
+
+void TestExport::recordingMoved_isSaidAndNothingIsWritten()
+{
+    const QString folder = makeFolder("gone");
+    QVERIFY(QFile::rename(path("example.h5"), path("elsewhere.h5")));
+    const QList<void (FileActions::*)()> exports{
+        &FileActions::exportResults, &FileActions::exportModel, &FileActions::exportCertificate};
+    for (qsizetype i = 0; i < exports.size(); ++i) {
+        m_prompts.setNextFile(
+            exports[i] == &FileActions::exportCertificate ? folder + "/c" : folder);
+        (m_window->files().*exports[i])();
+        waitIdle();
+        QCOMPARE(newProblems().size(), i + 1);
+        QVERIFY2(newProblems().last().contains("example.h5 was changed, moved or removed"),
+            qPrintable(newProblems().last()));
+        QCOMPARE(filesBelow(folder), QStringList());
+    }
 }
 
 DYNCAL_TEST(TestExport)

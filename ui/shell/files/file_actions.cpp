@@ -5,6 +5,7 @@
 
 #include "core/base/writing/atomic_file.h"
 #include "core/base/writing/write_problem.h"
+#include "core/capture/capture_seal.h"
 #include "core/capture/opening/capture_open.h"
 #include "core/capture/opening/format_registry.h"
 #include "core/results/model_export.h"
@@ -373,13 +374,13 @@ void FileActions::exportCertificate()
         return;
     const QString path = m_prompts.saveFile(m_window, tr("Export certificate"),
         tr("PDF documents (*.pdf)"), proposedPath("certificate.pdf"), "pdf");
-    if (path.isEmpty())
-        return;
-    if (refusesRecording(path))
+    if (path.isEmpty() || refusesRecording(path))
         return;
     startExport(path, ReportParts::Certificate,
-        [path = path.toStdString()](const RunFiles &run, const JobControl &) {
-            return writeFileAtomically(path, run.drawn.front().bytes);
+        [path = path.toStdString(), captures = m_session.state().captures](
+            const RunFiles &run, const JobControl &) {
+            const Result<void> whole = checkStillWhole(*captures);
+            return whole ? writeFileAtomically(path, run.drawn.front().bytes) : whole;
         });
 }
 

@@ -6,6 +6,7 @@
 #include "core/base/content_hash.h"
 #include "core/base/version.h"
 #include "core/base/writing/pending_file.h"
+#include "core/capture/capture_seal.h"
 #include "core/capture/formats/hdf5/hdf5_columns.h"
 #include "core/capture/formats/hdf5/hdf5_content.h"
 #include "core/capture/formats/hdf5/hdf5_create.h"
@@ -365,6 +366,8 @@ Result<void> writeHdf5Capture(const CaptureSet &set, const CaptureTarget &target
     const auto written
         = writeFile(std::move(file), CaptureWriter(set, control), createdUtc, title, truth);
     lock.unlock();
+    if (const Result<void> whole = checkStillWhole(set); !whole && !control.stopRequested())
+        return whole;
     if (!written || !readsBack(pending->openPath(), *written))
         return notWritten(target.path, control);
     return pending->commit();

@@ -26,7 +26,9 @@ struct CaptureTarget
 
 /// Writes a capture: chunks of 1 Mi samples, no filters, sha256 per channel, through a temporary
 /// file that gets its name when complete (PendingFile; every HDF5 return code is checked and all
-/// samples are read back). `createdUtc` ISO 8601 with Z. The same input gives the same bytes.
+/// samples are read back). Recordings that did not stay whole meanwhile
+/// are CAP-015 (checkStillWhole). `createdUtc` ISO 8601 with Z. The same input gives the same
+/// bytes.
 Result<void> writeHdf5Capture(const CaptureSet &set, const CaptureTarget &target,
     const std::string &createdUtc, const std::string &title,
     const std::vector<ShotTruth> &truth = {}, const JobControl &control = {});

@@ -75,6 +75,8 @@ public:
         return true;
     }
 
+    bool isUnchanged() const override { return m_file->unchanged(); }
+
 private:
     std::int32_t valueOf(const std::byte *sample) const
     {

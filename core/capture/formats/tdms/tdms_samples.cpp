@@ -117,6 +117,8 @@ public:
         return readStream(*m_file, m_stream, begin, count, target);
     }
 
+    bool isUnchanged() const override { return m_file->unchanged(); }
+
 private:
     std::shared_ptr<const SampleFile> m_file;
     TdmsStream m_stream;
@@ -152,6 +154,8 @@ public:
         }
         return true;
     }
+
+    bool isUnchanged() const override { return m_file->unchanged(); }
 
 private:
     bool readDoubles(

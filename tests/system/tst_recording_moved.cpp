@@ -1,0 +1,126 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "tests/support/test_program.h"
+#include "tests/system/dyncal_process.h"
+
+#include <QDir>
+#include <QDirIterator>
+#include <QElapsedTimer>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QThread>
+
+/// Recordings that somebody moves, removes or writes to while the program works on them.
+class TestRecordingMoved : public QObject
+{
+    Q_OBJECT
+
+private:
+    static constexpr int kLongest_ms = 60000;
+    static constexpr int kSteps = 12; ///< moments of the change, over the time of the work
+
+    QTemporaryDir m_folder;
+    QString path(const QString &name) const { return m_folder.filePath(name); }
+
+    Answer answerWithChange(const QStringList &verb, const QString &change, qint64 after_ms) const
+    {
+        QProcess process;
+        process.setWorkingDirectory(m_folder.path());
+        process.start(qEnvironmentVariable("DYNCAL_BINARY"), verb);
+        QThread::msleep(static_cast<unsigned long>(after_ms));
+        QProcess shell;
+        shell.setWorkingDirectory(m_folder.path());
+        shell.start("sh", {"-c", change});
+        Answer answer;
+        if (shell.waitForFinished(kLongest_ms) && process.waitForFinished(kLongest_ms))
+            answer.exitCode = process.exitCode();
+        answer.out = process.readAllStandardOutput();
+        answer.err = process.readAllStandardError();
+        return answer;
+    }
+
+    /// Every file below, with its bytes.
+    QMap<QString, QByteArray> kept(const QString &name) const
+    {
+        QMap<QString, QByteArray> files;
+        QDirIterator entries(path(name), QDir::Files | QDir::Hidden, QDirIterator::Subdirectories);
+        while (entries.hasNext()) {
+            const QString file = entries.next();
+            files[file] = fileBytes(file);
+        }
+        return files;
+    }
+
+private slots:
+    void initTestCase()
+    {
+        const Answer made
+            = runDyncal({"simulate", "-o", path("kept.h5"), "--duration-s", "0.02", "--seed", "3"});
+        QCOMPARE(made.exitCode, 0);
+    }
+
+    void init()
+    {
+        QVERIFY(QDir(path("out")).removeRecursively());
+        for (const char *name : {"used.h5", "moved.h5", "new.h5"})
+            QFile::remove(path(name));
+        QVERIFY(QFile::copy(path("kept.h5"), path("used.h5")));
+    }
+
+    void changedMeanwhile_isSaidOnceAndNothingIsWritten_data()
+    {
+        QTest::addColumn<QStringList>("verb");
+        QTest::addColumn<QString>("change");
+        const QString move = "mv used.h5 moved.h5";
+        const QStringList run{"run", "used.h5", "-o", "out"};
+        QTest::newRow("run, moved") << run << move;
+        QTest::newRow("run, removed") << run << "rm used.h5";
+        QTest::newRow("run, permissions") << run << "chmod o-r used.h5";
+        QTest::newRow("run, appended") << run << "printf x >> used.h5";
+        QTest::newRow("check, moved") << QStringList{"check", "used.h5"} << move;
+        QTest::newRow("compare, moved") << QStringList{"compare", "used.h5"} << move;
+        QTest::newRow("export, moved") << QStringList{"export", "used.h5", "-o", "out"} << move;
+        QTest::newRow("import, moved") << QStringList{"import", "used.h5", "-o", "new.h5"} << move;
+    }
+
+    /// Whenever it happens: either what the undisturbed recording gives, or exit code 3.
+    void changedMeanwhile_isSaidOnceAndNothingIsWritten()
+    {
+        QFETCH(QStringList, verb);
+        QFETCH(QString, change);
+        QElapsedTimer timer;
+        timer.start();
+        const int sound = answerWithChange(verb, "true", 0).exitCode;
+        const qint64 whole_ms = timer.elapsed();
+        QVERIFY(sound == 0 || sound == 1);
+        if (verb.contains("new.h5"))
+            QVERIFY(QFile::remove(path("new.h5")));
+        const auto before = kept("out");
+        int caught = 0;
+        for (int step = 0; step < kSteps; ++step) {
+            QFile::remove(path("used.h5"));
+            QVERIFY(QFile::copy(path("kept.h5"), path("used.h5")));
+            const Answer answer = answerWithChange(verb, change, step * whole_ms / kSteps);
+            if (answer.exitCode == sound) {
+                QFile::remove(path("new.h5"));
+                continue;
+            }
+            QVERIFY2(answer.exitCode == 3, answer.err);
+            QVERIFY2(answer.complaints().size() == 1 && answer.err.contains("used.h5"), answer.err);
+            QVERIFY2(answer.out.isEmpty(), answer.out);
+            QVERIFY(!QFile::exists(path("new.h5")));
+            if (caught++ == 0)
+                qInfo("%s", answer.err.constData());
+        }
+        QVERIFY(caught > 0);
+        if (!before.isEmpty())
+            QCOMPARE(kept("out").keys(), before.keys());
+        const QJsonObject results = fileJson(path("out/results.json"));
+        if (!before.isEmpty() && verb.front() == "run")
+            QVERIFY(results.contains("findings"));
+    }
+};
+
+DYNCAL_TEST(TestRecordingMoved)
+#include "tst_recording_moved.moc"
