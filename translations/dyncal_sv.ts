@@ -4084,6 +4084,10 @@
         <source>%1 was changed, moved or removed while it was in use, or can no longer be read, so nothing was made of it; leave it where it is and start again, or take an unchanged copy.</source>
         <translation>%1 ändrades, flyttades eller togs bort medan den användes, eller kan inte längre läsas, så inget gjordes av den; låt den ligga där den är och börja om, eller ta en oförändrad kopia.</translation>
     </message>
+    <message>
+        <source>%1 is a project and brings its own recipe, so --recipe and --profile (%2) would change nothing; leave them out, or export from the recordings.</source>
+        <translation>%1 är ett projekt och har sitt eget recept, så --recipe och --profile (%2) skulle inte ändra något; utelämna dem, eller exportera från inspelningarna.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

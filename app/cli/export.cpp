@@ -51,6 +51,11 @@ Result<ProjectState> sealed(Result<ProjectState> project, const JobControl &cont
 Result<ProjectState> readJob(const ExportOptions &options)
 {
     if (isProject(options.files)) {
+        if (!options.recipe.files().empty())
+            return fail(ErrorKind::Usage,
+                {DYNCAL_TEXT("core",
+                     "%1 is a project and brings its own recipe, so --recipe and --profile (%2) would change nothing; leave them out, or export from the recordings."),
+                    {options.files.front(), options.recipe.files().front()}});
         const QString project = QString::fromStdString(options.files.front());
         if (project.toStdString() != options.files.front())
             return fail(ErrorKind::FileUnreadable,
@@ -126,8 +131,7 @@ void addExport(CLI::App &program, VerbAction &action)
         ->required()
         ->type_name("PROJECT|FILE");
     options->recipe.declare(*verb);
-    verb->add_option("--order", options->order, "Model order: auto or a number")
-        ->type_name("auto|N");
+    declareOrder(*verb, options->order);
     verb->add_option("--what", options->what, "What to write")
         ->delimiter(',')
         ->check(CLI::IsMember({"model"}))

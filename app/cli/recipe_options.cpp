@@ -5,12 +5,32 @@
 
 namespace dyncal {
 
+namespace {
+
+/// An empty word, as a script gives for a variable that is not set, is no wish for the default.
+std::string isSomething(const std::string &word)
+{
+    return word.empty() ? "it is given without a value; give one or leave it out" : "";
+}
+
+} // namespace
+
 void RecipeOptions::declare(CLI::App &verb)
 {
-    verb.add_option("--recipe", recipe, "Every decision (docs/recipe.md)")->type_name("RECIPE");
+    verb.add_option("--recipe", recipe, "Every decision (docs/recipe.md)")
+        ->type_name("RECIPE")
+        ->check(isSomething);
     verb.add_option(
             "--profile", profile, "The laboratory's import rules and limits, below the recipe")
-        ->type_name("PROFILE");
+        ->type_name("PROFILE")
+        ->check(isSomething);
+}
+
+void declareOrder(CLI::App &verb, std::string &order)
+{
+    verb.add_option("--order", order, "Model order: auto or a number")
+        ->type_name("auto|N")
+        ->check(isSomething);
 }
 
 std::vector<std::string> RecipeOptions::files() const

@@ -25,4 +25,7 @@ struct RecipeOptions
     std::vector<std::string> files() const;
 };
 
+/// Option --order.
+void declareOrder(CLI::App &verb, std::string &order);
+
 } // namespace dyncal

@@ -82,8 +82,7 @@ void addRun(CLI::App &program, VerbAction &action)
         ->required()
         ->type_name("FILE");
     options->recipe.declare(*verb);
-    verb->add_option("--order", options->order, "Model order: auto or a number")
-        ->type_name("auto|N");
+    declareOrder(*verb, options->order);
     verb->add_option("-o,--output", options->output, "Folder to write to")
         ->required()
         ->type_name("DIR");

@@ -163,6 +163,53 @@ private slots:
         QCOMPARE(answer.out.trimmed().split('\n').size(), names.size());
     }
 
+    void export_ofAProject_refusesAnotherRecipe_data()
+    {
+        QTest::addColumn<QString>("option");
+        QTest::addColumn<QString>("file");
+        QTest::newRow("recipe") << "--recipe" << path("other.json");
+        QTest::newRow("profile") << "--profile" << path("other.json");
+        QTest::newRow("no such recipe") << "--recipe" << path("nowhere.json");
+    }
+
+    void export_ofAProject_refusesAnotherRecipe()
+    {
+        QFETCH(QString, option);
+        QFETCH(QString, file);
+        QVERIFY(writeBytes(path("other.json"), R"({"import": {"scale": 5}})"));
+        const Answer answer
+            = runDyncal({"export", path("any.dyncal"), option, file, "-o", path("other")});
+        QCOMPARE(answer.exitCode, 4);
+        QCOMPARE(answer.complaints().size(), 1);
+        QVERIFY2(
+            answer.err.contains("any.dyncal") && answer.err.contains(file.toUtf8()), answer.err);
+        QVERIFY(!QFile::exists(path("other")));
+    }
+
+    void optionWithoutAValue_isRefused_data()
+    {
+        QTest::addColumn<QStringList>("words");
+        for (const char *verb : {"run", "check", "compare", "export", "import", "info"})
+            for (const char *option : {"--recipe", "--profile"})
+                QTest::addRow("%s %s", verb, option) << QStringList{verb, m_capture, option, ""};
+        for (const char *verb : {"run", "export"})
+            QTest::addRow("%s --order", verb) << QStringList{verb, m_capture, "--order", ""};
+    }
+
+    void optionWithoutAValue_isRefused()
+    {
+        QFETCH(QStringList, words);
+        const QString out = path(words.front() == "import" ? "empty.h5" : "empty");
+        if (QStringList{"run", "export", "import"}.contains(words.front()))
+            words << "-o" << out;
+        const Answer answer = runDyncal(words);
+        QCOMPARE(answer.exitCode, 4);
+        QCOMPARE(answer.complaints().size(), 1);
+        QVERIFY2(
+            answer.err.contains(words[2].toUtf8() + ": it is given without a value"), answer.err);
+        QVERIFY(!QFile::exists(out));
+    }
+
     void export_ofAProject_takesItsRecipe()
     {
         const QByteArray sha256
