@@ -3113,10 +3113,6 @@
         <translation>%1: %2 ökar jämnt med %3 och togs som tider, men enheten anges ingenstans. Ange samplingsfrekvensen i receptets importdel: %4 om det är sekunder, %5 om millisekunder, %6 om mikrosekunder.</translation>
     </message>
     <message>
-        <source>%1 states a sample rate of %2 and an interval of %3 s, which contradict each other, so the rate is unknown; state it in the recipe&apos;s import section.</source>
-        <translation>%1 anger samplingsfrekvensen %2 och intervallet %3 s, som motsäger varandra, så frekvensen är okänd; ange den i receptets importdel.</translation>
-    </message>
-    <message>
         <source>%1 describes samples that are in %2, which cannot be opened; put both files into one folder.</source>
         <translation>%1 beskriver sampel som finns i %2, som inte kan öppnas; lägg båda filerna i samma mapp.</translation>
     </message>
@@ -4087,6 +4083,22 @@
     <message>
         <source>%1 is a project and brings its own recipe, so --recipe and --profile (%2) would change nothing; leave them out, or export from the recordings.</source>
         <translation>%1 är ett projekt och har sitt eget recept, så --recipe och --profile (%2) skulle inte ändra något; utelämna dem, eller exportera från inspelningarna.</translation>
+    </message>
+    <message>
+        <source>%1 is no recording over time: its values lie along &quot;%2&quot; (X_Dimension, X_Unit_Label), and Time in s, ms, us or ns is needed.</source>
+        <translation>%1 är ingen inspelning över tid: dess värden ligger längs ”%2” (X_Dimension, X_Unit_Label), och Time i s, ms, us eller ns behövs.</translation>
+    </message>
+    <message>
+        <source>%1: %2 = %3 and %4 = %5 contradict each other (%6 and %7), so the sample rate is unknown; state it in the recipe&apos;s import section.</source>
+        <translation>%1: %2 = %3 och %4 = %5 motsäger varandra (%6 och %7), så samplingsfrekvensen är okänd; ange den i receptets importdel.</translation>
+    </message>
+    <message>
+        <source>%1: the times in %2 step by %3 and those in %4 by %5, which fits no sample rate in common, so it is unknown; state it in the recipe&apos;s import section.</source>
+        <translation>%1: tiderna i %2 stegar med %3 och de i %4 med %5, vilket inte passar någon gemensam samplingsfrekvens, så den är okänd; ange den i receptets importdel.</translation>
+    </message>
+    <message>
+        <source>Channel %1 is no recording over time: its values lie along &quot;%2&quot; (wf_xunit_string, wf_xname), and s, ms, us or ns is needed.</source>
+        <translation>Kanal %1 är ingen inspelning över tid: dess värden ligger längs ”%2” (wf_xunit_string, wf_xname), och s, ms, us eller ns behövs.</translation>
     </message>
 </context>
 <context>

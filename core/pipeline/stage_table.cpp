@@ -135,7 +135,7 @@ using enum StageId;
 
 // Evidence serves every order: model and response do not count for it.
 constexpr std::array<Stage, kStageCount> kStages{{
-    {Captures, "captures", 2, 40, "CAP-", Captures, readCaptures, has<&R::captures>,
+    {Captures, "captures", 3, 40, "CAP-", Captures, readCaptures, has<&R::captures>,
         of<&R::captures>},
     {Arrivals, "arrivals", 1, 110, "", Captures, readArrivals, has<&R::starts>, saidElsewhere},
     {Expected, "expected shock", 1, 30, "", Arrivals, readExpected, has<&R::expected>,

@@ -148,6 +148,12 @@ private:
         while (lines.next(columnLine) && isBlank(columnLine)) { }
         if (isBlank(columnLine) || !lines.terminated())
             return false;
+        if (const std::string other = otherThanTime(tags); !other.empty())
+            return fail(ErrorKind::FileUnreadable,
+                {DYNCAL_TEXT("core",
+                     "%1 is no recording over time: its values lie along \"%2\" (X_Dimension, X_Unit_Label), and Time in s, ms, us or ns is needed."),
+                    {m_path, other}},
+                "CAP-001");
         std::optional<LvmSegment> segment = lvmSegment(tags, columnLine, m_file);
         if (!segment)
             return fail(ErrorKind::FileUnreadable,

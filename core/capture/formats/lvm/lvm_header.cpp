@@ -5,6 +5,7 @@
 
 #include "core/base/text_encoding.h"
 #include "core/capture/formats/bytes/time_axis.h"
+#include "core/capture/formats/text/time_words.h"
 
 #include <cmath>
 
@@ -124,6 +125,24 @@ LvmFileHeader lvmFileHeader(const LvmTags &tags, char separator)
     return file;
 }
 
+std::string otherThanTime(const LvmTags &tags)
+{
+    const auto first = [&](std::string_view tag, auto isTime) {
+        const auto found = tags.find(tag);
+        for (const std::string_view cell :
+            found != tags.end() ? found->second : std::vector<std::string_view>())
+            if (!cell.empty() && !isTime(utf8Text(cell)))
+                return utf8Text(cell);
+        return std::string();
+    };
+    const std::string dimension = first("X_Dimension", [](const std::string &name) {
+        return isTimeTitle({name, {}});
+    });
+    return !dimension.empty() ? dimension : first("X_Unit_Label", [](const std::string &unit) {
+        return secondsPerUnit(unit).has_value();
+    });
+}
+
 std::optional<LvmSegment> lvmSegment(
     const LvmTags &tags, std::string_view columnLine, const LvmFileHeader &file)
 {
@@ -150,6 +169,8 @@ std::optional<LvmSegment> lvmSegment(
         channel.unit = utf8Text(tagCell(tags, "Y_Unit_Label", column - 1));
         if (file.xColumns != LvmXColumns::None)
             channel.xColumn = multi ? channel.column - 1 : 0;
+        channel.xUnit_s
+            = secondsPerUnit(utf8Text(tagCell(tags, "X_Unit_Label", column - 1))).value_or(1.0);
         channel.x0 = headerNumber(tagCell(tags, "X0", column - 1)).value_or(0.0);
         const std::string_view deltaCell = tagCell(tags, "Delta_X", column - 1);
         const double delta = headerNumber(deltaCell).value_or(0.0);

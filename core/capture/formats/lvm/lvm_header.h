@@ -36,6 +36,7 @@ struct LvmChannel
     std::string unit;
     Index column = 0; ///< of its values
     std::optional<Index> xColumn;
+    double xUnit_s = 1.0; ///< seconds per unit of x0, deltaX and the X cells
     double x0 = 0.0;
     double deltaX = 0.0; ///< 0 = not stated
     double deltaResolution = 0.0; ///< one unit of the last digit printed of deltaX
@@ -57,6 +58,9 @@ bool readLvmTags(LineCursor &lines, std::string_view line, char separator, LvmTa
 char lvmSeparator(std::string_view text);
 
 LvmFileHeader lvmFileHeader(const LvmTags &tags, char separator);
+
+/// What a channel of the segment lies along if that is not time ("Frequency", "m"); else empty.
+std::string otherThanTime(const LvmTags &tags);
 
 /// Channels from the tags of a segment and its line of column names; empty if that line has fewer
 /// columns than the tags claim, or none.

@@ -63,7 +63,7 @@ private:
             = header.name.empty() ? "column " + std::to_string(header.column + 1) : header.name;
         channel.unit = header.unit.empty() ? "1" : header.unit;
         channel.sampleRate_Hz = sampleRate_Hz;
-        channel.t0_s = header.x0;
+        channel.t0_s = header.x0 * header.xUnit_s;
         channel.samples = RawSamples(std::move(values));
         return channel;
     }
@@ -98,6 +98,7 @@ private:
             contradict(channel, rate.meanStep);
             return 0.0;
         }
+        rate.sampleRate_Hz /= channel.xUnit_s;
         if (rate.relativePrecision > m_worstPrecision) {
             m_worstPrecision = rate.relativePrecision;
             m_vagueChannel = &channel;

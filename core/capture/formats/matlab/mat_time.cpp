@@ -84,10 +84,14 @@ void MatTime::addScalar(const std::string &name, double value)
     if (isOneOf(kStartNames, lower))
         m_start_s = value;
     if (value > 0.0 && std::isfinite(1.0 / value)) {
-        if (isOneOf(kRateNames, lower))
+        if (isOneOf(kRateNames, lower)) {
             m_rate_Hz = value;
-        if (isOneOf(kIntervalNames, lower))
+            m_scalars.push_back({name, value, value, false});
+        }
+        if (isOneOf(kIntervalNames, lower)) {
             m_interval_s = value;
+            m_scalars.push_back({name, value, 1.0 / value, true});
+        }
     }
 }
 
@@ -217,7 +221,13 @@ MatRate MatTime::rateOfLength(Index length, Findings &findings) const
     const auto axis = std::find_if(
         m_axes.begin(), m_axes.end(), [=](const Axis &one) { return one.length == length; });
     Findings news;
-    const MatRate rate = axis != m_axes.end() ? rateByAxis(*axis, news) : statedRate(news);
+    MatRate rate;
+    if (const auto twice = contradictingScalars(axis == m_axes.end()))
+        news.push_back(*twice);
+    else if (const auto other = axis != m_axes.end() ? contradictingAxes(*axis) : std::nullopt)
+        news.push_back(*other);
+    else
+        rate = axis != m_axes.end() ? rateByAxis(*axis, news) : statedRate();
     for (Finding &finding : news) { // the same for every signal of this length
         if (std::find(findings.begin(), findings.end(), finding) == findings.end())
             findings.push_back(std::move(finding));
@@ -225,20 +235,67 @@ MatRate MatTime::rateOfLength(Index length, Findings &findings) const
     return rate;
 }
 
-MatRate MatTime::statedRate(Findings &findings) const
+/// Intervals only where no times decide: "Ts" may be anything beside them.
+std::optional<Finding> MatTime::contradictingScalars(bool withIntervals) const
 {
-    if (!m_operator_Hz && m_rate_Hz && m_interval_s
-        && !ratesAgree(*m_rate_Hz * *m_interval_s, 1.0)) {
-        findings.push_back({.id = "CAP-003",
+    const Scalar *first = nullptr;
+    for (const Scalar &scalar : m_scalars) {
+        if (m_operator_Hz || (scalar.isInterval && !withIntervals))
+            continue;
+        if (first == nullptr)
+            first = &scalar;
+        if (ratesAgree(scalar.rate_Hz, first->rate_Hz))
+            continue;
+        return Finding{.id = "CAP-003",
             .severity = Severity::Caution,
             .message
             = {DYNCAL_TEXT("core",
-                   "%1 states a sample rate of %2 and an interval of %3 s, which contradict each other, so the rate is unknown; state it in the recipe's import section."),
-                {m_path, rateText(*m_rate_Hz), numberText(*m_interval_s, 7)}},
-            .value = m_rate_Hz,
-            .limit = 1.0 / *m_interval_s});
-        return {};
+                   "%1: %2 = %3 and %4 = %5 contradict each other (%6 and %7), so the sample rate is unknown; state it in the recipe's import section."),
+                {m_path, first->name, numberText(first->value, 7), scalar.name,
+                    numberText(scalar.value, 7), rateText(first->rate_Hz),
+                    rateText(scalar.rate_Hz)}},
+            .value = scalar.rate_Hz,
+            .limit = first->rate_Hz};
     }
+    return {};
+}
+
+/// Another vector of times of this length that steps by something else. Where one of the two has no
+/// unit, any unit will do.
+std::optional<Finding> MatTime::contradictingAxes(const Axis &axis) const
+{
+    for (const Axis &other : m_axes) {
+        if (other.length != axis.length || !other.uniform || !axis.uniform || m_operator_Hz)
+            continue;
+        const double ratio = other.uniform->step / axis.uniform->step;
+        const auto agrees
+            = [&](double unit, double otherUnit) { return ratesAgree(ratio * otherUnit, unit); };
+        const bool isFree = axis.unit_s == 0.0 && other.unit_s > 0.0;
+        const bool isOtherFree = axis.unit_s > 0.0 && other.unit_s == 0.0;
+        const auto agreesInSome = [&](const TimeUnit &unit) {
+            return (isFree && agrees(unit.seconds, other.unit_s))
+                || (isOtherFree && agrees(axis.unit_s, unit.seconds));
+        };
+        const bool agree = isFree || isOtherFree ? std::ranges::any_of(kUnits, agreesInSome)
+            : axis.unit_s > 0.0                  ? agrees(axis.unit_s, other.unit_s)
+                                                 : agrees(1.0, 1.0);
+        if (agree)
+            continue;
+        return Finding{.id = "CAP-003",
+            .severity = Severity::Caution,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "%1: the times in %2 step by %3 and those in %4 by %5, which fits no sample rate in common, so it is unknown; state it in the recipe's import section."),
+                {m_path, axis.name, numberText(axis.uniform->step, 7), other.name,
+                    numberText(other.uniform->step, 7)}},
+            .value = other.uniform->step,
+            .limit = axis.uniform->step};
+    }
+    return {};
+}
+
+MatRate MatTime::statedRate() const
+{
     return {stated().value_or(0.0), m_start_s};
 }
 

@@ -56,11 +56,23 @@ private:
     static std::optional<TimeAxis> uniformAxis(const RawSamples &times);
     MatRate rateByAxis(const Axis &axis, Findings &findings) const;
     std::optional<double> stated() const;
-    MatRate statedRate(Findings &findings) const;
+    MatRate statedRate() const;
     Finding contradiction(const std::string &name, double step) const;
 
     std::string m_path;
+    std::optional<Finding> contradictingScalars(bool withIntervals) const;
+    std::optional<Finding> contradictingAxes(const Axis &axis) const;
+
+    struct Scalar
+    {
+        std::string name;
+        double value = 0.0;
+        double rate_Hz = 0.0;
+        bool isInterval = false;
+    };
+
     std::optional<double> m_operator_Hz, m_rate_Hz, m_interval_s;
+    std::vector<Scalar> m_scalars; ///< every statement of a rate, in order
     double m_start_s = 0.0;
     std::vector<Axis> m_axes;
 };

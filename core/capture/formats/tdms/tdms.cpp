@@ -6,12 +6,14 @@
 #include "core/base/number_text.h"
 #include "core/capture/formats/tdms/tdms_samples.h"
 #include "core/capture/formats/tdms/tdms_shots.h"
+#include "core/capture/formats/text/time_words.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>
+#include <optional>
 
 namespace dyncal {
 namespace {
@@ -54,11 +56,22 @@ void keepStart(const TdmsProperties &properties, Attributes &notes)
         + " / 2^64 s"; // with all its digits
 }
 
+/// Seconds per unit of the waveform's increment and start: they are in seconds unless something
+/// else is said. Empty if it is no time.
+std::optional<double> waveformUnit_s(const TdmsProperties &properties)
+{
+    const std::string unit = textOf(properties, "wf_xunit_string");
+    if (!unit.empty())
+        return secondsPerUnit(unit);
+    return isFrequencyTitle({textOf(properties, "wf_xname"), {}}) ? std::nullopt
+                                                                  : std::optional(1.0);
+}
+
 /// The increment is a rounded decimal or reciprocal, so a rate has no more than 15 digits.
-double sampleRateOf(const TdmsProperties &properties)
+double sampleRateOf(const TdmsProperties &properties, double unit_s)
 {
     constexpr int kDigits = 15;
-    const double step_s = numberOf(properties, "wf_increment").value_or(0.0);
+    const double step_s = unit_s * numberOf(properties, "wf_increment").value_or(0.0);
     const double rate_Hz = step_s > 0.0 ? 1.0 / step_s : 0.0;
     if (!std::isfinite(rate_Hz))
         return 0.0;
@@ -127,19 +140,34 @@ private:
         auto records = m_records.of(object, holders);
         if (!records)
             return leaveOut(records.error(), Severity::Caution);
+        const std::optional<double> unit_s = waveformUnit_s(object.properties);
+        if (!unit_s)
+            return leaveOut(noRecordOverTime(object, name), Severity::Caution);
         for (TdmsRecord &record : *records)
-            shot.channels.push_back(channelOf(object, name, std::move(record)));
+            shot.channels.push_back(channelOf(object, name, *unit_s, std::move(record)));
         keepStart(object.properties, shot.notes);
     }
 
-    Channel channelOf(const TdmsObject &object, const std::string &name, TdmsRecord record)
+    static Message noRecordOverTime(const TdmsObject &object, const std::string &name)
+    {
+        std::string unit = textOf(object.properties, "wf_xunit_string");
+        if (unit.empty())
+            unit = textOf(object.properties, "wf_xname");
+        return {
+            DYNCAL_TEXT("core",
+                "Channel %1 is no recording over time: its values lie along \"%2\" (wf_xunit_string, wf_xname), and s, ms, us or ns is needed."),
+            {name, unit}};
+    }
+
+    Channel channelOf(
+        const TdmsObject &object, const std::string &name, double unit_s, TdmsRecord record)
     {
         Channel channel;
         channel.name = name + record.suffix;
         channel.samples = std::move(record.samples);
         channel.polynomial = std::move(record.polynomial);
-        channel.sampleRate_Hz = sampleRateOf(object.properties);
-        const double t0_s = numberOf(object.properties, "wf_start_offset").value_or(0.0);
+        channel.sampleRate_Hz = sampleRateOf(object.properties, unit_s);
+        const double t0_s = unit_s * numberOf(object.properties, "wf_start_offset").value_or(0.0);
         channel.t0_s = std::isfinite(t0_s) ? t0_s : 0.0;
         channel.unit = textOf(object.properties, "unit_string");
         if (channel.unit.empty())

@@ -47,6 +47,56 @@ bool isWordCharacter(char c)
         || static_cast<unsigned char>(c) >= 0x80;
 }
 
+/// Words that make a line speak of another rate than that of the samples below it.
+constexpr auto kOtherRates = std::to_array<std::string_view>({"max", "maximum", "maximal",
+    "maximale", "min", "minimum", "minimal", "highest", "lowest", "not", "never", "possible",
+    "supported", "available", "allowed", "limit", "requested", "desired", "wanted", "target",
+    "preview", "display", "previous", "original", "former", "old", "default", "nicht", "kein",
+    "keine", "inte", "ej", "ingen", "h\u00F6chste", "h\u00F6gsta", "l\u00E4gsta"});
+
+/// "200 000", "200'000": what ISO 80000 lets stand between groups of three digits, and what stands
+/// for it in print.
+constexpr auto kGroupMarks
+    = std::to_array<std::string_view>({" ", "'", "\u00A0", "\u2007", "\u2009", "\u202F", "\u2019"});
+
+bool saysOtherRate(std::string_view text)
+{
+    while (!text.empty()) {
+        std::size_t end = 0;
+        while (end < text.size() && isWordCharacter(text[end]))
+            ++end;
+        if (std::find(kOtherRates.begin(), kOtherRates.end(), text.substr(0, end))
+            != kOtherRates.end())
+            return true;
+        text.remove_prefix(std::min(end + 1, text.size()));
+    }
+    return false;
+}
+
+/// The part of a line that belongs to what follows it.
+std::string_view lastClause(std::string_view text)
+{
+    const std::size_t mark = text.find_last_of(",;|\t");
+    return mark == std::string_view::npos ? text : text.substr(mark + 1);
+}
+
+std::size_t digitsAt(std::string_view text, std::size_t at)
+{
+    const std::size_t end = std::min(text.find_first_not_of("0123456789", at), text.size());
+    return end - std::min(at, end);
+}
+
+/// Length of the mark between groups at this place, with three digits behind it; else 0.
+std::size_t groupMarkAt(std::string_view text, std::size_t at, char separator)
+{
+    constexpr std::size_t kGroup = 3;
+    for (const std::string_view mark : kGroupMarks)
+        if (text.substr(at).starts_with(mark) && !(mark.size() == 1 && mark[0] == separator)
+            && digitsAt(text, at + mark.size()) == kGroup)
+            return mark.size();
+    return 0;
+}
+
 /// "50,000" above data with decimal points: thousands in most headers, thousandths in some.
 bool mayBeGrouped(std::string_view digits, char decimal)
 {
@@ -67,6 +117,7 @@ class ValueCursor
 public:
     ValueCursor(std::string_view text, const TextDialect &dialect)
         : m_rest(text)
+        , m_separator(dialect.separator)
         , m_commaSeparates(dialect.separator == ',')
         , m_decimal(dialect.decimal)
     {
@@ -76,15 +127,40 @@ public:
     bool read(double &number, std::string &unit)
     {
         unit = leadingUnit();
-        if (!readNumber(number))
+        const Grouping grouping = joinGroups();
+        if (saysOtherRate(unit) || grouping == Grouping::Unclear || !readNumber(number))
             return false;
         const std::string behind = word();
         if (!behind.empty())
             unit = behind;
-        return true;
+        const bool isSure = grouping == Grouping::None || !unit.empty();
+        return isSure && !saysOtherRate(m_rest.substr(0, m_rest.find_first_of(",;|\t")));
     }
 
 private:
+    enum class Grouping { None, Joined, Unclear };
+
+    /// Takes the marks out of a number in groups of three digits. Unclear if its groups may as well
+    /// be cells, or are of other lengths.
+    Grouping joinGroups()
+    {
+        constexpr std::size_t kGroup = 3;
+        skip(kBetween);
+        std::size_t at = digitsAt(m_rest, 0);
+        if (at == 0 || at > kGroup || m_rest[0] == '0')
+            return Grouping::None;
+        m_joined = std::string(m_rest.substr(0, at));
+        while (const std::size_t mark = groupMarkAt(m_rest, at, m_separator)) {
+            m_joined += m_rest.substr(at + mark, kGroup);
+            at += mark + kGroup;
+        }
+        if (m_joined.size() <= kGroup)
+            return groupMarkAt(m_rest, at, 0) > 0 ? Grouping::Unclear : Grouping::None;
+        m_joined += m_rest.substr(at);
+        m_rest = m_joined;
+        return Grouping::Joined;
+    }
+
     void skip(std::string_view characters)
     {
         m_rest.remove_prefix(std::min(m_rest.find_first_not_of(characters), m_rest.size()));
@@ -140,7 +216,9 @@ private:
         return number ? std::string() : found; // the next cell
     }
 
+    std::string m_joined; ///< the rest with the first number in one piece
     std::string_view m_rest;
+    char m_separator;
     bool m_commaSeparates;
     char m_decimal;
 };
@@ -181,7 +259,8 @@ std::optional<HeaderRate> rateInLine(std::string_view original, const TextDialec
     const std::string line = lowerCase(utf8Text(original.substr(0, kLineBytes)));
     for (std::size_t at = 0; at < line.size(); ++at) {
         for (const Key &key : kKeys) {
-            if (!matchesAt(line, at, key.words))
+            if (!matchesAt(line, at, key.words)
+                || saysOtherRate(lastClause(std::string_view(line).substr(0, at))))
                 continue;
             double number = 0.0;
             std::string unit;

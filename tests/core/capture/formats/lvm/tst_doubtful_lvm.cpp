@@ -37,6 +37,35 @@ private slots:
         QVERIFY(std::isnan(values[2]) && values[3] == 3.125);
     }
 
+    void read_xOfAnotherKind_isNoRecording_data()
+    {
+        QTest::addColumn<QByteArray>("tag");
+        QTest::addColumn<double>("unit_s"); ///< 0: refused
+        QTest::newRow("time") << QByteArray("X_Dimension\tTime\tTime") << 1.0;
+        QTest::newRow("seconds") << QByteArray("X_Unit_Label\ts\ts") << 1.0;
+        QTest::newRow("milliseconds") << QByteArray("X_Unit_Label\tms\tms") << 1e-3;
+        QTest::newRow("frequency") << QByteArray("X_Dimension\tFrequency\tFrequency") << 0.0;
+        QTest::newRow("length") << QByteArray("X_Dimension\tTime\tLength") << 0.0;
+        QTest::newRow("hertz") << QByteArray("X_Unit_Label\tHz\tHz") << 0.0;
+    }
+
+    void read_xOfAnotherKind_isNoRecording()
+    {
+        QFETCH(QByteArray, tag);
+        QFETCH(double, unit_s);
+        QByteArray text = lvm({});
+        text.replace("X0\t", tag + "\r\nX0\t");
+        const Result<CaptureSet> set = read(text);
+        QCOMPARE(set.has_value(), unit_s > 0.0);
+        if (unit_s == 0.0) {
+            QCOMPARE(findingId(set), std::string("CAP-001"));
+            return;
+        }
+        const Channel &channel = set->shots[0].channels[1];
+        QCOMPARE(channel.sampleRate_Hz, 1.0 / LvmRecipe().delta / unit_s);
+        QCOMPARE(channel.t0_s, -0.5 * unit_s);
+    }
+
     void read_declaredSamples_areOnlyCompared()
     {
         LvmRecipe recipe;

@@ -34,6 +34,7 @@ private slots:
     void rate_byScalar();
     void rate_byTimeVector();
     void rate_byUnnamedColumn_isAQuestion();
+    void rate_statedTwice_isNoRateUnlessTheSame();
     void rate_contradictions_areNoRate();
     void rate_irregularTimes_areNoRate();
     void temperature_isNoTime();
@@ -129,6 +130,41 @@ void TestMatRates::rate_byUnnamedColumn_isAQuestion()
         QVERIFY(set && set->findings.empty());
         QCOMPARE(set->shots[0].channels.size(), std::size_t(2));
     }
+}
+
+void TestMatRates::rate_statedTwice_isNoRateUnlessTheSame()
+{
+    const auto rateOf = [this](Mat5 &file, std::size_t findings) {
+        const auto set = readBytes(file.add("y", kMiDouble, signal()).bytes());
+        if (!set || set->findings.size() != findings
+            || (findings > 0 && set->findings[0].id != "CAP-003"))
+            return -1.0;
+        return set->shots[0].channels[0].sampleRate_Hz;
+    };
+    const auto scalars = [](double fs, double sampleRate) {
+        Mat5 file;
+        file.add<double>("fs", kMiDouble, {fs}).add<double>("sample_rate", kMiDouble, {sampleRate});
+        return file;
+    };
+    Mat5 twoRates = scalars(1e6, 2e6), same = scalars(1e6, 1e6);
+    QCOMPARE(rateOf(twoRates, 1), 0.0);
+    QCOMPARE(rateOf(same, 0), 1e6);
+    Mat5 oneIsThatOfTheTimes = scalars(2e6, 1e6);
+    oneIsThatOfTheTimes.add("t_s", kMiDouble, axis(0.0, 1e-6));
+    QCOMPARE(rateOf(oneIsThatOfTheTimes, 1), 0.0);
+    const auto vectors = [](const char *first, double step, const char *second, double other) {
+        Mat5 file;
+        file.add(first, kMiDouble, axis(0.0, step)).add(second, kMiDouble, axis(0.0, other));
+        return file;
+    };
+    Mat5 twoSteps = vectors("t_s", 1e-6, "time_s", 2e-6);
+    QCOMPARE(rateOf(twoSteps, 1), 0.0);
+    Mat5 twoStepsWithoutUnit = vectors("t", 1e-6, "time", 1e-3);
+    QCOMPARE(rateOf(twoStepsWithoutUnit, 1), 0.0);
+    Mat5 otherUnit = vectors("t_s", 1e-6, "time_us", 2.0);
+    QCOMPARE(rateOf(otherUnit, 1), 0.0);
+    Mat5 sameInOtherUnits = vectors("t_s", 1e-6, "time_us", 1.0);
+    QVERIFY(near(rateOf(sameInOtherUnits, 0), 1e6));
 }
 
 void TestMatRates::rate_contradictions_areNoRate()

@@ -56,6 +56,44 @@ class TestTdmsNotes : public QObject
     Q_OBJECT
 
 private slots:
+    void waveformUnit_scalesOrIsRefused_data()
+    {
+        QTest::addColumn<QByteArray>("property");
+        QTest::addColumn<QByteArray>("value");
+        QTest::addColumn<double>("unit_s"); ///< 0: no recording over time
+        const auto row = [](const char *property, const char *value, double unit_s) {
+            QTest::addRow("%s %s", property, value)
+                << QByteArray(property) << QByteArray(value) << unit_s;
+        };
+        row("wf_xunit_string", "", 1.0);
+        row("wf_xunit_string", "s", 1.0);
+        row("wf_xunit_string", "ms", 1e-3);
+        row("wf_xunit_string", "Hz", 0.0);
+        row("wf_xunit_string", "m", 0.0);
+        row("wf_xname", "Time", 1.0);
+        row("wf_xname", "Frequency", 0.0);
+    }
+
+    void waveformUnit_scalesOrIsRefused()
+    {
+        QFETCH(QByteArray, property);
+        QFETCH(QByteArray, value);
+        QFETCH(double, unit_s);
+        Segment segment;
+        segment.channel<std::int16_t>("/'group'/'a'", 2);
+        segment.property("wf_increment", 0.25).property("wf_start_offset", -3.0);
+        segment.property(property.toStdString(), value.constData());
+        segment.data().add<std::int16_t>(1).add<std::int16_t>(2);
+        const auto set = m_folder.read(segment.bytes());
+        QCOMPARE(set.has_value(), unit_s > 0.0);
+        if (unit_s == 0.0) {
+            QVERIFY2(contains(sentence(set), value.toStdString()), sentence(set).c_str());
+            return;
+        }
+        QCOMPARE(set->shots[0].channels[0].sampleRate_Hz, 4.0 / unit_s);
+        QCOMPARE(set->shots[0].channels[0].t0_s, -3.0 * unit_s);
+    }
+
     void names_withQuotesSlashesAndUnicode_arePlain()
     {
         Segment segment;

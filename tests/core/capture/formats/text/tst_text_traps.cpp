@@ -167,6 +167,28 @@ void TestTextTraps::headerRates_grouped_areNoStatements_data()
     row("Sampling interval: 1.000E-6 s", ';', ',', 1e6);
     row("Sampling interval: 1.0000 us", ';', ',', 1e6);
     row("Sample rate,1000000,200", ',', '.', 1e6);
+    for (const char *mark : {" ", "'", "\u00A0", "\u2009", "\u202F", "\u2019"}) {
+        const auto grouped = [&](QByteArray line, double rate) {
+            row(line.replace('_', mark).constData(), ';', '.', rate);
+        };
+        grouped("Sample rate: 200_000 Hz", 2e5);
+        grouped("Sample rate: 100_000_000 Hz", 1e8);
+        grouped("Sample rate: 500_000 S/s", 5e5);
+        grouped("Sample rate: 1_250.5 kHz", 1.2505e6);
+        grouped("Sample rate [Hz]: 200_000", 2e5);
+        grouped("Sample rate: 200_000", 0.0); // without a unit: one number, or two
+    }
+    row("Sample rate 200 000 Hz", ' ', '.', 0.0); // blanks separate cells
+    row("Sample rate: 1000 500 Hz", ';', '.', 1000.0); // no group has four digits
+    row("Max sample rate: 5 GS/s", ';', '.', 0.0);
+    row("Max. sample rate: 5 GS/s", ';', '.', 0.0);
+    row("Sample rate (max): 5 GS/s", ';', '.', 0.0);
+    row("Sample rate 5 GS/s max", ';', '.', 0.0);
+    row("Not sample rate 5e6", ';', '.', 0.0);
+    row("Original sample rate: 5 MHz", ';', '.', 0.0);
+    row("Max voltage: 5 V, sample rate: 5 MHz", ';', '.', 5e6);
+    row("Sample rate: 5 MHz, max voltage: 5 V", ';', '.', 5e6);
+    row("Actual sample rate: 5 MHz", ';', '.', 5e6);
 }
 
 void TestTextTraps::headerRates_grouped_areNoStatements()
