@@ -3101,10 +3101,6 @@
         <translation>%1: samplingsfrekvensen anges som %2, men %3 stegar med %4, vilket inte stämmer i någon tidsenhet, så frekvensen är okänd. Vilken stämmer? Ange den i receptets importdel.</translation>
     </message>
     <message>
-        <source>%1: the times in %2 are not uniform (allowed is 1 %), so the sample rate is unknown; state it in the recipe&apos;s import section if it is known.</source>
-        <translation>%1: tiderna i %2 är ojämna (tillåtet är 1 %), så samplingsfrekvensen är okänd; ange den i receptets importdel om den är känd.</translation>
-    </message>
-    <message>
         <source>%1: %2 has no unit and was taken as seconds, which makes the sample rate %3; state the rate in the recipe&apos;s import section if it is another.</source>
         <translation>%1: %2 saknar enhet och togs som sekunder, vilket ger samplingsfrekvensen %3; ange frekvensen i receptets importdel om den är en annan.</translation>
     </message>
@@ -4099,6 +4095,14 @@
     <message>
         <source>Channel %1 is no recording over time: its values lie along &quot;%2&quot; (wf_xunit_string, wf_xname), and s, ms, us or ns is needed.</source>
         <translation>Kanal %1 är ingen inspelning över tid: dess värden ligger längs ”%2” (wf_xunit_string, wf_xname), och s, ms, us eller ns behövs.</translation>
+    </message>
+    <message>
+        <source>%1: the times in %2 are not uniform (allowed is 1 % of a step, and half a step in all), so the sample rate is unknown; state it in the recipe&apos;s import section if it is known.</source>
+        <translation>%1: tiderna i %2 är inte jämna (tillåtet är 1 % av ett steg, och ett halvt steg totalt), så samplingsfrekvensen är okänd; ange den i receptets importdel om den är känd.</translation>
+    </message>
+    <message>
+        <source>%1: the times drift: line %2 is %3 steps off a straight line from the first time to the last (allowed is %4), so no one sample rate is that of all samples. Record anew, or name only the columns of samples and give the sample rate in the recipe&apos;s import section.</source>
+        <translation>%1: tiderna driver: rad %2 ligger %3 steg från en rät linje från första tiden till sista (tillåtet är %4), så ingen enda samplingsfrekvens gäller alla sampel. Spela in på nytt, eller namnge bara kolumnerna med sampel och ange samplingsfrekvensen i receptets importdel.</translation>
     </message>
 </context>
 <context>

@@ -56,6 +56,25 @@ std::optional<Index> firstIrregular(std::span<const double> times, double step, 
     return std::nullopt;
 }
 
+/// Marks the row that is furthest from the straight line between the first time and the last.
+void findDrift(TimeAxis &axis, std::span<const double> times)
+{
+    double worst = 0.0;
+    Index row = 0;
+    for (std::size_t k = 1; k < times.size(); ++k) {
+        const double line = axis.first + static_cast<double>(k) * axis.step;
+        const double off = times[k] - line;
+        if (std::abs(off) <= std::abs(worst))
+            continue;
+        worst = off;
+        row = static_cast<Index>(k);
+    }
+    if (std::abs(worst) <= kMostDrift_steps * axis.step + axis.resolution)
+        return;
+    axis.irregular = row;
+    axis.drift_steps = worst / axis.step;
+}
+
 double medianStep(std::span<const double> times)
 {
     std::vector<double> steps;
@@ -101,6 +120,8 @@ TimeAxis timeAxisOf(std::span<const double> times, double resolution)
         axis.irregular = firstIrregular(times, axis.step, strict + allowance);
     if (axis.irregular)
         locateIrregularity(axis, times, allowance);
+    else
+        findDrift(axis, times);
     return axis;
 }
 

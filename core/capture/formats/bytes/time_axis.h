@@ -19,11 +19,20 @@ struct TimeAxis
     double step = 0.0; ///< (last - first) / (n - 1); the median step of an irregular axis
     double resolution = 0.0; ///< of the text: one unit of the last digit printed
     std::optional<Index> irregular; ///< row of the first step that is not `step`
+    /// Of an axis whose steps are all equal enough but add up to something else than a straight
+    /// line: by how many steps the row `irregular`, the worst, is off that line; else 0.
+    double drift_steps = 0.0;
 };
+
+/// So far from the straight line, in steps, may a time be, beyond its printed digits: the nearest
+/// sample is still the right one.
+constexpr double kMostDrift_steps = 0.5;
 
 /// Looks at times (at least two, in the unit in which they were printed). A step is irregular if it
 /// differs from the mean step by more than 1 %; what the rounding of the printed digits explains is
-/// forgiven as long as it is at most half a step, so that a missing sample would still show.
+/// forgiven as long as it is at most half a step, so that a missing sample would still show. Steps
+/// that differ by less may add up: an axis that is further than kMostDrift_steps from a straight
+/// line somewhere is irregular too, because the rate then is another here and there.
 TimeAxis timeAxisOf(std::span<const double> times);
 
 /// The same where the text is known to be printed to `resolution`.

@@ -131,8 +131,8 @@ double statedStart_s(const ForeignDataset &dataset)
     return 0.0;
 }
 
-/// Whether the times rise by equal steps; steps may differ by 1 %, and by the spacing of the
-/// numbers that hold them as long as that is at most half a step.
+/// Whether the times rise by equal steps along a straight line (see TimeAxis); steps may differ by
+/// 1 %, and by the spacing of the numbers that hold them as long as that is at most half a step.
 bool isUniform(const RawSamples &times, double first, double last)
 {
     const double step = (last - first) / static_cast<double>(times.size() - 1);
@@ -141,12 +141,16 @@ bool isUniform(const RawSamples &times, double first, double last)
     const double digits = times.type() == SampleType::Float32 ? 0x1p-23 : 0x1p-52;
     const double spacing = 2.0 * digits * std::max(std::abs(first), std::abs(last));
     const double tolerance = kStepTolerance * step + (spacing <= 0.5 * step ? spacing : 0.0);
+    const double mostDrift = kMostDrift_steps * step + spacing;
     double before = first - step;
+    double line = 0.0; // steps from the first time on
     bool uniform = true;
     const bool read = times.visitBlocks(0, times.size(), [&](auto values, Index) {
         for (const auto value : values) {
             const auto time = static_cast<double>(value);
-            uniform = uniform && std::abs(time - before - step) <= tolerance;
+            uniform = uniform && std::abs(time - before - step) <= tolerance
+                && std::abs(time - first - line * step) <= mostDrift;
+            line += 1.0;
             before = time;
         }
         return uniform;

@@ -172,7 +172,7 @@ MatRate MatTime::rateByAxis(const Axis &axis, Findings &findings) const
             .severity = Severity::Caution,
             .message
             = {DYNCAL_TEXT("core",
-                   "%1: the times in %2 are not uniform (allowed is 1 %), so the sample rate is unknown; state it in the recipe's import section if it is known."),
+                   "%1: the times in %2 are not uniform (allowed is 1 % of a step, and half a step in all), so the sample rate is unknown; state it in the recipe's import section if it is known."),
                 {m_path, axis.name}}});
         return {};
     }

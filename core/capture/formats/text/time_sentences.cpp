@@ -81,6 +81,12 @@ TimeSentences::Failure TimeSentences::irregular(
     const std::vector<double> &times, const TimeAxis &axis) const
 {
     const auto row = static_cast<std::size_t>(*axis.irregular);
+    if (axis.drift_steps != 0.0)
+        return failure("CAP-016",
+            DYNCAL_TEXT("core",
+                "%1: the times drift: line %2 is %3 steps off a straight line from the first time to the last (allowed is %4), so no one sample rate is that of all samples. Record anew, or name only the columns of samples and give the sample rate in the recipe's import section."),
+            {path, std::to_string(headerLines + *axis.irregular + 1),
+                numberText(axis.drift_steps, 3), numberText(kMostDrift_steps)});
     return failure("CAP-016",
         DYNCAL_TEXT("core",
             "%1: the times are not uniform: line %2 follows its predecessor by %3, others by %4 (allowed is 1 %). Record anew, or name only the columns of samples and give the sample rate in the recipe's import section."),

@@ -200,9 +200,14 @@ void TestMatRates::rate_irregularTimes_areNoRate()
     std::vector<double> gap = axis(0.0, 1e-6);
     gap[12] += 3e-7;
     std::vector<double> falling = axis(0.0, -1e-6);
-    for (const std::vector<double> &times : {gap, falling, std::vector<double>(20, 0.0)}) {
+    std::vector<double> drifting{0.0};
+    for (int k = 1; k < 2000; ++k)
+        drifting.push_back(drifting.back() + (k < 1000 ? 1e-6 : 1.009e-6));
+    for (const std::vector<double> &times :
+        {gap, falling, std::vector<double>(20, 0.0), drifting}) {
+        const std::vector<double> values(times.size(), 0.25);
         const auto set
-            = readBytes(Mat5().add("t", kMiDouble, times).add("y", kMiDouble, signal()).bytes());
+            = readBytes(Mat5().add("t", kMiDouble, times).add("y", kMiDouble, values).bytes());
         QVERIFY2(set.has_value(), sentence(set).c_str());
         QCOMPARE(set->shots[0].channels[0].sampleRate_Hz, 0.0);
         QVERIFY(hasFinding(set->findings, "CAP-016"));

@@ -51,6 +51,8 @@ private:
     }
 
 private slots:
+    void read_driftingTimes_areRefusedUnlessDigitsExplainThem_data();
+    void read_driftingTimes_areRefusedUnlessDigitsExplainThem();
     void read_separatorBehindTheFirstRowOnly_losesNoRow();
     void read_noteAbovePairs_isSaidToBeUnclear();
     void read_blankAboveOneColumn_isNoTitle();
@@ -142,6 +144,45 @@ void TestTextTraps::read_titlesWithBlanks_giveUnitsToTablesOfBlanks()
     QCOMPARE(QString::fromStdString(channel.name), name);
     QCOMPARE(QString::fromStdString(channel.unit), unit);
     QVERIFY(set->findings.empty());
+}
+
+void TestTextTraps::read_driftingTimes_areRefusedUnlessDigitsExplainThem_data()
+{
+    QTest::addColumn<double>("secondHalf"); ///< its steps, of those of the first half
+    QTest::addColumn<int>("decimals"); ///< of the times in seconds, printed
+    QTest::addColumn<bool>("isRead");
+    QTest::newRow("steady") << 1.0 << 12 << true;
+    QTest::newRow("steady, coarse digits") << 1.0 << 6 << true;
+    QTest::newRow("1 % in the second half") << 1.0099 << 12 << false;
+    QTest::newRow("1 % less") << 0.9901 << 12 << false;
+    QTest::newRow("1 %, coarse digits") << 1.0099 << 7 << false;
+    QTest::newRow("0.1 %") << 1.001 << 12 << false; // 1.5 steps off in the middle
+    QTest::newRow("a third of a step") << 1.00022 << 12 << true;
+}
+
+void TestTextTraps::read_driftingTimes_areRefusedUnlessDigitsExplainThem()
+{
+    QFETCH(double, secondHalf);
+    QFETCH(int, decimals);
+    QFETCH(bool, isRead);
+    constexpr double kStep = 1e-6;
+    constexpr int kRows = 6000;
+    double time = 0.0;
+    QByteArray text("time (s),p (V)\n");
+    for (int k = 0; k < kRows; ++k) {
+        text += QByteArray::number(time, 'f', decimals) + ",0.5\n";
+        time += kStep * (k < kRows / 2 ? 1.0 : secondHalf);
+    }
+    const auto set = read(text);
+    QCOMPARE(set.has_value(), isRead);
+    if (!isRead) {
+        QCOMPARE(findingId(set), std::string("CAP-016"));
+        const int middle = kRows / 2 + 2; // the line of that row, below the title
+        QVERIFY2(contains(sentence(set), "drift"), sentence(set).c_str());
+        QVERIFY(decimals < 12 || contains(sentence(set), "line " + std::to_string(middle) + " "));
+        return;
+    }
+    QVERIFY(near(set->shots[0].channels[0].sampleRate_Hz, 2.0 / (1.0 + secondHalf) / kStep, 2e-4));
 }
 
 void TestTextTraps::headerRates_grouped_areNoStatements_data()
