@@ -4104,6 +4104,10 @@
         <source>%1: the times drift: line %2 is %3 steps off a straight line from the first time to the last (allowed is %4), so no one sample rate is that of all samples. Record anew, or name only the columns of samples and give the sample rate in the recipe&apos;s import section.</source>
         <translation>%1: tiderna driver: rad %2 ligger %3 steg från en rät linje från första tiden till sista (tillåtet är %4), så ingen enda samplingsfrekvens gäller alla sampel. Spela in på nytt, eller namnge bara kolumnerna med sampel och ange samplingsfrekvensen i receptets importdel.</translation>
     </message>
+    <message>
+        <source>Shot %1, channel &apos;%2&apos;: the unit &quot;%3&quot; is not known, so it cannot be divided by a sensitivity per pascal; the units known are V, mV, uV, kV, A, C, W and 1. Give one of them as the channel&apos;s unit, with the scale that it needs.</source>
+        <translation>Skott %1, kanal &apos;%2&apos;: enheten &quot;%3&quot; är okänd, så den kan inte delas med en känslighet per pascal; kända enheter är V, mV, uV, kV, A, C, W och 1. Ange en av dem som kanalens enhet, med den skala som behövs.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

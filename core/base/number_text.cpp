@@ -51,6 +51,41 @@ std::string numberText(double value, int digits)
     return {buffer.data(), plain.ptr};
 }
 
+bool takesSiPrefix(std::string_view unit)
+{
+    static constexpr std::array<std::string_view, 15> kUnits{"s", "Hz", "V", "A", "Pa", "C", "W",
+        "N", "m", "m/s", "V/Pa", "A/Pa", "C/Pa", "W/Pa", "V/V"};
+    return std::find(kUnits.begin(), kUnits.end(), unit) != kUnits.end();
+}
+
+namespace {
+
+/// "1.5 x10^-7 mv/Pa"
+std::string withPowerOfTen(double value, std::string_view unit, int digits)
+{
+    constexpr double kLeast = 1e-4;
+    constexpr double kMost = 1e6;
+    const double magnitude = std::abs(value);
+    std::string text;
+    if (magnitude == 0.0 || !std::isfinite(value) || (magnitude >= kLeast && magnitude < kMost)) {
+        text = numberText(value, digits);
+    } else {
+        std::array<char, 64> buffer;
+        const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
+            std::chars_format::scientific, std::clamp(digits, 1, 17) - 1);
+        const std::string number(buffer.data(), end.ptr);
+        const std::size_t mark = number.find('e');
+        const int exponent = static_cast<int>(parseNumber(number.substr(mark + 1)).value_or(0.0));
+        text = numberText(parseNumber(number.substr(0, mark)).value_or(0.0), digits)
+            + " \xC3\x97"
+              "10^"
+            + std::to_string(exponent);
+    }
+    return text.append(" ").append(unit);
+}
+
+} // namespace
+
 std::string numberWithUnit(double value, std::string_view unit, int digits)
 {
     struct Prefix
@@ -62,6 +97,8 @@ std::string numberWithUnit(double value, std::string_view unit, int digits)
         {1e-3, "m"}, {1e-6, "\xC2\xB5"}, {1e-9, "n"}, {1e-12, "p"}, {1e-15, "f"}}};
     if (unit == "1" || std::isnan(value))
         unit = {};
+    if (!unit.empty() && !takesSiPrefix(unit))
+        return withPowerOfTen(value, unit, digits);
     Prefix chosen{1.0, ""};
     if (std::isfinite(value) && value != 0.0 && !unit.empty()) {
         // Half a unit of the last digit up, so that 999.96 with 4 digits becomes 1.000 k.

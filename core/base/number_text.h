@@ -21,8 +21,13 @@ std::string exactNumber(double value);
 /// `digits` significant digits (1..17), '.' as decimal mark, exponent only outside 1e-4..1e15.
 std::string numberText(double value, int digits);
 
+/// Whether an SI prefix may stand before it: a unit that is known and has none yet ("Hz", "V/Pa";
+/// not "mV", "kPa", "N/mm2", or what somebody typed).
+bool takesSiPrefix(std::string_view unit);
+
 /// Value with SI prefix and unit: numberWithUnit(2.33e6, "Hz", 3) == "2.33 MHz". 0 has no prefix;
-/// the unit "1" (a pure number) has neither prefix nor text.
+/// the unit "1" (a pure number) has neither prefix nor text. Units that take no prefix get a power
+/// of ten outside 1e-4..1e6: "1.5 x10^-7 mv/Pa", with the sign of multiplication.
 std::string numberWithUnit(double value, std::string_view unit, int digits = 4);
 
 /// Reads the whole of `text` as one number with decimal mark '.', independent of the locale.

@@ -58,13 +58,6 @@ double roundedToPlace(double value, int place)
     return std::abs(value) > 0.5 * grain ? std::copysign(grain, value) : 0.0;
 }
 
-bool takesPrefix(std::string_view unit)
-{
-    static constexpr std::array<std::string_view, 15> kUnits{"s", "Hz", "V", "A", "Pa", "C", "W",
-        "N", "m", "m/s", "V/Pa", "A/Pa", "C/Pa", "W/Pa", "V/V"};
-    return std::find(kUnits.begin(), kUnits.end(), unit) != kUnits.end();
-}
-
 /// Power of ten that `value` is divided by, and how it is written before the unit.
 struct Scale
 {
@@ -78,11 +71,11 @@ Scale chooseScale(double magnitude, std::string_view unit)
         return {};
     const int exponent = exponentOf(magnitude);
     const int thousands = exponent >= 0 ? exponent / 3 : -((2 - exponent) / 3);
-    if (takesPrefix(unit) && std::abs(exponent) < kBeyondPrefixes) {
+    if (takesSiPrefix(unit) && std::abs(exponent) < kBeyondPrefixes) {
         const int place = std::clamp(thousands + kUnityPlace, 0, 8);
         return {3 * (place - kUnityPlace), kPrefixes[static_cast<std::size_t>(place)]};
     }
-    if (!takesPrefix(unit) && exponent >= -4 && exponent < 6)
+    if (!takesSiPrefix(unit) && exponent >= -4 && exponent < 6)
         return {};
     return {exponent,
         "\xC3\x97"

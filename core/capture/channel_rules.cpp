@@ -8,8 +8,10 @@
 #include "core/capture/gap_filling.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 namespace dyncal {
 namespace {
@@ -119,6 +121,14 @@ void convertToSi(Channel &channel)
     channel.unit = si->unit;
 }
 
+/// What a sensor gives, once it is in its SI unit: a unit with an unknown prefix or spelling is not
+/// what the sensitivity is of.
+bool isSensorUnit(const std::string &unit)
+{
+    static constexpr std::array<std::string_view, 6> kUnits{"V", "A", "C", "W", "1", ""};
+    return std::find(kUnits.begin(), kUnits.end(), unit) != kUnits.end();
+}
+
 Result<void> divideBySensitivity(Channel &channel, Index shot, double sensitivity)
 {
     if (channel.unit == "Pa")
@@ -128,6 +138,12 @@ Result<void> divideBySensitivity(Channel &channel, Index shot, double sensitivit
                     "Shot %1, channel '%2' is a pressure already (%3), so it cannot have a sensitivity; leave out the sensitivity or give its unit, e.g. V."),
                 {std::to_string(shot), channel.name,
                     channel.recordedUnit.empty() ? channel.unit : channel.recordedUnit}});
+    if (!isSensorUnit(channel.unit))
+        return fail(ErrorKind::Usage,
+            Message{
+                DYNCAL_TEXT("core",
+                    "Shot %1, channel '%2': the unit \"%3\" is not known, so it cannot be divided by a sensitivity per pascal; the units known are V, mV, uV, kV, A, C, W and 1. Give one of them as the channel's unit, with the scale that it needs."),
+                {std::to_string(shot), channel.name, channel.unit}});
     channel.userScale /= sensitivity;
     channel.recordedUnit.clear();
     channel.unit = "Pa";

@@ -24,7 +24,7 @@ Result<void> setSampleRate(Channel &channel, Index shot, const ImportSettings &s
 
 /// Brings the channel's values into its SI unit with what the recipe says of the channel and, if it
 /// is the DUT, of the DUT; fills short gaps of the DUT (CAP-022). Fails (Usage) on a sensitivity of
-/// what is a pressure already.
+/// what is a pressure already, or of a unit that is not known.
 Result<void> shapeChannel(
     Channel &channel, Index shot, const ImportSettings &settings, Findings &findings);
 

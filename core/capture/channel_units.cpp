@@ -15,10 +15,11 @@ struct KnownUnit
     double factor;
 };
 
-constexpr std::array<KnownUnit, 12> kUnits{
-    {{"Pa", "Pa", 1.0}, {"kPa", "Pa", 1e3}, {"MPa", "Pa", 1e6}, {"hPa", "Pa", 100.0},
-        {"mbar", "Pa", 100.0}, {"bar", "Pa", 1e5}, {"psi", "Pa", 6894.757}, {"V", "V", 1.0},
-        {"mV", "V", 1e-3}, {"uV", "V", 1e-6}, {"\u00b5V", "V", 1e-6}, {"kV", "V", 1e3}}};
+constexpr std::array<KnownUnit, 17> kUnits{{{"Pa", "Pa", 1.0}, {"kPa", "Pa", 1e3},
+    {"MPa", "Pa", 1e6}, {"hPa", "Pa", 100.0}, {"mbar", "Pa", 100.0}, {"bar", "Pa", 1e5},
+    {"psi", "Pa", 6894.757}, {"V", "V", 1.0}, {"mV", "V", 1e-3}, {"uV", "V", 1e-6},
+    {"\u00b5V", "V", 1e-6}, {"\u03bcV", "V", 1e-6}, {"kV", "V", 1e3}, {"Volt", "V", 1.0},
+    {"Volts", "V", 1.0}, {"volt", "V", 1.0}, {"volts", "V", 1.0}}};
 
 } // namespace
 

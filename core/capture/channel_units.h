@@ -16,7 +16,8 @@ struct SiUnit
     double factor = 1.0; ///< SI units in one of it
 };
 
-/// Pressures (Pa, hPa, kPa, MPa, mbar, bar, psi) in Pa and voltages (V, mV, uV, kV) in V; empty for
+/// Pressures (Pa, hPa, kPa, MPa, mbar, bar, psi) in Pa and voltages (V, mV, uV, kV, with either
+/// sign for micro, and Volt, Volts, volt, volts) in V; empty for
 /// every other unit, which then is left as it is. psi: 6894.757 Pa (NIST SP 811).
 std::optional<SiUnit> siUnitOf(std::string_view unit);
 

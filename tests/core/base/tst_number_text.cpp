@@ -102,6 +102,13 @@ private slots:
         row(0.0, "V", 4, "0 V");
         row(1234.5, "1", 6, "1234.5"); // a pure number
         row(0.0012, "", 4, "0.0012");
+        // Units that have a prefix, or may have one, get no other.
+        row(0.01, "mv/Pa", 4, "0.01 mv/Pa");
+        row(1.5e-7, "Millivolts/Pa", 4, "1.5 \u00D710^-7 Millivolts/Pa");
+        row(-2.5e9, "kPa", 4, "-2.5 \u00D710^9 kPa");
+        row(9.99996e-5, "N/mm2/Pa", 4, "1 \u00D710^-4 N/mm2/Pa");
+        row(293.15, "K", 5, "293.15 K");
+        row(0.0, "mV", 4, "0 mV");
     }
     void withUnit_choosesThePrefix()
     {

@@ -272,6 +272,35 @@ private slots:
         }
     }
 
+    void sensitivityOfAnUnknownUnit_isRefused()
+    {
+        const auto divided = [](const char *unit) {
+            ImportSettings settings;
+            settings.channelDetails["ai0"].sensitivity = 1e-3;
+            return shaped(channelOf(unit), settings);
+        };
+        for (const char *unit : {"mv", "MV", "counts", "kpa", "mA", "pC", "N/mm2", "Milivolt"}) {
+            const Shaped found = divided(unit);
+            QVERIFY2(!found.done, unit);
+            QVERIFY(found.done.error().kind == ErrorKind::Usage);
+            const std::string text = english(found.done.error().message);
+            QVERIFY2(text.find(std::string("\"") + unit + "\"") != std::string::npos
+                    && text.find("V, mV, uV, kV") != std::string::npos,
+                text.c_str());
+        }
+        const struct
+        {
+            const char *unit;
+            double factor;
+        } known[] = {{"V", 1.0}, {"Volt", 1.0}, {"Volts", 1.0}, {"volts", 1.0}, {"mV", 1e-3},
+            {"uV", 1e-6}, {"\u00B5V", 1e-6}, {"\u03BCV", 1e-6}, {"A", 1.0}, {"C", 1.0}, {"1", 1.0}};
+        for (const auto &row : known) {
+            const Shaped found = divided(row.unit);
+            QVERIFY2(found.done.has_value(), row.unit);
+            QVERIFY2(isNear(found.first(), 0.5 * row.factor / 1e-3), row.unit);
+        }
+    }
+
     void gaps_ofTheDutAreFilledAndSaid()
     {
         ImportSettings settings;
