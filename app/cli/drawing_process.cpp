@@ -36,6 +36,9 @@ void prepareForQt()
              "QT_STYLE_OVERRIDE", "QT_QPA_PLATFORMTHEME"})
         qunsetenv(name);
     qputenv("QT_QPA_PLATFORM", "offscreen");
+    // Without such a folder Qt makes one, and the folder for temporary files that it is in: drawing
+    // needs none, and what is no folder is left alone.
+    qputenv("XDG_RUNTIME_DIR", "/dev/null");
     qInstallMessageHandler(ignoreMessage);
     QHashSeed::setDeterministicGlobalSeed();
 }

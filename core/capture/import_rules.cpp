@@ -121,6 +121,35 @@ void assignRoles(Shot &shot, const OwnSettings &own)
         shot.channels.front().role = ChannelRole::Dut;
 }
 
+/// Why the reader knows no rate for the channel, if it said so: files that contradict themselves do
+/// state one.
+const Finding *reasonOfReader(
+    const CaptureSet &set, Index number, const Shot &shot, const Channel &channel)
+{
+    const auto input = static_cast<std::size_t>(inputOf(shot, channel));
+    const auto found = std::ranges::find_if(set.findings, [&](const Finding &finding) {
+        const std::vector<std::string> &words = finding.message.arguments;
+        return (finding.id == "CAP-003" || finding.id == "CAP-016")
+            && finding.severity == Severity::Caution
+            && (finding.shot == 0 || finding.shot == number)
+            && (finding.channel.empty() || finding.channel == channel.name
+                || finding.channel.ends_with("/" + channel.name))
+            && input < set.inputs.size() && !words.empty()
+            && words.front() == set.inputs[input].path;
+    });
+    return found != set.findings.end() ? &*found : nullptr;
+}
+
+/// setSampleRate, with the reader's own words where there is no rate.
+Result<void> rate(CaptureSet &set, Index number, const Shot &shot, Channel &channel,
+    const ImportSettings &settings, const CheckSettings &checks)
+{
+    const bool isUnknown = !(channel.sampleRate_Hz > 0.0) && !settings.sampleRate_Hz;
+    if (const Finding *reason = isUnknown ? reasonOfReader(set, number, shot, channel) : nullptr)
+        return fail(ErrorKind::DataBlocked, reason->message, "CAP-003", number);
+    return setSampleRate(channel, number, settings, checks, set.findings);
+}
+
 Result<void> applyToShots(
     CaptureSet &set, const ImportSettings &settings, const CheckSettings &checks)
 {
@@ -134,10 +163,9 @@ Result<void> applyToShots(
         };
         assignRoles(shot, own);
         for (Channel &channel : shot.channels) {
-            const auto done
-                = setSampleRate(channel, number, own(channel), checks, set.findings).and_then([&] {
-                      return shapeChannel(channel, number, own(channel), set.findings);
-                  });
+            const auto done = rate(set, number, shot, channel, own(channel), checks).and_then([&] {
+                return shapeChannel(channel, number, own(channel), set.findings);
+            });
             if (!done)
                 return done;
         }

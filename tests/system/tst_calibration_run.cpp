@@ -71,6 +71,19 @@ private slots:
         m_truth = answer.out;
     }
 
+    void run_makesNoFolderForTemporaryFiles()
+    {
+        const QString nowhere = path("tmp/deep");
+        for (const QString &runtime : {QString(), path("runtime")}) {
+            const Answer answer = runDyncal({"run", path("example.h5"), "-o", path("strayless")},
+                {"TMPDIR=" + nowhere, "XDG_RUNTIME_DIR=" + runtime});
+            QVERIFY2(answer.exitCode <= 1, answer.err);
+            QVERIFY(QFile::exists(path("strayless/certificate.pdf")));
+            QVERIFY(!QFile::exists(path("tmp")));
+            QVERIFY(!QFile::exists(path("runtime")));
+        }
+    }
+
     void certificate_saysWhatResultsSay()
     {
         QVERIFY(runExample("certified").exitCode <= 1);

@@ -110,6 +110,36 @@ private slots:
         QVERIFY(!find(done->findings, "CAP-025"));
     }
 
+    void missingRate_isExplainedByTheReaderOfThatFile()
+    {
+        CaptureSet two = set({{channel("x", ramp(9), 1e6)}, {channel("x", ramp(9), 0.0)}});
+        two.inputs.resize(2);
+        two.inputs[0].path = "a.mat";
+        two.inputs[1].path = "b.mat";
+        two.shots[1].input = 1;
+        const auto said = [](const char *file, const char *ofChannel) {
+            return Finding{.id = "CAP-003",
+                .severity = Severity::Caution,
+                .channel = ofChannel,
+                .message = {"%1: fs and dt contradict each other.", {file}}};
+        };
+        const auto blockedBy = [&](const Findings &findings) {
+            two.findings = findings;
+            const auto done = applyImportSettings(two, {});
+            return done ? std::string() : english(done.error().message);
+        };
+        QCOMPARE(
+            blockedBy({said("b.mat", "")}), std::string("b.mat: fs and dt contradict each other."));
+        QCOMPARE(blockedBy({said("b.mat", "x")}),
+            std::string("b.mat: fs and dt contradict each other."));
+        for (const Finding &other : {said("a.mat", ""), said("b.mat", "y")})
+            QVERIFY(blockedBy({other}).find("states no sample rate") != std::string::npos);
+        ImportSettings settings;
+        settings.sampleRate_Hz = 1e6;
+        two.findings = {said("b.mat", "")};
+        QVERIFY(applyImportSettings(two, settings).has_value());
+    }
+
     void rateThatNoRecordingHas_isRefused_data()
     {
         QTest::addColumn<double>("rate_Hz");
