@@ -239,6 +239,15 @@ void measure(
     }
 }
 
+/// A magnitude has no sign: an inverted sensor begins at half a turn. A model whose own gain is
+/// negative has that half turn already.
+double turnOf_rad(const SensorModel &model, double scale)
+{
+    if (scale >= 0.0)
+        return 0.0;
+    return model.plateauGain < 0.0 ? -std::numbers::pi : std::numbers::pi;
+}
+
 void describeModel(
     const SensorModel &model, ResponseTreatment treatment, double scale, ResponseResult &result)
 {
@@ -248,12 +257,14 @@ void describeModel(
     const double top_Hz
         = std::max(count ? result.frequency_Hz.maxCoeff() : result.fHigh_Hz, result.fHigh_Hz);
     result.modelCurve = modelCurve(model, treatment, result.fLow_Hz, 1.25 * top_Hz, kCurvePoints);
-    result.modelCurve.magnitude *= scale;
+    const double turn_rad = turnOf_rad(model, scale);
+    result.modelCurve.magnitude *= std::abs(scale);
+    result.modelCurve.phase_rad.array() += turn_rad;
     UnwrappedPhase phase(model, treatment);
     for (Index k = 0; k < count; ++k) {
         const double f_Hz = result.frequency_Hz[k];
-        result.modelMagnitude[k] = scale * std::abs(modelResponse(model, treatment, f_Hz));
-        result.modelPhase_rad[k] = phase.at(f_Hz);
+        result.modelMagnitude[k] = std::abs(scale * modelResponse(model, treatment, f_Hz));
+        result.modelPhase_rad[k] = phase.at(f_Hz) + turn_rad;
     }
 }
 

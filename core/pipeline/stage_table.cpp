@@ -151,7 +151,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         has<&R::decomposition>, saidElsewhere},
     {Model, "model", 1, 10, "MOD-", Decomposition, readModel, has<&R::model>, ofModel},
     {Shock, "shock", 1, 1, "SHK-", Model, readShock, has<&R::shock>, of<&R::shock>},
-    {Response, "response", 1, 30, "RSP-", Shock, readResponse, has<&R::response>, of<&R::response>},
+    {Response, "response", 2, 30, "RSP-", Shock, readResponse, has<&R::response>, of<&R::response>},
     {Assessment, "model assessment", 1, 10, "", Model, readNothing, has<&R::assessment>,
         saidElsewhere},
     {Evidence, "evidence", 1, 160, "", Decomposition, readEvidence, has<&R::evidence>, ofEvidence},

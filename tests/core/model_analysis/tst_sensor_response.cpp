@@ -11,6 +11,8 @@
 
 #include <QTest>
 
+#include <numbers>
+
 using namespace dyncal;
 using testing::hasFinding;
 
@@ -132,6 +134,31 @@ private slots:
         const ResponseResult result = calibration.run();
         QVERIFY(std::abs(*result.sensitivity / (-kStep_V / kStep_Pa) - 1.0) < kRounding);
         QVERIFY(result.magnitude.minCoeff() > 0.0);
+    }
+
+    void invertedSensor_isHalfATurnFromTheUpright()
+    {
+        Calibration calibration = secondOrder();
+        const ResponseResult upright = calibration.run();
+        calibration.responses[0].step = calibration.responses[0].valueScale = -kStep_V;
+        const ResponseResult inverted = calibration.run();
+        QVERIFY(!hasFinding(inverted.findings, "RSP-001"));
+        const auto isNear = [](const Eigen::VectorXd &a, const Eigen::VectorXd &b) {
+            return a.size() == b.size() && (a - b).cwiseAbs().maxCoeff() < kRounding;
+        };
+        const auto turned = [](const Eigen::VectorXd &phase_rad) {
+            return Eigen::VectorXd(phase_rad.array() + std::numbers::pi);
+        };
+        QVERIFY(isNear(inverted.magnitude, upright.magnitude));
+        QVERIFY(isNear(inverted.modelMagnitude, upright.modelMagnitude));
+        QVERIFY(isNear(inverted.modelCurve.magnitude, upright.modelCurve.magnitude));
+        QVERIFY(isNear(inverted.modelPhase_rad, turned(upright.modelPhase_rad)));
+        QVERIFY(isNear(inverted.modelCurve.phase_rad, turned(upright.modelCurve.phase_rad)));
+        QVERIFY(isNear(inverted.phase_rad, turned(upright.phase_rad)));
+        const ResponseResult ofModel
+            = computeModelResponse(calibration.responses, calibration.input, calibration.model,
+                calibration.shock, calibration.settings, inverted.fLow_Hz, inverted.fHigh_Hz);
+        QVERIFY(ofModel.modelCurve.magnitude.minCoeff() > 0.0);
     }
 
     void sensitivity_withoutAPressureStep_isNotDetermined()
