@@ -58,6 +58,30 @@ void removePosition(std::vector<T> &list, std::size_t position)
         list.erase(list.begin() + static_cast<Index>(position));
 }
 
+/// A list that may have one entry for all shots, or one for each.
+template <typename T>
+void removeOfEach(std::vector<T> &list, std::size_t position)
+{
+    if (list.size() > 1)
+        removePosition(list, position);
+}
+
+/// A frequency of the tube that was read in this shot goes with it, because it is known for the gas
+/// of that shot alone; one of the sensor is that of every shot.
+void removeShotOfModes(std::vector<NuisanceMode> &modes, Index number)
+{
+    std::erase_if(modes, [&](const NuisanceMode &mode) {
+        return mode.shot == number && mode.isTube && mode.frequency_Hz.size() == 1;
+    });
+    for (NuisanceMode &mode : modes) {
+        removeOfEach(mode.frequency_Hz, static_cast<std::size_t>(number - 1));
+        if (mode.shot == number)
+            mode.shot = 0;
+        else if (mode.shot > number)
+            --mode.shot;
+    }
+}
+
 /// Drops recordings' files that no shot comes from any more.
 void removeUnusedInputs(CaptureSet &set)
 {
@@ -133,8 +157,9 @@ ProjectState withoutShot(const ProjectState &state, Index number)
     removePosition(next.recipe.import.levels, position);
     removeNumbered(next.recipe.import.exclude, number);
     removeNumbered(next.recipe.acknowledge, number);
-    if (next.recipe.window.start_s.size() > 1)
-        removePosition(next.recipe.window.start_s, position);
+    removeOfEach(next.recipe.window.start_s, position);
+    removeNumbered(next.recipe.window.excludeStretches, number);
+    removeShotOfModes(next.recipe.realization.nuisanceModes, number);
     for (ArrivalSensor &sensor : next.recipe.shock.arrivalSensors)
         removePosition(sensor.shotArrival_s, position);
     return next;

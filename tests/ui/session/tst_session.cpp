@@ -103,6 +103,7 @@ private slots:
     void cancel_leavesStale();
     void affected_shock_startsAtExpected();
     void removeShot_movesNumbersAndIsUndoable();
+    void removeShot_movesStretchesAndModes();
     void join_movesNumbersOfFindings();
     void findingIds_leadToStages();
 };
@@ -408,6 +409,29 @@ void TestSession::removeShot_movesNumbersAndIsUndoable()
     QCOMPARE(session.recipe().window.start_s, (std::vector<double>{0.2, 0.3}));
     session.undoStack().undo();
     QVERIFY(session.state() == state);
+}
+
+void TestSession::removeShot_movesStretchesAndModes()
+{
+    ProjectState state = threeShots();
+    state.recipe.window.excludeStretches
+        = {{1, 0.1, 0.2, "a"}, {2, 0.3, 0.4, "b"}, {3, 0.5, 0.6, "c"}};
+    const auto mode = [](std::vector<double> frequency_Hz, Index shot, bool isTube) {
+        NuisanceMode made;
+        made.frequency_Hz = std::move(frequency_Hz);
+        made.shot = shot;
+        made.isTube = isTube;
+        return made;
+    };
+    state.recipe.realization.nuisanceModes
+        = {mode({1e4}, 0, true), mode({2e4}, 1, true), mode({3e4}, 2, true), mode({4e4}, 2, false),
+            mode({5e4}, 3, true), mode({1e3, 2e3, 3e3}, 0, true)};
+    const Recipe recipe = withoutShot(state, 2).recipe;
+    QVERIFY(recipe.window.excludeStretches
+        == (std::vector<ExcludedStretch>{{1, 0.1, 0.2, "a"}, {2, 0.5, 0.6, "c"}}));
+    QVERIFY(recipe.realization.nuisanceModes
+        == (std::vector<NuisanceMode>{mode({1e4}, 0, true), mode({2e4}, 1, true),
+            mode({4e4}, 0, false), mode({5e4}, 2, true), mode({1e3, 3e3}, 0, true)}));
 }
 
 void TestSession::join_movesNumbersOfFindings()
