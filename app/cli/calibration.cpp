@@ -85,10 +85,14 @@ int reportOutcome(const PipelineOutcome &outcome)
 {
     const Findings findings = allFindings(outcome.results);
     reportFindings(findings);
-    if (outcome.error)
-        return isSaid(*outcome.error, findings) ? static_cast<int>(exitCodeOf(*outcome.error))
-                                                : report(*outcome.error);
-    return static_cast<int>(exitCodeOf(findings));
+    if (!outcome.error)
+        return static_cast<int>(exitCodeOf(findings));
+    if (!isSaid(*outcome.error, findings))
+        report(*outcome.error);
+    for (const Error &further : outcome.error->further)
+        if (!isSaid(further, findings))
+            report(further);
+    return static_cast<int>(exitCodeOf(*outcome.error));
 }
 
 } // namespace dyncal

@@ -8,6 +8,9 @@
 
 #include <tl/expected.hpp>
 
+#include <string>
+#include <vector>
+
 namespace dyncal {
 
 /// Why a stage produced no result. The kinds map one to one to the exit codes of the command line.
@@ -26,7 +29,11 @@ struct Error
     Message message;
     std::string findingId; ///< id of the catalogue entry this error stands for, or empty
     Index shot = 0; ///< number of the shot concerned, from 1; 0 = none in particular
+    std::vector<Error> further = {}; ///< other reasons of the same stage: all are told at once
 };
+
+/// Several reasons as one error: the first, with the others behind it. `errors` is not empty.
+Error asOneError(std::vector<Error> errors);
 
 template <typename T>
 using Result = tl::expected<T, Error>;

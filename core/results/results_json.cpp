@@ -74,6 +74,22 @@ Finding asFinding(const Error &error)
         .message = error.message};
 }
 
+/// Puts what stopped the run among the findings, unless it is of no entry of the catalogue.
+void tell(const Error &error, Findings &findings)
+{
+    if (error.findingId.empty())
+        return;
+    const Finding gravest = asFinding(error);
+    const auto told = std::find_if(findings.begin(), findings.end(),
+        [&](const Finding &f) { return f.id == gravest.id && f.shot == gravest.shot; });
+    if (told == findings.end()) {
+        findings.push_back(gravest);
+    } else if (told->severity != gravest.severity) { // what was a caution has stopped the run
+        told->severity = gravest.severity;
+        told->message = gravest.message;
+    }
+}
+
 void addError(JsonRecord &root, const PipelineOutcome &outcome)
 {
     if (!outcome.error) {
@@ -100,17 +116,11 @@ void addFindings(JsonRecord &root, const ResultsContext &context)
 Findings allFindings(const PipelineOutcome &outcome)
 {
     Findings findings = allFindings(outcome.results);
-    if (!outcome.error || outcome.error->findingId.empty())
+    if (!outcome.error)
         return findings;
-    const Finding gravest = asFinding(*outcome.error);
-    const auto told = std::find_if(findings.begin(), findings.end(),
-        [&](const Finding &f) { return f.id == gravest.id && f.shot == gravest.shot; });
-    if (told == findings.end()) {
-        findings.push_back(gravest);
-    } else if (told->severity != gravest.severity) { // what was a caution has stopped the run
-        told->severity = gravest.severity;
-        told->message = gravest.message;
-    }
+    tell(*outcome.error, findings);
+    for (const Error &further : outcome.error->further)
+        tell(further, findings);
     return findings;
 }
 

@@ -130,20 +130,32 @@ Index firstHalfHeight(const Channel &channel, Index begin, Index end, const Cros
     return end - 1;
 }
 
-Error noStepFound(
-    const Channel &channel, Index shot, double height, double noiseSd, double eventSigmas)
+/// What a change must exceed to be told from what comes before it.
+struct Needed
 {
-    if (!std::isfinite(height) || !std::isfinite(noiseSd))
+    double height = 0.0;
+    double factor = 0.0; ///< times the noise, or times what the drift explains
+    double explained = 0.0; ///< the noise, or what the drift gives
+    bool byDrift = false;
+};
+
+Error noStepFound(const Channel &channel, Index shot, double height, const Needed &needed)
+{
+    if (!std::isfinite(height) || !std::isfinite(needed.height))
         return {ErrorKind::DataBlocked,
             {DYNCAL_TEXT("core",
                  "Shot %1, channel %2: no step found, because the record's values are not there or too large to compute with; check the channel's unit and factor, or exclude the shot."),
                 {std::to_string(shot), channel.name}},
             "CAP-009", shot};
+    const char *noise = DYNCAL_TEXT("core",
+        "Shot %1, channel %2: no step found. The largest change is %3, and more than %4 is needed, %5 times the noise of %6: set window.start by hand or exclude the shot.");
+    const char *drift = DYNCAL_TEXT("core",
+        "Shot %1, channel %2: no step found. The largest change is %3, and more than %4 is needed, %5 times the %6 that the record drifts in the same time: set window.start by hand or exclude the shot.");
     return {ErrorKind::DataBlocked,
-        {DYNCAL_TEXT("core",
-             "Shot %1, channel %2: no step found. The largest change is %3 with noise of %4, and more than %5 times the noise is needed: set window.start by hand or exclude the shot."),
+        {needed.byDrift ? drift : noise,
             {std::to_string(shot), channel.name, numberWithUnit(height, channel.unit, 3),
-                numberWithUnit(noiseSd, channel.unit, 3), numberText(eventSigmas)}},
+                numberWithUnit(needed.height, channel.unit, 3), numberText(needed.factor),
+                numberWithUnit(needed.explained, channel.unit, 3)}},
         "CAP-009", shot};
 }
 
@@ -207,7 +219,7 @@ public:
             return tl::unexpected(noQuiet(m_channel, m_shot, m_begin));
         m_height = height();
         if (!isEvent(quietEnd))
-            return tl::unexpected(noStep());
+            return tl::unexpected(noStep(quietEnd));
         narrow(kFirstThreshold * m_height);
         for (int pass = 0; pass < kPasses; ++pass) {
             quietEnd = m_start - guardBefore(m_start);
@@ -222,14 +234,14 @@ public:
                 break;
         }
         if (!isEvent(quietEnd))
-            return tl::unexpected(noStep());
+            return tl::unexpected(noStep(quietEnd));
         return found(quietEnd);
     }
 
 private:
-    Error noStep() const
+    Error noStep(Index quietEnd) const
     {
-        return noStepFound(m_channel, m_shot, m_height, m_quiet.noiseSd, m_eventSigmas);
+        return noStepFound(m_channel, m_shot, m_height, needed(quietEnd));
     }
 
     double height() const
@@ -244,13 +256,18 @@ private:
         return std::max(near, (later - m_quiet.level).abs().maxCoeff());
     }
 
-    bool isEvent(Index quietEnd) const
+    /// A clear change of level must only stand out of the noise before it; a burst also out of what
+    /// the record drifts.
+    Needed needed(Index quietEnd) const
     {
-        if (m_event.isSignificant)
-            return m_height > kLeastSigmas * m_quiet.noiseSd;
+        const double sigmas = m_event.isSignificant ? kLeastSigmas : m_eventSigmas;
+        const Needed byNoise{sigmas * m_quiet.noiseSd, sigmas, m_quiet.noiseSd, false};
         const double drift = m_quiet.drift * static_cast<double>(m_end - quietEnd + m_quiet.age);
-        return m_height > std::max(m_eventSigmas * m_quiet.noiseSd, kBurstRatio * drift);
+        const Needed byDrift{kBurstRatio * drift, kBurstRatio, drift, true};
+        return !m_event.isSignificant && byDrift.height > byNoise.height ? byDrift : byNoise;
     }
+
+    bool isEvent(Index quietEnd) const { return m_height > needed(quietEnd).height; }
 
     void narrow(double leastThreshold)
     {

@@ -135,6 +135,43 @@ Finding behindPlateau(const WindowedResponse &response, double plateau_s)
     return overrun;
 }
 
+std::optional<Error> invalidSamples(const Channel &channel, Index shot, const WindowBands &bands)
+{
+    SampleRange joined = bands.window;
+    if (bands.baseline.size() > 0 && bands.baseline.end <= bands.window.begin)
+        joined.begin = bands.baseline.begin;
+    for (const SampleRange &range : {joined, bands.baseline}) {
+        const Eigen::VectorXd values = physicalValues(channel, range.begin, range.size());
+        const auto invalid = std::find_if(
+            values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
+        if (invalid == values.end())
+            continue;
+        const Index sample = range.begin + (invalid - values.begin());
+        return Error{ErrorKind::DataBlocked,
+            {DYNCAL_TEXT("core",
+                 "Shot %1, channel %2: invalid sample %3 at %4, inside the response window or its baseline; exclude the shot or set import.interpolate_invalid."),
+                {std::to_string(shot), channel.name, std::to_string(sample),
+                    numberWithUnit(channel.timeOf_s(sample), "s", 6)}},
+            "CAP-006", shot};
+    }
+    return std::nullopt;
+}
+
+std::optional<Error> saturatedSamples(
+    const Channel &channel, Index shot, const WindowBands &bands, const CheckSettings &checks)
+{
+    for (const SampleRange &range : {bands.window, bands.baseline}) {
+        if (const auto run = runAtRail(channel, range, checks.saturationRun))
+            return Error{ErrorKind::DataBlocked,
+                {DYNCAL_TEXT("core",
+                     "Shot %1, channel %2 is saturated for %3 samples from %4 on, inside the response window or its baseline; the shot cannot be used: exclude it."),
+                    {std::to_string(shot), channel.name, std::to_string(run->count),
+                        numberWithUnit(channel.timeOf_s(run->begin), "s", 6)}},
+                "CAP-007", shot};
+    }
+    return std::nullopt;
+}
+
 /// A window that stands still although the baseline shows noise: cut off at limits that the file
 /// does not state, or stuck.
 std::optional<Error> stuckWindow(const Channel &channel, Index shot, const WindowBands &bands)
@@ -162,33 +199,14 @@ std::optional<Error> stuckWindow(const Channel &channel, Index shot, const Windo
 std::optional<Error> unusableSamples(
     const Channel &channel, Index shot, const WindowBands &bands, const CheckSettings &checks)
 {
-    SampleRange joined = bands.window;
-    if (bands.baseline.size() > 0 && bands.baseline.end <= bands.window.begin)
-        joined.begin = bands.baseline.begin;
-    for (const SampleRange &range : {joined, bands.baseline}) {
-        const Eigen::VectorXd values = physicalValues(channel, range.begin, range.size());
-        const auto invalid = std::find_if(
-            values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
-        if (invalid == values.end())
-            continue;
-        const Index sample = range.begin + (invalid - values.begin());
-        return Error{ErrorKind::DataBlocked,
-            {DYNCAL_TEXT("core",
-                 "Shot %1, channel %2: invalid sample %3 at %4, inside the response window or its baseline; exclude the shot or set import.interpolate_invalid."),
-                {std::to_string(shot), channel.name, std::to_string(sample),
-                    numberWithUnit(channel.timeOf_s(sample), "s", 6)}},
-            "CAP-006", shot};
-    }
-    for (const SampleRange &range : {bands.window, bands.baseline}) {
-        if (const auto run = runAtRail(channel, range, checks.saturationRun))
-            return Error{ErrorKind::DataBlocked,
-                {DYNCAL_TEXT("core",
-                     "Shot %1, channel %2 is saturated for %3 samples from %4 on, inside the response window or its baseline; the shot cannot be used: exclude it."),
-                    {std::to_string(shot), channel.name, std::to_string(run->count),
-                        numberWithUnit(channel.timeOf_s(run->begin), "s", 6)}},
-                "CAP-007", shot};
-    }
-    return stuckWindow(channel, shot, bands);
+    std::vector<Error> errors;
+    if (auto error = invalidSamples(channel, shot, bands))
+        errors.push_back(std::move(*error));
+    if (auto error = saturatedSamples(channel, shot, bands, checks))
+        errors.push_back(std::move(*error));
+    if (errors.empty())
+        return stuckWindow(channel, shot, bands);
+    return asOneError(std::move(errors));
 }
 
 std::optional<SaturatedRun> runAtRail(

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace dyncal {
 namespace {
@@ -22,7 +23,9 @@ constexpr Index kMargin = 4096; ///< samples kept beside the bands, for filters
 
 std::optional<Error> checkSettings(const CaptureSet &set, const WindowSettings &settings)
 {
-    const auto usage = [](Message message) { return Error{ErrorKind::Usage, message, {}, 0}; };
+    const auto usage = [](Message message) {
+        return Error{ErrorKind::Usage, std::move(message), {}, 0};
+    };
     const auto starts = static_cast<Index>(settings.start_s.size());
     const auto shots = static_cast<Index>(set.shots.size());
     if (starts > 1 && starts != shots)
@@ -330,6 +333,7 @@ Result<WindowResult> cutWindows(const CaptureSet &set, const WindowSettings &set
     if (auto error = checkSettings(set, settings))
         return tl::unexpected(*error);
     WindowResult result;
+    std::vector<Error> errors; // of every shot, so that nobody mends one only to be told the next
     const auto shots = static_cast<Index>(set.shots.size());
     for (Index i = 0; i < shots; ++i) {
         if (control.stopRequested())
@@ -337,10 +341,12 @@ Result<WindowResult> cutWindows(const CaptureSet &set, const WindowSettings &set
         const Shot &shot = set.shots[static_cast<std::size_t>(i)];
         if (shot.included) {
             if (auto error = ShotWindow(shot, i + 1, settings, context, control).addTo(result))
-                return tl::unexpected(*error);
+                errors.push_back(std::move(*error));
         }
         control.report(static_cast<double>(i + 1) / static_cast<double>(shots));
     }
+    if (!errors.empty())
+        return tl::unexpected(asOneError(std::move(errors)));
     if (result.responses.empty())
         return tl::unexpected(nothingLeft(result));
     return result;

@@ -92,6 +92,8 @@ private slots:
     void detect_decay_findsItsBegin();
     void detect_noStep_isBlocked_data();
     void detect_noStep_isBlocked();
+    void detect_noStep_saysWhatDecides_data();
+    void detect_noStep_saysWhatDecides();
     void detect_startAtFirstSamples_isBlocked_data();
     void detect_startAtFirstSamples_isBlocked();
     void detect_shotNumber_isNamed();
@@ -312,6 +314,34 @@ void TestStartDetection::detect_noStep_isBlocked()
     for (std::uint64_t seed = 10; seed < 60; ++seed)
         compareNoStart(
             detectStart(doubleChannel(Gaussian(seed).vector(5000, 1.0), 1e6)), "no step");
+}
+
+void TestStartDetection::detect_noStep_saysWhatDecides_data()
+{
+    QTest::addColumn<int>("kind");
+    QTest::addColumn<QString>("why");
+    QTest::newRow("noise") << 0 << "6 times the noise of";
+    QTest::newRow("ramp") << 1 << "2 times the";
+}
+
+/// The sentence must be true of its own numbers: the change is below what is needed, and what is
+/// needed is what it says it is.
+void TestStartDetection::detect_noStep_saysWhatDecides()
+{
+    QFETCH(int, kind);
+    QFETCH(QString, why);
+    const std::array<Eigen::VectorXd, 2> records{Gaussian(2).vector(300'000, 1.0),
+        Eigen::VectorXd::LinSpaced(5000, 0.0, 1.0) + Gaussian(3).vector(5000, 1e-3)};
+    const auto start = detectStart(doubleChannel(records[static_cast<std::size_t>(kind)], 1e6));
+    QVERIFY(!start);
+    const Message &message = start.error().message;
+    QVERIFY2(QString::fromStdString(english(message)).contains(why), english(message).c_str());
+    const auto volts = [&](std::size_t argument) {
+        const QStringList words = QString::fromStdString(message.arguments[argument]).split(' ');
+        return words[0].toDouble() * (words.value(1).startsWith('m') ? 1e-3 : 1.0);
+    };
+    QVERIFY2(volts(2) <= volts(3), english(message).c_str());
+    QVERIFY(std::abs(volts(4) * volts(5) / volts(3) - 1.0) < 0.02); // three digits each
 }
 
 void TestStartDetection::detect_startAtFirstSamples_isBlocked_data()

@@ -36,6 +36,7 @@ private slots:
     void findings_windowBehindPlateau();
     void restlessBaseline_leavesTheShotOut();
     void noStep_isBlockedWithItsShot();
+    void everyBadShot_isToldAtOnce();
     void noDut_isBlocked();
     void shots_excluded_keepTheirNumbers();
     void impulse_measuresThePeak();
@@ -275,6 +276,31 @@ void TestWindowFaults::noStep_isBlockedWithItsShot()
     compareError(cut(set.shots[1].channels[0], settings), "CAP-009", "tell it from noise");
     compareError(
         cut(doubleChannel(Eigen::VectorXd::Zero(40000), 10e6), settings), "CAP-009", "no step");
+}
+
+/// Nobody mends one shot only to be told of the next.
+void TestWindowFaults::everyBadShot_isToldAtOnce()
+{
+    WindowSettings settings;
+    settings.start_s = {4e-4};
+    settings.end_s = 2e-3;
+    settings.baseline_s = Interval{-2e-4, -1e-5};
+    Eigen::VectorXd holed = stepRecord().values();
+    holed[4100] = kNan;
+    const Channel clipped = countsChannel(stepRecord().values(), 10e6, 4.0, 14);
+    CaptureSet set = captureSetOf({doubleChannel(holed, 10e6),
+        doubleChannel(stepRecord().values(), 10e6), clipped, doubleChannel(holed, 10e6)});
+    const auto result = cutWindows(set, settings, {});
+    compareError(result, "CAP-006", "Shot 1");
+    const std::vector<Error> &further = result.error().further;
+    QCOMPARE(further.size(), std::size_t(2));
+    QCOMPARE(further[0].findingId, std::string("CAP-007"));
+    QCOMPARE(further[0].shot, Index(3));
+    QCOMPARE(further[1].findingId, std::string("CAP-006"));
+    QCOMPARE(further[1].shot, Index(4));
+    for (const std::size_t bad : {0, 2, 3})
+        set.shots[bad].included = false;
+    QVERIFY(cutWindows(set, settings, {}).has_value());
 }
 
 void TestWindowFaults::noDut_isBlocked()
