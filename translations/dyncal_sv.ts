@@ -1075,6 +1075,10 @@
         <source>Noise: median to 95 %</source>
         <translation>Brus: median till 95 %</translation>
     </message>
+    <message>
+        <source>Response in %1</source>
+        <translation>Svar i %1</translation>
+    </message>
 </context>
 <context>
     <name>Prompts</name>
@@ -5880,10 +5884,6 @@
         <translation>Språng</translation>
     </message>
     <message>
-        <source>Resonance</source>
-        <translation>Resonans</translation>
-    </message>
-    <message>
         <source>Over orders</source>
         <translation>Över ordningarna</translation>
     </message>
@@ -5994,6 +5994,14 @@
     <message>
         <source>%1, ζ %2 (orders %3 to %4)</source>
         <translation>%1, ζ %2 (ordning %3 till %4)</translation>
+    </message>
+    <message>
+        <source>Natural frequency</source>
+        <translation>Egenfrekvens</translation>
+    </message>
+    <message>
+        <source>%1, damping %2; no resonance</source>
+        <translation>%1, dämpning %2; ingen resonans</translation>
     </message>
 </context>
 <context>

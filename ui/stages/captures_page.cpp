@@ -52,18 +52,12 @@ CapturesPage::CapturesPage(Session &session, Prompts &prompts)
 {
     auto *split = new QSplitter(Qt::Vertical, this);
     split->setChildrenCollapsible(false);
-    for (const ChannelRole role : kPlottedRoles) {
-        auto *plot = makePlot(QString("rawPlot_%1").arg(channelRoleName(role)),
-            tr("Recordings: %1").arg(roleText(role)));
-        m_plots.emplace_back(role, plot);
-        split->addWidget(plot);
-        split->setStretchFactor(split->count() - 1, role == ChannelRole::Dut ? 3 : 2);
-    }
-    auto *overview = new OverviewStrip(this);
-    overview->setObjectName("recordOverview");
-    for (const auto &[role, plot] : m_plots)
-        overview->follow(plot);
-    content()->addWidget(overview);
+    m_split = split;
+    m_overview = new OverviewStrip(this);
+    m_overview->setObjectName("recordOverview");
+    for (const ChannelRole role : kPlottedRoles)
+        plotOf(role, 0);
+    content()->addWidget(m_overview);
     connect(&session.envelopes(), &EnvelopeStore::changed, this, [this] {
         if (isVisible())
             showPlots();
@@ -165,19 +159,44 @@ void CapturesPage::showPlots()
     EnvelopeStore &envelopes = session().envelopes();
     envelopes.want(longRecords(shownSet()));
     const auto envelopeOf = [&](const Channel &channel) { return envelopes.find(channel); };
-    for (const auto &[role, plot] : m_plots) {
+    for (const ChannelRole role : kPlottedRoles) {
+        const std::vector<std::string> units = unitsOf(shownSet(), role);
         const bool present = std::ranges::any_of(shownSet().shots,
-            [r = role](const Shot &shot) { return shot.channelWithRole(r) != nullptr; });
-        plot->setVisible(present || role == ChannelRole::Dut);
-        if (!present)
-            continue;
-        PlotContent content = rawCurves(shownSet(), role, envelopeOf);
-        content.growing = envelopes.isBusy();
-        if (content.growing)
-            content.title += tr(" (reading the recordings: %1 %)")
-                                 .arg(static_cast<int>(100.0 * envelopes.progress()));
-        plot->setContent(content);
+            [role](const Shot &shot) { return shot.channelWithRole(role) != nullptr; });
+        const std::size_t count = std::max(units.size(), m_plots[role].size());
+        for (std::size_t unit = 0; unit < count; ++unit) {
+            PlotWidget *plot = plotOf(role, unit);
+            const bool isUsed = unit < units.size() || (unit == 0 && present);
+            plot->setVisible(isUsed || (unit == 0 && role == ChannelRole::Dut));
+            if (!isUsed)
+                continue;
+            PlotContent content = rawCurves(shownSet(), role, envelopeOf,
+                unit < units.size() ? std::optional(units[unit]) : std::nullopt);
+            content.growing = envelopes.isBusy();
+            if (content.growing)
+                content.title += tr(" (reading the recordings: %1 %)")
+                                     .arg(static_cast<int>(100.0 * envelopes.progress()));
+            plot->setContent(content);
+        }
     }
+}
+
+/// The plot for records of a role in one of their units; there is one until there are more.
+PlotWidget *CapturesPage::plotOf(ChannelRole role, std::size_t unit)
+{
+    std::vector<PlotWidget *> &plots = m_plots[role];
+    while (plots.size() <= unit) {
+        const QString name = QString("rawPlot_%1").arg(channelRoleName(role));
+        auto *plot = makePlot(plots.empty() ? name : name + QString("_%1").arg(plots.size() + 1),
+            tr("Recordings: %1").arg(roleText(role)));
+        const int at = plots.empty() ? m_shownPlots : m_split->indexOf(plots.back()) + 1;
+        m_split->insertWidget(at, plot);
+        m_split->setStretchFactor(at, role == ChannelRole::Dut ? 3 : 2);
+        m_overview->follow(plot);
+        plots.push_back(plot);
+        ++m_shownPlots;
+    }
+    return plots[unit];
 }
 
 void CapturesPage::showTable()

@@ -5,15 +5,20 @@
 
 #include "ui/stages/frame/stage_page.h"
 
+#include <map>
+#include <vector>
+
 class QCheckBox;
 class QComboBox;
 class QLineEdit;
 class QPushButton;
+class QSplitter;
 class QTableWidget;
 
 namespace dyncal {
 
 class OptionalEdit;
+class OverviewStrip;
 class Prompts;
 class QuantityEdit;
 
@@ -41,6 +46,7 @@ protected:
 private:
     void buildInspector();
     void showPlots();
+    PlotWidget *plotOf(ChannelRole role, std::size_t unit);
     void showTable();
     void fillRow(int row, const Shot &shot);
     void showChannels();
@@ -53,7 +59,10 @@ private:
     const CaptureSet &shownSet() const;
 
     Prompts &m_prompts;
-    std::vector<std::pair<ChannelRole, PlotWidget *>> m_plots;
+    QSplitter *m_split;
+    OverviewStrip *m_overview;
+    std::map<ChannelRole, std::vector<PlotWidget *>> m_plots; ///< one for each unit of a role
+    int m_shownPlots = 0;
     QTableWidget *m_table;
     QWidget *m_channels;
     QStringList m_channelNames;

@@ -87,6 +87,7 @@ private:
     test::KeptBench<ScriptedCapturesPage> m_kept;
 
 private slots:
+    void unitsThatDiffer_haveAPlotEach();
     void initTestCase() { m_set = testing::simulatedExample(1e7, 0.004); }
     void unticked_withoutAReason_isTickedAgain();
     void unticked_withAReason_isOutEverywhere_andUndoBringsItBack();
@@ -292,6 +293,27 @@ void TestCapturesPage::swedish_reasonAndRolesAreShown()
     bench.choose("levelOfShot2", 1);
     QCOMPARE(bench.recipe().import.levels.at(1), std::string("low"));
     waitComputed(bench.session);
+}
+
+/// Each with its own axis, in its own unit; undo brings the one plot back.
+void TestCapturesPage::unitsThatDiffer_haveAPlotEach()
+{
+    CaptureSet set = *dyncal::testing::simulatedExample(10e6);
+    for (Channel &channel : set.shots[1].channels)
+        channel.unit = "Pa";
+    Bench bench(std::make_shared<const CaptureSet>(set));
+    const auto *volts = bench.control<PlotWidget>("rawPlot_dut");
+    const auto *pascals = bench.control<PlotWidget>("rawPlot_dut_2");
+    QCOMPARE(volts->content().yAxis.unit, QString("V"));
+    QCOMPARE(volts->content().curves.size(), std::size_t(2));
+    QVERIFY(pascals->isVisible());
+    QCOMPARE(pascals->content().yAxis.unit, QString("Pa"));
+    Recipe recipe = bench.recipe();
+    recipe.import.exclude = {{2, "in another unit"}};
+    bench.session.apply(recipe, "Exclude shot 2");
+    waitComputed(bench.session);
+    QVERIFY(!pascals->isVisible());
+    QCOMPARE(volts->content().curves.size(), std::size_t(2));
 }
 
 DYNCAL_TEST(TestCapturesPage)

@@ -174,9 +174,13 @@ PlotAxis responseAxisMeaning(const WindowResult &window)
         [](const WindowedResponse &response) { return response.valueScale != 1.0; });
     if (remapped)
         return {Plots::tr("Response, remapped"), QString()};
-    const QString unit
-        = window.responses.empty() ? QString() : shownText(window.responses.front().unit);
-    return {Plots::tr("Response"), unit};
+    QStringList units;
+    for (const WindowedResponse &response : window.responses)
+        units << shownText(response.unit);
+    units.removeDuplicates();
+    if (units.size() > 1) // one axis cannot have the prefix of several units
+        return {Plots::tr("Response in %1").arg(units.join(QStringLiteral(", "))), QString()};
+    return {Plots::tr("Response"), units.value(0)};
 }
 
 } // namespace dyncal

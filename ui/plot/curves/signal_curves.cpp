@@ -64,6 +64,13 @@ void extendView(const Channel &channel, PlotContent &content)
     content.xMax = std::max(content.xMax.value_or(end), end);
 }
 
+/// The channel of a shot that plots of the role show.
+const Channel *drawn(const Shot &shot, ChannelRole role)
+{
+    const Channel *channel = shot.included ? shot.channelWithRole(role) : nullptr;
+    return channel && channel->sampleRate_Hz > 0.0 ? channel : nullptr;
+}
+
 QString roleTitle(ChannelRole role)
 {
     switch (role) {
@@ -129,21 +136,32 @@ std::vector<Channel> longRecords(const CaptureSet &set)
     return records;
 }
 
-PlotContent rawCurves(const CaptureSet &set, ChannelRole role, const EnvelopeSource &envelopeOf)
+std::vector<std::string> unitsOf(const CaptureSet &set, ChannelRole role)
+{
+    std::vector<std::string> units;
+    for (const Shot &shot : set.shots)
+        if (const Channel *channel = drawn(shot, role);
+            channel && std::ranges::find(units, channel->unit) == units.end())
+            units.push_back(channel->unit);
+    return units;
+}
+
+PlotContent rawCurves(const CaptureSet &set, ChannelRole role, const EnvelopeSource &envelopeOf,
+    const std::optional<std::string> &unit)
 {
     PlotContent content;
     content.title = roleTitle(role);
     content.xAxis = timeAxisMeaning();
     content.yAxis = {Plots::tr("Signal"), QString()};
+    const std::vector<std::string> units = unitsOf(set, role);
+    const std::string wanted = unit.value_or(units.empty() ? std::string() : units.front());
+    content.yAxis.unit = shownText(wanted);
     for (std::size_t i = 0; i < set.shots.size(); ++i) {
-        const Shot &shot = set.shots[i];
-        const Channel *channel = shot.channelWithRole(role);
-        if (!shot.included || !channel || !(channel->sampleRate_Hz > 0.0))
+        const Channel *channel = drawn(set.shots[i], role);
+        if (!channel || channel->unit != wanted)
             continue;
-        if (content.curves.empty())
-            content.yAxis.unit = shownText(channel->unit);
-        content.curves.push_back(
-            rawCurve(*channel, shotStyle(static_cast<Index>(i) + 1, shot.level), envelopeOf));
+        const ShotStyle style = shotStyle(static_cast<Index>(i) + 1, set.shots[i].level);
+        content.curves.push_back(rawCurve(*channel, style, envelopeOf));
         extendView(*channel, content);
     }
     content.summary

@@ -11,6 +11,9 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace dyncal {
 
@@ -25,12 +28,17 @@ std::vector<Channel> longRecords(const CaptureSet &set);
 /// Where envelopes of long records come from; null while one is not there yet.
 using EnvelopeSource = std::function<std::shared_ptr<const ChannelEnvelope>(const Channel &)>;
 
-/// Records of one channel role, all included shots over each other, each on its own time axis. Of
+/// Units of the records of one channel role, in the order of the shots: each needs an axis of its
+/// own.
+std::vector<std::string> unitsOf(const CaptureSet &set, ChannelRole role);
+
+/// Records of one channel role, all included shots over each other, each on its own time axis; of
+/// those that differ in unit the ones in `unit`, by default that of the first. Of
 /// long records the points are exact minima and maxima of at most kRawColumns stretches (a spike
 /// of one sample stays visible). With `envelopeOf`, views of them are drawn at full resolution and
 /// a record without envelope yet has no points; without it, the records are read here and now.
-PlotContent rawCurves(
-    const CaptureSet &set, ChannelRole role, const EnvelopeSource &envelopeOf = {});
+PlotContent rawCurves(const CaptureSet &set, ChannelRole role,
+    const EnvelopeSource &envelopeOf = {}, const std::optional<std::string> &unit = {});
 
 /// Responses aligned at their starts, as the analysis uses them.
 PlotContent windowCurves(const WindowResult &window);

@@ -65,7 +65,7 @@ void OrderInspector::buildModel(InspectorForm &form)
     m_of = form.addReadout(tr("Order"), "modelOrderReadout");
     m_score = form.addReadout(tr("FIT"), "fitReadout");
     m_gap = form.addReadout(tr("Gap"), "gapReadout");
-    m_resonance = form.addReadout(tr("Resonance"), "resonanceReadout");
+    m_resonance = form.addReadout(tr("Natural frequency"), "resonanceReadout");
     m_spread = form.addReadout(tr("Over orders"), "spreadReadout");
     m_outside = form.addReadout(tr("Poles"), "polesReadout");
 }
@@ -194,10 +194,13 @@ void OrderInspector::showModel(const CalibrationResults &results, const SensorMo
     m_of->setText(model ? QString::number(model->order) : "–");
     m_score->setText(model ? fitText(*model) : "–");
     const Pole *pole = model ? mainPole(*model, results.assessment.get()) : nullptr;
-    m_resonance->setText(pole ? tr("%1, damping %2")
-                                    .arg(shownWithU(pole->frequency_Hz, pole->u_frequency_Hz, "Hz"),
-                                        shownWithU(pole->dampingRatio, pole->u_dampingRatio, {}))
-                              : "–");
+    // A sensor that is damped well has a natural frequency and no resonance: the spectrum says so.
+    const bool hasNoPeak = results.spectrum && results.spectrum->resonances.empty();
+    const QString words = hasNoPeak ? tr("%1, damping %2; no resonance") : tr("%1, damping %2");
+    m_resonance->setText(pole
+            ? words.arg(shownWithU(pole->frequency_Hz, pole->u_frequency_Hz, "Hz"),
+                shownWithU(pole->dampingRatio, pole->u_dampingRatio, {}))
+            : "–");
     const auto countOf = [&](PoleClass poleClass) {
         return model ? std::ranges::count(model->poles, poleClass, &Pole::poleClass) : 0;
     };

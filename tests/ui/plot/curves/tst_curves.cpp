@@ -79,6 +79,7 @@ private slots:
     void raw_longRecord_keepsSpikeInFewPoints();
     void raw_invertedAndCurvedConversion_keepsExtremes();
     void raw_excludedShot_isLeftOut();
+    void raw_unitsThatDiffer_haveAPlotEach();
     void window_times_areRelativeToStart();
     void start_zoom_coversTwentyRiseTimes();
     void spectrum_decibels_andResonanceMark();
@@ -155,6 +156,28 @@ void TestCurves::raw_excludedShot_isLeftOut()
     QCOMPARE(content.curves.size(), std::size_t(2));
     QCOMPARE(content.curves[1].name, QString("Shot 3 (high)"));
     QCOMPARE(content.curves[1].role, CurveRole::ShotHigh);
+}
+
+/// 289 kPa are no 289 kV because another shot is in volts.
+void TestCurves::raw_unitsThatDiffer_haveAPlotEach()
+{
+    dyncal::CaptureSet set
+        = captureOf(dyncal::RawSamples(std::vector<std::int16_t>{1, 2, 3}), {0.0, 1.0});
+    set.shots.push_back(set.shots.front());
+    set.shots.push_back(set.shots.front());
+    set.shots[0].channels[0].unit = "V";
+    set.shots[1].channels[0].unit = "Pa";
+    set.shots[2].channels[0].unit = "V";
+    QCOMPARE(dyncal::unitsOf(set, ChannelRole::Dut), (std::vector<std::string>{"V", "Pa"}));
+    const PlotContent volts = rawCurves(set, ChannelRole::Dut);
+    QCOMPARE(volts.yAxis.unit, QString("V"));
+    QCOMPARE(volts.curves.size(), std::size_t(2));
+    const PlotContent pascals = rawCurves(set, ChannelRole::Dut, {}, "Pa");
+    QCOMPARE(pascals.yAxis.unit, QString("Pa"));
+    QCOMPARE(pascals.curves.size(), std::size_t(1));
+    QVERIFY(pascals.curves[0].name != volts.curves[0].name);
+    set.shots[1].included = false;
+    QCOMPARE(dyncal::unitsOf(set, ChannelRole::Dut), std::vector<std::string>{"V"});
 }
 
 void TestCurves::window_times_areRelativeToStart()
