@@ -2,6 +2,30 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en">
 <context>
+    <name>StatusText</name>
+    <message numerus="yes">
+        <source>%n field(s) are empty</source>
+        <translation>
+            <numerusform>%n field is empty</numerusform>
+            <numerusform>%n fields are empty</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n date(s) are none</source>
+        <translation>
+            <numerusform>%n date is none</numerusform>
+            <numerusform>%n dates are none</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n caution(s) without a reason</source>
+        <translation>
+            <numerusform>%n caution without a reason</numerusform>
+            <numerusform>%n cautions without a reason</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>dyncal::CaptureImport</name>
     <message numerus="yes">
         <source>%n shot(s) read</source>
@@ -14,13 +38,6 @@
 <context>
     <name>dyncal::CertificatePage</name>
     <message numerus="yes">
-        <source>■ %n required field(s) empty: %1.</source>
-        <translation>
-            <numerusform>■ %n required field is empty: %1.</numerusform>
-            <numerusform>■ %n required fields are empty: %1.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n finding(s) that block</source>
         <translation>
             <numerusform>%n finding that blocks</numerusform>
@@ -32,6 +49,13 @@
         <translation>
             <numerusform>%n caution.</numerusform>
             <numerusform>%n cautions.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>■ %n required field(s) to be filled in: %1.</source>
+        <translation>
+            <numerusform>■ %n required field to be filled in: %1.</numerusform>
+            <numerusform>■ %n required fields to be filled in: %1.</numerusform>
         </translation>
     </message>
 </context>

@@ -1533,6 +1533,39 @@
         <source>cautions</source>
         <translation>varningar</translation>
     </message>
+    <message numerus="yes">
+        <source>%n field(s) are empty</source>
+        <translation>
+            <numerusform>%n fält är tomt</numerusform>
+            <numerusform>%n fält är tomma</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n date(s) are none</source>
+        <translation>
+            <numerusform>%n datum är inget datum</numerusform>
+            <numerusform>%n datum är inga datum</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>not complete: %1</source>
+        <translation>inte komplett: %1</translation>
+    </message>
+    <message>
+        <source>not complete</source>
+        <translation>inte komplett</translation>
+    </message>
+    <message>
+        <source>blocked by %1</source>
+        <translation>blockerat av %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n caution(s) without a reason</source>
+        <translation>
+            <numerusform>%n varning utan motivering</numerusform>
+            <numerusform>%n varningar utan motivering</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>core</name>
@@ -4112,6 +4145,10 @@
         <source>Shot %1, channel &apos;%2&apos;: the unit &quot;%3&quot; is not known, so it cannot be divided by a sensitivity per pascal; the units known are V, mV, uV, kV, A, C, W and 1. Give one of them as the channel&apos;s unit, with the scale that it needs.</source>
         <translation>Skott %1, kanal &apos;%2&apos;: enheten &quot;%3&quot; är okänd, så den kan inte delas med en känslighet per pascal; kända enheter är V, mV, uV, kV, A, C, W och 1. Ange en av dem som kanalens enhet, med den skala som behövs.</translation>
     </message>
+    <message>
+        <source>%1 (not a date; write it as 2026-01-31)</source>
+        <translation>%1 (inget datum; skriv det som 2026-01-31)</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
@@ -4584,13 +4621,6 @@
         <translation>● Alla obligatoriska fält är ifyllda.</translation>
     </message>
     <message numerus="yes">
-        <source>■ %n required field(s) empty: %1.</source>
-        <translation>
-            <numerusform>■ %n obligatoriskt fält är tomt: %1.</numerusform>
-            <numerusform>■ %n obligatoriska fält är tomma: %1.</numerusform>
-        </translation>
-    </message>
-    <message numerus="yes">
         <source>%n finding(s) that block</source>
         <translation>
             <numerusform>%n iakttagelse som blockerar</numerusform>
@@ -4607,6 +4637,17 @@
     <message>
         <source>for example 2026-01-31</source>
         <translation>till exempel 2026-01-31</translation>
+    </message>
+    <message>
+        <source>■ This is not a date. Write it as 2026-01-31.</source>
+        <translation>■ Detta är inget datum. Skriv det som 2026-01-31.</translation>
+    </message>
+    <message numerus="yes">
+        <source>■ %n required field(s) to be filled in: %1.</source>
+        <translation>
+            <numerusform>■ %n obligatoriskt fält att fylla i: %1.</numerusform>
+            <numerusform>■ %n obligatoriska fält att fylla i: %1.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -6492,6 +6533,10 @@
     <message>
         <source>Stages</source>
         <translation>Arbetssteg</translation>
+    </message>
+    <message>
+        <source>Stage %1: %2, %3 (Alt+%1)</source>
+        <translation>Steg %1: %2, %3 (Alt+%1)</translation>
     </message>
 </context>
 <context>

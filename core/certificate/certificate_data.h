@@ -17,6 +17,7 @@ struct CertificateField
     Message label;
     Message value;
     bool missing = false; ///< must be there before the certificate can be issued
+    bool wrong = false; ///< missing, because what is typed is not what it must be
 };
 
 struct CertificateColumn

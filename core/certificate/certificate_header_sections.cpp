@@ -4,6 +4,7 @@
 #include "core/certificate/certificate_header_sections.h"
 
 #include "core/base/version.h"
+#include "core/certificate/calendar_date.h"
 #include "core/certificate/certificate_words.h"
 #include "core/pipeline/stage_table.h"
 
@@ -23,6 +24,19 @@ CertificateField typedField(const Recipe &recipe, const char *id, Message label,
     if (required)
         return {id, std::move(label), {DYNCAL_TEXT("core", "to be filled in"), {}}, true};
     return {id, std::move(label), dash(), false};
+}
+
+/// A typed day, missing while it is none: nobody can tell what "31/12" or "banana" means.
+CertificateField dateField(const Recipe &recipe, const char *id, Message label)
+{
+    CertificateField field = typedField(recipe, id, std::move(label), true);
+    if (field.missing || isCalendarDate(recipe.certificate.fields.at(id)))
+        return field;
+    field.value = {DYNCAL_TEXT("core", "%1 (not a date; write it as 2026-01-31)"),
+        {recipe.certificate.fields.at(id)}};
+    field.missing = true;
+    field.wrong = true;
+    return field;
 }
 
 /// What the captures know of the sensor under test, by attribute name.
@@ -86,10 +100,9 @@ CertificateSection administrativeSection(const Recipe &recipe)
         typedField(recipe, "customer", {DYNCAL_TEXT("core", "Customer"), {}}, true),
         typedField(
             recipe, "customer_address", {DYNCAL_TEXT("core", "Address of the customer"), {}}, true),
-        typedField(recipe, "date_received", {DYNCAL_TEXT("core", "Date of receipt"), {}}, true),
-        typedField(
-            recipe, "date_performed", {DYNCAL_TEXT("core", "Date of calibration"), {}}, true),
-        typedField(recipe, "date_issued", {DYNCAL_TEXT("core", "Date of issue"), {}}, true),
+        dateField(recipe, "date_received", {DYNCAL_TEXT("core", "Date of receipt"), {}}),
+        dateField(recipe, "date_performed", {DYNCAL_TEXT("core", "Date of calibration"), {}}),
+        dateField(recipe, "date_issued", {DYNCAL_TEXT("core", "Date of issue"), {}}),
         typedField(recipe, "operator", {DYNCAL_TEXT("core", "Calibrated by"), {}}, true),
     };
     CertificateField approval

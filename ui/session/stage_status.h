@@ -9,8 +9,17 @@
 
 namespace dyncal {
 
-/// How a stage stands; the window shows each as a glyph and a word.
-enum class StageStatus { NotStarted, Blocked, Computing, Stale, Done, DoneWithCautions };
+/// How a stage stands; the window shows each as a glyph and a word. Incomplete is the certificate
+/// with a required field empty.
+enum class StageStatus {
+    NotStarted,
+    Blocked,
+    Computing,
+    Stale,
+    Incomplete,
+    Done,
+    DoneWithCautions
+};
 
 /// What a run has delivered so far, and what is under way.
 struct RunState

@@ -3,6 +3,7 @@
 
 #include "ui/shell/main_window.h"
 
+#include "ui/session/work_state.h"
 #include "ui/shell/findings/finding_answers.h"
 #include "ui/shell/findings/findings_panel.h"
 #include "ui/shell/findings/problem_panel.h"
@@ -168,6 +169,7 @@ void MainWindow::connectSession()
     connect(&m_session, &Session::resultsChanged, this, &MainWindow::showFindings);
     connect(&m_session, &Session::recipeChanged, this, &MainWindow::showFindings);
     connect(&m_session, &Session::stageStatusChanged, this, &MainWindow::showStatuses);
+    connect(&m_session, &Session::recipeChanged, this, &MainWindow::showStatuses);
 }
 
 void MainWindow::buildContents()
@@ -318,8 +320,9 @@ void MainWindow::showTitle()
 
 void MainWindow::showStatuses()
 {
+    const WorkState work = workStateOf(m_session);
     for (std::size_t row = 0; row < m_pages.size(); ++row)
-        m_stageList->setStatus(static_cast<int>(row), m_pages[row]->status());
+        m_stageList->setStanding(static_cast<int>(row), standingOf(m_pages[row]->page(), work));
 }
 
 void MainWindow::showFindings()

@@ -3,13 +3,15 @@
 
 #include "ui/shell/stage_list.h"
 
+#include "ui/shell/drawn_icon.h"
 #include "ui/stages/frame/status_text.h"
 
 namespace dyncal {
 
 namespace {
 
-constexpr int kRowHeight = 40; ///< a target that is hit without aiming
+constexpr int kSignSize_px = 18;
+constexpr int kSpacing_px = 2; ///< around a row: a target that is hit without aiming
 
 } // namespace
 
@@ -19,21 +21,30 @@ StageList::StageList(QWidget *parent)
     setObjectName("stageList");
     setAccessibleName(tr("Stages"));
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setWordWrap(true); // "blocked by Reference step" is never cut
+    setTextElideMode(Qt::ElideNone);
+    setResizeMode(QListView::Adjust);
+    setIconSize({kSignSize_px, kSignSize_px});
+    setSpacing(kSpacing_px);
 }
 
 void StageList::addStage(const QString &title)
 {
-    auto *item = new QListWidgetItem(this);
-    item->setSizeHint({0, kRowHeight});
+    new QListWidgetItem(this);
     m_titles << title;
-    setStatus(count() - 1, StageStatus::NotStarted);
+    setStanding(count() - 1, {});
 }
 
-void StageList::setStatus(int row, StageStatus status)
+void StageList::setStanding(int row, const PageStanding &standing)
 {
-    item(row)->setText(QString("%1  %2\n    %3 %4")
-                           .arg(row + 1)
-                           .arg(m_titles[row], statusGlyph(status), statusWord(status)));
+    const QString word = standingWord(standing, static_cast<Page>(row));
+    const QString text = QString("%1  %2\n%3").arg(row + 1).arg(m_titles[row], word);
+    if (item(row)->text() == text)
+        return;
+    item(row)->setText(text);
+    item(row)->setIcon(statusIcon(standing.status));
+    item(row)->setToolTip(
+        tr("Stage %1: %2, %3 (Alt+%1)").arg(QString::number(row + 1), m_titles[row], word));
 }
 
 } // namespace dyncal

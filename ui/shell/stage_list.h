@@ -3,13 +3,14 @@
 
 #pragma once
 
-#include "ui/session/stage_status.h"
+#include "ui/session/page_standing.h"
 
 #include <QListWidget>
 
 namespace dyncal {
 
-/// The list of stages: the only navigation. Number, title, status as glyph and word.
+/// The list of stages: number, title, and how it stands as a sign of its own shape and colour and
+/// as words.
 class StageList : public QListWidget
 {
     Q_OBJECT
@@ -18,7 +19,7 @@ public:
     explicit StageList(QWidget *parent = nullptr);
 
     void addStage(const QString &title);
-    void setStatus(int row, StageStatus status);
+    void setStanding(int row, const PageStanding &standing);
 
 private:
     QStringList m_titles;

@@ -5,6 +5,7 @@
 
 #include "core/certificate/certificate.h"
 #include "core/certificate/certificate_data.h"
+#include "ui/stages/frame/status_text.h"
 #include "ui/text/core_text.h"
 #include "ui/text/finding_text.h"
 #include "ui/text/shown_text.h"
@@ -58,6 +59,11 @@ constexpr std::array<Field, 17> kFields{{
 
 constexpr const char *kRemarks = "remarks";
 
+bool isDate(std::string_view key)
+{
+    return key.starts_with("date_");
+}
+
 /// A field as the certificate itself has it: its label, and whether it must be there.
 const CertificateField *fieldOf(const CertificateData &data, std::string_view key)
 {
@@ -105,7 +111,7 @@ void CertificatePage::buildForm()
             edit = m_remarks;
         } else {
             auto *line = new QLineEdit(page);
-            if (std::string_view(field.key).starts_with("date_"))
+            if (isDate(field.key))
                 line->setPlaceholderText(tr("for example 2026-01-31"));
             connect(line, &QLineEdit::editingFinished, this,
                 [this, line, key = field.key] { setField(key, line->text().trimmed(), {}); });
@@ -114,7 +120,8 @@ void CertificatePage::buildForm()
         }
         edit->setObjectName(QString("field_%1").arg(field.key));
         edit->setAccessibleName(label);
-        forms[field.group]->addRow(printed && printed->missing ? label + " *" : label, edit);
+        const QString heading = printed && printed->missing ? label + " *" : label;
+        forms[field.group]->addRow(heading, isDate(field.key) ? withNote(field.key, edit) : edit);
     }
     column->addStretch(1);
     auto *scroll = new QScrollArea(this);
@@ -122,6 +129,23 @@ void CertificatePage::buildForm()
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
     content()->addWidget(scroll);
+}
+
+/// A date with room below it for what is wrong with it.
+QWidget *CertificatePage::withNote(const std::string &key, QWidget *edit)
+{
+    auto *box = new QWidget;
+    box->setFocusProxy(edit);
+    auto *column = new QVBoxLayout(box);
+    column->setContentsMargins(0, 0, 0, 0);
+    auto *note = new QLabel(tr("■ This is not a date. Write it as 2026-01-31."), box);
+    note->setObjectName("note_" + rawText(key));
+    note->setWordWrap(true);
+    note->hide();
+    column->addWidget(edit);
+    column->addWidget(note);
+    m_notes.emplace_back(key, note);
+    return box;
 }
 
 void CertificatePage::buildInspector()
@@ -186,13 +210,17 @@ void CertificatePage::showMissing()
         if (const CertificateField *printed = fieldOf(printedData, key);
             printed && !printed->missing && key.starts_with("sensor_"))
             edit->setPlaceholderText(translated(printed->value));
+    for (const auto &[key, note] : m_notes) {
+        const CertificateField *printed = fieldOf(printedData, key);
+        note->setVisible(printed && printed->wrong);
+    }
     QStringList missing;
     for (const Message &label : printedData.missingFields())
         missing << translated(label);
-    m_missing->setText(missing.isEmpty()
-            ? tr("● All required fields are filled in.")
-            : tr("■ %n required field(s) empty: %1.", nullptr, static_cast<int>(missing.size()))
-                  .arg(missing.join(", ")));
+    m_missing->setText(missing.isEmpty() ? tr("● All required fields are filled in.")
+                                         : tr("■ %n required field(s) to be filled in: %1.",
+                                             nullptr, static_cast<int>(missing.size()))
+                                               .arg(missing.join(", ")));
 }
 
 void CertificatePage::showResults()
@@ -204,8 +232,10 @@ void CertificatePage::showResults()
         cautions += finding.severity == Severity::Caution;
         blocks += finding.severity == Severity::Block;
     }
-    m_cautions->setText(severityGlyph(blocks > 0 ? Severity::Block : Severity::Caution) + " "
-        + tr("%n finding(s) that block", nullptr, blocks) + ", "
+    const QString sign = blocks > 0 ? severityGlyph(Severity::Block)
+        : cautions > 0              ? severityGlyph(Severity::Caution)
+                                    : statusGlyph(StageStatus::Done);
+    m_cautions->setText(sign + " " + tr("%n finding(s) that block", nullptr, blocks) + ", "
         + tr("%n caution(s).", nullptr, cautions));
 }
 

@@ -33,7 +33,11 @@ private:
     QString field(const std::string &key) const;
     void showMissing();
 
+    QWidget *withNote(const std::string &key, QWidget *edit);
+
     std::vector<std::pair<std::string, QLineEdit *>> m_edits;
+    std::vector<std::pair<std::string, QLabel *>>
+        m_notes; ///< beside dates: what is wrong with them
     QPlainTextEdit *m_remarks;
     QComboBox *m_language;
     QLabel *m_missing;

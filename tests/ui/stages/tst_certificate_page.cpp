@@ -48,6 +48,8 @@ private slots:
     void foreignText_isKeptToTheLetter();
     void remarks_typed_areOneStep_andUndoneAtOnce();
     void requiredFields_countDownToNone();
+    void status_isNotDone_whileAFieldIsEmpty();
+    void dateThatIsNone_isSaidBesideItsField();
     void language_isOfTheDocument_notOfTheWindow();
     void swedish_labelsAndCounts();
     void findings_areCounted();
@@ -133,6 +135,47 @@ void TestCertificatePage::requiredFields_countDownToNone()
     QVERIFY2(missing->text().startsWith("●"), qPrintable(missing->text()));
     clear(bench, "field_customer");
     QVERIFY2(missing->text().startsWith("■ 1 "), qPrintable(missing->text()));
+}
+
+void TestCertificatePage::status_isNotDone_whileAFieldIsEmpty()
+{
+    Bench bench;
+    bench.page.show();
+    const auto *status = bench.control<QLabel>("pageStatus");
+    const auto required
+        = [&] { return bench.control<QLabel>("missingFields")->text().section(' ', 1, 1).toInt(); };
+    QVERIFY(required() > 3);
+    const auto says = [&](const QString &words) { return status->text().startsWith(words); };
+    QVERIFY2(says(QString("□ not complete: %1 field").arg(required())), qPrintable(status->text()));
+    for (QLineEdit *edit : bench.page.findChildren<QLineEdit *>())
+        if (edit->objectName().startsWith("field_"))
+            bench.type(edit->objectName(), "2026-01-31");
+    QVERIFY2(says("▲ 1 caution"), qPrintable(status->text())); // SHK-003
+    Recipe recipe = bench.recipe();
+    recipe.acknowledge.push_back({"SHK-003", 0, "measured twice"});
+    bench.session.apply(recipe, "Give a reason");
+    QCOMPARE(status->text(), QString("● done"));
+    clear(bench, "field_customer");
+    QVERIFY2(says("□ not complete: 1 field"), qPrintable(status->text()));
+}
+
+void TestCertificatePage::dateThatIsNone_isSaidBesideItsField()
+{
+    Bench bench;
+    bench.page.show();
+    const auto *note = bench.control<QLabel>("note_date_issued");
+    for (QLineEdit *edit : bench.page.findChildren<QLineEdit *>())
+        if (edit->objectName().startsWith("field_"))
+            bench.type(edit->objectName(), "2026-01-31");
+    QVERIFY(!note->isVisible());
+    for (const char *none : {"banana", "2026-02-30"}) {
+        bench.type("field_date_issued", none);
+        QVERIFY2(note->isVisible(), none);
+        QVERIFY(bench.control<QLabel>("pageStatus")->text().startsWith("□ not complete: 1 date"));
+        QVERIFY(bench.control<QLabel>("missingFields")->text().contains("Date of issue"));
+    }
+    bench.type("field_date_issued", "2026-02-28");
+    QVERIFY(!note->isVisible());
 }
 
 void TestCertificatePage::language_isOfTheDocument_notOfTheWindow()

@@ -3,6 +3,7 @@
 
 #include "ui/stages/frame/stage_page.h"
 
+#include "ui/session/work_state.h"
 #include "ui/stages/frame/recipe_change.h"
 #include "ui/stages/frame/status_text.h"
 #include "ui/stages/frame/value_table.h"
@@ -16,10 +17,23 @@
 
 namespace dyncal {
 
+namespace {
+
+Page pageWith(const std::vector<StageId> &stages)
+{
+    for (int row = 0; row < kPageCount; ++row)
+        if (stagesOf(static_cast<Page>(row)) == stages)
+            return static_cast<Page>(row);
+    return Page::Certificate;
+}
+
+} // namespace
+
 StagePage::StagePage(Session &session, const PageText &text, std::vector<StageId> stages)
     : m_session(session)
     , m_text(text)
     , m_stages(std::move(stages))
+    , m_page(pageWith(m_stages))
     , m_inspector(new InspectorForm)
     , m_status(new QLabel(this))
     , m_problem(new QLabel(this))
@@ -66,21 +80,15 @@ StagePage::StagePage(Session &session, const PageText &text, std::vector<StageId
                 (this->*what)();
         };
     };
-    connect(&session, &Session::recipeChanged, this, whenShown(&StagePage::showRecipe));
+    connect(&session, &Session::recipeChanged, this, whenShown(&StagePage::showRecipeAndStatus));
     connect(&session, &Session::capturesChanged, this, whenShown(&StagePage::refresh));
     connect(&session, &Session::resultsChanged, this, whenShown(&StagePage::refresh));
     connect(&session, &Session::stageStatusChanged, this, whenShown(&StagePage::showStatus));
 }
 
-StageStatus StagePage::status() const
+PageStanding StagePage::standing() const
 {
-    // Most urgent first.
-    for (const StageStatus urgent : {StageStatus::Blocked, StageStatus::Computing,
-             StageStatus::Stale, StageStatus::NotStarted, StageStatus::DoneWithCautions})
-        for (const StageId stage : m_stages)
-            if (m_session.status(stage) == urgent)
-                return urgent;
-    return StageStatus::Done;
+    return standingOf(m_page, workStateOf(m_session));
 }
 
 StageId StagePage::focus() const
@@ -116,14 +124,24 @@ void StagePage::setTablesEnabled(bool enabled)
 
 void StagePage::showStatus()
 {
-    const StageStatus now = status();
-    m_status->setText(statusGlyph(now) + " " + statusWord(now));
-    const QString reason = now == StageStatus::Blocked ? reasonWhyBlocked() : QString();
-    m_problem->setHidden(reason.isEmpty());
-    m_problem->setText(severityGlyph(Severity::Block) + " " + reason);
+    const WorkState work = workStateOf(m_session);
+    const PageStanding now = standingOf(m_page, work);
+    m_status->setText(statusGlyph(now.status) + " " + standingWord(now, m_page));
+    const Finding *block = now.status == StageStatus::Blocked ? blockOf(m_page, work) : nullptr;
+    const bool isTold = block && !m_session.isComputing();
+    m_problem->setVisible(isTold);
+    if (isTold)
+        m_problem->setText(severityGlyph(Severity::Block) + " " + translated(block->message));
     const QUndoStack &undo = m_session.undoStack();
-    m_wayBack->setHidden(reason.isEmpty() || !undo.canUndo());
+    m_wayBack->setVisible(isTold && !reasonWhyBlocked().isEmpty() && undo.canUndo());
     m_wayBack->setText(tr("Undo: %1").arg(undo.undoText()));
+}
+
+/// What is typed into the certificate changes how it stands, and computes nothing.
+void StagePage::showRecipeAndStatus()
+{
+    showRecipe();
+    showStatus();
 }
 
 QString StagePage::reasonWhyBlocked() const

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ui/plot/widget/plot_widget.h"
+#include "ui/session/page_standing.h"
 #include "ui/session/session.h"
 #include "ui/stages/frame/inspector_form.h"
 
@@ -39,7 +40,9 @@ public:
     const PageText &text() const { return m_text; }
     /// The stages shown here; the first is the one that the page is opened for.
     const std::vector<StageId> &stages() const { return m_stages; }
-    StageStatus status() const; ///< the most urgent of its stages
+    Page page() const { return m_page; }
+    StageStatus status() const { return standing().status; }
+    PageStanding standing() const; ///< as the stage list says it too
     /// What is computed first while this page is on show.
     virtual StageId focus() const;
     InspectorForm *inspector() { return m_inspector; }
@@ -75,10 +78,12 @@ private:
     void showNotices();
     void setTablesEnabled(bool enabled);
     QString reasonWhyBlocked() const;
+    void showRecipeAndStatus();
 
     Session &m_session;
     PageText m_text;
     std::vector<StageId> m_stages;
+    Page m_page;
     InspectorForm *m_inspector;
     QLabel *m_status;
     bool m_isCurrent = true; ///< else tables and read-outs are pale

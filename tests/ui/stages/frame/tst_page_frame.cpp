@@ -177,7 +177,7 @@ void TestPageFrame::blocked_saysWhy_andUndoTakesItAway()
     *bench.gated.fails = true;
     keepComponents(bench.session, 2);
     waitComputed(bench.session);
-    QVERIFY(bench.status().endsWith("blocked") && problem->isVisible());
+    QVERIFY(bench.status().endsWith("blocked by Captures") && problem->isVisible());
     *bench.gated.fails = false;
     bench.session.undoStack().undo();
     waitComputed(bench.session);
@@ -191,7 +191,7 @@ void TestPageFrame::blocked_inSwedish_namesTheChannelAsItIs()
     *bench.gated.fails = true;
     bench.begin();
     waitComputed(bench.session);
-    QVERIFY2(bench.status().endsWith("blockerat"), qPrintable(bench.status()));
+    QVERIFY2(bench.status().endsWith("blockerat av Registreringar"), qPrintable(bench.status()));
     // As it stands, not as a picture.
     QVERIFY(bench.control<QLabel>("pageProblem")->text().contains("<img src=x>"));
 }

@@ -1,0 +1,14 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include <string_view>
+
+namespace dyncal {
+
+/// Whether it is a day of the calendar as ISO 8601 writes it: "2026-01-31". Blanks around it do
+/// not count.
+bool isCalendarDate(std::string_view text);
+
+} // namespace dyncal

@@ -1,0 +1,213 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/session/page_standing.h"
+
+#include "core/pipeline/stage_table.h"
+
+#include <algorithm>
+#include <string_view>
+#include <utility>
+
+namespace dyncal {
+namespace {
+
+/// Where something is seen that went wrong in a stage and has no id of its own.
+Page pageOfStage(StageId stage)
+{
+    switch (stage) {
+    case StageId::Captures:
+    case StageId::Arrivals:
+        return Page::Captures;
+    case StageId::Expected:
+    case StageId::Shock:
+    case StageId::MonteCarlo:
+        return Page::Shock;
+    case StageId::Window:
+        return Page::Window;
+    case StageId::Spectrum:
+        return Page::Spectrum;
+    case StageId::Components:
+        return Page::Components;
+    case StageId::ModelInput:
+        return Page::ModelInput;
+    case StageId::Decomposition:
+    case StageId::Evidence:
+        return Page::Order;
+    case StageId::Model:
+    case StageId::Response:
+    case StageId::Assessment:
+        break;
+    }
+    return Page::Model;
+}
+
+/// The page that a finding counts for; one without an id of the catalogue is what stopped the run.
+Page pageOf(const Finding &finding, const WorkState &work)
+{
+    return pageOfFinding(finding.id).value_or(pageOfStage(work.failedStage));
+}
+
+/// A page also answers for the stages that it shows beside another: what is wrong with the model
+/// is seen, and mended, where the order is chosen.
+bool concerns(const Finding &finding, Page page, const WorkState &work)
+{
+    if (pageOf(finding, work) == page)
+        return true;
+    const std::optional<StageId> stage = stageOfFinding(finding.id);
+    const std::vector<StageId> stages = stagesOf(page);
+    return stage && std::ranges::find(stages, *stage) != stages.end();
+}
+
+int openCautions(const WorkState &work, std::optional<Page> page)
+{
+    return static_cast<int>(std::ranges::count_if(work.findings, [&](const Finding &finding) {
+        return finding.severity == Severity::Caution && !isAccepted(finding, work.accepted)
+            && (!page || concerns(finding, *page, work));
+    }));
+}
+
+const Finding *ownBlock(Page page, const WorkState &work)
+{
+    const auto found = std::ranges::find_if(work.findings, [&](const Finding &finding) {
+        return finding.severity == Severity::Block && concerns(finding, page, work);
+    });
+    return found == work.findings.end() ? nullptr : &*found;
+}
+
+bool anyStage(Page page, const WorkState &work, StageStatus status)
+{
+    return std::ranges::any_of(stagesOf(page),
+        [&](StageId stage) { return work.stages[static_cast<std::size_t>(stage)] == status; });
+}
+
+/// Whether what a page is opened for is computed from what the finding speaks of.
+bool restsOn(Page page, const Finding &finding)
+{
+    const std::optional<StageId> stage = stageOfFinding(finding.id);
+    return stage && *stage <= stageOf(stagesOf(page).front()).follows;
+}
+
+/// A finding of another page that keeps this one from standing: of an earlier page whose result
+/// this one is computed from, or whatever stopped the run.
+const Finding *foreignBlock(Page page, const WorkState &work)
+{
+    const bool stopped = anyStage(page, work, StageStatus::Blocked);
+    for (const Finding &finding : work.findings) {
+        if (finding.severity != Severity::Block)
+            continue;
+        const bool isEarlier = pageOf(finding, work) < page;
+        if (page == Page::Certificate || stopped || (isEarlier && restsOn(page, finding)))
+            return &finding;
+    }
+    return nullptr;
+}
+
+PageStanding unsettled(StageStatus status)
+{
+    return {.status = status};
+}
+
+PageStanding ofResults(Page page, const WorkState &work)
+{
+    PageStanding standing{.cautions = openCautions(work, page)};
+    if (ownBlock(page, work)) {
+        standing.status = StageStatus::Blocked;
+    } else if (const Finding *block = foreignBlock(page, work)) {
+        standing.status = StageStatus::Blocked;
+        standing.blockedBy = pageOf(*block, work);
+    } else if (anyStage(page, work, StageStatus::Blocked)) {
+        standing.status = StageStatus::Blocked;
+        if (work.stopped && pageOfStage(work.failedStage) != page)
+            standing.blockedBy = pageOfStage(work.failedStage);
+    } else if (anyStage(page, work, StageStatus::NotStarted)) {
+        standing.status = StageStatus::NotStarted;
+    } else {
+        standing.status = standing.cautions > 0 ? StageStatus::DoneWithCautions : StageStatus::Done;
+    }
+    return standing;
+}
+
+/// The certificate speaks for all stages: it waits for every one of them.
+PageStanding ofCertificate(const WorkState &work)
+{
+    for (const StageStatus status : {StageStatus::Computing, StageStatus::Stale})
+        if (std::ranges::find(work.stages, status) != work.stages.end())
+            return unsettled(status);
+    PageStanding standing = ofResults(Page::Certificate, work);
+    standing.cautions = openCautions(work, std::nullopt);
+    standing.emptyFields = work.emptyFields;
+    standing.wrongFields = work.wrongFields;
+    if (standing.status == StageStatus::Done || standing.status == StageStatus::DoneWithCautions) {
+        standing.status = standing.cautions > 0 ? StageStatus::DoneWithCautions : StageStatus::Done;
+        if (work.emptyFields + work.wrongFields > 0)
+            standing.status = StageStatus::Incomplete;
+    }
+    return standing;
+}
+
+} // namespace
+
+std::vector<StageId> stagesOf(Page page)
+{
+    using enum StageId;
+    switch (page) {
+    case Page::Captures:
+        return {Captures};
+    case Page::Shock:
+        return {Shock, MonteCarlo};
+    case Page::Window:
+        return {Window};
+    case Page::Spectrum:
+        return {Spectrum};
+    case Page::Components:
+        return {Components};
+    case Page::ModelInput:
+        return {ModelInput};
+    case Page::Order:
+        return {Decomposition, Model};
+    case Page::Model:
+        return {Model, Response, Assessment};
+    case Page::Certificate:
+        break;
+    }
+    return {Response};
+}
+
+std::optional<Page> pageOfFinding(const std::string &id)
+{
+    using enum Page;
+    constexpr std::pair<std::string_view, Page> kPrefixes[]{{"CAP-", Captures}, {"FIL-", Captures},
+        {"PRJ-", Captures}, {"SHK-", Shock}, {"WIN-", Window}, {"SPC-", Spectrum},
+        {"NUI-", Spectrum}, {"PCA-", Components}, {"MIN-", ModelInput}, {"ORD-", Order},
+        {"MOD-", Model}, {"RSP-", Model}};
+    for (const auto &[prefix, page] : kPrefixes)
+        if (id.starts_with(prefix))
+            return page;
+    return std::nullopt;
+}
+
+bool isAccepted(const Finding &finding, const std::vector<Acknowledgement> &accepted)
+{
+    return std::ranges::any_of(accepted, [&](const Acknowledgement &entry) {
+        return entry.finding == finding.id && (entry.shot == 0 || entry.shot == finding.shot);
+    });
+}
+
+PageStanding standingOf(Page page, const WorkState &work)
+{
+    if (page == Page::Certificate)
+        return ofCertificate(work);
+    for (const StageStatus status : {StageStatus::Computing, StageStatus::Stale})
+        if (anyStage(page, work, status))
+            return unsettled(status);
+    return ofResults(page, work);
+}
+
+const Finding *blockOf(Page page, const WorkState &work)
+{
+    const Finding *own = ownBlock(page, work);
+    return own ? own : foreignBlock(page, work);
+}
+
+} // namespace dyncal
