@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en">
 <context>
+    <name>FindingGroup</name>
+    <message numerus="yes">
+        <source>%n time(s)</source>
+        <translation>
+            <numerusform>%n time</numerusform>
+            <numerusform>%n times</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>StatusText</name>
     <message numerus="yes">
         <source>%n field(s) are empty</source>
@@ -56,6 +66,16 @@
         <translation>
             <numerusform>■ %n required field to be filled in: %1.</numerusform>
             <numerusform>■ %n required fields to be filled in: %1.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::FindingsPanel</name>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation>
+            <numerusform>%n note</numerusform>
+            <numerusform>%n notes</numerusform>
         </translation>
     </message>
 </context>

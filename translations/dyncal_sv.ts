@@ -154,6 +154,28 @@
     </message>
 </context>
 <context>
+    <name>FindingGroup</name>
+    <message>
+        <source>shots %1</source>
+        <translation>skott %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n time(s)</source>
+        <translation>
+            <numerusform>%n gång</numerusform>
+            <numerusform>%n gånger</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 till %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 och %2</translation>
+    </message>
+</context>
+<context>
     <name>FindingText</name>
     <message>
         <source>Info</source>
@@ -4962,20 +4984,51 @@
         <translation>Godtagen: %1</translation>
     </message>
     <message>
-        <source>Click to go to the stage; right click to give a reason</source>
-        <translation>Klicka för att gå till arbetssteget; högerklicka för att ange ett skäl</translation>
-    </message>
-    <message>
-        <source>Click to go to the stage</source>
-        <translation>Klicka för att gå till arbetssteget</translation>
-    </message>
-    <message>
         <source>No findings.</source>
         <translation>Inga iakttagelser.</translation>
     </message>
     <message>
         <source>Give a reason...</source>
         <translation>Ange ett skäl...</translation>
+    </message>
+    <message>
+        <source>Click, or press Enter, to go to where it is settled</source>
+        <translation>Klicka, eller tryck Enter, för att gå dit där det avgörs</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n note(s)</source>
+        <translation>
+            <numerusform>%n upplysning</numerusform>
+            <numerusform>%n upplysningar</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Click, or press Enter, to open or fold what is only good to know</source>
+        <translation>Klicka, eller tryck Enter, för att öppna eller fälla ihop det som bara är bra att veta</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Visa</translation>
+    </message>
+    <message>
+        <source>Go to %1, where this is settled</source>
+        <translation>Gå till %1, där detta avgörs</translation>
+    </message>
+    <message>
+        <source>Use the result in spite of this; the certificate prints the reason</source>
+        <translation>Använd resultatet trots detta; kalibreringsbeviset skriver ut motiveringen</translation>
+    </message>
+    <message>
+        <source>Fold</source>
+        <translation>Fäll ihop</translation>
+    </message>
+    <message>
+        <source>Each shot</source>
+        <translation>Varje skott</translation>
+    </message>
+    <message>
+        <source>Show what is said of every shot, or fold it</source>
+        <translation>Visa vad som sägs om varje skott, eller fäll ihop det</translation>
     </message>
 </context>
 <context>

@@ -63,7 +63,7 @@ private:
     /// Until it may be saved: the recordings are sealed and computed from.
     static void waitForData(WindowProcess &window)
     {
-        QVERIFY2(window.waitFor("list findingsPanel", "One shot"), window.last());
+        QVERIFY2(window.waitFor("list findingsPanel", "note"), window.last());
     }
 
     static void edit(WindowProcess &window, const char *customer)

@@ -97,7 +97,7 @@ private slots:
         QCOMPARE(customerIn(project), QString("First")); // nothing is saved unasked
 
         // Once the recordings are sealed and computed from.
-        QVERIFY2(window.waitFor("list findingsPanel", "One shot"), window.last());
+        QVERIFY2(window.waitFor("list findingsPanel", "note"), window.last());
         QCOMPARE(window.ask("key Ctrl+S"), QString("done"));
         QVERIFY(!window.ask("title").contains("modified"));
         QCOMPARE(customerIn(project), QString("Second"));

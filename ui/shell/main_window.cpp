@@ -4,7 +4,9 @@
 #include "ui/shell/main_window.h"
 
 #include "ui/session/work_state.h"
+#include "ui/shell/control_focus.h"
 #include "ui/shell/findings/finding_answers.h"
+#include "ui/shell/findings/finding_places.h"
 #include "ui/shell/findings/findings_panel.h"
 #include "ui/shell/findings/problem_panel.h"
 #include "ui/shell/main_menus.h"
@@ -181,16 +183,7 @@ void MainWindow::buildContents()
     m_inspectorDock->setWindowTitle(tr("Inspector"));
     m_findingsDock->setWindowTitle(tr("Findings"));
 
-    delete m_findings;
-    m_findings = new FindingsPanel(m_findingsDock);
-    m_findingsDock->setWidget(m_findings);
-    connect(m_findings, &FindingsPanel::stageRequested, this, &MainWindow::showStage);
-    connect(m_findings, &FindingsPanel::reasonRequested, this,
-        [this](const Finding &finding) { acknowledge(finding, m_session, m_prompts, this); });
-    connect(m_findings, &FindingsPanel::correctionRequested, this,
-        [this](const OfferedCorrection &correction) {
-            applyCorrection(correction, m_session, m_files->captures(), m_prompts, this);
-        });
+    buildFindings();
     buildProblems();
     delete m_chips;
     m_chips = new ShotChips(this);
@@ -210,6 +203,23 @@ void MainWindow::buildContents()
         m_recovery->showWords();
     if (started)
         showPage(std::max(row, 0));
+}
+
+void MainWindow::buildFindings()
+{
+    delete m_findings;
+    m_findings = new FindingsPanel(m_findingsDock);
+    m_findings->setNotesOpen(m_preferences.notesOpen());
+    m_findingsDock->setWidget(m_findings);
+    connect(m_findings, &FindingsPanel::placeRequested, this, &MainWindow::showFinding);
+    connect(m_findings, &FindingsPanel::notesOpened, this,
+        [this](bool open) { m_preferences.setNotesOpen(open); });
+    connect(m_findings, &FindingsPanel::reasonRequested, this,
+        [this](const Findings &findings) { acknowledge(findings, m_session, m_prompts, this); });
+    connect(m_findings, &FindingsPanel::correctionRequested, this,
+        [this](const OfferedCorrection &correction) {
+            applyCorrection(correction, m_session, m_files->captures(), m_prompts, this);
+        });
 }
 
 /// Made anew in the language of the window; what it lists stays.
@@ -301,14 +311,22 @@ void MainWindow::showInspector()
     m_sizeDocks = false;
 }
 
-void MainWindow::showStage(StageId stage)
+void MainWindow::showControl(Page page, const QString &control)
 {
-    for (std::size_t row = 0; row < m_pages.size(); ++row) {
-        if (std::ranges::find(m_pages[row]->stages(), stage) == m_pages[row]->stages().end())
-            continue;
-        showPage(static_cast<int>(row));
+    showPage(static_cast<int>(page));
+    StagePage &shown = *m_pages[static_cast<std::size_t>(page)];
+    if (!control.isEmpty() && !controlIn(shown, control))
+        m_inspectorDock->setVisible(true);
+    bringIntoView(shown, *shown.inspector(), control);
+}
+
+void MainWindow::showFinding(const Finding &finding)
+{
+    const std::optional<FindingPlace> place = placeOfFinding(finding.id);
+    if (!place)
         return;
-    }
+    showControl(place->page, QString::fromLatin1(place->control));
+    selectShot(*m_pages[static_cast<std::size_t>(place->page)], finding.shot);
 }
 
 void MainWindow::showTitle()

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ui/session/auto_save.h"
+#include "ui/session/page_standing.h"
 #include "ui/session/session.h"
 #include "ui/shell/files/file_actions.h"
 #include "ui/shell/preferences/language.h"
@@ -43,7 +44,8 @@ public:
     FileActions &files() { return *m_files; }
     const std::vector<StagePage *> &pages() const { return m_pages; }
     void showPage(int row); ///< row of the stage list, from 0
-    void showStage(StageId stage);
+    /// Shows a page with the focus on a control of it; the name as FindingPlace has it.
+    void showControl(Page page, const QString &control);
     void showStart();
     void resetLayout(); ///< docks where they were at first
     /// From now on unsaved work is kept in `folder`, and what stopped programs left there offered.
@@ -68,9 +70,11 @@ private:
     void buildProblems();
     void buildPages();
 
+    void buildFindings();
     void showTitle();
     void showStatuses();
     void showFindings();
+    void showFinding(const Finding &finding);
     void showCaptures();
     void sizeDocks();
     void showInspector();

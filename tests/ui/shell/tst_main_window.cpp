@@ -346,7 +346,7 @@ void TestMainWindow::caution_reasonGiven_isInTheRecipe()
     const Findings findings = bench.window->session().findings();
     const auto caution = std::ranges::find(findings, Severity::Caution, &Finding::severity);
     QVERIFY(caution != findings.end());
-    emit panel->reasonRequested(*caution);
+    emit panel->reasonRequested({*caution});
     const auto &given = bench.window->session().recipe().acknowledge;
     QCOMPARE(given.size(), std::size_t(1));
     QCOMPARE(given[0].finding, caution->id);

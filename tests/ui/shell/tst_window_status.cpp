@@ -69,6 +69,7 @@ private slots:
     void listAndHeads_agree();
     void unstableOrder_blocksTheCertificate();
     void stopped_namesTheStageToMend();
+    void everyBadShot_isListedAtOnce();
     void signs_differInShapeToo();
 };
 
@@ -148,6 +149,34 @@ void TestWindowStatus::stopped_namesTheStageToMend()
                 "pageProblem");
         QVERIFY(problem->isVisible() && problem->text().contains("Shot 2 has no step."));
     }
+}
+
+/// Three shots with faults are three findings that block, not one after the other.
+void TestWindowStatus::everyBadShot_isListedAtOnce()
+{
+    const auto bad = [](const std::shared_ptr<const CaptureSet> &captures, const Recipe &recipe,
+                         ResultCache &cache, StageId last, const JobControl &control) {
+        PipelineOutcome outcome;
+        outcome.results.captures
+            = test::samplePipeline(captures, recipe, cache, last, control).results.captures;
+        outcome.failedStage = StageId::Window;
+        const auto error = [](const char *id, Index shot) {
+            return Error{
+                ErrorKind::DataBlocked, {"Shot %1 is bad.", {std::to_string(shot)}}, id, shot};
+        };
+        outcome.error = asOneError({error("CAP-006", 1), error("CAP-007", 2), error("CAP-006", 3)});
+        return outcome;
+    };
+    Bench bench(bad);
+    bench.openSample();
+    int blocks = 0;
+    for (const Finding &finding : bench.window->session().findings())
+        blocks += finding.severity == Severity::Block;
+    QCOMPARE(blocks, 3);
+    const auto *panel = bench.find<QListWidget>("findingsPanel");
+    QVERIFY2(panel->item(0)->text().startsWith("■ Blocked CAP-006, shots 1 and 3: "),
+        qPrintable(panel->item(0)->text()));
+    QVERIFY(bench.window->findChild<QWidget *>("show_CAP-007_1"));
 }
 
 /// Colour tells nothing alone: no two signs have the same outline in grey.

@@ -21,19 +21,23 @@ struct Answers
 
 } // namespace
 
-void acknowledge(const Finding &finding, Session &session, Prompts &prompts, QWidget *parent)
+void acknowledge(const Findings &findings, Session &session, Prompts &prompts, QWidget *parent)
 {
-    const QString id = rawText(finding.id);
+    if (findings.empty())
+        return;
+    const QString id = rawText(findings.front().id);
     const std::optional<QString> reason
         = prompts.sentence(parent, Answers::tr("Reason for %1").arg(id),
             Answers::tr("Why is the result used all the same? The certificate prints the reason."));
     if (!reason)
         return;
     Recipe next = session.recipe();
-    std::erase_if(next.acknowledge, [&](const Acknowledgement &entry) {
-        return entry.finding == finding.id && entry.shot == finding.shot;
-    });
-    next.acknowledge.push_back({finding.id, finding.shot, reason->toStdString()});
+    for (const Finding &finding : findings) {
+        std::erase_if(next.acknowledge, [&](const Acknowledgement &entry) {
+            return entry.finding == finding.id && entry.shot == finding.shot;
+        });
+        next.acknowledge.push_back({finding.id, finding.shot, reason->toStdString()});
+    }
     session.apply(next, Answers::tr("Give a reason for %1").arg(id));
 }
 

@@ -10,8 +10,8 @@
 
 namespace dyncal {
 
-/// Asks why a result is used in spite of a finding, and keeps the reason in the recipe.
-void acknowledge(const Finding &finding, Session &session, Prompts &prompts, QWidget *parent);
+/// Asks why a result is used in spite of findings of one id, and keeps the reason in the recipe.
+void acknowledge(const Findings &findings, Session &session, Prompts &prompts, QWidget *parent);
 
 /// Does what a finding's button offers: opens the import of a file, or changes the recipe, with a
 /// reason where one is needed.

@@ -70,7 +70,26 @@ std::vector<OfferedCorrection> chooseDut(const Shot *shot)
     return corrections;
 }
 
-std::vector<OfferedCorrection> swapChannels(const Shot *shot, const CaptureSet &set)
+/// Whether every shot that could be swapped is said to be.
+bool areAllSwapped(const CaptureSet &set, const Findings &all)
+{
+    for (std::size_t i = 0; i < set.shots.size(); ++i) {
+        const Shot &shot = set.shots[i];
+        const bool couldBe = shot.included && shot.channelWithRole(ChannelRole::Dut)
+            && shot.channelWithRole(ChannelRole::DrivenSide);
+        const bool isSaid = std::ranges::any_of(all, [&](const Finding &finding) {
+            return finding.id == "CAP-010" && finding.shot == static_cast<Index>(i) + 1;
+        });
+        if (couldBe && !isSaid)
+            return false;
+    }
+    return true;
+}
+
+/// In the file of the shot, or in all where all are swapped: right shots are never offered to be
+/// made wrong. A file whose other shots are right has no such edit; its shot can be excluded.
+std::vector<OfferedCorrection> swapChannels(
+    const Shot *shot, const CaptureSet &set, const Findings &all)
 {
     const Channel *dut = shot ? shot->channelWithRole(ChannelRole::Dut) : nullptr;
     const Channel *side = shot ? shot->channelWithRole(ChannelRole::DrivenSide) : nullptr;
@@ -84,11 +103,14 @@ std::vector<OfferedCorrection> swapChannels(const Shot *shot, const CaptureSet &
     std::vector<OfferedCorrection> corrections;
     const QString step = Corrections::tr("Swap DUT and driven side");
     const InputFile *file = fileOf(shot, set);
-    if (file && set.inputs.size() > 1)
+    if (file && std::ranges::count(set.shots, shot->input, &Shot::input) == 1
+        && set.shots.size() > 1)
         corrections.push_back(edit(Corrections::tr("Swap in %1").arg(shownText(file->file)), step,
             [swapIn, name = file->file](ImportSettings &settings, const std::string &) {
                 swapIn(settings.files[name].channels);
             }));
+    if (!areAllSwapped(set, all))
+        return corrections;
     corrections.push_back(edit(Corrections::tr("Swap in all shots"), step,
         [swapIn](ImportSettings &settings, const std::string &) {
             swapIn(settings.channels);
@@ -161,7 +183,7 @@ std::vector<OfferedCorrection> showImport(
 
 /// Corrections in the import section, for one shot or for all.
 std::vector<OfferedCorrection> importCorrections(
-    const Finding &finding, const Shot *shot, const CaptureSet &set)
+    const Finding &finding, const Shot *shot, const CaptureSet &set, const Findings &all)
 {
     const InputFile *file = fileOf(shot, set);
     const std::string fileName = file ? file->file : std::string();
@@ -172,7 +194,7 @@ std::vector<OfferedCorrection> importCorrections(
     if (finding.id == "CAP-006")
         return {interpolate()};
     if (finding.id == "CAP-010")
-        return swapChannels(shot, set);
+        return swapChannels(shot, set, all);
     if (finding.id == "CAP-012")
         return {invertPolarity(finding, fileName)};
     if (finding.id == "CAP-013")
@@ -182,17 +204,19 @@ std::vector<OfferedCorrection> importCorrections(
 
 } // namespace
 
-std::vector<OfferedCorrection> correctionsOf(const Finding &finding, const CaptureSet &set)
+std::vector<OfferedCorrection> correctionsOf(
+    const Finding &finding, const CaptureSet &set, const Findings &all)
 {
     const Shot *shot = shotOf(finding, set);
-    std::vector<OfferedCorrection> corrections = importCorrections(finding, shot, set);
+    std::vector<OfferedCorrection> corrections = importCorrections(finding, shot, set, all);
     if (finding.correction) {
         const QString label = translated(finding.correction->label);
         corrections.push_back({label, label, {}, {}, {}, finding.correction});
     }
     const bool canExclude
         = shot && shot->included && std::ranges::count_if(set.shots, &Shot::included) > 1;
-    for (const char *id : {"CAP-006", "CAP-007", "CAP-008", "CAP-009", "CAP-011", "CAP-020"})
+    for (const char *id :
+        {"CAP-006", "CAP-007", "CAP-008", "CAP-009", "CAP-010", "CAP-011", "CAP-020"})
         if (finding.id == id && canExclude)
             corrections.push_back(excludeShot(finding.shot));
     return corrections;

@@ -29,7 +29,8 @@ struct OfferedCorrection
 };
 
 /// The ways there are, the best first; none for most findings. `set` are the recordings on show,
-/// with the import section applied.
-std::vector<OfferedCorrection> correctionsOf(const Finding &finding, const CaptureSet &set);
+/// with the import section applied; `all` the findings that there are beside this one.
+std::vector<OfferedCorrection> correctionsOf(
+    const Finding &finding, const CaptureSet &set, const Findings &all = {});
 
 } // namespace dyncal

@@ -54,6 +54,16 @@ void Preferences::setWindow(const QByteArray &geometry, const QByteArray &layout
     m_settings.setValue("window/layoutVersion", kLayoutVersion);
 }
 
+bool Preferences::notesOpen() const
+{
+    return m_settings.value("findings/notesOpen", false).toBool();
+}
+
+void Preferences::setNotesOpen(bool open)
+{
+    m_settings.setValue("findings/notesOpen", open);
+}
+
 QString Preferences::profileFolder() const
 {
     return QFileInfo(m_settings.fileName()).dir().filePath("import-profiles");

@@ -22,6 +22,10 @@ public:
     QByteArray layout() const;
     void setWindow(const QByteArray &geometry, const QByteArray &layout);
 
+    /// Whether findings that are only good to know are opened.
+    bool notesOpen() const;
+    void setNotesOpen(bool open);
+
     /// Where profiles of import are kept: beside the settings.
     QString profileFolder() const;
 

@@ -106,8 +106,10 @@ void TestFindingCorrections::noDut_offersEveryChannel()
 void TestFindingCorrections::swapped_oneFile_swapsThatShotOnly()
 {
     const CaptureSet set = threeFiles();
-    const std::vector<OfferedCorrection> corrections = correctionsOf(finding("CAP-010", 2), set);
-    QCOMPARE(labels(corrections), QStringList({"Swap in mid.h5", "Swap in all shots"}));
+    const std::vector<OfferedCorrection> corrections
+        = correctionsOf(finding("CAP-010", 2), set, {finding("CAP-010", 2)});
+    // The other shots are right: nobody is offered to make them wrong.
+    QCOMPARE(labels(corrections), QStringList({"Swap in mid.h5", "Exclude shot 2..."}));
     const Result<CaptureSet> applied = applyImportSettings(set, corrected(corrections[0]));
     QVERIFY(applied);
     QCOMPARE(roleIn(*applied, 0, "Sensor"), ChannelRole::Dut);
@@ -119,7 +121,10 @@ void TestFindingCorrections::swapped_oneFile_swapsThatShotOnly()
 void TestFindingCorrections::swapped_all_swapsEveryShot()
 {
     const CaptureSet set = threeFiles();
-    const std::vector<OfferedCorrection> corrections = correctionsOf(finding("CAP-010", 2), set);
+    const Findings all{finding("CAP-010", 1), finding("CAP-010", 2), finding("CAP-010", 3)};
+    const std::vector<OfferedCorrection> corrections = correctionsOf(all[1], set, all);
+    QCOMPARE(labels(corrections),
+        QStringList({"Swap in mid.h5", "Swap in all shots", "Exclude shot 2..."}));
     // Also where one file had been swapped before.
     const Result<CaptureSet> applied
         = applyImportSettings(set, corrected(corrections[1], corrected(corrections[0])));
@@ -132,8 +137,12 @@ void TestFindingCorrections::swapped_all_swapsEveryShot()
 
 void TestFindingCorrections::swapped_oneInput_offersAllOnly()
 {
-    QCOMPARE(labels(correctionsOf(finding("CAP-010", 2), test::sampleCaptures())),
-        QStringList("Swap in all shots"));
+    const CaptureSet set = test::sampleCaptures(); // three shots in one file
+    Findings all{finding("CAP-010", 2)};
+    QCOMPARE(labels(correctionsOf(all[0], set, all)), QStringList("Exclude shot 2..."));
+    all = {finding("CAP-010", 1), finding("CAP-010", 2), finding("CAP-010", 3)};
+    QCOMPARE(labels(correctionsOf(all[1], set, all)),
+        QStringList({"Swap in all shots", "Exclude shot 2..."}));
 }
 
 void TestFindingCorrections::inverted_flipsWhatIsInForce()
@@ -289,7 +298,7 @@ void TestFindingCorrections::panel_sameFindings_keepRowsAndSelection()
     };
     Findings findings{finding(Severity::Info, "First."), finding(Severity::Caution, "Second.")};
     panel.setFindings(findings, {}, captures);
-    QCOMPARE(panel.count(), 2);
+    QCOMPARE(panel.count(), 3); // the caution, its buttons, the note folded
     QListWidgetItem *top = panel.item(0); // the caution comes first
     QVERIFY(top->text().contains("Second."));
     top->setSelected(true);
@@ -308,7 +317,7 @@ void TestFindingCorrections::panel_sameFindings_keepRowsAndSelection()
     panel.setFindings({}, {}, captures);
     QCOMPARE(panel.count(), 1);
     panel.setFindings(findings, {}, captures);
-    QCOMPARE(panel.count(), 2);
+    QCOMPARE(panel.count(), 3);
 }
 
 void TestFindingCorrections::ownSettings_readBackAsWanted()

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/shell/findings/finding_places.h"
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace dyncal {
+
+namespace {
+
+using enum Page;
+
+constexpr std::pair<std::string_view, FindingPlace> kPlaces[]{
+    {"CAP-001", {Captures, "addCaptures"}},
+    {"CAP-002", {Captures, "roleOf_*"}},
+    {"CAP-003", {Captures, "sampleRate"}},
+    {"CAP-004", {Captures, "shotTable"}},
+    {"CAP-006", {Captures, "shotTable"}},
+    {"CAP-007", {Captures, "shotTable"}},
+    {"CAP-008", {Captures, "roleOf_*"}},
+    {"CAP-009", {Window, "start"}},
+    {"CAP-010", {Captures, "roleOf_*"}},
+    {"CAP-011", {Captures, "shotTable"}},
+    {"CAP-012", {Captures, "dutInverted"}},
+    {"CAP-013", {Captures, "dutUnit"}},
+    {"CAP-014", {Captures, "shotTable"}},
+    {"CAP-015", {Captures, "shotTable"}},
+    {"CAP-016", {Captures, "sampleRate"}},
+    {"CAP-018", {Captures, "importSettings"}},
+    {"CAP-019", {Captures, "importSettings"}},
+    {"CAP-020", {Window, "baseline"}},
+    {"CAP-022", {Captures, "importSettings"}},
+    {"CAP-023", {Captures, "dutUnit"}},
+    {"CAP-024", {Captures, "addCaptures"}},
+    {"CAP-025", {Captures, "sampleRate"}},
+    {"CAP-026", {Captures, "importSettings"}},
+    {"CAP-027", {Captures, "dutScale"}},
+    {"SHK-001", {Shock, "arrivalDistance"}},
+    {"SHK-002", {Shock, "measuredTable"}},
+    {"SHK-003", {Shock, "stepBudgetTable"}},
+    {"SHK-004", {Shock, "T1"}},
+    {"SHK-006", {Shock, "T4"}},
+    {"SHK-007", {Shock, "p1"}},
+    {"SHK-008", {Shock, "addArrivalSensor"}},
+    {"SHK-009", {Shock, "drivenGas"}},
+    {"SHK-010", {Shock, "arrivalTable"}},
+    {"SHK-011", {Shock, "p1"}},
+    {"SHK-012", {Shock, "stepUncertaintyTable"}},
+    {"SHK-013", {Shock, "stepBudgetTable"}},
+    {"WIN-001", {Window, "windowEnd"}},
+    {"WIN-002", {Window, "baseline"}},
+    {"WIN-003", {Window, "settle"}},
+    {"WIN-004", {Window, "baseline"}},
+    {"WIN-005", {Window, "windowEnd"}},
+    {"WIN-006", {Window, "windowPlot"}},
+    {"WIN-008", {Window, "stretches"}},
+    {"WIN-009", {ModelInput, "combine"}},
+    {"SPC-002", {Spectrum, "resonanceTable"}},
+    {"PCA-001", {Components, "residualTable"}},
+    {"PCA-003", {Components, "residualSpectrumPlot"}},
+    {"PCA-004", {Components, "residualTable"}},
+    {"MIN-001", {ModelInput, "modelRate"}},
+    {"MIN-002", {ModelInput, "modelRate"}},
+    {"MIN-005", {ModelInput, "modelSamples"}},
+    {"MIN-006", {ModelInput, "modelOffset"}},
+    {"NUI-001", {Spectrum, "nuisanceModes"}},
+    {"NUI-002", {Spectrum, "nuisanceModes"}},
+    {"NUI-004", {ModelInput, "combine"}},
+    {"NUI-005", {Spectrum, "nuisanceModes"}},
+    {"ORD-001", {Order, "order"}},
+    {"ORD-003", {Order, "order"}},
+    {"MOD-001", {Order, "order"}},
+    {"MOD-002", {Page::Model, "polePlot"}},
+    {"MOD-004", {Order, "order"}},
+    {"MOD-006", {Order, "order"}},
+    {"MOD-007", {Page::Model, "modelErrorPlot"}},
+    {"MOD-008", {Order, "order"}},
+    {"MOD-009", {ModelInput, "modelRate"}},
+    {"MOD-010", {Page::Model, "polePlot"}},
+    {"MOD-012", {Spectrum, "nuisanceModes"}},
+    {"MOD-013", {ModelInput, "treatment"}},
+    {"RSP-001", {Page::Model, "magnitudePlot"}},
+    {"PRJ-001", {Captures, "shotTable"}},
+};
+
+} // namespace
+
+std::optional<FindingPlace> placeOfFinding(const std::string &id)
+{
+    const auto found
+        = std::ranges::find(kPlaces, id, [](const auto &entry) { return entry.first; });
+    if (found != std::end(kPlaces))
+        return found->second;
+    const std::optional<Page> page = pageOfFinding(id);
+    return page ? std::optional(FindingPlace{*page, ""}) : std::nullopt;
+}
+
+} // namespace dyncal
