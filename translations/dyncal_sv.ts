@@ -80,6 +80,417 @@
     </message>
 </context>
 <context>
+    <name>ControlTips</name>
+    <message>
+        <source>Open further recordings beside these</source>
+        <translation>Öppna fler registreringar utöver dessa</translation>
+    </message>
+    <message>
+        <source>How the file of the selected shot is read: channels, units, rate</source>
+        <translation>Hur filen till det valda skottet läses: kanaler, enheter, samplingsfrekvens</translation>
+    </message>
+    <message>
+        <source>Take the selected shot out of the job; the file stays as it is</source>
+        <translation>Ta bort det valda skottet ur arbetet; filen förblir som den är</translation>
+    </message>
+    <message>
+        <source>Name of the shot&apos;s pressure level</source>
+        <translation>Namn på skottets trycknivå</translation>
+    </message>
+    <message>
+        <source>What this channel recorded, in all shots</source>
+        <translation>Vad den här kanalen registrerade, i alla skott</translation>
+    </message>
+    <message>
+        <source>Unit of the sensor&apos;s record, where the file&apos;s is wrong or missing</source>
+        <translation>Enhet för givarens registrering, där filens är fel eller saknas</translation>
+    </message>
+    <message>
+        <source>Factor on the sensor&apos;s values</source>
+        <translation>Faktor på givarens värden</translation>
+    </message>
+    <message>
+        <source>The sensor&apos;s voltage falls when the pressure rises</source>
+        <translation>Givarens spänning sjunker när trycket stiger</translation>
+    </message>
+    <message>
+        <source>Whether the sensor reads pressure from vacuum or from the air around it</source>
+        <translation>Om givaren visar tryck från vakuum eller från luften omkring</translation>
+    </message>
+    <message>
+        <source>Samples per second, where the file is wrong; a reason is asked for</source>
+        <translation>Sampel per sekund, där filen har fel; en motivering efterfrågas</translation>
+    </message>
+    <message>
+        <source>The shot that plots, tables and arrivals are of</source>
+        <translation>Skottet som diagram, tabeller och ankomster gäller</translation>
+    </message>
+    <message>
+        <source>Compute the pressure step from shock velocity and gas state</source>
+        <translation>Beräkna trycksteget ur stötvågens hastighet och gasens tillstånd</translation>
+    </message>
+    <message>
+        <source>The pressure step, where a reference sensor measured it</source>
+        <translation>Trycksteget, där en referensgivare mätte det</translation>
+    </message>
+    <message>
+        <source>Shock velocity, where it is known otherwise than from arrivals</source>
+        <translation>Stötvågens hastighet, där den är känd på annat sätt än ur ankomster</translation>
+    </message>
+    <message>
+        <source>Absolute pressure in the driven section before the shot</source>
+        <translation>Absolut tryck i den drivna sektionen före skottet</translation>
+    </message>
+    <message>
+        <source>Temperature in the driven section before the shot</source>
+        <translation>Temperatur i den drivna sektionen före skottet</translation>
+    </message>
+    <message>
+        <source>Temperature in the driver section before the shot</source>
+        <translation>Temperatur i den drivande sektionen före skottet</translation>
+    </message>
+    <message>
+        <source>Gas that the shock runs through</source>
+        <translation>Gas som stötvågen löper genom</translation>
+    </message>
+    <message>
+        <source>Gas behind the diaphragm</source>
+        <translation>Gas bakom membranet</translation>
+    </message>
+    <message>
+        <source>Ratio of the heat capacities of the gas</source>
+        <translation>Kvot mellan gasens värmekapaciteter</translation>
+    </message>
+    <message>
+        <source>Molar mass of the gas</source>
+        <translation>Gasens molmassa</translation>
+    </message>
+    <message>
+        <source>Take the heat capacity at the temperature behind the shock</source>
+        <translation>Ta värmekapaciteten vid temperaturen bakom stötvågen</translation>
+    </message>
+    <message>
+        <source>Relative humidity of the air in the driven section</source>
+        <translation>Relativ luftfuktighet i den drivna sektionen</translation>
+    </message>
+    <message>
+        <source>Share of carbon dioxide in the air</source>
+        <translation>Andel koldioxid i luften</translation>
+    </message>
+    <message>
+        <source>Length from diaphragm to end wall: gives the end of the plateau</source>
+        <translation>Längd från membran till ändvägg: ger platåns slut</translation>
+    </message>
+    <message>
+        <source>Length of the section behind the diaphragm</source>
+        <translation>Längd på sektionen bakom membranet</translation>
+    </message>
+    <message>
+        <source>Inner diameter of the driven section</source>
+        <translation>Den drivna sektionens innerdiameter</translation>
+    </message>
+    <message>
+        <source>How long before its computed end the plateau is no longer used</source>
+        <translation>Hur långt före sitt beräknade slut platån inte längre används</translation>
+    </message>
+    <message>
+        <source>The sensor that the fields below are of</source>
+        <translation>Givaren som fälten nedan gäller</translation>
+    </message>
+    <message>
+        <source>Channel that shows when the shock passes</source>
+        <translation>Kanal som visar när stötvågen passerar</translation>
+    </message>
+    <message>
+        <source>Distance of the sensor from the end wall</source>
+        <translation>Givarens avstånd från ändväggen</translation>
+    </message>
+    <message>
+        <source>Standard uncertainty of the distance</source>
+        <translation>Avståndets standardosäkerhet</translation>
+    </message>
+    <message>
+        <source>When the shock passes, on the record&apos;s own axis</source>
+        <translation>När stötvågen passerar, på registreringens egen axel</translation>
+    </message>
+    <message>
+        <source>By how much the sensor&apos;s signal is late</source>
+        <translation>Hur mycket givarens signal är sen</translation>
+    </message>
+    <message>
+        <source>A further sensor that the shock passes</source>
+        <translation>Ytterligare en givare som stötvågen passerar</translation>
+    </message>
+    <message>
+        <source>No longer use this sensor&apos;s arrival</source>
+        <translation>Använd inte längre denna givares ankomst</translation>
+    </message>
+    <message>
+        <source>Where the response begins, on the record&apos;s own axis</source>
+        <translation>Var svaret börjar, på registreringens egen axel</translation>
+    </message>
+    <message>
+        <source>Take the level before the step off the response</source>
+        <translation>Dra av nivån före steget från svaret</translation>
+    </message>
+    <message>
+        <source>Stretch before the step that gives level 0 and the noise</source>
+        <translation>Sträcka före steget som ger nivå 0 och bruset</translation>
+    </message>
+    <message>
+        <source>Where the response ends, after the start</source>
+        <translation>Var svaret slutar, räknat från starten</translation>
+    </message>
+    <message>
+        <source>End every shot where its own computed plateau ends</source>
+        <translation>Låt varje skott sluta där dess egen beräknade platå slutar</translation>
+    </message>
+    <message>
+        <source>Stretch after the ringing that gives the step&apos;s height</source>
+        <translation>Sträcka efter svängningen som ger stegets höjd</translation>
+    </message>
+    <message>
+        <source>Divide each response by its step, so that shots can be compared</source>
+        <translation>Dividera varje svar med sitt steg, så att skotten kan jämföras</translation>
+    </message>
+    <message>
+        <source>Begin of the stretch left out, after the start</source>
+        <translation>Den utelämnade sträckans början, räknat från starten</translation>
+    </message>
+    <message>
+        <source>End of the stretch left out, after the start</source>
+        <translation>Den utelämnade sträckans slut, räknat från starten</translation>
+    </message>
+    <message>
+        <source>Shots in which the stretch is left out</source>
+        <translation>Skott där sträckan utelämnas</translation>
+    </message>
+    <message>
+        <source>Why it is left out; the certificate prints it</source>
+        <translation>Varför den utelämnas; kalibreringsbeviset skriver ut det</translation>
+    </message>
+    <message>
+        <source>Use the selected stretch again</source>
+        <translation>Använd den valda sträckan igen</translation>
+    </message>
+    <message>
+        <source>How the power spectrum is estimated</source>
+        <translation>Hur effektspektrum skattas</translation>
+    </message>
+    <message>
+        <source>Weight of the samples towards the ends of the window</source>
+        <translation>Samplens vikt mot fönstrets ändar</translation>
+    </message>
+    <message>
+        <source>What is taken off before the spectrum: nothing, a mean, a line</source>
+        <translation>Vad som dras av före spektrum: inget, ett medelvärde, en linje</translation>
+    </message>
+    <message>
+        <source>Whether the program looks for the resonance or you give it</source>
+        <translation>Om programmet söker resonansen eller du anger den</translation>
+    </message>
+    <message>
+        <source>Frequency of the resonance that you give</source>
+        <translation>Frekvens för den resonans som du anger</translation>
+    </message>
+    <message>
+        <source>Frequencies between which a resonance is looked for</source>
+        <translation>Frekvenser mellan vilka en resonans söks</translation>
+    </message>
+    <message>
+        <source>Oscillations that the gas of the tube can have</source>
+        <translation>Svängningar som gasen i röret kan ha</translation>
+    </message>
+    <message>
+        <source>Frequency of an oscillation that is not the sensor&apos;s</source>
+        <translation>Frekvens för en svängning som inte är givarens</translation>
+    </message>
+    <message>
+        <source>Shot in which this frequency was read</source>
+        <translation>Skott där denna frekvens lästes av</translation>
+    </message>
+    <message>
+        <source>Whether it moves with the sound speed of the gas from shot to shot</source>
+        <translation>Om den följer gasens ljudhastighet från skott till skott</translation>
+    </message>
+    <message>
+        <source>Why it is not the sensor&apos;s; the certificate prints it</source>
+        <translation>Varför den inte är givarens; kalibreringsbeviset skriver ut det</translation>
+    </message>
+    <message>
+        <source>Fit it in each shot and leave it out of the model</source>
+        <translation>Anpassa den i varje skott och lämna den utanför modellen</translation>
+    </message>
+    <message>
+        <source>Let the model describe the selected oscillation again</source>
+        <translation>Låt modellen beskriva den valda svängningen igen</translation>
+    </message>
+    <message>
+        <source>How many components make up what the shots share</source>
+        <translation>Hur många komponenter som utgör det gemensamma i skotten</translation>
+    </message>
+    <message>
+        <source>Take the mean of every shot off before the components</source>
+        <translation>Dra av varje skotts medelvärde före komponenterna</translation>
+    </message>
+    <message>
+        <source>Confidence of the band that white noise stays in</source>
+        <translation>Konfidens för bandet som vitt brus håller sig inom</translation>
+    </message>
+    <message>
+        <source>How far the residual is compared with itself</source>
+        <translation>Hur långt residualen jämförs med sig själv</translation>
+    </message>
+    <message>
+        <source>What the model takes the response for</source>
+        <translation>Vad modellen uppfattar svaret som</translation>
+    </message>
+    <message>
+        <source>Whether shots are fitted together or averaged first</source>
+        <translation>Om skotten anpassas tillsammans eller först medelvärdesbildas</translation>
+    </message>
+    <message>
+        <source>Rate that the response is resampled to for the model</source>
+        <translation>Frekvens som svaret samplas om till för modellen</translation>
+    </message>
+    <message>
+        <source>How many samples the model is made from</source>
+        <translation>Hur många sampel modellen görs av</translation>
+    </message>
+    <message>
+        <source>How long after the start the model input begins</source>
+        <translation>Hur långt efter starten modellens indata börjar</translation>
+    </message>
+    <message>
+        <source>Number of states of the model</source>
+        <translation>Modellens antal tillstånd</translation>
+    </message>
+    <message>
+        <source>Take the order that the program suggests (Home)</source>
+        <translation>Ta den ordning som programmet föreslår (Home)</translation>
+    </message>
+    <message>
+        <source>Why this order; the certificate prints it</source>
+        <translation>Varför denna ordning; kalibreringsbeviset skriver ut det</translation>
+    </message>
+    <message>
+        <source>Keep this order and the reason for it (Enter)</source>
+        <translation>Behåll denna ordning och skälet till den (Enter)</translation>
+    </message>
+    <message>
+        <source>By how much a frequency may move from one order to the next</source>
+        <translation>Hur mycket en frekvens får flytta sig från en ordning till nästa</translation>
+    </message>
+    <message>
+        <source>By how much a damping may move from one order to the next</source>
+        <translation>Hur mycket en dämpning får flytta sig från en ordning till nästa</translation>
+    </message>
+    <message>
+        <source>Largest order that can be chosen</source>
+        <translation>Högsta ordning som kan väljas</translation>
+    </message>
+    <message>
+        <source>Rows of the Hankel matrix that is decomposed</source>
+        <translation>Rader i den Hankelmatris som delas upp</translation>
+    </message>
+    <message>
+        <source>Fit the poles to the samples after the decomposition</source>
+        <translation>Anpassa polerna till samplen efter uppdelningen</translation>
+    </message>
+    <message>
+        <source>Show the candidates&apos; numbers as differences from the adopted order</source>
+        <translation>Visa kandidaternas tal som skillnader mot den antagna ordningen</translation>
+    </message>
+    <message>
+        <source>No longer compare this order (Space)</source>
+        <translation>Jämför inte längre denna ordning (mellanslag)</translation>
+    </message>
+    <message>
+        <source>Draw this order over the others in the plots</source>
+        <translation>Rita denna ordning över de andra i diagrammen</translation>
+    </message>
+    <message>
+        <source>A note on this order, kept in the project</source>
+        <translation>En anteckning om denna ordning, sparas i projektet</translation>
+    </message>
+    <message>
+        <source>Go on with the first singular values alone</source>
+        <translation>Fortsätt med enbart de första singulärvärdena</translation>
+    </message>
+    <message>
+        <source>Compute all singular values now</source>
+        <translation>Beräkna alla singulärvärden nu</translation>
+    </message>
+    <message>
+        <source>Draw the pinned orders beside the model</source>
+        <translation>Rita de fästa ordningarna bredvid modellen</translation>
+    </message>
+    <message>
+        <source>Draw the second-order sensor that describes it best</source>
+        <translation>Rita den andra ordningens givare som beskriver den bäst</translation>
+    </message>
+    <message>
+        <source>Language of the document, not of the window</source>
+        <translation>Dokumentets språk, inte fönstrets</translation>
+    </message>
+    <message>
+        <source>Write the certificate as a PDF (Ctrl+P)</source>
+        <translation>Skriv kalibreringsbeviset som PDF (Ctrl+P)</translation>
+    </message>
+    <message>
+        <source>A day as 2026-01-31; printed on the certificate</source>
+        <translation>En dag som 2026-01-31; skrivs ut på kalibreringsbeviset</translation>
+    </message>
+    <message>
+        <source>Who approves the certificate; may be left empty</source>
+        <translation>Vem som godkänner kalibreringsbeviset; får vara tomt</translation>
+    </message>
+    <message>
+        <source>Printed on the certificate; may be left empty</source>
+        <translation>Skrivs ut på kalibreringsbeviset; får vara tomt</translation>
+    </message>
+    <message>
+        <source>Printed on the certificate; taken from the recordings where they say it</source>
+        <translation>Skrivs ut på kalibreringsbeviset; tas ur registreringarna där de anger det</translation>
+    </message>
+    <message>
+        <source>Printed on the certificate; it cannot be issued without</source>
+        <translation>Skrivs ut på kalibreringsbeviset; det kan inte utfärdas utan</translation>
+    </message>
+    <message>
+        <source>Choose the recordings of one sensor (Ctrl+Shift+O)</source>
+        <translation>Välj registreringarna av en givare (Ctrl+Shift+O)</translation>
+    </message>
+    <message>
+        <source>Three simulated shots, ready to look at</source>
+        <translation>Tre simulerade skott, färdiga att titta på</translation>
+    </message>
+    <message>
+        <source>Go on with a job saved before (Ctrl+O)</source>
+        <translation>Fortsätt med ett tidigare sparat arbete (Ctrl+O)</translation>
+    </message>
+    <message>
+        <source>Stop the work under way; what is on show stays</source>
+        <translation>Stoppa det pågående arbetet; det som visas står kvar</translation>
+    </message>
+    <message>
+        <source>Read the files of this list again</source>
+        <translation>Läs filerna i listan igen</translation>
+    </message>
+    <message>
+        <source>Put the list on the clipboard</source>
+        <translation>Lägg listan på urklipp</translation>
+    </message>
+    <message>
+        <source>Close the list; nothing is changed</source>
+        <translation>Stäng listan; ingenting ändras</translation>
+    </message>
+    <message>
+        <source>Ticked, the program decides, and the field shows what it took</source>
+        <translation>Ikryssad bestämmer programmet, och fältet visar vad det tog</translation>
+    </message>
+</context>
+<context>
     <name>Corrections</name>
     <message>
         <source>Exclude shot %1</source>
@@ -197,26 +608,6 @@
 <context>
     <name>Help</name>
     <message>
-        <source>Alt+1 … Alt+9</source>
-        <translation>Alt+1 … Alt+9</translation>
-    </message>
-    <message>
-        <source>go to a stage</source>
-        <translation>gå till ett arbetssteg</translation>
-    </message>
-    <message>
-        <source>Ctrl+Z, Ctrl+Shift+Z</source>
-        <translation>Ctrl+Z, Ctrl+Skift+Z</translation>
-    </message>
-    <message>
-        <source>undo, redo</source>
-        <translation>ångra, gör om</translation>
-    </message>
-    <message>
-        <source>Wheel</source>
-        <translation>Mushjul</translation>
-    </message>
-    <message>
         <source>zoom the x axis at the pointer</source>
         <translation>zooma x-axeln vid pekaren</translation>
     </message>
@@ -227,10 +618,6 @@
     <message>
         <source>zoom the y axis</source>
         <translation>zooma y-axeln</translation>
-    </message>
-    <message>
-        <source>Shift+wheel, left drag</source>
-        <translation>Skift+mushjul, dra med vänster knapp</translation>
     </message>
     <message>
         <source>move the plot</source>
@@ -293,22 +680,6 @@
         <translation>använd den föreslagna ordningen</translation>
     </message>
     <message>
-        <source>F9</source>
-        <translation>F9</translation>
-    </message>
-    <message>
-        <source>compute again</source>
-        <translation>beräkna igen</translation>
-    </message>
-    <message>
-        <source>F4, F5, F6</source>
-        <translation>F4, F5, F6</translation>
-    </message>
-    <message>
-        <source>inspector, stages, findings on or off</source>
-        <translation>inspektor, arbetssteg, iakttagelser på eller av</translation>
-    </message>
-    <message>
         <source>Keyboard and mouse</source>
         <translation>Tangentbord och mus</translation>
     </message>
@@ -327,6 +698,46 @@
     <message>
         <source>mark a stretch to be left out of the fit</source>
         <translation>markera en sträcka som ska utelämnas ur anpassningen</translation>
+    </message>
+    <message>
+        <source>Wheel, +, -</source>
+        <translation>Hjul, +, -</translation>
+    </message>
+    <message>
+        <source>Shift+wheel, left drag, arrows</source>
+        <translation>Skift+hjul, vänsterdra, pilar</translation>
+    </message>
+    <message>
+        <source>Backspace</source>
+        <translation>Backsteg</translation>
+    </message>
+    <message>
+        <source>the view before; with Shift the one after</source>
+        <translation>föregående vy; med Skift nästa</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tabb</translation>
+    </message>
+    <message>
+        <source>to the next handle; Left and Right move it</source>
+        <translation>till nästa handtag; Vänster och Höger flyttar det</translation>
+    </message>
+    <message>
+        <source>Escape</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>ends a drag as if it had not been, then takes cursors away</source>
+        <translation>avslutar en dragning som om den inte skett, tar sedan bort markörer</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Överallt</translation>
+    </message>
+    <message>
+        <source>In plots</source>
+        <translation>I diagram</translation>
     </message>
 </context>
 <context>
@@ -370,6 +781,29 @@
     <message>
         <source>The file can be imported.</source>
         <translation>Filen kan importeras.</translation>
+    </message>
+</context>
+<context>
+    <name>KeyResults</name>
+    <message>
+        <source>Sensitivity at the plateau, mean of the shots. Its standard uncertainty is not worked out yet.</source>
+        <translation>Känslighet på platån, skottens medelvärde. Dess standardosäkerhet är ännu inte bestämd.</translation>
+    </message>
+    <message>
+        <source>Pressure step of shot %1, the largest; ± is the standard uncertainty u (k = 1).</source>
+        <translation>Trycksteg för skott %1, det största; ± är standardosäkerheten u (k = 1).</translation>
+    </message>
+    <message>
+        <source>Pressure step: not determined yet.</source>
+        <translation>Trycksteg: ännu inte bestämt.</translation>
+    </message>
+    <message>
+        <source>Undamped natural frequency of the sensor; ± is the standard uncertainty u (k = 1).</source>
+        <translation>Givarens odämpade egenfrekvens; ± är standardosäkerheten u (k = 1).</translation>
+    </message>
+    <message>
+        <source>Damping ratio of the sensor; ± is the standard uncertainty u (k = 1).</source>
+        <translation>Givarens dämpningsgrad; ± är standardosäkerheten u (k = 1).</translation>
     </message>
 </context>
 <context>
@@ -584,6 +1018,20 @@
     <message>
         <source>%1, of the residual</source>
         <translation>%1, av residualen</translation>
+    </message>
+</context>
+<context>
+    <name>NextSteps</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>reasons for %n caution(s)</source>
+        <translation>
+            <numerusform>motivering för %n varning</numerusform>
+            <numerusform>motiveringar för %n varningar</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -5527,6 +5975,18 @@
         <source>&amp;About Dyncal</source>
         <translation>&amp;Om Dyncal</translation>
     </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Verktygsfält</translation>
+    </message>
+    <message>
+        <source>&amp;Previous stage</source>
+        <translation>&amp;Föregående steg</translation>
+    </message>
+    <message>
+        <source>&amp;Next stage</source>
+        <translation>&amp;Nästa steg</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::MainWindow</name>
@@ -5549,6 +6009,10 @@
     <message>
         <source>Files that could not be read</source>
         <translation>Filer som inte kunde läsas</translation>
+    </message>
+    <message>
+        <source>What next</source>
+        <translation>Vad härnäst</translation>
     </message>
 </context>
 <context>
@@ -5851,6 +6315,44 @@
     <message>
         <source>not yet</source>
         <translation>ännu inte</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::NextBar</name>
+    <message>
+        <source>What next, and key results</source>
+        <translation>Vad härnäst, och huvudresultat</translation>
+    </message>
+    <message>
+        <source>Everything else that a certificate still lacks</source>
+        <translation>Allt annat som ett kalibreringsbevis ännu saknar</translation>
+    </message>
+    <message>
+        <source>Go to where this is settled</source>
+        <translation>Gå dit där detta avgörs</translation>
+    </message>
+    <message>
+        <source>What next:</source>
+        <translation>Vad härnäst:</translation>
+    </message>
+    <message>
+        <source>Nothing is missing: the certificate can be exported.</source>
+        <translation>Ingenting saknas: kalibreringsbeviset kan exporteras.</translation>
+    </message>
+    <message>
+        <source>What next: open captures.</source>
+        <translation>Vad härnäst: öppna registreringar.</translation>
+    </message>
+    <message>
+        <source>Out of date.</source>
+        <translation>Inaktuellt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more</source>
+        <translation>
+            <numerusform>%n till</numerusform>
+            <numerusform>%n till</numerusform>
+        </translation>
     </message>
 </context>
 <context>

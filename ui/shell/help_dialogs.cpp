@@ -4,11 +4,14 @@
 #include "ui/shell/help_dialogs.h"
 
 #include "core/base/version.h"
+#include "ui/shell/shortcut_sheet.h"
 
 #include <QCoreApplication>
 #include <QDialog>
 #include <QDialogButtonBox>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QMainWindow>
 #include <QMessageBox>
 #include <QVBoxLayout>
 
@@ -22,26 +25,9 @@ struct Help
     Q_DECLARE_TR_FUNCTIONS(Help)
 };
 
-QString shortcutTable()
+QString tableOf(const std::vector<std::pair<QString, QString>> &rows)
 {
-    const std::pair<QString, QString> rows[] = {
-        {Help::tr("Alt+1 … Alt+9"), Help::tr("go to a stage")},
-        {Help::tr("Ctrl+Z, Ctrl+Shift+Z"), Help::tr("undo, redo")},
-        {Help::tr("Wheel"), Help::tr("zoom the x axis at the pointer")},
-        {Help::tr("Ctrl+wheel"), Help::tr("zoom the y axis")},
-        {Help::tr("Shift+wheel, left drag"), Help::tr("move the plot")},
-        {Help::tr("Right drag"), Help::tr("zoom a box")},
-        {Help::tr("Shift+drag (Window)"), Help::tr("mark a stretch to be left out of the fit")},
-        {Help::tr("Double click, F"), Help::tr("show everything")},
-        {Help::tr("G"), Help::tr("grid on or off")},
-        {Help::tr("1, 2"), Help::tr("put cursor A or B at the pointer")},
-        {Help::tr("Left, Right (Order)"), Help::tr("order minus or plus one")},
-        {Help::tr("Page Up, Page Down (Order)"), Help::tr("order plus or minus ten")},
-        {Help::tr("Home (Order)"), Help::tr("take the suggested order")},
-        {Help::tr("F9"), Help::tr("compute again")},
-        {Help::tr("F4, F5, F6"), Help::tr("inspector, stages, findings on or off")},
-    };
-    QString table = "<table cellpadding='3'>";
+    QString table = "<table cellpadding='2'>";
     for (const auto &[keys, what] : rows)
         table += "<tr><td><b>" + keys.toHtmlEscaped() + "</b></td><td>" + what.toHtmlEscaped()
             + "</td></tr>";
@@ -50,14 +36,22 @@ QString shortcutTable()
 
 } // namespace
 
-void showShortcuts(QWidget *parent)
+void showShortcuts(QMainWindow &window)
 {
-    QDialog dialog(parent);
+    QDialog dialog(&window);
+    dialog.setObjectName("shortcutSheet");
     dialog.setWindowTitle(Help::tr("Keyboard and mouse"));
     auto *layout = new QVBoxLayout(&dialog);
-    auto *table = new QLabel(shortcutTable(), &dialog);
-    table->setTextFormat(Qt::RichText);
-    layout->addWidget(table);
+    auto *columns = new QHBoxLayout;
+    for (const auto &[heading, rows] : {std::pair(Help::tr("Everywhere"), shortcutsOf(window)),
+             std::pair(Help::tr("In plots"), plotShortcuts())}) {
+        auto *table
+            = new QLabel("<h4>" + heading.toHtmlEscaped() + "</h4>" + tableOf(rows), &dialog);
+        table->setTextFormat(Qt::RichText);
+        table->setAlignment(Qt::AlignTop);
+        columns->addWidget(table);
+    }
+    layout->addLayout(columns);
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, &dialog);
     QObject::connect(buttons, &QDialogButtonBox::rejected, &dialog, &QDialog::reject);
     layout->addWidget(buttons);

@@ -3,11 +3,12 @@
 
 #pragma once
 
+class QMainWindow;
 class QWidget;
 
 namespace dyncal {
 
-void showShortcuts(QWidget *parent);
+void showShortcuts(QMainWindow &window); ///< made of its actions
 void showAbout(QWidget *parent); ///< version, build id, licence
 
 } // namespace dyncal

@@ -3,20 +3,28 @@
 
 #include "ui/shell/main_menus.h"
 
+#include "ui/shell/drawn_icon.h"
 #include "ui/shell/help_dialogs.h"
+#include "ui/shell/shortcut_sheet.h"
 #include "ui/text/shown_text.h"
 
 #include <QAction>
 #include <QDockWidget>
 #include <QMainWindow>
 #include <QMenuBar>
+#include <QToolBar>
 
 namespace dyncal {
 
 MainMenus::MainMenus(Parts parts, QObject *parent)
     : QObject(parent)
     , m_parts(std::move(parts))
+    , m_toolBar(new QToolBar(&m_parts.window))
 {
+    m_toolBar->setObjectName("toolBar");
+    m_toolBar->setMovable(false);
+    m_toolBar->setToolButtonStyle(Qt::ToolButtonIconOnly);
+    m_parts.window.addToolBar(Qt::TopToolBarArea, m_toolBar);
 }
 
 QAction *MainMenus::addAction(QMenu *menu, const QString &name, const QString &text,
@@ -31,7 +39,10 @@ QAction *MainMenus::addAction(QMenu *menu, const QString &name, const QString &t
 
 void MainMenus::build(const QStringList &stages)
 {
+    m_toolBar->clear();
     m_parts.window.menuBar()->clear();
+    // Menus of another language would keep their actions' names.
+    qDeleteAll(m_parts.window.menuBar()->findChildren<QMenu *>(Qt::FindDirectChildrenOnly));
     addFileMenu();
     QMenu *edit = m_parts.window.menuBar()->addMenu(tr("&Edit"));
     QAction *undo = m_parts.session.undoStack().createUndoAction(edit, tr("&Undo"));
@@ -46,6 +57,27 @@ void MainMenus::build(const QStringList &stages)
     addStageMenu(stages);
     addLanguageMenu();
     addHelpMenu();
+    fillToolBar();
+}
+
+void MainMenus::fillToolBar()
+{
+    const std::pair<const char *, ToolSign> signs[]{{"openCapturesAction", ToolSign::OpenCaptures},
+        {"openProjectAction", ToolSign::OpenProject}, {"saveAction", ToolSign::Save},
+        {"exportCertificateAction", ToolSign::Export}, {"undoAction", ToolSign::Undo},
+        {"redoAction", ToolSign::Redo}, {"previousStageAction", ToolSign::Back},
+        {"nextStageAction", ToolSign::Forward}, {"recomputeAction", ToolSign::Compute}};
+    m_toolBar->setWindowTitle(tr("Tool bar"));
+    for (const auto &[name, sign] : signs) {
+        auto *action = m_parts.window.menuBar()->findChild<QAction *>(QLatin1String(name));
+        action->setIcon(toolIcon(sign));
+        m_toolBar->addAction(action);
+        if (sign == ToolSign::Export || sign == ToolSign::Redo || sign == ToolSign::Forward)
+            m_toolBar->addSeparator();
+        const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+        const QString words = plainText(*action);
+        action->setToolTip(keys.isEmpty() ? words : words + " (" + keys + ")");
+    }
 }
 
 void MainMenus::addFileMenu()
@@ -107,6 +139,11 @@ void MainMenus::addStageMenu(const QStringList &stages)
         addAction(menu, QString("stageAction%1").arg(row + 1), stages[row],
             QKeySequence(QString("Alt+%1").arg(row + 1)), [this, row] { m_parts.showPage(row); });
     menu->addSeparator();
+    addAction(menu, "previousStageAction", tr("&Previous stage"), QKeySequence("Alt+Left"),
+        [this] { m_parts.turnPage(-1); });
+    addAction(menu, "nextStageAction", tr("&Next stage"), QKeySequence("Alt+Right"),
+        [this] { m_parts.turnPage(1); });
+    menu->addSeparator();
     addAction(menu, "recomputeAction", tr("Compute &again"), QKeySequence("F9"),
         [this] { m_parts.session.recompute(); });
 }
@@ -130,8 +167,9 @@ void MainMenus::addLanguageMenu()
 void MainMenus::addHelpMenu()
 {
     QMenu *menu = m_parts.window.menuBar()->addMenu(tr("&Help"));
-    addAction(menu, "shortcutsAction", tr("&Keyboard and mouse"), QKeySequence::HelpContents,
-        [this] { showShortcuts(&m_parts.window); });
+    QAction *keys = addAction(menu, "shortcutsAction", tr("&Keyboard and mouse"), {},
+        [this] { showShortcuts(m_parts.window); });
+    keys->setShortcuts({QKeySequence::HelpContents, QKeySequence("?")});
     addAction(menu, "aboutAction", tr("&About Dyncal"), {}, [this] { showAbout(&m_parts.window); });
 }
 

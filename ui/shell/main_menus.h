@@ -17,10 +17,11 @@ class QAction;
 class QDockWidget;
 class QMainWindow;
 class QMenu;
+class QToolBar;
 
 namespace dyncal {
 
-/// The menu bar of the main window.
+/// The menu bar and the tool bar of the main window.
 class MainMenus : public QObject
 {
     Q_OBJECT
@@ -37,6 +38,7 @@ public:
         std::vector<std::pair<QDockWidget *, QString>> docks; ///< with the key that shows or hides
         std::function<void()> resetLayout;
         std::function<void(int row)> showPage;
+        std::function<void(int by)> turnPage; ///< to the next stage or the one before
     };
 
     explicit MainMenus(Parts parts, QObject *parent);
@@ -51,12 +53,14 @@ private:
     void addStageMenu(const QStringList &stages);
     void addLanguageMenu();
     void addHelpMenu();
+    void fillToolBar();
     QAction *addAction(QMenu *menu, const QString &name, const QString &text,
         const QKeySequence &keys, const std::function<void()> &what);
     void fillRecent();
 
     Parts m_parts;
     QMenu *m_recent = nullptr;
+    QToolBar *m_toolBar;
 };
 
 } // namespace dyncal

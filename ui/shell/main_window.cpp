@@ -10,6 +10,7 @@
 #include "ui/shell/findings/findings_panel.h"
 #include "ui/shell/findings/problem_panel.h"
 #include "ui/shell/main_menus.h"
+#include "ui/shell/next_bar.h"
 #include "ui/shell/recovery/recovery_banner.h"
 #include "ui/shell/recovery/work_recovery.h"
 #include "ui/shell/shot_chips.h"
@@ -33,6 +34,7 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QToolBar>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -59,6 +61,7 @@ constexpr int kFindingsHeight = 230;
 MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Preferences &preferences,
     Prompts &prompts, Language &language)
     : m_plainText(this)
+    , m_tips(this)
     , m_preferences(preferences)
     , m_prompts(prompts)
     , m_language(language)
@@ -69,6 +72,7 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
     , m_centre(new QStackedWidget(this))
     , m_inspectors(new QStackedWidget(this))
     , m_work(new WorkStatus(*statusBar(), m_session, *m_files, this))
+    , m_nextLine(new QToolBar(this))
 {
     initialiseResources();
     setObjectName("mainWindow");
@@ -79,13 +83,16 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
     m_menus
         = new MainMenus({*this, m_session, *m_files, m_preferences, m_language,
                             {{m_stagesDock, "F5"}, {m_inspectorDock, "F4"}, {m_findingsDock, "F6"}},
-                            [this] { resetLayout(); }, [this](int row) { showPage(row); }},
+                            [this] { resetLayout(); }, [this](int row) { showPage(row); },
+                            [this](int by) { showPage(m_stageList->currentRow() + by); }},
             this);
     connectSession();
     buildContents();
     resize(kFirstSize);
     restoreGeometry(m_preferences.geometry());
-    if (!restoreState(m_preferences.layout())) {
+    m_layout = m_preferences.layout();
+    if (!restoreState(m_layout)) {
+        m_layout.clear();
         resetLayout();
         m_sizeDocks = true;
     }
@@ -140,6 +147,10 @@ void MainWindow::buildDocks()
     m_inspectorDock = dock("inspectorDock", Qt::RightDockWidgetArea);
     m_findingsDock = dock("findingsDock", Qt::RightDockWidgetArea);
     m_inspectorDock->setWidget(m_inspectors);
+    m_nextLine->setObjectName("nextLine");
+    m_nextLine->setMovable(false);
+    m_nextLine->toggleViewAction()->setVisible(false); // always in view
+    addToolBar(Qt::BottomToolBarArea, m_nextLine);
     // Of a moment, so no part of the layout that is kept.
     m_problemsDock = dock("problemsDock", Qt::BottomDockWidgetArea);
     m_problemsDock->hide();
@@ -190,6 +201,7 @@ void MainWindow::buildContents()
     statusBar()->addWidget(m_chips);
     m_chips->show();
 
+    buildNextBar();
     buildPages();
     QStringList titles;
     for (const StagePage *page : m_pages)
@@ -220,6 +232,20 @@ void MainWindow::buildFindings()
         [this](const OfferedCorrection &correction) {
             applyCorrection(correction, m_session, m_files->captures(), m_prompts, this);
         });
+}
+
+void MainWindow::buildNextBar()
+{
+    delete m_next;
+    m_next = new NextBar(m_nextLine);
+    m_nextLine->setWindowTitle(tr("What next"));
+    m_nextLine->addWidget(m_next);
+    connect(m_next, &NextBar::stepRequested, this, [this](const NextStep &step) {
+        if (!step.control.isEmpty())
+            return showControl(step.page, step.control);
+        m_findingsDock->setVisible(true);
+        m_findings->setFocus(Qt::OtherFocusReason);
+    });
 }
 
 /// Made anew in the language of the window; what it lists stays.
@@ -284,6 +310,8 @@ void MainWindow::buildPages()
 
 void MainWindow::showStart()
 {
+    if (m_stageList && m_centre->currentWidget() != m_start && isVisible())
+        m_layout = saveState(); // of work: it is what comes back with it, and what is kept
     m_centre->setCurrentWidget(m_start);
     m_inspectorDock->setVisible(false);
     m_findingsDock->setVisible(false);
@@ -306,8 +334,13 @@ void MainWindow::showInspector()
 {
     m_inspectorDock->setVisible(true);
     m_findingsDock->setVisible(true);
+    // Docks that were hidden come back with sizes of their own: those of the layout are set again,
+    // once all are there.
     if (m_sizeDocks)
         QMetaObject::invokeMethod(this, &MainWindow::sizeDocks, Qt::QueuedConnection);
+    else if (!m_layout.isEmpty())
+        QMetaObject::invokeMethod(
+            this, [this, layout = m_layout] { restoreState(layout); }, Qt::QueuedConnection);
     m_sizeDocks = false;
 }
 
@@ -341,6 +374,7 @@ void MainWindow::showStatuses()
     const WorkState work = workStateOf(m_session);
     for (std::size_t row = 0; row < m_pages.size(); ++row)
         m_stageList->setStanding(static_cast<int>(row), standingOf(m_pages[row]->page(), work));
+    m_next->showWork(work, m_session);
 }
 
 void MainWindow::showFindings()
@@ -377,9 +411,9 @@ void MainWindow::closeEvent(QCloseEvent *event)
         event->ignore();
         return;
     }
-    if (m_centre->currentWidget() == m_start)
-        showInspector(); // the layout of work is kept, not that of the start page
-    m_preferences.setWindow(saveGeometry(), saveState());
+    // The layout of work is kept, not that of the start page.
+    const bool isWork = m_centre->currentWidget() != m_start;
+    m_preferences.setWindow(saveGeometry(), isWork ? saveState() : m_layout);
     if (m_recovery)
         m_recovery->end();
     event->accept();

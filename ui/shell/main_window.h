@@ -6,6 +6,7 @@
 #include "ui/session/auto_save.h"
 #include "ui/session/page_standing.h"
 #include "ui/session/session.h"
+#include "ui/shell/control_tips.h"
 #include "ui/shell/files/file_actions.h"
 #include "ui/shell/preferences/language.h"
 #include "ui/shell/preferences/preferences.h"
@@ -15,11 +16,13 @@
 #include <QMainWindow>
 
 class QStackedWidget;
+class QToolBar;
 
 namespace dyncal {
 
 class FindingsPanel;
 class MainMenus;
+class NextBar;
 class ProblemPanel;
 class RecoveryBanner;
 class ShotChips;
@@ -71,6 +74,7 @@ private:
     void buildPages();
 
     void buildFindings();
+    void buildNextBar();
     void showTitle();
     void showStatuses();
     void showFindings();
@@ -80,6 +84,7 @@ private:
     void showInspector();
 
     PlainTextRule m_plainText; ///< first: before any label is made
+    ControlTips m_tips; ///< so for any control
     Preferences &m_preferences;
     Prompts &m_prompts;
     Language &m_language;
@@ -104,7 +109,10 @@ private:
     WorkStatus *m_work;
     WorkRecovery *m_recovery = nullptr;
     MainMenus *m_menus = nullptr;
+    NextBar *m_next = nullptr;
+    QToolBar *m_nextLine; ///< holds it, above the status bar
     bool m_sizeDocks = false; ///< sizes count only once the window is laid out
+    QByteArray m_layout; ///< of work, while the start page is on show
 };
 
 } // namespace dyncal

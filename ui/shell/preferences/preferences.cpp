@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kMostRecentFiles = 10;
 /// Raised when docks are added or renamed, so that an old layout is not restored onto new docks.
-constexpr int kLayoutVersion = 1;
+constexpr int kLayoutVersion = 2;
 
 } // namespace
 

@@ -1,0 +1,313 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/shell/control_tips.h"
+
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QEvent>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+namespace dyncal {
+
+namespace {
+
+/// Gives the sentences below their translation context.
+struct Tips
+{
+    Q_DECLARE_TR_FUNCTIONS(ControlTips)
+};
+
+using Tip = std::pair<const char *, const char *>;
+
+constexpr Tip kTips[]{
+    {"addCaptures", QT_TRANSLATE_NOOP("ControlTips", "Open further recordings beside these")},
+    {"importSettings",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "How the file of the selected shot is read: channels, units, rate")},
+    {"removeShot",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Take the selected shot out of the job; the file stays as it is")},
+    {"levelOfShot", QT_TRANSLATE_NOOP("ControlTips", "Name of the shot's pressure level")},
+    {"roleOf_", QT_TRANSLATE_NOOP("ControlTips", "What this channel recorded, in all shots")},
+    {"dutUnit",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Unit of the sensor's record, where the file's is wrong or missing")},
+    {"dutScale", QT_TRANSLATE_NOOP("ControlTips", "Factor on the sensor's values")},
+    {"dutInverted",
+        QT_TRANSLATE_NOOP("ControlTips", "The sensor's voltage falls when the pressure rises")},
+    {"dutReference",
+        QT_TRANSLATE_NOOP("ControlTips",
+            "Whether the sensor reads pressure from vacuum or from the air around it")},
+    {"sampleRate",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Samples per second, where the file is wrong; a reason is asked for")},
+    {"shockShot",
+        QT_TRANSLATE_NOOP("ControlTips", "The shot that plots, tables and arrivals are of")},
+    {"shockEnabled",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Compute the pressure step from shock velocity and gas state")},
+    {"stepPressure",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "The pressure step, where a reference sensor measured it")},
+    {"shockVelocity",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Shock velocity, where it is known otherwise than from arrivals")},
+    {"p1",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Absolute pressure in the driven section before the shot")},
+    {"T1", QT_TRANSLATE_NOOP("ControlTips", "Temperature in the driven section before the shot")},
+    {"T4", QT_TRANSLATE_NOOP("ControlTips", "Temperature in the driver section before the shot")},
+    {"drivenGas", QT_TRANSLATE_NOOP("ControlTips", "Gas that the shock runs through")},
+    {"driverGas", QT_TRANSLATE_NOOP("ControlTips", "Gas behind the diaphragm")},
+    {"drivenGamma", QT_TRANSLATE_NOOP("ControlTips", "Ratio of the heat capacities of the gas")},
+    {"driverGamma", QT_TRANSLATE_NOOP("ControlTips", "Ratio of the heat capacities of the gas")},
+    {"drivenMolarMass", QT_TRANSLATE_NOOP("ControlTips", "Molar mass of the gas")},
+    {"driverMolarMass", QT_TRANSLATE_NOOP("ControlTips", "Molar mass of the gas")},
+    {"variableHeatCapacity",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Take the heat capacity at the temperature behind the shock")},
+    {"humidity",
+        QT_TRANSLATE_NOOP("ControlTips", "Relative humidity of the air in the driven section")},
+    {"carbonDioxide", QT_TRANSLATE_NOOP("ControlTips", "Share of carbon dioxide in the air")},
+    {"drivenLength",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Length from diaphragm to end wall: gives the end of the plateau")},
+    {"driverLength",
+        QT_TRANSLATE_NOOP("ControlTips", "Length of the section behind the diaphragm")},
+    {"innerDiameter", QT_TRANSLATE_NOOP("ControlTips", "Inner diameter of the driven section")},
+    {"plateauGuard",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "How long before its computed end the plateau is no longer used")},
+    {"arrivalSensor", QT_TRANSLATE_NOOP("ControlTips", "The sensor that the fields below are of")},
+    {"arrivalChannel",
+        QT_TRANSLATE_NOOP("ControlTips", "Channel that shows when the shock passes")},
+    {"arrivalDistance",
+        QT_TRANSLATE_NOOP("ControlTips", "Distance of the sensor from the end wall")},
+    {"arrivalDistanceUncertainty",
+        QT_TRANSLATE_NOOP("ControlTips", "Standard uncertainty of the distance")},
+    {"arrivalTime",
+        QT_TRANSLATE_NOOP("ControlTips", "When the shock passes, on the record's own axis")},
+    {"arrivalDelay", QT_TRANSLATE_NOOP("ControlTips", "By how much the sensor's signal is late")},
+    {"addArrivalSensor",
+        QT_TRANSLATE_NOOP("ControlTips", "A further sensor that the shock passes")},
+    {"removeArrivalSensor",
+        QT_TRANSLATE_NOOP("ControlTips", "No longer use this sensor's arrival")},
+    {"start",
+        QT_TRANSLATE_NOOP("ControlTips", "Where the response begins, on the record's own axis")},
+    {"subtractBaseline",
+        QT_TRANSLATE_NOOP("ControlTips", "Take the level before the step off the response")},
+    {"baseline",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Stretch before the step that gives level 0 and the noise")},
+    {"windowEnd", QT_TRANSLATE_NOOP("ControlTips", "Where the response ends, after the start")},
+    {"endAtPlateau",
+        QT_TRANSLATE_NOOP("ControlTips", "End every shot where its own computed plateau ends")},
+    {"settle",
+        QT_TRANSLATE_NOOP("ControlTips", "Stretch after the ringing that gives the step's height")},
+    {"remap",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Divide each response by its step, so that shots can be compared")},
+    {"stretchBegin",
+        QT_TRANSLATE_NOOP("ControlTips", "Begin of the stretch left out, after the start")},
+    {"stretchEnd",
+        QT_TRANSLATE_NOOP("ControlTips", "End of the stretch left out, after the start")},
+    {"stretchShot", QT_TRANSLATE_NOOP("ControlTips", "Shots in which the stretch is left out")},
+    {"stretchReason",
+        QT_TRANSLATE_NOOP("ControlTips", "Why it is left out; the certificate prints it")},
+    {"stretchRemove", QT_TRANSLATE_NOOP("ControlTips", "Use the selected stretch again")},
+    {"spectrumMethod", QT_TRANSLATE_NOOP("ControlTips", "How the power spectrum is estimated")},
+    {"taper",
+        QT_TRANSLATE_NOOP("ControlTips", "Weight of the samples towards the ends of the window")},
+    {"detrend",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "What is taken off before the spectrum: nothing, a mean, a line")},
+    {"resonanceSource",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Whether the program looks for the resonance or you give it")},
+    {"resonanceFrequency",
+        QT_TRANSLATE_NOOP("ControlTips", "Frequency of the resonance that you give")},
+    {"resonanceBand",
+        QT_TRANSLATE_NOOP("ControlTips", "Frequencies between which a resonance is looked for")},
+    {"nuisanceCandidates",
+        QT_TRANSLATE_NOOP("ControlTips", "Oscillations that the gas of the tube can have")},
+    {"nuisanceFrequency",
+        QT_TRANSLATE_NOOP("ControlTips", "Frequency of an oscillation that is not the sensor's")},
+    {"nuisanceShot", QT_TRANSLATE_NOOP("ControlTips", "Shot in which this frequency was read")},
+    {"nuisanceKind",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Whether it moves with the sound speed of the gas from shot to shot")},
+    {"nuisanceReason",
+        QT_TRANSLATE_NOOP("ControlTips", "Why it is not the sensor's; the certificate prints it")},
+    {"nuisanceAdd",
+        QT_TRANSLATE_NOOP("ControlTips", "Fit it in each shot and leave it out of the model")},
+    {"nuisanceRemove",
+        QT_TRANSLATE_NOOP("ControlTips", "Let the model describe the selected oscillation again")},
+    {"componentsKept",
+        QT_TRANSLATE_NOOP("ControlTips", "How many components make up what the shots share")},
+    {"centre",
+        QT_TRANSLATE_NOOP("ControlTips", "Take the mean of every shot off before the components")},
+    {"residualConfidence",
+        QT_TRANSLATE_NOOP("ControlTips", "Confidence of the band that white noise stays in")},
+    {"residualLags",
+        QT_TRANSLATE_NOOP("ControlTips", "How far the residual is compared with itself")},
+    {"treatment", QT_TRANSLATE_NOOP("ControlTips", "What the model takes the response for")},
+    {"combine",
+        QT_TRANSLATE_NOOP("ControlTips", "Whether shots are fitted together or averaged first")},
+    {"modelRate",
+        QT_TRANSLATE_NOOP("ControlTips", "Rate that the response is resampled to for the model")},
+    {"modelSamples", QT_TRANSLATE_NOOP("ControlTips", "How many samples the model is made from")},
+    {"modelOffset",
+        QT_TRANSLATE_NOOP("ControlTips", "How long after the start the model input begins")},
+    {"order", QT_TRANSLATE_NOOP("ControlTips", "Number of states of the model")},
+    {"useSuggestion",
+        QT_TRANSLATE_NOOP("ControlTips", "Take the order that the program suggests (Home)")},
+    {"adoptReason", QT_TRANSLATE_NOOP("ControlTips", "Why this order; the certificate prints it")},
+    {"adoptOrder",
+        QT_TRANSLATE_NOOP("ControlTips", "Keep this order and the reason for it (Enter)")},
+    {"stableFrequency",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "By how much a frequency may move from one order to the next")},
+    {"stableDamping",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "By how much a damping may move from one order to the next")},
+    {"maxOrder", QT_TRANSLATE_NOOP("ControlTips", "Largest order that can be chosen")},
+    {"hankelRows",
+        QT_TRANSLATE_NOOP("ControlTips", "Rows of the Hankel matrix that is decomposed")},
+    {"refinePoles",
+        QT_TRANSLATE_NOOP("ControlTips", "Fit the poles to the samples after the decomposition")},
+    {"differenceToAdopted",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Show the candidates' numbers as differences from the adopted order")},
+    {"candidateUnpin", QT_TRANSLATE_NOOP("ControlTips", "No longer compare this order (Space)")},
+    {"candidateOverlay",
+        QT_TRANSLATE_NOOP("ControlTips", "Draw this order over the others in the plots")},
+    {"candidateRemark",
+        QT_TRANSLATE_NOOP("ControlTips", "A note on this order, kept in the project")},
+    {"cancelWholeSet",
+        QT_TRANSLATE_NOOP("ControlTips", "Go on with the first singular values alone")},
+    {"computeWholeSet", QT_TRANSLATE_NOOP("ControlTips", "Compute all singular values now")},
+    {"drawCandidates", QT_TRANSLATE_NOOP("ControlTips", "Draw the pinned orders beside the model")},
+    {"drawSecondOrder",
+        QT_TRANSLATE_NOOP("ControlTips", "Draw the second-order sensor that describes it best")},
+    {"certificateLanguage",
+        QT_TRANSLATE_NOOP("ControlTips", "Language of the document, not of the window")},
+    {"exportCertificate",
+        QT_TRANSLATE_NOOP("ControlTips", "Write the certificate as a PDF (Ctrl+P)")},
+    {"field_date_",
+        QT_TRANSLATE_NOOP("ControlTips", "A day as 2026-01-31; printed on the certificate")},
+    {"field_approved_by",
+        QT_TRANSLATE_NOOP("ControlTips", "Who approves the certificate; may be left empty")},
+    {"field_remarks",
+        QT_TRANSLATE_NOOP("ControlTips", "Printed on the certificate; may be left empty")},
+    {"field_sensor_",
+        QT_TRANSLATE_NOOP("ControlTips",
+            "Printed on the certificate; taken from the recordings where they say it")},
+    {"field_",
+        QT_TRANSLATE_NOOP(
+            "ControlTips", "Printed on the certificate; it cannot be issued without")},
+    {"startOpenCaptures",
+        QT_TRANSLATE_NOOP("ControlTips", "Choose the recordings of one sensor (Ctrl+Shift+O)")},
+    {"startOpenExample",
+        QT_TRANSLATE_NOOP("ControlTips", "Three simulated shots, ready to look at")},
+    {"startOpenProject",
+        QT_TRANSLATE_NOOP("ControlTips", "Go on with a job saved before (Ctrl+O)")},
+    {"cancelButton",
+        QT_TRANSLATE_NOOP("ControlTips", "Stop the work under way; what is on show stays")},
+    {"retryProblems", QT_TRANSLATE_NOOP("ControlTips", "Read the files of this list again")},
+    {"copyProblems", QT_TRANSLATE_NOOP("ControlTips", "Put the list on the clipboard")},
+    {"dismissProblems", QT_TRANSLATE_NOOP("ControlTips", "Close the list; nothing is changed")},
+};
+
+/// The longest entry that the name is, or, for one that ends in '_' or a digit, begins with.
+const char *sentenceFor(const QString &name)
+{
+    const char *best = nullptr;
+    qsizetype length = 0;
+    for (const auto &[key, sentence] : kTips) {
+        const QLatin1String begin(key);
+        const bool isOpen
+            = begin.endsWith(QLatin1Char('_')) || begin == QLatin1String("levelOfShot");
+        const bool fits = isOpen ? name.startsWith(begin) : name == begin;
+        if (fits && begin.size() > length) {
+            best = sentence;
+            length = begin.size();
+        }
+    }
+    return best;
+}
+
+bool isControl(const QWidget &widget)
+{
+    return qobject_cast<const QAbstractButton *>(&widget)
+        || qobject_cast<const QLineEdit *>(&widget)
+        || qobject_cast<const QAbstractSpinBox *>(&widget)
+        || qobject_cast<const QComboBox *>(&widget)
+        || qobject_cast<const QPlainTextEdit *>(&widget);
+}
+
+QString keysOf(const QWidget &widget)
+{
+    const auto *button = qobject_cast<const QAbstractButton *>(&widget);
+    return button && !button->shortcut().isEmpty()
+        ? " (" + button->shortcut().toString(QKeySequence::NativeText) + ")"
+        : QString();
+}
+
+void giveTip(QWidget &widget)
+{
+    // The line of a spin box or a list of choices speaks for the whole.
+    const QWidget *owner = widget.parentWidget();
+    const bool isPart = owner && isControl(*owner);
+    const QWidget &named = isPart ? *owner : widget;
+    QString tip = tipFor(named.objectName());
+    if (tip.isEmpty())
+        tip = named.accessibleName();
+    if (const auto *button = qobject_cast<const QAbstractButton *>(&named); tip.isEmpty() && button)
+        tip = button->text().remove('&');
+    if (!tip.isEmpty())
+        widget.setToolTip(tip + keysOf(named));
+}
+
+} // namespace
+
+ControlTips::ControlTips(QObject *parent)
+    : QObject(parent)
+{
+    qApp->installEventFilter(this);
+}
+
+/// When a control is shown for the first time it has its names; a tip that is taken away later
+/// gives way to the control's own.
+bool ControlTips::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() != QEvent::Polish && event->type() != QEvent::ToolTipChange)
+        return false;
+    auto *widget = qobject_cast<QWidget *>(watched);
+    if (widget && widget->toolTip().isEmpty() && isControl(*widget))
+        giveTip(*widget);
+    return false;
+}
+
+QString tipFor(const QString &objectName)
+{
+    if (const char *sentence = sentenceFor(objectName))
+        return Tips::tr(sentence);
+    if (objectName.endsWith(QLatin1String("Auto")))
+        return Tips::tr("Ticked, the program decides, and the field shows what it took");
+    for (const char *part : {"Value", "Begin", "End"})
+        if (objectName.endsWith(QLatin1String(part)))
+            if (const char *sentence = sentenceFor(objectName.chopped(
+                    static_cast<qsizetype>(std::char_traits<char>::length(part)))))
+                return Tips::tr(sentence);
+    return {};
+}
+
+} // namespace dyncal

@@ -1,0 +1,86 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/shell/key_results.h"
+
+#include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <limits>
+
+namespace dyncal {
+
+namespace {
+
+/// Gives the words below their translation context.
+struct Key
+{
+    Q_DECLARE_TR_FUNCTIONS(KeyResults)
+};
+
+constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
+
+KeyResult entry(
+    const char *name, const QString &symbol, double value, double u, const QString &unit)
+{
+    return {name, symbol + " " + shownWithU(value, u, unit), {}};
+}
+
+KeyResult sensitivityOf(const CalibrationResults &results)
+{
+    const ResponseResult *response = results.response.get();
+    KeyResult result = entry("keySensitivity", QStringLiteral("S"),
+        response ? response->sensitivity.value_or(kNotKnown) : kNotKnown, kNotKnown,
+        response ? shownText(response->sensitivityUnit) : QString());
+    result.meaning = Key::tr(
+        "Sensitivity at the plateau, mean of the shots. Its standard uncertainty is not worked out yet.");
+    return result;
+}
+
+/// The largest step, which the sensitivity rests on most.
+const ShockConditions *largestStep(const CalibrationResults &results)
+{
+    const ShockConditions *largest = nullptr;
+    if (results.shock)
+        for (const ShockConditions &shot : results.shock->shots)
+            if (shot.step_Pa && (!largest || *shot.step_Pa > *largest->step_Pa))
+                largest = &shot;
+    return largest;
+}
+
+KeyResult stepOf(const CalibrationResults &results)
+{
+    const ShockConditions *shot = largestStep(results);
+    const double u = shot && shot->uncertainty
+        ? shot->uncertainty->u(StepResult::Step).value_or(kNotKnown)
+        : kNotKnown;
+    KeyResult result = entry("keyStep", QStringLiteral("Δp"), shot ? *shot->step_Pa : kNotKnown, u,
+        QStringLiteral("Pa"));
+    result.meaning = shot
+        ? Key::tr("Pressure step of shot %1, the largest; ± is the standard uncertainty u (k = 1).")
+              .arg(shot->shot)
+        : Key::tr("Pressure step: not determined yet.");
+    return result;
+}
+
+} // namespace
+
+std::vector<KeyResult> keyResults(const CalibrationResults &results)
+{
+    const Pole *pole = results.model ? mainPole(*results.model, results.assessment.get()) : nullptr;
+    KeyResult frequency
+        = entry("keyFrequency", QStringLiteral("f₀"), pole ? pole->frequency_Hz : kNotKnown,
+            pole ? pole->u_frequency_Hz : kNotKnown, QStringLiteral("Hz"));
+    frequency.meaning = Key::tr(
+        "Undamped natural frequency of the sensor; ± is the standard uncertainty u (k = 1).");
+    KeyResult damping = entry("keyDamping", QStringLiteral("ζ"),
+        pole ? pole->dampingRatio : kNotKnown, pole ? pole->u_dampingRatio : kNotKnown, {});
+    damping.meaning
+        = Key::tr("Damping ratio of the sensor; ± is the standard uncertainty u (k = 1).");
+    return {sensitivityOf(results), frequency, damping, stepOf(results)};
+}
+
+} // namespace dyncal
