@@ -2038,6 +2038,25 @@
     </message>
 </context>
 <context>
+    <name>TypedQuantityText</name>
+    <message>
+        <source>“%1”: this is a number without a unit.</source>
+        <translation>”%1”: detta är ett tal utan enhet.</translation>
+    </message>
+    <message>
+        <source>The unit “%1” is not understood here. Understood are %2.</source>
+        <translation>Enheten ”%1” kan inte tolkas här. Det som tolkas är %2.</translation>
+    </message>
+    <message>
+        <source>“%1” cannot be read as a number.</source>
+        <translation>”%1” kan inte läsas som ett tal.</translation>
+    </message>
+    <message>
+        <source>“%1” can be read as %2 or as %3. Write one of these.</source>
+        <translation>”%1” kan läsas som %2 eller som %3. Skriv ett av dem.</translation>
+    </message>
+</context>
+<context>
     <name>core</name>
     <message>
         <source>Wrong usage: %1; see dyncal --help.</source>
@@ -2521,7 +2540,7 @@
     </message>
     <message>
         <source>The sensitivity S(f) is the complex ratio of the item&apos;s output to the change of pressure at the sensor&apos;s face in the end-wall plane of a shock tube; phase of output over input, lag negative, relative to the sensor&apos;s own onset.</source>
-        <translation>Känsligheten S(f) är det komplexa förhållandet mellan objektets utsignal och tryckändringen vid givarens yta i stötrörets ändväggsplan; fas för utsignal relativt insignal, eftersläpning negativ, räknat från givarens egen start.</translation>
+        <translation>Känsligheten S(f) är det komplexa förhållandet mellan objektets utsignal och tryckändringen vid givarens yta i chockrörets ändväggsplan; fas för utsignal relativt insignal, eftersläpning negativ, räknat från givarens egen start.</translation>
     </message>
     <message>
         <source>Shots combined</source>
@@ -4708,18 +4727,18 @@
     </message>
 </context>
 <context>
-    <name>dyncal::AutoEdit</name>
+    <name>dyncal::AutoBox</name>
     <message>
         <source>auto</source>
         <translation>auto</translation>
     </message>
     <message>
-        <source>%1: automatic</source>
-        <translation>%1: automatiskt</translation>
+        <source>Ticked: the program&apos;s rule decides. Typing a value unticks it.</source>
+        <translation>Ikryssad: programmets regel avgör. Ett inskrivet värde tar bort krysset.</translation>
     </message>
     <message>
-        <source>Ticked: the program&apos;s rule decides</source>
-        <translation>Markerad: programmets regel bestämmer</translation>
+        <source>%1: automatic</source>
+        <translation>%1: automatiskt</translation>
     </message>
 </context>
 <context>
@@ -5865,10 +5884,6 @@
 <context>
     <name>dyncal::IntervalEdit</name>
     <message>
-        <source>auto</source>
-        <translation>auto</translation>
-    </message>
-    <message>
         <source>%1: begin</source>
         <translation>%1: början</translation>
     </message>
@@ -5877,8 +5892,8 @@
         <translation>%1: slut</translation>
     </message>
     <message>
-        <source>%1: automatic</source>
-        <translation>%1: automatiskt</translation>
+        <source>Not taken yet: the begin (above) must lie before the end (below).</source>
+        <translation>Ännu inte taget: början (överst) måste ligga före slutet (nederst).</translation>
     </message>
 </context>
 <context>
@@ -6449,8 +6464,24 @@
         <translation>inte känt</translation>
     </message>
     <message>
-        <source>%1 (recorded)</source>
-        <translation>%1 (registrerat)</translation>
+        <source>recorded</source>
+        <translation>registrerat</translation>
+    </message>
+    <message>
+        <source>This value is the recording&apos;s</source>
+        <translation>Värdet är registreringens</translation>
+    </message>
+    <message>
+        <source>%1: use recorded</source>
+        <translation>%1: använd det registrerade</translation>
+    </message>
+    <message>
+        <source>Use recorded: %1</source>
+        <translation>Använd det registrerade: %1</translation>
+    </message>
+    <message>
+        <source>%1 is outside %2 to %3.</source>
+        <translation>%1 ligger utanför %2 till %3.</translation>
     </message>
 </context>
 <context>
@@ -6785,6 +6816,13 @@
     <message>
         <source>Import settings of %1</source>
         <translation>Importinställningar för %1</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::QuantityEdit</name>
+    <message>
+        <source>%1 is outside %2 to %3.</source>
+        <translation>%1 ligger utanför %2 till %3.</translation>
     </message>
 </context>
 <context>
@@ -7129,7 +7167,7 @@
     </message>
     <message>
         <source>The recordings of one sensor: one or more shots from a shock tube</source>
-        <translation>Registreringarna av en givare: ett eller flera skott från ett stötrör</translation>
+        <translation>Registreringarna av en givare: ett eller flera skott från ett chockrör</translation>
     </message>
     <message>
         <source>Open example (3 shots)</source>
@@ -7498,6 +7536,26 @@
     <message>
         <source>Left out of the fit, after the start</source>
         <translation>Utelämnat ur anpassningen, efter starten</translation>
+    </message>
+    <message>
+        <source>Each shot ends with its own plateau.</source>
+        <translation>Varje skott slutar med sin egen platå.</translation>
+    </message>
+    <message>
+        <source>Automatic: each shot has an end of its own.</source>
+        <translation>Automatiskt: varje skott har sitt eget slut.</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>One end, common to all shots.</source>
+        <translation>Ett slut, gemensamt för alla skott.</translation>
+    </message>
+    <message>
+        <source>One end, common to all shots. The plateau is over before it in: %1.</source>
+        <translation>Ett slut, gemensamt för alla skott. Platån tar slut före det i: %1.</translation>
     </message>
 </context>
 <context>

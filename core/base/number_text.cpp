@@ -124,4 +124,17 @@ std::optional<double> parseNumber(std::string_view text)
     return value;
 }
 
+bool mayBeGrouped(std::string_view digits, char decimal)
+{
+    constexpr std::size_t kGroup = 3;
+    constexpr std::string_view kDigits = "0123456789";
+    const std::size_t mark = digits.find_first_not_of(kDigits);
+    if (mark == 0 || mark > kGroup || mark == std::string_view::npos || digits[0] == '0'
+        || digits[mark] != (decimal == '.' ? ',' : '.'))
+        return false;
+    const std::string_view behind = digits.substr(mark + 1);
+    const std::size_t end = std::min(behind.find_first_not_of(kDigits), behind.size());
+    return end == kGroup && (end == behind.size() || behind[end] == digits[mark]);
+}
+
 } // namespace dyncal

@@ -34,4 +34,9 @@ std::string numberWithUnit(double value, std::string_view unit, int digits = 4);
 /// Empty if anything is left over or nothing is there.
 std::optional<double> parseNumber(std::string_view text);
 
+/// Whether the mark in it may group thousands as well as mark decimals, where the decimal mark of
+/// its surroundings is `decimal`: "50,000" among decimal points is fifty thousand to most writers,
+/// fifty to some. `digits` begins without a sign.
+bool mayBeGrouped(std::string_view digits, char decimal);
+
 } // namespace dyncal

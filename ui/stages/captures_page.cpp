@@ -8,6 +8,7 @@
 #include "ui/plot/widget/overview_strip.h"
 #include "ui/session/capture_edit.h"
 #include "ui/session/capture_reading.h"
+#include "ui/stages/frame/optional_edit.h"
 #include "ui/stages/frame/position_in.h"
 #include "ui/stages/frame/prompts.h"
 #include "ui/stages/frame/quantity_edit.h"

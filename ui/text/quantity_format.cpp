@@ -8,6 +8,7 @@
 #include "core/base/rounding.h"
 
 #include <QLocale>
+#include <QRegularExpression>
 
 #include <cmath>
 
@@ -15,9 +16,22 @@ namespace dyncal {
 
 namespace {
 
+constexpr char16_t kSuperscripts[] = u"⁰¹²³⁴⁵⁶⁷⁸⁹";
+const QString kTimesTen = QStringLiteral("×10");
+
+/// "5.5e-05" -> "5,5×10⁻⁵".
 QString inLanguage(const std::string &number)
 {
-    return QString::fromStdString(number).replace('.', QLocale().decimalPoint());
+    QString text = QString::fromStdString(number).replace('.', QLocale().decimalPoint());
+    const auto mark = text.indexOf('e');
+    if (mark < 0)
+        return text;
+    const QString exponent = QString::number(text.mid(mark + 1).toInt());
+    text.truncate(mark);
+    text += kTimesTen;
+    for (const QChar digit : exponent)
+        text += digit == '-' ? QChar(u'⁻') : QChar(kSuperscripts[digit.digitValue()]);
+    return text;
 }
 
 const QString &nothing()
@@ -83,9 +97,36 @@ QString shownWithU(double value, double u, const QString &unit)
     return shown.u == nothing() ? shown.value : shown.value + QStringLiteral(" ± ") + shown.u;
 }
 
+QString inDecimalMark(const QString &text)
+{
+    const QString mark = QLocale().decimalPoint();
+    if (mark == QLatin1String("."))
+        return text;
+    // A unit has no digits but exponents and no '.': "2.5.1" is a version, "1.5 a.csv" a name.
+    static const QRegularExpression quantity(QStringLiteral(
+        "^[-+\u2212]?\\d+\\.\\d+(e[-+]?\\d+)?( ?[^\\d\\s.]{1,8})?"
+        "([ ,\u2013][^.\\d]{0,6}[-+]?\\d+(\\.\\d+)?(e[-+]?\\d+)?( ?[^\\d\\s.]{1,8})?)*$"));
+    if (!quantity.match(text).hasMatch())
+        return text;
+    QString shown = text;
+    return shown.replace('.', mark);
+}
+
+QString withPlainExponent(QString text)
+{
+    const auto mark = text.indexOf(kTimesTen);
+    if (mark < 0)
+        return text;
+    text.replace(mark, kTimesTen.size(), "e");
+    text.replace(u'⁻', '-');
+    for (int digit = 0; digit < 10; ++digit)
+        text.replace(QChar(kSuperscripts[digit]), QString::number(digit));
+    return text;
+}
+
 std::optional<double> typedNumber(QString text)
 {
-    text = text.trimmed();
+    text = withPlainExponent(text.trimmed());
     text.replace(',', '.');
     text.replace(QChar(0x2212), '-'); // minus sign
     const std::optional<double> number = parseNumber(text.toStdString());

@@ -32,6 +32,13 @@ ShownResult shownResult(double value, double u, const QString &unit);
 /// "2.329980 MHz ± 0.000012 MHz"; without a known u the value alone.
 QString shownWithU(double value, double u, const QString &unit);
 
+/// A number, a quantity or a range of them as core writes it ("1.5 ms", "0.1 to 2e-3", "99.9 %"),
+/// in the decimal mark of the language; any other text as it is.
+QString inDecimalMark(const QString &text);
+
+/// "5.5×10⁻⁵" -> "5.5e-5", so that what is shown can be typed back.
+QString withPlainExponent(QString text);
+
 /// A number as people type it: ',' or '.' as decimal mark, blanks around it. Empty if it is none
 /// or not finite.
 std::optional<double> typedNumber(QString text);

@@ -209,7 +209,7 @@ void TestStagePages::shock_states_areListedPerShot()
     PageBench<ShockPage> bench;
     auto *table = bench.control<ValueTable>("stateTable");
     QCOMPARE(table->columnCount(), 4);
-    QCOMPARE(table->item(1, 3)->text(), QString("512 m/s"));
+    QCOMPARE(table->item(1, 3)->text(), QString("512.000 m/s"));
     QVERIFY(bench.control<QLabel>("sensitivityReason")->text().contains("5.02 µV/Pa"));
 }
 

@@ -4,8 +4,8 @@
 #include "ui/shell/import/import_channel_table.h"
 
 #include "ui/shell/import/fixed_item.h"
+#include "ui/stages/frame/optional_edit.h"
 #include "ui/stages/frame/position_in.h"
-#include "ui/stages/frame/quantity_edit.h"
 #include "ui/text/level_text.h"
 #include "ui/text/shown_text.h"
 
@@ -112,7 +112,9 @@ void ImportChannelTable::makeNumbers(int row, const QString &name)
 {
     const auto number = [&](int column, const char *id, const QString &accessible, double si,
                             std::optional<double> ChannelImport::*member) {
-        auto *edit = new OptionalEdit({{}, si}, kSmallest, kLargest, this);
+        auto *edit
+            = new OptionalEdit({column == Sensitivity ? QStringLiteral("mV/kPa") : QString(), si},
+                kSmallest, kLargest, this);
         edit->setEmptyText(column == Sensitivity ? QString() : QStringLiteral("1"));
         edit->setMaximumWidth(column == Sensitivity ? 150 : 80);
         connect(edit, &OptionalEdit::edited, this,

@@ -5,6 +5,7 @@
 
 #include "ui/session/import_choices.h"
 #include "ui/shell/import/named_control.h"
+#include "ui/stages/frame/optional_edit.h"
 #include "ui/stages/frame/quantity_edit.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/shown_text.h"

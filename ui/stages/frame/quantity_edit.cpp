@@ -3,23 +3,15 @@
 
 #include "ui/stages/frame/quantity_edit.h"
 
+#include "ui/stages/frame/refusal_note.h"
 #include "ui/text/quantity_format.h"
 
-#include <QCheckBox>
 #include <QHBoxLayout>
-#include <QLabel>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QSignalBlocker>
 
 namespace dyncal {
-
-namespace {
-
-constexpr int kShownDigits = 10;
-const QString kWidestRecorded = QStringLiteral("294.15");
-constexpr int kFrame_px = 12; ///< of a line edit, with its margins
-
-} // namespace
 
 QuantityEdit::QuantityEdit(
     const ShownUnit &unit, double lowest, double highest, int decimals, QWidget *parent)
@@ -35,12 +27,24 @@ QuantityEdit::QuantityEdit(
     setAccelerated(true);
     setFocusPolicy(Qt::StrongFocus);
     connect(this, &QDoubleSpinBox::valueChanged, this, [this] { emit edited(si()); });
+    connect(lineEdit(), &QLineEdit::textEdited, this, [this] {
+        hideRefusal(this);
+        m_refused = false;
+        m_typing = true;
+        emit typingBegan();
+    });
+    connect(this, &QDoubleSpinBox::editingFinished, this, &QuantityEdit::endTyping);
+}
+
+bool QuantityEdit::isTyping() const
+{
+    return m_typing || (hasFocus() && lineEdit()->isModified());
 }
 
 void QuantityEdit::setSi(double value)
 {
     // Never while the operator is typing: results that arrive meanwhile would eat the text.
-    if (hasFocus() && lineEdit()->isModified())
+    if (isTyping())
         return;
     const QSignalBlocker quiet(this);
     setValue(value / m_unit.si);
@@ -52,12 +56,55 @@ void QuantityEdit::setShownOnly(bool shownOnly)
     setButtonSymbols(shownOnly ? NoButtons : UpDownArrows);
 }
 
+void QuantityEdit::endTyping()
+{
+    if (!m_typing)
+        return;
+    m_typing = false;
+    emit typingEnded(!m_refused);
+}
+
+void QuantityEdit::abandonTyping()
+{
+    lineEdit()->setText(textFromValue(value()) + suffix());
+    hideRefusal(this);
+    m_refused = true;
+    endTyping();
+}
+
+/// Escape takes back what was typed, before the window makes anything else of the key.
+bool QuantityEdit::event(QEvent *event)
+{
+    const bool isKey
+        = event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress;
+    if (isKey && m_typing && static_cast<QKeyEvent *>(event)->key() == Qt::Key_Escape) {
+        if (event->type() == QEvent::KeyPress)
+            abandonTyping();
+        event->accept();
+        return true;
+    }
+    return QDoubleSpinBox::event(event);
+}
+
+/// A wheel that scrolls the page past a field changes nothing in it.
+void QuantityEdit::wheelEvent(QWheelEvent *event)
+{
+    if (hasFocus())
+        QDoubleSpinBox::wheelEvent(event);
+    else
+        event->ignore();
+}
+
+/// Without the field's unit, which stands behind the number unless it was typed over. Twice, when a
+/// number with unit is pasted over the number before the unit.
 QString QuantityEdit::bare(QString text) const
 {
     text = text.trimmed();
     const QString unit = suffix().trimmed();
-    // Twice, when a number with unit is pasted over the number before the unit.
-    while (!unit.isEmpty() && text.endsWith(unit)) {
+    const auto endsNumber = [&](qsizetype end) {
+        return end > 0 && !text[end - 1].isLetter() && text[end - 1] != '/';
+    };
+    while (!unit.isEmpty() && text.endsWith(unit) && endsNumber(text.size() - unit.size())) {
         text.chop(unit.size());
         text = text.trimmed();
     }
@@ -66,27 +113,89 @@ QString QuantityEdit::bare(QString text) const
 
 double QuantityEdit::valueFromText(const QString &text) const
 {
-    return typedNumber(bare(text)).value_or(value());
+    return typedQuantity(bare(text), m_unit).value.value_or(value());
 }
 
 QString QuantityEdit::textFromValue(double value) const
 {
-    return shownNumber(value, kShownDigits);
+    return shownNumber(value, kFieldDigits);
+}
+
+/// Why this is not taken; empty if it is.
+QString QuantityEdit::faultOf(const QString &text) const
+{
+    const TypedQuantity typed = typedQuantity(bare(text), m_unit);
+    if (!typed.value)
+        return typed.fault;
+    if (*typed.value >= minimum() && *typed.value <= maximum())
+        return {};
+    return tr("%1 is outside %2 to %3.")
+        .arg(textFromValue(*typed.value) + suffix(), textFromValue(minimum()),
+            textFromValue(maximum()) + suffix());
 }
 
 QValidator::State QuantityEdit::validate(QString &text, int &) const
 {
-    const std::optional<double> number = typedNumber(bare(text));
-    if (!number)
-        return QValidator::Intermediate;
-    return *number >= minimum() && *number <= maximum() ? QValidator::Acceptable
-                                                        : QValidator::Intermediate;
+    return faultOf(text).isEmpty() ? QValidator::Acceptable : QValidator::Intermediate;
+}
+
+void QuantityEdit::fixup(QString &text) const
+{
+    m_refused = true;
+    if (m_typing)
+        showRefusal(const_cast<QuantityEdit *>(this), faultOf(text));
+}
+
+AutoBox::AutoBox(QWidget *parent)
+    : QCheckBox(tr("auto"), parent)
+{
+    setToolTip(tr("Ticked: the program's rule decides. Typing a value unticks it."));
+    connect(this, &QCheckBox::clicked, this, [this](bool checked) {
+        m_isAuto = checked;
+        if (checked)
+            emit ticked();
+        else
+            emit unticked();
+    });
+}
+
+void AutoBox::setNames(const QString &objectName, const QString &accessibleName)
+{
+    setObjectName(objectName + "Auto");
+    setAccessibleName(tr("%1: automatic").arg(accessibleName));
+}
+
+void AutoBox::follow(QuantityEdit *field)
+{
+    connect(field, &QuantityEdit::typingBegan, this, [this] {
+        m_typing = true;
+        setChecked(false);
+    });
+    connect(field, &QuantityEdit::edited, this, [this] {
+        m_isAuto = false;
+        setChecked(false);
+    });
+    connect(field, &QuantityEdit::typingEnded, this, [this](bool taken) {
+        m_typing = false;
+        if (taken && m_isAuto) {
+            m_isAuto = false;
+            emit unticked();
+        }
+        setChecked(m_isAuto);
+    });
+}
+
+void AutoBox::set(bool isAuto)
+{
+    m_isAuto = isAuto;
+    if (!m_typing)
+        setChecked(isAuto);
 }
 
 AutoEdit::AutoEdit(
     const ShownUnit &unit, double lowest, double highest, int decimals, QWidget *parent)
     : QWidget(parent)
-    , m_auto(new QCheckBox(tr("auto"), this))
+    , m_auto(new AutoBox(this))
     , m_value(new QuantityEdit(unit, lowest, highest, decimals, this))
 {
     auto *layout = new QHBoxLayout(this);
@@ -94,9 +203,9 @@ AutoEdit::AutoEdit(
     layout->addWidget(m_value, 1);
     layout->addWidget(m_auto);
     setFocusProxy(m_value);
-    connect(m_auto, &QCheckBox::clicked, this, [this](bool checked) {
-        emit edited(checked ? Auto<double>() : Auto<double>(m_value->si()));
-    });
+    m_auto->follow(m_value);
+    connect(m_auto, &AutoBox::ticked, this, [this] { emit edited(Auto<double>()); });
+    connect(m_auto, &AutoBox::unticked, this, [this] { emit edited(Auto<double>(m_value->si())); });
     connect(
         m_value, &QuantityEdit::edited, this, [this](double si) { emit edited(Auto<double>(si)); });
 }
@@ -106,76 +215,16 @@ void AutoEdit::setNames(const QString &objectName, const QString &accessibleName
     setObjectName(objectName);
     m_value->setObjectName(objectName + "Value");
     m_value->setAccessibleName(accessibleName);
-    m_auto->setObjectName(objectName + "Auto");
-    m_auto->setAccessibleName(tr("%1: automatic").arg(accessibleName));
-    m_auto->setToolTip(tr("Ticked: the program's rule decides"));
+    m_auto->setNames(objectName, accessibleName);
 }
 
 void AutoEdit::set(const Auto<double> &setting, std::optional<double> used)
 {
-    m_auto->setChecked(setting.isAuto());
-    m_value->setShownOnly(setting.isAuto());
+    m_auto->set(setting.isAuto());
     if (setting.value)
         m_value->setSi(*setting.value);
     else if (used)
         m_value->setSi(*used);
-}
-
-OptionalEdit::OptionalEdit(const ShownUnit &unit, double lowest, double highest, QWidget *parent)
-    : QWidget(parent)
-    , m_text(new QLineEdit(this))
-    , m_unit(unit)
-    , m_emptyText(tr("not known"))
-    , m_lowest(lowest)
-    , m_highest(highest)
-{
-    auto *layout = new QHBoxLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->addWidget(m_text, 1);
-    if (!unit.text.isEmpty())
-        layout->addWidget(new QLabel(unit.text, this));
-    m_text->setMinimumWidth(
-        m_text->fontMetrics().horizontalAdvance(tr("%1 (recorded)").arg(kWidestRecorded))
-        + kFrame_px);
-    setFocusProxy(m_text);
-    connect(m_text, &QLineEdit::editingFinished, this, &OptionalEdit::commit);
-}
-
-void OptionalEdit::setNames(const QString &objectName, const QString &accessibleName)
-{
-    setObjectName(objectName);
-    m_text->setObjectName(objectName + "Value");
-    m_text->setAccessibleName(accessibleName);
-}
-
-void OptionalEdit::set(const std::optional<double> &value, const std::optional<double> &fallback)
-{
-    m_value = value;
-    m_fallback = fallback;
-    if (m_text->hasFocus() && m_text->isModified())
-        return;
-    m_text->setText(value ? shownNumber(*value / m_unit.si, kShownDigits) : QString());
-    m_text->setPlaceholderText(
-        fallback ? tr("%1 (recorded)").arg(shownNumber(*fallback / m_unit.si, 6)) : m_emptyText);
-}
-
-/// What cannot be read, or lies outside the range, is not taken: the last good value comes back.
-void OptionalEdit::commit()
-{
-    if (!m_text->isModified())
-        return;
-    m_text->setModified(false);
-    std::optional<double> next;
-    if (!m_text->text().trimmed().isEmpty()) {
-        const std::optional<double> number = typedNumber(m_text->text());
-        next = number ? std::optional(*number * m_unit.si) : m_value;
-        if (next && (*next < m_lowest || *next > m_highest))
-            next = m_value;
-    }
-    const bool changed = next != m_value;
-    set(next, m_fallback);
-    if (changed)
-        emit edited(next);
 }
 
 } // namespace dyncal

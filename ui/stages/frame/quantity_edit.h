@@ -4,24 +4,20 @@
 #pragma once
 
 #include "core/base/auto_value.h"
+#include "ui/text/typed_quantity.h"
 
+#include <QCheckBox>
 #include <QDoubleSpinBox>
-
-class QCheckBox;
 
 namespace dyncal {
 
-/// A unit as shown beside a number: SI value = shown value * si.
-struct ShownUnit
-{
-    QString text;
-    double si = 1.0;
-};
 inline const ShownUnit kMetre{"m", 1.0};
 inline const ShownUnit kMillimetre{"mm", 1e-3};
 inline const ShownUnit kMicroseconds{"µs", 1e-6};
 
-/// A number with unit, typed with ',' or '.' as decimal mark, or stepped. Values in and out are SI.
+/// A number, typed with its unit or in the field's own (typedQuantity), or stepped. What is typed
+/// and cannot be taken is said below the field, and the last value comes back. Values in and out
+/// are SI.
 class QuantityEdit : public QDoubleSpinBox
 {
     Q_OBJECT
@@ -39,18 +35,54 @@ public:
     double valueFromText(const QString &text) const override;
     QString textFromValue(double value) const override;
     QValidator::State validate(QString &text, int &position) const override;
-    void fixup(QString &) const override { } ///< Qt's would read "1,2,3" as 123
+    /// Qt's would read "1,2,3" as 123. Called with what was left in the field and is refused.
+    void fixup(QString &text) const override;
 
 signals:
     void edited(double si); ///< by the operator: committed or stepped
+    void typingBegan();
+    /// Behind edited(); `taken`: what was typed is a value, be it the one that stood there.
+    void typingEnded(bool taken);
+
+protected:
+    bool event(QEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
 
 private:
     QString bare(QString text) const;
+    QString faultOf(const QString &text) const;
+    void endTyping();
+    void abandonTyping();
+    bool isTyping() const;
     ShownUnit m_unit;
+    bool m_typing = false;
+    mutable bool m_refused = false;
 };
 
-/// A QuantityEdit with the box "auto": ticked, the program's rule decides and the value shows what
-/// it decided.
+/// The box "auto" of one field or several: ticked, the program's rule decides. Typing in a field
+/// unticks it.
+class AutoBox : public QCheckBox
+{
+    Q_OBJECT
+
+public:
+    explicit AutoBox(QWidget *parent = nullptr);
+
+    void setNames(const QString &objectName, const QString &accessibleName);
+    void follow(QuantityEdit *field);
+    /// As the recipe has it; not while something is being typed.
+    void set(bool isAuto);
+
+signals:
+    void ticked();
+    void unticked(); ///< by hand, or because the value that stands there was typed
+
+private:
+    bool m_isAuto = false;
+    bool m_typing = false;
+};
+
+/// A QuantityEdit with the box "auto": ticked, the value shows what the program's rule decided.
 class AutoEdit : public QWidget
 {
     Q_OBJECT
@@ -67,36 +99,8 @@ signals:
     void edited(const dyncal::Auto<double> &setting);
 
 private:
-    QCheckBox *m_auto;
+    AutoBox *m_auto;
     QuantityEdit *m_value;
-};
-
-/// A number that may be left out: empty text means "not known".
-class OptionalEdit : public QWidget
-{
-    Q_OBJECT
-
-public:
-    OptionalEdit(const ShownUnit &unit, double lowest, double highest, QWidget *parent = nullptr);
-
-    void setNames(const QString &objectName, const QString &accessibleName);
-    /// What stands there while nothing is known or typed.
-    void setEmptyText(const QString &text) { m_emptyText = text; }
-    /// `fallback` is shown greyed while nothing is typed: what the recording says.
-    void set(const std::optional<double> &value, const std::optional<double> &fallback = {});
-
-signals:
-    void edited(const std::optional<double> &si);
-
-private:
-    void commit();
-    class QLineEdit *m_text;
-    ShownUnit m_unit;
-    QString m_emptyText;
-    double m_lowest;
-    double m_highest;
-    std::optional<double> m_value;
-    std::optional<double> m_fallback;
 };
 
 } // namespace dyncal

@@ -5,6 +5,7 @@
 
 #include "ui/stages/candidates/candidate_text.h"
 #include "ui/text/level_text.h"
+#include "ui/text/quantity_column.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/shown_text.h"
 
@@ -27,11 +28,15 @@ QString shotText(Index shot)
     return shot > 0 ? ModelTables::tr("Shot %1").arg(shot) : ModelTables::tr("Average");
 }
 
-QStringList trendRow(const QString &name, const LevelPole &pole)
+/// A column of the fits, value ± u.
+QStringList trendColumn(const std::vector<const LevelPole *> &poles, double LevelPole::*value,
+    double LevelPole::*u, const QString &unit)
 {
-    return {name, shownWithU(pole.frequency_Hz, pole.u_frequency_Hz, "Hz"),
-        shownWithU(pole.dampingRatio, pole.u_dampingRatio, {}),
-        shownWithU(pole.plateauGain, pole.u_plateauGain, {}), shownNumber(pole.coverageFactor, 3)};
+    std::vector<Estimate> column;
+    column.reserve(poles.size());
+    for (const LevelPole *pole : poles)
+        column.push_back({pole->*value, pole->*u});
+    return shownColumnWithU(column, unit);
 }
 
 QString levelName(const LevelPole &pole)
@@ -52,10 +57,26 @@ ShownTable trendTable(const ModelAssessment *assessment)
         {}};
     if (!assessment)
         return table;
-    for (const LevelPole &pole : assessment->perShot)
-        table.rows.push_back(trendRow(shotText(pole.shots.empty() ? 0 : pole.shots.front()), pole));
-    for (const LevelPole &pole : assessment->perLevel)
-        table.rows.push_back(trendRow(levelName(pole), pole));
+    std::vector<const LevelPole *> poles;
+    QStringList names;
+    poles.reserve(assessment->perShot.size() + assessment->perLevel.size());
+    for (const LevelPole &pole : assessment->perShot) {
+        poles.push_back(&pole);
+        names << shotText(pole.shots.empty() ? 0 : pole.shots.front());
+    }
+    for (const LevelPole &pole : assessment->perLevel) {
+        poles.push_back(&pole);
+        names << levelName(pole);
+    }
+    const QStringList frequencies
+        = trendColumn(poles, &LevelPole::frequency_Hz, &LevelPole::u_frequency_Hz, "Hz");
+    const QStringList dampings
+        = trendColumn(poles, &LevelPole::dampingRatio, &LevelPole::u_dampingRatio, {});
+    const QStringList plateaus
+        = trendColumn(poles, &LevelPole::plateauGain, &LevelPole::u_plateauGain, {});
+    for (qsizetype i = 0; i < names.size(); ++i)
+        table.rows.push_back({names[i], frequencies[i], dampings[i], plateaus[i],
+            shownNumber(poles[static_cast<std::size_t>(i)]->coverageFactor, 3)});
     return table;
 }
 

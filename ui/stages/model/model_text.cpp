@@ -3,6 +3,7 @@
 
 #include "ui/stages/model/model_text.h"
 
+#include "ui/text/quantity_column.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/shown_text.h"
 
@@ -91,8 +92,19 @@ QStringList poleHeaders(PoleColumns columns)
 
 QVector<QStringList> poleRows(const std::vector<Pole> &poles, PoleColumns columns)
 {
-    QVector<QStringList> rows;
+    std::vector<Estimate> frequencies;
+    std::vector<Estimate> dampings;
+    frequencies.reserve(poles.size());
+    dampings.reserve(poles.size());
     for (const Pole &pole : poles) {
+        frequencies.push_back({pole.frequency_Hz, pole.u_frequency_Hz});
+        dampings.push_back({pole.dampingRatio, pole.u_dampingRatio});
+    }
+    const std::vector<ShownResult> shownFrequencies = shownColumn(frequencies, "Hz");
+    const std::vector<ShownResult> shownDampings = shownColumn(dampings, {});
+    QVector<QStringList> rows;
+    for (std::size_t i = 0; i < poles.size(); ++i) {
+        const Pole &pole = poles[i];
         if (pole.z.imag() < 0.0)
             continue; // shown with its conjugate
         QStringList flags;
@@ -100,8 +112,8 @@ QVector<QStringList> poleRows(const std::vector<Pole> &poles, PoleColumns column
             flags << flagText(flag);
         const QString kind = classText(pole.poleClass)
             + (pole.z.imag() > 0.0 ? ModelText::tr(" (pair)") : QString());
-        const ShownResult frequency = shownResult(pole.frequency_Hz, pole.u_frequency_Hz, "Hz");
-        const ShownResult damping = shownResult(pole.dampingRatio, pole.u_dampingRatio, {});
+        const ShownResult &frequency = shownFrequencies[i];
+        const ShownResult &damping = shownDampings[i];
         if (columns == PoleColumns::Few)
             rows.push_back({frequency.value, damping.value, kind});
         else

@@ -6,6 +6,7 @@
 #include "core/shock/shock_conditions.h"
 #include "ui/plot/widget/plot_widget.h"
 #include "ui/session/session.h"
+#include "ui/stages/frame/optional_edit.h"
 #include "ui/stages/frame/quantity_edit.h"
 
 #include <functional>

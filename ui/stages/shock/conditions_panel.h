@@ -5,6 +5,7 @@
 
 #include "core/shock/shock_conditions.h"
 #include "ui/session/session.h"
+#include "ui/stages/frame/optional_edit.h"
 #include "ui/stages/frame/quantity_edit.h"
 
 class QCheckBox;

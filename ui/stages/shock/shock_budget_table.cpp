@@ -3,6 +3,7 @@
 
 #include "ui/stages/shock/shock_budget_table.h"
 
+#include "ui/text/quantity_column.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/shown_text.h"
 
@@ -59,15 +60,6 @@ std::pair<QString, QString> wordsFor(const std::string &quantity)
     return {shownText(quantity), {}};
 }
 
-/// In the unit of the value, unless that makes a row of zeros of it.
-QString uncertaintyText(const UncertainInput &input, const QString &unit)
-{
-    constexpr double kReadable = 1e-4;
-    return input.u > kReadable * std::abs(input.value)
-        ? shownQuantityBeside(input.u, input.value, unit, 3)
-        : shownQuantity(input.u, unit, 3);
-}
-
 QString distributionText(Distribution distribution)
 {
     switch (distribution) {
@@ -95,19 +87,32 @@ ShownTable budgetTable(const ShockConditions &shot)
     if (!shot.uncertainty)
         return table;
     constexpr auto kStep = static_cast<Index>(StepResult::Step);
-    const QString none = QStringLiteral("–");
     const GumBudget &budget = shot.uncertainty->budget;
+    std::vector<std::optional<double>> contributions_Pa;
+    std::vector<std::optional<double>> shares_percent;
+    contributions_Pa.reserve(budget.lines.size());
+    shares_percent.reserve(budget.lines.size());
+    for (std::size_t i = 0; i < budget.lines.size(); ++i) {
+        const auto &contribution = budget.lines[i].contribution;
+        const bool known = contribution.size() > kStep;
+        contributions_Pa.push_back(
+            known ? std::optional(std::abs(contribution[kStep])) : std::nullopt);
+        shares_percent.push_back(
+            known ? std::optional(budget.sharePercent(i, kStep)) : std::nullopt);
+    }
+    const QStringList contributions = shownColumn(contributions_Pa, "Pa", 3);
+    const QStringList shares = shownColumn(shares_percent, "%", 3);
     for (std::size_t i = 0; i < budget.lines.size(); ++i) {
         const BudgetLine &line = budget.lines[i];
         const UncertainInput &input = line.input;
         const auto [name, unit] = wordsFor(input.quantity);
-        const bool known = line.contribution.size() > kStep;
-        table.rows.push_back({name, shownQuantity(input.value, unit, 7),
-            uncertaintyText(input, unit), distributionText(input.distribution),
-            std::isfinite(input.dof) ? shownNumber(input.dof, 3) : QStringLiteral("∞"),
-            known ? shownQuantity(std::abs(line.contribution[kStep]), "Pa", 3) : none,
-            known ? shownNumber(budget.sharePercent(i, kStep), 3) + QStringLiteral(" %") : none,
-            input.common ? ShockBudget::tr("yes") : ShockBudget::tr("no")});
+        const auto row = static_cast<qsizetype>(i);
+        const ShownResult estimate = shownResult(input.value, input.u, unit);
+        table.rows.push_back(
+            {name, estimate.value, estimate.u, distributionText(input.distribution),
+                std::isfinite(input.dof) ? shownNumber(input.dof, 3) : QStringLiteral("∞"),
+                contributions[row], shares[row],
+                input.common ? ShockBudget::tr("yes") : ShockBudget::tr("no")});
     }
     return table;
 }

@@ -12,6 +12,7 @@
 #include "ui/stages/shock/shock_tables.h"
 #include "ui/text/core_text.h"
 #include "ui/text/level_text.h"
+#include "ui/text/quantity_column.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/shown_text.h"
 

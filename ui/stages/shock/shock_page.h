@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "ui/stages/frame/optional_edit.h"
 #include "ui/stages/frame/quantity_edit.h"
 #include "ui/stages/frame/stage_page.h"
 

@@ -5,6 +5,7 @@
 
 #include "core/base/constants.h"
 #include "core/shock/step_monte_carlo.h"
+#include "ui/text/quantity_column.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/shown_text.h"
 
@@ -68,9 +69,20 @@ public:
     template <typename Value>
     void state(const QString &name, const QString &unit, int digits, Value value)
     {
-        add(name, [&](const ShockConditions &shot) {
-            return shot.states ? shownQuantity(value(*shot.states), unit, digits) : kNone;
+        numbers(name, unit, digits, [&](const ShockConditions &shot) {
+            return shot.states ? std::optional<double>(value(*shot.states)) : std::nullopt;
         });
+    }
+
+    /// Numbers of one unit, where they are known.
+    template <typename Value>
+    void numbers(const QString &name, const QString &unit, int digits, Value value)
+    {
+        std::vector<std::optional<double>> values;
+        values.reserve(m_shock.shots.size());
+        for (const ShockConditions &shot : m_shock.shots)
+            values.push_back(value(shot));
+        m_rows.push_back(QStringList{name} + shownColumn(values, unit, digits));
     }
 
     QVector<QStringList> take() { return std::move(m_rows); }
@@ -94,11 +106,12 @@ QString gradientText(const ShockConditions &shot)
     if (!shot.states || !shot.velocityFit || !shot.velocityFit->gradient_per_s)
         return kNone;
     const double scale = 1.0 / shot.states->velocity_m_s;
-    QString text = ShockTables::tr("%1 %/m").arg(
-        shownNumber(100.0 * scale * *shot.velocityFit->gradient_per_s, 3));
+    const double percent = 100.0 * scale;
+    const ShownResult gradient = shownResult(percent * *shot.velocityFit->gradient_per_s,
+        percent * shot.velocityFit->u_gradient_per_s.value_or(0.0), {});
+    QString text = ShockTables::tr("%1 %/m").arg(gradient.value);
     if (shot.velocityFit->u_gradient_per_s)
-        text = ShockTables::tr("%1, u %2")
-                   .arg(text, shownNumber(100.0 * scale * *shot.velocityFit->u_gradient_per_s, 2));
+        text = ShockTables::tr("%1, u %2").arg(text, gradient.u);
     return shot.velocityFit->attenuated ? text : ShockTables::tr("%1 (not applied)").arg(text);
 }
 
@@ -108,14 +121,15 @@ void addStates(Rows &rows)
     rows.state(ShockTables::tr("p1"), "Pa", 5, [](States s) { return s.driven.pressure_Pa; });
     rows.state(ShockTables::tr("p2"), "Pa", 5, [](States s) { return s.shocked.pressure_Pa; });
     rows.state(ShockTables::tr("p5"), "Pa", 5, [](States s) { return s.reflected.pressure_Pa; });
-    rows.add(ShockTables::tr("p4 (eq. 3.10)"), [](const ShockConditions &shot) {
-        return shot.driver ? shownQuantity(shot.driver->pressure_Pa, "Pa", 4) : kNone;
+    using Number = std::optional<double>;
+    rows.numbers(ShockTables::tr("p4 (eq. 3.10)"), "Pa", 4, [](const ShockConditions &shot) {
+        return shot.driver ? Number(shot.driver->pressure_Pa) : Number();
     });
     rows.state(ShockTables::tr("T1"), "K", 5, [](States s) { return s.driven.temperature_K; });
     rows.state(ShockTables::tr("T2"), "K", 5, [](States s) { return s.shocked.temperature_K; });
     rows.state(ShockTables::tr("T5"), "K", 5, [](States s) { return s.reflected.temperature_K; });
-    rows.add(ShockTables::tr("T4"), [](const ShockConditions &shot) {
-        return shot.driver ? shownQuantity(shot.driver->temperature_K, "K", 5) : kNone;
+    rows.numbers(ShockTables::tr("T4"), "K", 5, [](const ShockConditions &shot) {
+        return shot.driver ? Number(shot.driver->temperature_K) : Number();
     });
     rows.state(ShockTables::tr("Density ρ5"), "kg/m³", 4,
         [](States s) { return s.reflected.density_kg_m3; });
@@ -151,14 +165,14 @@ ShownTable stateTable(const ShockConditionsSet &shock)
     rows.state(ShockTables::tr("Mach number"), {}, 5, [](const ShockStates &s) { return s.mach; });
     rows.add(ShockTables::tr("W along the tube"), gradientText);
     addStates(rows);
-    rows.add(ShockTables::tr("Plateau lasts"),
-        [](const ShockConditions &shot) { return shownQuantity(shot.plateau_s, "s", 4); });
-    rows.add(ShockTables::tr("Lowest frequency"), [](const ShockConditions &shot) {
+    rows.numbers(ShockTables::tr("Plateau lasts"), "s", 4,
+        [](const ShockConditions &shot) { return shot.plateau_s; });
+    rows.numbers(ShockTables::tr("Lowest frequency"), "Hz", 3, [](const ShockConditions &shot) {
         const bool known = shot.plateau_s && *shot.plateau_s > 0.0;
-        return known ? shownQuantity(1.0 / *shot.plateau_s, "Hz", 3) : kNone;
+        return known ? std::optional(1.0 / *shot.plateau_s) : std::nullopt;
     });
-    rows.add(ShockTables::tr("Arrival at the side"),
-        [](const ShockConditions &shot) { return shownQuantity(shot.arrival_s, "s", 5); });
+    rows.numbers(ShockTables::tr("Arrival at the side"), "s", 5,
+        [](const ShockConditions &shot) { return shot.arrival_s; });
     table.rows = rows.take();
     return table;
 }
@@ -170,12 +184,23 @@ ShownTable measuredTable(const ShockConditionsSet &shock)
             ShockTables::tr("Measured, absolute"), ShockTables::tr("Predicted"),
             ShockTables::tr("Deviation"), ShockTables::tr("Reads")},
         {}};
+    std::vector<std::optional<double>> pressures_Pa;
+    std::vector<std::optional<double>> deviations_percent;
     for (const ShockConditions &shot : shock.shots) {
-        for (const MeasuredPressure &m : shot.measured)
+        for (const MeasuredPressure &m : shot.measured) {
             table.rows.push_back({shotName(shot.shot), shownText(m.region), shownText(m.channel),
-                shownQuantity(m.measured_Pa, "Pa", 4), shownQuantity(m.predicted_Pa, "Pa", 4),
-                percent(m.deviation(), 3),
                 m.wasGauge ? ShockTables::tr("gauge") : ShockTables::tr("absolute")});
+            pressures_Pa.insert(pressures_Pa.end(), {m.measured_Pa, m.predicted_Pa});
+            deviations_percent.push_back(100.0 * m.deviation());
+        }
+    }
+    // Measured and predicted side by side, in one unit.
+    const QStringList pressures = shownColumn(pressures_Pa, "Pa", 4);
+    const QStringList deviations = shownColumn(deviations_percent, "%", 3);
+    for (qsizetype row = 0; row < table.rows.size(); ++row) {
+        QStringList &cells = table.rows[row];
+        const QString reads = cells.takeLast();
+        cells << pressures[2 * row] << pressures[2 * row + 1] << deviations[row] << reads;
     }
     return table;
 }
@@ -187,20 +212,34 @@ ShownTable arrivalTable(const ShockConditionsSet &shock)
                          ShockTables::tr("Arrival"), ShockTables::tr("u (arrival)"),
                          ShockTables::tr("u (delay)"), ShockTables::tr("Seen – fitted")},
         {}};
+    std::vector<Estimate> places_m;
+    std::vector<Estimate> arrivals_s;
+    std::vector<std::optional<double>> delays_s;
+    std::vector<std::optional<double>> residuals_s;
+    const auto known = [](double u) { return u > 0.0 ? std::optional(u) : std::nullopt; };
     for (const ShockConditions &shot : shock.shots) {
         for (std::size_t i = 0; i < shot.sightings.size(); ++i) {
             const Sighting &s = shot.sightings[i];
             // Two places give the velocity exactly: what is left then is rounding.
             const bool fitted = shot.velocityFit && shot.velocityFit->dof > 0
                 && shot.velocityFit->residual.size() == std::ssize(shot.sightings);
-            table.rows.push_back({shotName(shot.shot), shownText(s.channel),
-                shownQuantity(s.distance_m, "m", 5),
-                s.u_distance_m > 0.0 ? shownQuantity(s.u_distance_m, "m", 2) : kNone,
-                shownQuantity(s.time_s, "s", 7), shownQuantity(s.u_time_s, "s", 2),
-                s.u_delay_s > 0.0 ? shownQuantity(s.u_delay_s, "s", 2) : kNone,
-                fitted ? shownQuantity(shot.velocityFit->residual[static_cast<Index>(i)], "s", 2)
-                       : kNone});
+            table.rows.push_back({shotName(shot.shot), shownText(s.channel)});
+            places_m.push_back({s.distance_m, s.u_distance_m});
+            arrivals_s.push_back({s.time_s, s.u_time_s});
+            delays_s.push_back(known(s.u_delay_s));
+            residuals_s.push_back(fitted
+                    ? std::optional(shot.velocityFit->residual[static_cast<Index>(i)])
+                    : std::nullopt);
         }
+    }
+    const std::vector<ShownResult> places = shownColumn(places_m, "m");
+    const std::vector<ShownResult> arrivals = shownColumn(arrivals_s, "s");
+    const QStringList delays = shownColumn(delays_s, "s", 2);
+    const QStringList residuals = shownColumn(residuals_s, "s", 2);
+    for (qsizetype row = 0; row < table.rows.size(); ++row) {
+        const auto at = static_cast<std::size_t>(row);
+        table.rows[row] << places[at].value << places[at].u << arrivals[at].value << arrivals[at].u
+                        << delays[row] << residuals[row];
     }
     return table;
 }
@@ -226,10 +265,13 @@ ShownTable uncertaintyTable(const ShockConditionsSet &shock, const StepMonteCarl
                 u ? percent(*u / value, 3) : kNone};
             if (mc != nullptr && mc->outcome) {
                 const MonteCarloResult &result = mc->outcome->result;
-                row << shownQuantityBeside(result.u[r], value, unit, 3)
-                    << ShockTables::tr("%1 to %2")
-                           .arg(shownQuantity(result.low[r], unit, 6),
-                               shownQuantity(result.high[r], unit, 6));
+                // To the place of its own u, like the value beside it.
+                const auto shownDrawn
+                    = shownColumn(std::vector<Estimate>{{value, result.u[r]},
+                                      {result.low[r], result.u[r]}, {result.high[r], result.u[r]}},
+                        unit);
+                row << shownDrawn[0].u
+                    << ShockTables::tr("%1 to %2").arg(shownDrawn[1].value, shownDrawn[2].value);
             } else {
                 row << kNone << kNone;
             }
@@ -246,12 +288,14 @@ ShownTable followedPeakTable(const ShockConditionsSet &shock)
                          ShockTables::tr("Nearest tube mode (computed)")},
         {}};
     for (const FollowedPeak &peak : shock.followedPeaks) {
-        QStringList frequencies;
+        std::vector<double> frequencies_Hz;
+        frequencies_Hz.reserve(peak.peaks.size());
         for (const PeakOfShot &p : peak.peaks)
-            frequencies << shownQuantity(p.frequency_Hz, "Hz", 4);
-        table.rows.push_back({frequencies.join(QStringLiteral(" / ")),
-            shownNumber(peak.test.slope, 3), shownNumber(peak.test.u_slope, 2), verdict(peak.test),
-            peak.candidate.empty() ? kNone : shownText(peak.candidate)});
+            frequencies_Hz.push_back(p.frequency_Hz);
+        const QStringList frequencies = shownColumn(frequencies_Hz, "Hz", 4);
+        const ShownResult slope = shownResult(peak.test.slope, peak.test.u_slope, {});
+        table.rows.push_back({frequencies.join(QStringLiteral(" / ")), slope.value, slope.u,
+            verdict(peak.test), peak.candidate.empty() ? kNone : shownText(peak.candidate)});
     }
     return table;
 }

@@ -4,10 +4,12 @@
 #include "ui/stages/spectrum/spectrum_page.h"
 
 #include "ui/plot/curves/signal_curves.h"
+#include "ui/stages/frame/optional_edit.h"
 #include "ui/stages/frame/quantity_edit.h"
 #include "ui/stages/frame/tube_mode_choice.h"
 #include "ui/stages/frame/value_table.h"
 #include "ui/stages/spectrum/nuisance_list.h"
+#include "ui/text/quantity_column.h"
 #include "ui/text/quantity_format.h"
 
 #include <QComboBox>
@@ -186,11 +188,23 @@ void SpectrumPage::showResults()
         if (results().window)
             for (const WindowedResponse &response : results().window->responses)
                 headers << tr("Shot %1").arg(response.shot);
+        std::vector<double> heights_dB;
+        std::vector<double> qualities;
+        heights_dB.reserve(spectrum->resonances.size());
+        qualities.reserve(spectrum->resonances.size());
         for (const Resonance &resonance : spectrum->resonances) {
-            QStringList row{shownQuantity(resonance.frequency_Hz, "Hz", 5),
-                shownNumber(resonance.prominence_dB, 3) + " dB", shownNumber(resonance.q, 3)};
-            for (const auto &frequency_Hz : resonance.perShot_Hz)
-                row << shownQuantity(frequency_Hz, "Hz", 5);
+            heights_dB.push_back(resonance.prominence_dB);
+            qualities.push_back(resonance.q);
+        }
+        const QStringList heights = shownColumn(heights_dB, "dB", 3);
+        const QStringList q = shownColumn(qualities, {}, 3);
+        for (const Resonance &resonance : spectrum->resonances) {
+            std::vector<std::optional<double>> frequencies_Hz{resonance.frequency_Hz};
+            frequencies_Hz.insert(
+                frequencies_Hz.end(), resonance.perShot_Hz.begin(), resonance.perShot_Hz.end());
+            QStringList row = shownColumn(frequencies_Hz, "Hz", 5); // all of one peak
+            row.insert(1, heights[rows.size()]);
+            row.insert(2, q[rows.size()]);
             rows.push_back(row);
         }
     }

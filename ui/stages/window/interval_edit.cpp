@@ -3,7 +3,8 @@
 
 #include "ui/stages/window/interval_edit.h"
 
-#include <QCheckBox>
+#include "ui/stages/frame/refusal_note.h"
+
 #include <QGridLayout>
 
 namespace dyncal {
@@ -18,7 +19,7 @@ IntervalEdit::IntervalEdit(const ShownUnit &unit, double lowest, double highest,
     : QWidget(parent)
     , m_begin(new QuantityEdit(unit, lowest, highest, kDecimals, this))
     , m_end(new QuantityEdit(unit, lowest, highest, kDecimals, this))
-    , m_auto(new QCheckBox(tr("auto"), this))
+    , m_auto(new AutoBox(this))
 {
     auto *layout = new QGridLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -29,12 +30,10 @@ IntervalEdit::IntervalEdit(const ShownUnit &unit, double lowest, double highest,
     setFocusProxy(m_begin);
     connect(m_begin, &QuantityEdit::edited, this, &IntervalEdit::commit);
     connect(m_end, &QuantityEdit::edited, this, &IntervalEdit::commit);
-    connect(m_auto, &QCheckBox::clicked, this, [this](bool checked) {
-        if (checked)
-            emit edited({});
-        else
-            commit();
-    });
+    for (QuantityEdit *edge : {m_begin, m_end})
+        m_auto->follow(edge);
+    connect(m_auto, &AutoBox::ticked, this, [this] { emit edited({}); });
+    connect(m_auto, &AutoBox::unticked, this, &IntervalEdit::commit);
 }
 
 void IntervalEdit::setNames(const QString &objectName, const QString &accessibleName)
@@ -44,15 +43,12 @@ void IntervalEdit::setNames(const QString &objectName, const QString &accessible
     m_begin->setAccessibleName(tr("%1: begin").arg(accessibleName));
     m_end->setObjectName(objectName + "End");
     m_end->setAccessibleName(tr("%1: end").arg(accessibleName));
-    m_auto->setObjectName(objectName + "Auto");
-    m_auto->setAccessibleName(tr("%1: automatic").arg(accessibleName));
+    m_auto->setNames(objectName, accessibleName);
 }
 
 void IntervalEdit::set(const Auto<Interval> &setting, const std::optional<Interval> &used)
 {
-    m_auto->setChecked(setting.isAuto());
-    m_begin->setShownOnly(setting.isAuto());
-    m_end->setShownOnly(setting.isAuto());
+    m_auto->set(setting.isAuto());
     const std::optional<Interval> shown = setting.value ? setting.value : used;
     if (!shown)
         return;
@@ -65,6 +61,8 @@ void IntervalEdit::commit()
     const Interval band{m_begin->si(), m_end->si()};
     if (band.begin < band.end)
         emit edited(band);
+    else
+        showRefusal(this, tr("Not taken yet: the begin (above) must lie before the end (below)."));
 }
 
 } // namespace dyncal

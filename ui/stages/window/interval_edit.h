@@ -8,7 +8,8 @@
 
 namespace dyncal {
 
-/// Begin and end of a band, with the box "auto".
+/// Begin and end of a band, with the box "auto". A begin that is typed behind the end waits for a
+/// new end.
 class IntervalEdit : public QWidget
 {
     Q_OBJECT
@@ -27,7 +28,7 @@ private:
     void commit();
     QuantityEdit *m_begin;
     QuantityEdit *m_end;
-    QCheckBox *m_auto;
+    AutoBox *m_auto;
 };
 
 } // namespace dyncal

@@ -9,6 +9,7 @@
 #include "ui/stages/window/stretch_marking.h"
 #include "ui/stages/window/window_starts.h"
 #include "ui/text/level_text.h"
+#include "ui/text/quantity_column.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/shown_text.h"
 
@@ -84,6 +85,7 @@ void WindowPage::buildInspector()
             r.window.endAtPlateau = false;
         });
     });
+    m_common = form->addNote("windowEndCommon");
     m_plateau = new QCheckBox(tr("End with the computed plateau"));
     m_plateau->setObjectName("endAtPlateau");
     form->addWide(m_plateau);
@@ -196,8 +198,10 @@ void WindowPage::setStart(const Auto<double> &start_s)
         return;
     }
     const WindowedResponse *chosen = responseOfChosenShot();
-    if (!chosen)
+    if (!chosen) {
+        showRecipe(); // there is no record to put it in
         return;
+    }
     const WindowResult &window = *results().window;
     std::vector<double> starts_s = usedStarts(window, session().state().captures->shots.size());
     starts_s[static_cast<std::size_t>(chosen->shot - 1)] = *start_s.value;
@@ -234,6 +238,7 @@ void WindowPage::showRecipe()
     m_baseline->set(settings.baseline_s, used(chosen, &WindowedResponse::baseline_s));
     m_end->set(settings.end_s, used(chosen, &WindowedResponse::end_s));
     m_end->setEnabled(!settings.endAtPlateau);
+    m_common->setText(endText());
     m_plateau->setChecked(settings.endAtPlateau);
     m_settle->set(settings.settle_s, used(chosen, &WindowedResponse::settle_s));
     m_remap->setChecked(recipe().remap);
@@ -243,6 +248,26 @@ void WindowPage::showRecipe()
     showHandles();
     m_stretches->setShot(chosen ? chosen->shot : 1);
     m_stretches->show();
+}
+
+/// For whom the end holds, and whose plateau is over before it.
+QString WindowPage::endText() const
+{
+    const WindowSettings &settings = recipe().window;
+    if (settings.endAtPlateau)
+        return tr("Each shot ends with its own plateau.");
+    if (settings.end_s.isAuto())
+        return tr("Automatic: each shot has an end of its own.");
+    const auto &expected = results().expected;
+    QStringList early;
+    for (const ShockConditions &shot :
+        expected ? expected->conditions.shots : std::vector<ShockConditions>())
+        if (shot.plateau_s && *shot.plateau_s < *settings.end_s.value)
+            early << tr("%1 (%2)").arg(shot.shot).arg(shownQuantity(*shot.plateau_s, "s", 3));
+    return early.isEmpty()
+        ? tr("One end, common to all shots.")
+        : tr("One end, common to all shots. The plateau is over before it in: %1.")
+              .arg(early.join(QStringLiteral(", ")));
 }
 
 void WindowPage::showHandles()
@@ -323,15 +348,35 @@ void WindowPage::showTable()
 {
     QVector<QStringList> rows;
     if (const auto &window = results().window) {
-        for (const WindowedResponse &r : window->responses) {
-            const QString unit = rawText(r.unit);
-            rows.push_back({QString("%1 %2").arg(r.shot).arg(levelText(r.level)),
-                shownQuantity(r.start_s, "s", 8), shownQuantity(r.baseline, unit),
-                shownQuantity(r.settled, unit), shownQuantity(r.step, unit),
-                shownNumber(r.snr_dB, 3) + " dB", shownQuantity(r.riseTime_s, "s", 3),
-                r.overshoot_percent ? shownNumber(*r.overshoot_percent, 3) + " %" : "–",
-                shownQuantity(r.settlingTime_s, "s", 3)});
-        }
+        const auto column = [&](auto member, const QString &unit, int digits) {
+            std::vector<std::optional<double>> values;
+            values.reserve(window->responses.size());
+            for (const WindowedResponse &r : window->responses)
+                values.push_back(r.*member);
+            return shownColumn(values, unit, digits);
+        };
+        using R = WindowedResponse;
+        // Of shots in different units each has its own.
+        const auto levels = [&](double R::*member) {
+            constexpr int kDigits = 4;
+            const auto &all = window->responses;
+            const bool alike
+                = std::ranges::all_of(all, [&](const R &r) { return r.unit == all.front().unit; });
+            if (alike && !all.empty())
+                return column(member, rawText(all.front().unit), kDigits);
+            QStringList texts;
+            for (const R &r : all)
+                texts << shownQuantity(r.*member, rawText(r.unit), kDigits);
+            return texts;
+        };
+        for (const R &r : window->responses)
+            rows.push_back({QString("%1 %2").arg(r.shot).arg(levelText(r.level))});
+        for (const QStringList &cells :
+            {column(&R::start_s, "s", 8), levels(&R::baseline), levels(&R::settled),
+                levels(&R::step), column(&R::snr_dB, "dB", 3), column(&R::riseTime_s, "s", 3),
+                column(&R::overshoot_percent, "%", 3), column(&R::settlingTime_s, "s", 3)})
+            for (qsizetype row = 0; row < rows.size(); ++row)
+                rows[row] << cells[row];
     }
     m_table->setValues({tr("Shot"), tr("Start"), tr("Baseline"), tr("Settled"), tr("Step"),
                            tr("SNR"), tr("Rise 10–90 %"), tr("Overshoot"), tr("Settling ±5 %")},

@@ -36,6 +36,7 @@ private:
     void moveLine(const QString &id, double time_s, bool finished);
     void shiftStarts(double by_s);
     void setStart(const Auto<double> &start_s);
+    QString endText() const;
     void showHandles();
     void showGuard(const WindowedResponse &response);
     void showLength();
@@ -53,6 +54,7 @@ private:
     QCheckBox *m_subtract;
     IntervalEdit *m_baseline;
     AutoEdit *m_end;
+    QLabel *m_common; ///< whose end it is
     QCheckBox *m_plateau;
     IntervalEdit *m_settle;
     QCheckBox *m_remap;

@@ -4,6 +4,7 @@
 #include "core/capture/formats/text/header_rate.h"
 
 #include "core/base/ascii_text.h"
+#include "core/base/number_text.h"
 #include "core/base/text_encoding.h"
 #include "core/capture/formats/text/text_dialect.h"
 #include "core/capture/formats/text/text_table.h"
@@ -95,20 +96,6 @@ std::size_t groupMarkAt(std::string_view text, std::size_t at, char separator)
             && digitsAt(text, at + mark.size()) == kGroup)
             return mark.size();
     return 0;
-}
-
-/// "50,000" above data with decimal points: thousands in most headers, thousandths in some.
-bool mayBeGrouped(std::string_view digits, char decimal)
-{
-    constexpr std::size_t kGroup = 3;
-    constexpr std::string_view kDigits = "0123456789";
-    const std::size_t mark = digits.find_first_not_of(kDigits);
-    if (mark == 0 || mark > kGroup || mark == std::string_view::npos || digits[0] == '0'
-        || digits[mark] != (decimal == '.' ? ',' : '.'))
-        return false;
-    const std::string_view behind = digits.substr(mark + 1);
-    const std::size_t end = std::min(behind.find_first_not_of(kDigits), behind.size());
-    return end == kGroup && (end == behind.size() || behind[end] == digits[mark]);
 }
 
 /// Takes what a value is behind a key apart: "[us], 0,01", ": 10 MHz", "_hz = 1e6".

@@ -144,6 +144,7 @@ void TestImportDialog::rateAgainstTheFile_needsAReason()
     QTRY_VERIFY(!dialog.isLooking());
     QVERIFY2(importButton(&dialog)->isEnabled(), qPrintable(verdict(&dialog)));
     auto *rate = dialog.findChild<QLineEdit *>("importRateValue");
+    rate->selectAll();
     QTest::keyClicks(rate, "2");
     emit rate->editingFinished();
     QTRY_VERIFY(!dialog.isLooking());

@@ -2,15 +2,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "tests/support/test_program.h"
+#include "ui/stages/frame/optional_edit.h"
 #include "ui/stages/frame/quantity_edit.h"
+#include "ui/stages/frame/refusal_note.h"
 #include "ui/stages/frame/value_table.h"
 #include "ui/stages/window/interval_edit.h"
 #include "ui/text/quantity_format.h"
 
+#include <QApplication>
 #include <QCheckBox>
+#include <QLabel>
 #include <QLineEdit>
 #include <QLocale>
 #include <QSignalSpy>
+#include <QToolButton>
+#include <QWheelEvent>
 #include <QtTest>
 
 using namespace dyncal;
@@ -29,7 +35,14 @@ private slots:
     void quantity_setSi_isSilent();
     void quantity_setWhileTyping_keepsTheText();
     void auto_unticked_takesTheShownValue();
-    void auto_ticked_isReadOnlyAndShowsWhatWasUsed();
+    void auto_ticked_showsWhatWasUsed();
+    void auto_typed_unticksAtTheFirstKey();
+    void auto_typedAsItStands_isThatValue();
+    void auto_typedNonsenseOrEscape_staysAuto();
+    void interval_typed_unticks();
+    void wheel_withoutFocus_changesNothing();
+    void refusal_standsBelowTheField_untilTheNextKey();
+    void recorded_isAValueWithItsOrigin();
     void optional_emptied_isUnknown();
     void optional_nonsense_isNotTaken();
     void interval_reversed_isNotHandedOn();
@@ -124,17 +137,165 @@ void TestInspectorEdits::auto_unticked_takesTheShownValue()
     QVERIFY(got->isAuto());
 }
 
-void TestInspectorEdits::auto_ticked_isReadOnlyAndShowsWhatWasUsed()
+void TestInspectorEdits::auto_ticked_showsWhatWasUsed()
 {
     AutoEdit edit({"µs", 1e-6}, 0.0, 1.0, 6);
     edit.setNames("end", "End");
     edit.set({}, 2e-3);
     const auto *value = edit.findChild<QuantityEdit *>("endValue");
-    QVERIFY(value->isReadOnly());
     QCOMPARE(value->text(), QString("2000 µs"));
     edit.set(Auto<double>(1e-3), 2e-3);
-    QVERIFY(!value->isReadOnly());
     QCOMPARE(value->text(), QString("1000 µs"));
+}
+
+void TestInspectorEdits::auto_typed_unticksAtTheFirstKey()
+{
+    AutoEdit edit({"µs", 1e-6}, 0.0, 1.0, 6);
+    edit.setNames("end", "End");
+    edit.set({}, 2e-3);
+    auto *value = edit.findChild<QuantityEdit *>("endValue");
+    auto *box = edit.findChild<QCheckBox *>("endAuto");
+    QVector<Auto<double>> got;
+    connect(&edit, &AutoEdit::edited, this, [&](const Auto<double> &one) { got << one; });
+    value->selectAll();
+    QTest::keyClicks(value, "1,5 ");
+    QVERIFY(!box->isChecked());
+    QVERIFY(got.empty());
+    edit.set({}, 3e-3); // results arrive meanwhile
+    QVERIFY(!box->isChecked());
+    QTest::keyClicks(value, "ms");
+    QTest::keyClick(value, Qt::Key_Return);
+    QCOMPARE(got.size(), 1);
+    QVERIFY(std::abs(*got[0].value - 1.5e-3) < 1e-15);
+    QVERIFY(!box->isChecked());
+}
+
+void TestInspectorEdits::auto_typedAsItStands_isThatValue()
+{
+    AutoEdit edit({"µs", 1e-6}, 0.0, 1.0, 6);
+    edit.setNames("end", "End");
+    edit.set({}, 2e-3);
+    auto *value = edit.findChild<QuantityEdit *>("endValue");
+    QVector<Auto<double>> got;
+    connect(&edit, &AutoEdit::edited, this, [&](const Auto<double> &one) { got << one; });
+    value->selectAll();
+    QTest::keyClicks(value, "2 ms"); // what the rule decided, from now on by hand
+    QTest::keyClick(value, Qt::Key_Return);
+    QCOMPARE(got.size(), 1);
+    QCOMPARE(*got[0].value, 2e-3);
+}
+
+void TestInspectorEdits::auto_typedNonsenseOrEscape_staysAuto()
+{
+    AutoEdit edit({"µs", 1e-6}, 0.0, 1.0, 6);
+    edit.setNames("end", "End");
+    edit.set({}, 2e-3);
+    auto *value = edit.findChild<QuantityEdit *>("endValue");
+    auto *box = edit.findChild<QCheckBox *>("endAuto");
+    int edits = 0;
+    connect(&edit, &AutoEdit::edited, this, [&] { ++edits; });
+    for (const Qt::Key end : {Qt::Key_Return, Qt::Key_Escape}) {
+        value->selectAll();
+        QTest::keyClicks(value, "12 furlong");
+        QVERIFY(!box->isChecked());
+        QTest::keyClick(value, end);
+        QVERIFY(box->isChecked());
+        QCOMPARE(value->text(), QString("2000 µs"));
+    }
+    QCOMPARE(edits, 0);
+}
+
+void TestInspectorEdits::interval_typed_unticks()
+{
+    IntervalEdit edit({"µs", 1e-6}, -1.0, 1.0);
+    edit.setNames("band", "Band");
+    edit.set({}, Interval{1e-5, 2e-5});
+    std::optional<Interval> got;
+    connect(&edit, &IntervalEdit::edited, this, [&](const Auto<Interval> &b) { got = b.value; });
+    auto *end = edit.findChild<QuantityEdit *>("bandEnd");
+    end->selectAll();
+    QTest::keyClicks(end, "0,05 ms");
+    QVERIFY(!edit.findChild<QCheckBox *>("bandAuto")->isChecked());
+    QTest::keyClick(end, Qt::Key_Return);
+    QVERIFY(got);
+    QCOMPARE(got->begin, 1e-5);
+    QVERIFY(std::abs(got->end - 5e-5) < 1e-15);
+}
+
+void TestInspectorEdits::wheel_withoutFocus_changesNothing()
+{
+    AutoEdit edit({"µs", 1e-6}, 0.0, 1.0, 6);
+    edit.setNames("end", "End");
+    edit.set({}, 2e-3);
+    edit.show();
+    auto *value = edit.findChild<QuantityEdit *>("endValue");
+    edit.findChild<QCheckBox *>("endAuto")->setFocus();
+    QWheelEvent wheel(QPointF(5, 5), value->mapToGlobal(QPointF(5, 5)), {}, {0, 120}, Qt::NoButton,
+        Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(value, &wheel);
+    QCOMPARE(value->si(), 2e-3);
+    QVERIFY(!wheel.isAccepted()); // the page scrolls
+}
+
+void TestInspectorEdits::refusal_standsBelowTheField_untilTheNextKey()
+{
+    QWidget window;
+    window.resize(400, 200);
+    auto *edit = new OptionalEdit({"K", 1.0}, 1.0, 5000.0, &window);
+    edit->setNames("T1", "T1");
+    auto *spin = new QuantityEdit({"kHz", 1e3}, 0.0, 1e9, 6, &window);
+    spin->move(0, 60);
+    window.show();
+    auto *text = edit->findChild<QLineEdit *>("T1Value");
+    QTest::keyClicks(text, "21 furlong");
+    QTest::keyClick(text, Qt::Key_Return);
+    QVERIFY2(refusalOnShow(edit).contains("°C"), qPrintable(refusalOnShow(edit)));
+    QTest::keyClicks(text, "9000"); // the field's range
+    QVERIFY(refusalOnShow(edit).isEmpty());
+    QTest::keyClick(text, Qt::Key_Return);
+    QVERIFY2(refusalOnShow(edit).contains("5000 K"), qPrintable(refusalOnShow(edit)));
+    spin->selectAll();
+    QTest::keyClicks(spin, "1,234");
+    QTest::keyClick(spin, Qt::Key_Return);
+    QVERIFY2(refusalOnShow(spin).contains("1234"), qPrintable(refusalOnShow(spin)));
+    const auto *note = window.findChild<QLabel *>("refusalNote");
+    QVERIFY(window.rect().contains(note->geometry()));
+    QVERIFY(!note->geometry().intersects(spin->geometry()));
+}
+
+void TestInspectorEdits::recorded_isAValueWithItsOrigin()
+{
+    OptionalEdit edit({"K", 1.0}, 1.0, 5000.0);
+    edit.setNames("T1", "T1");
+    edit.set({}, 294.15);
+    edit.show();
+    auto *text = edit.findChild<QLineEdit *>("T1Value");
+    const auto *origin = edit.findChild<QLabel *>("T1Origin");
+    auto *back = edit.findChild<QToolButton *>("T1UseRecorded");
+    QVector<std::optional<double>> got;
+    connect(&edit, &OptionalEdit::edited, this, [&](const auto &value) { got << value; });
+    const auto holdsRecorded = [&] {
+        return text->text() == "294.15" && origin->isVisible() && origin->text() == "recorded"
+            && !back->isVisible();
+    };
+    QVERIFY(holdsRecorded());
+    for (const bool byButton : {true, false}) {
+        text->selectAll();
+        QTest::keyClicks(text, "20 C");
+        QTest::keyClick(text, Qt::Key_Return);
+        QCOMPARE(*got.last(), 293.15);
+        QVERIFY(!origin->isVisible() && back->isVisible());
+        if (byButton) {
+            QTest::mouseClick(back, Qt::LeftButton);
+        } else {
+            text->selectAll();
+            QTest::keyClick(text, Qt::Key_Delete);
+            QTest::keyClick(text, Qt::Key_Return);
+        }
+        QVERIFY(!got.last());
+        QVERIFY(holdsRecorded());
+    }
+    QCOMPARE(got.size(), 4);
 }
 
 void TestInspectorEdits::optional_emptied_isUnknown()
@@ -155,6 +316,8 @@ void TestInspectorEdits::optional_emptied_isUnknown()
     QTest::keyClick(text, Qt::Key_Return);
     QCOMPARE(signalled, 1);
     QVERIFY(!got);
+    QCOMPARE(text->text(), QString("100")); // the recorded one
+    text->selectAll();
     QTest::keyClicks(text, "99,5");
     QTest::keyClick(text, Qt::Key_Return);
     QCOMPARE(*got, 99.5e3);

@@ -8,6 +8,7 @@
 #include "ui/stages/captures_page.h"
 #include "ui/stages/certificate_page.h"
 #include "ui/stages/components_page.h"
+#include "ui/stages/frame/optional_edit.h"
 #include "ui/stages/frame/prompts.h"
 #include "ui/stages/frame/quantity_edit.h"
 #include "ui/stages/model_input_page.h"
@@ -77,7 +78,7 @@ struct Bench
         page->show();
         inspector->show();
     }
-    /// What is automatic can be typed only when its box is not ticked.
+    /// What is automatic is by hand then.
     void untickAutomatics()
     {
         for (QCheckBox *box : inspector->findChildren<QCheckBox *>())

@@ -9,9 +9,11 @@
 #include "ui/stages/frame/value_table.h"
 #include "ui/stages/shock/sensor_arrivals.h"
 #include "ui/stages/shock/shock_page.h"
+#include "ui/text/quantity_format.h"
 
 #include <QCheckBox>
 #include <QPushButton>
+#include <QToolButton>
 #include <QtTest>
 
 #include <cmath>
@@ -88,17 +90,28 @@ void TestShockInputs::pressureTyped_scalesTheStep_andEmptiedIsTheRecordings()
 {
     Bench &bench = fresh();
     auto *field = bench.control<QLineEdit>("p1Value");
-    QVERIFY2(field->placeholderText().endsWith("(recorded)"), qPrintable(field->placeholderText()));
+    const auto *origin = bench.control<QLabel>("p1Origin");
+    const QString recorded = field->text();
+    QVERIFY(origin->isVisible());
     const double recorded_Pa = shotOf(bench, 2).states->driven.pressure_Pa;
+    QVERIFY(std::abs(typedNumber(recorded).value_or(0.0) * 1e3 / recorded_Pa - 1.0) < 1e-5);
     const double step_Pa = *shotOf(bench, 2).step_Pa;
     typeAndWait(bench, "p1Value", "50");
+    QVERIFY(!origin->isVisible());
     // At one Mach number every pressure goes with p1.
     QVERIFY(std::abs(*shotOf(bench, 2).step_Pa / step_Pa - 50e3 / recorded_Pa) < 1e-9);
-    QCOMPARE(cell(bench, "stateTable", "p1", 2), QString("50 kPa"));
+    QCOMPARE(cell(bench, "stateTable", "p1", 2), QString("50.000 kPa"));
     typeAndWait(bench, "p1Value", " ");
     QVERIFY(!bench.recipe().shock.p1_Pa);
     QCOMPARE(*shotOf(bench, 2).step_Pa, step_Pa);
-    QVERIFY(field->placeholderText().endsWith("(recorded)"));
+    QCOMPARE(field->text(), recorded);
+    QVERIFY(origin->isVisible());
+    typeAndWait(bench, "p1Value", "0,5 bar");
+    QCOMPARE(*bench.recipe().shock.p1_Pa, 50e3);
+    QTest::mouseClick(bench.control<QToolButton>("p1UseRecorded"), Qt::LeftButton);
+    waitComputed(bench.session);
+    QVERIFY(!bench.recipe().shock.p1_Pa);
+    QCOMPARE(*shotOf(bench, 2).step_Pa, step_Pa);
 }
 
 void TestShockInputs::velocityTyped_givesTheMachNumber()
@@ -110,7 +123,7 @@ void TestShockInputs::velocityTyped_givesTheMachNumber()
         QCOMPARE(states.velocity_m_s, 450.0);
         QVERIFY(std::abs(states.mach - 450.0 / states.driven.soundSpeed_m_s) < 1e-12);
     }
-    QCOMPARE(cell(bench, "stateTable", "Velocity W", 1), QString("450 m/s"));
+    QCOMPARE(cell(bench, "stateTable", "Velocity W", 1), QString("450.000 m/s"));
     typeAndWait(bench, "shockVelocityValue", "100"); // slower than sound: there is no such shock
     const Findings findings = bench.session.findings();
     QVERIFY(bench.session.error() || std::ranges::any_of(findings, [](const Finding &finding) {

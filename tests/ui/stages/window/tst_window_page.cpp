@@ -8,11 +8,13 @@
 #include "ui/stages/frame/quantity_edit.h"
 #include "ui/stages/frame/value_table.h"
 #include "ui/stages/window/window_page.h"
+#include "ui/text/quantity_format.h"
 
 #include <QCheckBox>
 #include <QPushButton>
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace dyncal;
@@ -80,6 +82,7 @@ private:
 private slots:
     void initTestCase() { m_set = testing::simulatedExample(1e7, 0.004); }
     void end_dragged_isOneStep_andTheReadoutsAgree();
+    void end_behindThePlateauOfOthers_namesThem();
     void end_draggedBeforeTheStart_isNotTaken();
     void end_typedWhileAtPlateau_leavesThePlateau();
     void start_dragged_movesEveryShotByTheSame_onReleaseOnly();
@@ -162,9 +165,35 @@ void TestWindowPage::end_dragged_isOneStep_andTheReadoutsAgree()
     QVERIFY2(bench.control<QLabel>("windowLength")->text().startsWith("200 µs, "),
         qPrintable(bench.control<QLabel>("windowLength")->text()));
     QVERIFY(bench.control<QLabel>("windowResolution")->text().startsWith("5 kHz"));
+    const auto *whose = bench.control<QLabel>("windowEndCommon");
+    QVERIFY2(whose->text().contains("common to all shots"), qPrintable(whose->text()));
     undo(bench);
+    QVERIFY2(whose->text().contains("each shot has an end of its own"), qPrintable(whose->text()));
     QVERIFY(bench.recipe().window.end_s.isAuto());
     QVERIFY(bench.control<QCheckBox>("windowEndAuto")->isChecked());
+}
+
+void TestWindowPage::end_behindThePlateauOfOthers_namesThem()
+{
+    Bench &bench = fresh();
+    // Between the plateaus: the slower the shock, the longer it lasts.
+    std::vector<double> plateaus_s;
+    for (const ShockConditions &shot : bench.session.results().expected->conditions.shots)
+        plateaus_s.push_back(shot.plateau_s.value());
+    std::ranges::sort(plateaus_s);
+    const double end_s = 0.5 * (plateaus_s[1] + plateaus_s[2]);
+    auto *field = bench.control<QuantityEdit>("windowEndValue");
+    field->selectAll();
+    QTest::keyClicks(field, QString::number(1e3 * end_s, 'f', 6) + " ms");
+    QTest::keyClick(field, Qt::Key_Return);
+    waitComputed(bench.session);
+    QVERIFY(std::abs(*bench.recipe().window.end_s.value - end_s) < 1e-9);
+    const QString said = bench.control<QLabel>("windowEndCommon")->text();
+    for (const ShockConditions &shot : bench.session.results().expected->conditions.shots) {
+        const QString named
+            = QString("%1 (%2)").arg(shot.shot).arg(shownQuantity(*shot.plateau_s, "s", 3));
+        QCOMPARE(said.contains(named), *shot.plateau_s < end_s);
+    }
 }
 
 void TestWindowPage::end_draggedBeforeTheStart_isNotTaken()
