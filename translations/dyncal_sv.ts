@@ -1434,7 +1434,7 @@
     </message>
     <message>
         <source>shock</source>
-        <translation>chockvåg</translation>
+        <translation>stötvåg</translation>
     </message>
     <message>
         <source>reflected</source>
@@ -1507,7 +1507,7 @@
     </message>
     <message>
         <source>behind the shock</source>
-        <translation>bakom chockvågen</translation>
+        <translation>bakom stötvågen</translation>
     </message>
     <message>
         <source>driver gas (computed)</source>
@@ -1598,6 +1598,641 @@
     <message>
         <source>waits for all singular values</source>
         <translation>väntar på alla singulärvärden</translation>
+    </message>
+</context>
+<context>
+    <name>RecipeLabel</name>
+    <message>
+        <source>kind of file</source>
+        <translation>filens slag</translation>
+    </message>
+    <message>
+        <source>import settings</source>
+        <translation>importinställningar</translation>
+    </message>
+    <message>
+        <source>file format</source>
+        <translation>filformat</translation>
+    </message>
+    <message>
+        <source>columns of the text file</source>
+        <translation>textfilens kolumner</translation>
+    </message>
+    <message>
+        <source>column of the times</source>
+        <translation>tidernas kolumn</translation>
+    </message>
+    <message>
+        <source>column of the DUT</source>
+        <translation>DUT:s kolumn</translation>
+    </message>
+    <message>
+        <source>column of the driven-side sensor</source>
+        <translation>sidogivarens kolumn</translation>
+    </message>
+    <message>
+        <source>column of the driver pressure</source>
+        <translation>drivtryckets kolumn</translation>
+    </message>
+    <message>
+        <source>column of the trigger</source>
+        <translation>triggerns kolumn</translation>
+    </message>
+    <message>
+        <source>column of another channel</source>
+        <translation>en annan kanals kolumn</translation>
+    </message>
+    <message>
+        <source>channel roles</source>
+        <translation>kanalroller</translation>
+    </message>
+    <message>
+        <source>role of the channel</source>
+        <translation>kanalens roll</translation>
+    </message>
+    <message>
+        <source>unit of the channel</source>
+        <translation>kanalens enhet</translation>
+    </message>
+    <message>
+        <source>factor on the channel</source>
+        <translation>kanalens faktor</translation>
+    </message>
+    <message>
+        <source>gain of the channel</source>
+        <translation>kanalens förstärkning</translation>
+    </message>
+    <message>
+        <source>sensitivity of the channel</source>
+        <translation>kanalens känslighet</translation>
+    </message>
+    <message>
+        <source>inverted polarity of the channel</source>
+        <translation>kanalens inverterade polaritet</translation>
+    </message>
+    <message>
+        <source>gauge or absolute pressure of the channel</source>
+        <translation>kanalens över- eller absoluttryck</translation>
+    </message>
+    <message>
+        <source>decimal mark</source>
+        <translation>decimaltecken</translation>
+    </message>
+    <message>
+        <source>separator</source>
+        <translation>avskiljare</translation>
+    </message>
+    <message>
+        <source>sample rate</source>
+        <translation>samplingsfrekvens</translation>
+    </message>
+    <message>
+        <source>why the rate in the file is wrong</source>
+        <translation>varför filens samplingsfrekvens är fel</translation>
+    </message>
+    <message>
+        <source>unit of the DUT</source>
+        <translation>DUT:s enhet</translation>
+    </message>
+    <message>
+        <source>factor on the DUT</source>
+        <translation>DUT:s faktor</translation>
+    </message>
+    <message>
+        <source>inverted polarity</source>
+        <translation>inverterad polaritet</translation>
+    </message>
+    <message>
+        <source>gauge or absolute pressure</source>
+        <translation>över- eller absoluttryck</translation>
+    </message>
+    <message>
+        <source>rows before the data</source>
+        <translation>rader före data</translation>
+    </message>
+    <message>
+        <source>longest gap to be filled</source>
+        <translation>längsta lucka som fylls</translation>
+    </message>
+    <message>
+        <source>memory that a file may take</source>
+        <translation>minne som en fil får ta</translation>
+    </message>
+    <message>
+        <source>files joined as channels</source>
+        <translation>filer förenade som kanaler</translation>
+    </message>
+    <message>
+        <source>levels of the shots</source>
+        <translation>skottens nivåer</translation>
+    </message>
+    <message>
+        <source>excluded shots</source>
+        <translation>uteslutna skott</translation>
+    </message>
+    <message>
+        <source>excluded shot</source>
+        <translation>uteslutet skott</translation>
+    </message>
+    <message>
+        <source>reason for the exclusion</source>
+        <translation>skäl för uteslutningen</translation>
+    </message>
+    <message>
+        <source>import settings of single files</source>
+        <translation>importinställningar för enskilda filer</translation>
+    </message>
+    <message>
+        <source>limits of findings</source>
+        <translation>gränser för iakttagelser</translation>
+    </message>
+    <message>
+        <source>equal samples that count as saturation</source>
+        <translation>lika sampel som räknas som mättnad</translation>
+    </message>
+    <message>
+        <source>scatter below which a channel is flat</source>
+        <translation>spridning under vilken en kanal är platt</translation>
+    </message>
+    <message>
+        <source>codes that a step should use</source>
+        <translation>koder som ett steg bör använda</translation>
+    </message>
+    <message>
+        <source>noise by which a step must stand out</source>
+        <translation>brus som ett steg måste överstiga</translation>
+    </message>
+    <message>
+        <source>difference allowed between two sample rates</source>
+        <translation>tillåten skillnad mellan två samplingsfrekvenser</translation>
+    </message>
+    <message>
+        <source>factor allowed between read and computed step</source>
+        <translation>tillåten faktor mellan avläst och beräknat steg</translation>
+    </message>
+    <message>
+        <source>reference step</source>
+        <translation>referenssteg</translation>
+    </message>
+    <message>
+        <source>compute the step from the shock</source>
+        <translation>beräkna steget ur stötvågen</translation>
+    </message>
+    <message>
+        <source>p1, absolute</source>
+        <translation>p1, absolut</translation>
+    </message>
+    <message>
+        <source>T1</source>
+        <translation>T1</translation>
+    </message>
+    <message>
+        <source>T4 (driver)</source>
+        <translation>T4 (drivgas)</translation>
+    </message>
+    <message>
+        <source>driven gas</source>
+        <translation>gas i lågtrycksdelen</translation>
+    </message>
+    <message>
+        <source>γ of the driven gas</source>
+        <translation>γ för gasen i lågtrycksdelen</translation>
+    </message>
+    <message>
+        <source>molar mass of the driven gas</source>
+        <translation>molmassa för gasen i lågtrycksdelen</translation>
+    </message>
+    <message>
+        <source>substance of the driven gas</source>
+        <translation>ämnet i lågtrycksdelen</translation>
+    </message>
+    <message>
+        <source>heat capacity of the driven gas</source>
+        <translation>värmekapacitet för gasen i lågtrycksdelen</translation>
+    </message>
+    <message>
+        <source>driver gas</source>
+        <translation>drivgas</translation>
+    </message>
+    <message>
+        <source>γ of the driver gas</source>
+        <translation>drivgasens γ</translation>
+    </message>
+    <message>
+        <source>molar mass of the driver gas</source>
+        <translation>drivgasens molmassa</translation>
+    </message>
+    <message>
+        <source>substance of the driver gas</source>
+        <translation>drivgasens ämne</translation>
+    </message>
+    <message>
+        <source>heat capacity of the driver gas</source>
+        <translation>drivgasens värmekapacitet</translation>
+    </message>
+    <message>
+        <source>relative humidity</source>
+        <translation>relativ fuktighet</translation>
+    </message>
+    <message>
+        <source>velocity of the shock</source>
+        <translation>stötvågens hastighet</translation>
+    </message>
+    <message>
+        <source>pressure step</source>
+        <translation>trycksteg</translation>
+    </message>
+    <message>
+        <source>arrival sensors</source>
+        <translation>ankomstgivare</translation>
+    </message>
+    <message>
+        <source>channel of the arrival sensor</source>
+        <translation>ankomstgivarens kanal</translation>
+    </message>
+    <message>
+        <source>distance to end wall</source>
+        <translation>avstånd till ändvägg</translation>
+    </message>
+    <message>
+        <source>u (distance)</source>
+        <translation>u (avstånd)</translation>
+    </message>
+    <message>
+        <source>arrival</source>
+        <translation>ankomst</translation>
+    </message>
+    <message>
+        <source>u (arrival)</source>
+        <translation>u (ankomst)</translation>
+    </message>
+    <message>
+        <source>delay of the sensor</source>
+        <translation>givarens fördröjning</translation>
+    </message>
+    <message>
+        <source>u (delay)</source>
+        <translation>u (fördröjning)</translation>
+    </message>
+    <message>
+        <source>driver section</source>
+        <translation>högtrycksdel</translation>
+    </message>
+    <message>
+        <source>driven section</source>
+        <translation>lågtrycksdel</translation>
+    </message>
+    <message>
+        <source>inner diameter</source>
+        <translation>innerdiameter</translation>
+    </message>
+    <message>
+        <source>place of the DUT</source>
+        <translation>DUT:s plats</translation>
+    </message>
+    <message>
+        <source>duration of the front</source>
+        <translation>frontens varaktighet</translation>
+    </message>
+    <message>
+        <source>u (duration of the front)</source>
+        <translation>u (frontens varaktighet)</translation>
+    </message>
+    <message>
+        <source>what the state follows from</source>
+        <translation>vad tillståndet följer av</translation>
+    </message>
+    <message>
+        <source>p2, absolute</source>
+        <translation>p2, absolut</translation>
+    </message>
+    <message>
+        <source>driver pressure, absolute</source>
+        <translation>drivtryck, absolut</translation>
+    </message>
+    <message>
+        <source>CO₂</source>
+        <translation>CO₂</translation>
+    </message>
+    <message>
+        <source>counters</source>
+        <translation>räknare</translation>
+    </message>
+    <message>
+        <source>far place of the counter</source>
+        <translation>räknarens bortre plats</translation>
+    </message>
+    <message>
+        <source>near place of the counter</source>
+        <translation>räknarens närmare plats</translation>
+    </message>
+    <message>
+        <source>time of the counter</source>
+        <translation>räknarens tid</translation>
+    </message>
+    <message>
+        <source>u (length of the counter)</source>
+        <translation>u (räknarens längd)</translation>
+    </message>
+    <message>
+        <source>u (time of the counter)</source>
+        <translation>u (räknarens tid)</translation>
+    </message>
+    <message>
+        <source>change of the velocity along the tube</source>
+        <translation>hastighetens ändring längs röret</translation>
+    </message>
+    <message>
+        <source>use the arrival at the DUT</source>
+        <translation>använd ankomsten till DUT</translation>
+    </message>
+    <message>
+        <source>distance of the DUT to the end wall</source>
+        <translation>DUT:s avstånd till ändväggen</translation>
+    </message>
+    <message>
+        <source>diameter of the DUT</source>
+        <translation>DUT:s diameter</translation>
+    </message>
+    <message>
+        <source>length of the tube</source>
+        <translation>rörets längd</translation>
+    </message>
+    <message>
+        <source>sound speed of the wall</source>
+        <translation>väggens ljudhastighet</translation>
+    </message>
+    <message>
+        <source>guard before the plateau&apos;s end</source>
+        <translation>marginal före platåns slut</translation>
+    </message>
+    <message>
+        <source>window</source>
+        <translation>fönster</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>start</translation>
+    </message>
+    <message>
+        <source>baseline</source>
+        <translation>baslinje</translation>
+    </message>
+    <message>
+        <source>end of the window</source>
+        <translation>fönstrets slut</translation>
+    </message>
+    <message>
+        <source>settle band</source>
+        <translation>slutnivåns band</translation>
+    </message>
+    <message>
+        <source>stretches left out of the fit</source>
+        <translation>sträckor utelämnade ur anpassningen</translation>
+    </message>
+    <message>
+        <source>shot of the stretch</source>
+        <translation>sträckans skott</translation>
+    </message>
+    <message>
+        <source>begin of the stretch</source>
+        <translation>sträckans början</translation>
+    </message>
+    <message>
+        <source>end of the stretch</source>
+        <translation>sträckans slut</translation>
+    </message>
+    <message>
+        <source>reason for leaving the stretch out</source>
+        <translation>skäl att utelämna sträckan</translation>
+    </message>
+    <message>
+        <source>remap to 0..1</source>
+        <translation>skala om till 0..1</translation>
+    </message>
+    <message>
+        <source>spectrum</source>
+        <translation>spektrum</translation>
+    </message>
+    <message>
+        <source>window function</source>
+        <translation>fönsterfunktion</translation>
+    </message>
+    <message>
+        <source>estimator</source>
+        <translation>estimator</translation>
+    </message>
+    <message>
+        <source>segment length</source>
+        <translation>segmentlängd</translation>
+    </message>
+    <message>
+        <source>trend taken off</source>
+        <translation>borttagen trend</translation>
+    </message>
+    <message>
+        <source>band of the search</source>
+        <translation>sökningens band</translation>
+    </message>
+    <message>
+        <source>resonance</source>
+        <translation>resonans</translation>
+    </message>
+    <message>
+        <source>principal components</source>
+        <translation>principalkomponenter</translation>
+    </message>
+    <message>
+        <source>components kept</source>
+        <translation>behållna komponenter</translation>
+    </message>
+    <message>
+        <source>subtract the mean</source>
+        <translation>dra bort medelvärdet</translation>
+    </message>
+    <message>
+        <source>lags</source>
+        <translation>tidsförskjutningar</translation>
+    </message>
+    <message>
+        <source>confidence of the bound</source>
+        <translation>gränsens konfidensgrad</translation>
+    </message>
+    <message>
+        <source>model input</source>
+        <translation>modellens indata</translation>
+    </message>
+    <message>
+        <source>rate of the model input</source>
+        <translation>modellindatas samplingsfrekvens</translation>
+    </message>
+    <message>
+        <source>samples of the model input</source>
+        <translation>modellindatas sampel</translation>
+    </message>
+    <message>
+        <source>offset of the model input</source>
+        <translation>modellindatas förskjutning</translation>
+    </message>
+    <message>
+        <source>how shots are combined</source>
+        <translation>hur skott sammanförs</translation>
+    </message>
+    <message>
+        <source>what the response is taken for</source>
+        <translation>vad svaret tas för</translation>
+    </message>
+    <message>
+        <source>realisation</source>
+        <translation>realisering</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>ordning</translation>
+    </message>
+    <message>
+        <source>orders offered</source>
+        <translation>ordningar att välja bland</translation>
+    </message>
+    <message>
+        <source>Hankel rows</source>
+        <translation>Hankelrader</translation>
+    </message>
+    <message>
+        <source>refine the poles</source>
+        <translation>förfina polerna</translation>
+    </message>
+    <message>
+        <source>nuisance modes</source>
+        <translation>störmoder</translation>
+    </message>
+    <message>
+        <source>frequency of the nuisance mode</source>
+        <translation>störmodens frekvens</translation>
+    </message>
+    <message>
+        <source>shot of the nuisance mode</source>
+        <translation>störmodens skott</translation>
+    </message>
+    <message>
+        <source>kind of the nuisance mode</source>
+        <translation>störmodens slag</translation>
+    </message>
+    <message>
+        <source>label of the nuisance mode</source>
+        <translation>störmodens benämning</translation>
+    </message>
+    <message>
+        <source>reason for the nuisance mode</source>
+        <translation>skäl för störmoden</translation>
+    </message>
+    <message>
+        <source>stable frequency</source>
+        <translation>stabil frekvens</translation>
+    </message>
+    <message>
+        <source>stable damping</source>
+        <translation>stabil dämpning</translation>
+    </message>
+    <message>
+        <source>pinned orders</source>
+        <translation>fästa ordningar</translation>
+    </message>
+    <message>
+        <source>notes on pinned orders</source>
+        <translation>anteckningar om fästa ordningar</translation>
+    </message>
+    <message>
+        <source>order of the note</source>
+        <translation>anteckningens ordning</translation>
+    </message>
+    <message>
+        <source>note</source>
+        <translation>anteckning</translation>
+    </message>
+    <message>
+        <source>reason for the order</source>
+        <translation>skäl för ordningen</translation>
+    </message>
+    <message>
+        <source>response</source>
+        <translation>svar</translation>
+    </message>
+    <message>
+        <source>frequencies of the response</source>
+        <translation>svarets frekvenser</translation>
+    </message>
+    <message>
+        <source>reference of the response</source>
+        <translation>svarets referens</translation>
+    </message>
+    <message>
+        <source>uncertainty</source>
+        <translation>osäkerhet</translation>
+    </message>
+    <message>
+        <source>uncertainty budget</source>
+        <translation>osäkerhetsbudget</translation>
+    </message>
+    <message>
+        <source>quantity of the budget</source>
+        <translation>budgetens storhet</translation>
+    </message>
+    <message>
+        <source>u of the budget</source>
+        <translation>budgetens u</translation>
+    </message>
+    <message>
+        <source>distribution of the budget</source>
+        <translation>budgetens fördelning</translation>
+    </message>
+    <message>
+        <source>degrees of freedom of the budget</source>
+        <translation>budgetens frihetsgrader</translation>
+    </message>
+    <message>
+        <source>Monte Carlo trials</source>
+        <translation>Monte Carlo-försök</translation>
+    </message>
+    <message>
+        <source>seed</source>
+        <translation>frö</translation>
+    </message>
+    <message>
+        <source>coverage probability</source>
+        <translation>täckningssannolikhet</translation>
+    </message>
+    <message>
+        <source>acknowledged findings</source>
+        <translation>kvitterade iakttagelser</translation>
+    </message>
+    <message>
+        <source>acknowledged finding</source>
+        <translation>kvitterad iakttagelse</translation>
+    </message>
+    <message>
+        <source>shot of the acknowledged finding</source>
+        <translation>den kvitterade iakttagelsens skott</translation>
+    </message>
+    <message>
+        <source>reason of the acknowledgement</source>
+        <translation>kvitteringens skäl</translation>
+    </message>
+    <message>
+        <source>certificate</source>
+        <translation>certifikat</translation>
+    </message>
+    <message>
+        <source>template of the certificate</source>
+        <translation>certifikatets mall</translation>
+    </message>
+    <message>
+        <source>languages of the certificate</source>
+        <translation>certifikatets språk</translation>
+    </message>
+    <message>
+        <source>fields of the certificate</source>
+        <translation>certifikatets fält</translation>
     </message>
 </context>
 <context>
@@ -1822,7 +2457,7 @@
     </message>
     <message>
         <source>Reflected shock</source>
-        <translation>Reflekterad chockvåg</translation>
+        <translation>Reflekterad stötvåg</translation>
     </message>
     <message>
         <source>follows the gas: a mode of the tube</source>
@@ -2540,7 +3175,7 @@
     </message>
     <message>
         <source>The sensitivity S(f) is the complex ratio of the item&apos;s output to the change of pressure at the sensor&apos;s face in the end-wall plane of a shock tube; phase of output over input, lag negative, relative to the sensor&apos;s own onset.</source>
-        <translation>Känsligheten S(f) är det komplexa förhållandet mellan objektets utsignal och tryckändringen vid givarens yta i chockrörets ändväggsplan; fas för utsignal relativt insignal, eftersläpning negativ, räknat från givarens egen start.</translation>
+        <translation>Känsligheten S(f) är det komplexa förhållandet mellan objektets utsignal och tryckändringen vid givarens yta i stötrörets ändväggsplan; fas för utsignal relativt insignal, eftersläpning negativ, räknat från givarens egen start.</translation>
     </message>
     <message>
         <source>Shots combined</source>
@@ -2600,7 +3235,7 @@
     </message>
     <message>
         <source>Shock velocity</source>
-        <translation>Chockvågens hastighet</translation>
+        <translation>Stötvågens hastighet</translation>
     </message>
     <message>
         <source>Mach number</source>
@@ -2620,7 +3255,7 @@
     </message>
     <message>
         <source>The pressure step is not determined for every shot: neither a step nor a shock velocity with initial pressure and temperature was given. A sensitivity in the unit of pressure cannot be stated for those shots.</source>
-        <translation>Trycksteget är inte bestämt för varje skott: varken ett steg eller en chockvågshastighet med begynnelsetryck och begynnelsetemperatur har angivits. För dessa skott kan ingen känslighet i tryckenhet anges.</translation>
+        <translation>Trycksteget är inte bestämt för varje skott: varken ett steg eller en stötvågshastighet med begynnelsetryck och begynnelsetemperatur har angivits. För dessa skott kan ingen känslighet i tryckenhet anges.</translation>
     </message>
     <message>
         <source>not determined (no model)</source>
@@ -3016,15 +3651,15 @@
     </message>
     <message>
         <source>The reflected shock&apos;s return from the contact surface reaches the end wall %1 after the step (computed).</source>
-        <translation>Den reflekterade chockvågen, åter från kontaktytan, når ändväggen %1 efter steget (beräknat).</translation>
+        <translation>Den reflekterade stötvågen, åter från kontaktytan, når ändväggen %1 efter steget (beräknat).</translation>
     </message>
     <message>
         <source>Driver pressure %1 is %2 % below the %3 that the shock implies (both absolute): usual for a finite opening time.</source>
-        <translation>Drivtrycket %1 ligger %2 % under de %3 som chockvågen motsvarar (båda absoluta): vanligt vid ändlig öppningstid.</translation>
+        <translation>Drivtrycket %1 ligger %2 % under de %3 som stötvågen motsvarar (båda absoluta): vanligt vid ändlig öppningstid.</translation>
     </message>
     <message>
         <source>Driver pressure %1 is %2 % above the %3 that the shock implies (both absolute): check whether the recorded value is right.</source>
-        <translation>Drivtrycket %1 ligger %2 % över de %3 som chockvågen motsvarar (båda absoluta): kontrollera om det registrerade värdet är rätt.</translation>
+        <translation>Drivtrycket %1 ligger %2 % över de %3 som stötvågen motsvarar (båda absoluta): kontrollera om det registrerade värdet är rätt.</translation>
     </message>
     <message>
         <source>The DUT&apos;s position is &apos;%1&apos;; it must be &apos;end-wall&apos; or &apos;side-wall&apos;.</source>
@@ -3060,31 +3695,31 @@
     </message>
     <message>
         <source>Computed Mach number %1 (velocity %2 m/s); a shock needs more than 1: check sample rate, distance, arrival times and T1.</source>
-        <translation>Beräknat machtal %1 (hastighet %2 m/s); en chockvåg kräver mer än 1: kontrollera samplingsfrekvens, avstånd, ankomsttider och T1.</translation>
+        <translation>Beräknat machtal %1 (hastighet %2 m/s); en stötvåg kräver mer än 1: kontrollera samplingsfrekvens, avstånd, ankomsttider och T1.</translation>
     </message>
     <message>
         <source>No driver pressure can produce a shock of Mach %1 with this driver gas at %2 K; check the velocity, T4 and the driver gas.</source>
-        <translation>Inget drivtryck kan ge en chockvåg med machtal %1 med denna drivgas vid %2 K; kontrollera hastigheten, T4 och drivgasen.</translation>
+        <translation>Inget drivtryck kan ge en stötvåg med machtal %1 med denna drivgas vid %2 K; kontrollera hastigheten, T4 och drivgasen.</translation>
     </message>
     <message>
         <source>The pressure step is not determined: the shock velocity is unknown, because the distance from the side sensor to the end wall is not recorded; enter the distance, the velocity or the step itself.</source>
-        <translation>Trycksteget är inte bestämt: chockvågens hastighet är okänd, eftersom avståndet från sidogivaren till ändväggen inte är registrerat; ange avståndet, hastigheten eller själva steget.</translation>
+        <translation>Trycksteget är inte bestämt: stötvågens hastighet är okänd, eftersom avståndet från sidogivaren till ändväggen inte är registrerat; ange avståndet, hastigheten eller själva steget.</translation>
     </message>
     <message>
         <source>The pressure step is not determined: the shock velocity is unknown, because no channel marks the passing of the shock; enter the velocity or the step itself.</source>
-        <translation>Trycksteget är inte bestämt: chockvågens hastighet är okänd, eftersom ingen kanal markerar chockvågens passage; ange hastigheten eller själva steget.</translation>
+        <translation>Trycksteget är inte bestämt: stötvågens hastighet är okänd, eftersom ingen kanal markerar stötvågens passage; ange hastigheten eller själva steget.</translation>
     </message>
     <message>
         <source>The pressure step is not determined: the shock velocity is unknown, because no arrival is found in the channel &apos;%1&apos;; enter the velocity or the step itself.</source>
-        <translation>Trycksteget är inte bestämt: chockvågens hastighet är okänd, eftersom ingen ankomst hittas i kanalen &apos;%1&apos;; ange hastigheten eller själva steget.</translation>
+        <translation>Trycksteget är inte bestämt: stötvågens hastighet är okänd, eftersom ingen ankomst hittas i kanalen &apos;%1&apos;; ange hastigheten eller själva steget.</translation>
     </message>
     <message>
         <source>The pressure step is not determined: the shock velocity is unknown, because the arrival at the DUT is not known; enter the velocity or the step itself.</source>
-        <translation>Trycksteget är inte bestämt: chockvågens hastighet är okänd, eftersom ankomsten till DUT inte är känd; ange hastigheten eller själva steget.</translation>
+        <translation>Trycksteget är inte bestämt: stötvågens hastighet är okänd, eftersom ankomsten till DUT inte är känd; ange hastigheten eller själva steget.</translation>
     </message>
     <message>
         <source>The pressure step is not determined: the shock velocity is unknown, because a DUT in the side wall needs two arrival sensors; enter the velocity or the step itself.</source>
-        <translation>Trycksteget är inte bestämt: chockvågens hastighet är okänd, eftersom en DUT i sidoväggen kräver två ankomstgivare; ange hastigheten eller själva steget.</translation>
+        <translation>Trycksteget är inte bestämt: stötvågens hastighet är okänd, eftersom en DUT i sidoväggen kräver två ankomstgivare; ange hastigheten eller själva steget.</translation>
     </message>
     <message>
         <source>No resonance found below %1.</source>
@@ -3144,7 +3779,7 @@
     </message>
     <message>
         <source>Shot %1: the window is to end with the computed plateau, but there are no shock data to compute it from; give them or a time for window.end_s.</source>
-        <translation>Skott %1: fönstret ska sluta med den beräknade platån, men det finns inga chockvågsdata att beräkna den ur; ange sådana, eller en tid för window.end_s.</translation>
+        <translation>Skott %1: fönstret ska sluta med den beräknade platån, men det finns inga stötvågsdata att beräkna den ur; ange sådana, eller en tid för window.end_s.</translation>
     </message>
     <message>
         <source>Shot %1: the settle band %2 to %3 must lie within the window, 0 to %4 behind the start; move window.settle_s or window.end_s.</source>
@@ -4076,7 +4711,7 @@
     </message>
     <message>
         <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is not contained in the uncertainties of the sensitivity and of the frequency response.</source>
-        <translation>U för steget är dess utvidgade osäkerhet med täckningsfaktorn k på samma rad, för täckningssannolikheten %1 %. Den följer av osäkerheterna för chockvågens hastighet, begynnelsetrycket, begynnelsetemperaturen och gasen och gäller för ett idealt chockrör. Den ingår inte i osäkerheterna för känsligheten och frekvenssvaret.</translation>
+        <translation>U för steget är dess utvidgade osäkerhet med täckningsfaktorn k på samma rad, för täckningssannolikheten %1 %. Den följer av osäkerheterna för stötvågens hastighet, begynnelsetrycket, begynnelsetemperaturen och gasen och gäller för ett idealt stötrör. Den ingår inte i osäkerheterna för känsligheten och frekvenssvaret.</translation>
     </message>
     <message>
         <source>gas in the tube</source>
@@ -4643,7 +5278,7 @@
     <name>dyncal::ArrivalPanel</name>
     <message>
         <source>Arrival of the shock</source>
-        <translation>Chockvågens ankomst</translation>
+        <translation>Stötvågens ankomst</translation>
     </message>
     <message>
         <source>Sensor</source>
@@ -6864,7 +7499,7 @@
     </message>
     <message>
         <source>Gas state and shock velocity, or a typed step, give the pressure that the sensor saw.</source>
-        <translation>Gastillstånd och chockvågens hastighet, eller ett inmatat steg, ger det tryck som givaren utsattes för.</translation>
+        <translation>Gastillstånd och stötvågens hastighet, eller ett inmatat steg, ger det tryck som givaren utsattes för.</translation>
     </message>
     <message>
         <source>Reference</source>
@@ -6872,7 +7507,7 @@
     </message>
     <message>
         <source>Compute the step from the shock</source>
-        <translation>Beräkna steget ur chockvågen</translation>
+        <translation>Beräkna steget ur stötvågen</translation>
     </message>
     <message>
         <source>Pressure step, typed</source>
@@ -6916,7 +7551,7 @@
     </message>
     <message>
         <source>Arrival of the shock at a sensor</source>
-        <translation>Chockvågens ankomst till en givare</translation>
+        <translation>Stötvågens ankomst till en givare</translation>
     </message>
     <message>
         <source>States</source>
@@ -7167,7 +7802,7 @@
     </message>
     <message>
         <source>The recordings of one sensor: one or more shots from a shock tube</source>
-        <translation>Registreringarna av en givare: ett eller flera skott från ett chockrör</translation>
+        <translation>Registreringarna av en givare: ett eller flera skott från ett stötrör</translation>
     </message>
     <message>
         <source>Open example (3 shots)</source>
@@ -7340,7 +7975,7 @@
     </message>
     <message>
         <source>Where the tube may ring by its dimensions and the gas: computed, not identified. (m,n) across the tube, 5.1 its wall, 5.2 its gas before the burst, a5 and mix along it behind the shocks.</source>
-        <translation>Där röret kan svänga enligt sina mått och gasen: beräknat, inte identifierat. (m,n) tvärs röret, 5.1 dess vägg, 5.2 dess gas före membranbrottet, a5 och bland. längs det bakom chockvågorna.</translation>
+        <translation>Där röret kan svänga enligt sina mått och gasen: beräknat, inte identifierat. (m,n) tvärs röret, 5.1 dess vägg, 5.2 dess gas före membranbrottet, a5 och bland. längs det bakom stötvågorna.</translation>
     </message>
     <message>
         <source>none</source>

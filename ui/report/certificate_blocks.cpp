@@ -38,7 +38,7 @@ QFont font(int pixels, bool bold = false)
 /// A certificate shortens nothing, and keeps the lines of what was typed.
 QString inFull(const Message &message)
 {
-    return translated(message, ArgumentText::Full);
+    return printed(message);
 }
 
 class BlockMaker

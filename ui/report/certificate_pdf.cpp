@@ -27,7 +27,7 @@ struct FrameTexts
     QString title, number, page, state, computed, mark;
 
     explicit FrameTexts(const CertificateData &data)
-        : title(translated(data.title))
+        : title(printed(data.title))
         , number(
               QCoreApplication::translate("Report", "No. %1")
                   .arg(data.number.empty() ? QCoreApplication::translate("Report", "no number yet")
@@ -118,7 +118,7 @@ void setUp(QPdfWriter &writer, const CertificateData &data)
     writer.setResolution(kPageDpi);
     writer.setPageSize(QPageSize(QPageSize::A4));
     writer.setPageMargins(QMarginsF(0.0, 0.0, 0.0, 0.0));
-    writer.setTitle(translated(data.title) + QLatin1Char(' ') + shownText(data.number));
+    writer.setTitle(printed(data.title) + QLatin1Char(' ') + shownText(data.number));
     writer.setCreator(QStringLiteral("Dyncal"));
 }
 

@@ -30,8 +30,6 @@ Result<CaptureSet> exampleCaptures(const JobControl &control, double duration_s)
     if (!sensor)
         return tl::unexpected(sensor.error());
     settings.sensor = std::move(*sensor);
-    settings.noise = 0.01;
-    settings.seed = 1;
     settings.duration_s = duration_s;
     Result<SimulatedCapture> simulated = simulateShots(settings, control);
     if (!simulated)

@@ -12,9 +12,9 @@ namespace dyncal {
 /// Path under which the built-in example is listed in projects; it is no file.
 inline constexpr const char *kExamplePath = "example:optic3";
 
-/// The example: three simulated shots of the preset "optic3", 1 % noise, seed 1. The same counts on
-/// every machine, so a project that refers to it can be opened anywhere. `duration_s` is shortened
-/// only by tests.
+/// The example: three simulated shots of the preset "optic3", as `dyncal simulate` makes them
+/// without options. The same counts on every machine, so a project that refers to it can be opened
+/// anywhere. `duration_s` is shortened only by tests.
 Result<CaptureSet> exampleCaptures(const JobControl &control = {}, double duration_s = 0.02);
 
 } // namespace dyncal

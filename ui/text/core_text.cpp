@@ -3,17 +3,50 @@
 
 #include "ui/text/core_text.h"
 
+#include "ui/text/quantity_format.h"
+#include "ui/text/recipe_labels.h"
+
 #include <QCoreApplication>
+
+#include <string_view>
 
 namespace dyncal {
 
-QString translated(const Message &message, ArgumentText shown)
+namespace {
+
+/// Numbers of a sentence, in the decimal mark of the language; a key that the sentence is about, by
+/// its label. Everything else stays as it is: it is foreign.
+std::vector<std::string> shownArguments(const Message &message)
+{
+    const bool namesKeys = std::string_view(message.text).starts_with("Recipe ");
+    std::vector<std::string> shown = message.arguments;
+    for (std::string &argument : shown) {
+        const QString text = QString::fromStdString(argument);
+        const QString label = namesKeys ? recipeLabel(text) : QString();
+        argument = (label.isEmpty() ? inDecimalMark(text) : label).toStdString();
+    }
+    return shown;
+}
+
+} // namespace
+
+QString translated(const Message &message)
+{
+    const QString text = withRecipeLabels(QCoreApplication::translate("core", message.text));
+    QString sentences
+        = QString::fromStdString(fillPlaces(text.toStdString(), shownArguments(message)));
+    for (const Message &sentence : message.below)
+        sentences += QLatin1Char('\n') + translated(sentence);
+    return sentences;
+}
+
+QString printed(const Message &message)
 {
     const QString text = QCoreApplication::translate("core", message.text);
-    QString sentences
-        = QString::fromStdString(fillPlaces(text.toStdString(), message.arguments, shown));
+    QString sentences = QString::fromStdString(
+        fillPlaces(text.toStdString(), message.arguments, ArgumentText::Full));
     for (const Message &sentence : message.below)
-        sentences += QLatin1Char('\n') + translated(sentence, shown);
+        sentences += QLatin1Char('\n') + printed(sentence);
     return sentences;
 }
 

@@ -9,7 +9,11 @@
 
 namespace dyncal {
 
-/// The sentence in the language of the program, places filled in.
-QString translated(const Message &message, ArgumentText shown = ArgumentText::Brief);
+/// The sentence in the language of the window, places filled in: numbers with its decimal mark,
+/// keys of the recipe by the names of their fields.
+QString translated(const Message &message);
+
+/// The same for a document, in the language that is installed for it: as core wrote it, in full.
+QString printed(const Message &message);
 
 } // namespace dyncal

@@ -21,7 +21,7 @@ constexpr int kPatience_ms = 120'000;
 constexpr int kOrderRow = 6;
 /// What the example is made with.
 constexpr double kTrueResonance_Hz = 2.33e6;
-/// 1 % noise moves the resonance by some 1e-5; a wrong pole or rate by far more than this.
+/// The noise moves the resonance by some 1e-6; a wrong pole or rate by far more than this.
 constexpr double kResonanceTolerance = 1e-3;
 
 const Pole *strongest(const SensorModel &model)

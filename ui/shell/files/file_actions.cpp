@@ -249,19 +249,17 @@ bool FileActions::save()
 
 bool FileActions::refusesRecording(const QString &path)
 {
-    const bool isRecording = isRecordingOf(*m_session.state().captures, path.toStdString());
-    if (isRecording)
-        showProblem(existsAlready(path.toStdString()).value());
-    return isRecording;
+    if (!isRecordingOf(*m_session.state().captures, path.toStdString()))
+        return false;
+    showProblem(existsAlready(path.toStdString()).value());
+    return true;
 }
 
 bool FileActions::saveAs()
 {
     const QString path = m_prompts.saveFile(m_window, tr("Save project"), projectFilter(),
         proposedPath(projectName() + "." + kProjectSuffix), kProjectSuffix);
-    if (path.isEmpty())
-        return false;
-    if (refusesRecording(path))
+    if (path.isEmpty() || refusesRecording(path))
         return false;
     // What the dialog asked about is what is there now; of its own file the window knows better.
     const bool isOwn = QFileInfo(path) == QFileInfo(m_path);
@@ -441,9 +439,14 @@ void FileActions::showProblem(const Error &error)
         m_prompts.showProblem(m_window, translated(error.message));
 }
 
+/// Beside the project, or beside the recordings while it has no file.
 QString FileActions::proposedPath(const QString &fileName) const
 {
-    return QDir(m_preferences.lastFolder()).filePath(fileName);
+    QFileInfo beside(m_path);
+    for (const InputFile &input : m_session.state().captures->inputs)
+        beside = beside.isFile() ? beside : QFileInfo(rawText(input.path));
+    return QDir(beside.isFile() ? beside.absolutePath() : m_preferences.lastFolder())
+        .filePath(fileName);
 }
 
 } // namespace dyncal

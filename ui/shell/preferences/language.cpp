@@ -4,15 +4,14 @@
 #include "ui/shell/preferences/language.h"
 
 #include <QCoreApplication>
-#include <QLibraryInfo>
 #include <QLocale>
 
 namespace dyncal {
 
 Language::~Language()
 {
-    QCoreApplication::removeTranslator(&m_own);
-    QCoreApplication::removeTranslator(&m_qt);
+    for (QTranslator *translator : {&m_own, &m_qt, &m_qtMore})
+        QCoreApplication::removeTranslator(translator);
 }
 
 void Language::install(const QString &code)
@@ -20,16 +19,19 @@ void Language::install(const QString &code)
     if (code == m_code)
         return;
     m_code = code;
-    QCoreApplication::removeTranslator(&m_own);
-    QCoreApplication::removeTranslator(&m_qt);
+    for (QTranslator *translator : {&m_own, &m_qt, &m_qtMore})
+        QCoreApplication::removeTranslator(translator);
     // Without grouping signs a shown number can be typed back as it stands.
     QLocale locale(code == "sv" ? QLocale(QLocale::Swedish, QLocale::Sweden) : QLocale::c());
     locale.setNumberOptions(QLocale::OmitGroupSeparator | QLocale::RejectGroupSeparator);
     QLocale::setDefault(locale);
-    if (m_own.load("dyncal_" + code, ":/i18n"))
-        QCoreApplication::installTranslator(&m_own);
-    if (m_qt.load("qtbase_" + code, QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
-        QCoreApplication::installTranslator(&m_qt);
+    const auto install = [](QTranslator &translator, const QString &name) {
+        if (translator.load(name, ":/i18n"))
+            QCoreApplication::installTranslator(&translator);
+    };
+    install(m_qt, "qt_" + code);
+    install(m_qtMore, "qt_" + code + "_more");
+    install(m_own, "dyncal_" + code);
 }
 
 } // namespace dyncal

@@ -20,6 +20,7 @@ private:
     QString m_code;
     QTranslator m_own;
     QTranslator m_qt;
+    QTranslator m_qtMore; ///< what the translation of Qt lacks
 };
 
 } // namespace dyncal
