@@ -2673,6 +2673,21 @@
     </message>
 </context>
 <context>
+    <name>TraceText</name>
+    <message>
+        <source>no step</source>
+        <translation>inget steg</translation>
+    </message>
+    <message>
+        <source>step %1, %2 times the noise</source>
+        <translation>steg %1, %2 gånger bruset</translation>
+    </message>
+    <message>
+        <source>step %1, no noise</source>
+        <translation>steg %1, inget brus</translation>
+    </message>
+</context>
+<context>
     <name>TypedQuantityText</name>
     <message>
         <source>“%1”: this is a number without a unit.</source>
@@ -6281,6 +6296,34 @@
         <source>Gauge or absolute, channel %1</source>
         <translation>Övertryck eller absolut, kanal %1</translation>
     </message>
+    <message>
+        <source>may be: %1</source>
+        <translation>kan vara: %1</translation>
+    </message>
+    <message>
+        <source>unit not known</source>
+        <translation>okänd enhet</translation>
+    </message>
+    <message>
+        <source>unit %1 is not converted</source>
+        <translation>enheten %1 räknas inte om</translation>
+    </message>
+    <message>
+        <source>Trace</source>
+        <translation>Kurva</translation>
+    </message>
+    <message>
+        <source>Looks like</source>
+        <translation>Ser ut som</translation>
+    </message>
+    <message>
+        <source>Trace of channel %1</source>
+        <translation>Kurva för kanal %1</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>ej angiven</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ImportDatasetTree</name>
@@ -6377,6 +6420,14 @@
     <message>
         <source>These settings hold</source>
         <translation>Inställningarna gäller</translation>
+    </message>
+    <message>
+        <source>Take the proposed roles</source>
+        <translation>Ta de föreslagna rollerna</translation>
+    </message>
+    <message>
+        <source>Proposed from step and noise of the records: look at the traces</source>
+        <translation>Föreslagna utifrån registreringarnas steg och brus: se på kurvorna</translation>
     </message>
 </context>
 <context>

@@ -22,6 +22,8 @@ struct SampleExtremes
     double max = 0.0;
     bool any = false; ///< false: the stretch holds no finite number (or no sample)
     bool invalid = false; ///< the stretch holds NaN or infinities; they are not in min and max
+
+    bool operator==(const SampleExtremes &) const = default;
 };
 
 /// Exact minima and maxima over any stretches of a record, however long, without looking at all of

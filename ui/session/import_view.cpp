@@ -73,7 +73,8 @@ void addTextChannels(ImportView &view)
     for (std::size_t i = 0; i < text.columnTitles.size(); ++i)
         if (text.timeColumn != static_cast<Index>(i))
             view.channels.push_back({text.columnTitles[i], text.units[i], ChannelRole::Other,
-                ChannelRole::Other, static_cast<Index>(i), 0});
+                ChannelRole::Other, static_cast<Index>(i), 0,
+                i < text.glances.size() ? text.glances[i] : ChannelGlance()});
 }
 
 void addChannels(ImportView &view, const CaptureSet &set)
@@ -83,11 +84,22 @@ void addChannels(ImportView &view, const CaptureSet &set)
             const auto known = std::ranges::find(view.channels, channel.name, &ImportChannel::name);
             if (known == view.channels.end())
                 view.channels.push_back({channel.name, channel.unit, channel.role, channel.role, {},
-                    channel.samples.size()});
+                    channel.samples.size(), glanceAt(channel.samples)});
             if (view.sampleRate_Hz <= 0.0)
                 view.sampleRate_Hz = channel.sampleRate_Hz;
         }
     }
+}
+
+void proposeRoles(ImportView &view)
+{
+    std::vector<ChannelGlance> glances;
+    glances.reserve(view.channels.size());
+    for (const ImportChannel &channel : view.channels)
+        glances.push_back(channel.glance);
+    const std::vector<ChannelRole> roles = proposedRoles(glances);
+    for (std::size_t i = 0; i < roles.size(); ++i)
+        view.channels[i].proposed = roles[i];
 }
 
 /// "12.5 MHz" as the sentences of the core write it.
@@ -166,6 +178,13 @@ void lookAtDatasets(ImportView &view, const std::string &path, const JobControl 
 
 } // namespace
 
+bool ImportView::hasProposal() const
+{
+    return std::ranges::find(channels, ChannelRole::Dut, &ImportChannel::role) == channels.end()
+        && std::ranges::find(channels, ChannelRole::Dut, &ImportChannel::proposed)
+        != channels.end();
+}
+
 bool ImportView::isComplete(const ImportSettings &settings) const
 {
     const bool ambiguous = text
@@ -188,6 +207,7 @@ ImportView lookAtFile(
             isExample ? exampleCaptures(control) : openWithOtherChannels(path, settings, control));
         lookAtDatasets(view, path, control);
     }
+    proposeRoles(view);
     applyRoles(view, settings);
     return view;
 }

@@ -23,6 +23,8 @@ struct ImportChannel
     ChannelRole role = ChannelRole::Other; ///< with the settings applied
     std::optional<Index> column; ///< of a text table
     Index samples = 0; ///< 0 = not counted
+    ChannelGlance glance{}; ///< of the record, or of the rows of a text that were looked at
+    ChannelRole proposed = ChannelRole::Other; ///< by the records alone; nothing takes it unasked
     bool operator==(const ImportChannel &) const = default;
 };
 
@@ -37,6 +39,9 @@ struct ImportView
     std::optional<Error> problem; ///< what would stop the import
     /// Where header and column of times contradict each other (CAP-003): what each of them says.
     std::optional<double> headerRate_Hz, timesRate_Hz;
+
+    /// Whether a proposal gives a DUT where there is none yet.
+    bool hasProposal() const;
 
     /// Whether the file can be imported with these settings: it reads without an error, its numbers
     /// can be taken in one way only, the rate is known and one channel is the DUT.

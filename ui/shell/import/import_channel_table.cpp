@@ -3,7 +3,9 @@
 
 #include "ui/shell/import/import_channel_table.h"
 
+#include "core/capture/channel_units.h"
 #include "ui/shell/import/fixed_item.h"
+#include "ui/shell/import/trace_cell.h"
 #include "ui/stages/frame/optional_edit.h"
 #include "ui/stages/frame/position_in.h"
 #include "ui/text/level_text.h"
@@ -21,7 +23,20 @@ namespace dyncal {
 
 namespace {
 
-enum Column { Name, Role, Unit, Factor, Gain, Sensitivity, Inverted, Pressure, Samples, Count };
+enum Column {
+    Name,
+    Trace,
+    Looks,
+    Role,
+    Unit,
+    Factor,
+    Gain,
+    Sensitivity,
+    Inverted,
+    Pressure,
+    Samples,
+    Count
+};
 
 constexpr std::array kRoles{ChannelRole::Dut, ChannelRole::DrivenSide, ChannelRole::Driver,
     ChannelRole::Trigger, ChannelRole::Other};
@@ -30,6 +45,27 @@ constexpr double kMillivoltPerKilopascal = 1e-6; ///< in V/Pa
 constexpr double kSmallest = 1e-30;
 constexpr double kLargest = 1e30;
 
+/// "1" is what readers say where a file has nothing.
+bool isStated(const std::string &unit)
+{
+    return !unit.empty() && unit != "1";
+}
+
+/// What the record shows, what it may be, and what is not known of its unit.
+QString looksText(const ImportChannel &channel, const ChannelImport &details)
+{
+    const std::string unit = details.unit.value_or(channel.unit);
+    QStringList lines{glanceText(channel.glance, isStated(unit) ? shownText(unit) : QString())};
+    if (channel.proposed != ChannelRole::Other)
+        lines << ImportChannelTable::tr("may be: %1").arg(roleText(channel.proposed));
+    if (!isStated(unit))
+        lines << ImportChannelTable::tr("unit not known");
+    else if (!siUnitOf(unit))
+        lines << ImportChannelTable::tr("unit %1 is not converted").arg(shownText(unit));
+    lines.removeAll(QString());
+    return lines.join(QStringLiteral("; "));
+}
+
 } // namespace
 
 ImportChannelTable::ImportChannelTable(QWidget *parent)
@@ -37,8 +73,9 @@ ImportChannelTable::ImportChannelTable(QWidget *parent)
 {
     setObjectName("importChannels");
     setAccessibleName(tr("Channels of the file"));
-    setHorizontalHeaderLabels({tr("Channel"), tr("Role"), tr("Unit"), tr("Factor"), tr("Gain"),
-        tr("Sensitivity / (mV/kPa)"), tr("Inverted"), tr("Pressure"), tr("Samples")});
+    setHorizontalHeaderLabels({tr("Channel"), tr("Trace"), tr("Looks like"), tr("Role"), tr("Unit"),
+        tr("Factor"), tr("Gain"), tr("Sensitivity / (mV/kPa)"), tr("Inverted"), tr("Pressure"),
+        tr("Samples")});
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionMode(QAbstractItemView::NoSelection);
     setTabKeyNavigation(false); // Tab goes through the controls
@@ -64,6 +101,7 @@ void ImportChannelTable::setChannels(
             makeRow(row, channels[static_cast<std::size_t>(row)]);
         m_names = names;
     }
+    resizeRowsToContents();
     bool counted = false;
     for (int row = 0; row < rowCount(); ++row) {
         fillRow(row, channels[static_cast<std::size_t>(row)]);
@@ -87,6 +125,7 @@ void ImportChannelTable::put(
 void ImportChannelTable::makeRow(int row, const ImportChannel &channel)
 {
     const QString name = shownText(channel.name);
+    put(row, Trace, new TraceCell(this), "importTrace", tr("Trace of channel %1").arg(name));
     auto *role = new QComboBox(this);
     for (const ChannelRole choice : kRoles)
         role->addItem(roleText(choice));
@@ -153,12 +192,15 @@ void ImportChannelTable::fillRow(int row, const ImportChannel &channel)
 {
     const ChannelImport &details = m_details[static_cast<std::size_t>(row)];
     setItem(row, Name, fixedItem(shownText(channel.name)));
+    static_cast<TraceCell *>(cellWidget(row, Trace))->setGlance(channel.glance);
+    setItem(row, Looks, fixedItem(looksText(channel, details)));
     setItem(row, Samples,
         fixedItem(channel.samples > 0 ? QString::number(channel.samples) : QString()));
     static_cast<QComboBox *>(cellWidget(row, Role))
         ->setCurrentIndex(positionIn(kRoles, channel.role));
     auto *unit = static_cast<QLineEdit *>(cellWidget(row, Unit));
-    unit->setPlaceholderText(shownText(channel.unit));
+    const bool stated = isStated(channel.unit);
+    unit->setPlaceholderText(stated ? shownText(channel.unit) : tr("not stated"));
     if (!unit->hasFocus())
         unit->setText(rawText(details.unit.value_or("")));
     static_cast<OptionalEdit *>(cellWidget(row, Factor))->set(details.scale);

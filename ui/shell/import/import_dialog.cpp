@@ -4,6 +4,7 @@
 #include "ui/shell/import/import_dialog.h"
 
 #include "core/capture/opening/format_registry.h"
+#include "ui/session/example.h"
 #include "ui/session/file_import.h"
 #include "ui/shell/import/import_channel_table.h"
 #include "ui/shell/import/import_dataset_tree.h"
@@ -66,8 +67,14 @@ ImportDialog::ImportDialog(const QString &path, const ImportSettings &settings, 
             m_settings.channelDetails[name] = details;
             if (details == ChannelImport{})
                 m_settings.channelDetails.erase(name);
+            showChannels(); // what is said of a unit
         });
     column->addWidget(m_channels, 2);
+    m_propose = named(new QPushButton(tr("Take the proposed roles"), this), "importPropose",
+        tr("Take the proposed roles"));
+    m_propose->setToolTip(tr("Proposed from step and noise of the records: look at the traces"));
+    connect(m_propose, &QPushButton::clicked, this, &ImportDialog::takeProposal);
+    column->addWidget(m_propose, 0, Qt::AlignLeft);
     column->addWidget(buildFoot(files));
     m_later.setSingleShot(true);
     m_later.setInterval(kTypingPause_ms);
@@ -96,11 +103,14 @@ void ImportDialog::buildFileRow(QFormLayout *form)
             useProfile(m_profile->itemText(choice));
     });
     auto *row = new QHBoxLayout;
+    auto *profile = new QLabel(tr("Profile"), this);
+    auto *format = new QLabel(tr("Format"), this);
     row->addWidget(m_format, 1);
     row->addSpacing(16);
-    row->addWidget(new QLabel(tr("Profile"), this));
+    row->addWidget(profile);
     row->addWidget(m_profile, 1);
-    form->addRow(tr("Format"), row);
+    form->addRow(format, row);
+    m_fileRow = {format, m_format, profile, m_profile};
 }
 
 ImportTextBox *ImportDialog::buildText()
@@ -213,9 +223,19 @@ void ImportDialog::showView(const ImportView &view)
     showSettings();
     m_text->showView(m_view, m_settings);
     m_rate->showView(m_view, m_settings);
+    showWhatApplies();
     showChannels();
     showVerdict();
     offerProfile();
+}
+
+/// A file that no reader takes has no rate; the example is no file, so no reader is chosen for it.
+void ImportDialog::showWhatApplies()
+{
+    const bool isExample = m_path == QLatin1String(kExamplePath);
+    for (QWidget *widget : m_fileRow)
+        widget->setVisible(!isExample);
+    m_rate->setVisible(!isExample && (m_view.text || !m_view.channels.empty()));
 }
 
 void ImportDialog::showSettings()
@@ -239,6 +259,16 @@ void ImportDialog::showChannels()
 {
     m_datasets->setDatasets(m_view.datasets, m_view.channels);
     m_channels->setChannels(m_view.channels, m_settings.channelDetails);
+    m_channels->setVisible(!m_view.channels.empty());
+    m_propose->setVisible(m_view.hasProposal());
+}
+
+void ImportDialog::takeProposal()
+{
+    const std::vector<ImportChannel> channels = m_view.channels;
+    for (std::size_t i = 0; i < channels.size(); ++i)
+        if (channels[i].proposed != ChannelRole::Other)
+            chooseRole(static_cast<int>(i), channels[i].proposed);
 }
 
 void ImportDialog::chooseDataset(const QString &channel, std::optional<ChannelRole> role)

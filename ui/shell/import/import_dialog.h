@@ -55,9 +55,11 @@ private:
     void lookNow();
     void showView(const ImportView &view);
     void showSettings();
+    void showWhatApplies();
     void showChannels();
     void showVerdict();
     void chooseRole(int channel, ChannelRole role);
+    void takeProposal();
     void chooseDataset(const QString &channel, std::optional<ChannelRole> role);
     void chooseTime(int choice);
     void useRate(double rate_Hz, TimeChoice times, const QString &reason);
@@ -74,10 +76,12 @@ private:
 
     QComboBox *m_profile = nullptr;
     QComboBox *m_format = nullptr;
+    std::vector<QWidget *> m_fileRow; ///< which reader and which profile
     ImportTextBox *m_text = nullptr;
     ImportRateRow *m_rate = nullptr;
     ImportDatasetTree *m_datasets = nullptr;
     ImportChannelTable *m_channels = nullptr;
+    QPushButton *m_propose = nullptr;
     QRadioButton *m_forAll = nullptr;
     QRadioButton *m_forFile = nullptr;
     QLabel *m_verdict = nullptr;

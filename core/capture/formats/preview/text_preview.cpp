@@ -122,6 +122,9 @@ Result<TextPreview> previewText(const std::string &path, const ImportSettings &s
         preview.headerLines += table->countedHeaderLines;
         preview.timeColumn = table->time.column;
         preview.sampleRate_Hz = table->time.sampleRate_Hz;
+        preview.glances.reserve(table->columns.size());
+        for (const std::vector<double> &column : table->columns)
+            preview.glances.push_back(glanceAt(std::span(column)));
     } else {
         preview.problem = table.error();
     }

@@ -5,6 +5,7 @@
 
 #include "core/base/index.h"
 #include "core/base/result.h"
+#include "core/capture/channel_glance.h"
 #include "core/capture/import_settings.h"
 
 #include <optional>
@@ -18,6 +19,7 @@ struct TextPreview
 {
     std::vector<std::string> columnTitles; ///< one per column, UTF-8: "p", or "column 2"
     std::vector<std::string> units; ///< one per column, "" where the file states none
+    std::vector<ChannelGlance> glances; ///< one per column, of the rows looked at; may be empty
     std::vector<std::vector<std::string>> rows; ///< up to 50 rows of data, cells as written
     Index headerLines = 0; ///< before the data; rows[0] is line headerLines + 1
     Index dataRows = 0; ///< of what was looked at
