@@ -65,8 +65,8 @@ bool mixesPrefixes(const QStringList &cells)
             continue;
         if (first.isEmpty())
             first = unit;
-        if (unit != first
-            && (unit.mid(1) == first || first.mid(1) == unit || unit.mid(1) == first.mid(1)))
+        const bool bothPrefixed = unit.size() > 1 && unit.mid(1) == first.mid(1);
+        if (unit != first && (unit.mid(1) == first || first.mid(1) == unit || bothPrefixed))
             return true;
     }
     return false;

@@ -11,6 +11,8 @@
 
 #include <array>
 #include <cmath>
+#include <map>
+#include <vector>
 
 namespace dyncal {
 
@@ -75,6 +77,25 @@ QString distributionText(Distribution distribution)
     return {};
 }
 
+/// Value and u of every input; those of one unit in one, prefix included.
+std::vector<ShownResult> shownEstimates(const GumBudget &budget)
+{
+    std::map<QString, std::vector<Estimate>> byUnit;
+    for (const BudgetLine &line : budget.lines)
+        byUnit[wordsFor(line.input.quantity).second].push_back({line.input.value, line.input.u});
+    std::map<QString, std::vector<ShownResult>> shown;
+    for (const auto &[unit, column] : byUnit)
+        shown[unit] = shownColumn(column, unit);
+    std::map<QString, std::size_t> taken;
+    std::vector<ShownResult> estimates;
+    estimates.reserve(budget.lines.size());
+    for (const BudgetLine &line : budget.lines) {
+        const QString unit = wordsFor(line.input.quantity).second;
+        estimates.push_back(shown[unit][taken[unit]++]);
+    }
+    return estimates;
+}
+
 } // namespace
 
 ShownTable budgetTable(const ShockConditions &shot)
@@ -100,14 +121,15 @@ ShownTable budgetTable(const ShockConditions &shot)
         shares_percent.push_back(
             known ? std::optional(budget.sharePercent(i, kStep)) : std::nullopt);
     }
+    const std::vector<ShownResult> estimates = shownEstimates(budget);
     const QStringList contributions = shownColumn(contributions_Pa, "Pa", 3);
     const QStringList shares = shownColumn(shares_percent, "%", 3);
     for (std::size_t i = 0; i < budget.lines.size(); ++i) {
         const BudgetLine &line = budget.lines[i];
         const UncertainInput &input = line.input;
-        const auto [name, unit] = wordsFor(input.quantity);
+        const QString name = wordsFor(input.quantity).first;
         const auto row = static_cast<qsizetype>(i);
-        const ShownResult estimate = shownResult(input.value, input.u, unit);
+        const ShownResult &estimate = estimates[i];
         table.rows.push_back(
             {name, estimate.value, estimate.u, distributionText(input.distribution),
                 std::isfinite(input.dof) ? shownNumber(input.dof, 3) : QStringLiteral("∞"),
