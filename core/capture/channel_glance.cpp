@@ -148,12 +148,14 @@ ChannelGlance glanceAt(const RawSamples &samples)
 std::vector<ChannelRole> proposedRoles(const std::vector<ChannelGlance> &channels)
 {
     std::vector<ChannelRole> roles(channels.size(), ChannelRole::Other);
+    const bool anyRises = std::ranges::any_of(
+        channels, [](const ChannelGlance &one) { return one.steps() && one.step > 0.0; });
     std::optional<std::size_t> dut;
     for (std::size_t i = 0; i < channels.size(); ++i) {
         const ChannelGlance &glance = channels[i];
         if (!glance.steps())
             continue;
-        if (glance.step < 0.0 && isSlow(glance)) {
+        if (glance.step < 0.0 && (anyRises || isSlow(glance))) {
             roles[i] = ChannelRole::Driver;
             continue;
         }

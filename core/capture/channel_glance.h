@@ -36,7 +36,8 @@ ChannelGlance glanceAt(const RawSamples &samples);
 /// What the channels of one recording may be, for the operator to take or not; Other where the
 /// records do not say. The shock passes the sensors in the wall before it reaches the DUT: of the
 /// records that step, the last is the DUT's (of several at once the one that rings most) and the
-/// last before it the driven side's. A slow fall is the driver's.
+/// last before it the driven side's. A slow fall, or a
+/// fall where others rise, is the driver's.
 std::vector<ChannelRole> proposedRoles(const std::vector<ChannelGlance> &channels);
 
 } // namespace dyncal

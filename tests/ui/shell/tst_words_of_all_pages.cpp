@@ -169,7 +169,7 @@ void TestWordsOfAllPages::tables_haveOneUnitAColumnOrRow()
 void TestWordsOfAllPages::valueAndU_haveOnePlace()
 {
     static const QRegularExpression pair(
-        "(\\d+)(?:,(\\d+))? ?([^\\d\\s,;±]*) (?:±|\\(u =|, u) ?(\\d+)(?:,(\\d+))? ?([^\\d\\s,;)]*)");
+        "(\\d+)(?:,(\\d+))? ?([^\\d\\s,;±]*) (?:±|\\(u =|, u) ?(\\d+)(?:,(\\d+))? ?([^\\d\\s,;()]*)");
     int pairs = 0;
     for (const QStringList &page : std::as_const(m_words))
         for (const QString &words : page)

