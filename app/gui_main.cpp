@@ -11,6 +11,7 @@
 #include "core/base/version.h"
 #include "core/pipeline/pipeline.h"
 #include "ui/shell/main_window.h"
+#include "ui/shell/preferences/theme_style.h"
 #include "ui/shell/screenshot_tour.h"
 
 #include <QApplication>
@@ -109,6 +110,7 @@ int runGui(int argc, char **argv, const std::vector<std::string> &files)
     Prompts prompts;
     Language language;
     language.install(tour ? tourLanguage : preferences.language());
+    useTheme(tour ? ThemeKind::Light : preferences.theme());
     MainWindow window(runPipeline, currentUtc, preferences, prompts, language);
     window.show();
     if (tour)

@@ -5,11 +5,14 @@
 
 #include "ui/shell/drawn_icon.h"
 #include "ui/shell/help_dialogs.h"
+#include "ui/shell/preferences/theme_style.h"
 #include "ui/shell/shortcut_sheet.h"
 #include "ui/text/shown_text.h"
 
 #include <QAction>
+#include <QActionGroup>
 #include <QDockWidget>
+#include <QGuiApplication>
 #include <QMainWindow>
 #include <QMenuBar>
 #include <QToolBar>
@@ -129,7 +132,26 @@ void MainMenus::addViewMenu()
         menu->addAction(action);
     }
     menu->addSeparator();
+    addThemeMenu(menu);
     addAction(menu, "resetLayoutAction", tr("&Reset layout"), {}, m_parts.resetLayout);
+}
+
+void MainMenus::addThemeMenu(QMenu *view)
+{
+    QMenu *menu = view->addMenu(tr("&Colours"));
+    auto *only = new QActionGroup(menu); // one is ticked, and goes with the menu
+    const auto add = [&](ThemeKind kind, const QString &text) {
+        QAction *action = addAction(menu, "themeAction_" + themeName(kind), text, {}, [this, kind] {
+            m_parts.preferences.setTheme(kind);
+            useTheme(kind);
+        });
+        action->setCheckable(true);
+        action->setChecked(kind == themeKindOf(QGuiApplication::palette()));
+        only->addAction(action);
+    };
+    add(ThemeKind::Light, tr("&Light"));
+    add(ThemeKind::Dark, tr("&Dark"));
+    add(ThemeKind::HighContrast, tr("&High contrast"));
 }
 
 void MainMenus::addStageMenu(const QStringList &stages)

@@ -50,6 +50,7 @@ public:
 private:
     void addFileMenu();
     void addViewMenu();
+    void addThemeMenu(QMenu *view);
     void addStageMenu(const QStringList &stages);
     void addLanguageMenu();
     void addHelpMenu();

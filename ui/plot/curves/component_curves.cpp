@@ -18,6 +18,7 @@ namespace {
 constexpr double kEnough_percent = 95.0;
 constexpr double kShareOfLabel = 0.17; ///< of the width, right of the bars: "95 %" stands there
 constexpr double kReachMargin = 1.15;
+constexpr double kLeastShown_percent = 1e-9; ///< less is rounding
 
 /// One curve per shot from the columns of `values` (samples x shots).
 PlotContent columnsContent(const ComponentResult &components, const WindowResult &window,
@@ -30,9 +31,8 @@ PlotContent columnsContent(const ComponentResult &components, const WindowResult
     const auto shots = std::min(values.cols(), static_cast<Index>(components.shots.size()));
     for (Index i = 0; i < shots; ++i) {
         const ShotStyle style = shotStyle(components.shots[static_cast<std::size_t>(i)], window);
-        content.curves.push_back({style.name, style.role, CurveStyle::Line,
-            timeAxis(0.0, 1.0 / components.sampleRate_Hz, values.rows()), toVector(values.col(i)),
-            true});
+        content.curves.push_back(shotCurve(style, CurveStyle::Line,
+            timeAxis(0.0, 1.0 / components.sampleRate_Hz, values.rows()), toVector(values.col(i))));
     }
     return content;
 }
@@ -82,6 +82,37 @@ PlotContent explainedCurves(const ComponentResult &components)
     return content;
 }
 
+PlotContent remainderCurves(const ComponentResult &components)
+{
+    PlotContent content;
+    content.title = Plots::tr("Left by the first components");
+    content.xAxis = {Plots::tr("Components"), QString(), false, true};
+    content.yAxis = {Plots::tr("Not explained"), QStringLiteral("%"), true};
+    if (!components.principal) {
+        content.summary = Plots::tr("One shot only: there are no components to compare.");
+        return content;
+    }
+    const Eigen::VectorXd &percent = components.principal->explainedCumulative_percent;
+    PlotCurve left{Plots::tr("Not explained"), CurveRole::Measured, CurveStyle::Bars, {}, {}, true};
+    double least = 100.0 - kEnough_percent;
+    for (Index i = 0; i + 1 < percent.size(); ++i) {
+        const double rest_percent = std::max(100.0 - percent[i], kLeastShown_percent);
+        left.x.push_back(static_cast<double>(i + 1));
+        left.y.push_back(rest_percent);
+        least = std::min(least, rest_percent);
+    }
+    content.levels.push_back({100.0 - kEnough_percent, Plots::tr("5 %"), CurveRole::Reference});
+    content.xMin = 0.4;
+    content.xMax = std::max(1.6, static_cast<double>(percent.size()) - 0.4) + 0.2;
+    content.yMin = 0.3 * least;
+    content.yMax = 100.0;
+    if (percent.size() > 1)
+        content.summary = Plots::tr("The first component leaves %1 %.")
+                              .arg(valueWithUnit(left.y.front(), QString(), 3));
+    content.curves.push_back(std::move(left));
+    return content;
+}
+
 PlotContent reconstructionCurves(const ComponentResult &components, const WindowResult &window)
 {
     PlotContent content = columnsContent(components, window, components.reconstructions,
@@ -117,8 +148,8 @@ PlotContent autocovarianceCurves(
             continue;
         const ResidualAnalysis &residual = components.residuals[i];
         const ShotStyle style = shotStyle(components.shots[i], window);
-        content.curves.push_back({style.name, style.role, CurveStyle::Line,
-            lagAxis(residual.autocovariance.size()), toVector(residual.autocovariance), true});
+        content.curves.push_back(shotCurve(style, CurveStyle::Line,
+            lagAxis(residual.autocovariance.size()), toVector(residual.autocovariance)));
         bound = std::max(bound, residual.confidenceBound);
         const Index lags = residual.autocovariance.size() - 1; // beside lag 0
         if (lags > 0)
@@ -165,9 +196,9 @@ PlotContent averageCurves(const ComponentResult &components, const WindowResult 
     content.xAxis = timeAxisMeaning();
     content.yAxis = responseAxisMeaning(window);
     const ShotStyle style = shotStyle(0, ShotLevel::None);
-    content.curves.push_back({style.name, style.role, CurveStyle::Line,
+    content.curves.push_back(shotCurve(style, CurveStyle::Line,
         timeAxis(0.0, 1.0 / components.sampleRate_Hz, components.average.size()),
-        toVector(components.average), true});
+        toVector(components.average)));
     content.summary = content.title;
     return content;
 }

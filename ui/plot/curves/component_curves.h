@@ -13,6 +13,10 @@ namespace dyncal {
 /// shot.
 PlotContent explainedCurves(const ComponentResult &components);
 
+/// What the first 1, 2, ... components leave of it, in percent, logarithmic; not all of them, which
+/// leave nothing.
+PlotContent remainderCurves(const ComponentResult &components);
+
 /// Every shot reconstructed from the components kept.
 PlotContent reconstructionCurves(const ComponentResult &components, const WindowResult &window);
 

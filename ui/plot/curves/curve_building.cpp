@@ -40,7 +40,30 @@ CurveRole roleOf(Index shot, ShotLevel level)
     return CurveRole::ShotOther;
 }
 
+/// The number that a shot of the role has in a set of three.
+Index usualNumber(CurveRole role)
+{
+    switch (role) {
+    case CurveRole::ShotLow:
+        return 1;
+    case CurveRole::ShotMedium:
+        return 2;
+    case CurveRole::ShotHigh:
+        return 3;
+    default:
+        return 4; // the first without a place of its own
+    }
+}
+
 } // namespace
+
+PlotCurve shotCurve(
+    const ShotStyle &shot, CurveStyle style, std::vector<double> x, std::vector<double> y)
+{
+    PlotCurve curve{shot.name, shot.role, style, std::move(x), std::move(y), true};
+    curve.variant = shot.variant;
+    return curve;
+}
 
 ShotStyle shotStyle(Index shot, ShotLevel level)
 {
@@ -49,7 +72,8 @@ ShotStyle shotStyle(Index shot, ShotLevel level)
     QString name = Plots::tr("Shot %1").arg(shot);
     if (level != ShotLevel::None)
         name += QStringLiteral(" (%1)").arg(levelText(level));
-    return {name, roleOf(shot, level)};
+    const CurveRole role = roleOf(shot, level);
+    return {name, role, shot == usualNumber(role) ? 0 : static_cast<int>(shot)};
 }
 
 ShotStyle shotStyle(Index shot, const WindowResult &window)
@@ -132,8 +156,8 @@ std::vector<PlotCurve> spectraOfShots(
     for (std::size_t i = 0; i < shots.size() && i < spectra.size(); ++i) {
         const bool many = spectra[i]->frequency_Hz.size() > 4 * kBands;
         const PowerSpectrum shape = many ? highestPerBand(*spectra[i], kBands) : *spectra[i];
-        shapes.push_back({shots[i].name, shots[i].role, CurveStyle::Line,
-            toVector(shape.frequency_Hz), decibels(shape.psd), true});
+        shapes.push_back(shotCurve(
+            shots[i], CurveStyle::Line, toVector(shape.frequency_Hz), decibels(shape.psd)));
         if (many)
             all.push_back({Plots::tr("All values"), CurveRole::Noise, CurveStyle::Line,
                 toVector(spectra[i]->frequency_Hz), decibels(spectra[i]->psd), all.empty()});

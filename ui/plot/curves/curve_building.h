@@ -25,9 +25,15 @@ struct ShotStyle
 {
     QString name; ///< "Shot 2 (medium)"
     CurveRole role = CurveRole::ShotOther;
+    int variant = 0;
 };
 
-/// By level where there is one, else by number: 1st, 2nd, 3rd, others.
+/// A curve of a shot. Shots that follow each other always look different.
+PlotCurve shotCurve(
+    const ShotStyle &shot, CurveStyle style, std::vector<double> x, std::vector<double> y);
+
+/// By level where there is one, else by number: 1st, 2nd, 3rd, others. The shots that a level has
+/// besides the one that belongs at its place (low, medium, high) differ by dash and marker.
 ShotStyle shotStyle(Index shot, ShotLevel level);
 
 /// Style of a shot number as its window has it; number 0 is the average of the shots.

@@ -35,9 +35,8 @@ void addMeasuredSeries(
     PlotContent &content, const ModelInput &input, std::size_t position, const ShotStyle &style)
 {
     const ModelSeries &series = input.series[position];
-    content.curves.push_back({style.name, style.role, CurveStyle::Line,
-        timeAxis(series.first_s, 1.0 / input.sampleRate_Hz, series.y.size()), toVector(series.y),
-        true});
+    content.curves.push_back(shotCurve(style, CurveStyle::Line,
+        timeAxis(series.first_s, 1.0 / input.sampleRate_Hz, series.y.size()), toVector(series.y)));
 }
 
 void addModelSeries(PlotContent &content, const ModelInput &input, const SensorModel &model,
@@ -180,10 +179,10 @@ PlotContent errorCurves(const ModelInput &input, const SensorModel &model,
         std::vector<double> error = toVector(model.series[i].error);
         if (model.diverges)
             clipTo(input.series[i].y, error);
-        content.curves.push_back({style.name, style.role, CurveStyle::Line,
+        content.curves.push_back(shotCurve(style, CurveStyle::Line,
             timeAxis(
                 input.series[i].first_s, 1.0 / input.sampleRate_Hz, model.series[i].error.size()),
-            std::move(error), true});
+            std::move(error)));
     }
     content.summary = content.title;
     return content;

@@ -44,9 +44,9 @@ PlotContent modelInputCurves(const ModelInput &input, const WindowResult &window
     }
     for (const ModelSeries &series : input.series) {
         const ShotStyle style = shotStyle(series.shot, window);
-        content.curves.push_back({style.name, style.role, CurveStyle::Markers,
+        content.curves.push_back(shotCurve(style, CurveStyle::Markers,
             timeAxis(series.first_s, 1.0 / input.sampleRate_Hz, series.y.size()),
-            toVector(series.y), true});
+            toVector(series.y)));
     }
     // The samples must be told apart at first sight; the rest is a zoom away.
     if (input.samples > kSamplesShown && input.sampleRate_Hz > 0.0)

@@ -17,6 +17,7 @@ namespace dyncal {
 namespace {
 
 constexpr double kRiseTimesShown = 20.0;
+constexpr double kSettlingTimesShown = 1.5;
 constexpr double kShareShown = 0.05; ///< of the window, where no rise time is known
 constexpr Index kLeastSamplesShown = 50;
 constexpr double kShareBeforeStart = 0.1;
@@ -43,7 +44,7 @@ std::shared_ptr<const ChannelEnvelope> builtNow(const Channel &channel)
 
 PlotCurve rawCurve(const Channel &channel, const ShotStyle &style, const EnvelopeSource &envelopeOf)
 {
-    PlotCurve curve{style.name, style.role, CurveStyle::Line, {}, {}, true};
+    PlotCurve curve = shotCurve(style, CurveStyle::Line, {}, {});
     if (isLongRecord(channel)) {
         appendRecord(envelopeOf ? envelopeOf(channel) : builtNow(channel), !!envelopeOf, curve);
     } else {
@@ -102,7 +103,7 @@ PlotCurve responseCurve(const WindowedResponse &response, Index begin, Index end
 {
     const ShotStyle style = shotStyle(response.shot, response.level);
     const double step = 1.0 / response.sampleRate_Hz;
-    PlotCurve curve{style.name, style.role, CurveStyle::Line, {}, {}, true};
+    PlotCurve curve = shotCurve(style, CurveStyle::Line, {}, {});
     curve.x = timeAxis(static_cast<double>(begin - response.lead) * step, step, end - begin);
     curve.y = toVector(response.values.segment(begin, end - begin));
     return curve;
@@ -178,6 +179,19 @@ PlotContent windowCurves(const WindowResult &window)
     content.summary
         = Plots::tr("Responses aligned at the start; shots: %1.").arg(window.responses.size());
     return content;
+}
+
+double ringingEnd_s(const WindowResult &window)
+{
+    double end_s = 0.0;
+    for (const WindowedResponse &response : window.responses) {
+        const double length_s = static_cast<double>(response.length) / response.sampleRate_Hz;
+        const double shown_s = response.settlingTime_s
+            ? kSettlingTimesShown * *response.settlingTime_s
+            : kShareShown * length_s;
+        end_s = std::max(end_s, std::min(shown_s, length_s));
+    }
+    return end_s;
 }
 
 PlotContent startCurves(const WindowResult &window)

@@ -43,6 +43,9 @@ PlotContent rawCurves(const CaptureSet &set, ChannelRole role,
 /// Responses aligned at their starts, as the analysis uses them.
 PlotContent windowCurves(const WindowResult &window);
 
+/// How long after the start the responses ring: what a first view of a long plateau shows large.
+double ringingEnd_s(const WindowResult &window);
+
 /// The first moments of the same responses: from just before the start over some twenty rise
 /// times.
 PlotContent startCurves(const WindowResult &window);

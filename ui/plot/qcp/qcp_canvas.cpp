@@ -3,6 +3,8 @@
 
 #include "ui/plot/qcp/qcp_canvas.h"
 
+#include "ui/plot/values/theme.h"
+
 #include <cmath>
 
 namespace dyncal {

@@ -134,7 +134,7 @@ void SceneCurves::style(const PlotTheme &theme)
 
 void SceneCurves::styleCurve(DrawnCurve &drawn) const
 {
-    const RoleStyle style = m_theme.style(drawn.curve->role);
+    const RoleStyle style = m_theme.style(drawn.curve->role, drawn.curve->variant);
     if (drawn.bars) {
         drawn.bars->setPen(QPen(style.color, 1));
         drawn.bars->setBrush(style.color);
@@ -162,7 +162,7 @@ void SceneCurves::styleCurve(DrawnCurve &drawn) const
 
 void SceneCurves::styleLine(DrawnCurve &drawn) const
 {
-    const RoleStyle style = m_theme.style(drawn.curve->role);
+    const RoleStyle style = m_theme.style(drawn.curve->role, drawn.curve->variant);
     const bool steps = drawn.curve->style == CurveStyle::Steps;
     drawn.graph->setLineStyle(steps ? QCPGraph::lsStepLeft : QCPGraph::lsLine);
     drawn.graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssNone));
@@ -271,17 +271,17 @@ void SceneCurves::drawCurve(DrawnCurve &drawn, const std::vector<double> &edges)
     const bool crowded
         = (isShot(drawn.curve->role) && count > m_plot.axisRect()->width() / kPixelsPerDash)
         || isEntangled(*drawn.graph);
-    const RoleStyle style = m_theme.style(drawn.curve->role);
+    const RoleStyle style = m_theme.style(drawn.curve->role, drawn.curve->variant);
     QPen pen = drawn.graph->pen();
     pen.setStyle(drawn.enveloped || crowded ? Qt::SolidLine : style.dash);
-    pen.setWidthF(drawn.enveloped || crowded ? 1.0 : style.width);
+    pen.setWidthF(drawn.enveloped || crowded ? m_theme.lineScale : style.width);
     drawn.graph->setPen(pen);
     drawMarkers(drawn);
 }
 
 void SceneCurves::drawMarkers(DrawnCurve &drawn) const
 {
-    const RoleStyle style = m_theme.style(drawn.curve->role);
+    const RoleStyle style = m_theme.style(drawn.curve->role, drawn.curve->variant);
     const QCPRange range = m_plot.xAxis->range();
     const Index begin = drawn.samples->firstFrom(range.lower);
     const Index count = drawn.samples->firstBeyond(range.upper) - begin;
@@ -299,7 +299,8 @@ void SceneCurves::drawMarkers(DrawnCurve &drawn) const
         add(begin, count);
     } else if (hasMarkers(drawn.curve->role)) {
         // Each role begins elsewhere, so that markers of curves on each other do not coincide.
-        const Index phase = (1 + 2 * static_cast<Index>(drawn.curve->role)) % 8;
+        const Index phase
+            = (1 + 2 * static_cast<Index>(drawn.curve->role) + 3 * drawn.curve->variant) % 8;
         for (Index k = 0; k < kMarkersPerCurve; ++k)
             add(begin + (8 * k + phase) * count / (8 * kMarkersPerCurve), 1);
     }

@@ -25,8 +25,8 @@ bool isSame(const std::vector<double> &a, const std::vector<double> &b)
 bool isSame(const PlotCurve &a, const PlotCurve &b)
 {
     return a.name == b.name && a.role == b.role && a.style == b.style && a.inLegend == b.inLegend
-        && a.record == b.record && a.onSecondAxis == b.onSecondAxis && isSame(a.x, b.x)
-        && isSame(a.y, b.y);
+        && a.variant == b.variant && a.record == b.record && a.onSecondAxis == b.onSecondAxis
+        && isSame(a.x, b.x) && isSame(a.y, b.y);
 }
 
 } // namespace

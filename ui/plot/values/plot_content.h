@@ -20,7 +20,7 @@ enum class CurveRole {
     ShotLow,
     ShotMedium,
     ShotHigh, ///< also used for the 1st, 2nd, 3rd shot without level
-    ShotOther,
+    ShotOther, ///< further shots, told apart by PlotCurve::variant
     Mean,
     Measured,
     Model,
@@ -56,6 +56,7 @@ struct PlotCurve
     /// are drawn from it, down to its single samples.
     std::shared_ptr<const CurveSamples> record = {};
     bool onSecondAxis = false; ///< against PlotContent::yAxis2, behind what is the plot's own
+    int variant = 0; ///< tells curves of one role apart (PlotTheme::style)
 };
 
 /// An axis: quantity and SI unit; the wrapper chooses the prefix ("Time / µs") by the range shown.

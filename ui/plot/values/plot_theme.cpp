@@ -56,7 +56,24 @@ QColor mixed(const QColor &color, const QColor &other, double share)
         channel(color.blue(), other.blue())};
 }
 
-PlotTheme lightTheme()
+// Of one role, for variants one after the other: neighbours differ, also beside the role's own.
+constexpr Qt::PenStyle kDashes[]
+    = {Qt::SolidLine, Qt::DashLine, Qt::DashDotLine, Qt::DotLine, Qt::DashDotDotLine};
+constexpr MarkerShape kMarkers[]
+    = {MarkerShape::TriangleUp, MarkerShape::Square, MarkerShape::Diamond, MarkerShape::Cross,
+        MarkerShape::Plus, MarkerShape::Star, MarkerShape::Circle};
+
+struct ColorPair
+{
+    const char *light;
+    const char *dark;
+};
+constexpr ColorPair kFurtherShots[] = {{"#555555", "#BBBBBB"}, {"#00707C", "#4DD0E1"},
+    {"#8C4A3C", "#E0A890"}, {"#6A3D9A", "#C0A4F0"}, {"#6B6400", "#D6D060"}, {"#B02060", "#F48FB1"}};
+
+} // namespace
+
+PlotTheme lightPlots()
 {
     PlotTheme theme;
     theme.background = QColor("#FFFFFF");
@@ -64,14 +81,14 @@ PlotTheme lightTheme()
     theme.axis = QColor("#555555");
     theme.grid = QColor("#E0E0E0");
     theme.fineGrid = QColor("#F0F0F0");
-    theme.bandFill = QColor("#E4EEF8");
+    theme.bandFill = QColor("#EDF4FB");
     theme.handle = QColor("#3465A4");
     theme.focus = QColor("#C01060");
     theme.readoutFill = QColor("#FFFFF4");
     return theme;
 }
 
-PlotTheme darkTheme()
+PlotTheme darkPlots()
 {
     PlotTheme theme;
     theme.dark = true;
@@ -87,28 +104,47 @@ PlotTheme darkTheme()
     return theme;
 }
 
-} // namespace
+PlotTheme highContrastPlots()
+{
+    PlotTheme theme = darkPlots();
+    theme.lineScale = 1.5;
+    theme.background = QColor("#000000");
+    theme.text = QColor("#FFFFFF");
+    theme.axis = QColor("#FFFFFF");
+    theme.grid = QColor("#4A4A4A");
+    theme.fineGrid = QColor("#2C2C2C");
+    theme.bandFill = QColor("#102A4C");
+    theme.handle = QColor("#FFD84A");
+    theme.focus = QColor("#00FFFF");
+    theme.readoutFill = QColor("#000000");
+    return theme;
+}
 
-RoleStyle PlotTheme::style(CurveRole role) const
+RoleStyle PlotTheme::style(CurveRole role, int variant) const
 {
     const auto entry = std::find_if(std::begin(kRoles), std::end(kRoles),
         [role](const RoleEntry &candidate) { return candidate.role == role; });
-    const QColor color(dark ? entry->dark : entry->light);
-    return {fading > 0.0 ? mixed(color, background, fading) : color, entry->dash, entry->width,
-        entry->marker};
-}
-
-PlotTheme screenTheme(const QPalette &palette, const QFont &font)
-{
-    const bool dark = palette.color(QPalette::Window).lightness() < 128;
-    PlotTheme theme = dark ? darkTheme() : lightTheme();
-    theme.font = font;
-    return theme;
+    RoleStyle style{
+        QColor(dark ? entry->dark : entry->light), entry->dash, entry->width, entry->marker};
+    style.width *= lineScale;
+    if (variant > 0) {
+        const auto at = static_cast<std::size_t>(variant);
+        style.dash = kDashes[at % std::size(kDashes)];
+        style.marker = kMarkers[at % std::size(kMarkers)];
+        if (role == CurveRole::ShotOther) {
+            const auto &[light, onDark] = kFurtherShots[at % std::size(kFurtherShots)];
+            style.color = QColor(dark ? onDark : light);
+        }
+    }
+    if (fading > 0.0)
+        style.color = mixed(style.color, background, fading);
+    return style;
 }
 
 PlotTheme printTheme()
 {
-    PlotTheme theme = lightTheme();
+    PlotTheme theme = lightPlots();
+    theme.bandFill = QColor("#E4EEF8"); // seen on paper
     theme.font = QFont("DejaVu Sans");
     theme.font.setPixelSize(10);
     // Turns ligatures off, so that the text of a printed plot can be searched.

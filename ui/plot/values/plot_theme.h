@@ -7,7 +7,6 @@
 
 #include <QColor>
 #include <QFont>
-#include <QPalette>
 
 namespace dyncal {
 
@@ -39,6 +38,7 @@ struct RoleStyle
 struct PlotTheme
 {
     bool dark = false;
+    double lineScale = 1.0; ///< of all lines of curves
     QFont font;
     QColor background;
     QColor text;
@@ -51,11 +51,12 @@ struct PlotTheme
     QColor readoutFill;
     double fading = 0.0; ///< share of the background in the colours of curves, 0 to 1
 
-    RoleStyle style(CurveRole role) const;
+    RoleStyle style(CurveRole role, int variant = 0) const;
 };
 
-/// Light or dark after the palette's window colour.
-PlotTheme screenTheme(const QPalette &palette, const QFont &font);
+PlotTheme lightPlots();
+PlotTheme darkPlots();
+PlotTheme highContrastPlots(); ///< on black
 
 /// Always light, with a font size in pixels of a 96 dpi page: the same bytes on every screen.
 PlotTheme printTheme();

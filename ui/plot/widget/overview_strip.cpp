@@ -4,7 +4,7 @@
 #include "ui/plot/widget/overview_strip.h"
 
 #include "ui/plot/values/curve_envelope.h"
-#include "ui/plot/values/plot_theme.h"
+#include "ui/plot/values/theme.h"
 #include "ui/plot/widget/plot_widget.h"
 
 #include <QEvent>
@@ -70,7 +70,9 @@ void OverviewStrip::takeContent()
 {
     const PlotContent &content = m_plots.front()->content();
     const Interval points = finiteRange(content.curves, &PlotCurve::x);
-    m_whole = {content.xMin.value_or(points.begin), content.xMax.value_or(points.end)};
+    // A first view may be of a part; one of a record that is still read goes beyond the points.
+    m_whole = {std::min(points.begin, content.xMin.value_or(points.begin)),
+        std::max(points.end, content.xMax.value_or(points.end))};
     redraw();
 }
 
@@ -166,7 +168,7 @@ void OverviewStrip::paintEvent(QPaintEvent *)
             const std::vector<PlotCurve> &curves = m_plots.front()->content().curves;
             const Interval y = finiteRange(curves, &PlotCurve::y);
             for (const PlotCurve &curve : curves) {
-                painter.setPen(QPen(theme.style(curve.role).color, 1.0));
+                painter.setPen(QPen(theme.style(curve.role, curve.variant).color, 1.0));
                 drawCurve(painter, curve, y);
             }
         }

@@ -5,6 +5,7 @@
 
 #include <QDir>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QLocale>
 
 namespace dyncal {
@@ -33,6 +34,18 @@ QString Preferences::language() const
 void Preferences::setLanguage(const QString &language)
 {
     m_settings.setValue("language", language);
+}
+
+ThemeKind Preferences::theme() const
+{
+    const QVariant chosen = m_settings.value("theme");
+    return chosen.isValid() ? themeKindFromName(chosen.toString())
+                            : themeKindOf(QGuiApplication::palette());
+}
+
+void Preferences::setTheme(ThemeKind kind)
+{
+    m_settings.setValue("theme", themeName(kind));
 }
 
 QByteArray Preferences::geometry() const

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "ui/plot/values/theme.h"
+
 #include <QSettings>
 #include <QStringList>
 
@@ -17,6 +19,9 @@ public:
 
     QString language() const; ///< "en" or "sv"
     void setLanguage(const QString &language);
+
+    ThemeKind theme() const; ///< dark where the desktop is, until one was chosen
+    void setTheme(ThemeKind kind);
 
     QByteArray geometry() const;
     QByteArray layout() const;

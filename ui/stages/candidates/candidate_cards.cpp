@@ -4,7 +4,7 @@
 #include "ui/stages/candidates/candidate_cards.h"
 
 #include "ui/plot/curves/candidate_curves.h"
-#include "ui/plot/values/plot_theme.h"
+#include "ui/plot/values/theme.h"
 #include "ui/text/shown_text.h"
 
 #include <QCheckBox>

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "tests/support/test_program.h"
+#include "ui/plot/curves/curve_building.h"
 #include "ui/plot/values/axis_prefix.h"
-#include "ui/plot/values/plot_theme.h"
+#include "ui/plot/values/theme.h"
 
 #include <QtTest>
 
@@ -18,6 +19,7 @@ using dyncal::axisPrefix;
 using dyncal::CurveRole;
 using dyncal::PlotTheme;
 using dyncal::powerOfTen;
+using dyncal::ThemeKind;
 using dyncal::valueWithUnit;
 
 namespace {
@@ -45,6 +47,8 @@ constexpr std::array<CurveRole, 22> kRoles{CurveRole::ShotLow, CurveRole::ShotMe
     CurveRole::Candidate1, CurveRole::Candidate2, CurveRole::Candidate3, CurveRole::Candidate4,
     CurveRole::StablePole, CurveRole::HalfStablePole, CurveRole::NewPole};
 
+constexpr int kMostShots = 22;
+
 PlotTheme darkTheme()
 {
     QPalette palette;
@@ -66,7 +70,10 @@ private slots:
     void power_ofTen_usesSuperscripts();
     void value_withUnit_hasDigitsAskedFor();
     void theme_everyRole_contrastsAtLeastThreeToOne();
+    void theme_everyRole_contrastsWithBands();
     void theme_textAndFocus_contrastEnough();
+    void theme_palette_contrastsEnough();
+    void shots_neighbours_differ();
     void theme_shots_differInDashAndMarker();
     void theme_candidates_differInDashAndMarker();
     void theme_stability_differsInMarker();
@@ -139,17 +146,33 @@ void TestPlotLook::value_withUnit_hasDigitsAskedFor()
 
 void TestPlotLook::theme_everyRole_contrastsAtLeastThreeToOne()
 {
-    for (const PlotTheme &theme : {dyncal::printTheme(), darkTheme()})
+    for (const PlotTheme &theme :
+        {dyncal::printTheme(), darkTheme(), dyncal::lightPlots(), dyncal::highContrastPlots()})
         for (const CurveRole role : kRoles) {
-            const double ratio = contrastRatio(theme.style(role).color, theme.background);
-            QVERIFY2(ratio >= 3.0,
-                qPrintable(QString("role %1: %2").arg(static_cast<int>(role)).arg(ratio)));
+            for (int variant = 0; variant <= kMostShots; ++variant) {
+                const QColor color = theme.style(role, variant).color;
+                const double ratio = contrastRatio(color, theme.background);
+                QVERIFY2(ratio >= 3.0,
+                    qPrintable(QString("role %1: %2").arg(static_cast<int>(role)).arg(ratio)));
+            }
         }
+}
+
+/// Curves run through the bands of handles and levels, too.
+void TestPlotLook::theme_everyRole_contrastsWithBands()
+{
+    for (const ThemeKind kind : dyncal::kThemeKinds) {
+        const PlotTheme theme = dyncal::themeOf(kind).plots;
+        for (const CurveRole role : kRoles)
+            QVERIFY2(contrastRatio(theme.style(role).color, theme.bandFill) >= 3.0,
+                qPrintable(QString::number(static_cast<int>(role))));
+    }
 }
 
 void TestPlotLook::theme_textAndFocus_contrastEnough()
 {
-    for (const PlotTheme &theme : {dyncal::printTheme(), darkTheme()}) {
+    for (const PlotTheme &theme :
+        {dyncal::printTheme(), darkTheme(), dyncal::lightPlots(), dyncal::highContrastPlots()}) {
         QVERIFY(contrastRatio(theme.text, theme.background) >= 4.5);
         QVERIFY(contrastRatio(theme.text, theme.bandFill) >= 4.5);
         QVERIFY(contrastRatio(theme.text, theme.readoutFill) >= 4.5);
@@ -161,6 +184,68 @@ void TestPlotLook::theme_textAndFocus_contrastEnough()
     }
     QVERIFY(darkTheme().dark);
     QVERIFY(!dyncal::printTheme().dark);
+}
+
+/// The window's own colours: text of every state on every ground it stands on, and outlines.
+void TestPlotLook::theme_palette_contrastsEnough()
+{
+    for (const ThemeKind kind : dyncal::kThemeKinds) {
+        const dyncal::Theme theme = dyncal::themeOf(kind);
+        const QPalette &palette = theme.palette;
+        const auto check = [&](QPalette::ColorGroup group, QPalette::ColorRole text,
+                               QPalette::ColorRole ground, double least) {
+            const double ratio
+                = contrastRatio(palette.color(group, text), palette.color(group, ground));
+            QVERIFY2(ratio >= least,
+                qPrintable(QString("%1: role %2 on %3: %4")
+                               .arg(dyncal::themeName(kind))
+                               .arg(text)
+                               .arg(ground)
+                               .arg(ratio)));
+        };
+        for (const auto group : {QPalette::Active, QPalette::Inactive}) {
+            for (const auto ground : {QPalette::Window, QPalette::Base, QPalette::AlternateBase}) {
+                check(group, QPalette::WindowText, ground, 4.5);
+                check(group, QPalette::Text, ground, 4.5);
+                check(group, QPalette::Link, ground, 4.5);
+                check(group, QPalette::PlaceholderText, ground, 4.5);
+            }
+            check(group, QPalette::ButtonText, QPalette::Button, 4.5);
+            check(group, QPalette::HighlightedText, QPalette::Highlight, 4.5);
+            check(group, QPalette::ToolTipText, QPalette::ToolTipBase, 4.5);
+        }
+        for (const auto ground : {QPalette::Window, QPalette::Base, QPalette::Button}) {
+            check(QPalette::Disabled, QPalette::Text, ground, 3.0);
+            check(QPalette::Disabled, QPalette::WindowText, ground, 3.0);
+            QVERIFY(contrastRatio(theme.outline, palette.color(ground)) >= 3.0);
+        }
+        QCOMPARE(dyncal::themeKindOf(palette), kind);
+        QCOMPARE(dyncal::themeKindFromName(dyncal::themeName(kind)), kind);
+    }
+}
+
+/// 22 shots, with and without levels in any order: neighbours differ in marker too, so that no
+/// pair rests on colour.
+void TestPlotLook::shots_neighbours_differ()
+{
+    using dyncal::ShotLevel;
+    constexpr std::array kLevels{
+        ShotLevel::None, ShotLevel::Low, ShotLevel::Medium, ShotLevel::High};
+    const PlotTheme theme = dyncal::printTheme();
+    for (dyncal::Index shot = 1; shot < kMostShots; ++shot)
+        for (const ShotLevel level : kLevels)
+            for (const ShotLevel next : kLevels) {
+                const dyncal::ShotStyle a = dyncal::shotStyle(shot, level);
+                const dyncal::ShotStyle b = dyncal::shotStyle(shot + 1, next);
+                const dyncal::RoleStyle one = theme.style(a.role, a.variant);
+                const dyncal::RoleStyle other = theme.style(b.role, b.variant);
+                QVERIFY2(one.color != other.color || one.dash != other.dash
+                        || one.marker != other.marker,
+                    qPrintable(a.name + ", " + b.name));
+                if (level == next) {
+                    QVERIFY2(one.marker != other.marker, qPrintable(a.name + ", " + b.name));
+                }
+            }
 }
 
 void TestPlotLook::theme_shots_differInDashAndMarker()
