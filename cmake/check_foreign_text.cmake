@@ -35,8 +35,11 @@ complain("Qt::RichText|\"[^\"\n]*<(b|i|u|s|p|br|h[1-6]|a|img|table|tr|td|span|fo
     ui/text/plain_text_rule.h)
 complain("Qt::AutoText|Qt::mightBeRichText" "text is not guessed to be HTML"
     ui/text/plain_text_rule.cpp)
-complain("setHtml|insertHtml|appendHtml|setMarkdown|Qt::MarkdownText|QTextDocument|QTextEdit|QTextBrowser|QGraphicsTextItem|QStaticText|QWebEngine|setWhatsThis|QWhatsThis|heightForWidth"
-    "it would read text as HTML, or have a label lay it out before the rule is there")
+complain("setHtml|insertHtml|appendHtml|setMarkdown|Qt::MarkdownText|QTextDocument|QTextEdit|QTextBrowser|QGraphicsTextItem|QStaticText|QWebEngine|setWhatsThis|QWhatsThis"
+    "it would read text as HTML")
+# Of buttons and lists, which never read HTML.
+complain("heightForWidth" "it would have a label lay its text out before the rule is there"
+    ui/stages/frame/wrapped_controls.cpp ui/stages/frame/wrapped_controls.h)
 complain("shownText\\([^;{}\\\"]*\\)\\)[ \n]*\\.arg\\("
     "a %1 in foreign text would be filled in by the next arg(); give both to one")
 

@@ -32,6 +32,7 @@
 #include <QDockWidget>
 #include <QMimeData>
 #include <QScrollArea>
+#include <QScrollBar>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
@@ -55,6 +56,22 @@ constexpr QSize kSmallestSize(1000, 640);
 constexpr int kStagesWidth = 170;
 constexpr int kInspectorWidth = 330;
 constexpr int kFindingsHeight = 230;
+constexpr int kLeastFindingLines = 6;
+
+/// As wide as its inspector needs: it scrolls up and down only.
+class InspectorScroll : public QScrollArea
+{
+public:
+    using QScrollArea::QScrollArea;
+
+    QSize minimumSizeHint() const override
+    {
+        const int bar = verticalScrollBar()->sizeHint().width();
+        const QSize least = QScrollArea::minimumSizeHint();
+        return {
+            widget() ? widget()->minimumSizeHint().width() + bar : least.width(), least.height()};
+    }
+};
 
 } // namespace
 
@@ -221,6 +238,7 @@ void MainWindow::buildFindings()
 {
     delete m_findings;
     m_findings = new FindingsPanel(m_findingsDock);
+    m_findings->setMinimumHeight(kLeastFindingLines * fontMetrics().lineSpacing());
     m_findings->setNotesOpen(m_preferences.notesOpen());
     m_findingsDock->setWidget(m_findings);
     connect(m_findings, &FindingsPanel::placeRequested, this, &MainWindow::showFinding);
@@ -296,7 +314,7 @@ void MainWindow::buildPages()
     for (StagePage *page : m_pages) {
         m_stageList->addStage(page->text().title);
         m_centre->addWidget(page);
-        auto *scroll = new QScrollArea(m_inspectors);
+        auto *scroll = new InspectorScroll(m_inspectors);
         scroll->setWidget(page->inspector());
         scroll->setWidgetResizable(true);
         scroll->setFrameShape(QFrame::NoFrame);

@@ -6,12 +6,19 @@
 #include "ui/shell/drawn_icon.h"
 #include "ui/stages/frame/status_text.h"
 
+#include <QRegularExpression>
+#include <QScrollBar>
+
+#include <algorithm>
+
 namespace dyncal {
 
 namespace {
 
 constexpr int kSignSize_px = 18;
 constexpr int kSpacing_px = 2; ///< around a row: a target that is hit without aiming
+constexpr int kAroundText_px = 8;
+constexpr int kRowHeight = 40; ///< a target that is hit without aiming
 
 } // namespace
 
@@ -26,6 +33,7 @@ StageList::StageList(QWidget *parent)
     setResizeMode(QListView::Adjust);
     setIconSize({kSignSize_px, kSignSize_px});
     setSpacing(kSpacing_px);
+    setVerticalScrollMode(ScrollPerPixel);
 }
 
 void StageList::addStage(const QString &title)
@@ -45,6 +53,35 @@ void StageList::setStanding(int row, const PageStanding &standing)
     item(row)->setIcon(statusIcon(standing.status));
     item(row)->setToolTip(
         tr("Stage %1: %2, %3 (Alt+%1)").arg(QString::number(row + 1), m_titles[row], word));
+    fitRows();
+}
+
+void StageList::fitRows()
+{
+    const QRect room(0, 0, std::max(1, viewport()->width() - kSignSize_px - 2 * kAroundText_px), QWIDGETSIZE_MAX);
+    int widest = 0;
+    for (int row = 0; row < count(); ++row) {
+        const QString text = item(row)->text();
+        const int height = fontMetrics().boundingRect(room, Qt::TextWordWrap, text).height();
+        item(row)->setSizeHint({0, std::max(kRowHeight, height + kAroundText_px)});
+        for (const QString &word : text.split(QRegularExpression("\\s+")))
+            widest = std::max(widest, fontMetrics().horizontalAdvance(word));
+    }
+    const int bar = verticalScrollBar()->sizeHint().width();
+    setMinimumWidth(widest + kSignSize_px + 3 * kAroundText_px + bar + 2 * frameWidth());
+}
+
+void StageList::resizeEvent(QResizeEvent *event)
+{
+    QListWidget::resizeEvent(event);
+    fitRows();
+}
+
+void StageList::changeEvent(QEvent *event)
+{
+    QListWidget::changeEvent(event);
+    if (event->type() == QEvent::FontChange)
+        fitRows();
 }
 
 } // namespace dyncal

@@ -21,7 +21,13 @@ public:
     void addStage(const QString &title);
     void setStanding(int row, const PageStanding &standing);
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+    void changeEvent(QEvent *event) override;
+
 private:
+    void fitRows(); ///< to their words, in as many lines as they need
+
     QStringList m_titles;
 };
 

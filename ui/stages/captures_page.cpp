@@ -86,19 +86,19 @@ CapturesPage::CapturesPage(Session &session, Prompts &prompts)
 void CapturesPage::buildInspector()
 {
     InspectorForm *form = inspector();
-    auto *add = new QPushButton(tr("Add captures..."));
+    auto *add = new WrappedButton(tr("Add captures..."));
     add->setObjectName("addCaptures");
     connect(add, &QPushButton::clicked, this, &CapturesPage::addRequested);
     form->addWide(add);
-    auto *import = new QPushButton(tr("Import settings..."));
+    auto *import = new WrappedButton(tr("Import settings..."));
     import->setObjectName("importSettings");
     connect(import, &QPushButton::clicked, this, &CapturesPage::requestImport);
     form->addWide(import);
-    m_remove = new QPushButton(tr("Remove selected shot"));
+    m_remove = new WrappedButton(tr("Remove selected shot"));
     m_remove->setObjectName("removeShot");
     connect(m_remove, &QPushButton::clicked, this, &CapturesPage::removeSelected);
     form->addWide(m_remove);
-    m_tag = new QPushButton(tr("Tag by step height"));
+    m_tag = new WrappedButton(tr("Tag by step height"));
     m_tag->setObjectName("tagByStepHeight");
     m_tag->setToolTip(tr("Low, medium and high by the step that each shot's sensor read."));
     connect(m_tag, &QPushButton::clicked, this, &CapturesPage::tagByStepHeight);
@@ -121,7 +121,7 @@ void CapturesPage::buildInspector()
     connect(m_scale, &QuantityEdit::edited, this, [this](double factor) {
         change(tr("Change the DUT's factor"), [&](Recipe &r) { r.import.scale = factor; });
     });
-    m_inverted = new QCheckBox(tr("Inverted polarity"));
+    m_inverted = new WrappedCheckBox(tr("Inverted polarity"));
     m_inverted->setObjectName("dutInverted");
     form->addWide(m_inverted);
     connect(m_inverted, &QCheckBox::clicked, this, [this](bool on) {
@@ -256,7 +256,7 @@ void CapturesPage::showChannels()
         m_roles.clear();
         m_channelNames = names;
         for (const QString &name : names) {
-            auto *box = new QComboBox(m_channels);
+            auto *box = new WrappedComboBox(m_channels);
             box->setObjectName("roleOf_" + name);
             box->setAccessibleName(tr("Role of channel %1").arg(shownText(name)));
             for (const ChannelRole role : kRoles)
@@ -264,7 +264,7 @@ void CapturesPage::showChannels()
             connect(box, &QComboBox::activated, this, [this, name](int choice) {
                 setRole(name, kRoles[static_cast<std::size_t>(choice)]);
             });
-            layout->addRow(withoutMnemonic(shownText(name)), box);
+            addWrappedRow(*layout, withoutMnemonic(shownText(name)), box);
             m_roles.push_back(box);
         }
     }

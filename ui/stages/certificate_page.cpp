@@ -121,7 +121,8 @@ void CertificatePage::buildForm()
         edit->setObjectName(QString("field_%1").arg(field.key));
         edit->setAccessibleName(label);
         const QString heading = printed && printed->missing ? label + " *" : label;
-        forms[field.group]->addRow(heading, isDate(field.key) ? withNote(field.key, edit) : edit);
+        addWrappedRow(
+            *forms[field.group], heading, isDate(field.key) ? withNote(field.key, edit) : edit);
     }
     column->addStretch(1);
     auto *scroll = new QScrollArea(this);
@@ -158,7 +159,7 @@ void CertificatePage::buildInspector()
         change(tr("Change the certificate's language"),
             [&](Recipe &r) { r.certificate.languages = {choice == 1 ? "sv" : "en"}; });
     });
-    auto *button = new QPushButton(tr("Export certificate PDF..."));
+    auto *button = new WrappedButton(tr("Export certificate PDF..."));
     button->setObjectName("exportCertificate");
     form->addWide(button);
     connect(button, &QPushButton::clicked, this, &CertificatePage::exportRequested);

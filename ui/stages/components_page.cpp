@@ -4,6 +4,8 @@
 #include "ui/stages/components_page.h"
 
 #include "ui/plot/curves/component_curves.h"
+#include "ui/plot/curves/signal_curves.h"
+#include "ui/plot/widget/overview_strip.h"
 #include "ui/stages/frame/quantity_edit.h"
 #include "ui/stages/frame/tube_mode_choice.h"
 #include "ui/stages/frame/value_table.h"
@@ -43,7 +45,7 @@ ComponentsPage::ComponentsPage(Session &session)
 
 void ComponentsPage::buildPlots()
 {
-    m_explained = makePlot("explainedPlot", tr("Explained, cumulative"));
+    m_explained = makePlot("explainedPlot", tr("Left by the first components"));
     m_reconstruction = makePlot("reconstructionPlot", tr("Reconstruction of the shots"));
     m_residual = makePlot("residualPlot", tr("Residuals"));
     m_autocovariance = makePlot("autocovariancePlot", tr("Autocovariance of the residuals"));
@@ -56,12 +58,17 @@ void ComponentsPage::buildPlots()
     left->addWidget(m_table);
     left->setSizes({1000, 1000, 600});
     auto *right = new QSplitter(Qt::Vertical);
+    auto *overview = new OverviewStrip(this);
+    overview->setObjectName("componentsOverview");
+    right->addWidget(overview);
     right->addWidget(m_reconstruction);
     right->addWidget(m_residual);
     right->addWidget(m_spectrum);
     auto *split = new QSplitter(Qt::Horizontal, this);
     split->addWidget(left);
     split->addWidget(right);
+    overview->follow(m_reconstruction);
+    overview->follow(m_residual);
     split->setSizes({800, 1200});
     content()->addWidget(split);
 }
@@ -75,7 +82,7 @@ void ComponentsPage::buildInspector()
         change(tr("Keep %1 components").arg(kept),
             [&](Recipe &r) { r.pca.components = std::lround(kept); });
     });
-    m_centre = new QCheckBox(tr("Take away the mean over the shots first"));
+    m_centre = new WrappedCheckBox(tr("Take away the mean over the shots first"));
     m_centre->setObjectName("centre");
     form->addWide(m_centre);
     connect(m_centre, &QCheckBox::clicked, this,
@@ -120,9 +127,18 @@ void ComponentsPage::showResults()
     const auto show = [&](PlotWidget *plot, auto draw) {
         plot->setContent(components && window ? draw(*components, *window) : nothingYet());
     };
-    m_explained->setContent(components ? explainedCurves(*components) : nothingYet());
-    show(m_reconstruction, reconstructionCurves);
-    show(m_residual, residualCurves);
+    // The whole plateau is in the strip above.
+    const auto showRinging = [&](PlotWidget *plot, auto draw) {
+        show(plot, [&](const ComponentResult &result, const WindowResult &responses) {
+            PlotContent content = draw(result, responses);
+            content.xMin = 0.0;
+            content.xMax = ringingEnd_s(responses);
+            return content;
+        });
+    };
+    m_explained->setContent(components ? remainderCurves(*components) : nothingYet());
+    showRinging(m_reconstruction, reconstructionCurves);
+    showRinging(m_residual, residualCurves);
     show(m_autocovariance, [](const ComponentResult &result, const WindowResult &responses) {
         return autocovarianceCurves(result, responses);
     });

@@ -5,6 +5,7 @@
 #include "tests/support/test_program.h"
 #include "tests/ui/support/in_swedish.h"
 #include "tests/ui/support/kept_bench.h"
+#include "ui/plot/widget/overview_strip.h"
 #include "ui/stages/components_page.h"
 #include "ui/stages/frame/quantity_edit.h"
 #include "ui/stages/frame/value_table.h"
@@ -68,6 +69,7 @@ private slots:
     void initTestCase() { m_set = testing::simulatedExample(1e7, 0.004); }
     void init() { QLocale::setDefault(QLocale::c()); }
     void components_allKept_leaveNothing();
+    void ringing_isShownLarge();
     void components_fewer_leaveMore_andUndo();
     void components_oneShot_saysSo();
     void lags_areThoseOfThePlot();
@@ -84,10 +86,33 @@ void TestComponentsPage::components_allKept_leaveNothing()
     PageBench<ComponentsPage> &bench = m_components.fresh(m_set);
     keep(bench, 3); // as many as shots
     QVERIFY(largest(drawn(bench, "residualPlot").curves) < 1e-9);
-    QCOMPARE(drawn(bench, "explainedPlot").curves.at(0).y.back(), 100.0);
+    // Of three components the first two leave something, all nothing: no bar. What is left is told
+    // apart, however little: 0.007 % is not the height of 0.
+    const PlotContent left = drawn(bench, "explainedPlot");
+    const auto &explained
+        = bench.session.results().components->principal->explainedCumulative_percent;
+    QCOMPARE(left.curves.at(0).y.size(), std::size_t(2));
+    QVERIFY(left.yAxis.logarithmic);
+    for (std::size_t i = 0; i < 2; ++i)
+        QCOMPARE(left.curves[0].y[i], 100.0 - explained[static_cast<Index>(i)]);
+    QVERIFY(*left.yMin < left.curves[0].y[1]);
     keep(bench, 99); // more than there are: not an error, and not more
     QVERIFY(!bench.session.error());
     QCOMPARE(bench.session.results().components->kept, Index(3));
+}
+
+/// On a plateau the ringing is a line of one pixel: it is shown large, the strip has the plateau.
+void TestComponentsPage::ringing_isShownLarge()
+{
+    PageBench<ComponentsPage> &bench = m_components.fresh(m_set);
+    const auto *strip = bench.page.findChild<OverviewStrip *>("componentsOverview");
+    for (const char *name : {"reconstructionPlot", "residualPlot"}) {
+        const auto *plot = bench.page.findChild<PlotWidget *>(name);
+        QVERIFY2(strip->whole().length() > 10.0 * plot->xRange().length(), name);
+        QVERIFY(plot->xRange().begin == 0.0);
+    }
+    const auto *plot = bench.page.findChild<PlotWidget *>("residualPlot");
+    QCOMPARE(strip->whole().end, plot->content().curves.front().x.back());
 }
 
 void TestComponentsPage::components_fewer_leaveMore_andUndo()

@@ -39,6 +39,7 @@ PlotCanvas::PlotCanvas(QWidget &owner)
 {
     m_plot->setAttribute(Qt::WA_TransparentForMouseEvents);
     m_plot->setFocusPolicy(Qt::NoFocus);
+    m_scene.setBreaksText(true);
     m_plot->setPlottingHints(QCP::phFastPolylines | QCP::phCacheLabels);
     connect(m_plot, &QCustomPlot::afterReplot, this, [this] {
         m_isReplotQueued = false;

@@ -41,6 +41,8 @@ public:
     void applyTheme(); ///< that of the owner's palette and font
     void setDimmed(bool dimmed); ///< pale curves: what they show is out of date
     bool isDimmed() const { return m_isDimmed; }
+    /// Height of title, legend and labels as drawn last, beside that of the axes.
+    int heightBesideAxes() const { return m_plot->height() - m_plot->axisRect()->height(); }
     void replot();
 
     View view() const { return {m_plot->xAxis->range(), m_plot->yAxis->range()}; }

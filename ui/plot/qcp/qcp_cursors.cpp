@@ -98,6 +98,7 @@ PlotCursors::PlotCursors(QCustomPlot &plot)
         line->setSelectable(false);
         line->setVisible(false);
         auto *name = new QCPItemText(&m_plot);
+        name->setLayer(QStringLiteral("overlay"));
         name->position->setTypeX(QCPItemPosition::ptPlotCoords);
         name->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
         name->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
@@ -109,6 +110,7 @@ PlotCursors::PlotCursors(QCustomPlot &plot)
         m_names[i] = name;
     }
     m_readout = new QCPItemText(&m_plot);
+    m_readout->setLayer(QStringLiteral("overlay")); // never under the curves
     m_readout->position->setType(QCPItemPosition::ptAxisRectRatio);
     m_readout->position->setCoords(0.995, 0.99);
     m_readout->setPositionAlignment(Qt::AlignRight | Qt::AlignBottom);

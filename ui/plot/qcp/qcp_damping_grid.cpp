@@ -5,6 +5,7 @@
 
 #include "ui/plot/values/axis_prefix.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -59,6 +60,7 @@ QPointF DampingGrid::pixelOf(std::complex<double> z) const
 void DampingGrid::draw(QCPPainter *painter)
 {
     drawLines(painter);
+    m_texts.clear();
     if (pixelOf(1.0).x() - pixelOf(0.0).x() < kLeastRadius_px)
         return;
     painter->setFont(m_font);
@@ -86,8 +88,22 @@ void DampingGrid::drawLines(QCPPainter *painter) const
         line([&](double zeta) { return pole(frequencyAngle(step), zeta); });
 }
 
+/// Left out where it would lie on another or leave the axes.
+void DampingGrid::drawLabel(QCPPainter *painter, const QPointF &at, const QString &text)
+{
+    const QFontMetricsF metrics(m_font);
+    const QRectF rect(at - QPointF(0.0, metrics.ascent()), metrics.size(0, text));
+    const bool isFree = QRectF(mParentPlot->axisRect()->rect()).contains(rect)
+        && std::ranges::none_of(
+            m_texts, [&](const PlotText &other) { return other.rect.intersects(rect); });
+    if (!isFree)
+        return;
+    painter->drawText(at, text);
+    m_texts.push_back({text, rect, true});
+}
+
 /// Outside the upper half of the unit circle.
-void DampingGrid::drawFrequencies(QCPPainter *painter) const
+void DampingGrid::drawFrequencies(QCPPainter *painter)
 {
     const QFontMetricsF metrics(m_font);
     for (int step = 1; step <= kFrequencies; ++step) {
@@ -96,12 +112,12 @@ void DampingGrid::drawFrequencies(QCPPainter *painter) const
             = valueWithUnit(step * m_rate_Hz / (2.0 * kFrequencies), QStringLiteral("Hz"), 2);
         const double width = metrics.horizontalAdvance(text);
         const double side = z.real() < 0.0 ? -kLabelGap_px - width : kLabelGap_px;
-        painter->drawText(pixelOf(z) + QPointF(side, 0.3 * metrics.height()), text);
+        drawLabel(painter, pixelOf(z) + QPointF(side, 0.3 * metrics.height()), text);
     }
 }
 
 /// Beside the lower half of the imaginary axis, where a quarter of the sample rate is.
-void DampingGrid::drawDampingRatios(QCPPainter *painter) const
+void DampingGrid::drawDampingRatios(QCPPainter *painter)
 {
     const QFontMetricsF metrics(m_font);
     double above = pixelOf({0.0, -1.0}).y();
@@ -111,7 +127,7 @@ void DampingGrid::drawDampingRatios(QCPPainter *painter) const
         if (above - at.y() < 0.8 * metrics.height())
             continue;
         above = at.y();
-        painter->drawText(at + QPointF(kLabelGap_px, 0.35 * metrics.height()),
+        drawLabel(painter, at + QPointF(kLabelGap_px, 0.35 * metrics.height()),
             QStringLiteral("ζ ") + QLocale().toString(zeta));
     }
 }

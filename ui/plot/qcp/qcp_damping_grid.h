@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "ui/plot/values/plot_text.h"
 #include "ui/plot/values/plot_theme.h"
 
 #include <qcustomplot.h>
@@ -20,6 +21,7 @@ public:
     DampingGrid(QCustomPlot *plot, double rate_Hz);
 
     void setTheme(const PlotTheme &theme);
+    const std::vector<PlotText> &texts() const { return m_texts; } ///< drawn last
     double selectTest(const QPointF &, bool, QVariant * = nullptr) const override { return -1.0; }
 
 protected:
@@ -28,13 +30,15 @@ protected:
 private:
     QPointF pixelOf(std::complex<double> z) const;
     void drawLines(QCPPainter *painter) const;
-    void drawFrequencies(QCPPainter *painter) const;
-    void drawDampingRatios(QCPPainter *painter) const;
+    void drawFrequencies(QCPPainter *painter);
+    void drawDampingRatios(QCPPainter *painter);
+    void drawLabel(QCPPainter *painter, const QPointF &at, const QString &text);
 
     double m_rate_Hz;
     QColor m_line;
     QColor m_text;
     QFont m_font;
+    std::vector<PlotText> m_texts;
 };
 
 } // namespace dyncal

@@ -228,7 +228,11 @@ void PlotHandles::placeLabels()
             continue;
         const int width = metrics.horizontalAdvance(m_states[i].label) + 2 * kLabelGap_px;
         const bool leftOf = x + width > axes.right() && x - width >= axes.left();
-        QRect place(static_cast<int>(x) - (leftOf ? width : 0), 0, width, metrics.height());
+        // Where neither side has room, it stands across its line.
+        const bool across = !leftOf && x + width > axes.right() && width < axes.width();
+        const double at = across ? axes.right() - width : x;
+        label->position->setCoords(m_plot.xAxis->pixelToCoord(at), 1.0);
+        QRect place(static_cast<int>(at) - (leftOf ? width : 0), 0, width, metrics.height());
         while (std::ranges::any_of(taken, [&](const QRect &r) { return r.intersects(place); }))
             place.translate(0, metrics.height());
         taken.push_back(place);

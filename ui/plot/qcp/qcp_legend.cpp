@@ -3,6 +3,8 @@
 
 #include "ui/plot/qcp/qcp_legend.h"
 
+#include "ui/text/broken_text.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -90,9 +92,13 @@ void SceneLegend::restyle()
     }
 }
 
-void SceneLegend::wrap()
+void SceneLegend::wrap(bool breaksNames)
 {
     const QFontMetrics metrics(m_theme.font);
+    const int room = m_plot.viewport().width() - kLegendIconWidth - 2 * kLegendPadding;
+    for (const DrawnCurve &drawn : m_curves.all())
+        if (breaksNames && hasEntry(drawn))
+            drawn.plottable()->setName(brokenText(metrics, drawn.curve->name, room));
     std::vector<int> widths;
     for (const DrawnCurve &drawn : m_curves.all())
         if (hasEntry(drawn))

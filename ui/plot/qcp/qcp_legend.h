@@ -20,7 +20,7 @@ public:
     void make(); ///< new entries, of the curves as they are now
     void style(const PlotTheme &theme);
     void restyle(); ///< hidden curves are struck out
-    void wrap(); ///< to the width there is
+    void wrap(bool breaksNames); ///< to the width there is
 
     void setWanted(bool wanted) { m_wanted = wanted; }
     bool isShown() const; ///< wanted, and there is more than one entry

@@ -6,6 +6,7 @@
 #include "ui/plot/qcp/qcp_ticker.h"
 #include "ui/plot/values/axis_prefix.h"
 #include "ui/plot/values/content_comparison.h"
+#include "ui/text/broken_text.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,7 @@ namespace {
 
 /// Right: half of the last tick's label.
 constexpr QMargins kLeastMargins(4, 6, 16, 4);
+constexpr int kTickPadding = 3;
 
 QSharedPointer<QCPAxisTicker> makeTicker(const PlotAxis &axis)
 {
@@ -52,7 +54,7 @@ PlotScene::PlotScene(QCustomPlot &plot)
     m_plot.axisRect()->setupFullAxesBox();
     for (QCPAxis *axis : {m_plot.xAxis, m_plot.yAxis, m_plot.yAxis2}) {
         axis->setLabelPadding(3);
-        axis->setTickLabelPadding(3);
+        axis->setTickLabelPadding(kTickPadding);
         QObject::connect(axis, qOverload<const QCPRange &>(&QCPAxis::rangeChanged), &m_plot,
             [this, axis] { updateAxisLabel(axis); });
     }
@@ -125,7 +127,9 @@ void PlotScene::updateAxisLabel(QCPAxis *axis)
         = axis == m_plot.xAxis ? m_plot.axisRect()->width() : m_plot.axisRect()->height();
     QString label = axisLabel(meaning.quantity, meaning.unit, prefix);
     const int excess = metrics.horizontalAdvance(label) - room;
-    if (excess > 0) { // the unit stays
+    if (excess > 0 && m_breaksText) {
+        label = brokenText(metrics, label, room);
+    } else if (excess > 0) { // the unit stays
         const int left = metrics.horizontalAdvance(meaning.quantity) - excess;
         label = axisLabel(
             metrics.elidedText(meaning.quantity, Qt::ElideRight, left), meaning.unit, prefix);
@@ -158,7 +162,10 @@ void PlotScene::arrange()
 
 void PlotScene::prepare()
 {
-    m_legend.wrap();
+    if (m_breaksText)
+        m_title->setText(
+            brokenText(QFontMetrics(m_title->font()), m_content->title, m_plot.viewport().width()));
+    m_legend.wrap(m_breaksText);
     updateLayout(); // the size of the axes is known only after it
     fitLabels();
     equaliseAspect();
@@ -181,8 +188,14 @@ void PlotScene::fitLabels()
     m_plot.xAxis->ticker()->setTickCount(ticks(rect.width(), 3 * widest / 2));
     m_plot.yAxis->ticker()->setTickCount(ticks(rect.height(), 2 * metrics.height()));
     m_plot.yAxis2->ticker()->setTickCount(ticks(rect.height(), 2 * metrics.height()));
-    for (QCPAxis *axis : {m_plot.xAxis, m_plot.yAxis, m_plot.yAxis2})
+    for (QCPAxis *axis : {m_plot.xAxis, m_plot.yAxis, m_plot.yAxis2}) {
+        const auto decades = qSharedPointerDynamicCast<DecadeTicker>(axis->ticker());
+        if (decades && m_breaksText)
+            decades->setMostTicks(axis == m_plot.xAxis
+                    ? rect.width() / (3 * widest / 2)
+                    : rect.height() / (3 * metrics.height() / 2));
         updateAxisLabel(axis);
+    }
 }
 
 void PlotScene::setLegendVisible(bool visible)
@@ -195,6 +208,26 @@ void PlotScene::setCurveVisible(std::size_t position, bool visible)
 {
     m_curves.setVisible(position, visible);
     m_legend.restyle();
+}
+
+void PlotScene::addTexts(std::vector<PlotText> &texts) const
+{
+    const auto add = [&](const QString &text, const QFont &font, const QRectF &room) {
+        const QSizeF size = QFontMetricsF(font).size(0, text);
+        const bool fits
+            = size.width() < room.width() + 2.0 && QRectF(m_plot.viewport()).contains(room);
+        texts.push_back({text, {room.topLeft(), size.boundedTo(room.size())}, fits});
+    };
+    if (m_title->visible())
+        add(m_title->text(), m_title->font(), m_title->rect());
+    for (int i = 0; m_plot.legend->visible() && i < m_plot.legend->itemCount(); ++i) {
+        auto *entry = qobject_cast<QCPPlottableLegendItem *>(m_plot.legend->item(i));
+        if (!entry)
+            continue; // a place left free in the last row
+        const int icon = m_plot.legend->iconSize().width() + m_plot.legend->iconTextPadding();
+        add(entry->plottable()->name(), entry->font(), entry->rect().adjusted(icon, 0, 0, 0));
+    }
+    m_decorations.addTexts(texts);
 }
 
 void PlotScene::setTheme(const PlotTheme &theme)
@@ -211,6 +244,12 @@ void PlotScene::setTheme(const PlotTheme &theme)
         axis->setLabelFont(theme.font);
         axis->grid()->setPen(QPen(theme.grid, 1));
         axis->grid()->setSubGridPen(QPen(theme.fineGrid, 1));
+    }
+    if (m_breaksText) { // large letters need more room around the corner of the axes
+        const QFontMetrics metrics(theme.font);
+        m_plot.axisRect()->setMinimumMargins(
+            kLeastMargins | QMargins(0, metrics.height() / 2, 2 * metrics.averageCharWidth(), 0));
+        m_plot.xAxis->setTickLabelPadding(std::max(kTickPadding, metrics.height() / 3));
     }
     QFont bold = theme.font;
     bold.setBold(true);

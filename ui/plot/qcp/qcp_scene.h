@@ -7,6 +7,7 @@
 #include "ui/plot/qcp/qcp_legend.h"
 #include "ui/plot/qcp/qcp_scene_curves.h"
 #include "ui/plot/qcp/qcp_scene_decorations.h"
+#include "ui/plot/values/plot_text.h"
 
 #include <memory>
 #include <optional>
@@ -36,6 +37,9 @@ public:
     void setTheme(const PlotTheme &theme);
     const PlotTheme &theme() const { return m_theme; }
     void setColumnsPerPixel(int columns) { m_curves.setColumnsPerPixel(columns); }
+    /// Titles and labels of axes go on in further lines where they are too long; else labels are
+    /// shortened, as on paper.
+    void setBreaksText(bool breaks) { m_breaksText = breaks; }
 
     void fitX();
     void fitY();
@@ -56,6 +60,8 @@ public:
         return m_legend.entryAt(position);
     }
     void setCurveVisible(std::size_t position, bool visible);
+    /// Title, legend and the labels of the damping grid, as they were drawn last.
+    void addTexts(std::vector<PlotText> &texts) const;
 
 private:
     void makeAxis(QCPAxis *axis, const PlotAxis &meaning);
@@ -74,6 +80,7 @@ private:
     SceneLegend m_legend;
     SceneDecorations m_decorations;
     QCPTextElement *m_title = nullptr;
+    bool m_breaksText = false;
 };
 
 } // namespace dyncal

@@ -157,6 +157,12 @@ void SceneDecorations::setGridVisible(bool visible)
         m_dampingGrid->setVisible(visible);
 }
 
+void SceneDecorations::addTexts(std::vector<PlotText> &texts) const
+{
+    if (m_dampingGrid && m_gridVisible)
+        texts.insert(texts.end(), m_dampingGrid->texts().begin(), m_dampingGrid->texts().end());
+}
+
 void SceneDecorations::style(const PlotTheme &theme)
 {
     m_theme = theme;
@@ -187,42 +193,71 @@ void SceneDecorations::restyle()
 
 void SceneDecorations::placeLabels()
 {
-    std::vector<QRectF> taken;
+    std::vector<QRectF> taken = othersLabels();
     staggerMarks(taken);
     for (const Decoration &decoration : m_decorations)
-        if (!decoration.markX && decoration.label->visible())
+        if (!decoration.markX && !decoration.label->text().isEmpty())
             placeLevelLabel(decoration, taken);
 }
 
-/// Labels of marks that lie close go one row down, so that they stay readable.
+/// Of handles and cursors.
+std::vector<QRectF> SceneDecorations::othersLabels() const
+{
+    std::vector<QRectF> taken;
+    for (int i = 0; i < m_plot.itemCount(); ++i) {
+        const auto *text = qobject_cast<const QCPItemText *>(m_plot.item(i));
+        const bool isOwn
+            = std::ranges::find(m_decorations, text, &Decoration::label) != m_decorations.end();
+        if (text && !isOwn && text->visible() && !text->text().isEmpty())
+            taken.push_back(
+                QRectF(text->topLeft->pixelPosition(), text->bottomRight->pixelPosition())
+                    .marginsRemoved(QMarginsF(text->padding())));
+    }
+    return taken;
+}
+
+/// Labels of marks that lie close go further down, so that they stay readable; one that finds no
+/// place is left out, as are those of marks out of view.
 void SceneDecorations::staggerMarks(std::vector<QRectF> &taken)
 {
     const QFontMetrics metrics(m_theme.font);
-    const QRect rect = m_plot.axisRect()->rect();
-    const double height = rect.height();
-    if (!(height > 0.0))
+    const QRectF rect = m_plot.axisRect()->rect();
+    if (!(rect.height() > 0.0))
         return;
-    std::vector<double> rowEnds(kMarkRows, -1e9);
+    const auto rows = std::max(kMarkRows, static_cast<int>(rect.height() / metrics.height()));
     for (const Decoration &decoration : m_decorations) {
         if (!decoration.markX)
             continue;
         const double left = m_plot.xAxis->coordToPixel(*decoration.markX);
         const double width = metrics.horizontalAdvance(decoration.label->text()) + kLabelGap_px;
-        const bool flip = left + width > rect.right();
-        const double from = flip ? left - width : left;
-        const auto row = std::find_if(
-            rowEnds.begin(), rowEnds.end(), [from](double end) { return from > end; });
-        const auto place = row == rowEnds.end() ? rowEnds.begin() : row;
-        *place = from + width;
-        const auto top = static_cast<double>((place - rowEnds.begin()) * metrics.height());
+        const bool flip = left + width > rect.right() && left - width >= rect.left();
+        // Where neither side has room, it stands across its line.
+        const bool across = !flip && left + width > rect.right();
+        const double begin = flip ? left - width : across ? rect.right() - width : left;
+        QRectF place(begin, rect.top(), width, metrics.height());
+        const auto isFree = [&](const QRectF &at) {
+            return std::ranges::none_of(
+                taken, [&](const QRectF &other) { return at.intersects(other); });
+        };
+        int row = 0;
+        while (row < rows && !isFree(place.translated(0.0, row * metrics.height())))
+            ++row;
+        place.translate(0.0, row * metrics.height());
+        decoration.label->setVisible(!decoration.label->text().isEmpty() && row < rows
+            && rect.left() <= place.left() && rect.left() <= left && left <= rect.right() + 1.0);
+        if (!decoration.label->visible())
+            continue;
         decoration.label->setPositionAlignment(
             (flip ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignTop);
-        decoration.label->position->setCoords(*decoration.markX, top / height);
-        taken.emplace_back(from, rect.top() + top, width, metrics.height());
+        decoration.label->position->setCoords(
+            across ? m_plot.xAxis->pixelToCoord(begin) : *decoration.markX,
+            (place.top() - rect.top()) / rect.height());
+        taken.push_back(place);
     }
 }
 
-/// At the right end above its line, else where it neither leaves the axes nor lies on another.
+/// At the right end above its line, else where it neither leaves the axes nor lies on another; left
+/// out where there is no such place.
 void SceneDecorations::placeLevelLabel(const Decoration &decoration, std::vector<QRectF> &taken)
 {
     const QRectF rect = m_plot.axisRect()->rect();
@@ -230,30 +265,30 @@ void SceneDecorations::placeLevelLabel(const Decoration &decoration, std::vector
     const QSizeF size(
         metrics.horizontalAdvance(decoration.label->text()) + kLabelGap_px, metrics.height() + 1);
     const double y = m_plot.yAxis->coordToPixel(decoration.levelY);
-    const auto rectAt = [&](bool right, bool above) {
-        return QRectF(
-            {right ? rect.right() - size.width() : rect.left(), above ? y - size.height() : y},
-            size);
-    };
     const auto isFree = [&](const QRectF &place) {
-        return rect.top() <= place.top() && place.bottom() <= rect.bottom()
+        return rect.left() <= place.left() && rect.top() <= place.top()
+            && place.bottom() <= rect.bottom()
             && std::none_of(taken.begin(), taken.end(),
                 [&](const QRectF &other) { return place.intersects(other); });
     };
-    bool right = true;
-    bool above = true;
-    for (const auto &[tryRight, tryAbove] :
-        {std::pair(true, true), {true, false}, {false, true}, {false, false}}) {
-        if (!isFree(rectAt(tryRight, tryAbove)))
-            continue;
-        right = tryRight;
-        above = tryAbove;
-        break;
-    }
-    taken.push_back(rectAt(right, above));
-    decoration.label->position->setCoords(right ? 1.0 : 0.0, decoration.levelY);
-    decoration.label->setPositionAlignment(
-        (right ? Qt::AlignRight : Qt::AlignLeft) | (above ? Qt::AlignBottom : Qt::AlignTop));
+    decoration.label->setVisible(false);
+    for (const double share : {1.0, 0.0, 0.25, 0.5, 0.75}) // of the room beside the label
+        for (const bool above : {true, false}) {
+            const QRectF place({rect.left() + share * (rect.width() - size.width()),
+                                   above ? y - size.height() : y},
+                size);
+            if (!isFree(place))
+                continue;
+            const bool right = share == 1.0;
+            const double x
+                = right ? 1.0 : (place.left() - rect.left()) / std::max(1.0, rect.width());
+            decoration.label->setVisible(true);
+            decoration.label->position->setCoords(x, decoration.levelY);
+            decoration.label->setPositionAlignment((right ? Qt::AlignRight : Qt::AlignLeft)
+                | (above ? Qt::AlignBottom : Qt::AlignTop));
+            taken.push_back(place);
+            return;
+        }
 }
 
 } // namespace dyncal

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "ui/plot/values/plot_content.h"
+#include "ui/plot/values/plot_text.h"
 #include "ui/plot/values/plot_theme.h"
 
 #include <qcustomplot.h>
@@ -33,6 +34,7 @@ public:
 
     void setGridVisible(bool visible);
     bool isGridVisible() const { return m_gridVisible; }
+    void addTexts(std::vector<PlotText> &texts) const; ///< those that are no items
 
 private:
     struct Decoration
@@ -51,6 +53,7 @@ private:
     static void placeMark(Decoration &decoration, const PlotMark &mark);
     static void placeLevel(Decoration &decoration, const PlotLevel &level);
     QCPItemRect *makeBand(const PlotLevel &level);
+    std::vector<QRectF> othersLabels() const;
     void staggerMarks(std::vector<QRectF> &taken);
     void placeLevelLabel(const Decoration &decoration, std::vector<QRectF> &taken);
 

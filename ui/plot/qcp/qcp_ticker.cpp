@@ -102,12 +102,16 @@ QVector<double> DecadeTicker::createTickVector(double tickStep, const QCPRange &
     const double decades = std::log10(range.upper / range.lower);
     if (decades > 2.5) {
         m_decadesOnly = true;
-        const int step = 1 + static_cast<int>(decades) / kMostLabelledDecades;
+        int step = 1 + static_cast<int>(decades) / kMostLabelledDecades;
+        while (step < decades && countInside(decadeTicks(range, {1.0}, step), range) > m_mostTicks)
+            ++step;
         return decadeTicks(range, {1.0}, step);
     }
     QVector<double> ticks = decadeTicks(range, {1.0, 2.0, 5.0}, 1);
-    if (countInside(ticks, range) >= 3)
-        return ticks;
+    if (const auto count = countInside(ticks, range); count >= 3) {
+        const QVector<double> whole = decadeTicks(range, {1.0}, 1);
+        return count > m_mostTicks && countInside(whole, range) > 0 ? whole : ticks;
+    }
     return QCPAxisTicker::createTickVector(tickStep, range);
 }
 

@@ -8,6 +8,8 @@
 
 #include <qcustomplot.h>
 
+#include <limits>
+
 namespace dyncal {
 
 /// Ticks of a linear axis whose data stay SI: labels are divided by the prefix of the range shown
@@ -35,6 +37,8 @@ class DecadeTicker : public QCPAxisTicker
 {
 public:
     explicit DecadeTicker(const PlotAxis &axis);
+    /// At most as many labels as have room; without a call as many as the decades give.
+    void setMostTicks(int ticks) { m_mostTicks = ticks; }
 
 protected:
     QVector<double> createTickVector(double tickStep, const QCPRange &range) override;
@@ -46,6 +50,7 @@ private:
     PlotAxis m_axis;
     QCPRange m_range;
     bool m_decadesOnly = false;
+    int m_mostTicks = std::numeric_limits<int>::max();
 };
 
 } // namespace dyncal

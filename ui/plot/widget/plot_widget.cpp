@@ -4,6 +4,7 @@
 #include "ui/plot/widget/plot_widget.h"
 
 #include "ui/plot/qcp/qcp_keyboard.h"
+#include "ui/plot/qcp/qcp_texts.h"
 #include "ui/plot/widget/plot_export.h"
 
 #include <QApplication>
@@ -17,6 +18,7 @@
 #include <QToolTip>
 
 #include <limits>
+#include <utility>
 
 namespace dyncal {
 
@@ -24,6 +26,11 @@ namespace {
 
 constexpr int kRing_px = 2; ///< width of the focus ring around the plot
 constexpr int kNoticeMargin_px = 8;
+constexpr QSize kLeastSize(200, 130);
+constexpr int kLeastAxes = 70;
+constexpr int kLeastLinesOfAxes = 5;
+constexpr int kLeastLinesOfMap = 10;
+constexpr int kLeastColumns = 22;
 
 } // namespace
 
@@ -45,6 +52,7 @@ struct PlotWidget::Parts
             Interval{shown.y.lower, shown.y.upper}, canvas.handles().states()};
     }
 
+    int besideAxes = 0; ///< height of what stands around the axes
     PlotCanvas canvas;
     PlotMouse mouse;
     PlotKeyboard keyboard;
@@ -66,7 +74,11 @@ PlotWidget::PlotWidget(QWidget *parent)
 void PlotWidget::connectCanvas()
 {
     const PlotCanvas *canvas = &d->canvas;
-    connect(canvas, &PlotCanvas::replotted, this, &PlotWidget::replotted);
+    connect(canvas, &PlotCanvas::replotted, this, [this] {
+        if (std::exchange(d->besideAxes, d->canvas.heightBesideAxes()) != d->besideAxes)
+            updateGeometry();
+        emit replotted();
+    });
     connect(canvas, &PlotCanvas::xRangeChanged, this, &PlotWidget::xRangeChanged);
     connect(canvas, &PlotCanvas::spanMarked, this, &PlotWidget::spanMarked);
     connect(canvas, &PlotCanvas::markingChanged, this, &PlotWidget::markingChanged);
@@ -93,7 +105,10 @@ void PlotWidget::setContent(const PlotContent &content)
 {
     setAccessibleName(content.title);
     setAccessibleDescription(content.summary);
+    const bool isMap = this->content().equalAspect;
     d->canvas.setContent(content);
+    if (isMap != content.equalAspect)
+        updateGeometry();
     emit contentChanged();
 }
 
@@ -216,6 +231,14 @@ void PlotWidget::setXRange(Interval x)
     d->canvas.replot();
 }
 
+std::vector<PlotText> PlotWidget::texts() const
+{
+    std::vector<PlotText> texts = textsOf(d->plot, d->canvas.scene());
+    for (PlotText &text : texts)
+        text.rect.translate(d->plot.pos());
+    return texts;
+}
+
 QRect PlotWidget::axesRect() const
 {
     return d->plot.axisRect()->rect().translated(d->plot.pos());
@@ -255,9 +278,15 @@ QSize PlotWidget::sizeHint() const
     return {480, 300};
 }
 
+/// Room for what stands around the axes as it was drawn last, and for the curves; a map of equal
+/// scales needs more of it.
 QSize PlotWidget::minimumSizeHint() const
 {
-    return {160, 110};
+    const int line = fontMetrics().lineSpacing();
+    const int axes = std::max(
+        kLeastAxes, line * (content().equalAspect ? kLeastLinesOfMap : kLeastLinesOfAxes));
+    return {std::max(kLeastSize.width(), kLeastColumns * fontMetrics().averageCharWidth()),
+        std::max(kLeastSize.height(), d->besideAxes + axes + 2 * kRing_px)};
 }
 
 bool PlotWidget::exportImage(const QString &path) const

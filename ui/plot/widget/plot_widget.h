@@ -6,6 +6,7 @@
 #include "core/base/interval.h"
 #include "ui/plot/values/plot_content.h"
 #include "ui/plot/values/plot_handle_state.h"
+#include "ui/plot/values/plot_text.h"
 
 #include <QWidget>
 
@@ -70,6 +71,8 @@ public:
     QRect axesRect() const; ///< where curves are drawn, widget coordinates
     Interval xRange() const;
     void setXRange(Interval x); ///< y stays
+    /// What is written in the plot and where, after it was drawn.
+    std::vector<PlotText> texts() const;
     Interval yRange() const;
 
     /// Draws the plot as vectors, light theme, opaque colours, no background, into `target` of a

@@ -3,41 +3,60 @@
 
 #include "ui/stages/frame/inspector_form.h"
 
+#include "ui/stages/frame/layout_scale.h"
+
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFormLayout>
 
+#include <algorithm>
+
 namespace dyncal {
+
+namespace {
+
+constexpr int kDigitsOfNumbers = 11;
+constexpr int kBesideNumber_px = 30; ///< frame and arrows
+
+} // namespace
 
 InspectorForm::InspectorForm(QWidget *parent)
     : QWidget(parent)
     , m_layout(new QFormLayout(this))
 {
-    m_layout->setContentsMargins(8, 8, 8, 8);
+    m_layout->setContentsMargins(scale::kMedium, scale::kMedium, scale::kMedium, scale::kMedium);
     m_layout->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     m_layout->setRowWrapPolicy(QFormLayout::WrapLongRows);
-    m_layout->setVerticalSpacing(5);
+    m_layout->setVerticalSpacing(scale::kSmall);
 }
 
 void InspectorForm::addSection(const QString &title)
 {
     auto *label = new QLabel(title, this);
-    QFont font = label->font();
-    font.setBold(true);
-    label->setFont(font);
+    label->setFont(scale::heading(label->font()));
     if (m_layout->rowCount() > 0)
-        label->setContentsMargins(0, 8, 0, 0);
+        label->setContentsMargins(0, scale::kMedium, 0, 0);
     m_layout->addRow(label);
 }
 
 void InspectorForm::addRow(const QString &label, QWidget *control)
 {
-    m_layout->addRow(label, control);
+    // Numbers are given the room that they mostly need, not that of the extremes allowed.
+    QList<QDoubleSpinBox *> numbers = control->findChildren<QDoubleSpinBox *>();
+    if (auto *number = qobject_cast<QDoubleSpinBox *>(control))
+        numbers << number;
+    for (QDoubleSpinBox *number : numbers)
+        number->setMinimumWidth(std::min(number->minimumSizeHint().width(),
+            fontMetrics().horizontalAdvance(
+                QString(kDigitsOfNumbers, QChar('0')) + number->suffix())
+                + kBesideNumber_px));
+    addWrappedRow(*m_layout, label, control);
 }
 
 QComboBox *InspectorForm::addChoice(
     const QString &label, const QString &objectName, const QStringList &choices)
 {
-    auto *box = new QComboBox(this);
+    auto *box = new WrappedComboBox(this);
     box->addItems(choices);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(10);

@@ -3,6 +3,8 @@
 
 #pragma once
 
+#include "ui/stages/frame/wrapped_controls.h"
+
 #include <QLabel>
 #include <QWidget>
 

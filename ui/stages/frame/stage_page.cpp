@@ -4,6 +4,7 @@
 #include "ui/stages/frame/stage_page.h"
 
 #include "ui/session/work_state.h"
+#include "ui/stages/frame/layout_scale.h"
 #include "ui/stages/frame/recipe_change.h"
 #include "ui/stages/frame/status_text.h"
 #include "ui/stages/frame/value_table.h"
@@ -12,6 +13,7 @@
 
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 
 #include <algorithm>
 
@@ -25,6 +27,21 @@ Page pageWith(const std::vector<StageId> &stages)
         if (stagesOf(static_cast<Page>(row)) == stages)
             return static_cast<Page>(row);
     return Page::Certificate;
+}
+
+/// Where the window is too small for all plots of a page, it scrolls.
+QScrollArea *scrolled(QVBoxLayout &content)
+{
+    auto *inside = new QWidget;
+    content.setContentsMargins(0, 0, 0, 0);
+    inside->setLayout(&content);
+    auto *area = new QScrollArea;
+    area->setObjectName("pageScroll");
+    area->setWidgetResizable(true);
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus); // keys belong to the page
+    area->setWidget(inside);
+    return area;
 }
 
 } // namespace
@@ -53,26 +70,27 @@ StagePage::StagePage(Session &session, const PageText &text, std::vector<StageId
     connect(m_wayBack, &QPushButton::clicked, &session.undoStack(), &QUndoStack::undo);
 
     auto *title = new QLabel(text.title, this);
-    QFont font = title->font();
-    font.setPointSizeF(font.pointSizeF() * 1.4);
-    font.setBold(true);
-    title->setFont(font);
+    title->setFont(scale::title(title->font()));
     auto *instruction = new QLabel(text.instruction, this);
     instruction->setWordWrap(true);
+    title->setWordWrap(true);
+    m_status->setWordWrap(true);
+    m_status->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto *head = new QHBoxLayout;
-    head->addWidget(title);
-    head->addSpacing(12);
-    head->addWidget(instruction, 1);
-    head->addWidget(m_status);
+    head->setSpacing(scale::kLarge);
+    head->addWidget(title, 1);
+    head->addWidget(m_status, 1);
 
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 6, 8, 6);
+    layout->setContentsMargins(scale::kMedium, scale::kMedium, scale::kMedium, scale::kMedium);
+    layout->setSpacing(scale::kSmall);
     layout->addLayout(head);
     auto *problem = new QHBoxLayout;
     problem->addWidget(m_problem, 1);
     problem->addWidget(m_wayBack);
+    layout->addWidget(instruction);
     layout->addLayout(problem);
-    layout->addLayout(m_content, 1);
+    layout->addWidget(scrolled(*m_content), 1);
 
     const auto whenShown = [this](void (StagePage::*what)()) {
         return [this, what] {

@@ -82,10 +82,10 @@ void ModelPage::buildInspector()
     form->addSection(tr("Shown"));
     m_series = form->addChoice(tr("Series"), "modelSeries", {tr("all")});
     connect(m_series, &QComboBox::activated, this, &ModelPage::showTime);
-    m_candidates = new QCheckBox(tr("Draw the pinned orders"));
+    m_candidates = new WrappedCheckBox(tr("Draw the pinned orders"));
     m_candidates->setObjectName("drawCandidates");
     m_candidates->setChecked(true);
-    m_drawSecondOrder = new QCheckBox(tr("Draw the 2nd-order sensor"));
+    m_drawSecondOrder = new WrappedCheckBox(tr("Draw the 2nd-order sensor"));
     m_drawSecondOrder->setObjectName("drawSecondOrder");
     for (QCheckBox *box : {m_candidates, m_drawSecondOrder}) {
         form->addWide(box);

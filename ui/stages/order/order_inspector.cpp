@@ -53,7 +53,7 @@ void OrderInspector::buildOrder(InspectorForm &form)
             });
     });
     m_suggestion = form.addNote("orderSuggestion");
-    m_useSuggestion = new QPushButton(tr("Use suggestion"));
+    m_useSuggestion = new WrappedButton(tr("Use suggestion"));
     m_useSuggestion->setObjectName("useSuggestion");
     form.addWide(m_useSuggestion);
     connect(m_useSuggestion, &QPushButton::clicked, this, &OrderInspector::useSuggestion);
@@ -74,7 +74,8 @@ void OrderInspector::buildAdoption(InspectorForm &form)
 {
     form.addSection(tr("Adopt"));
     m_reason = form.add(tr("Reason"), "adoptReason", new QLineEdit);
-    m_adopt = new QPushButton(tr("Adopt"));
+    m_proposed = form.addReadout(tr("Else"), "proposedReason");
+    m_adopt = new WrappedButton(tr("Adopt"));
     m_adopt->setObjectName("adoptOrder");
     form.addWide(m_adopt);
     m_adoption = form.addNote("adoption");
@@ -112,7 +113,7 @@ void OrderInspector::buildSettings(InspectorForm &form)
             r.realization.rows = rows.value ? Auto<Index>(std::lround(*rows.value)) : Auto<Index>();
         });
     });
-    m_refine = new QCheckBox(tr("Refine the poles (least squares)"));
+    m_refine = new WrappedCheckBox(tr("Refine the poles (least squares)"));
     m_refine->setObjectName("refinePoles");
     form.addWide(m_refine);
     connect(m_refine, &QCheckBox::clicked, this, [this](bool on) {
@@ -139,7 +140,7 @@ void OrderInspector::adopt()
     if (!m_mayAdopt)
         return;
     const QString typed = m_reason->text().trimmed();
-    emit adopted(typed.isEmpty() ? m_reason->placeholderText() : typed);
+    emit adopted(typed.isEmpty() ? m_proposed->text() : typed);
 }
 
 void OrderInspector::showRecipe(
@@ -236,8 +237,7 @@ void OrderInspector::showAdoption(const CalibrationResults &results, bool isCurr
     m_adopt->setText(model ? tr("Adopt order %1 (Enter)").arg(model->order) : tr("Adopt"));
     m_adopt->setToolTip(obstacle);
     m_adopt->setAccessibleDescription(obstacle);
-    m_reason->setPlaceholderText(
-        model && obstacle.isEmpty() ? proposedReason(*model, results) : QString());
+    m_proposed->setText(model && obstacle.isEmpty() ? proposedReason(*model, results) : QString());
     const QString remark = model ? m_remarks.value(model->order) : QString();
     QStringList lines{isAdopted ? tr("This order is adopted.") : obstacle};
     if (!remark.isEmpty())

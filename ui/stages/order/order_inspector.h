@@ -65,6 +65,7 @@ private:
     QLabel *m_resonance;
     QLabel *m_spread;
     QLabel *m_outside;
+    QLabel *m_proposed; ///< the reason given where none is typed
     QLineEdit *m_reason;
     QPushButton *m_adopt;
     QLabel *m_adoption;

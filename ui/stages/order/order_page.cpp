@@ -33,6 +33,7 @@ const QString kKeysKey = QStringLiteral("order-keys");
 constexpr Index kLargeStep = 10;
 constexpr std::size_t kMostCandidates = 8;
 constexpr int kTableHeight = 150;
+constexpr double kBesideCut = 0.05; ///< of the orders shown, behind a cut at their end
 
 QSplitter *column(std::initializer_list<QWidget *> widgets)
 {
@@ -313,14 +314,29 @@ void OrderPage::showRecipe()
     if (const auto adopted = adoptedOrder(session()))
         m_adopted = adopted;
     m_controls->showRecipe(recipe(), results(), shownOrder());
-    if (!m_values->isHandleDragged() && results().decomposition)
+    if (!m_values->isHandleDragged() && results().decomposition) {
         m_values->setLine(kCut, tr("order"), static_cast<double>(shownOrder()), true);
+        showCut();
+    }
     RealizationSettings settings = recipe().realization;
     settings.order = {}; // what depends on it comes with the results
     if (settings == m_shownSettings)
         return;
     m_shownSettings = settings;
     showModel(); // pins, adoption
+}
+
+/// An order that is chosen beyond the first view: its cut must be seen, and be dragged on. A view
+/// that the operator chose stays.
+void OrderPage::showCut()
+{
+    const Interval shown = m_values->xRange();
+    const double cut = static_cast<double>(shownOrder()) + 0.5;
+    const bool isFirstView = shown.end == m_values->content().xMax || shown.end == m_endForCut;
+    if (cut <= shown.end || !isFirstView)
+        return;
+    m_endForCut = cut + kBesideCut * cut;
+    m_values->setXRange({shown.begin, *m_endForCut});
 }
 
 void OrderPage::showResults()

@@ -49,6 +49,7 @@ private:
     Index shownOrder() const;
     Index largestOrder() const;
     Index modelOrder() const; ///< of the model on show, which all its views and numbers are of
+    void showCut();
     void showEvidence();
     void showModel();
     void showCandidates();
@@ -66,6 +67,7 @@ private:
     QPushButton *m_compare;
     QCheckBox *m_difference;
     OrderInspector *m_controls;
+    std::optional<double> m_endForCut; ///< of the singular values' view, widened to show the cut
     RealizationSettings m_shownSettings; ///< without the order
     std::optional<Index> m_adopted; ///< the last order adopted, also while another is looked at
 };

@@ -122,9 +122,9 @@ void ArrivalPanel::build(InspectorForm *form)
     connect(m_delay, &OptionalEdit::edited, this, [this](const std::optional<double> &delay_s) {
         editSensor(tr("Change the delay"), [&](ArrivalSensor &s) { s.delay_s = delay_s; });
     });
-    m_addSensor = new QPushButton(tr("Add a sensor"));
+    m_addSensor = new WrappedButton(tr("Add a sensor"));
     m_addSensor->setObjectName("addArrivalSensor");
-    m_removeSensor = new QPushButton(tr("Remove this sensor"));
+    m_removeSensor = new WrappedButton(tr("Remove this sensor"));
     m_removeSensor->setObjectName("removeArrivalSensor");
     form->addWide(m_addSensor);
     form->addWide(m_removeSensor);

@@ -60,7 +60,7 @@ void ConditionsPanel::buildGasControls()
         changeRecipe(
             m_session, tr("Change the driven gas"), [&](Recipe &r) { r.shock.drivenGas = gas; });
     });
-    m_variable = new QCheckBox(tr("Heat capacity varies with temperature"));
+    m_variable = new WrappedCheckBox(tr("Heat capacity varies with temperature"));
     m_variable->setObjectName("variableHeatCapacity");
     m_form.addWide(m_variable);
     connect(m_variable, &QCheckBox::clicked, this, [this](bool on) {

@@ -90,7 +90,7 @@ void ShockPage::buildReferenceControls()
         showResults();
     });
     form->addSection(tr("Reference"));
-    m_enabled = new QCheckBox(tr("Compute the step from the shock"));
+    m_enabled = new WrappedCheckBox(tr("Compute the step from the shock"));
     m_enabled->setObjectName("shockEnabled");
     form->addWide(m_enabled);
     connect(m_enabled, &QCheckBox::clicked, this, [this](bool on) {

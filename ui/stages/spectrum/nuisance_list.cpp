@@ -4,6 +4,7 @@
 #include "ui/stages/spectrum/nuisance_list.h"
 
 #include "ui/stages/frame/quantity_edit.h"
+#include "ui/stages/frame/wrapped_controls.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/shown_text.h"
 
@@ -51,15 +52,16 @@ QString foundText(const NuisanceResult &result)
 NuisanceList::NuisanceList(QWidget *parent)
     : QWidget(parent)
     , m_modes(named(new QListWidget(this), "nuisanceModes", tr("Oscillations left out")))
-    , m_remove(named(new QPushButton(tr("Leave in again"), this), "nuisanceRemove",
+    , m_remove(named(new WrappedButton(tr("Leave in again"), this), "nuisanceRemove",
           tr("Leave the selected oscillation in again")))
-    , m_candidates(named(new QComboBox(this), "nuisanceCandidates", tr("Candidates")))
+    , m_candidates(named(new WrappedComboBox(this), "nuisanceCandidates", tr("Candidates")))
     , m_frequency(named(new QuantityEdit({"kHz", 1e3}, kLowest_Hz, kHighest_Hz, 6, this),
           "nuisanceFrequency", tr("Frequency of the oscillation")))
-    , m_shot(named(new QComboBox(this), "nuisanceShot", tr("Shot where the frequency was read")))
-    , m_kind(named(new QComboBox(this), "nuisanceKind", tr("Kind of oscillation")))
+    , m_shot(
+          named(new WrappedComboBox(this), "nuisanceShot", tr("Shot where the frequency was read")))
+    , m_kind(named(new WrappedComboBox(this), "nuisanceKind", tr("Kind of oscillation")))
     , m_reason(named(new QLineEdit(this), "nuisanceReason", tr("Reason")))
-    , m_add(named(new QPushButton(tr("Leave out of the model"), this), "nuisanceAdd",
+    , m_add(named(new WrappedButton(tr("Leave out of the model"), this), "nuisanceAdd",
           tr("Leave the oscillation out of the model")))
 {
     m_modes->setMaximumHeight(90);
@@ -70,11 +72,11 @@ NuisanceList::NuisanceList(QWidget *parent)
     layout->addWidget(m_modes);
     layout->addWidget(m_remove);
     auto *form = new QFormLayout;
-    form->addRow(tr("From"), m_candidates);
-    form->addRow(tr("Frequency"), m_frequency);
-    form->addRow(tr("In shot"), m_shot);
-    form->addRow(tr("Kind"), m_kind);
-    form->addRow(tr("Reason"), m_reason);
+    addWrappedRow(*form, tr("From"), m_candidates);
+    addWrappedRow(*form, tr("Frequency"), m_frequency);
+    addWrappedRow(*form, tr("In shot"), m_shot);
+    addWrappedRow(*form, tr("Kind"), m_kind);
+    addWrappedRow(*form, tr("Reason"), m_reason);
     layout->addLayout(form);
     layout->addWidget(m_add);
     connect(m_candidates, &QComboBox::activated, this, &NuisanceList::takeCandidate);

@@ -4,6 +4,7 @@
 #include "ui/stages/window/stretch_list.h"
 
 #include "ui/stages/frame/quantity_edit.h"
+#include "ui/stages/frame/wrapped_controls.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/shown_text.h"
 
@@ -53,14 +54,14 @@ QString rowText(const StretchRow &row)
 
 StretchList::StretchList(QWidget *parent)
     : QWidget(parent)
-    , m_mark(new QPushButton(tr("Exclude a stretch"), this))
+    , m_mark(new WrappedButton(tr("Exclude a stretch"), this))
     , m_list(new QListWidget(this))
     , m_begin(new QuantityEdit({"µs", 1e-6}, -kLongest_s, kLongest_s, kDecimals, this))
     , m_end(new QuantityEdit({"µs", 1e-6}, -kLongest_s, kLongest_s, kDecimals, this))
-    , m_shot(new QComboBox(this))
+    , m_shot(new WrappedComboBox(this))
     , m_reason(new QLineEdit(this))
     , m_note(new QLabel(this))
-    , m_remove(new QPushButton(tr("Leave in again"), this))
+    , m_remove(new WrappedButton(tr("Leave in again"), this))
 {
     build();
     connectControls();
@@ -94,10 +95,10 @@ void StretchList::build()
     layout->addWidget(m_mark);
     layout->addWidget(m_list);
     auto *form = new QFormLayout;
-    form->addRow(tr("Begin"), m_begin);
-    form->addRow(tr("End"), m_end);
-    form->addRow(tr("In"), m_shot);
-    form->addRow(tr("Reason"), m_reason);
+    addWrappedRow(*form, tr("Begin"), m_begin);
+    addWrappedRow(*form, tr("End"), m_end);
+    addWrappedRow(*form, tr("In"), m_shot);
+    addWrappedRow(*form, tr("Reason"), m_reason);
     layout->addLayout(form);
     layout->addWidget(m_note);
     layout->addWidget(m_remove);

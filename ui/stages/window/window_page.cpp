@@ -53,10 +53,10 @@ void WindowPage::buildPlots()
     m_table = new ValueTable("windowTable", tr("Levels and step of every shot"), this);
     m_table->setMinimumHeight(120);
     auto *split = new QSplitter(Qt::Vertical, this);
+    split->addWidget(m_detail); // the ringing large, where it is on the plateau below
     split->addWidget(m_plot);
-    split->addWidget(m_detail);
     split->addWidget(m_table);
-    split->setSizes({1000, 700, 300});
+    split->setSizes({1000, 800, 300});
     content()->addWidget(split);
 }
 
@@ -65,7 +65,7 @@ void WindowPage::buildInspector()
     InspectorForm *form = inspector();
     buildStartControls();
     form->addSection(tr("Baseline, after the start"));
-    m_subtract = new QCheckBox(tr("Subtract the baseline"));
+    m_subtract = new WrappedCheckBox(tr("Subtract the baseline"));
     m_subtract->setObjectName("subtractBaseline");
     form->addWide(m_subtract);
     connect(m_subtract, &QCheckBox::clicked, this, [this](bool on) {
@@ -86,7 +86,7 @@ void WindowPage::buildInspector()
         });
     });
     m_common = form->addNote("windowEndCommon");
-    m_plateau = new QCheckBox(tr("End with the computed plateau"));
+    m_plateau = new WrappedCheckBox(tr("End with the computed plateau"));
     m_plateau->setObjectName("endAtPlateau");
     form->addWide(m_plateau);
     connect(m_plateau, &QCheckBox::clicked, this, [this](bool on) {
@@ -96,7 +96,7 @@ void WindowPage::buildInspector()
     connect(m_settle, &IntervalEdit::edited, this, [this](const Auto<Interval> &band) {
         change(tr("Change the settle band"), [&](Recipe &r) { r.window.settle_s = band; });
     });
-    m_remap = new QCheckBox(tr("Remap to 0..1"));
+    m_remap = new WrappedCheckBox(tr("Remap to 0..1"));
     m_remap->setObjectName("remap");
     form->addWide(m_remap);
     connect(m_remap, &QCheckBox::clicked, this,

@@ -30,6 +30,7 @@ private slots:
     void init() { startOver(); }
     void strip_showsEveryClassAndTheRow();
     void strip_click_picksTheOrder();
+    void order_beyondThePlot_isStillSeen();
     void order_changed_zoomStays();
     void orderChanged_oldResponse_isNotShown();
     void keys_leadToWholePairsAndToTheLastOrder();
@@ -73,6 +74,16 @@ void TestOrderPage::strip_click_picksTheOrder()
     waitComputed();
     QCOMPARE(*m_session.recipe().realization.order.value, Index(4));
     QCOMPARE(strip->content().levels.at(0).y, 4.0);
+}
+
+void TestOrderPage::order_beyondThePlot_isStillSeen()
+{
+    auto *values = plot("singularValuePlot");
+    QTRY_VERIFY(values->xRange().end < 45.0); // the first 40 of them
+    choose(53);
+    QTRY_VERIFY(values->xRange().end > 53.5);
+    QVERIFY(values->axesRect().contains(
+        {values->pixelOf(53.5, 1.0).x(), values->axesRect().center().y()}));
 }
 
 void TestOrderPage::order_changed_zoomStays()
@@ -177,7 +188,7 @@ void TestOrderPage::values_haveTheDigitsOfTheirUncertainty()
 
 void TestOrderPage::enter_adoptsWithTheProposedReason()
 {
-    const QString proposed = control<QLineEdit>("adoptReason")->placeholderText();
+    const QString proposed = control<QLabel>("proposedReason")->text();
     QVERIFY(!proposed.isEmpty());
     QTest::keyClick(plot("singularValuePlot"), Qt::Key_Return);
     QCOMPARE(*m_session.recipe().realization.order.value, Index(2));
