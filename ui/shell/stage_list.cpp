@@ -58,7 +58,8 @@ void StageList::setStanding(int row, const PageStanding &standing)
 
 void StageList::fitRows()
 {
-    const QRect room(0, 0, std::max(1, viewport()->width() - kSignSize_px - 2 * kAroundText_px), QWIDGETSIZE_MAX);
+    const QRect room(0, 0, std::max(1, viewport()->width() - kSignSize_px - 2 * kAroundText_px),
+        QWIDGETSIZE_MAX);
     int widest = 0;
     for (int row = 0; row < count(); ++row) {
         const QString text = item(row)->text();
