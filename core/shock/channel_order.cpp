@@ -13,7 +13,7 @@
 namespace dyncal {
 namespace {
 
-constexpr double kLeastLead_samples = 5.0; ///< what a detected start may be off
+constexpr double kLeastLead_samples = 5.0; ///< a detected start may be off by so much
 
 Finding swapped(Index shot, const Channel &dut, const Channel &side, double lead_s)
 {

@@ -12,10 +12,10 @@
 
 namespace dyncal {
 
-/// CAP-010 for every shot whose DUT in the end wall feels the shock before a sensor in the driven
-/// section's wall does, which the shock passes first: the two channels look swapped. `arrivals` are
-/// the starts of the DUTs, `starts` those of all records. Nothing is said of shots where either has
-/// no arrival.
+/// CAP-010 for every shot whose DUT in the end wall feels the shock before a driven-side sensor
+/// does. The shock passes the side sensor first, so the two channels look swapped. `arrivals` are
+/// the starts of the DUTs, `starts` those of all records. Shots where one of the two has no arrival
+/// are left out.
 Findings checkChannelOrder(
     const CaptureSet &set, const std::vector<DutArrival> &arrivals, const RecordStarts &starts);
 

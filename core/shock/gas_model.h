@@ -27,7 +27,7 @@ struct HeatCapacity
     std::vector<Vibration> vibrations;
 };
 
-inline constexpr double kLowestHeatCapacity_K = 200.0; ///< where the model is held to be valid
+inline constexpr double kLowestHeatCapacity_K = 200.0; ///< range in which the model is valid
 inline constexpr double kHighestHeatCapacity_K = 1500.0;
 
 double cpOverR(const HeatCapacity &gas, double temperature_K); ///< cp/R
@@ -61,7 +61,7 @@ struct NamedGas
 /// own.
 const std::vector<NamedGas> &knownGases();
 
-/// State of the gas before the shot, needed for moist air.
+/// State of a section's gas before the shot. Humidity and CO2 count for moist air only.
 struct SectionState
 {
     double pressure_Pa = 0.0;

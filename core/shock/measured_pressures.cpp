@@ -77,7 +77,7 @@ std::vector<MeasuredPressure> measuredPressures(const Shot &shot, const ShockSta
             const double back_s
                 = arrivalAtWall_s + sighting.distance_m / states.reflectedVelocity_m_s;
             reader.add("p2", sighting.time_s, back_s, states.shocked.pressure_Pa);
-            // The plateau at the wall ends here later by the way of the disturbance.
+            // The disturbance that ends the plateau reaches the wall first and this sensor later.
             reader.add("p5", back_s,
                 arrivalAtWall_s + plateau_s + sighting.distance_m / states.reflected.soundSpeed_m_s,
                 p5_Pa);

@@ -20,21 +20,21 @@ struct MeasuredPressure
     std::string channel;
     double measured_Pa = 0.0;
     double predicted_Pa = 0.0;
-    bool wasGauge = false; ///< p1 (side, DUT) or the ambient pressure was added
+    bool wasGauge = false; ///< the ambient pressure (or p1) was added
 
     double deviation() const { return measured_Pa / predicted_Pa - 1.0; }
 };
 
-/// Pressures of all channels whose unit is one of pressure: of a side sensor p1 (absolute ones), p2
-/// between the shock and its reflection and p5 behind, of a DUT in the end wall p1 and p5, of the
-/// driver p4 before the burst. Gauge readings and those of unknown reference get the recorded
-/// ambient pressure, else p1 added. Levels are medians over the middle half of the time that each
-/// state lasts; a state shorter than 20 samples is left out.
+/// Pressures of all channels whose unit is one of pressure. Side sensor: p1, p2 between the shock
+/// and its reflection, p5 after that; DUT in the end wall: p1 and p5; driver: p4 before the burst.
+/// Gauge readings and those of unknown reference get the recorded ambient pressure, else p1 added.
+/// Levels are medians over the middle half of the time that each state lasts; where that half has
+/// fewer than 20 samples or leaves the record, the state is left out.
 std::vector<MeasuredPressure> measuredPressures(const Shot &shot, const ShockStates &states,
     const std::vector<Sighting> &sightings, double arrivalAtWall_s, double plateau_s,
     const std::optional<double> &burst_s, const std::optional<double> &p4_Pa);
 
-/// The same readings beside what other states predict.
+/// The same readings, compared with what other states predict.
 std::vector<MeasuredPressure> besides(std::vector<MeasuredPressure> measured,
     const ShockStates &states, const std::optional<double> &p4_Pa);
 

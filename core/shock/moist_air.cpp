@@ -71,7 +71,7 @@ Result<MoistAir> moistAir(
 {
     const double xw = waterFraction(pressure_Pa, temperature_K, relativeHumidity);
     const double t = temperature_K - kCelsiusZero_K;
-    constexpr double kEdge = 1e-9; // 303.15 - 273.15 is a rounding above 30
+    constexpr double kEdge = 1e-9; // in doubles 303.15 - 273.15 is a little above 30
     const std::array<Limit, 5> limits{{{"temperature", "degC", t, -kEdge, 30.0 + kEdge},
         {"pressure", "Pa", pressure_Pa, 75e3, 102e3},
         {"relative humidity", "", relativeHumidity, 0.0, 1.0},

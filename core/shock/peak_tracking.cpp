@@ -18,7 +18,7 @@
 namespace dyncal {
 namespace {
 
-constexpr double kPeakTolerance = 0.015; ///< beyond the span from the sensor's place to the gas's
+constexpr double kPeakTolerance = 0.015; ///< beyond the span between sensor and gas mode
 constexpr double kCandidateTolerance = 0.05;
 
 struct ShotSpectrum
@@ -46,13 +46,13 @@ std::vector<ShotSpectrum> usableShots(
     return list;
 }
 
-/// A peak's place is known to a part of a bin.
+/// A peak lies anywhere within one bin (rectangular).
 double frequencyUncertainty_Hz(const PowerSpectrum &spectrum)
 {
     return (spectrum.frequency_Hz[1] - spectrum.frequency_Hz[0]) / std::sqrt(12.0);
 }
 
-/// The most prominent peak between where sensor and gas would have it.
+/// The most prominent peak between the frequencies of a sensor and of a gas mode.
 std::optional<double> peakBetween(
     const std::vector<SpectralPeak> &peaks, double atSensor_Hz, double atGas_Hz)
 {

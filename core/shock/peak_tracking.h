@@ -12,9 +12,9 @@
 
 namespace dyncal {
 
-/// Prominent peaks of the first shot's spectrum that every other shot shows, where it would lie if
-/// it were the gas's or the sensor's or between, tested against the sound speed of region 5.
-/// `shock` needs states of at least two shots; otherwise nothing is followed.
+/// Prominent peaks of the first shot's spectrum that every other shot shows too: at the frequency
+/// of a gas mode there, at that of the sensor, or between. Each is tested against the sound speed
+/// of region 5. `shock` needs states of at least two shots; otherwise nothing is followed.
 std::vector<FollowedPeak> followPeaks(
     const SpectrumResult &spectrum, const WindowResult &window, const ShockConditionsSet &shock);
 

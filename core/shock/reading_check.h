@@ -14,7 +14,7 @@ namespace dyncal {
 
 /// CAP-013 for every shot whose DUT reads pressures and whose step differs from the computed one by
 /// more than `checks.readingFactor`: the unit or the scale is wrong. The sentence proposes the unit
-/// with which the recorded numbers would fit within 10 %, if there is one.
+/// in which the recorded numbers would fit within 10 %, if there is one.
 Findings checkReadings(const std::vector<WindowedResponse> &responses,
     const ShockConditionsSet &shock, const CheckSettings &checks);
 

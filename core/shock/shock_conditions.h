@@ -39,11 +39,11 @@ struct ShockConditions
     std::vector<SeenArrival> seen; ///< what the records of the arrival sensors show
     std::vector<Sighting> sightings; ///< what the velocity was fitted to, farthest first
     std::optional<VelocityFit> velocityFit; ///< empty where the velocity was typed
-    std::optional<StepUncertainty> uncertainty; ///< where it was asked for and can be worked out
-    std::optional<StepMeasurement> measurement; ///< what that is the uncertainty of
+    std::optional<StepUncertainty> uncertainty; ///< where it was asked for and can be computed
+    std::optional<StepMeasurement> measurement; ///< the inputs of `uncertainty`
     std::string uncertaintyMissing; ///< why there is none, in English
-    std::vector<MeasuredPressure> measured; ///< from the records, beside the relations
-    std::optional<PlateauEnd> plateauEnd; ///< of the usable plateau `plateau_s` (guard taken off)
+    std::vector<MeasuredPressure> measured; ///< read from the records, with predictions
+    std::optional<PlateauEnd> plateauEnd; ///< what ends the plateau `plateau_s`
     std::optional<TubeDiagram> diagram; ///< where length and arrival at the wall are known
     std::vector<TubeResonance> resonances; ///< of the tube, not of the sensor
     std::optional<double> sideWallLimit_Hz; ///< -3 dB of a swept diaphragm in the side wall

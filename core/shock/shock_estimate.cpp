@@ -108,8 +108,8 @@ void addTube(ShockWork &work, const std::optional<DutArrival> &dutArrival)
     addDiagram(work, waves, dutArrival);
 }
 
-/// Eq 3.10 knows constant heat capacities only, and Cramer's formula ends at 102 kPa: moist air in
-/// the driver is taken as the recipe's air.
+/// Eq 3.10 holds for constant heat capacities only, and Cramer's formula ends at 102 kPa, so moist
+/// air in the driver is treated as `air` with the recipe's constants.
 Result<GasModel> driverModel(GasSettings settings, double T4_K)
 {
     if (settings.substance == "humid-air")
@@ -146,7 +146,7 @@ void addDriver(ShockWork &work)
     judgeDriverPressure(work, *p4_Pa);
 }
 
-/// The velocity where the state follows from a pressure (eqs 3.1 and 3.10 turned round).
+/// The velocity where the state follows from a pressure (eqs 3.1 and 3.10 inverted).
 Result<double> velocityFromPressure(const ShockWork &work, double p1_Pa, double T1_K)
 {
     const ShockSettings &settings = work.settings;
@@ -189,8 +189,8 @@ void addUncertainty(ShockWork &work, const SectionState &state, const VelocityEs
     c.measurement = std::move(measurement);
 }
 
-/// The driven gas at p1, T1; without one, the finding says what it needs. `state` gets the
-/// humidity.
+/// The driven gas at p1, T1; where it cannot be made a finding says what is missing. `state` gets
+/// the humidity.
 std::optional<GasModel> drivenModel(ShockWork &work, SectionState &state)
 {
     const auto humidity
@@ -240,7 +240,7 @@ void addShockedStates(ShockWork &work, const VelocityEstimate &estimate, const S
     addDriver(work);
     addTube(work, dutArrival);
     if (work.conditions.plateau_s) {
-        reportPlateau(work); // said before what the driver has to say
+        reportPlateau(work); // its findings come before the driver's
         std::rotate(work.findings.begin() + before, work.findings.end() - 1, work.findings.end());
     }
     judgeMeasured(work);
@@ -325,7 +325,7 @@ Result<void> checkSettings(const ShockSettings &settings, std::size_t shots)
     return {};
 }
 
-/// The same thing missing in every shot is said once.
+/// An input that is missing in every shot gives one finding, not one per shot.
 Findings withoutRepetition(const Findings &findings, Index shotCount)
 {
     Findings shorter;

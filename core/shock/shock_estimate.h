@@ -16,24 +16,24 @@
 
 namespace dyncal {
 
-/// What is known of the records already, so that it is not looked for again. Null = not known.
+/// What earlier stages read from the records, so that it is not read again. Null = not known.
 struct KnownReadings
 {
     const RecordStarts *starts = nullptr;
-    /// An estimate with the same set and settings: its arrivals and pressures read from the
-    /// records stand, whatever the DUT's arrival is by now.
+    /// An earlier estimate with the same set and settings. The arrivals and pressures that it read
+    /// from the records are kept, even if the DUT's arrival has changed since.
     const ShockConditionsSet *before = nullptr;
 };
 
-/// Pressure step per shot: typed, or computed from the velocity (typed, or distance over time
-/// between one arrival sensor and the DUT) with the relations 3.1-3.9. Missing inputs leave the
-/// step "not determined" with a finding that says what is missing (SHK-007); never a guess.
-/// Inputs that contradict each other (SHK-001, SHK-004) leave it undetermined for that shot too,
-/// as a finding that blocks (a caution where the step is typed, which then stands). Where nothing
-/// is `known` the records are read here. Recipe values win over the capture's environment and tube
-/// attributes. End wall: step = p5 - p1; side wall: p2 - p1. Uncertainties only where `request`
-/// asks for them; a velocity whose uncertainty nobody states and the like leave them out with the
-/// reason. Fails (Usage) on settings that make no sense.
+/// Pressure step per shot: typed, or computed from the velocity (typed, or measured by
+/// estimateVelocity()) with the relations 3.1-3.9. Missing inputs leave the step "not determined"
+/// with a finding that says what is missing (SHK-007); never a guess. Inputs that contradict each
+/// other (SHK-001, SHK-004) leave it undetermined for that shot too, with a finding that blocks; a
+/// typed step still stands, and the finding is then a caution. Whatever is not `known` is read from
+/// the records here. Recipe values win over the capture's environment and tube attributes. End
+/// wall: step = p5 - p1; side wall: p2 - p1. Uncertainties only where `request` asks for them;
+/// where one of their inputs has no stated uncertainty they are left out, with the reason. Fails
+/// (Usage) on settings that make no sense.
 Result<ShockConditionsSet> estimateShockConditions(const CaptureSet &set,
     const std::vector<DutArrival> &arrivals, const ShockSettings &settings,
     const UncertaintyRequest &request = {}, const JobControl &control = {},

@@ -87,7 +87,7 @@ void judgeFit(ShockWork &work, const VelocityEstimate &estimate)
 
 void judgeMeasured(ShockWork &work)
 {
-    // A DUT in a unit of pressure is CAP-013's; the side sensors are the reference's own witnesses.
+    // The DUT's own readings are judged by CAP-013; here only the side sensors check the reference.
     const Channel *dut = work.shot.channelWithRole(ChannelRole::Dut);
     for (const MeasuredPressure &m : work.conditions.measured) {
         const bool judged

@@ -59,7 +59,8 @@ Result<void> checkTemperature(const char *name, double temperature_K)
         "SHK-004");
 }
 
-/// T/T and rho/rho across a shock of the given pressure ratio (eqs 3.2, 3.3; again 3.6, 3.7).
+/// Ratios of temperature and density across a shock of the given pressure ratio (eqs 3.2, 3.3; the
+/// same as 3.6, 3.7).
 double temperatureRatio(double gamma, double pressureRatio)
 {
     const double g = (gamma + 1.0) / (gamma - 1.0);
@@ -132,7 +133,7 @@ Result<ShockStates> shockStates(const Gas &gas, double p1_Pa, double T1_K, doubl
     states.velocity_m_s = velocity_m_s;
     states.mach = velocity_m_s / states.driven.soundSpeed_m_s;
 
-    // The excesses over 1 are carried on their own: near M = 1 the ratios would cancel.
+    // The excesses over 1 are computed directly: near M = 1 ratio - 1 would lose all digits.
     const double excess2 // p2/p1 - 1, eq 3.1
         = 2.0 * gamma / (gamma + 1.0) * (states.mach - 1.0) * (states.mach + 1.0);
     const double ratio2 = 1.0 + excess2;
@@ -209,7 +210,7 @@ Result<double> velocityOfDriverPressure_m_s(
                     "The driver pressure p4 = %1 Pa does not exceed p1 = %2 Pa; both are absolute here: add the ambient pressure to a gauge reading."),
                 {numberText(p4_Pa, 6), numberText(p1_Pa, 6)}});
     const double a1_m_s = soundSpeed_m_s(driven, T1_K);
-    // p4 grows with the velocity from p1 at M = 1 without limit; where none reaches it, it is more.
+    // p4 grows from p1 at M = 1 without limit; a velocity that no p4 can make is too fast as well.
     double low_m_s = a1_m_s, high_m_s = a1_m_s;
     const auto tooFast = [&](double velocity_m_s) -> Result<bool> {
         const auto states = shockStates(driven, p1_Pa, T1_K, velocity_m_s);

@@ -56,12 +56,13 @@ Result<ShockStates> shockStates(const Gas &gas, double p1_Pa, double T1_K, doubl
 /// end wall, for a driven section of the given length > 0 (docs/method/shock.md).
 double plateauTime_s(const ShockStates &states, double drivenLength_m);
 
-/// Driver pressure that an ideal diaphragm needs for this shock (eq 3.10). Fails where none can
-/// (DataBlocked), on T4 outside 200..400 K (SHK-004) and on an impossible driver gas (Usage).
+/// Driver pressure that makes this shock with an ideal diaphragm (eq 3.10). Fails where no pressure
+/// makes it (DataBlocked), on T4 outside 200..400 K (SHK-004) and on an impossible driver gas
+/// (Usage).
 Result<double> driverPressure_Pa(
     const ShockStates &states, const Gas &driven, const Gas &driver, double T4_K);
 
-/// Mach number of the shock with pressure ratio p2/p1 (eq 3.1 turned round). Fails (DataBlocked,
+/// Mach number of the shock with pressure ratio p2/p1 (eq 3.1 inverted). Fails (DataBlocked,
 /// SHK-001) on a ratio that is not above 1.
 Result<double> machOfPressureRatio(const Gas &gas, double ratio);
 

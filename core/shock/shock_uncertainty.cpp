@@ -65,7 +65,7 @@ Message notStated(const char *what, const char *quantity)
         {what, quantity}};
 }
 
-/// The inputs with the way each enters.
+/// The inputs, each with the function that puts its value into a StepPoint.
 class InputList
 {
 public:
@@ -168,7 +168,7 @@ private:
             addCounters();
     }
 
-    /// The channel, numbered where an earlier sighting has it too.
+    /// The channel's name, with a number where an earlier sighting has the same channel.
     static std::string nameOf(const std::vector<Sighting> &sightings, Index i)
     {
         const Sighting &s = sightings[static_cast<std::size_t>(i)];
@@ -247,7 +247,7 @@ private:
     {
         const auto gas = gasModel(m_measurement.gas, m_measurement.state);
         if (!gas)
-            return; // said by whoever needs the states
+            return; // whoever needs the states reports it
         if (!gas->heatCapacity)
             addKnown("gamma", "gamma", gas->constants.gamma, gas->u_gamma, Distribution::Normal,
                 true, [value = gas->constants.gamma](StepPoint &p, double x) {

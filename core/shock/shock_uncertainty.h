@@ -19,7 +19,7 @@
 
 namespace dyncal {
 
-/// The results whose uncertainty is worked out, in this order.
+/// The results whose uncertainty is computed, in this order.
 enum class StepResult : Index { Velocity, Mach, P2, P5, Step };
 inline constexpr Index kStepResults = 5;
 
@@ -49,8 +49,8 @@ struct StepMeasurement
 struct StepUncertainty
 {
     GumBudget budget;
-    std::optional<Message> velocityMissing; ///< an uncertainty that nobody states; then no u(W)
-    std::optional<Message> stepMissing; ///< the same for everything that follows
+    std::optional<Message> velocityMissing; ///< input without stated u: no u(W)
+    std::optional<Message> stepMissing; ///< the same for all other results
 
     std::optional<double> u(StepResult result) const;
 };
@@ -62,16 +62,16 @@ struct UncertaintyRequest
     std::vector<StatedUncertainty> stated;
 };
 
-/// Of the recipe's section: everything is worked out, with what it states.
+/// The request of a recipe's section: everything is evaluated, with the uncertainties it states.
 UncertaintyRequest uncertaintyRequest(const UncertaintySettings &settings);
 
 /// The quantities whose uncertainty can be stated; any other name changes nothing.
 const std::vector<std::string> &statedQuantities();
 
-/// GUM over the whole way from arrivals to step, refitting the velocity each time.
-/// p1, T1, gas constants, distances and delays are common to all shots, arrival times and an
-/// estimated scatter are each shot's own. Stated uncertainties win over recorded ones, and those
-/// over the gases' usual ones. Quantities: p1_pa, t1_k, gamma, molar_mass_kg_mol,
+/// GUM over the whole way from arrivals to step; the velocity is refitted for every change of an
+/// input. p1, T1, gas constants, distances and delays are common to all shots, arrival times and an
+/// estimated scatter are each shot's own. Stated uncertainties win over recorded ones, recorded
+/// ones over the gases' usual ones. Quantities: p1_pa, t1_k, gamma, molar_mass_kg_mol,
 /// relative_humidity, carbon_dioxide_fraction, velocity_m_s (typed), distance_m, arrival_s, delay_s
 /// (each sensor), and step_relative (what the relations leave out, of the step).
 Result<StepUncertainty> evaluateStep(
@@ -84,8 +84,9 @@ struct StepMonteCarlo
     bool validated = false; ///< the step: GUM and Monte Carlo agree (JCGM 101, clause 8)
 };
 
-/// The distributions behind evaluateStep(), drawn; `budget` is what that gave. `settings.shot` must
-/// be the shot's number, so that what is each shot's own is drawn on its own.
+/// Draws from the distributions behind evaluateStep(), whose result is `budget`. `settings.shot`
+/// must be the shot's number, so that inputs of one shot alone are drawn independently of other
+/// shots.
 Result<StepMonteCarlo> simulateStep(const StepMeasurement &measurement,
     const UncertaintyRequest &request, const GumBudget &budget, const MonteCarloSettings &settings,
     const JobControl &control = {});

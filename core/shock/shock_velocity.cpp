@@ -63,10 +63,11 @@ std::optional<Sighting> sightingOf(
     seen.distance_m = sensor.distanceToEndWall_m;
     seen.u_distance_m = sensor.u_distance_m;
     seen.time_s = (typed ? *sensor.arrival_s : found->time_s) - sensor.delay_s.value_or(0.0);
-    // A cursor on the record sees no better than the search does, and the same delay.
+    // A time read with a cursor is no better than the search, and has the same delay.
     const bool stated = typed && sensor.u_arrival_s > 0.0;
     seen.u_time_s = stated || found == nullptr ? sensor.u_arrival_s : found->u_time_s;
-    // Between 0 (a diaphragm that the front sweeps) and the rise time (a sensor that rings).
+    // The delay lies between 0 (a diaphragm that the front sweeps) and the rise time (a sensor that
+    // rings).
     seen.u_delay_s = sensor.delay_s ? sensor.u_delay_s
         : found != nullptr          ? found->rise_s / std::sqrt(3.0)
                                     : 0.0;

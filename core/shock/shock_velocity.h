@@ -35,17 +35,18 @@ struct SeenArrival
     std::optional<SideArrival> found;
 };
 
-/// The sensors that mark the passing of the shock: the recipe's, or the one the tube's description
-/// stands for (the first driven-side channel at "endflange_to_sensor2_m"), with what is typed for
-/// shot `shot` (from 1) as their arrival.
+/// The sensors that mark the passing of the shock: the recipe's, or the one that follows from the
+/// tube's description (the first driven-side channel, at "endflange_to_sensor2_m"). Their arrivals
+/// are those typed for shot `shot` (from 1).
 std::vector<ArrivalSensor> arrivalSensors(
     const CaptureSet &set, Index shot, const ShockSettings &settings);
 
-/// What the recipe calls their channels.
+/// Names (or roles) by which the recipe calls their channels.
 std::vector<std::string> arrivalChannels(const ShockSettings &settings);
 
 /// Reads the arrivals of shot `shot` (from 1) from the records. `dutStart_s`: when the DUT in the
-/// end wall began to move (its detected or typed start, so that no model changes what is read).
+/// end wall began to move (its detected or typed start; not the onset, so that the reading does not
+/// depend on a model).
 std::vector<SeenArrival> seenArrivals(const CaptureSet &set, Index shot,
     const ShockSettings &settings, const RecordStarts &starts,
     const std::optional<double> &dutStart_s);
@@ -65,11 +66,10 @@ struct VelocityEstimate
     std::optional<Error> problem; ///< inputs that contradict each other
 };
 
-/// The typed velocity; else the straight line through where and when the shock was seen: the
-/// arrivalSensors(), as far as `seen` has them, and, for a DUT in the end wall, the DUT itself. Two
-/// places are needed (fitVelocity()). Counters of the recipe come before all arrivals. A sensor's
-/// typed delay is taken off its arrival; where none is typed, its rise time is the half width of
-/// what is unknown.
+/// The typed velocity; else fitVelocity() through where and when the shock was seen: the
+/// arrivalSensors(), as far as `seen` has them, and a DUT in the end wall. Two places are needed.
+/// Counters of the recipe come before all arrivals. A sensor's typed delay is taken off its
+/// arrival; where none is typed, the delay is unknown with the rise time as half width.
 VelocityEstimate estimateVelocity(const CaptureSet &set, Index shot,
     const std::optional<DutArrival> &dutArrival, const std::vector<SeenArrival> &seen,
     const ShockSettings &settings);

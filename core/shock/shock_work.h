@@ -16,7 +16,7 @@
 
 namespace dyncal {
 
-/// Everything about one shot that has to be worked on together. Internal to core/shock.
+/// What the functions of core/shock share while they work on one shot.
 struct ShockWork
 {
     const CaptureSet &set;
@@ -24,13 +24,13 @@ struct ShockWork
     const ShockSettings &settings;
     const UncertaintyRequest &request;
     const RecordStarts &starts;
-    const ShockConditions *before; ///< null where nothing was read from the records before
+    const ShockConditions *before; ///< null: the records have not been read yet
     ShockConditions conditions;
     Findings findings;
     Result<void> done{}; ///< an error that stops everything
 
     bool atEndWall() const { return settings.dutPosition == kEndWall; }
-    /// A typed step stands whatever the velocity says, so nothing is blocked then.
+    /// The finding blocks, unless a step is typed: that stands without a velocity.
     void reportProblem(const Error &error, std::optional<Correction> correction = std::nullopt);
     void reportMissing(Message message);
 };

@@ -35,7 +35,8 @@ std::optional<double> medianLevel(const Channel &channel, Index begin, Index end
 constexpr double kRiseBegin = 0.1;
 constexpr double kRiseEnd = 0.9;
 
-/// Time in which the record rises by `share` about the crossing, and the noise over that slope.
+/// u of the 50 % crossing: noise over the slope between 40 % and 60 %, the position within a
+/// sample, and 1 % of a sample for the interpolation.
 double crossingUncertainty_s(const Channel &channel, const SideArrival &arrival, Index from)
 {
     const double height = arrival.behind - arrival.before;
@@ -43,8 +44,8 @@ double crossingUncertainty_s(const Channel &channel, const SideArrival &arrival,
     const auto below = crossingTime_s(channel, arrival.before + 0.4 * height, from);
     const auto above = crossingTime_s(channel, arrival.before + 0.6 * height, from);
     const double span_s = below && above ? std::max(*above - *below, 0.0) : 0.0;
-    // A front within one sample looks like a ramp of one, wherever in it the crossing lies; from
-    // two samples on interpolation finds it.
+    // A front shorter than a sample looks like a ramp of one sample, wherever in it the crossing
+    // lies. From two samples on the interpolation finds the crossing.
     const double grid_s
         = std::clamp(2.0 * sample_s - span_s / 0.2, 0.0, sample_s) / std::sqrt(12.0);
     return std::hypot(arrival.noiseSd * span_s / (0.2 * std::abs(height)), grid_s)

@@ -18,8 +18,9 @@ void addLengthwise(std::vector<TubeResonance> &list, ResonanceKind kind, double 
         list.push_back({kind, order, 0, 0, order * fundamental_Hz, kind != ResonanceKind::Body});
 }
 
-/// Whole tube when the plateau ends: region 5 between wall and stopped contact surface, then driver
-/// gas expanded to region 3, whose reflected head has crossed the driver by then.
+/// Travel time of sound through the whole tube when the plateau ends: region 5 between wall and
+/// stopped contact surface, then driver gas of region 3 (the reflected head has crossed the driver
+/// by then).
 double mixedTravel_s(const ShockStates &states, const GasState &expanded, double drivenLength_m,
     double driverLength_m)
 {
@@ -124,7 +125,7 @@ std::optional<SoundSpeedTest> testSoundSpeed(const std::vector<PeakOfShot> &peak
         xy += w * x * y;
         yy += w * y * y;
     }
-    if (!(xx > 1e-12 * weights)) // sound speeds within a part in a million
+    if (!(xx > 1e-12 * weights)) // sound speeds equal to one part in a million
         return std::nullopt;
     SoundSpeedTest test;
     test.slope = xy / xx;

@@ -16,8 +16,7 @@ enum class ResonanceKind {
     Body, ///< the tube's wall, lengthwise (eq 5.1)
     Cavity, ///< the gas of the whole tube before the burst (eq 5.2)
     CavityShocked, ///< the gas of the driven section behind the reflected shock
-    CavityMixed, ///< the whole tube at the plateau's end: a5, a3, and a4 where the gas is still at
-                 ///< rest
+    CavityMixed, ///< the whole tube at the plateau's end: a5 and a3
     Transverse, ///< across the tube, in region 5: mode (m, n)
 };
 
@@ -30,7 +29,7 @@ struct TubeResonance
     ResonanceKind kind = ResonanceKind::Body;
     int order = 1; ///< lengthwise modes; 0 for transverse ones
     int m = 0; ///< nodal diameters
-    int n = 0; ///< nodal circles besides the wall
+    int n = 0; ///< nodal circles not counting the wall
     double frequency_Hz = 0.0;
     bool followsGas = true; ///< moves with the shot's sound speed
     std::string label() const; ///< "transverse (1,0)", "cavity 2"
@@ -46,13 +45,13 @@ struct TubeDimensions
     double wallSoundSpeed_m_s = 5130.0;
 };
 
-/// Candidates of one shot, by frequency: three lengthwise modes of each kind and the first twelve
-/// transverse ones (zeros of the derivative of J_m, Rossing and Fletcher table). `driver` is
-/// region 4.
+/// Candidates of one shot, by frequency: three lengthwise modes of each kind and the
+/// transverseZeros(). `driver` is region 4.
 std::vector<TubeResonance> tubeResonances(const ShockStates &states,
     const std::optional<GasState> &driver, const Gas &driverGas, const TubeDimensions &dimensions);
 
-/// Zero of J_m'(x), labelled as transverse mode (m, n); n counts circles, so (0,0) is no mode.
+/// Zero of J_m'(x), the derivative of the Bessel function, for transverse mode (m, n). There is no
+/// (0,0).
 struct BesselZero
 {
     int m;
@@ -78,11 +77,12 @@ struct SoundSpeedTest
     bool excludesGas = false; ///< agrees with 0 and excludes 1 within 2 u
 };
 
-/// Weighted regression; u from the stated u of the frequencies, or from the scatter where that is
+/// Weighted regression; u from the stated u of the frequencies, or from their scatter where that is
 /// larger. Empty on fewer than two shots, or sound speeds all the same.
 std::optional<SoundSpeedTest> testSoundSpeed(const std::vector<PeakOfShot> &peaks);
 
-/// Frequency at which that is 1/sqrt(2): 0.514 W/d.
+/// Frequency at which the average of a swept diaphragm, |2 J1(x)/x| with x = pi f d/W, falls to
+/// 1/sqrt(2): 0.514 W/d.
 double sideWallLimit_Hz(double diameter_m, double velocity_m_s);
 
 } // namespace dyncal

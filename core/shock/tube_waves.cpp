@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kFanPoints = 24; ///< of the bent part of the head in the diagram
 
-/// Where and when two straight ways meet: x = a.x + va (t - a.t) and the same of b.
+/// Where and when two straight paths meet: x = a.x + va (t - a.t) and the same for b.
 TubePoint meeting(const TubePoint &a, double va_m_s, const TubePoint &b, double vb_m_s)
 {
     const double time_s
@@ -19,14 +19,14 @@ TubePoint meeting(const TubePoint &a, double va_m_s, const TubePoint &b, double 
     return {a.x_m + va_m_s * (time_s - a.time_s), time_s};
 }
 
-/// Reached on a straight way at place x.
+/// When a straight path from `from` reaches x.
 TubePoint reached(const TubePoint &from, double velocity_m_s, double x_m)
 {
     return {x_m, from.time_s + (x_m - from.x_m) / velocity_m_s};
 }
 
-/// Driver gas at rest behind the shock that the reflected shock sends into region 3: a shock that
-/// stops u3. Its velocity along the tube is -`shock_m_s`.
+/// Driver gas behind the transmitted shock, which the reflected shock sends into region 3 and which
+/// stops the gas there (velocity u3). Its velocity along the tube is -`shock_m_s`.
 struct StoppedDriver
 {
     double soundSpeed_m_s = 0.0;
@@ -78,7 +78,7 @@ private:
         m_waves.plateau_s = m_waves.contactReturn_s;
         add(TubeLine::Shock, {{0.0, 0.0}, m_wall});
         add(TubeLine::ReflectedShock, {m_wall, m_contact});
-        // Stopped by the reflected shock, as nearly as an ideal diagram shows.
+        // The reflected shock stops it (to a good approximation).
         add(TubeLine::ContactSurface, {{0.0, 0.0}, m_contact, {m_contact.x_m, back.time_s}});
         add(TubeLine::ContactReflection, {m_contact, back});
     }

@@ -79,8 +79,7 @@ struct TubeSensor
     double driverGas_s = 0.0; ///< of the contact surface, if nothing stopped it
 };
 
-/// All that an x-t diagram draws, on the axis of the record: its times are those of `waves` plus
-/// `burst_s`.
+/// All that an x-t diagram draws. A time of `waves` plus `burst_s` is a time of the record.
 struct TubeDiagram
 {
     TubeWaves waves;

@@ -55,7 +55,7 @@ public:
         return gained - 0.5 * speed_m_s * speed_m_s * (1.0 - ratio) * (1.0 + ratio);
     }
 
-    /// Mass and momentum only.
+    /// The state that conserves mass and momentum; `energyDefect` is left.
     Behind across(double T_K, double speed_m_s, double ratio) const
     {
         const double p = 1.0 + speed_m_s * speed_m_s / (m_R_J_kgK * T_K) * (1.0 - ratio);
@@ -146,7 +146,7 @@ Result<double> velocityOfShockedPressure_m_s(
     if (!mach)
         return tl::unexpected(mach.error());
     const double soundSpeed = soundSpeed_m_s(gas.constants, T1_K);
-    double excess = (*mach - 1.0) * (*mach + 1.0); // M^2 - 1, to which p2 - p1 is all but in ratio
+    double excess = (*mach - 1.0) * (*mach + 1.0); // M^2 - 1; p2 - p1 is nearly proportional
     for (int i = 0; gas.heatCapacity && i < 100; ++i) {
         const auto states = shockStatesOf(gas, p1_Pa, T1_K, soundSpeed * std::sqrt(1.0 + excess));
         if (!states)

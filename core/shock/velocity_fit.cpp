@@ -61,7 +61,7 @@ struct Line
     {
         return 2.0 * std::sqrt(polynomial.covariance(2, 2)) * velocity() * velocity();
     }
-    /// u(W) of unit weights that are inverse variances.
+    /// u(W), if the weights are inverse variances.
     double u_velocity() const
     {
         return std::sqrt(polynomial.covariance(1, 1)) * velocity() * velocity();
@@ -76,7 +76,8 @@ bool everyUncertaintyIsStated(const std::vector<Sighting> &sightings)
     });
 }
 
-/// Inverse variances of the times; distances count over a first estimate of the velocity.
+/// Inverse variances of the times; u of a distance becomes one of time by a first estimate of the
+/// velocity.
 Eigen::VectorXd statedWeights(const std::vector<Sighting> &sightings, double velocity_m_s)
 {
     Eigen::VectorXd weight(std::ssize(sightings));
@@ -86,11 +87,12 @@ Eigen::VectorXd statedWeights(const std::vector<Sighting> &sightings, double vel
         weight[i]
             = 1.0 / (s.u_time_s * s.u_time_s + s.u_delay_s * s.u_delay_s + u_place_s * u_place_s);
     }
-    // A place known a million times better than another is as good as exact; more costs digits.
+    // A place known a million times better than another is as good as exact; larger ratios would
+    // cost digits.
     return weight.cwiseMin(1e12 * weight.minCoeff());
 }
 
-/// Places that are told apart: two values at one place add nothing to a shape along the tube.
+/// Number of different places: two values at one place say nothing about the shape along the tube.
 Index distinctPlaces(Eigen::VectorXd x)
 {
     std::sort(x.begin(), x.end());

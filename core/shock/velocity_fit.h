@@ -19,7 +19,7 @@ struct Sighting
 {
     std::string channel;
     double distance_m = 0.0; ///< to the end wall
-    double u_distance_m = 0.0; ///< 0 = not stated, unless the place is the end wall itself
+    double u_distance_m = 0.0; ///< 0 = not stated; exact at the end wall
     double time_s = 0.0; ///< record axis, the sensor's own delay taken off
     double u_time_s = 0.0; ///< of finding the arrival in the record, in this shot alone
     double u_delay_s = 0.0; ///< of the sensor's delay, the same in every shot (rectangular)
@@ -41,7 +41,7 @@ struct CounterReading
 enum class Attenuation {
     Automatic, ///< a change is fitted where it exceeds three times its uncertainty
     None, ///< constant velocity
-    Linear, ///< fitted from three sensors on (two counters)
+    Linear, ///< always fitted, from three sensors (two counters) on
 };
 
 /// The shock's way along the tube, fitted to where and when it was seen.
@@ -55,10 +55,10 @@ struct VelocityFit
     Eigen::VectorXd residual; ///< seen minus fitted: s (counters: m/s)
     Index dof = 0; ///< observations less parameters
     bool scatterEstimated = false; ///< from the residuals, as not every uncertainty is stated
-    double scatter_m_s = 0.0; ///< what the estimated scatter does to the velocity (u, with `dof`)
+    double scatter_m_s = 0.0; ///< u of the velocity from that scatter, with `dof`
     std::optional<double> chiSquare; ///< of the residuals over the stated uncertainties
 
-    /// How the velocity at the wall follows from other distances and times, all else the same.
+    /// The weights of the fit, for refittedVelocity_m_s().
     Eigen::VectorXd weight; ///< of each observation
 };
 

@@ -12,17 +12,17 @@
 namespace dyncal {
 namespace {
 
-constexpr Index kBlocks = 1000; ///< the record behind the start is looked at in so many blocks
+constexpr Index kBlocks = 1000; ///< into which the record after the start is divided
 constexpr Index kLeastBlock = 8;
 constexpr Index kFirstBlocks = 20; ///< until then the level is taken to be still settling
 constexpr Index kLasting = 10; ///< blocks that a departure from the plateau must last
 constexpr Index kLeastLasting = 3; ///< at the end of the record
 constexpr double kDepartureShare = 0.03; ///< of the step
 constexpr double kDepartureSigmas = 6.0;
-constexpr double kUsedShare = 0.9; ///< of the time to the departure, which is seen late
+constexpr double kUsedShare = 0.9; ///< of the time to the departure, which is noticed late
 constexpr double kDecayed = 1.5; ///< rms of a block over the noise
 
-/// `reduce` of the finite samples of each block behind `start`; NaN for blocks without any.
+/// `reduce` of the finite samples of each block after `start`; NaN for blocks without any.
 template <typename Reduction>
 Eigen::VectorXd blockValues(
     const Channel &channel, Index start, Index limit, Index block, const Reduction &reduce)
@@ -38,7 +38,8 @@ Eigen::VectorXd blockValues(
 
 /// Whether the blocks from `first` on leave the level of the latter half of those before, for as
 /// long as the plateau has lasted so far or to the end. Half a period of slow ringing does not last
-/// that long; neither ringing nor a rise or droop that goes on leaves the range it had before.
+/// that long. Ringing, or a slow rise or droop that goes on, does not leave the range of the blocks
+/// before.
 bool departs(const Eigen::VectorXd &levels, Index first, double baseline, double noise)
 {
     const Index count = std::min(std::max(kLasting, first), levels.size() - first);

@@ -10,12 +10,12 @@ namespace dyncal {
 
 inline constexpr Index kLeastWindow = 16; ///< samples
 
-/// Samples behind `start` until the level leaves its plateau for good, times 0.9; at most `limit`
+/// Samples after `start` until the level leaves its plateau for good, times 0.9; at most `limit`
 /// samples. `baseline` and `noiseSd` are those of the record before the step.
 Index automaticStepLength(
     const Channel &channel, Index start, Index limit, double baseline, double noiseSd);
 
-/// Samples behind `start` until the response has decayed to the noise; at most `limit` samples.
+/// Samples after `start` until the response has decayed to the noise; at most `limit` samples.
 Index automaticDecayLength(
     const Channel &channel, Index start, Index limit, double baseline, double noiseSd);
 

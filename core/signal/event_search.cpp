@@ -14,12 +14,12 @@ namespace {
 constexpr Index kBlocks = 4096; ///< a record is first looked at in about this many blocks
 constexpr Index kLeastBlock = 16;
 constexpr Index kSideBlocks = 4; ///< blocks on either side that a level change is averaged over
-constexpr double kFirstShare = 0.25; ///< the first change this large, of the largest, is the event:
-                                     ///< a side wall sees the incident shock, then the reflected
-constexpr double kLevelShare = 0.25; ///< of the largest excursion that a change of level must have
+constexpr double kFirstShare = 0.25; ///< of the largest: the first change this large is the event,
+                                     ///< as a side wall sees the incident and the reflected shock
+constexpr double kLevelShare = 0.25; ///< of the largest excursion; less is no change of level
 constexpr double kLevelSigmas = 8.0;
 
-/// Change of level at the begin of each block: mean of the blocks behind less the mean before.
+/// Change of level at the begin of each block: mean of the blocks after it less the mean before.
 Eigen::VectorXd levelChanges(const Eigen::VectorXd &level)
 {
     const Index n = level.size();
@@ -73,7 +73,7 @@ Result<BlockScan> scanBlocks(const Channel &channel, const JobControl &control)
             scan.level[b] = values.mean();
         else if (b > 0)
             scan.level[b] = scan.level[b - 1];
-        if (values.size() > 0 && !scan.anyValid) // an invalid begin is no change of level
+        if (values.size() > 0 && !scan.anyValid) // an invalid begin makes no change of level
             scan.level.head(b).setConstant(scan.level[b]);
         scan.anyValid = scan.anyValid || values.size() > 0;
         scan.excursion[b] = largestDistance(values, scan.level[std::max<Index>(b - 2, 0)]);
@@ -86,7 +86,7 @@ Event findEvent(const BlockScan &scan)
 {
     const Eigen::VectorXd change = levelChanges(scan.level);
     const double highest = change.maxCoeff();
-    const double noise = median(change); // of absolute values, so 0.67 of a standard deviation
+    const double noise = median(change); // of absolute values: 0.67 standard deviations
     if (highest >= kLevelShare * scan.excursion.maxCoeff() && highest > kLevelSigmas * noise) {
         const Index first = firstReaching(change, kFirstShare);
         Index climbed = 0;

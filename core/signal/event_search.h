@@ -18,7 +18,7 @@ Eigen::VectorXd withoutSpikes(Eigen::VectorXd values);
 /// Largest distance of a value from `level`; 0 for no values.
 double largestDistance(const Eigen::Ref<const Eigen::VectorXd> &values, double level);
 
-/// Coarse picture of a record: some 4096 blocks of at least 16 samples, lone spikes left out.
+/// Coarse picture of a record: about 4096 blocks of at least 16 samples, without lone spikes.
 struct BlockScan
 {
     Index blockSize = 0;
@@ -34,7 +34,7 @@ Result<BlockScan> scanBlocks(const Channel &channel, const JobControl &control);
 struct Event
 {
     Index block = 0;
-    bool isSignificant = false; ///< as a change of level, whatever single samples look like
+    bool isSignificant = false; ///< a clear change of level, not only an excursion
 };
 
 /// The first large and lasting change of level; without one (impact, decay) the first large

@@ -25,8 +25,8 @@ fftw_complex *fftwData(std::complex<double> *data)
     return reinterpret_cast<fftw_complex *>(data); // layout guaranteed by FFTW and by C++
 }
 
-/// Plans are made for aligned buffers (unaligned ones cost the SIMD code), so every buffer that is
-/// not known to be aligned must be checked before a plan is run on it.
+/// Plans are made for aligned buffers (for unaligned ones FFTW would not use SIMD), so a buffer of
+/// unknown alignment must be checked before a plan runs on it.
 bool isAligned(const double *data)
 {
     return fftw_alignment_of(const_cast<double *>(data)) == 0; // FFTW does not write through it
@@ -44,7 +44,7 @@ struct RealFft::Plans
         : length(n)
     {
         eigen_assert(n >= 1 && n <= std::numeric_limits<int>::max());
-        Eigen::VectorXd time(n); // ESTIMATE only looks at the alignment of the buffers
+        Eigen::VectorXd time(n); // ESTIMATE looks at their alignment only
         Eigen::VectorXcd spectrum(n / 2 + 1);
         const int size = static_cast<int>(n);
         const std::lock_guard lock(plannerMutex());

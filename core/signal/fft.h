@@ -24,7 +24,7 @@ public:
     RealFft &operator=(RealFft &&) noexcept;
 
     Index length() const;
-    /// `time` is zero-padded or must have at most length() values.
+    /// At most length() values; missing ones count as 0.
     Eigen::VectorXcd forward(const Eigen::Ref<const Eigen::VectorXd> &time) const;
     /// Inverse including the factor 1/n: inverse(forward(x)) == x.
     Eigen::VectorXd inverse(const Eigen::Ref<const Eigen::VectorXcd> &spectrum) const;

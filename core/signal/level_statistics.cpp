@@ -73,7 +73,7 @@ double robustNoiseSd(const Eigen::Ref<const Eigen::VectorXd> &values, Index piec
 {
     const Index n = values.size();
     const Index pieces
-        = std::max<Index>(n / piece, 1); // equal ones: a short last one fits too well
+        = std::max<Index>(n / piece, 1); // equal pieces: a line fits a short last one too well
     Eigen::VectorXd rest(n);
     for (Index i = 0; i < pieces; ++i) {
         const Index begin = i * n / pieces, count = (i + 1) * n / pieces - begin;

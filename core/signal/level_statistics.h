@@ -22,7 +22,7 @@ struct LineFit
 /// `values` finite.
 LineFit fitLine(const Eigen::Ref<const Eigen::VectorXd> &values);
 
-/// What is left of `values` when its line is taken away.
+/// `values` less their line.
 Eigen::VectorXd withoutLine(const Eigen::Ref<const Eigen::VectorXd> &values);
 
 /// Median (mean of the two in the middle for an even count); 0 for none. All finite.
@@ -31,13 +31,13 @@ double median(Eigen::VectorXd values);
 /// The finite ones of `values`, in order.
 Eigen::VectorXd finiteOnly(Eigen::VectorXd values);
 
-/// Standard deviation of noise that outliers and slow changes of the level do not move: 1.4826
+/// Standard deviation of noise that outliers and slow changes of the level hardly affect: 1.4826
 /// times the median absolute deviation from lines through pieces of `piece` samples. Where that is
 /// 0 (coarse codes) the ordinary deviation of the nine tenths closest to those lines.
 double robustNoiseSd(const Eigen::Ref<const Eigen::VectorXd> &values, Index piece);
 
 /// Whether a stretch before an event of this height is at rest: the levels of twenty pieces of it
-/// stay within a tenth of `height`, or cannot be told apart for noise.
+/// stay within a tenth of `height`, or differ by no more than noise explains.
 bool isAtRest(const Eigen::Ref<const Eigen::VectorXd> &values, double height, double noiseSd);
 
 /// Size of one count in physical units at a raw value; 0 where the source has no counts.

@@ -13,7 +13,7 @@
 
 namespace dyncal {
 
-/// Where the records of a set begin to move: found once, whatever is computed from it.
+/// Where the records of a set begin to move; found once, used by several stages.
 struct RecordStarts
 {
     /// By shot and by channel of the shot; empty = not looked for, or none found.

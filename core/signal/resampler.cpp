@@ -10,8 +10,8 @@
 namespace dyncal {
 namespace {
 
-/// Half length in output samples. Longer would sharpen the edge and lose more of the response,
-/// because the whole filter must lie behind the onset (docs/adr/0008).
+/// Half length in output samples. A longer filter has a sharper edge but loses more of the
+/// response, because all of it must lie after the onset (docs/adr/0008).
 constexpr Index kHalfLength = 6;
 
 /// Kaiser's beta for 70 dB: 0.1102 (A - 8.7).
@@ -118,7 +118,7 @@ Index outputCount(const AntiAliasFilter &filter, Index first, Index last)
 std::optional<double> reductionFactor(double from_Hz, double to_Hz)
 {
     constexpr double kTolerance = 1e-9;
-    constexpr double kLargest = 1e9; // beyond it the tolerance no longer tells whole numbers apart
+    constexpr double kLargest = 1e9; // beyond it every number is near a whole one
     const double ratio = from_Hz / to_Hz;
     if (!(from_Hz > 0.0) || !(to_Hz > 0.0) || !(ratio < kLargest))
         return std::nullopt;

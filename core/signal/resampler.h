@@ -20,14 +20,14 @@ struct AntiAliasFilter
     double rate_Hz = 0.0; ///< input rate
 
     Index halfLength() const { return (taps.size() - 1) / 2; }
-    /// Time that the filter spans, (taps - 1) / rate: how long the response must have lasted
-    /// before an output sample sees nothing of the time before the onset.
+    /// Time that the filter spans, (taps - 1) / rate: how long after the onset an output sample no
+    /// longer depends on the time before the onset.
     double span_s() const { return static_cast<double>(taps.size() - 1) / rate_Hz; }
     /// Gain for e^(s t), s complex: sum taps[k] e^(s (k - half) / rate); real on the jw axis.
     /// A decaying exponential passes with exactly this constant gain (docs/adr/0008).
     std::complex<double> gain(std::complex<double> s_rad_s) const;
-    /// gain(s) e^(s delay): finite for every decaying s from a delay of the filter's half length
-    /// on, where the gain alone is beyond all numbers.
+    /// gain(s) e^(s delay): finite for every decaying s if the delay is at least the filter's half
+    /// length, where the gain alone would overflow.
     std::complex<double> delayedGain(std::complex<double> s_rad_s, double delay_s) const;
 };
 

@@ -115,8 +115,8 @@ double ResonanceSearch::level_dB(double bin) const
     return m_level_dB[i];
 }
 
-/// Median over points spaced evenly in log frequency, so that any monotone spectrum is its own
-/// background. At the lower end the band shrinks on both sides, to keep that so.
+/// Median over points spaced evenly in log frequency, so that the background of a monotone spectrum
+/// is the spectrum itself. At the lower end the band shrinks on both sides for the same reason.
 double ResonanceSearch::background_dB(Index point) const
 {
     const auto centre = static_cast<double>(m_bins[static_cast<std::size_t>(point)]);
@@ -133,7 +133,7 @@ double ResonanceSearch::background_dB(Index point) const
 
 double ResonanceSearch::needed_dB(Index point) const
 {
-    constexpr double kEnough = 40.0; ///< powers: 6 dB is far beyond their scatter
+    constexpr double kEnough = 40.0; ///< of so many powers the mean scatters by far less than 6 dB
     const Index bin = m_bins[static_cast<std::size_t>(point)];
     const double count = m_averages * static_cast<double>(2 * halfWidthAt(bin) + 1);
     if (count >= kEnough)
@@ -142,8 +142,7 @@ double ResonanceSearch::needed_dB(Index point) const
     return std::max(kLeastProminence_dB, decibels(exceededRatio(count, p)));
 }
 
-/// How far one must at least descend from a grid point to reach a higher one; infinite from the
-/// highest.
+/// The least descent on the way from a grid point to a higher one; infinite for the highest point.
 double ResonanceSearch::dipBeside(Index point) const
 {
     double shallowest = std::numeric_limits<double>::infinity();

@@ -53,7 +53,7 @@ struct WindowedResponse
     Index lead = 0; ///< samples of `values` before the start
     Index length = 0; ///< samples of the window proper: values[lead .. lead + length)
     Eigen::VectorXd noise; ///< pre-trigger noise in the units of `values`, detrended
-    double roundingSd = 0.0; ///< of what rounding adds to `values` and averaging does not remove
+    double roundingSd = 0.0; ///< rounding error of `values` that averaging does not remove
 
     /// Empty below 20 dB SNR; overshoot and settling also below 38 dB, where noise decides them.
     std::optional<double> riseTime_s; ///< 10-90 % of the step, first crossings, interpolated
@@ -77,7 +77,7 @@ struct WindowContext
     bool remap = true;
     std::vector<std::optional<double>> plateau_s; ///< per shot of the set; for end "plateau"
     CheckSettings checks; ///< limits of CAP-007, CAP-009 and CAP-014
-    /// Of the DUTs, per shot of the set, as detectStart() found them; where empty it is asked.
+    /// Of the DUTs, per shot of the set, as detectStart() found them; where empty it is called.
     std::vector<std::optional<DetectedStart>> starts = {};
 };
 

@@ -15,9 +15,9 @@ namespace {
 
 constexpr Index kMostLooked = 8192;
 constexpr Index kFewestDifferent = 8;
-constexpr double kLastBits = 4.0; ///< by which a difference of two values may be off
+constexpr double kLastBits = 4.0; ///< error of a difference, in last bits of the values
 constexpr double kBelievable = 100.0; ///< a step is larger than its error by this much
-constexpr double kTwoValues = 1.5; ///< resolutions that a record of two neighbouring values spans
+constexpr double kTwoValues = 1.5; ///< resolutions: less than three values span
 constexpr int kMostTerms = 1000;
 constexpr int kMostDivisions = 100; ///< Euclid's algorithm needs fewer for any two doubles
 
@@ -28,7 +28,8 @@ struct Difference
     double error = 0.0;
 };
 
-/// Largest step that both a and b are multiples of (Euclid); of size 0 if it is lost in the errors.
+/// Largest step that both a and b are multiples of (Euclid); of size 0 if the errors are as large
+/// as the step.
 Difference commonDivisor(Difference a, Difference b)
 {
     if (a.size < b.size)
@@ -45,7 +46,7 @@ Difference commonDivisor(Difference a, Difference b)
     return {};
 }
 
-/// Every so many-th sample of the range, so that there are not more than kMostLooked; finite ones.
+/// The finite ones of at most kMostLooked samples spread evenly over the range.
 Eigen::VectorXd someRawValues(const Channel &channel, const SampleRange &range)
 {
     const Index stride = std::max<Index>(1, (range.size() + kMostLooked - 1) / kMostLooked);
@@ -104,7 +105,8 @@ double resolutionOf(const Channel &channel, const SampleRange &range)
     const double largest = values.cwiseAbs().maxCoeff();
     if (!(largest > 0.0))
         return 0.0;
-    // Numbers of so many digits are finer near 0: the large ones decide, binary or decimal.
+    // Numbers with a fixed count of digits have finer steps near 0, so the large values decide:
+    // those of the last binary octave or decimal decade.
     const double decade = std::pow(10.0, std::floor(std::log10(largest)));
     const double lastBit = std::numeric_limits<double>::epsilon() * largest;
     const double step = std::max({commonStep(notBelow(0.5 * largest, values)),

@@ -20,13 +20,13 @@ double resolutionOf(const Channel &channel, const SampleRange &range);
 /// precision; 0 if there is none, or fewer than eight different values. All finite.
 double commonStep(Eigen::VectorXd values);
 
-/// Standard deviation that a record of noise, rounded to steps of `resolution`, had before. 0 where
-/// it moves between two neighbouring values at most: how often it does says where the level lies,
-/// not how large the noise is.
+/// Standard deviation that a record of noise had before it was rounded to steps of `resolution`. 0
+/// where the record takes at most two neighbouring values: how often it takes each says where the
+/// level lies, not how large the noise is.
 double noiseBeforeRounding(const Eigen::Ref<const Eigen::VectorXd> &noise, double resolution);
 
-/// Root mean square, over all places of a level between two steps, of the mean error that rounding
-/// makes in the presence of normal noise: what no averaging removes (docs/method/order.md).
+/// Mean error of rounding in the presence of normal noise, which no averaging removes: root mean
+/// square over all positions of the level between two steps (docs/method/order.md).
 ///     v = sum over k of q^2/(2 pi^2 k^2) e^(-4 pi^2 k^2 sd^2/q^2)
 /// q/sqrt(12) without noise, nothing to speak of from sd = q on.
 double lastingRounding(double noiseSd, double resolution);

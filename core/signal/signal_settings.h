@@ -75,7 +75,7 @@ struct InputSettings
     Auto<double> sampleRate_Hz;
     Auto<Index> samples;
     Auto<double>
-        offset_s; ///< start of the model input behind the onset; auto = half the filter span
+        offset_s; ///< begin of the model input after the start; auto = half the filter span
     std::optional<CombineMethod> combine; ///< empty = stacked, or pca-average with step-as-impulse
     ResponseTreatment treatment = ResponseTreatment::StepDeflated;
 

@@ -18,8 +18,8 @@ constexpr std::size_t kMostPeaks = 20; ///< of one shot
 constexpr double kNarrow = 4.0; ///< bins of half-power width below which a parabola is too coarse
 constexpr double kLargestSpread = 0.02;
 
-/// Independent periodograms that an average over half overlapping segments is worth; with a
-/// rectangular taper only every other segment is new.
+/// Number of independent periodograms that an average over half overlapping segments corresponds
+/// to: with a rectangular taper only every other segment adds new samples.
 double independentAverages(const SpectrumSegments &segments)
 {
     return 0.5 * static_cast<double>(segments.count + 1);
@@ -132,7 +132,7 @@ std::vector<Resonance> sharedResonances(std::vector<ShotPeaks> shots)
     return resonances;
 }
 
-/// One resonance per frequency of the operator; unmatched ones stay where they were put.
+/// One resonance per frequency of the operator; one that no shot shows stays as given.
 std::vector<Resonance> operatorResonances(
     const std::vector<ShotPeaks> &shots, const std::vector<double> &frequencies_Hz)
 {

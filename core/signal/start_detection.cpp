@@ -14,9 +14,9 @@ namespace dyncal {
 namespace {
 
 constexpr Index kLeastSamples = 64;
-constexpr double kLeastSigmas = 4.0; ///< that even a clear change of level must exceed, or else
-                                     ///< what comes before it is no baseline
-constexpr double kBurstRatio = 2.0; ///< of a burst over what the drift before it explains
+constexpr double kLeastSigmas = 4.0; ///< that even a clear change of level must exceed; less, and
+                                     ///< the samples before it are no baseline
+constexpr double kBurstRatio = 2.0; ///< of the height of a burst to what drift explains
 constexpr Index kLeastQuiet = 32; ///< samples before the start, to know what quiet means
 constexpr Index kQuietStretch = 20000; ///< samples before the start that are looked at
 constexpr Index kSlowBlocks = 64; ///< a response may take this long to rise or to reach its height
@@ -24,12 +24,12 @@ constexpr double kFirstThreshold = 0.05; ///< of the height, before the baseline
 constexpr double kLeastThreshold = 0.005; ///< of the height: vibration that arrives before the
                                           ///< shock through the wall is not the response
 constexpr int kPasses = 4;
-constexpr double kLargestBefore = 0.65; ///< of the height: more is the end of a decay, not a start
-constexpr double kLeastNoise = 1e-9; ///< of the height, to have a ratio for noise-free data
-constexpr double kWanderFactor = 3.0; ///< of the threshold over the baseline's own movement
+constexpr double kLargestBefore = 0.65; ///< of the height; more before: the tail of a decay
+constexpr double kLeastNoise = 1e-9; ///< of the height: keeps stepToNoise finite without noise
+constexpr double kWanderFactor = 3.0; ///< threshold over the baseline's movement
 constexpr Index kSupport = 8; ///< samples of which half must lie beyond the threshold
 constexpr Index kLongestAverage = 64;
-constexpr double kAverageShare = 0.2; ///< of the height that the threshold may be
+constexpr double kAverageShare = 0.2; ///< largest threshold, of the height
 
 /// What the record is like before a sample.
 struct Quiet
@@ -80,7 +80,8 @@ struct Crossing
     Index average = 1;
 };
 
-/// Marks the samples of [0, count) that lie beyond; `values` goes on far enough for the average.
+/// Marks the samples of [0, count) that lie beyond the threshold; `values` has the samples after
+/// them that the average needs.
 Eigen::Array<bool, Eigen::Dynamic, 1> beyond(
     const Eigen::VectorXd &values, Index count, const Crossing &crossing)
 {
@@ -94,7 +95,7 @@ Eigen::Array<bool, Eigen::Dynamic, 1> beyond(
 }
 
 /// Walks back from `event` as long as no more than `gap` samples in a row are quiet; a sample
-/// counts as moving if it and half of those behind it lie beyond the threshold.
+/// counts as moving if it and half of the samples after it lie beyond the threshold.
 Index walkBack(const Channel &channel, Index event, const Crossing &crossing, Index gap)
 {
     constexpr Index kChunk = 8192;
@@ -188,7 +189,8 @@ Error nothingValid(const Channel &channel, Index shot)
         "CAP-009", shot};
 }
 
-/// Samples that are left out between the quiet stretch and a start: it may begin too softly to see.
+/// Samples that are left out between the quiet stretch and a start: a response may begin too softly
+/// to be seen.
 Index guardBefore(Index start)
 {
     return std::clamp<Index>(start / 20, 5, 1000);
@@ -211,7 +213,7 @@ public:
 
     Result<DetectedStart> run()
     {
-        // Clear of a response that rises slowly before its steepest place.
+        // The quiet stretch must end before a response that rises slowly to its steepest place.
         const Index slow = std::min(m_begin / 4, kSlowBlocks * m_scan.blockSize);
         Index quietEnd = std::max(m_begin - slow, kLeastQuiet);
         m_quiet = quietBefore(m_channel, quietEnd);
@@ -281,7 +283,8 @@ private:
             = firstHalfHeight(m_channel, m_begin, m_end, {m_quiet.level, 0.5 * m_height, average});
         const Index gap = std::clamp<Index>(m_scan.blockSize, 16, 512);
         m_start = walkBack(m_channel, event, {m_quiet.level, m_threshold, average}, gap);
-        // A mean that crosses reaches back before the start by the share that the step fills.
+        // A mean crosses as soon as the step fills a share of its samples; the start lies after the
+        // others.
         const double share = std::max(1.0 - m_threshold / m_height, 0.0);
         const auto shift = static_cast<Index>(static_cast<double>(average - 1) * share);
         m_start = std::min(m_start + shift, event);

@@ -30,13 +30,13 @@ struct DetectedStart
 
 /// Finds the first lasting rise (or fall) of a record: the sharpest level change of the record is
 /// located on block means, the noise is taken robustly from before it, and the start is walked back
-/// from there to the first sample beyond `kStartSigmas` noise deviations of the baseline (of means
-/// of several samples where single ones are too noisy), but at least 0.5 % of the event's height.
-/// Rules: docs/method/window.md.
-/// A lone spike before the event does not count. An event needs more than `eventSigmas`: the
-/// largest excursion over the noise, else CAP-009 (DataBlocked); so does a record that moves from
-/// its first samples on. Invalid samples are skipped. Needs at least 64 samples. Works on counts
-/// block by block; never converts the whole record. `shot` is the number that messages name.
+/// from there to the first sample beyond `kStartSigmas` noise deviations of the baseline (the mean
+/// of several samples is taken where single ones are too noisy), at least 0.5 % of the event's
+/// height. Rules: docs/method/window.md. A lone spike before the event does not count. An event
+/// needs more than `eventSigmas`: the largest excursion over the noise, else CAP-009 (DataBlocked);
+/// so does a record that moves from its first samples on. Invalid samples are skipped. Needs at
+/// least 64 samples. Works on counts block by block; never converts the whole record. `shot` is the
+/// number that messages name.
 Result<DetectedStart> detectStart(const Channel &channel, const JobControl &control = {},
     Index shot = 0, double eventSigmas = kEventSigmas);
 

@@ -32,7 +32,7 @@ std::optional<double> firstCrossing(
 
 std::optional<double> riseOf(const Eigen::Ref<const Eigen::VectorXd> &y, Index lead, Index end)
 {
-    // In noise the start is found above 10 %: the crossing lies before it.
+    // In noise the detected start may lie above 10 %; then the crossing is before it.
     Index from = lead;
     while (from > 0 && y[from] >= 0.1)
         --from;

@@ -16,7 +16,7 @@ struct StepReadings
 {
     std::optional<double> rise_samples; ///< 10-90 %, first crossings, interpolated
     std::optional<double> overshoot; ///< (maximum - plateau)/plateau, from a parabola at the top
-    std::optional<double> settling_samples; ///< behind the start: last entry into 1 +- 0.05
+    std::optional<double> settling_samples; ///< after the start: last entry into 1 +- 0.05
 };
 
 /// `response` goes from 0 before the start to 1 on the plateau; the window is

@@ -14,11 +14,11 @@ namespace {
 
 constexpr double kChance = 1e-6; ///< of a false alarm in a record
 constexpr double kArithmetic = 1e-9; ///< of the range: rounding of computed values, no noise
-constexpr double kFewestRuns = 8.0; ///< that tell how long runs get
-constexpr Index kFewestSamples = 48; ///< that tell what noise is like
-constexpr Index kLongestLag = 64; ///< samples after which noise has nothing in common any more
-constexpr double kSureBend = 4.0; ///< codes: so large a rounded second difference is one of
-constexpr double kLeastBend = 2.0; ///< this many codes at least before rounding
+constexpr double kFewestRuns = 8.0; ///< needed to estimate how long runs get
+constexpr Index kFewestSamples = 48; ///< needed to estimate the noise
+constexpr Index kLongestLag = 64; ///< samples after which noise counts as independent
+constexpr double kSureBend = 4.0; ///< codes: a rounded second difference this large was
+constexpr double kLeastBend = 2.0; ///< at least this many codes before rounding
 
 /// Calls `visit(begin, count)` for every run of equal values.
 template <typename Visit>
@@ -44,8 +44,8 @@ double codeOf(const Eigen::Ref<const Eigen::VectorXd> &values, double least)
     return std::isfinite(code) ? code : 0.0;
 }
 
-/// Chance that a sample leaves the code in the middle of which the level lies, per sample, told
-/// from second differences `lag` samples apart: slow movement is not in them. 0 = cannot be told.
+/// Probability per sample that noise leaves a code when the level lies in the middle of it, from
+/// second differences over `lag` samples, which slow movement does not affect. 0 = not known.
 double leavingRate(const Eigen::Ref<const Eigen::VectorXd> &quiet, double code, Index lag)
 {
     const Index count = quiet.size() - 2 * lag;

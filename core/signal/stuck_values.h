@@ -19,11 +19,11 @@ struct StuckValues
     Index total = 0; ///< samples of all runs at this value that noise does not explain
 };
 
-/// Longest run of equal samples that the noise of `quiet`, a stretch at rest, explains in `size`
-/// samples: a longer one would come about less often than once in a million records. The larger of
-/// two estimates: what the runs of `quiet` itself grow to, and what noise of that spread gives
-/// where the level lies in the middle of a code. Empty where `quiet` does not show noise of its
-/// own: it is constant, as a computed record is, or so coarse that its noise may be anything.
+/// Longest run of equal samples, among `size` samples, that the noise of `quiet` (a stretch at
+/// rest) explains: a longer run would occur in less than one of a million records. The larger of
+/// two estimates: one from the runs in `quiet`, one from noise of the same spread with the level in
+/// the middle of a code. Empty where `quiet` shows no noise: it is constant, as a computed record
+/// is, or so coarse that its noise cannot be known.
 std::optional<double> longestExplainedRun(
     const Eigen::Ref<const Eigen::VectorXd> &quiet, Index size);
 

@@ -54,7 +54,7 @@ private:
     {
         return static_cast<double>(sample - m_start) / m_channel.sampleRate_Hz;
     }
-    /// Nearest sample, anywhere on the axis; far outside the record it does not matter where.
+    /// Nearest sample, also outside the record; clamped where the number would overflow.
     Index sampleAt(double time_s) const
     {
         const double limit = 2.0 * static_cast<double>(size());
@@ -126,7 +126,7 @@ private:
         if (isStepTreatment(m_treatment))
             return automaticStepLength(m_channel, m_start, limit, line.mean, noiseSd);
         if (band.size() == 0)
-            return limit; // nothing says what the response should decay to
+            return limit; // without a baseline the level to decay to is not known
         return automaticDecayLength(m_channel, m_start, limit, line.mean, noiseSd);
     }
 

@@ -35,8 +35,8 @@ inline constexpr Index kLeastBaseline = 50; ///< samples
 
 /// Samples of the baseline and the window for a response that begins at sample `start` of the DUT's
 /// record. Rules of the automatic bands: docs/method/window.md. `plateau_s` is the computed end of
-/// the plateau behind the start, needed only for an end "plateau". Fails (DataBlocked; Usage for
-/// bands that make no sense) naming the shot, what was found and what is possible.
+/// the plateau after the start, needed only for an end "plateau". Fails (DataBlocked; Usage for
+/// bands that make no sense); the message names the shot, what was found and what is possible.
 Result<WindowBands> resolveBands(const Channel &channel, Index shot, Index start,
     const WindowSettings &settings, ResponseTreatment treatment, std::optional<double> plateau_s);
 

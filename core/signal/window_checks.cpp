@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kSettleDrift_per_ms = 0.01; ///< of the step
 constexpr double kBaselineDrift_per_ms = 0.005;
-constexpr double kSlopeSigmas = 3.0; ///< below so many u a slope may be noise
+constexpr double kSlopeSigmas = 3.0; ///< a slope below so many u may be noise
 constexpr double kLeastSnr_dB = 20.0;
 constexpr double kMilli = 1e-3;
 constexpr double kMostStuck = 0.2; ///< of the window's samples
@@ -214,7 +214,7 @@ std::optional<SaturatedRun> runAtRail(
 {
     std::optional<SaturatedRun> result;
     const RawSamples samples = channel.samples.inMemory(range.begin, range.size());
-    if (samples.size() == 0) // out of reach: said where the values are taken
+    if (samples.size() == 0) // not readable: reported where the values are read
         return result;
     for (const bool top : {true, false}) {
         const std::optional<double> rail = top ? channel.adcMax : channel.adcMin;
@@ -277,7 +277,7 @@ Findings windowFindings(const Channel &channel, const WindowedResponse &response
                 {shotText(response), numberText(std::abs(response.step) / code, 3)}},
             .value = std::abs(response.step) / code,
             .limit = context.checks.leastCodes});
-    // Ends lie on samples: the nearest one to the plateau's end is no overrun.
+    // Ends lie on samples, so one sample beyond the plateau's end is no overrun.
     if (plateau_s && response.end_s > *plateau_s + 1.0 / response.sampleRate_Hz)
         findings.push_back(behindPlateau(response, *plateau_s));
     const char *text = DYNCAL_TEXT(

@@ -70,7 +70,7 @@ public:
         m_response.level = shot.level;
     }
 
-    /// Adds to the result; a shot without a resting baseline adds only its finding.
+    /// Adds the response to the result, or only a finding where the baseline is not at rest.
     std::optional<Error> addTo(WindowResult &result)
     {
         if (auto error = findChannel())
