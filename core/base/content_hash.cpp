@@ -20,8 +20,7 @@ namespace {
 
 constexpr char kHexDigits[] = "0123456789abcdef";
 
-/// OpenSSL fails here for nothing but lack of memory; a hash that was not computed must not pass
-/// for one.
+/// OpenSSL fails here only for lack of memory; a hash that was not computed must never be used.
 void needs(int done)
 {
     if (done != 1)
@@ -90,7 +89,7 @@ std::string sha256OfFile(const std::string &path, const std::function<bool(std::
         return {};
     Sha256 hash;
     constexpr std::uintmax_t kBlock = 1 << 20;
-    std::error_code unknown; // fresh memory costs more than a small file
+    std::error_code unknown; // new memory costs more time than a small file
     const std::uintmax_t size = std::filesystem::file_size(path, unknown);
     std::vector<char> block(
         static_cast<std::size_t>(unknown ? kBlock : std::min(size + 1, kBlock)));

@@ -40,11 +40,11 @@ inline constexpr std::size_t kSha256Digits = 64;
 std::string sha256Hex(std::span<const std::byte> bytes);
 std::string sha256Hex(std::string_view text);
 
-/// Whether a text can be one: 64 lower-case hexadecimal digits.
+/// Whether a text has the form of a hash: 64 lower-case hexadecimal digits.
 bool isSha256Hex(std::string_view text);
 
-/// SHA-256 of a file's bytes, read in blocks; empty if it cannot be read. `goOn` is told the bytes
-/// done after each block and says whether to go on; empty too where it says no.
+/// SHA-256 of a file's bytes, read in blocks; empty if it cannot be read. `goOn` gets the bytes
+/// done after each block; where it returns false, reading ends and the result is empty.
 std::string sha256OfFile(
     const std::string &path, const std::function<bool(std::uintmax_t)> &goOn = {});
 

@@ -45,7 +45,7 @@ double polynomial(const Coefficients &c, double x)
 
 double tailQuantile(double tailProbability)
 {
-    const double r = std::sqrt(-portableLog(tailProbability)); // correctly rounded everywhere
+    const double r = std::sqrt(-portableLog(tailProbability)); // the same on every machine
     if (r <= 5.0)
         return polynomial(kMiddleAbove, r - 1.6) / polynomial(kMiddleBelow, r - 1.6);
     return polynomial(kFarAbove, r - 5.0) / polynomial(kFarBelow, r - 5.0);
@@ -68,7 +68,7 @@ double stirlingSeries(double a)
     return series;
 }
 
-/// ln(x^a e^-x / Gamma(a)), a > 0. For large a the terms cancel: they are joined before.
+/// ln(x^a e^-x / Gamma(a)), a > 0. For large a the terms would cancel, so they are combined first.
 double logGammaDensity(double a, double x)
 {
     double shift = 0.0;
@@ -89,7 +89,7 @@ double logHalfStep(double a)
         - stirlingSeries(a);
 }
 
-/// P(a, x) without the factor x^a e^-x / Gamma(a).
+/// P(a, x) over x^a e^-x / Gamma(a).
 double lowerSeries(double a, double x)
 {
     double term = 1.0 / a, sum = term;
@@ -100,7 +100,7 @@ double lowerSeries(double a, double x)
     return sum;
 }
 
-/// Q(a, x) without the same factor.
+/// Q(a, x) over the same factor.
 double upperFraction(double a, double x)
 {
     constexpr int kLargestDepth = 100000; // converges within a few sqrt(a) steps for x > a + 1
@@ -117,8 +117,8 @@ double upperFraction(double a, double x)
     return h;
 }
 
-/// Regularised incomplete beta function I_x(a, b) for x below the mean's side: Lentz's continued
-/// fraction (Abramowitz and Stegun 26.5.8).
+/// Continued fraction of the regularised incomplete beta function I_x(a, b), for x below the mean,
+/// by Lentz's method (Abramowitz and Stegun 26.5.8).
 double betaFraction(double a, double b, double x)
 {
     constexpr double kTiny = 1e-300;

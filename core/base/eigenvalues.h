@@ -16,7 +16,7 @@ struct SymmetricEigen
     Eigen::MatrixXd vectors;
 };
 
-/// Apart from the SVD, in a translation unit of its own, for the time that Eigen's templates take.
+/// In a translation unit of its own, apart from the SVD: Eigen's templates compile slowly.
 SymmetricEigen symmetricEigen(const Eigen::MatrixXd &matrix);
 
 /// Eigenvalues of a real square matrix.

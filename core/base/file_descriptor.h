@@ -30,7 +30,7 @@ public:
 
     bool valid() const { return m_descriptor >= 0; }
     int get() const { return m_descriptor; }
-    /// False if the system says that it could not keep what was written before.
+    /// False if the system reports that earlier writes were lost.
     bool close() { return m_descriptor < 0 || ::close(std::exchange(m_descriptor, -1)) == 0; }
 
 private:

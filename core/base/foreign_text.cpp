@@ -14,7 +14,7 @@ namespace {
 constexpr char32_t kReplacement = 0xFFFD;
 constexpr char32_t kZeroWidthNonJoiner = 0x200C;
 constexpr char32_t kZeroWidthJoiner = 0x200D;
-constexpr int kMostMarks = 8; ///< on one letter; scripts that are written have up to four
+constexpr int kMostMarks = 8; ///< on one letter; real scripts have up to four
 
 struct Range
 {
@@ -27,8 +27,8 @@ bool isIn(const std::array<Range, count> &ranges, char32_t c)
     return std::ranges::any_of(ranges, [c](Range r) { return c >= r.first && c <= r.last; });
 }
 
-/// Controls, what has no width, what changes the direction of writing, blanks that claim to be
-/// letters, characters that mean nothing outside one program.
+/// Controls, characters without width, those that change the direction of writing, letters that
+/// look like blanks, characters for private use.
 bool isUnseen(char32_t c)
 {
     static constexpr std::array<Range, 20> kUnseen{{{0x00, 0x1F}, {0x7F, 0x9F}, {0xAD, 0xAD},
@@ -46,7 +46,7 @@ bool isMark(char32_t c)
     return isIn(kMarks, c);
 }
 
-/// Joiners belong into words of some scripts and into emoji, between two such characters.
+/// Joiners are legitimate between two characters of some scripts, and within emoji.
 bool isJoined(char32_t before, char32_t c, char32_t after)
 {
     constexpr char32_t kFirstJoining = 0x0600;
@@ -59,8 +59,8 @@ bool isFollowing(std::string_view bytes, std::size_t at)
     return at < bytes.size() && (static_cast<unsigned char>(bytes[at]) & 0xC0U) == 0x80;
 }
 
-/// The character at `at`, which moves behind it. What is no UTF-8 (too long a form, a surrogate,
-/// beyond Unicode, cut short) is one replacement for each byte that cannot begin or go on.
+/// The character at `at`, which moves past it. In what is no UTF-8 (an overlong form, a surrogate,
+/// beyond Unicode, cut short) each byte that does not fit gives one replacement character.
 char32_t next(std::string_view bytes, std::size_t &at)
 {
     const auto first = static_cast<unsigned char>(bytes[at++]);
@@ -155,7 +155,7 @@ bool isPlainAscii(std::string_view text)
     return std::ranges::all_of(text, [](char c) { return c >= ' ' && c <= '~'; });
 }
 
-/// The part of `text` behind its first `count` characters, of valid UTF-8.
+/// Position in `text` (valid UTF-8) after its first `count` characters.
 std::size_t placeOf(std::string_view text, std::size_t count)
 {
     std::size_t at = 0;
@@ -172,7 +172,7 @@ bool isDigit(char c)
     return c >= '0' && c <= '9';
 }
 
-/// Whether a text that begins with a sign is a number, perhaps with a unit or an uncertainty behind
+/// Whether a text that begins with a sign is a number, perhaps with a unit or an uncertainty after
 /// a blank: "-1.5e-3", "-2,33 MHz", "-1.2 ×10^-7 1/Pa". A dash alone is no formula either.
 bool isNumberWithUnit(std::string_view text)
 {
@@ -238,7 +238,7 @@ std::string presentable(std::string_view bytes, LineBreaks breaks)
 
 std::string presentableInBrief(std::string_view bytes, std::size_t most)
 {
-    // Escaped or not, no character is shorter than a quarter of one.
+    // A shown character takes at most four bytes of the input.
     constexpr std::size_t kBytesOfCharacter = 4;
     const std::size_t enough = kBytesOfCharacter * most + kBytesOfCharacter;
     std::string text = bytes.size() > 2 * enough
@@ -265,7 +265,8 @@ std::string spreadsheetText(std::string_view bytes)
         if (atStart && beginsFormula(std::string_view(text).substr(at)))
             cell.insert(at == text.find_first_not_of(' ') ? 0 : cell.size(), 1, '\'');
         const char c = text[at];
-        // Where the comma is the decimal mark, another mark parts cells, whatever quotes say.
+        // Where the comma is the decimal mark, cells are separated by another mark, even inside
+        // quotes.
         atStart = c == ';' || c == ',' || c == '"' || (c == ' ' && atStart);
         cell += c;
     }
@@ -291,7 +292,7 @@ std::string presentableJson(std::string_view json)
     walk(
         json, [&text](char32_t c) { append(text, c); },
         [&](char32_t c, char32_t) {
-            if (c < 0x20 || isMark(c)) { // outside its texts JSON has line breaks
+            if (c < 0x20 || isMark(c)) { // JSON has line breaks outside its texts
                 append(text, c);
             } else if (c > 0xFFFF) {
                 unit(0xD800 + ((c - 0x10000) >> 10U));

@@ -7,8 +7,8 @@
 
 namespace dyncal {
 
-/// A stretch of memory that is taken at once and given back when this goes, or sooner; it costs no
-/// memory as long as nobody writes to it, but counts against the limits of the process.
+/// Address space that is reserved at once and given back by release() or the destructor. It uses no
+/// memory until somebody writes to it, but counts against the limits of the process.
 class MemoryBlock
 {
 public:
@@ -27,7 +27,7 @@ private:
     std::size_t m_bytes;
 };
 
-/// Whether so much memory could be had now. For work in libraries that do not survive its lack.
+/// Whether so much memory is available now. Ask before calls into libraries that crash without it.
 inline bool isMemoryLeft(std::size_t bytes)
 {
     return MemoryBlock(bytes).isHeld();

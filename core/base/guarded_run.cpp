@@ -24,10 +24,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Work that waits (for a lock, for a disk that is gone) uses no processor time.
+/// A second limit, in real time: work that waits (for a lock, a lost disk) uses no processor time.
 constexpr std::chrono::seconds kSilence{30};
 constexpr std::size_t kPipeBytes = 1 << 20;
-constexpr std::size_t kReceiveBytes = 1 << 16; ///< fresh memory costs more than a description
+constexpr std::size_t kReceiveBytes = 1 << 16; ///< a larger buffer costs more than it saves
 
 /// Never raises what is in force already.
 void limit(int resource, std::uint64_t value)
@@ -47,8 +47,9 @@ std::uint64_t usedAddressSpace()
     return pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
 }
 
-/// A handler of the program would report a crash as the program's own. Ctrl+C reaches everything of
-/// the terminal at once: the program decides what it means, and its helpers end with it.
+/// A handler of the program would report the child's crash as the program's own. Ctrl+C reaches all
+/// processes of the terminal at once: the program decides what it means, and the child ends with
+/// it.
 void forgetSignalHandling()
 {
     for (const int number : {SIGINT, SIGTERM, SIGHUP})
@@ -72,7 +73,7 @@ struct Parent
     const GuardedLimits &limits, const Parent &parent)
 {
     ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (::getppid() != parent.id) // it ended before it could be asked for
+    if (::getppid() != parent.id) // the parent ended before its death signal was set
         ::_exit(1);
     forgetSignalHandling();
     limit(RLIMIT_CORE, 0);
@@ -87,7 +88,7 @@ struct Parent
     ::_exit(0);
 }
 
-/// Hands over what arrives until the other end is closed.
+/// Passes on what arrives until the other end is closed.
 GuardedOutcome receiveAll(int descriptor,
     const std::function<bool(std::span<const std::byte>)> &receive, const std::stop_token &stop)
 {
@@ -111,7 +112,7 @@ GuardedOutcome receiveAll(int descriptor,
     return GuardedOutcome::Died;
 }
 
-/// Of a child that nobody here has killed.
+/// How a child ended that was not killed here.
 GuardedOutcome endOf(pid_t child)
 {
     int status = 0;

@@ -5,7 +5,7 @@
 
 namespace dyncal {
 
-/// Closed interval of seconds or hertz; which one, and relative to what, the owner's name says.
+/// Closed interval in seconds or hertz; the name of the variable says which.
 struct Interval
 {
     double begin = 0.0;

@@ -6,7 +6,7 @@
 #include "core/base/index.h"
 
 // Kernels are written once and compiled twice: for every amd64 processor and for those with AVX2.
-// Four sums run side by side in both, so that both round alike.
+// Both have four partial sums, so that both round alike.
 #if defined(__x86_64__)
 #define DYNCAL_AVX2 __attribute__((target("avx2")))
 #else

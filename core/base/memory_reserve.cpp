@@ -10,7 +10,7 @@ namespace dyncal {
 namespace {
 
 constexpr std::size_t kAlignment
-    = 16; ///< as malloc's; a piece's size lies in such a part before it
+    = 16; ///< as malloc's; the unit before each piece holds the piece's size
 
 } // namespace
 

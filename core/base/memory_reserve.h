@@ -10,8 +10,8 @@
 
 namespace dyncal {
 
-/// Memory kept back for one thread. Pieces are handed out one behind the other; the room of those
-/// given back is used again once all are.
+/// Memory reserved for one thread. Pieces are handed out one after the other; their room is used
+/// again only when all have been given back.
 class MemoryReserve
 {
 public:
@@ -20,7 +20,7 @@ public:
     bool isHeld() const noexcept { return m_block.isHeld(); }
     bool holds(const void *piece) const noexcept;
 
-    /// Aligned to 16 bytes; null where it is full. For the one thread only.
+    /// Aligned to 16 bytes; null if the reserve is full. Only the owning thread may call it.
     void *take(std::size_t bytes) noexcept;
     static std::size_t sizeOf(const void *piece) noexcept;
     void giveBack() noexcept; ///< one piece, from any thread

@@ -12,7 +12,7 @@ namespace dyncal {
 
 namespace {
 
-/// What stands where a number would: a dash where there is none.
+/// Text for a number that is not finite: a dash for NaN.
 std::string notFinite(double value)
 {
     if (std::isnan(value))
@@ -42,7 +42,7 @@ std::string numberText(double value, int digits)
     const auto end = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value,
         std::chars_format::general, std::clamp(digits, 1, 17));
     const std::string text(buffer.data(), end.ptr);
-    // "general" turns to an exponent at 10^digits already: 4.2e+02 for 420.
+    // "general" uses an exponent from 10^digits on: 4.2e+02 for 420.
     if (text.find("e+") == std::string::npos || !(std::abs(value) < 1e15))
         return text;
     const double rounded = parseNumber(text).value_or(value);

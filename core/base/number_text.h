@@ -9,8 +9,8 @@
 
 namespace dyncal {
 
-// For sentences, tables and files of numbers: what is not finite reads as a dash or the sign of
-// infinity, never as "nan" or "inf", which a reader may take for a word.
+// For sentences, tables and files of numbers: NaN is written as a dash and infinity as its sign,
+// never as "nan" or "inf", which a reader may take for words.
 
 /// Shortest text that reads back as the same double, '.' as decimal mark whatever the locale.
 std::string numberText(double value);

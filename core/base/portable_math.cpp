@@ -75,7 +75,7 @@ double cosineSeries(double r)
 double portableExp(double x)
 {
     if (!(x >= -708.0))
-        return x < -708.0 ? 0.0 : x; // not a number stays that
+        return x < -708.0 ? 0.0 : x; // NaN stays NaN
     if (x > 709.0)
         return std::numeric_limits<double>::infinity();
     const std::int64_t exponent = nearestInteger(x * kPerLn2);

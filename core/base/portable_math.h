@@ -5,9 +5,9 @@
 
 namespace dyncal {
 
-/// exp, log, sin and cos of + - * / and bit operations only. The C library chooses its versions by
-/// the processor, and they may differ in the last bit; simulated counts must not. Errors: at most
-/// 2 units in the last place (sine and cosine: 2^-52 absolute) within the stated domains.
+/// exp, log, sin and cos made of + - * / and bit operations only. Those of the C library depend on
+/// the processor and may differ in the last bit; simulated counts must not. Errors: at most 2 units
+/// in the last place (sine and cosine: 2^-52 absolute) within the stated domains.
 
 /// Any x; 0 below -708, infinity above 709.
 double portableExp(double x);

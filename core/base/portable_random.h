@@ -12,9 +12,9 @@
 
 namespace dyncal {
 
-/// Random numbers that are the same on every machine: xoshiro256++, its state from the seed, the
-/// shot and the stream by splitmix64, so that every record has numbers of its own whatever else
-/// is drawn and in whatever order.
+/// Random numbers that are the same on every machine: xoshiro256++, seeded from seed, shot and
+/// stream by splitmix64, so that the numbers of a record do not depend on what else is drawn, or in
+/// which order.
 class RandomStream
 {
 public:

@@ -9,7 +9,7 @@
 
 namespace dyncal {
 
-/// Called now and then with the done fraction 0..1 by long work, on the thread that does the work.
+/// Long work calls it now and then with the fraction done, 0..1, on its own thread.
 using ProgressSink = std::function<void(double)>;
 
 /// What every long stage takes last: a request to stop, and where to report how far it is.
@@ -25,8 +25,8 @@ struct JobControl
             progress(fraction);
     }
 
-    /// For the part of this work that takes it from one done fraction to another; reports into
-    /// this one, which must outlive it.
+    /// Control for the part of this work between two fractions done. It reports to this object,
+    /// which must outlive it.
     JobControl between(double begin, double end) const
     {
         return {stop,

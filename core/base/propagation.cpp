@@ -16,7 +16,7 @@
 namespace dyncal {
 namespace {
 
-constexpr double kDifferenceShare = 0.1; ///< of u: linear part of f, clear of rounding
+constexpr double kDifferenceShare = 0.1; ///< of u: f is nearly linear there; rounding is negligible
 constexpr Index kBatch = 10000;
 constexpr Index kMostTrials = 1000000;
 constexpr Index kLeastTrials = 100;
@@ -30,7 +30,7 @@ Index streamOf(const std::string &name)
     return static_cast<Index>(hash >> 1);
 }
 
-/// A draw of unit scale: of unit variance for all but t.
+/// A draw of unit scale: unit variance, except for t.
 double unitDraw(const UncertainInput &input, RandomStream &random)
 {
     const double p = random.nextUniform();

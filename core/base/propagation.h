@@ -56,9 +56,9 @@ struct GumBudget
 };
 
 /// Sensitivities by central differences over a tenth of each u; an input with u = 0 contributes
-/// nothing. Fails (Usage) on an input whose value, u or dof is of no use (not a number, infinite,
-/// u below 0, dof not above 0) and on two inputs of one name, (DataBlocked) where a result is not
-/// finite, and where f fails at the values or beside them.
+/// nothing. Fails (Usage) on an input with an impossible value, u or dof (NaN, infinite, u below 0,
+/// dof not above 0) and on two inputs of one name; (DataBlocked) where a result is not finite; and
+/// where f fails.
 Result<GumBudget> propagateGum(
     const std::vector<UncertainInput> &inputs, const Measurement &measurement);
 
@@ -84,10 +84,10 @@ struct MonteCarloResult
 };
 
 /// Each input has a random stream of its own, named by the quantity (and by the shot, unless it is
-/// common), so that a result does not depend on other inputs being there or on threads. An input
-/// with finite dof is drawn from the scaled t distribution. Fails where f fails in any trial or
-/// gives a result that is not finite, saying in how many, and (Usage) on fewer than 100 trials, on
-/// a coverage outside 0..1 and on inputs as propagateGum().
+/// common), so that its draws do not depend on the other inputs or on threads. An input with finite
+/// dof is drawn from the scaled t distribution. Fails where f fails in any trial or gives a result
+/// that is not finite, saying in how many, and (Usage) on fewer than 100 trials, on a coverage
+/// outside 0..1 and on inputs as propagateGum().
 Result<MonteCarloResult> propagateMonteCarlo(const std::vector<UncertainInput> &inputs,
     const Measurement &measurement, const MonteCarloSettings &settings,
     const JobControl &control = {});

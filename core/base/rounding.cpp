@@ -18,10 +18,9 @@ constexpr int kUncertaintyDigits = 2;
 constexpr std::array<const char *, 9> kPrefixes{"f", "p", "n", "\xC2\xB5", "m", "", "k", "M", "G"};
 constexpr int kUnityPlace = 5;
 constexpr int kBeyondPrefixes = 18; ///< powers of ten, where "0.00001 fV" and "10000000 GHz" begin
-constexpr double kFinestUncertainty = 1e-12; ///< of the value: finer, its digits are rounding
+constexpr double kFinestUncertainty = 1e-12; ///< of the value: less is rounding error
 
-/// `magnitude` as "d.ddde+xx" with so many significant digits: the one place where decimals are
-/// cut.
+/// `magnitude` as "d.ddde+xx" with so many significant digits; all rounding is done here.
 std::string scientificText(double magnitude, int digits)
 {
     std::array<char, 64> buffer;
@@ -35,7 +34,7 @@ double roundedTo(double value, int digits)
     return parseNumber(scientificText(value, digits)).value_or(value);
 }
 
-/// Decimal exponent of a value that was rounded: of 10.0 it is 1, whatever its last bit says.
+/// Decimal exponent of a rounded value: 1 for 10.0, even if its last bit is below.
 int exponentOf(double magnitude)
 {
     constexpr int kSureDigits = 15;
@@ -124,7 +123,8 @@ RoundedValue roundedValue(double value, double u, std::string_view unit)
 {
     if (!std::isfinite(value))
         return {"\xE2\x80\x93", {}, {}};
-    // Rounded first, in the unit given: scaling must not turn a tie, nor 999.99 to 1000 afterwards.
+    // Rounded first, in the unit given: scaling first could change the direction in which a tie is
+    // rounded, and 999.99 could become 1000 after the prefix was chosen.
     const bool known = std::isfinite(u) && u > kFinestUncertainty * std::abs(value);
     u = known ? roundedTo(u, kUncertaintyDigits) : 0.0;
     int place = 0;

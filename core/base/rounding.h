@@ -20,11 +20,11 @@ struct RoundedValue
 };
 
 /// Rounds for print (GUM 7.2.6): u to two significant digits, the value to the decimal of the last
-/// of them. Without a known u (not finite, not positive, or below 1e-12 of the value, where its
-/// digits are rounding) five significant digits. SI prefix chosen so that the larger of |value| and
-/// u reads 1..1000, for units that take prefixes; a value of another unit outside 1e-4..1e6, or of
-/// these outside 1e-18..1e18, gets a power of ten in front of its unit. A value that is not finite
-/// is a dash without unit.
+/// of them. Without a known u (not finite, not positive, or below 1e-12 of the value, where only
+/// rounding errors are left) five significant digits. Units that take SI prefixes get the one that
+/// brings the larger of |value| and u into 1..1000; outside 1e-18..1e18, and for other units
+/// outside 1e-4..1e6, a power of ten stands before the unit. A value that is not finite is a dash
+/// without unit.
 RoundedValue roundedValue(double value, double u, std::string_view unit);
 
 /// "2.3301 MHz".

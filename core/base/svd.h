@@ -19,7 +19,7 @@ struct ThinSvd
 /// a minute of compile time.
 ThinSvd thinSvd(const Eigen::MatrixXd &matrix);
 
-/// The same without V, which is much less work for a wide X: of X^T = Q R only R is decomposed.
+/// The same without V. Much less work for a wide X: only R of X^T = Q R is decomposed.
 struct LeftSvd
 {
     Eigen::MatrixXd left;

@@ -18,7 +18,7 @@ constexpr Index kPanelRows
     = 8192; ///< one part of the work: fixed, so that sums do not depend on threads
 constexpr Index kCacheRows = 512; ///< of Q and W that stay in the first cache while columns pair up
 constexpr Index kThreadWork
-    = 1'000'000; ///< multiplications that take much longer than a thread's start
+    = 1'000'000; ///< multiplications; they take much longer than starting a thread
 
 struct View
 {

@@ -7,9 +7,9 @@
 
 namespace dyncal {
 
-/// Products of matrices with many rows and few columns, as orthogonalisation needs them: about
-/// twice as fast as the general product for this shape, on two threads where it pays. Sums are
-/// formed in one fixed order, whatever the processor and the number of threads.
+/// Products of matrices with many rows and few columns, for orthogonalisation: about twice as fast
+/// as Eigen's general product, on two threads where that saves time. Sums are formed in one fixed
+/// order, whatever the processor and the number of threads.
 
 /// Q^T W.
 Eigen::MatrixXd innerProducts(

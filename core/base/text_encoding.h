@@ -13,14 +13,15 @@ namespace dyncal {
 /// What a text in UTF-8 may begin with.
 inline constexpr std::string_view kUtf8Mark = "\xEF\xBB\xBF";
 
-/// Of the two bytes of UTF-16.
+/// Order of the two bytes of UTF-16.
 enum class ByteOrder { None, LittleEndian, BigEndian };
 
-/// UTF-16 is known by its mark, or by two ASCII characters at the beginning; None is not UTF-16.
+/// UTF-16 is recognised by its mark, or by two ASCII characters at the beginning; None is not
+/// UTF-16.
 ByteOrder byteOrderOf(std::string_view bytes);
 
-/// UTF-16 as UTF-8, without the mark. Numbers and headers are in the basic plane; a lone half of a
-/// pair becomes three odd bytes.
+/// UTF-16 as UTF-8, without the mark. A lone half of a surrogate pair becomes three bytes that are
+/// no valid UTF-8.
 std::string fromUtf16(std::string_view bytes, bool bigEndian);
 
 bool isUtf8(std::string_view text);

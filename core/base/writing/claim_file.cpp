@@ -57,7 +57,7 @@ bool writeAndLock(int file, std::string_view bytes)
     return written == static_cast<ssize_t>(bytes.size()) && ::flock(file, LOCK_EX | LOCK_NB) == 0;
 }
 
-/// Has no name before it is whole, so that a claim is never half written.
+/// The file gets its name when it is complete, so that nobody sees half a claim.
 FileDescriptor createNameless(int folder, const ClaimText &text)
 {
     FileDescriptor file(::openat(folder, ".", O_TMPFILE | O_RDWR | O_CLOEXEC, kReadable));
@@ -101,7 +101,7 @@ std::optional<FoundClaim> readClaim(int folder, const std::string &name)
         return std::nullopt;
     const bool isLive = ::flock(file.get(), LOCK_EX | LOCK_NB) != 0;
     if (!isLive && status.st_uid != ::geteuid())
-        return std::nullopt; // its user clears it
+        return std::nullopt; // only that user clears it
     return FoundClaim{*text, std::move(file), isLive};
 }
 

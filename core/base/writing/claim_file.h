@@ -23,12 +23,12 @@ struct FoundClaim
 /// Name of the claim file of a temporary name.
 std::string claimFileName(const std::string &temporary);
 
-/// Makes a claim file, whole and locked; its name must be free. Invalid with errno EEXIST if it is
-/// not, or another errno.
+/// Makes a claim file, complete and locked. Invalid on failure, with errno (EEXIST: the name is
+/// taken).
 FileDescriptor createClaimFile(int folder, const ClaimText &text);
 
-/// The claims in the folder: those that are held, and those that this user's programs left. What
-/// has such a name and is no claim (a link, a pipe, other content) is passed over.
+/// The claims in the folder: those that are held, and those that this user's programs left behind.
+/// Anything else with such a name (a link, a pipe, other content) is ignored.
 std::vector<FoundClaim> findClaims(int folder);
 
 } // namespace dyncal

@@ -130,7 +130,7 @@ std::string sha256At(int folder, const std::string &name)
 std::optional<std::string> textAt(int folder, const std::string &name, std::size_t most)
 {
     const FileDescriptor file = openRegular(folder, name);
-    std::string text; // `most` is a bound: what is read is as a rule a few lines
+    std::string text; // not reserved: `most` is only a bound, the text is usually short
     std::array<char, kTextBlock> block;
     ssize_t got = file.valid() ? 1 : -1;
     while (got > 0 && text.size() <= most) {
@@ -160,7 +160,8 @@ bool renameToFree(int fromFolder, const std::string &from, int toFolder, const s
         return true;
     if (errno != EINVAL && errno != ENOSYS)
         return false;
-    // The file system lacks it: a second name first, for files; claims keep our own programs apart.
+    // The file system has no such rename. Files: a second name first, then the old name goes.
+    // Folders: look first; claims keep other programs of ours away.
     if (::linkat(fromFolder, from.c_str(), toFolder, to.c_str(), 0) == 0)
         return ::unlinkat(fromFolder, from.c_str(), 0) == 0;
     if (errno == EEXIST)

@@ -64,7 +64,7 @@ tl::unexpected<Error> isOtherMount(const FolderPlace &place, const std::string &
             {pathIn(place, name)}});
 }
 
-/// Files cannot be moved from one to another.
+/// Files cannot be moved from one mount to another.
 Result<void> checkMounts(
     const FolderPlace &place, int folder, const std::vector<std::string> &names)
 {
@@ -98,7 +98,7 @@ Result<void> checkRecordings(
     return {};
 }
 
-/// What was read must not be under a name that is written.
+/// No recipe or profile that was read may be overwritten.
 Result<void> checkSettings(int folder, const FolderRequest &request)
 {
     for (const std::string &given : request.settings) {

@@ -19,13 +19,13 @@ namespace dyncal {
 struct FolderRequest
 {
     std::string folder; ///< as given; a link to a folder stands for that folder
-    std::string writer; ///< "run", "export": whose listed files are replaced
-    /// Names that this writer may give to files; a list that claims others is not believed.
+    std::string writer; ///< "run", "export": its listed files are replaced
+    /// Names that this writer may give to files; a list with other names is not trusted.
     std::function<bool(const std::string &)> mayWrite;
     std::vector<std::string> names; ///< files and folders ("csv/") that it is known to write
     std::vector<std::string> recordings; ///< paths; the folder may hold none of them
     std::vector<std::string> settings; ///< paths of recipe and profile as given; may be empty
-    /// Names that any writer of such folders may give: an interrupted write of these is completed.
+    /// Names that any writer of such folders may give; an interrupted write of these is completed.
     std::function<bool(const std::string &)> mayComplete = {}; ///< empty: mayWrite
     /// Asked when all is staged, just before it takes its place: an error leaves all as it was.
     std::function<Result<void>()> mayCommit = {};
@@ -50,9 +50,8 @@ struct FolderContents
     mode_t listMode = 0; ///< its permissions
 };
 
-/// Looks at the folder and refuses as FolderWrite::begin says; `names` as in FolderRequest. The
-/// folder is reached from `claimFolder`, the opened folder of the claim: a path may lead elsewhere
-/// by now.
+/// Looks at the folder; fails as FolderWrite::begin. `names` as in FolderRequest. The folder is
+/// reached from `claimFolder`, the claim's open folder, as the path may lead elsewhere by now.
 Result<FolderContents> inspectFolder(const FolderPlace &place, int claimFolder,
     const FolderRequest &request, const std::vector<std::string> &names);
 

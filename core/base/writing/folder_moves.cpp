@@ -115,7 +115,7 @@ bool linkEntry(
         return (there && there->isSameFile(*identity))
             || ::linkat(from, name.c_str(), to, name.c_str(), 0) == 0;
     }
-    // A folder that holds files of ours may be made anew; anybody else's folder is not copied.
+    // A folder that holds our files may be made anew; other folders are not copied.
     const bool holdsOurs = std::ranges::any_of(
         retired, [&](const WrittenFile &file) { return file.file.starts_with(whole + '/'); });
     const FileDescriptor inside(holdsOurs ? openFolderAt(from, name) : -1);

@@ -8,15 +8,16 @@
 
 namespace dyncal {
 
-/// Moves of a plan: retires and places file by file, in any state that an earlier attempt left.
-/// False with errno if something stands in the way; then what was moved is moved back.
+/// Carries out a plan by moves: retires old files and places new ones, one by one, also after an
+/// earlier attempt was interrupted. False with errno if something is in the way; then all is moved
+/// back.
 bool carryOutMoves(int staging, int folder, const FolderPlan &plan);
 
-/// Moves everything back that a plan moved, as far as nothing stands in the way.
+/// Moves back everything that a plan moved, where the old name is free.
 void takeBackMoves(int staging, int folder, const FolderPlan &plan);
 
-/// Second names in the tree for everything in the folder that is not to be retired. False if that
-/// is not possible: the moves must do.
+/// Gives everything in the folder that is not to be retired a second name in the tree. False if
+/// that is not possible: the caller must use moves.
 bool linkKept(int folder, int tree, const WrittenList &retired);
 
 } // namespace dyncal

@@ -16,8 +16,8 @@ namespace dyncal {
 /// The folder that a name lies in; invalid with errno.
 FileDescriptor parentOf(int folder, const std::string &name);
 
-/// Makes the folders on the way to a name; false with errno. Those that were not there go into
-/// `made`, the deepest last.
+/// Makes the folders on the way to a name; false with errno. New ones are added to `made`, the
+/// deepest last.
 bool makeFoldersFor(int folder, const std::string &name, std::vector<std::string> *made = nullptr);
 
 /// Removes a folder if it is empty.

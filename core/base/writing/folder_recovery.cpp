@@ -24,7 +24,8 @@ namespace {
 constexpr int kMostNames = 1000;
 constexpr std::size_t kLongestList = 16U << 20U;
 
-/// Somebody else's, or changed since: it goes into the new folder, whatever its name is there.
+/// Moves a file of somebody else, or one changed since, into the new folder, under another name if
+/// its own is taken.
 bool rescue(int from, const std::string &name, int to)
 {
     bool moved = renameToFree(from, name, to, name);
@@ -56,7 +57,7 @@ bool emptyEntry(
     if (!there)
         ::mkdirat(to, name.c_str(), 0777);
     const FileDescriptor target(openFolderAt(to, name));
-    // Of the old folder nothing may be left without a place in the new one.
+    // Everything in the old folder must have a place in the new one.
     return target.valid() && emptyFolder(inside.get(), target.get(), below + name + '/', retired)
         && ::unlinkat(from, name.c_str(), AT_REMOVEDIR) == 0
         && (there || ::unlinkat(to, name.c_str(), AT_REMOVEDIR) == 0 || errno == ENOTEMPTY);
@@ -171,7 +172,7 @@ Result<void> recoverFolder(
 {
     const FileDescriptor inside(openFolderAt(place, staging));
     if (!inside.valid() || !isOwnedByUser(inside.get(), "."))
-        return {}; // it had not come so far, or is not ours
+        return {}; // the exchange was not reached, or is not ours
     const Leftover left{place, inside.get(), staging, target};
     for (const char *name : {kMovesPlan, kExchangePlan}) {
         if (!identityOf(inside.get(), name))

@@ -14,18 +14,18 @@ namespace dyncal {
 /// Whether this program may have given a file this name.
 using NameRule = std::function<bool(const std::string &)>;
 
-/// Empties the old folder of an exchange: retired files go if they are still what was looked at,
-/// second names go, and what else came into it meanwhile is moved into the new folder, as
-/// "NAME.kept-1" if its name is taken there. False if something had to stay.
+/// Empties the old folder of an exchange. Retired files are removed if they are unchanged, second
+/// names are removed, and whatever else was put there meanwhile is moved into the new folder, as
+/// "NAME.kept-1" if its name is taken. False if something had to stay.
 bool emptyOldTree(int oldTree, int folder, const WrittenList &retired);
 
-/// Completes or takes back what a killed program left of a write into a folder: `staging` is its
-/// staging folder in the open folder `place`, `target` the name of the folder written to, or ".".
-/// A plan may be planted, in an unpacked archive too: only one of this user is believed that names
-/// nothing but what `mayWrite` allows, for the very folder (by its inode) it was made for, and it
-/// retires nothing but what the folder's list has; any other is left alone. If the folder of the
-/// plan is gone or another has its name, the plan is dropped and what is not ours goes to
-/// "TARGET.kept-1". Fails (Usage) if something stands in the way now.
+/// Completes or undoes what a killed program left of a write into a folder: `staging` is its
+/// staging folder in the open folder `place`, `target` the name of the folder written to, or ".". A
+/// plan may be planted, e.g. in an unpacked archive. So a plan is trusted only if it belongs to
+/// this user, names only files that `mayWrite` allows, is for this very folder (by inode) and
+/// retires only files of the folder's list; any other is left alone. If the plan's folder is gone
+/// or another has its name, the plan is dropped and what is not ours goes to "TARGET.kept-1". Fails
+/// (Usage) if something is in the way.
 Result<void> recoverFolder(
     int place, const std::string &staging, const std::string &target, const NameRule &mayWrite);
 

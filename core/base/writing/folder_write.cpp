@@ -70,8 +70,8 @@ tl::unexpected<Error> cancelled()
     return fail(ErrorKind::Cancelled, {DYNCAL_TEXT("core", "Cancelled."), {}});
 }
 
-/// The exchange puts a new folder in the place of the old one: somebody who works in the old one,
-/// its owner and its access list would be lost.
+/// The exchange puts a new folder in the place of the old one, which must not be anybody's working
+/// folder; its owner and access list would be lost.
 bool mayBeExchanged(const FolderPlace &place, int folder, int tree)
 {
     std::error_code error;
@@ -101,8 +101,8 @@ WrittenList retiredOf(const FolderContents &before)
     return retired;
 }
 
-/// The folders below that hold files of ours, locked: who writes into one of them has it open, and
-/// an exchange would take it from under him. Empty if somebody does.
+/// Locks the folders below that hold our files: a program that writes into one of them has it open,
+/// and an exchange would remove it. Empty if a program does.
 std::optional<std::vector<FolderLock>> lockBelow(
     const FolderPlace &place, int folder, const FolderPlan &plan)
 {
@@ -191,7 +191,8 @@ Result<void> FolderWrite::commitClaimed(
     std::vector<std::string> names{kWrittenList};
     for (const FolderFile &file : files)
         names.push_back(file.name);
-    // The list of earlier files is checked with the others: nobody else's may have its name.
+    // The list of earlier files is checked like the others: its name must not belong to somebody
+    // else.
     const Result<FolderContents> before
         = inspectFolder(m_place, m_claim->folder(), m_request, names);
     if (!before)
@@ -279,7 +280,7 @@ Result<void> FolderWrite::replaceFolder(const FolderContents &before)
     return moveFiles(before, plan);
 }
 
-/// Names can change hands up to the exchange itself, so what was exchanged is looked at behind it.
+/// Names can change until the exchange itself, so what was exchanged is checked after it.
 Result<void> FolderWrite::finishExchange(const FolderContents &before, const FolderPlan &plan)
 {
     const int place = m_claim->folder();
@@ -287,7 +288,7 @@ Result<void> FolderWrite::finishExchange(const FolderContents &before, const Fol
         m_mustStay = !takeBackExchange(place, m_staging.get(), m_place.claimTarget, plan);
         return wasMoved(m_place.shown);
     }
-    // Only an empty folder goes: somebody may be putting files into it still.
+    // Only an empty folder is removed: somebody may still be putting files into it.
     m_mustStay = !emptyOldTree(before.folder.get(), m_tree.get(), plan.retired)
         || ::unlinkat(m_staging.get(), kStagedTree, AT_REMOVEDIR) != 0;
     return ::fsync(place) == 0 ? Result<void>() : cannotWrite(m_place.shown);

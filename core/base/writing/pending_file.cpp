@@ -41,7 +41,7 @@ tl::unexpected<Error> wasChanged(const std::string &path)
 
 std::string linkText(int folder, const std::string &name)
 {
-    std::array<char, 256> text; // of more, the beginning
+    std::array<char, 256> text; // the beginning is enough
     const ssize_t size = ::readlinkat(folder, name.c_str(), text.data(), text.size());
     return std::string(text.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0)));
 }
@@ -115,7 +115,7 @@ Result<void> PendingFile::checkTarget() const
     if (m_existing.rule == Existing::Rule::Refused)
         return existsAlready(m_path);
     struct stat target = {};
-    // Such a link stands for what a process has open, whatever that is.
+    // Links in /proc stand for whatever a process has open.
     if (S_ISLNK(status.st_mode) && linkText(folder, m_name).starts_with("/proc/"))
         return isNoFile(m_path);
     const bool leadsElsewhere = S_ISLNK(status.st_mode)
@@ -128,7 +128,7 @@ Result<void> PendingFile::checkTarget() const
     return {};
 }
 
-/// Nobody may read meanwhile what he may not read in the end.
+/// Whoever may not read the finished file may not read it before either.
 mode_t PendingFile::firstMode() const
 {
     struct stat status = {};
@@ -138,7 +138,7 @@ mode_t PendingFile::firstMode() const
     return replaces ? kNewFileMode & (status.st_mode | S_IRUSR | S_IWUSR) : kNewFileMode;
 }
 
-/// A file that others may not read stays one.
+/// A file that others may not read keeps that.
 Result<void> PendingFile::keepMode() const
 {
     const std::optional<FileIdentity> old = identityOf(m_claim->folder(), m_name);

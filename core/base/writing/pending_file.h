@@ -16,7 +16,7 @@ namespace dyncal {
 struct Existing
 {
     enum class Rule {
-        Refused, ///< nothing: recordings are written once
+        Refused, ///< nothing may have it: recordings are written once
         Replaced, ///< a regular file, or a link, which is replaced and not followed
         ReplacedIfUnchanged, ///< a regular file of this hash; nothing where none is given
     };

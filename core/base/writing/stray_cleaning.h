@@ -9,8 +9,8 @@
 
 namespace dyncal {
 
-/// Removes what a claim without a program stands for, or completes it (recoverFolder says what is
-/// believed of it). Fails if it has to stay.
+/// Removes or completes what a killed program left under this claim (which plans are trusted:
+/// recoverFolder). Fails if it has to stay.
 Result<void> clearStray(int folder, const ClaimText &claim, const NameRule &mayWrite);
 
 } // namespace dyncal

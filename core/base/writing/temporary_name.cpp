@@ -29,7 +29,7 @@ std::string newTemporaryName()
             return namesOfTest();
     }
     std::array<std::uint8_t, kRandomBytes> random{};
-    // Below 256 bytes it gives all of them or fails; zeros only make the name foreseeable.
+    // Below 256 bytes it fills all or fails; with zeros the name would only be foreseeable.
     (void)!::getrandom(random.data(), random.size(), 0);
     std::string name(kPrefix);
     for (const std::uint8_t byte : random) {

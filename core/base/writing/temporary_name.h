@@ -9,15 +9,14 @@
 
 namespace dyncal {
 
-/// ".dyncal-" and 32 hexadecimal digits that nobody can foresee: a file planted under the name of
-/// a temporary one would have to be planted under all of them. The only use of chance in core; no
-/// number depends on it.
+/// ".dyncal-" and 32 hexadecimal digits that nobody can foresee: nobody can plant a file under that
+/// name beforehand. The only use of chance in core; no number depends on it.
 std::string newTemporaryName();
 
 /// Whether a name has this form.
 bool isTemporaryName(std::string_view name);
 
-/// Tests name the temporary files themselves; an empty function gives that up.
+/// For tests: names from this function instead; an empty one restores random names.
 void setTemporaryNames(std::function<std::string()> names);
 
 } // namespace dyncal

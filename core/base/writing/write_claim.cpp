@@ -20,7 +20,7 @@
 namespace dyncal {
 namespace {
 
-/// Claims are made and strays cleared within milliseconds; more is not this program's lock.
+/// Making a claim and clearing leftovers takes milliseconds; a longer lock is not Dyncal's.
 constexpr std::chrono::seconds kLongestWait{10};
 constexpr std::chrono::milliseconds kLook{1};
 constexpr int kMostNames = 100;
@@ -52,7 +52,7 @@ bool isFree(int folder, const std::string &name)
     return ::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0 && errno == ENOENT;
 }
 
-/// A claim under a name that is free for its temporary too.
+/// A claim under a name whose temporary name is free too.
 FileDescriptor createUnderFreeName(int folder, ClaimText &text)
 {
     FileDescriptor file;
@@ -69,7 +69,7 @@ FileDescriptor createUnderFreeName(int folder, ClaimText &text)
     return file;
 }
 
-/// A folder that is not being written now is not touched: a planted claim would reach it.
+/// Leftovers of other folders are not touched: a planted claim could name any folder.
 bool isCleared(const FoundClaim &claim, const std::string &target, const NameRule &mayWrite)
 {
     return !claim.isLive
@@ -175,7 +175,7 @@ void WriteClaim::leaveBehind()
     m_file.close();
 }
 
-/// The name goes before the lock, so that nobody takes it for left behind.
+/// The name goes before the lock, so that nobody takes the claim for a leftover.
 void WriteClaim::release()
 {
     if (m_file.valid())

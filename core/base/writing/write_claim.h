@@ -22,11 +22,11 @@ namespace dyncal {
 class WriteClaim
 {
 public:
-    /// Claims `target`, a name in `folder` ("." for the folder itself), after what earlier programs
-    /// left of it was completed or removed: temporary files of any target, folders of this one
-    /// alone and by files that `mayWrite` allows. `shown` is the path for messages. Fails (Usage)
-    /// where the folder cannot be written to or another program writes this target, (Internal) on a
-    /// full disk.
+    /// Claims `target`, a name in `folder` ("." for the folder itself), after completing or
+    /// removing what killed programs left: temporary files of any target, but folders of this
+    /// target only, as far as `mayWrite` allows their files. `shown` is the path for messages.
+    /// Fails (Usage) where the folder cannot be written to or another program writes this target,
+    /// (Internal) on a full disk.
     static Result<WriteClaim> take(const std::string &folder, const std::string &target,
         ClaimKind kind, const std::string &shown, const NameRule &mayWrite = {});
 
@@ -54,7 +54,7 @@ private:
 };
 
 /// While it lives no other program begins to write in the folder. Invalid (with errno) if the
-/// folder cannot be opened or stays locked for more than a few seconds.
+/// folder cannot be opened or stays locked for more than ten seconds.
 class FolderLock
 {
 public:
@@ -72,8 +72,8 @@ private:
 Result<void> clearClaims(const std::string &folder, const std::string &target,
     const std::string &shown, const NameRule &mayWrite);
 
-/// Whether a program that lives writes into this (open, locked) folder, other than by the claim of
-/// the temporary name `own`.
+/// Whether a living program writes into this (open, locked) folder, not counting the claim of the
+/// temporary name `own`.
 bool hasLiveClaims(int folder, const std::string &own);
 
 } // namespace dyncal

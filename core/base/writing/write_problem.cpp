@@ -20,7 +20,7 @@ bool isPlace(int errorNumber)
     case EPERM:
     case ENAMETOOLONG:
     case ELOOP:
-    case EINVAL: // a name that the file system does not take
+    case EINVAL: // a name that the file system refuses
     case EILSEQ:
         return true;
     default:

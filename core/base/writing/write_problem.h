@@ -19,7 +19,7 @@ tl::unexpected<Error> cannotWrite(const std::string &path, int errorNumber);
 /// The same for the errno at hand.
 tl::unexpected<Error> cannotWrite(const std::string &path);
 
-/// Usage: something that may not be replaced has the name already.
+/// Usage: the name is taken by something that may not be replaced.
 tl::unexpected<Error> existsAlready(const std::string &path);
 
 /// Usage: the folder was renamed, moved or replaced while it was being written.

@@ -31,8 +31,8 @@ const WrittenFile *listed(const WrittenList &list, const std::string &file);
 /// UTF-8 JSON, schema "dyncal-written/1", sorted by file, two-space indent, LF.
 std::string writtenListText(WrittenList list);
 
-/// Empty if the text is none of ours, or names a file that cannot be one: absolute, with "." or
-/// "..", an empty part, a control character.
+/// Empty if the text is no such list, or holds an impossible name: absolute, with "." or "..", an
+/// empty part or a control character.
 std::optional<WrittenList> parseWrittenList(std::string_view text);
 
 } // namespace dyncal
