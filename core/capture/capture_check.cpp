@@ -14,7 +14,7 @@
 namespace dyncal {
 namespace {
 
-/// A flat record's values stay within so many of the standard deviations that a flat one may have.
+/// The range of a flat record's values, in standard deviations of the largest allowed size.
 constexpr double kFlatRange = 8.0;
 
 class ChannelChecks
@@ -52,7 +52,7 @@ public:
 private:
     bool isDut() const { return m_channel.role == ChannelRole::Dut; }
 
-    /// A trigger may be a matter of one code; a sensor is not.
+    /// A trigger's signal may be one code high; a sensor's is larger.
     bool isFlat() const
     {
         const bool isSensor = isDut() || m_channel.role == ChannelRole::DrivenSide

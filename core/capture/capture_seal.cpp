@@ -34,11 +34,11 @@ Error changedFile(const InputFile &input)
         "CAP-015", 0};
 }
 
-/// Below that a thread costs more than it saves.
+/// For less than this a thread costs more time than it saves.
 constexpr double kWorthAThread = 1 << 20; // bytes
 constexpr auto kThreadWhereThereIsOne = std::launch::async | std::launch::deferred;
 
-/// Computes the hashes and keeps account of the bytes done.
+/// Computes the hashes and counts the bytes done.
 class Sealer
 {
 public:
@@ -191,7 +191,7 @@ private:
     const JobControl &m_control;
     double m_totalBytes = 0.0;
     std::atomic<std::uintmax_t> m_doneBytes = 0;
-    std::atomic<bool> m_givenUp = false; ///< the samples are at fault already
+    std::atomic<bool> m_givenUp = false; ///< the samples have failed already
 };
 
 /// Inputs that repeat an earlier one byte by byte, each with its first shot.
@@ -244,7 +244,8 @@ InputFile stampedInput(const std::string &path, const std::string &format)
     if (::stat(path.c_str(), &status) != 0)
         return input;
     input.bytes = static_cast<std::uintmax_t>(status.st_size);
-    // Copying with times kept puts the time of the bytes back, not that of the entry.
+    // A copy that keeps times restores the time of the content (mtime), never that of the entry
+    // (ctime).
     input.changed_ns = std::max(inNanoseconds(status.st_mtim), inNanoseconds(status.st_ctim));
     return input;
 }

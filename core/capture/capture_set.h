@@ -38,9 +38,9 @@ struct InputFile
     std::string file; ///< base name
     std::string sha256; ///< of the file's bytes; empty until sealed
     std::string format; ///< name of the reader: "dyncal-capture", "lvm", "text"
-    std::uintmax_t bytes = 0; ///< size when it was opened
-    std::int64_t changed_ns = 0; ///< time of its last change then, on the file system's clock
-    std::optional<std::string> expectedSha256 = {}; ///< what a project says that it was
+    std::uintmax_t bytes = 0; ///< size when opened
+    std::int64_t changed_ns = 0; ///< last change when opened, by the file system's clock
+    std::optional<std::string> expectedSha256 = {}; ///< hash that a project states
 
     bool operator==(const InputFile &) const = default;
 };
@@ -53,7 +53,7 @@ struct Shot
     std::vector<Channel> channels;
     Environment environment;
     Index input = 0; ///< position in CaptureSet::inputs
-    Index inFile = 0; ///< place among the shots of its file, from 1; 0 = of no file
+    Index inFile = 0; ///< number among the shots of its file, from 1; 0 = no file
     bool included = true;
     std::string excludeReason;
     Attributes notes; ///< what else the source says of the shot: "start_utc", "operator", "comment"
@@ -74,7 +74,7 @@ inline Index inputOf(const Shot &shot, const Channel &channel)
 /// Whether the shot, or a channel of it, came from this input.
 bool comesFrom(const Shot &shot, Index input);
 
-/// Says where the shot's files are, once each position p in CaptureSet::inputs is `newPosition(p)`.
+/// Updates the shot's positions in CaptureSet::inputs: p becomes `newPosition(p)`.
 void moveInputs(Shot &shot, const std::function<Index(Index)> &newPosition);
 
 /// All shots of one sensor, in order. Shot numbers shown to people count from 1 in this order.

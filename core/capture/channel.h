@@ -40,7 +40,7 @@ struct Channel
     double t0_s = 0.0; ///< time of the first sample relative to the trigger
     std::vector<double> polynomial{0.0, 1.0}; ///< physical = sum polynomial[k] counts^k, ascending
     std::string unit = "V";
-    std::string recordedUnit; ///< of the recording where `unit` is its SI unit now; else empty
+    std::string recordedUnit; ///< unit in the file if `unit` is now its SI unit; else empty
     std::string quantity;
     PressureReference reference = PressureReference::Unknown;
     double polarity = 1.0; ///< +1 or -1, set by the operator
@@ -51,7 +51,7 @@ struct Channel
     std::string sensorId;
     std::optional<Index> input; ///< position in CaptureSet::inputs if it is not the shot's file
     std::string sha256; ///< of the samples (sha256OfSamples); empty until sealed
-    std::string statedSha256; ///< what the file says it is; empty if it says nothing
+    std::string statedSha256; ///< hash that the file states; empty if it states none
 
     double duration_s() const { return static_cast<double>(samples.size()) / sampleRate_Hz; }
     double timeOf_s(Index sample) const

@@ -12,18 +12,18 @@ namespace dyncal {
 
 /// Least and greatest physical values of one channel over any stretches of its record.
 ///
-/// Counts are looked at, and only the two extremes of a stretch converted, where the conversion
-/// rises or falls all along the counts that occur. Where it turns, its extremes may lie anywhere
-/// between: then the pyramid is of the physical values themselves, which are converted block by
-/// block while it is built and take 17 % of the size of 16-bit samples.
+/// Where the conversion to physical values is monotone over the counts that occur, the pyramid
+/// holds counts, and only the two extremes of a stretch are converted. Otherwise the extremes may
+/// belong to any count between, so the pyramid holds physical values, converted block by block
+/// while it is built; it then takes 17 % of the size of 16-bit samples.
 class ChannelEnvelope
 {
 public:
     /// Errors: those of EnvelopePyramid::build.
     static Result<ChannelEnvelope> build(const Channel &channel, const JobControl &control = {});
 
-    /// The envelope of `channel`, without reading its record, if that is the record of this
-    /// envelope and what was looked at serves the conversion of `channel` too.
+    /// The envelope of `channel` without reading its record again; empty if its record is another
+    /// one or this pyramid does not fit its conversion.
     std::optional<ChannelEnvelope> of(const Channel &channel) const;
 
     const Channel &channel() const { return m_channel; }
@@ -42,9 +42,9 @@ private:
     bool m_ofValues = false; ///< of physical values instead of counts
 };
 
-/// Whether sum polynomial[k] x^k is sure to rise or to fall all along [low, high]: all coefficients
-/// of its derivative in the Bernstein basis of the interval have one sign. False is no proof of the
-/// contrary, except below the third power.
+/// Whether sum polynomial[k] x^k is certainly monotone on [low, high]: all coefficients of its
+/// derivative in the Bernstein basis of the interval have one sign. False proves the contrary only
+/// below the third power.
 bool isMonotone(const std::vector<double> &polynomial, double low, double high);
 
 } // namespace dyncal

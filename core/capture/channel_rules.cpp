@@ -89,7 +89,7 @@ Finding replacedRate(double stated_Hz, double typed_Hz, const std::string &reaso
         .limit = stated_Hz};
 }
 
-/// What is said of this channel, completed for the DUT by what is said of the DUT.
+/// The recipe's settings for this channel; for the DUT, completed by those for the DUT.
 ChannelImport detailsOf(const Channel &channel, const ImportSettings &settings)
 {
     const auto found = settings.channelDetails.find(channel.name);

@@ -11,14 +11,14 @@
 
 namespace dyncal {
 
-/// The rates that a recording can have: less is no dynamic record, more no recorder has.
+/// Range of credible sample rates: below it no record is dynamic, above it no recorder exists.
 constexpr double kLowestRate_Hz = 0.1;
 constexpr double kHighestRate_Hz = 1e12;
 
-/// Puts the recipe's sample rate in the place of the file's. A rate that differs from the file's by
-/// more than checks.rateMismatch_percent needs a reason, else CAP-003; with one it is a caution,
-/// below that an info (CAP-025, once for the same rates). CAP-003 too where there is no rate at
-/// all, or one that no recording can have.
+/// Replaces the file's sample rate by the recipe's. If they differ by more than
+/// checks.rateMismatch_percent, a reason is needed, else it fails (CAP-003). With a reason it is a
+/// caution, a smaller difference an info (CAP-025, once for the same rates). Fails (CAP-003) too
+/// where there is no rate or no credible one.
 Result<void> setSampleRate(Channel &channel, Index shot, const ImportSettings &settings,
     const CheckSettings &checks, Findings &findings);
 

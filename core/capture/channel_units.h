@@ -13,7 +13,7 @@ namespace dyncal {
 struct SiUnit
 {
     std::string unit; ///< "Pa" or "V"
-    double factor = 1.0; ///< SI units in one of it
+    double factor = 1.0; ///< value in the SI unit of one such unit
 };
 
 /// Pressures (Pa, hPa, kPa, MPa, mbar, bar, psi) in Pa and voltages (V, mV, uV, kV, with either

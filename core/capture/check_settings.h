@@ -7,8 +7,8 @@
 
 namespace dyncal {
 
-/// Recipe section "checks": the limits of findings that a laboratory may set for itself, as a rule
-/// in its profile. The defaults are the program's own limits.
+/// Recipe section "checks": the limits of findings that a laboratory may set for itself, usually in
+/// its profile. The defaults are the program's own limits.
 struct CheckSettings
 {
     Index saturationRun = 3; ///< equal samples in a row at an extreme that count as saturation

@@ -13,7 +13,8 @@ namespace {
 
 constexpr Index kBlock = EnvelopePyramid::kBaseBlock;
 constexpr Index kFan = EnvelopePyramid::kFanOut;
-/// Edges that lie closer than this are read in one piece: a call costs about as much.
+/// Edges closer than this are read together: one call costs as much time as reading so many
+/// samples.
 constexpr Index kReadGap = 512;
 
 constexpr Index blocksFor(Index count, Index block)
@@ -60,8 +61,8 @@ struct Range
     }
 };
 
-/// One whole base block. Plain loops that the compiler turns into vector instructions; what is
-/// written here decides how fast a record opens (docs/benchmarks.md).
+/// One whole base block. Plain loops that the compiler vectorises; they decide how fast a record
+/// opens (docs/benchmarks.md).
 template <typename T>
 Range<T> rangeOfBlock(const T *values)
 {
@@ -76,7 +77,7 @@ Range<T> rangeOfBlock(const T *values)
         std::array<T, kLanes> max;
         min.fill(Range<T>::kHighest);
         max.fill(Range<T>::kLowest);
-        std::array<T, kLanes> differences{}; // NaN from the first NaN or infinity on
+        std::array<T, kLanes> differences{}; // x - x: NaN for a NaN or infinity
         for (Index i = 0; i < kBlock; i += static_cast<Index>(kLanes)) {
             for (std::size_t lane = 0; lane < kLanes; ++lane) {
                 const T value = values[at(i) + lane];
@@ -104,7 +105,7 @@ SampleExtremes extremesOf(const Range<T> &range)
 
 } // namespace
 
-/// Fills the levels while the samples go by.
+/// Fills the levels as the samples arrive.
 template <typename T>
 class EnvelopePyramid::Builder
 {
@@ -200,7 +201,7 @@ public:
     }
 
 private:
-    struct Piece ///< samples that belong to one stretch and that no whole block of it covers
+    struct Piece ///< samples of one stretch that no whole block covers
     {
         Index begin;
         Index end;
@@ -286,7 +287,7 @@ Result<EnvelopePyramid> EnvelopePyramid::build(RawSamples samples, const JobCont
         Builder<T> builder(count);
         complete = pyramid.m_samples.visitBlocks(0, count, [&](auto values, Index first) {
             if constexpr (std::is_same_v<decltype(values), std::span<const T>>) {
-                // A record in memory comes as one stretch: still to be stopped on the way.
+                // A record in memory comes as one stretch; in blocks, so that a stop is seen.
                 for (Index done = 0; done < std::ssize(values); done += RawSamples::kBlock) {
                     if (control.stopRequested())
                         return false;

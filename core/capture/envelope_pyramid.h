@@ -52,9 +52,9 @@ public:
     SampleExtremes extremes() const;
 
     /// Extremes of the stretches [edges[k], edges[k + 1]). Edges ascend (equal neighbours make an
-    /// empty stretch) and lie within 0..size(). At most one base block of samples is read per edge,
-    /// edges that lie close in one piece; none at edges that are multiples of kBaseBlock or the
-    /// record's end. Nothing if the samples cannot be read any more.
+    /// empty stretch) and lie within 0..size(). At most one base block of samples is read per edge
+    /// (edges close together in one read), none at multiples of kBaseBlock or at the record's end.
+    /// Empty if the samples cannot be read any more.
     std::optional<std::vector<SampleExtremes>> stretches(std::span<const Index> edges) const;
 
 private:

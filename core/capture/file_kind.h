@@ -13,7 +13,7 @@ namespace dyncal {
 /// Whether the file begins like a document, picture, archive or recording of another kind.
 bool isForeignFile(std::string_view head);
 
-/// Whether these are characters of a text: no control characters but blanks and line ends.
+/// Whether there are no control characters except blanks and line ends.
 bool isPlainText(std::string_view text);
 
 /// Why a file that no reader took cannot be read: says what it looks like by its first bytes

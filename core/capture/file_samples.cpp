@@ -27,7 +27,7 @@ SampleFile::State stateOf(const struct stat &status)
         nanosecondsOf(status.st_ctim)};
 }
 
-/// Turns the bytes of every sample round.
+/// Reverses the bytes of every sample.
 void swapBytes(std::byte *samples, Index count, Index size)
 {
     for (Index i = 0; i < count; ++i)
@@ -176,7 +176,7 @@ bool SampleFile::read(std::uint64_t offset, std::size_t bytes, std::byte *target
         offset += static_cast<std::uint64_t>(got);
         bytes -= static_cast<std::size_t>(got);
     }
-    return unchanged(); // asked afterwards: what was read belongs to the file that was opened
+    return unchanged(); // checked after reading, so that the bytes are those of the opened file
 }
 
 std::optional<RawSamples> samplesInFile(std::shared_ptr<const SampleFile> file, SampleLayout layout)

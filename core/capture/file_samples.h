@@ -15,17 +15,17 @@
 
 namespace dyncal {
 
-/// A recording opened for reading samples from it later. It remembers size and time of change: once
-/// they differ, nothing is read from it any more. It is read with pread, never mapped, because a
-/// mapped file that somebody shortens kills the process.
+/// A recording opened for reading samples from it later. It remembers size and time of change; if
+/// they differ later, nothing more is read. It is read with pread, never mapped, because a mapped
+/// file that somebody shortens kills the process.
 class SampleFile
 {
 public:
     /// Fails (CAP-018) if it cannot be opened or is no regular file.
     static Result<std::shared_ptr<const SampleFile>> open(const std::string &path);
 
-    /// What tells that a file was written to. Copying with times kept puts the time of the samples
-    /// back, not that of the entry.
+    /// Shows whether a file was written to. A copy that keeps times restores the time of the
+    /// samples (mtime), never that of the entry (ctime).
     struct State
     {
         std::uint64_t size;
@@ -41,7 +41,7 @@ public:
 
     std::uint64_t size() const { return m_state.size; }
 
-    /// False if the file changed since it was opened or ends before.
+    /// False if the file changed since it was opened, or is too short.
     bool read(std::uint64_t offset, std::size_t bytes, std::byte *target) const;
     bool unchanged() const;
 
@@ -68,9 +68,9 @@ struct SampleLayout
     std::vector<SampleExtent> extents; ///< in the order of the record
 };
 
-/// The samples that `layout` describes, read from the file when they are asked for; nothing is
-/// allocated here. Empty if an extent does not lie wholly within the file (whatever a damaged
-/// header claims) or the stride is smaller than a sample.
+/// The samples that `layout` describes, read from the file on demand; nothing is allocated here.
+/// Empty if an extent does not lie wholly within the file (whatever a damaged header claims) or the
+/// stride is smaller than a sample.
 std::optional<RawSamples> samplesInFile(
     std::shared_ptr<const SampleFile> file, SampleLayout layout);
 

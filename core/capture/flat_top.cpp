@@ -11,7 +11,7 @@
 namespace dyncal {
 namespace {
 
-constexpr Index kNoiseSpan = 4096; ///< samples at the start that tell the noise
+constexpr Index kNoiseSpan = 4096; ///< samples at the start; give the noise
 constexpr Index kLeastSpan = 64;
 constexpr Index kLongRun = 16;
 constexpr double kJumpShare = 0.01; ///< of the range
@@ -30,7 +30,7 @@ FlatTopScale scaleOf(const RawSamples &samples, const RecordSurvey &survey)
     if (span < kLeastSpan)
         return scale;
     std::vector<double> steps;
-    std::vector<double> bends; // second differences: no slow movement is taken for noise
+    std::vector<double> bends; // second differences, which contain no slow movement
     double before = samples.at(0);
     double last = samples.at(1);
     samples.visitBlocks(2, span, [&](auto values, Index) {

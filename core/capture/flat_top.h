@@ -9,7 +9,7 @@
 
 namespace dyncal {
 
-/// How fine and how quiet the values around a run are.
+/// Scale of the values around a run: range, noise and step.
 struct FlatTopScale
 {
     double range = 0.0; ///< from the lowest to the highest value
@@ -17,15 +17,14 @@ struct FlatTopScale
     double codeSize = 0.0; ///< smallest step of the values; 0 = none known
 };
 
-/// Whether a run of equal values at an extreme was cut off there, told from the values alone
-/// because the converter's limits are not known. Something must have been moving:
+/// Whether a run of equal values at an extreme was cut off there, judged by the values alone
+/// because the converter's limits are not known. The signal must have been moving:
 /// - the noise is of more than 3 codes, so that no value repeats at an extreme by chance, or
-/// - the value jumps into the run or out of it, by more than 1 % of the range, 6 standard
-/// deviations
-///   of the noise and 2 codes (a rounded peak arrives by one code), or
-/// - the run is of 16 samples at least although the noise is larger than half a code.
-/// Values without noise must jump on both sides, out of a movement: the plateau of a computed step
-/// is flat by itself. `valueAt` answers for 0 <= i < size.
+/// - the value jumps into the run or out of it, by more than 1 % of the range, 6 noiseSd and 2
+///   codes (a rounded peak arrives by one code), or
+/// - the run has at least 16 samples although the noise is larger than half a code.
+/// Values without noise must jump on both sides, and move before and after: the plateau of a
+/// computed step is flat by itself. `valueAt` answers for 0 <= i < size.
 bool isCutOff(const std::function<double(Index)> &valueAt, Index size, const EqualRun &run,
     const FlatTopScale &scale);
 

@@ -7,9 +7,9 @@
 
 namespace dyncal {
 
-/// Fills gaps of at most `longest` invalid samples on a straight line between their neighbours and
-/// returns how many samples that were. Gaps at the ends of the record stay, and integer samples are
-/// always valid. Samples are only replaced if something was filled; then they are in memory.
+/// Fills gaps of at most `longest` invalid samples by straight lines between their neighbours and
+/// returns the number of samples filled. Gaps at the ends of the record stay; integer samples are
+/// always valid. If anything was filled, `samples` is then a copy in memory.
 Index fillGaps(RawSamples &samples, Index longest);
 
 } // namespace dyncal

@@ -96,7 +96,7 @@ Result<void> checkNames(const CaptureSet &set, const ImportSettings &settings)
     return {};
 }
 
-/// `own`: what is said of each channel's file.
+/// The settings for each channel's file.
 using OwnSettings = std::function<const ImportSettings &(const Channel &)>;
 
 void assignRoles(Shot &shot, const OwnSettings &own)
@@ -220,7 +220,7 @@ Result<void> excludeShots(CaptureSet &set, const std::vector<ExcludedShot> &list
 Result<CaptureSet> applyImportSettings(
     CaptureSet set, const ImportSettings &settings, const CheckSettings &checks)
 {
-    // Shots that hold the same data are told again by checkCaptures(), of the included ones.
+    // checkCaptures() reports equal data again, among the included shots only.
     std::erase_if(set.findings, [](const Finding &finding) { return finding.id == "CAP-011"; });
     const auto done = checkNames(set, settings)
                           .and_then([&] { return applyToShots(set, settings, checks); })

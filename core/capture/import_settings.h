@@ -15,7 +15,7 @@ namespace dyncal {
 /// ImportSettings::channelFiles: files of one recording become one shot.
 inline constexpr const char *kJoinChannelFiles = "join";
 
-/// ImportSettings::maxExpansion where nothing else is said.
+/// Default of ImportSettings::maxExpansion.
 inline constexpr double kUsualExpansion = 20.0;
 
 /// A shot taken out of the calibration, by number from 1, with the reason that the certificate
@@ -27,8 +27,9 @@ struct ExcludedShot
     bool operator==(const ExcludedShot &) const = default;
 };
 
-/// What the recipe says of one channel beside its role; whatever is left out stays as it is. Values
-/// become polarity * scale * value / gain in `unit`, and divided by the sensitivity pressure in Pa.
+/// The recipe's settings for one channel, besides its role; whatever is left out stays unchanged.
+/// Values become polarity * scale * value / gain in `unit`; with a sensitivity they are divided by
+/// it and become pressures in Pa.
 struct ChannelImport
 {
     std::optional<std::string> unit;
@@ -40,11 +41,11 @@ struct ChannelImport
     bool operator==(const ChannelImport &) const = default;
 };
 
-/// What one file has of its own; whatever is left out is as for all files.
+/// Settings for one file; whatever is left out is as for all files.
 struct FileImport
 {
     std::optional<std::string> format;
-    std::map<std::string, Index> columns; ///< these replace all of the others', if there are any
+    std::map<std::string, Index> columns; ///< if any, they replace all columns stated for all files
     std::map<std::string, std::string> channels; ///< win name by name
     std::map<std::string, ChannelImport> channelDetails; ///< win name by name
     std::string decimal; ///< "" as for all files
@@ -68,7 +69,7 @@ struct ImportSettings
     std::map<std::string, Index>
         columns; ///< text files: role ("time", "dut", ...) -> column from 0
     std::map<std::string, std::string> channels; ///< channel name -> role
-    std::map<std::string, ChannelImport> channelDetails; ///< channel name -> what else is said
+    std::map<std::string, ChannelImport> channelDetails; ///< channel name -> further settings
     std::string decimal = "auto"; ///< "auto", "." or ","
     std::string separator = "auto"; ///< "auto", ",", ";", "tab", "space", "|"
     std::optional<double> sampleRate_Hz; ///< overrides what the file says
@@ -79,17 +80,17 @@ struct ImportSettings
     std::string reference; ///< "", "gauge" or "absolute": the DUT's pressures
     std::optional<Index> skipRows; ///< text files: rows before the data
     Index interpolateInvalid = 0; ///< fill gaps of at most this many invalid samples
-    double maxExpansion = kUsualExpansion; ///< memory for what a file holds, in times its size
+    double maxExpansion = kUsualExpansion; ///< memory for a file's content over the file's size
     std::string channelFiles = kJoinChannelFiles; ///< or "apart": see channel_files.h
     std::vector<std::string> levels; ///< one per shot: "low", "medium", "high" or ""
     std::vector<ExcludedShot> exclude;
-    std::map<std::string, FileImport> files; ///< base name -> what that file has of its own
+    std::map<std::string, FileImport> files; ///< base name -> settings for that file
 
     bool operator==(const ImportSettings &) const = default;
 };
 
-/// The settings for one file: those for all files with its own put over them. `path` may have
-/// folders before the base name.
+/// The settings for one file: those for all files, overridden by its own. `path` may have folders
+/// before the base name.
 ImportSettings settingsOfFile(const ImportSettings &settings, const std::string &path);
 
 } // namespace dyncal

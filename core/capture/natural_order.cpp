@@ -48,7 +48,7 @@ bool naturalLess(std::string_view a, std::string_view b)
     }
     if (restA.empty() != restB.empty())
         return restA.empty();
-    return a < b; // equal but for leading zeros
+    return a < b; // equal except for leading zeros
 }
 
 } // namespace dyncal

@@ -24,7 +24,7 @@ enum class SampleType { Int16, Int32, Float32, Float64, Int8, UInt8, UInt16 };
 /// 1, 2, 4 or 8.
 Index bytesPerSample(SampleType type);
 
-/// Samples that lie somewhere else than in memory, as a rule in the file they were recorded to.
+/// Samples that are not in memory, usually in their recording.
 class SampleSource
 {
 public:
@@ -51,9 +51,9 @@ private:
 };
 
 /// The samples of one channel exactly as recorded: integer counts where the source has counts.
-/// Immutable and shared, so copies of a shot cost nothing. They are held in memory or read from
-/// their file when asked for; whole records are never converted to double, only the part that an
-/// analysis asks for is (`physicalValues` in channel.h).
+/// Immutable and shared, so copies of a shot cost nothing. They are in memory or read from their
+/// file on demand; only the part that an analysis asks for is converted to double (`physicalValues`
+/// in channel.h), never whole records.
 class RawSamples
 {
 public:
@@ -62,7 +62,7 @@ public:
         std::vector<float>, std::vector<double>, std::vector<std::int8_t>,
         std::vector<std::uint8_t>, std::vector<std::uint16_t>>;
 
-    /// Samples that are visited at a time where they are not in memory.
+    /// Samples visited at a time if they are not in memory.
     static constexpr Index kBlock = 1 << 20;
 
     RawSamples();
@@ -89,14 +89,14 @@ public:
     }
 
     /// Raw value (count, or value for floating point sources) of sample `i`, 0 <= i < size(); NaN
-    /// if the source cannot be read any more. For single samples: a loop wants visitBlocks().
+    /// if the source cannot be read any more. For single samples; in a loop use visitBlocks().
     double at(Index i) const;
 
     /// Calls `visit(std::span<const T> values, Index first)` for stretches that together are
     /// [begin, end), in order; T is the type of the samples. In memory that is one stretch,
-    /// otherwise one per block of at most kBlock samples. False, at the block where it happened, if
-    /// the source cannot be read any more. `visit` may return bool: false ends the visit (and the
-    /// call returns true).
+    /// otherwise one per block of at most kBlock samples. Stops and returns false if the source
+    /// cannot be read any more. `visit` may return bool: false ends the visit (and the call returns
+    /// true).
     template <typename Visit>
     bool visitBlocks(Index begin, Index end, Visit &&visit) const;
 

@@ -11,7 +11,7 @@
 namespace dyncal {
 namespace {
 
-/// Few enough that a stretch stays in the cache while it is looked at twice.
+/// So few samples that a stretch stays in the cache for its second pass.
 constexpr std::size_t kStretch = 4096;
 
 /// Longest run of the extreme value in one direction, while the extreme itself may still move.
@@ -24,7 +24,8 @@ public:
     {
     }
 
-    /// `extreme` is that of `values`; most stretches do not reach the record's and cost nothing.
+    /// `extreme` is that of `values`. Most stretches do not reach the record's extreme and need no
+    /// search.
     void see(std::span<const T> values, Index first, T extreme)
     {
         const bool beyond = m_top ? extreme > m_level : extreme < m_level;

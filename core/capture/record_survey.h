@@ -14,7 +14,7 @@ struct EqualRun
     Index count = 0;
 };
 
-/// What one pass over the raw values of a record tells.
+/// What one pass over the raw values of a record finds.
 struct RecordSurvey
 {
     Index size = 0;

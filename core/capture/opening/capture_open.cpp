@@ -19,7 +19,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// One file to read; whoever named it himself must get it or hear why not.
+/// One file to read. A file that was named, not found in a folder, must be read or be reported.
 struct Candidate
 {
     std::string path;
@@ -48,7 +48,7 @@ Result<std::vector<Candidate>> filesIn(const std::string &folder)
     return files;
 }
 
-/// A file in a folder that is no recording is normal; one that should be one is not.
+/// In a folder other files are normal (info); a recording that cannot be read is not (caution).
 Finding skippedFile(const Error &error)
 {
     const bool foreign = error.findingId == "CAP-001";
@@ -71,7 +71,7 @@ void append(CaptureSet &all, CaptureSet part)
     std::move(part.findings.begin(), part.findings.end(), std::back_inserter(all.findings));
     if (all.tube.empty())
         all.tube = std::move(part.tube);
-    all.sensors.merge(part.sensors); // keeps what is there: the first file that has it counts
+    all.sensors.merge(part.sensors); // keeps existing entries: the first file counts
     all.instruments.merge(part.instruments);
 }
 
@@ -83,7 +83,7 @@ public:
     {
         if (part)
             append(m_set, std::move(*part));
-        else if (file.named || part.error().kind == ErrorKind::Internal) // no shot is lost unsaid
+        else if (file.named || part.error().kind == ErrorKind::Internal) // no shot is lost silently
             addProblem(part.error());
         else
             m_set.findings.push_back(skippedFile(part.error()));
@@ -169,7 +169,7 @@ Result<CaptureSet> joinCaptures(const std::vector<std::string> &paths,
 /// What a reader and its helper process may need before they can tell what is wrong with a file.
 constexpr std::size_t kReadingBytes = std::size_t(256) << 20U;
 
-/// Libraries say of a file that it is damaged when it is memory that they lack.
+/// Libraries that lack memory report a damaged file.
 Error inDoubt(const Error &error, const std::string &path)
 {
     std::error_code unknown;

@@ -18,10 +18,10 @@ namespace dyncal {
 Result<CaptureSet> openCapture(
     const std::string &path, const ImportSettings &settings, const JobControl &control = {});
 
-/// Opens several files, or folders (every readable file in natural order; unreadable ones there
-/// are skipped with a finding), and joins their shots in the order given. All problems of all
-/// files are in the one Error; a set without shots is an error too. Calibrate from the set only
-/// after sealCaptures() (capture_seal.h).
+/// Opens several files, or folders (every readable file in natural order; unreadable ones there are
+/// skipped with a finding), and joins their shots in the order given. The Error lists the problems
+/// of all files; a set without shots is an error too. Calibrate from the set only after
+/// sealCaptures() (capture_seal.h).
 Result<CaptureSet> openCaptures(const std::vector<std::string> &paths,
     const ImportSettings &settings, const JobControl &control = {});
 

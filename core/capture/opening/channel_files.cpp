@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Formats of which a file may hold one channel of several.
+/// Formats whose files may hold one channel of several.
 constexpr std::array<std::string_view, 5> kFormats{
     "lecroy-trc", "rigol-wfm", "rigol-bin", "keysight-bin", "rohde-bin"};
 
@@ -38,7 +38,7 @@ bool startsWithWord(std::string_view text, std::string_view word)
            });
 }
 
-/// Where the digit of a channel's name stands that begins here; npos if none does.
+/// Position of the digit of the channel name that begins at `at`; npos if none begins there.
 std::size_t channelDigit(std::string_view name, std::size_t at)
 {
     if (at > 0 && (isLetter(name[at - 1]) || isDigit(name[at - 1])))
@@ -141,7 +141,7 @@ public:
             say(m_shots[group.front()].front());
     }
 
-    /// Drops the shots that gave their channels away.
+    /// Drops the shots whose channels another shot has taken.
     void finish()
     {
         std::vector<Shot> kept;
@@ -181,7 +181,7 @@ private:
         return true;
     }
 
-    /// With all files of the shot, also those that joined it earlier.
+    /// Reports all files of the shot, also those that joined it earlier.
     void say(std::size_t shot)
     {
         const Index number = static_cast<Index>(shot) + 1;

@@ -15,7 +15,7 @@
 namespace dyncal {
 namespace {
 
-/// In a helper process: empty if it is no hash.
+/// Runs in a helper process; empty if the text is no hash.
 std::string statedIn(const std::string &path)
 {
     const auto tree = describeHdf5(path, Hdf5Depth::RootAttributes, ExpansionBudget(0));
@@ -50,7 +50,7 @@ Result<std::vector<std::string>> statedContentHashes(const std::vector<std::stri
         if (!done && done.error().kind != ErrorKind::FileUnreadable)
             return tl::unexpected<Error>(done.error());
         if (hashes.size() < paths.size() && !done)
-            hashes.emplace_back(); // of the file on which the helper ended
+            hashes.emplace_back(); // for the file on which the helper ended
     }
     return hashes;
 }

@@ -10,9 +10,9 @@
 
 namespace dyncal {
 
-/// The SHA-256 that each capture states of all that it says (docs/method/captures.md), in the order
-/// of the paths; empty for one that states none, as those of older versions and other programs:
-/// nothing protects their texts.
+/// The SHA-256 of all its content that each capture states (docs/method/captures.md), in the order
+/// of the paths; empty for one that states none (older versions, other programs): changes of its
+/// texts cannot be noticed.
 Result<std::vector<std::string>> statedContentHashes(const std::vector<std::string> &paths);
 
 } // namespace dyncal

@@ -14,8 +14,8 @@ namespace dyncal {
 /// are named, and the sentences for files that are not what they should be.
 
 /// The sampling interval an instrument meant. Many headers hold it in single precision (sometimes
-/// widened to double): then it is the shortest decimal number that has that single, so that 1e-8 s
-/// does not become 9.9999999392e-9 s.
+/// widened to double); then it is the shortest decimal number that rounds to that single, so that
+/// 1e-8 s does not become 9.9999999392e-9 s.
 double intendedInterval(double stored);
 
 /// 1/interval; 0 with a finding (CAP-016, caution) if the interval is no positive number.

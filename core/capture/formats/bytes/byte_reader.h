@@ -17,9 +17,8 @@
 
 namespace dyncal {
 
-/// Takes numbers and texts from the bytes of a header, in either byte order and never from beyond
-/// its end: there everything is zero and ok() is false from then on, so that a header is read in
-/// one go and questioned once.
+/// Takes numbers and texts from the bytes of a header, in either byte order. Beyond their end every
+/// value is zero and ok() stays false, so that a header is read in one go and checked once.
 class ByteReader
 {
 public:
@@ -76,7 +75,7 @@ public:
                                            : std::span<const std::byte>();
     }
 
-    /// A field of that many characters up to its first NUL, without blanks around it.
+    /// A field of that many characters, up to its first NUL and without blanks at both ends.
     std::string text(std::size_t bytes)
     {
         const std::span<const std::byte> field = take(bytes);

@@ -44,7 +44,7 @@ private:
         if constexpr (std::is_arithmetic_v<T> || std::is_enum_v<T>)
             append(&value, sizeof(T));
         else
-            transfer(*this, const_cast<T &>(value)); // it reads only: one function, two directions
+            transfer(*this, const_cast<T &>(value)); // only read: transfer() serves both directions
     }
     void put(const std::string &text)
     {
@@ -71,8 +71,8 @@ private:
     std::vector<std::byte> m_bytes;
 };
 
-/// Turns bytes into values and checks each: after one that does not fit ok() is false and values
-/// stay empty. No length is allocated that the bytes cannot hold.
+/// Turns bytes into values and checks each: after the first that does not fit ok() is false and
+/// values stay empty. Nothing longer than the bytes can hold is allocated.
 class ByteUnpacker
 {
 public:

@@ -8,7 +8,7 @@
 namespace dyncal {
 namespace {
 
-constexpr Index kFewest = 8; ///< samples: fewer say nothing
+constexpr Index kFewest = 8; ///< samples; fewer prove nothing
 constexpr double kMost = 1e12;
 constexpr double kLongestInterval_s = 0.01;
 
@@ -29,7 +29,7 @@ std::optional<CountedHeader> countedHeader(std::span<const double> column)
     const bool trigger = rows > 2 && isCount(column[2], 0.0, column[0]);
     const bool fraction = rows > 3 && trigger && column[3] >= 0.0 && column[3] <= 1.0;
     header.lines = rows - header.declared;
-    const Index plausible = fraction ? 4 : trigger ? 3 : 2; // a cut file may match a shorter one
+    const Index plausible = fraction ? 4 : trigger ? 3 : 2; // a cut file may fit a shorter header
     if (header.lines == plausible || (header.lines == 2 && !fraction))
         return header;
     const bool lessThanAll = rows < header.declared + 2;

@@ -10,7 +10,7 @@
 
 namespace dyncal {
 
-/// The first numbers of a column that describe the rest, as digitizers of PTB write them: number of
+/// The first numbers of a column that describe the rest, as PTB's digitizers write them: number of
 /// samples, interval in s, and perhaps trigger index and the trigger's place within its sample.
 struct CountedHeader
 {
@@ -20,8 +20,8 @@ struct CountedHeader
     bool complete = false; ///< there are as many samples as declared
 };
 
-/// Recognises it by its count, which must be that of the rows behind; four numbers of the right
-/// kind with another count are an incomplete file. Looks at a column without title only.
+/// Recognised by its count, which must be the number of rows after it; four suitable numbers with
+/// another count are an incomplete file. For columns without title only.
 std::optional<CountedHeader> countedHeader(std::span<const double> column);
 
 } // namespace dyncal

@@ -11,20 +11,20 @@
 
 namespace dyncal {
 
-/// What would take too much; the name that a sentence has for it follows.
+/// What would take too much memory; the comments say which name the sentence needs.
 enum class Expanding {
     Channel, ///< its name
     ChannelsUpTo, ///< name of the last
     Columns, ///< their number
-    RowsUpTo, ///< number of the line, with what blank lines and empty cells claim
+    RowsUpTo, ///< number of the line; counts blank lines and empty cells
     SegmentsUpTo, ///< number of the last
     Pieces, ///< number of stretches in which samples lie in the file
-    Objects, ///< number of those whose names and attributes were looked at
+    Objects, ///< number of those whose names and attributes were read
 };
 
-/// What the contents of one file may take of memory: 64 MiB and import.max_expansion times its
-/// size. A reader asks before it allocates what a file only claims to hold, be it compressed,
-/// repeated or left blank; helper processes get their limits from it (docs/adr/0019).
+/// Memory that the contents of one file may take: 64 MiB and import.max_expansion times its size. A
+/// reader asks before it allocates what a file only claims to hold, be it compressed, repeated or
+/// left blank; helper processes get their limits from it (docs/adr/0019).
 class ExpansionBudget
 {
 public:
@@ -33,12 +33,12 @@ public:
     std::uint64_t allowed() const { return m_allowed; }
     std::uint64_t taken() const { return m_taken; }
 
-    /// Whether so much may still be allocated; then it is counted.
+    /// Whether so much may still be allocated; if so, it is counted.
     bool take(std::uint64_t bytes);
-    /// What was taken and is free again.
+    /// For memory that was taken and is free again.
     void giveBack(std::uint64_t bytes);
 
-    /// The sentence for the file `path`, of which this would need so many bytes (CAP-018).
+    /// Error for the file `path`, of which `what` would need so many bytes (CAP-018).
     tl::unexpected<Error> exceededBy(const std::string &path, Expanding what,
         const std::string &name, std::uint64_t bytes) const;
 
@@ -47,10 +47,10 @@ private:
     std::uint64_t m_taken = 0;
 };
 
-/// What a channel takes beside its samples: names, unit, scale.
+/// Memory of a channel besides its samples: names, unit, scale.
 inline constexpr std::uint64_t kBytesOfChannel = 1024;
 
-/// The sentence where only the numbers are at hand.
+/// The sentence alone, for callers without a budget.
 Message expansionSentence(const std::string &path, Expanding what, const std::string &name,
     std::uint64_t bytes, std::uint64_t allowed);
 

@@ -10,8 +10,7 @@ namespace dyncal {
 constexpr std::size_t kLargePage = std::size_t(2) << 20;
 
 /// Asks the system for large pages behind memory that is about to be filled: handing out small ones
-/// one by one takes as long as reading a file from the cache. Only a wish, without any other
-/// effect.
+/// one by one takes as long as reading a file from the cache. Only a hint.
 void preferLargePages(void *memory, std::size_t bytes);
 
 } // namespace dyncal

@@ -16,8 +16,8 @@ namespace dyncal {
 namespace {
 
 constexpr double kStepTolerance = 0.01; ///< of CAP-016
-constexpr std::size_t kRowsToTellTime = 8; ///< that rise: no accident any more
-constexpr std::size_t kEndRows = 32; ///< enough that some time ends in a digit other than zero
+constexpr std::size_t kRowsToTellTime = 8; ///< so many rising rows are no accident
+constexpr std::size_t kEndRows = 32; ///< some of them end in a digit other than zero
 
 /// Power of ten of the last digit of a number.
 int lastDigitExponent(std::string_view text, char decimal)
@@ -90,7 +90,7 @@ double medianStep(std::span<const double> times)
     return *middle;
 }
 
-/// The mean step is no help in saying where a gap is: the gap is in it.
+/// Uses the median step, because a gap changes the mean step.
 void locateIrregularity(TimeAxis &axis, std::span<const double> times, double allowance)
 {
     axis.step = medianStep(times);

@@ -56,7 +56,7 @@ enum class ColumnRise {
     Uneven, ///< somehow
 };
 
-/// Rows that are not finite are passed over, but make a gap.
+/// Rows that are not finite are skipped, but make a gap.
 ColumnRise riseOf(std::span<const double> values);
 
 /// Whether this uniform axis only counts rows: whole numbers that rise by one.

@@ -23,7 +23,7 @@ public:
     ZlibStream(const ZlibStream &) = delete;
     ZlibStream &operator=(const ZlibStream &) = delete;
 
-    /// Fills `target` as far as the stream goes; how many bytes that were.
+    /// Fills `target` as far as the stream goes; returns the number of bytes.
     std::size_t read(std::span<std::byte> target);
 
     /// Whether nothing was wrong so far.

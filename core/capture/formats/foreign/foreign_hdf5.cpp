@@ -17,7 +17,7 @@
 namespace dyncal {
 namespace {
 
-/// Attributes for physical = scale * stored + offset, in the conventions met.
+/// Names of the attributes in physical = scale * stored + offset, by convention.
 struct ScaleNames
 {
     const char *scale;
@@ -31,7 +31,7 @@ bool states(const Hdf5Object &object, const ScaleNames &names)
     return object.attributes.contains(names.scale) || object.attributes.contains(names.offset);
 }
 
-/// Turns attributes of one dataset into what a channel says of its samples.
+/// Makes a channel from the attributes of one dataset.
 class ChannelMaker
 {
 public:
@@ -166,7 +166,7 @@ std::vector<ChannelCandidate> named(
     return chosen;
 }
 
-/// Whether numbers are there that cannot be had: a fault of the file, not another kind of data.
+/// Whether there are numbers that cannot be read: the file is at fault, not the kind of data.
 bool isDamaged(const ChannelCandidate &candidate)
 {
     switch (candidate.dataset.object->dataset.obstacle) {
@@ -189,7 +189,7 @@ bool isNamed(const ChannelCandidate &candidate, const ImportSettings &settings)
     });
 }
 
-/// Fails with the first dataset that is wanted and cannot be had.
+/// Fails with the first dataset that is wanted and cannot be read.
 Result<void> checkWanted(
     const std::vector<ChannelCandidate> &candidates, const ImportSettings &settings)
 {
@@ -206,7 +206,7 @@ Result<void> checkWanted(
 
 Findings damagedDatasets(const std::vector<ChannelCandidate> &candidates)
 {
-    constexpr std::size_t kMost = 8; // of one kind tell enough
+    constexpr std::size_t kMost = 8; // of one kind are enough
     Findings findings;
     for (const ChannelCandidate &candidate : candidates) {
         if (candidate.channels.names.empty() && isDamaged(candidate) && findings.size() < kMost)

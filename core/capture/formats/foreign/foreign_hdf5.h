@@ -14,23 +14,23 @@
 
 namespace dyncal {
 
-/// 60 for any HDF5 file: our own captures and MAT files are surer of themselves.
+/// 60 for any HDF5 file; the readers of our captures and of MAT files give more for theirs.
 int recogniseForeignHdf5(const std::string &path, std::string_view head);
 
 /// Reads an HDF5 file of another program as one shot. Its channels are those that
 /// `settings.channels` names (DatasetEntry::channels in foreign_datasets.h); without any, all 1-D
 /// datasets of the longest length that several share, or else the columns of the longest table.
-/// Rates, units, scale and offset come from attributes where they cannot be mistaken, and from
-/// datasets of times; a rate that is not stated stays 0. What was left out is a finding (CAP-026).
-/// Fails: CAP-001 nothing to read, CAP-018 damaged, or a scale that is no number.
+/// Rates, units, scale and offset come from attributes where these are unambiguous; rates also from
+/// datasets of times. A rate that is not stated stays 0. Whatever is left out is a finding
+/// (CAP-026). Fails: CAP-001 nothing to read, CAP-018 damaged, or a scale that is no number.
 Result<CaptureSet> readForeignHdf5(
     const std::string &path, const ImportSettings &settings, const JobControl &control);
 
-/// The same for a file that is described already; nothing it claims is believed.
+/// The same for a file that is described already; its claims are checked.
 Result<CaptureSet> readForeignHdf5(
     const Hdf5File &file, const ImportSettings &settings, const JobControl &control);
 
-/// A dataset that can be channels, or cannot (then it has no names).
+/// A dataset and the channels it can become (without names if it cannot).
 struct ChannelCandidate
 {
     ForeignDataset dataset;
@@ -38,7 +38,7 @@ struct ChannelCandidate
     std::vector<std::size_t> columns; ///< those that are wanted
 };
 
-/// One that offers all its channels, if it has any.
+/// A candidate with all its channels wanted.
 ChannelCandidate candidateOf(ForeignDataset dataset, ForeignChannels channels);
 
 /// What readForeignHdf5 does once it knows the candidates; `all` may also state rates and times.

@@ -105,8 +105,7 @@ std::vector<StatedRate> ratesInAttributes(const Hdf5Object &object)
     return rates;
 }
 
-/// Seconds per unit of a dataset of times; empty if its unit is none of time. Without a unit it is
-/// in seconds.
+/// Seconds per unit of a dataset of times; 1 without a unit, empty if its unit is none of time.
 std::optional<double> timeUnit(const ForeignDataset &dataset)
 {
     std::string unit = withUnitSplit({dataset.name, {}}).unit;

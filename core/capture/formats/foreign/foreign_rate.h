@@ -22,9 +22,9 @@ struct StatedRate
     std::string text; ///< for messages: "dt_us = 0.01"
 };
 
-/// Reads name, value and (possibly empty) unit as a rate. Empty if the name is no word for it, if
-/// the unit is none of frequency or time, or if without any unit the rate would be below
-/// kCredibleRate_Hz: then it is mistakable.
+/// Reads name, value and (possibly empty) unit as a rate. Empty if the name is no word for a rate,
+/// if the unit is none of frequency or time, or if without a unit the rate would be below
+/// kCredibleRate_Hz (the unit is then in doubt).
 std::optional<StatedRate> statedRate(
     const std::string &name, double value, const std::string &unit);
 
@@ -44,8 +44,8 @@ public:
     static Result<TimingFinder> make(const Hdf5File &file,
         const std::vector<ForeignDataset> &datasets, const JobControl &control);
 
-    /// Timing of a dataset of so many samples. What contradicts itself by more than 0.1 % is
-    /// unknown and said (CAP-003), as are times that are not uniform (CAP-016).
+    /// Timing of a dataset of so many samples. Where statements differ by more than 0.1 % the rate
+    /// is unknown (CAP-003), also for times that are not uniform (CAP-016).
     SampleTiming timingOf(const ForeignDataset &dataset, Index samples, Findings &findings) const;
 
     /// Whether the dataset was taken as times.

@@ -10,8 +10,8 @@
 namespace dyncal {
 namespace {
 
-/// Walks the tree in depth, each object once: links may make cycles. The nesting is at most what
-/// the description allows (64 groups), so recursion is safe.
+/// Walks the tree depth first, each object once, as links may make cycles. The description limits
+/// the nesting (64 groups), so recursion is safe.
 class Walk
 {
 public:

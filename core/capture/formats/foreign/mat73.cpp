@@ -31,7 +31,7 @@ bool isNumeric(const std::string &matlabClass)
     return std::find(kClasses.begin(), kClasses.end(), matlabClass) != kClasses.end();
 }
 
-/// "/x" is the variable x; deeper down lie fields of structures and what cells refer to.
+/// "/x" is the variable x; below are fields of structures and contents of cells.
 bool isVariable(const ForeignDataset &dataset)
 {
     return dataset.groups.size() == 1;

@@ -14,22 +14,21 @@
 
 namespace dyncal {
 
-// MAT files of version 7.3 are HDF5 behind a user block of 512 bytes that says so; every variable
-// is a dataset with its MATLAB_class, and dimensions are stored in reverse.
+// MAT files of version 7.3 are HDF5 after a user block of 512 bytes that says so; every variable is
+// a dataset with its MATLAB_class, and dimensions are stored in reverse.
 
 /// 100 for a MAT file of version 7.3.
 int recogniseMat73(const std::string &path, std::string_view head);
 bool isMat73(const std::string &path);
 
 /// Reads the numeric variables as one shot: a vector is a channel named as the variable, an N x k
-/// matrix the channels "x(:,1)" to "x(:,k)". As in readForeignHdf5 they are those that are named,
-/// or else all vectors of the longest length that several share. A vector time or t in seconds, or
-/// a number fs or dt, gives the rate. Structures, cells, texts and other variables are left out
-/// and said (CAP-026).
+/// matrix the channels "x(:,1)" to "x(:,k)". As in readForeignHdf5: the named ones, or else all
+/// vectors of the longest length that several share. A vector time or t in seconds, or a number fs
+/// or dt, gives the rate. Structures, cells, texts and other variables are left out (CAP-026).
 Result<CaptureSet> readMat73(
     const std::string &path, const ImportSettings &settings, const JobControl &control);
 
-/// The same for a file that is described already; nothing it claims is believed.
+/// The same for a file that is described already; its claims are checked.
 Result<CaptureSet> readMat73(
     const Hdf5File &file, const ImportSettings &settings, const JobControl &control);
 

@@ -8,7 +8,7 @@
 namespace dyncal {
 namespace {
 
-/// Longer texts and longer lists are none of this layout; a broken size must not be allocated.
+/// This layout has no longer texts and lists; a broken size must not be allocated.
 constexpr hsize_t kMaxTextBytes = 1 << 20;
 constexpr hssize_t kMaxNumbers = 64;
 

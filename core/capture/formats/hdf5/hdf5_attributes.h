@@ -8,8 +8,8 @@
 
 namespace dyncal {
 
-/// How much memory a description has come to: attributes and names may be stored once and count
-/// many times.
+/// Memory of a description so far; the file may store an attribute or name once and use it many
+/// times.
 struct DescribedBytes
 {
     std::uint64_t count = 0;
@@ -18,7 +18,7 @@ struct DescribedBytes
     bool tooMany() const { return count > most; }
 };
 
-/// All attributes of an object, whatever they are, as long as they are not too many bytes.
+/// All attributes of an object, unless they have too many bytes.
 Hdf5Attributes readAttributes(hid_t object, DescribedBytes &bytes);
 
 } // namespace dyncal

@@ -40,8 +40,8 @@ struct Place
     std::size_t channel;
 };
 
-/// Turns the description of a file into a capture. Links to other places are not followed; a
-/// capture holds its data itself.
+/// Turns the description of a file into a capture. Links to other places are not followed: a
+/// capture holds its own data.
 class CaptureReader
 {
 public:
@@ -89,7 +89,7 @@ private:
             [](const Hdf5Link &link) { return link.target != Hdf5Link::kElsewhere; });
     }
 
-    /// Findings of change come first: they are of the whole file.
+    /// Findings about changes come first: they concern the whole file.
     void checkWhatItSays()
     {
         for (Finding &finding : checkContent(m_file.tree, m_file.path))
@@ -202,7 +202,7 @@ private:
         return attributesThere(group, "shot " + number);
     }
 
-    /// A label or a scale that was left out could be missed without anybody noticing.
+    /// Fails if attributes were left out: nobody would notice a missing label or scale.
     Result<void> attributesThere(const Hdf5Object &object, const std::string &name) const
     {
         if (object.tooManyAttributes == 0)
@@ -273,7 +273,7 @@ private:
         readStatedHash(dataset, channel);
     }
 
-    /// It belongs to the samples in the type in which they were recorded.
+    /// The hash is of the samples in their recorded type.
     void readStatedHash(const Hdf5Object &dataset, Channel &channel)
     {
         const std::string stated = textAttribute(dataset, "raw_sha256").value_or("");
@@ -348,7 +348,7 @@ int recogniseHdf5Capture(const std::string &path, std::string_view head)
     constexpr int kCertain = 100;
     if (head.find(kCaptureFormatName) != std::string_view::npos)
         return kCertain;
-    const Hdf5Attributes root = hdf5RootAttributes(path); // the name may lie anywhere in the file
+    const Hdf5Attributes root = hdf5RootAttributes(path); // it may lie anywhere in the file
     const auto format = root.find("format");
     const bool isNamed = format != root.end() && format->second.text == kCaptureFormatName;
     return isNamed || statesContent(root) ? kCertain : 0;

@@ -23,7 +23,7 @@ int recogniseHdf5Capture(const std::string &path, std::string_view head);
 Result<CaptureSet> readHdf5Capture(
     const std::string &path, const ImportSettings &settings, const JobControl &control);
 
-/// The same for a file that is described already (hdf5_open.h); nothing it claims is believed.
+/// The same for a file that is described already (hdf5_open.h); its claims are checked.
 Result<CaptureSet> readHdf5Capture(const Hdf5File &file, const JobControl &control);
 
 } // namespace dyncal

@@ -24,7 +24,7 @@
 namespace dyncal {
 namespace {
 
-/// A name that HDF5 takes for a member, and takes whole.
+/// A name that HDF5 accepts for a member, in full.
 std::string memberName(std::string name)
 {
     std::replace(name.begin(), name.end(), '/', '|');
@@ -32,7 +32,7 @@ std::string memberName(std::string name)
     return name.empty() || name == "." ? "unnamed" : name;
 }
 
-/// A name that HDF5 takes for a member and that is not used yet in this group.
+/// A name that HDF5 accepts for a member and that is not yet used in this group.
 std::string linkName(const std::string &name, std::set<std::string> &used)
 {
     const std::string link = memberName(name);
@@ -76,7 +76,7 @@ struct Written
     std::string list; ///< contentList
 };
 
-/// Writes one capture into an open file; any false means that the file is not complete.
+/// Writes one capture into an open file; if any function returns false the file is incomplete.
 class CaptureWriter
 {
 public:
@@ -121,7 +121,7 @@ private:
         return root.text(kContentList, list) && root.text(kContentHash, sha256Hex(list));
     }
 
-    /// Derived from the content (UUID version 8), so that the same capture has the same one.
+    /// Derived from the content (UUID version 8), so that equal captures have equal UUIDs.
     std::string contentUuid(const std::string &createdUtc, const std::string &title) const
     {
         std::string content = createdUtc + '\n' + title;
@@ -270,8 +270,8 @@ private:
             && dataset.text("raw_sha256", m_channels[m_channel].sha256);
     }
 
-    /// The layout has no polarity and no operator's factor: they go into the coefficients, so that
-    /// every reader gets the same physical values.
+    /// The layout has no polarity and no operator's factor, so both are multiplied into the
+    /// coefficients and every reader gets the same physical values.
     static bool writeCalibration(Hdf5Scribe &dataset, const Channel &channel)
     {
         std::vector<double> coefficients = channel.polynomial;

@@ -21,7 +21,7 @@ using ShotTruth = std::map<std::string, double>;
 struct CaptureTarget
 {
     std::string path;
-    bool replace = false; ///< a regular file of this name; captures are written once otherwise
+    bool replace = false; ///< an existing regular file; else the name must be free
 };
 
 /// Writes a capture: chunks of 1 Mi samples, no filters, sha256 per channel, through a temporary

@@ -16,7 +16,7 @@ namespace {
 
 /// The slowest filter unpacks some 60 MB/s, and pieces are a few MiB.
 constexpr std::chrono::seconds kTimeToUnpack{5};
-constexpr std::uint64_t kPieces = 24U << 20; ///< one as it is read, and what the library needs
+constexpr std::uint64_t kPieces = 24U << 20; ///< a piece being read, and the library's own memory
 constexpr std::uint64_t kChunkCopies = 4; ///< filters double their buffers
 constexpr double kPlaceBytes = 2.0 * sizeof(SampleExtent);
 constexpr std::uint64_t kLeastCache = 16U << 20;
@@ -53,14 +53,14 @@ public:
         : m_order(order)
         , m_columns(static_cast<std::size_t>(order.columns), emptyCounts(order.type))
     {
-        for (RawSamples::Counts &column : m_columns) // growing would hold twice as much
+        for (RawSamples::Counts &column : m_columns) // growing would take twice the memory
             std::visit(
                 [&](auto &v) { v.reserve(static_cast<std::size_t>(order.samples)); }, column);
     }
 
     bool complete() const { return m_begin >= m_order.samples || m_order.columns == 0; }
 
-    /// Takes what belongs here and returns the rest.
+    /// Takes the bytes of this dataset and returns the rest.
     std::span<const std::byte> take(std::span<const std::byte> bytes)
     {
         while (!bytes.empty() && !complete()) {
@@ -200,7 +200,7 @@ private:
         return hdf5ObstacleError(m_file.path, wish.name, dataset);
     }
 
-    /// What all datasets together may take: `bytes` to hold, and chunks on the way.
+    /// Takes from the budget what this dataset needs: `bytes` to hold, or more for its chunks.
     Result<void> allow(std::size_t i, double bytes)
     {
         const auto whole = static_cast<std::uint64_t>(std::min(bytes, 0x1p62));

@@ -13,10 +13,10 @@
 
 namespace dyncal {
 
-/// The samples of each wish, column by column (one of a 1-D dataset or a single value). What lies
-/// in the file as it is stays there; the rest is unpacked into memory by a helper process. What
-/// the description claims is not believed; what the samples take is counted in the file's budget.
-/// Errors name dataset and file (CAP-018).
+/// The samples of each wish, column by column (one of a 1-D dataset or a single value). Samples
+/// that lie in the file unpacked stay there; the others are unpacked into memory by a helper
+/// process. The description's claims are checked; the memory of the samples counts in the file's
+/// budget. Errors name dataset and file (CAP-018).
 Result<std::vector<std::vector<RawSamples>>> hdf5Columns(
     const Hdf5File &file, const std::vector<Hdf5Wish> &wishes, const JobControl &control);
 

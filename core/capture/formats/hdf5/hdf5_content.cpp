@@ -21,7 +21,7 @@ constexpr std::string_view kShots = "/shots/";
 
 using Hashes = std::map<std::string, std::string>; ///< by path
 
-/// "5:hello,": no content can be taken for the structure around it.
+/// "5:hello,": with its length no content can be mistaken for structure.
 void addField(std::string &bytes, std::string_view field)
 {
     bytes += std::to_string(field.size());
@@ -117,7 +117,7 @@ std::map<std::string, const Hdf5Object *> paths(const Hdf5Tree &tree)
     return found;
 }
 
-/// A path that stays on its line.
+/// The path without line breaks.
 std::string escaped(const std::string &path)
 {
     std::string text;

@@ -10,8 +10,8 @@
 
 namespace dyncal {
 
-// A capture states hashes of all that it says, so that any change of it is seen and placed. The
-// samples themselves are in it by raw_sha256, which stands in the attributes of their dataset.
+// A capture states hashes of all its content, so that any change is noticed and located. The
+// samples count through raw_sha256, an attribute of their dataset.
 
 constexpr const char *kContentHash = "content_sha256"; ///< of the list; attribute of the root
 constexpr const char *kContentList = "content_list"; ///< attribute of the root

@@ -10,8 +10,8 @@
 
 namespace dyncal {
 
-// New objects of our own files. None remembers when it was written, so that the same content gives
-// the same bytes. The handle is invalid if the library refused.
+// New objects of our own files, without times, so that the same content gives the same bytes. The
+// handle is invalid if the library refused.
 
 /// A new file in the newest format, which has checksums on its metadata; overwrites.
 Hdf5Handle createFile(const std::string &path);

@@ -10,14 +10,15 @@
 namespace dyncal {
 namespace {
 
-/// Of a chunk as it is unpacked: filters double their buffers, and the library keeps one.
+/// Memory for unpacking a chunk, in chunks: filters double their buffers, and the library keeps
+/// one.
 constexpr hsize_t kChunkCopies = 4;
 constexpr hsize_t kMaxUnpackedBytes = hsize_t(4) << 30;
 
-/// The library finds one chunk by walking over all: beyond this many they are unpacked instead.
+/// The library finds a chunk by walking over all; with more than this many the dataset is unpacked.
 constexpr hsize_t kMaxLocatedChunks = 8192;
 
-/// A standard type, which the file can hold just as memory does.
+/// A standard type, the same in file and memory.
 struct PlainType
 {
     hid_t id;
@@ -99,7 +100,7 @@ public:
         if (!m_type.valid() || !m_creation.valid())
             return std::nullopt;
         m_made.typeText = nameOfType(m_type.id());
-        if (findElsewhere()) { // even its shape may be asked of the other file
+        if (findElsewhere()) { // even the shape may lie in the other file
             m_made.obstacle = isNumbers() ? Hdf5Obstacle::Elsewhere : Hdf5Obstacle::NotNumbers;
             return m_made;
         }
@@ -194,7 +195,7 @@ private:
         return product;
     }
 
-    /// What the dataset claims is held against what the file stores.
+    /// Compares what the dataset claims with what the file stores.
     Hdf5Obstacle claimObstacle()
     {
         const hsize_t bytes = H5Tget_size(m_type.id());
@@ -210,7 +211,7 @@ private:
     bool allChunksThere()
     {
         for (std::size_t d = 0; d < m_made.shape.size(); ++d) {
-            const hsize_t along = gridExtent(d); // what the file cannot list is not there
+            const hsize_t along = gridExtent(d); // chunks that the file cannot list do not exist
             if (along > m_file.bytes || (along > 0 && m_neededChunks > m_file.bytes / along))
                 return false;
             m_neededChunks *= along;
@@ -225,7 +226,7 @@ private:
         return whole + (m_made.shape[d] % m_made.blockShape[d] != 0 ? 1 : 0);
     }
 
-    /// Finds out where the numbers are, or that they must be unpacked.
+    /// Finds where the numbers lie, or that they must be unpacked.
     void place()
     {
         const std::optional<PlainType> plain = plainTypeOf(m_type.id());
@@ -249,8 +250,8 @@ private:
         m_made.allowedBytes = m_file.allowedBytes;
     }
 
-    /// All chunks as they come out of their filters, or the samples as they are delivered; and at
-    /// least what one chunk takes by itself. All factors are below the file's size or 2^32.
+    /// The larger of the samples as delivered and, with filters, all unpacked chunks (at least the
+    /// copies that one chunk needs). All factors are below the file's size or 2^32.
     void findUnpackedSize()
     {
         const auto delivered = static_cast<hsize_t>(bytesPerSample(m_made.type));
@@ -285,7 +286,7 @@ private:
             m_made.blockShape = m_made.shape;
             m_made.blockOffsets = {H5Dget_offset(m_dataset)};
             return m_made.blockOffsets.front() != HADDR_UNDEF;
-        case H5D_CHUNKED: // versions of the library differ in whether the user block is counted in
+        case H5D_CHUNKED: // versions of the library differ in whether the user block counts
             return m_file.userBlockBytes == 0 && m_chunks <= kMaxLocatedChunks && locateChunks();
         default:
             return false;
@@ -322,7 +323,7 @@ private:
     Hdf5Handle m_space;
     hsize_t m_chunks = 0;
     hsize_t m_neededChunks = 1; ///< for the extents
-    bool m_damaged = false; ///< it states what cannot be
+    bool m_damaged = false; ///< its statements are impossible
     Hdf5Dataset m_made;
 };
 

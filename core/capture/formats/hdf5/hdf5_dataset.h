@@ -22,7 +22,7 @@ struct Hdf5FileFacts
     std::uint64_t allowedBytes = 0; ///< of the ExpansionBudget
 };
 
-/// A dataset by itself; empty if it states what cannot be.
+/// Describes a dataset; empty if its statements are impossible.
 std::optional<Hdf5Dataset> describeDataset(hid_t dataset, const Hdf5FileFacts &file);
 
 } // namespace dyncal

@@ -41,7 +41,7 @@ herr_t collectLink(hid_t, const char *name, const H5L_info_t *info, void *data)
     return found.links.size() < kMaxLinks ? 0 : -1;
 }
 
-/// Members of a group: as they were added where the file knows, otherwise in natural order.
+/// Members of a group: in order of creation where the file knows it, otherwise in natural order.
 std::optional<std::vector<FoundLink>> linksOf(hid_t group, DescribedBytes &bytes)
 {
     FoundLinks found{bytes};
@@ -58,7 +58,7 @@ std::optional<std::vector<FoundLink>> linksOf(hid_t group, DescribedBytes &bytes
     return std::move(found.links);
 }
 
-/// Walks the file in breadth; every object is described once, however many links lead to it.
+/// Walks the file breadth first; every object is described once, however many links lead to it.
 class TreeMaker
 {
 public:

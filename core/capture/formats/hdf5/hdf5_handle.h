@@ -15,8 +15,7 @@
 namespace dyncal {
 
 /// Owns one HDF5 identifier. The library reports a full disk only when an object is closed, so
-/// writers call close() and look at what it says; the destructor is for the way out after a
-/// failure.
+/// writers call close() and check its result; the destructor is for the way out after a failure.
 class Hdf5Handle
 {
 public:
@@ -57,8 +56,8 @@ private:
     CloseFunction m_close = nullptr;
 };
 
-/// Held by whoever uses the library. It has one global lock of its own and gains nothing from two
-/// threads; and a process may be forked for a rehearsal only while no other thread is inside.
+/// To be locked around every use of the library, which gains nothing from two threads (it has one
+/// global lock). The process may be forked for a helper only while no other thread is inside.
 inline std::mutex &hdf5Mutex()
 {
     static std::mutex mutex;
@@ -68,8 +67,8 @@ inline std::mutex &hdf5Mutex()
 /// Keeps the library from printing its own error stack; we make sentences of our own. The setting
 /// belongs to the calling thread, so every entry point switches it off for itself.
 ///
-/// It also keeps the library from tidying up at exit: after a file that could not be closed (a full
-/// disk) that follows pointers already freed. We close everything ourselves.
+/// It also switches off the library's cleaning up at exit, which follows freed pointers if a file
+/// could not be closed (a full disk). We close everything ourselves.
 inline void silenceHdf5()
 {
     [[maybe_unused]] static const herr_t noExitHandler = H5dont_atexit(); // before any other call

@@ -13,11 +13,11 @@
 
 namespace dyncal {
 
-/// Of describing a file: honest descriptions take milliseconds and some MiB.
+/// Limits for describing a file; sound files take milliseconds and some MiB.
 inline constexpr GuardedLimits kDescribingLimits{256U << 20, std::chrono::seconds(2)};
 
 /// runGuarded for work with libhdf5 on the file `path`, while no other thread of ours is inside the
-/// library. A helper that died is the file's fault (CAP-018).
+/// library. A helper that died means a damaged file (CAP-018).
 Result<void> runHdf5Helper(const std::string &path,
     const std::function<void(GuardedOutput &)> &work,
     const std::function<bool(std::span<const std::byte>)> &receive, const GuardedLimits &limits,

@@ -25,7 +25,7 @@ tl::unexpected<Error> notHdf5(const std::string &path)
         "CAP-018");
 }
 
-/// What tells one file from another that took its place.
+/// Distinguishes a file from another one that took its place.
 struct FileIdentity
 {
     dev_t device = 0;

@@ -16,7 +16,7 @@
 namespace dyncal {
 
 /// An HDF5 file as a helper process described it. libhdf5 crashes, hangs or takes all memory on
-/// some damaged files, so this process opens with it only files that it has written itself.
+/// some damaged files, so the program itself opens only its own new files with it.
 struct Hdf5File
 {
     std::string path;
@@ -34,7 +34,7 @@ Result<Hdf5File> openHdf5(const std::string &path, double maxExpansion, const Jo
 /// Attributes of the root alone; empty if they cannot be read.
 Hdf5Attributes hdf5RootAttributes(const std::string &path);
 
-/// Whether the file begins as HDF5; the signature may lie behind a user block (MATLAB 7.3).
+/// Whether the file begins as HDF5; the signature may come after a user block (MATLAB 7.3).
 bool hasHdf5Signature(std::string_view head);
 
 } // namespace dyncal

@@ -20,8 +20,8 @@ struct Hdf5Wish
     Index sampleAxis = 0; ///< the dimension along which time runs
 };
 
-/// Number of samples and of columns, if they can be reckoned with: the dataset has a storage, at
-/// most two dimensions and no absurd extents.
+/// Number of samples and of columns; empty unless the dataset has a storage, at most two dimensions
+/// and no absurd extents.
 struct Hdf5Extents
 {
     Index samples = 0;
@@ -30,8 +30,8 @@ struct Hdf5Extents
 std::optional<Hdf5Extents> extentsOf(const Hdf5Wish &wish);
 
 /// Where the samples of one column lie in the file, for a dataset that is InFile; `column` is less
-/// than the number of columns. Empty if the blocks do not make up the dataset. Whether they lie
-/// within the file is for samplesInFile() to say.
+/// than the number of columns. Empty if the blocks do not make up the dataset. samplesInFile()
+/// checks that they lie within the file.
 std::optional<SampleLayout> layoutOfColumn(const Hdf5Wish &wish, Index column);
 
 } // namespace dyncal

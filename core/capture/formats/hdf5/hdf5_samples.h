@@ -13,7 +13,7 @@
 
 namespace dyncal {
 
-/// How samples of this kind are stored in our files and lie in memory.
+/// Types of samples in our files and in memory.
 struct SampleTypes
 {
     hid_t stored;
@@ -38,9 +38,9 @@ struct UnpackOrder
     Index samplesPerPiece() const;
 };
 
-/// Unpacks datasets and writes piece by piece, in the byte order of this machine. For the helper
-/// process, with so much memory for unpacked chunks. False if one of them is not what the order
-/// says or cannot be read.
+/// Unpacks datasets and writes them piece by piece, in the byte order of this machine, with a cache
+/// of `cacheBytes` for chunks. For the helper process. False if a dataset does not match its order
+/// or cannot be read.
 bool unpackDatasets(const std::string &path, const std::vector<UnpackOrder> &orders,
     std::size_t cacheBytes, GuardedOutput &output);
 

@@ -21,7 +21,7 @@ bool isIdentifier(std::string_view key)
     return std::find(kIdentifiers.begin(), kIdentifiers.end(), key) != kIdentifiers.end();
 }
 
-/// HDF5 would end names and texts there, and make two channels out of "a\0b" and "a\0c" one.
+/// HDF5 ends names and texts at a zero, so "a\0b" and "a\0c" would become the same channel.
 std::string withoutZeros(std::string text)
 {
     std::replace(text.begin(), text.end(), '\0', '|');

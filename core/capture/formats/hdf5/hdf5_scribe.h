@@ -12,8 +12,8 @@
 
 namespace dyncal {
 
-/// A group or dataset that is being written; what is written goes into a tree too, as a reader of
-/// the file will find it. Every call is true, or valid, only if the library said that it succeeded.
+/// A group or dataset being written. All that is written goes into a tree too, as a reader of the
+/// file will find it. A call returns true, or a valid object, only if the library reports success.
 class Hdf5Scribe
 {
 public:

@@ -17,8 +17,8 @@
 
 namespace dyncal {
 
-// What an HDF5 file holds, as plain values: found out by a helper process (hdf5_describe.h), handed
-// over as bytes, and interpreted here without the library.
+// What an HDF5 file holds, as plain values: read by a helper process (hdf5_describe.h), passed on
+// as bytes, and interpreted here without the library.
 
 enum class Hdf5ValueKind { Text, Numbers, Unreadable };
 
@@ -36,12 +36,12 @@ using Hdf5Attributes = std::map<std::string, Hdf5Value>;
 enum class Hdf5Obstacle {
     None,
     NotNumbers, ///< text, compound, reference, ...
-    Shape, ///< no dimension at all is none; more than two are
+    Shape, ///< more than two dimensions
     Elsewhere, ///< in other files (external or virtual)
     Incomplete, ///< claims more than the file stores
     Filter, ///< a filter that is not installed
     LargeChunk, ///< compressed in chunks that must be unpacked over and over
-    TooLarge, ///< more to unpack than memory can be trusted with
+    TooLarge, ///< more to unpack than the program accepts
     OverBudget, ///< more to unpack than a file of this size may (ExpansionBudget)
 };
 
@@ -52,7 +52,7 @@ enum class Hdf5Storage {
     Packed, ///< compressed, or of a type that must be converted: the library must unpack them
 };
 
-/// How the numbers compare with those of the file.
+/// How exactly the numbers are those of the file.
 enum class Hdf5Fidelity {
     Exact, ///< of the same type
     Widened, ///< of a type that keeps every value
@@ -103,18 +103,18 @@ struct Hdf5Object
 struct Hdf5Tree
 {
     std::vector<Hdf5Object> objects; ///< the first is the root; hard links may make cycles
-    /// If not 0, names and attributes have at least so many bytes, more than is described of a file
-    /// of this size; then the objects are not all of it.
+    /// If not 0: names and attributes have at least so many bytes, which is too much for a file of
+    /// this size, and some objects are missing here.
     std::uint64_t tooManyBytes = 0;
 };
 
-/// Of a description, as tree and as bytes, in the helper and where they arrive; vectors double.
+/// Copies of a description in memory: as tree and as bytes, in helper and program; vectors double.
 constexpr std::uint64_t kDescriptionCopies = 8;
 
 std::vector<std::byte> packed(const Hdf5Tree &tree);
 
-/// Empty if the bytes are no tree: all positions and kinds are checked, so that who walks the
-/// tree need only mind cycles of links. What datasets claim is not checked here.
+/// Empty if the bytes are no tree. All positions and kinds are checked, so that walking the tree is
+/// safe except for cycles of links. The claims of datasets are not checked here.
 std::optional<Hdf5Tree> unpackedTree(std::span<const std::byte> bytes);
 
 /// Member of that name, or null.
@@ -123,7 +123,7 @@ const Hdf5Object *memberOf(const Hdf5Tree &tree, const Hdf5Object &group, const 
 /// The object at an absolute path like "/shots/001/channels/DUT", or null.
 const Hdf5Object *objectAt(const Hdf5Tree &tree, std::string_view path);
 
-// Attributes: empty if it is not there or is of no such kind.
+// Attributes: empty if there is none of that name and kind.
 
 /// Text; a number becomes its shortest round-trip text.
 std::optional<std::string> textAttribute(const Hdf5Object &object, const std::string &name);

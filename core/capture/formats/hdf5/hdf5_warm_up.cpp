@@ -59,7 +59,7 @@ std::vector<std::byte> smallFile()
 void warmHdf5Up()
 {
     [[maybe_unused]] static const bool done = [] {
-        if (!isMemoryLeft(kPlenty)) // the library crashes where it gets none
+        if (!isMemoryLeft(kPlenty)) // the library crashes without memory
             return false;
         std::vector<std::byte> bytes = smallFile();
         const Hdf5Handle access = memoryAccess();

@@ -5,10 +5,10 @@
 
 namespace dyncal {
 
-/// Describes a small file in memory, the first time it is called. What the library sets up and the
-/// loader looks up for its first file is then there for every helper process that is forked later,
-/// which would do it anew for each file: a quarter of the time of a folder of small recordings.
-/// The library's mutex must be held.
+/// At its first call describes a small file in memory. What library and loader set up for a first
+/// file then exists in every helper process that is forked later; otherwise each would do it again,
+/// which is a quarter of the time for a folder of small recordings. The library's mutex must be
+/// held.
 void warmHdf5Up();
 
 } // namespace dyncal

@@ -176,7 +176,7 @@ private:
 
     std::size_t descriptorBytes() const { return m_layout->hasRis ? kDescriptor : 320; }
 
-    /// What is no uniformly sampled signal, or what no sample file proves.
+    /// Refuses records that are no uniformly sampled signal, or that no sample file has proven.
     Result<void> checkKind() const
     {
         const auto refuse
@@ -189,7 +189,7 @@ private:
             return refuse("waveform over \"" + m_wave.horizontalUnit + "\" instead of seconds");
         if (m_wave.sparsing > 1 || m_wave.firstPoint != 0)
             return refuse("sparse transfer");
-        // Which of the two scales the counts of the old template is told nowhere.
+        // No document says which of the two offsets the old template's counts have.
         if (!m_layout->hasRis && m_wave.verticalOffset != m_wave.acquisitionOffset)
             return refuse("LECROY_1_0 with two vertical offsets ("
                 + numberText(double(m_wave.verticalOffset), 6) + " and "
@@ -253,7 +253,7 @@ private:
         return addSegments(triggers, samples);
     }
 
-    /// A sequence: every segment has its own distance from its trigger to its first sample.
+    /// A sequence: every segment has its own time from trigger to first sample.
     Result<void> addSegments(std::uint64_t triggers, std::uint64_t samples)
     {
         const auto segments = static_cast<std::size_t>(m_wave.segments);
@@ -287,7 +287,7 @@ private:
         channel.unit = m_wave.verticalUnit.empty() ? "1" : m_wave.verticalUnit;
         channel.sampleRate_Hz
             = sampleRateOf(m_wave.interval_s, m_path, channel.name, number, m_set.findings);
-        // Points before the first valid one are passed over, so the record begins later.
+        // Points before the first valid one are skipped, so the record begins later.
         channel.t0_s = start_s
             + (m_wave.segments == 1 ? static_cast<double>(first) * m_wave.interval_s : 0.0);
         if (!std::isfinite(channel.t0_s))

@@ -13,7 +13,7 @@
 
 namespace dyncal {
 
-/// 100 if the file begins with a LeCroy WAVEDESC block, also behind the "#9..." of a transfer.
+/// 100 if the file begins with a LeCroy WAVEDESC block, also after the "#9..." of a transfer.
 int recogniseLecroyTrc(const std::string &path, std::string_view head);
 
 /// Reads a LeCroy waveform (.trc), templates LECROY_2_3 and LECROY_1_0, either byte order, 8 or

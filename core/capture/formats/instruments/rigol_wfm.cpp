@@ -22,7 +22,7 @@ using std::string_view_literals::operator""sv;
 
 constexpr double kCountsPerDivision = 25.0;
 constexpr double kMicro = 1e-6, kPico = 1e-12; ///< of the integers in the headers
-constexpr std::uint32_t kPointsB = 8192; ///< of the only memory depth that a CSV proves
+constexpr std::uint32_t kPointsB = 8192; ///< the only memory depth proven by a CSV file
 
 /// One channel's settings.
 struct Setting
@@ -42,7 +42,7 @@ struct Header
     double zero = 0.0; ///< count of 0 V without shift
     std::uint64_t begin = 0; ///< of the samples
     bool gaps = false; ///< channels that are off have room too
-    std::string model, unread; ///< what makes it unreadable, if anything
+    std::string model, unread; ///< why it cannot be read, or empty
 };
 
 /// Families that are known by their first bytes and not read.
@@ -62,7 +62,7 @@ constexpr std::size_t kHeaderE = 276, kHeaderB = 420;
 const char *unreadFamily(std::string_view head)
 {
     for (const Family &family : kUnread) {
-        const std::size_t at = family.signature[0] == ':' ? 2 : 0; // behind the byte order
+        const std::size_t at = family.signature[0] == ':' ? 2 : 0; // after the byte order
         if (head.substr(std::min(at, head.size())).starts_with(family.signature))
             return family.name;
     }
@@ -144,14 +144,14 @@ Result<void> checkHeader(const std::string &path, const Header &header, std::uin
     if (inverted)
         return refuse("inverted channel");
     const std::uint64_t needed = header.begin + stored * header.points;
-    if (!header.gaps && fileBytes + 4 == needed) // the same first bytes, a header 4 bytes shorter
+    if (!header.gaps && fileBytes + 4 == needed) // another family, its header is shorter
         return unsupportedKind(path, "Rigol WFM of the family DS1000C");
     if (fileBytes < needed)
         return endsInSamples(path, "CH1",
             static_cast<Index>(std::min<std::uint64_t>(
                 fileBytes > header.begin ? fileBytes - header.begin : 0, header.points)),
             header.points);
-    if (!header.gaps && fileBytes != needed) // what else is in there, and where, is not proven
+    if (!header.gaps && fileBytes != needed) // other contents are not proven
         return refuse("with other data than two analog channels");
     return {};
 }

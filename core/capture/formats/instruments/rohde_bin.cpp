@@ -19,7 +19,7 @@ namespace dyncal {
 namespace {
 
 constexpr std::string_view kPayloadEnd = ".Wfm.bin";
-constexpr std::size_t kDescriptionBytes = 4 << 20; ///< twenty times what they have
+constexpr std::size_t kDescriptionBytes = 4 << 20; ///< real ones have a twentieth
 constexpr std::uint64_t kPayloadHeader = 8;
 constexpr double kRateTolerance = 1e-6; ///< interval and length of the record, as printed
 
@@ -317,7 +317,7 @@ private:
     const RowFormat *m_format = nullptr;
     std::vector<std::string> m_sources;
     std::shared_ptr<const SampleFile> m_payload;
-    Index m_rows = 0, m_count = 0, m_first = 0; ///< in the payload; of them shown, beginning at
+    Index m_rows = 0, m_count = 0, m_first = 0; ///< rows; of them shown, from
     double m_start_s = 0.0;
     CaptureSet m_set;
 };

@@ -20,7 +20,7 @@ int recogniseRohdeBin(const std::string &path, std::string_view head);
 /// Reads a Rohde & Schwarz RTP/RTO waveform: name.bin (XML) describes name.Wfm.bin beside it, which
 /// has the samples as float32, as float64 time and float32 values, or (one channel) as 8-bit
 /// counts. They stay there. Histories, 16-bit counts and traces that are no samples are refused by
-/// name (CAP-001); what is damaged, cut or does not fit together too (CAP-018).
+/// name (CAP-001), files that are damaged, cut or do not fit together too (CAP-018).
 Result<CaptureSet> readRohdeBin(
     const std::string &path, const ImportSettings &settings, const JobControl &control);
 

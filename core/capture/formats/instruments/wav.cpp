@@ -202,7 +202,7 @@ private:
             m_data.bytes = *m_longDataBytes;
         else if (size == kNotWritten)
             m_data.declared = false;
-        else if (size == 0) // whole and empty, or a recorder that never came back to its header
+        else if (size == 0) // empty, or the recorder never updated its header
             m_data.declared = riffBytes != kNotWritten && riffBytes + 8ULL > begin;
         return {};
     }
@@ -234,7 +234,7 @@ private:
         return {};
     }
 
-    /// Whole frames that are there; says so where they are not as many as declared.
+    /// Whole frames in the file; a finding if they are not as many as declared.
     Index frameCount()
     {
         const std::uint64_t there

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view kFirstWords = "LabVIEW Measurement";
 
-constexpr Index kChannelBytes = 2; ///< what a channel of a segment takes in a file at least
+constexpr Index kChannelBytes = 2; ///< least size of a segment's channel in the file
 
 class LvmReader
 {
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    /// The text and the numbers that are in it, which is no claim.
+    /// Counts the text itself and the numbers in it, without failing: they are no mere claim.
     void takeText()
     {
         constexpr std::uint64_t kTimes = 6;
@@ -86,8 +86,8 @@ private:
             [this](char c) { return c == ' ' || c == '\t' || c == m_file.separator; });
     }
 
-    /// Whether a line behind a blank one begins a header; the other choice is further rows under
-    /// the same header (Multi_Headings No).
+    /// Whether a line after a blank one begins a header; otherwise it is a row under the same
+    /// header (Multi_Headings No).
     bool isTagLine(std::string_view line) const
     {
         CellCursor cells(line, m_file.separator);
@@ -197,7 +197,7 @@ private:
         return true; // LabVIEW ends every line, so doubt is enough
     }
 
-    /// Every so many rows: the time to stop, to report, and to make room for the rows to come.
+    /// Every kRowsPerCheck rows: checks for a stop, reports, and makes room for the coming rows.
     Result<void> pause(const LineCursor &lines, const char *begin, LvmRows &rows) const
     {
         constexpr Index kRowsPerCheck = 1 << 16;
@@ -215,7 +215,7 @@ private:
         return {};
     }
 
-    /// Segments without a header of their own cost a few bytes in the file and many in memory.
+    /// Segments without a header of their own take few bytes in the file but many in memory.
     Result<void> countChannels()
     {
         m_channels += static_cast<Index>(m_header.channels.size());

@@ -48,7 +48,7 @@ void addNote(Attributes &notes, const std::string &key, std::string_view text)
         notes[key] = utf8Text(text);
 }
 
-/// LabVIEW writes local time without saying which.
+/// LabVIEW writes local time without naming the zone.
 void addStart(Attributes &notes, const LvmTags &tags)
 {
     const std::string_view date = tagCell(tags, "Date", 0);
@@ -105,7 +105,8 @@ LvmFileHeader lvmFileHeader(const LvmTags &tags, char separator)
 {
     LvmFileHeader file;
     file.separator = separator;
-    // A comma that is mark and separator splits its own cell: then the tag has two empty cells.
+    // If the comma is both mark and separator, it splits its own cell, and the tag has two empty
+    // cells.
     const auto decimal = tags.find("Decimal_Separator");
     if (decimal != tags.end() && !decimal->second.empty()) {
         if (decimal->second[0] == "." || decimal->second[0] == ",")

@@ -15,7 +15,7 @@
 
 namespace dyncal {
 
-/// Tag -> the cells behind it, as in the file (views into its text).
+/// Tag -> the cells after it, as in the file (views into its text).
 using LvmTags = std::map<std::string_view, std::vector<std::string_view>>;
 
 enum class LvmXColumns { None, One, Multi };
@@ -24,7 +24,7 @@ enum class LvmXColumns { None, One, Multi };
 struct LvmFileHeader
 {
     char separator = '\t';
-    std::optional<char> decimal; ///< versions before 8.6 do not say
+    std::optional<char> decimal; ///< not stated before version 8.6
     LvmXColumns xColumns = LvmXColumns::One;
     bool commaTwice = false; ///< separator and decimal mark: the cells cannot be told apart
     Attributes notes;
@@ -46,12 +46,12 @@ struct LvmChannel
 struct LvmSegment
 {
     std::vector<LvmChannel> channels;
-    Index namedChannels = 0; ///< in the line of column names; more than declared are not read
+    Index namedChannels = 0; ///< in the line of column names; those not declared are not read
     Attributes notes;
 };
 
 /// Reads tag lines from `line` on (empty: from the next one) up to the end of the header; false if
-/// the text ends before that or no header is that long (4 MiB). Special blocks are passed over.
+/// the text ends before that or the header exceeds 4 MiB. Special blocks are skipped.
 bool readLvmTags(LineCursor &lines, std::string_view line, char separator, LvmTags &tags);
 
 /// The separator stands right behind a tag of the first lines.

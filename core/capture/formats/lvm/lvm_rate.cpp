@@ -11,7 +11,7 @@
 namespace dyncal {
 namespace {
 
-/// How much finer the mean of the X cells must be to be preferred to Delta_X.
+/// The mean of the X cells is preferred to Delta_X if it is finer by this factor.
 constexpr double kClearlyFiner = 4.0;
 /// Relative half digit of Delta_X up to which it is taken as it is.
 constexpr double kEnoughDigits = 1e-5;

@@ -20,7 +20,7 @@ struct LvmRate
 /// Sample rate of a channel: 1/Delta_X unless the X cells of its samples (empty or all NaN: there
 /// are none) contradict it by more than 0.1 % and more than their printed digits (`resolution`) and
 /// those of Delta_X explain. Where Delta_X is printed with few digits and the X cells agree, their
-/// mean step is taken: it is known to a digit over the whole record. Without Delta_X the X cells
+/// mean step is taken, as its error is one digit over the whole record. Without Delta_X the X cells
 /// decide if they are fine enough.
 LvmRate lvmRate(const LvmChannel &channel, std::span<const double> x, double resolution);
 

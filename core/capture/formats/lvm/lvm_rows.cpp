@@ -117,7 +117,7 @@ CellKind LvmRows::addValue(Index channel, std::string_view cell)
     return stored ? kind : CellKind::Unreadable;
 }
 
-/// A cell that is no number has no time; whoever uses the axis sees that.
+/// A cell that is no number becomes NaN, which the user of the axis notices.
 CellKind LvmRows::addX(Index index, std::string_view cell)
 {
     if (cell.empty())
@@ -150,7 +150,7 @@ bool LvmRows::store(SampleColumn &column, double value)
     return true;
 }
 
-/// One comment may stand behind the values; a comment with separators in it is one, too.
+/// A comment may follow the values; it may contain separators.
 Result<void> LvmRows::addTail(const std::string &path, CellCursor &cells, Index number)
 {
     std::string_view comment;

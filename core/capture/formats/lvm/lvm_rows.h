@@ -19,11 +19,11 @@ namespace dyncal {
 class LvmRows
 {
 public:
-    /// The budget, which is that of all segments, bounds how many invalid samples may stand in for
-    /// cells that are not in the file.
+    /// The budget (of all segments) limits the invalid samples that stand for cells missing in the
+    /// file.
     LvmRows(const LvmSegment &segment, const LvmFileHeader &file, ExpansionBudget &budget);
 
-    /// Reads the next line of `rest` if it is like most lines; what is behind it, or null.
+    /// Reads the next line of `rest` if it is plain; returns the place after it, or null.
     const char *addPlain(std::string_view rest);
 
     /// Reads any line. Fails with CAP-018 on a cell that is no number or a line that is too long.
@@ -62,9 +62,9 @@ private:
     std::vector<double> m_row;
     Index m_rows = 0;
     Index m_plainCells
-        = 0; ///< leading numbers of the last line read with care; 0: it was not plain
+        = 0; ///< leading numbers of the last line that add() read; 0: it was not plain
     ExpansionBudget &m_budget;
-    std::uint64_t m_refused = 0; ///< bytes that it does not have
+    std::uint64_t m_refused = 0; ///< bytes beyond the budget
 };
 
 } // namespace dyncal

@@ -13,8 +13,8 @@
 namespace dyncal {
 namespace {
 
-constexpr double kPreciseRate = 1e-4; ///< relative: not worth a word
-constexpr double kUselessRate = 1e-2; ///< a rate known no better is not used
+constexpr double kPreciseRate = 1e-4; ///< relative; no finding up to here
+constexpr double kUselessRate = 1e-2; ///< a rate known worse is not used
 
 /// Makes the channels of one segment.
 class ShotMaker
@@ -92,7 +92,7 @@ private:
             x = x.first(std::min(count, x.size()));
         }
         LvmRate rate = lvmRate(channel, x, m_rows.xResolution());
-        // Gaps in a slower channel: it was appended block by block, so its rows are no time axis.
+        // A slower channel with gaps was appended block by block, so its rows are no time axis.
         const bool blocks = values.hasGaps() && !m_multi && !isAsFast(channel);
         if (rate.contradicted || isShort || blocks) {
             contradict(channel, rate.meanStep);
@@ -183,8 +183,8 @@ private:
         }
     }
 
-    /// LabVIEW appends to a segment, so more than declared is normal; but what was appended may be
-    /// the next shot.
+    /// LabVIEW appends to a segment, so more samples than declared are normal; but the appended
+    /// ones may be the next shot.
     void sayCounts(const std::string &channel, Index found, Index declared)
     {
         const bool blocks = declared > 1 && found > declared;

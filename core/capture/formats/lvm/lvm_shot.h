@@ -11,9 +11,9 @@
 
 namespace dyncal {
 
-/// The shot that one segment is. Channels without samples are left out. What is doubtful is added
-/// to `findings` under the shot's number: CAP-003 the rate is known to few digits, CAP-016 the X
-/// cells contradict Delta_X, CAP-018 samples or columns that the header does not declare.
+/// Makes a shot of one segment. Channels without samples are left out. Doubts are added to
+/// `findings` under the shot's number: CAP-003 the rate is known to few digits, CAP-016 the X cells
+/// contradict Delta_X, CAP-018 samples or columns that the header does not declare.
 Shot lvmShot(const std::string &path, Index number, const LvmSegment &segment,
     const LvmFileHeader &file, LvmRows rows, Findings &findings);
 

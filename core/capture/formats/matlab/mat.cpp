@@ -15,7 +15,7 @@
 namespace dyncal {
 namespace {
 
-constexpr Index kFewValues = 8; ///< shorter ones are tables beside longer ones
+constexpr Index kFewValues = 8; ///< shorter ones are tables, if there are longer ones
 constexpr Index kWide = 256; ///< channels of one matrix
 constexpr std::size_t kChannels = 4096;
 constexpr std::size_t kNamesShown = 10;
@@ -73,7 +73,7 @@ public:
     }
 
 private:
-    /// Gives a variable its place; the length of a signal.
+    /// Sorts a variable into its list; returns the length if it is a signal.
     Result<Index> sort(MatVariable &variable)
     {
         if (!variable.isNumeric()) {
@@ -98,7 +98,7 @@ private:
         return signal.length;
     }
 
-    /// Compressed numbers are there twice while they become samples.
+    /// Compressed numbers exist twice while they become samples.
     Result<void> makeRoom(const MatVariable &variable)
     {
         if (!variable.expanded || m_budget.take(largestCopy(variable)))
@@ -112,7 +112,7 @@ private:
         return static_cast<std::uint64_t>(variable.size()) * sizeof(double);
     }
 
-    /// The samples, which take so many bytes, are all that is left.
+    /// Only the samples are kept, with so many bytes.
     void dropExpanded(MatVariable &variable, std::uint64_t keptBytes)
     {
         if (!variable.expanded)

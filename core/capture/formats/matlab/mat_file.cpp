@@ -48,7 +48,7 @@ Tag tagOf(ByteReader &bytes)
     return tag;
 }
 
-/// Goes behind the element whose content begins here.
+/// Moves past the element whose content begins here.
 void skipContent(ByteReader &bytes, const Tag &tag)
 {
     bytes.skip(tag.small ? 4 : (std::size_t{tag.bytes} + 7) / 8 * 8);
@@ -135,7 +135,7 @@ bool isOldHeader(std::string_view head, std::endian order)
     const auto columns = bytes.next<std::int32_t>();
     const auto imaginary = bytes.next<std::int32_t>();
     const auto nameBytes = bytes.next<std::int32_t>();
-    const int machine = order == std::endian::little ? 0 : 1; // VAX and Cray are gone
+    const int machine = order == std::endian::little ? 0 : 1; // VAX and Cray are not read
     if (!bytes.ok() || type < 0 || type / 1000 != machine || type / 100 % 10 != 0
         || type / 10 % 10 > 5 || type % 10 > 2 || rows < 0 || columns < 0
         || (imaginary != 0 && imaginary != 1) || nameBytes < 2 || nameBytes > 64)
@@ -283,7 +283,7 @@ private:
         return {};
     }
 
-    /// Once all variables are known to fit into the budget together.
+    /// Called when all variables are known to fit into the budget together.
     Result<void> expandAll()
     {
         for (const Compressed &place : m_compressed) {
@@ -298,7 +298,7 @@ private:
             const bool whole
                 = stream.read(head) == head.size() && stream.read(*numbers) == numbers->size();
             stream.read(padding);
-            if (!whole || !stream.ok() || !stream.ended()) // the checksum is behind the last byte
+            if (!whole || !stream.ok() || !stream.ended()) // the checksum comes after the last byte
                 return badStream(place.variable);
             m_variables[place.variable].expanded = std::move(numbers);
         }

@@ -20,7 +20,7 @@ namespace dyncal {
 int matVersion(std::string_view head);
 
 /// Lists the variables of a MAT file of version 4 or 5 to 7.2. Compressed matrices are expanded
-/// into memory as far as the budget goes, more fails. Fails with CAP-018 where the file is cut or
+/// into memory; fails if the budget does not allow it. Fails with CAP-018 where the file is cut or
 /// contradicts itself.
 Result<std::vector<MatVariable>> listMatFile(const std::string &path,
     const std::shared_ptr<const SampleFile> &file, ExpansionBudget &budget,

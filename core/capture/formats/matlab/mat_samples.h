@@ -15,10 +15,9 @@ namespace dyncal {
 /// Bytes of one number; 0 for a code that is no number.
 Index bytesOfMatNumber(MatNumber number);
 
-/// The numbers first, first + step, ... of a numeric variable, `count` of them, which must be
-/// there: left in the file where they can be; whole numbers of 32 bits without sign and of 64 bits
-/// become float64. Empty if 64-bit numbers are no exact float64 or the file cannot be read any
-/// more.
+/// The numbers first, first + step, ... of a numeric variable; all `count` must exist. They stay in
+/// the file where possible; unsigned 32-bit and 64-bit integers become float64. Empty if a 64-bit
+/// integer is no exact float64 or the file cannot be read any more.
 std::optional<RawSamples> matSamples(const std::shared_ptr<const SampleFile> &file,
     const MatVariable &variable, Index first, Index step, Index count);
 

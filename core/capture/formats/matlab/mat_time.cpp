@@ -15,7 +15,7 @@
 namespace dyncal {
 namespace {
 
-constexpr Index kRowsToTellTime = 8; ///< uniform steps that are no accident
+constexpr Index kRowsToTellTime = 8; ///< so many uniform steps are no accident
 
 constexpr auto kRateNames = std::to_array<std::string_view>({"fs", "f_s", "fs_hz", "sample_rate",
     "samplerate", "sample_rate_hz", "sampling_rate", "samplingrate", "sample_frequency",
@@ -56,7 +56,7 @@ std::optional<double> unitByName(const std::string &name)
     return {};
 }
 
-/// Near enough to be worth reading the whole column.
+/// So near that reading the whole column is worth it.
 bool near(double meanStep, double firstStep)
 {
     constexpr double kFactor = 0.1; // coarse: single precision far from zero

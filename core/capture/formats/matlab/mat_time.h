@@ -19,8 +19,8 @@ struct MatRate
     double first_s = 0.0;
 };
 
-/// What the variables of a MAT file say of time, and what rate follows for signals. MAT files have
-/// no units, so nothing is taken for certain that is not: see mat.h.
+/// What the variables of a MAT file state about time, and the rates that follow. MAT files have no
+/// units, so doubtful statements give no rate: see mat.h.
 class MatTime
 {
 public:
@@ -36,11 +36,11 @@ public:
     /// The first or last of these columns if it is a uniform increasing axis (and no counter).
     std::optional<Index> columnOf(const std::vector<RawSamples> &columns) const;
 
-    /// Rate of signals beside such a column of the matrix `name`.
+    /// Rate of the signals in the matrix `name` by such a column.
     MatRate rateByColumn(
         const std::string &name, Index column, const RawSamples &times, Findings &findings) const;
 
-    /// Rate of signals of this length: by a time vector as long, or by a scalar.
+    /// Rate of signals of this length: by a time vector of the same length, or by a scalar.
     MatRate rateOfLength(Index length, Findings &findings) const;
 
 private:

@@ -8,10 +8,10 @@
 namespace dyncal {
 namespace {
 
-/// With fewer no start can be found (core/signal/start_detection.h).
+/// With fewer samples no start can be found (core/signal/start_detection.h).
 constexpr Index kLeastOfWaveform = 64;
 
-/// Readers take what is named; nobody is offered what cannot be a recording.
+/// Readers accept short datasets by name, but the dialog must not offer them.
 void withholdShort(ForeignChannels &channels, const std::string &path)
 {
     if (channels.names.empty() || channels.samples >= kLeastOfWaveform)

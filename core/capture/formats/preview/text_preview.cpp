@@ -79,7 +79,7 @@ void addTitles(TextPreview &preview, const std::vector<ColumnTitle> &titles)
 constexpr const char *kNoTime = DYNCAL_TEXT(
     "core", "%1 states no sample rate and has no column of times; give the sample rate.");
 
-/// What would stop the import comes first, then what may make numbers wrong, then the rate.
+/// First what would stop the import, then what may make numbers wrong, then the rate.
 Message questionOf(
     const std::string &path, const Result<ImportedTable> &table, const ImportSettings &settings)
 {

@@ -18,7 +18,7 @@
 namespace dyncal {
 namespace {
 
-/// Whether a property is one of those that say how to read, which have their own places.
+/// Whether a property only tells how to read the samples; such are no notes.
 bool isTechnical(const std::string &name)
 {
     constexpr std::array<std::string_view, 4> kPrefixes{"NI_", "wf_", "DAQmx_", "unit"};
@@ -269,7 +269,7 @@ private:
                     = {DYNCAL_TEXT("core",
                            "%1: channel %2 states no time between samples (wf_increment); give import.sample_rate_hz in the recipe."),
                         {m_path, channel.name}}});
-                return; // one is enough to ask for it
+                return; // one finding is enough
             }
         }
     }

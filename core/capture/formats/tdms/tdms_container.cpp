@@ -36,7 +36,7 @@ struct LeadIn
     bool has(std::uint32_t bit) const { return (contents & bit) != 0; }
 };
 
-/// Whether samples of the type can be given out; texts, time stamps and complex numbers cannot.
+/// Whether values of the type are samples; texts, time stamps and complex numbers are not.
 bool isSampleType(TdmsType type)
 {
     switch (type) {
@@ -109,8 +109,8 @@ public:
     }
 
 private:
-    /// Channels and segments that are looked at, in all: so that a small file cannot claim work
-    /// without end. A real one needs less than one per byte of samples.
+    /// Limit on channels times segments, so that a small file cannot claim endless work. A real
+    /// file has less than one per byte of samples.
     static constexpr std::uint64_t kWorkAtLeast = 1'000'000;
     static constexpr std::uint64_t kBytesPerWork = 2;
 
@@ -125,7 +125,7 @@ private:
         return message;
     }
 
-    /// Moves m_position behind the segment.
+    /// Moves m_position to the end of the segment.
     tl::expected<void, TdmsProblem> readSegment()
     {
         LeadIn lead;
@@ -203,7 +203,7 @@ private:
         return {};
     }
 
-    /// Nothing of a segment is taken over before all of it is known to be sound.
+    /// Nothing of a segment is used before all of it is checked.
     tl::expected<void, TdmsProblem> checkEntries(const std::vector<TdmsObjectEntry> &entries) const
     {
         if (m_contents.objects.size() + entries.size() > 2 * kMostObjects)
@@ -330,7 +330,7 @@ private:
 
     const std::string &m_path;
     ExpansionBudget m_budget;
-    std::uint64_t m_refused = 0; ///< bytes that it does not have
+    std::uint64_t m_refused = 0; ///< bytes beyond the budget
     TdmsContents m_contents;
     TdmsCursor m_cursor;
     std::uint64_t m_fileBytes;

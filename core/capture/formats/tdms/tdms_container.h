@@ -19,17 +19,17 @@ struct TdmsContents
     std::shared_ptr<const SampleFile> file;
     std::vector<TdmsObject> objects; ///< as they first appear; the file itself is among them
     bool endsEarly = false; ///< cut off, or not closed by the program that wrote it
-    std::optional<Message> damage; ///< why what stands behind some point was not read
+    std::optional<Message> damage; ///< why the file was not read to its end
     std::optional<std::uint32_t> unknownVersion;
 
     const TdmsObject *root() const;
     const TdmsObject *group(const std::string &name) const;
 };
 
-/// Reads lead-ins and metadata of all segments; of the samples only the place is noted. What a
-/// damaged segment and all behind it say is not used at all. Fails (CAP-018) if the first segment
-/// is damaged or there is none or their places take more memory than the file's size times
-/// `maxExpansion` (ExpansionBudget), (CAP-001) if it is no TDMS file or only the index of one.
+/// Reads lead-ins and metadata of all segments; of the samples only the positions. Nothing is used
+/// of a damaged segment or of those after it. Fails (CAP-018) if the first segment is damaged or
+/// there is none or their places take more memory than the file's size times `maxExpansion`
+/// (ExpansionBudget), (CAP-001) if it is no TDMS file or only the index of one.
 Result<TdmsContents> readTdmsContents(
     const std::string &path, const JobControl &control, double maxExpansion = kUsualExpansion);
 

@@ -9,7 +9,8 @@ void TdmsCursor::moveWindow()
 {
     constexpr std::uint64_t kLeast = 1024;
     constexpr std::uint64_t kMost = 32 * 1024;
-    // Large segments lie far apart, so that only their first bytes are wanted; small ones do not.
+    // Large segments lie far apart, and only their first bytes are needed; small ones are read
+    // together.
     const std::uint64_t size = m_window.size();
     const bool near = m_position >= m_windowBegin && m_position <= m_windowBegin + 2 * size;
     const std::uint64_t wanted = near ? std::clamp(2 * size, kLeast, kMost) : kLeast;

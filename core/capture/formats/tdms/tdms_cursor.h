@@ -16,8 +16,8 @@
 namespace dyncal {
 
 /// Reads the numbers and texts of lead-ins and metadata one after the other, through a small window
-/// of the file: small segments cost no call to the system each, and nothing is allocated because a
-/// header claims it. Every call returns false, and moves on no further, at the end set by limit().
+/// of the file: small segments do not cost a system call each, and no claim of a header is
+/// allocated. At the end set by limit() every call returns false and does not move.
 class TdmsCursor
 {
 public:

@@ -18,12 +18,12 @@ __extension__ using Wide = unsigned __int128;
 
 constexpr Wide kTooWide = std::numeric_limits<std::uint64_t>::max();
 
-/// Values before this one are whole chunks; the last chunk may have fewer.
+/// The whole chunks of a segment and the rest after them.
 struct Chunks
 {
     Wide bytes = 0; ///< of one chunk
     std::uint64_t whole = 0;
-    std::uint64_t rest = 0; ///< bytes behind the last whole chunk
+    std::uint64_t rest = 0; ///< bytes after the last whole chunk
 };
 
 Chunks chunksOf(const TdmsRegion &region, Wide bytes)
@@ -97,8 +97,8 @@ tl::expected<void, TdmsProblem> placeInterleaved(const TdmsRegion &region, const
     return {};
 }
 
-/// The values of an object in a last chunk that is not whole. A file that ends there was filled
-/// channel after channel; a segment that was closed has fewer values of every channel.
+/// The values of an object in a last chunk that is not whole. If the file ends there, channels were
+/// being written one after the other; a closed segment has fewer values of every channel.
 std::uint64_t valuesInRest(
     const TdmsRegion &region, const Chunks &chunks, const TdmsRawIndex &index, std::uint64_t room)
 {
@@ -178,8 +178,8 @@ bool scalersFit(const Objects &objects)
     });
 }
 
-/// Whether scalers use the same bytes many times over, so that a small file would claim samples
-/// without end; once or twice does no harm.
+/// Whether scalers use the same bytes more than four times on average, so that a small file would
+/// claim endless samples.
 bool overlapEndlessly(const Objects &objects)
 {
     constexpr std::uint64_t kBitsPerByte = 8;

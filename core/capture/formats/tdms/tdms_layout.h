@@ -44,9 +44,9 @@ struct TdmsRegion
     bool ended = false; ///< the file ends within it or its writer did not close it
 };
 
-/// Adds where the samples of a segment lie to the streams of `objects`, those with data in the
-/// order of its list. A last chunk that is not whole gives the values that are there. Nothing is
-/// added if there is a problem.
+/// Adds the positions of a segment's samples to the streams of `objects` (those with data, in the
+/// order of its list). An incomplete last chunk gives the values that exist. Nothing is added if
+/// there is a problem.
 tl::expected<void, TdmsProblem> placeTdmsRegion(
     const TdmsRegion &region, const std::vector<TdmsObject *> &objects);
 

@@ -32,7 +32,7 @@ Unexpected ends()
     return Unexpected({kEnds, {}});
 }
 
-/// Reads a number of things of which each takes at least `bytes`.
+/// Reads how many things follow; each takes at least `bytes`.
 tl::expected<std::uint32_t, TdmsProblem> readNumberOf(
     TdmsCursor &cursor, const char *what, std::uint64_t bytes, std::uint32_t most)
 {
@@ -88,7 +88,7 @@ tl::expected<void, TdmsProblem> readScaler(
                 {DYNCAL_TEXT("core",
                      "%1: channel %3 (segment at byte %2) has digital lines of several bytes in big-endian order, which cannot be read."),
                     {path}});
-        scaler.type = TdmsType::UInt8; // a line is one bit of one byte, whatever its port's width
+        scaler.type = TdmsType::UInt8; // one bit of one byte, whatever the port's width
         scaler.byteOffset = fields.offset / 8;
         scaler.bit = static_cast<int>(fields.offset % 8);
     }
@@ -111,7 +111,7 @@ tl::expected<void, TdmsProblem> readDaqmxIndex(
         return Unexpected(widths.error());
     index.widths.resize(*widths);
     for (std::uint32_t &width : index.widths)
-        cursor.number(width); // room for them was made sure of
+        cursor.number(width); // the bytes were checked before
     const bool plainType = index.type != TdmsType::DaqmxRaw;
     if (index.scalers.empty()
         || (plainType && (index.scalers.size() > 1 || index.scalers[0].type != index.type)))
@@ -176,7 +176,7 @@ bool takeName(std::string_view &path, std::string &name)
             path.remove_prefix(i + 1);
             return true;
         }
-        i += path[i] == '\'' ? 1 : 0; // of two quotes the second is taken
+        i += path[i] == '\'' ? 1 : 0; // skips the first of two quotes
         name += path[i];
     }
     return false;

@@ -50,7 +50,7 @@ struct TdmsObjectEntry
     std::vector<std::pair<std::string, TdmsValue>> properties;
 };
 
-/// A sentence (DYNCAL_TEXT) with the places %1 file and %2 byte, filled in by who knows them, and
+/// A sentence (DYNCAL_TEXT) with the places %1 file and %2 byte, which the caller fills in, and
 /// further ones.
 struct TdmsProblem
 {

@@ -23,7 +23,7 @@ bool readNumber(TdmsCursor &cursor, TdmsValue &value)
 
 bool readTimestamp(TdmsCursor &cursor, TdmsValue &value)
 {
-    // Little endian has the fraction first, big endian the seconds: 128 bits turned round.
+    // Little endian has the fraction first, big endian the seconds, like one number of 128 bits.
     std::uint64_t first = 0;
     std::uint64_t second = 0;
     if (!cursor.number(first) || !cursor.number(second))

@@ -109,7 +109,7 @@ private:
         return true;
     }
 
-    /// The bytes from `offset` on, or null. Reads on beyond them only where the next piece is near.
+    /// The bytes from `offset` on, or null. Reads more only if the next piece is near.
     const std::byte *window(std::uint64_t offset, Index bytes)
     {
         if (offset < m_windowBegin
@@ -129,7 +129,7 @@ private:
     const SampleFile &m_file;
     const TdmsRun &m_run;
     Index m_bytes;
-    std::uint64_t m_end = 0; ///< of the bytes that the samples asked for span
+    std::uint64_t m_end = 0; ///< of the bytes of the requested samples
     std::vector<std::byte> m_window;
     std::uint64_t m_windowBegin = 0;
 };

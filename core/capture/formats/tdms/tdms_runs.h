@@ -12,7 +12,7 @@
 namespace dyncal {
 
 /// Samples of one channel in one segment, or in several of the same shape: `chunks` pieces of
-/// `perChunk` samples each, every piece `chunkStride` bytes behind the one before.
+/// `perChunk` samples each, every piece `chunkStride` bytes after the one before.
 struct TdmsRun
 {
     std::uint64_t offset = 0; ///< of the first sample, bytes from the start of the file
@@ -25,8 +25,8 @@ struct TdmsRun
     Index size() const { return perChunk * chunks; }
 };
 
-/// Where all samples of a channel lie, in order. Runs that go on like the one before are merged, so
-/// that a log of a million equal segments stays one run.
+/// Where all samples of a channel lie, in order. Runs that continue the one before are merged, so
+/// that a log of a million equal segments is one run.
 class TdmsRuns
 {
 public:

@@ -11,7 +11,7 @@
 namespace dyncal {
 namespace {
 
-/// The type in which samples of that type are given out as they lie in the file.
+/// The sample type that equals the stream's type in the file; empty if there is none.
 std::optional<SampleType> directType(const TdmsStream &stream)
 {
     if (stream.bit >= 0)
@@ -177,7 +177,7 @@ private:
 struct Range
 {
     double lowest = 0.0;
-    double highest = 0.0; ///< equal: the type does not say
+    double highest = 0.0; ///< equal: the type has no limits
 };
 
 template <typename T>
@@ -214,7 +214,7 @@ TdmsScaleChain rawChain()
     return chain;
 }
 
-/// The streams that a chain uses; its nodes are made to count only these.
+/// The streams that a chain uses; its nodes are renumbered to these.
 std::vector<TdmsStream> usedStreams(const TdmsObject &channel, TdmsScaleChain &chain)
 {
     std::vector<TdmsStream> used;

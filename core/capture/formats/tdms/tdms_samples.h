@@ -32,9 +32,9 @@ public:
     explicit TdmsRecords(std::shared_ptr<const SampleFile> file);
 
     /// The records of a channel that has samples: one, or one per kind of count where DAQmx counts
-    /// of several kinds have no scale. `holders`: see tdmsScaleChain. Fails with a sentence
-    /// (%1 = channel) on scales that cannot be applied and on integers beyond 2^53, which no number
-    /// of the analysis could hold exactly.
+    /// of several kinds have no scale. `holders`: see tdmsScaleChain. Fails with a sentence (%1 =
+    /// channel) on scales that cannot be applied and on integers beyond 2^53, which a double cannot
+    /// hold exactly.
     tl::expected<std::vector<TdmsRecord>, Message> of(
         const TdmsObject &channel, std::span<const TdmsProperties *const> holders);
 
@@ -45,7 +45,7 @@ private:
         const std::string &channel, const TdmsStream &stream);
 
     std::shared_ptr<const SampleFile> m_file;
-    std::uint64_t m_scanBytesLeft; ///< channels cannot together have more samples than the file
+    std::uint64_t m_scanBytesLeft; ///< all channels together have no more than the file
 };
 
 } // namespace dyncal

@@ -326,7 +326,7 @@ LongPolynomial composed(const std::vector<double> &outer, const LongPolynomial &
     return result;
 }
 
-/// Whether the one polynomial gives what the chain gives, as near as double can tell.
+/// Whether the polynomial gives the chain's values to double precision.
 bool agrees(
     const TdmsScaleChain &chain, const TdmsPolynomial &polynomial, double lowest, double highest)
 {

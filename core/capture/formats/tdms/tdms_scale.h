@@ -29,8 +29,8 @@ struct TdmsScaleNode
     std::vector<double> outputs; ///< Table: linear in between, held at both ends
 };
 
-/// What turns the counts of a channel into its quantity (NI_Scale properties). Inputs stand before
-/// what uses them; the last node is the result.
+/// What turns the counts of a channel into its quantity (NI_Scale properties). A node comes after
+/// its inputs; the last node is the result.
 struct TdmsScaleChain
 {
     std::vector<TdmsScaleNode> nodes;
@@ -38,8 +38,8 @@ struct TdmsScaleChain
     bool isRaw() const { return nodes.size() == 1; }
 };
 
-/// The counts that a channel has: scaler ids of a DAQmx channel, none for other channels, which
-/// have one kind of sample only.
+/// The kinds of counts of a channel: scaler ids of a DAQmx channel; empty for others, which have
+/// one kind.
 struct TdmsCounts
 {
     bool daqmx = false;
@@ -57,16 +57,16 @@ tl::expected<std::optional<TdmsScaleChain>, Message> tdmsScaleChain(const std::s
 void evaluate(const TdmsScaleChain &chain, std::span<const std::vector<double>> raw,
     std::span<double> values);
 
-/// A chain of polynomials of one kind of counts as one polynomial of them.
+/// A chain of polynomials as one polynomial of one kind of counts.
 struct TdmsPolynomial
 {
     std::size_t stream = 0;
     std::vector<double> coefficients; ///< ascending
 };
 
-/// Empty if the chain is no such, or if the one polynomial would lose digits against the chain for
-/// counts between `lowest` and `highest` (equal: unbounded counts, for which only a single
-/// polynomial and straight lines are put together).
+/// Empty if the chain is not one of polynomials, or if one polynomial would be less exact for
+/// counts between `lowest` and `highest` (equal: unbounded counts; then at most one polynomial,
+/// with straight lines, is combined).
 std::optional<TdmsPolynomial> asPolynomial(
     const TdmsScaleChain &chain, double lowest, double highest);
 

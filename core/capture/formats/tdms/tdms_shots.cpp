@@ -14,7 +14,7 @@ namespace {
 struct Group
 {
     std::string name;
-    const TdmsObject *object = nullptr; ///< null if the file says nothing of it
+    const TdmsObject *object = nullptr; ///< null if the file does not describe it
     std::vector<const TdmsObject *> channels;
 };
 

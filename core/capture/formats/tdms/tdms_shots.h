@@ -13,14 +13,14 @@ namespace dyncal {
 /// Channels that were recorded together.
 struct TdmsShotPlan
 {
-    std::string name; ///< what sets it apart from the other shots; empty with one shot
+    std::string name; ///< distinguishes it from other shots; empty with one shot
     std::vector<const TdmsObject *> channels;
 };
 
 struct TdmsShots
 {
     std::vector<TdmsShotPlan> shots;
-    Findings findings; ///< what was left out, or taken in a way that the operator must know of
+    Findings findings; ///< about what was left out or assumed
 };
 
 /// Puts the channels of a file into shots. Logs of SignalExpress: the groups that are not thinned

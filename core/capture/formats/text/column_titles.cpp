@@ -89,7 +89,7 @@ ColumnTitle titleOf(std::string_view text)
     for (const std::string_view brackets : {"()", "[]"}) {
         const std::size_t open = text.rfind(brackets[0]);
         const bool unit = open != std::string_view::npos
-            && text.find('=', open) == std::string_view::npos; // "(k=1)" is none
+            && text.find('=', open) == std::string_view::npos; // "(k=1)" is no unit
         if (unit && open > 0 && text.back() == brackets[1])
             return {utf8Text(trimmed(text.substr(0, open))), utf8Text(bareUnit(text.substr(open)))};
     }

@@ -11,10 +11,10 @@
 
 namespace dyncal {
 
-/// One title per column: from the last header line that has as many cells (behind "#" or "%"), with
-/// the unit in brackets, behind " / " or in a row of units below. Without such a line: "column 1".
-/// Names are unique: a second "p" becomes "p, column 3".
-/// Names that are more or fewer than the columns are not used, but for a first one that says time.
+/// One title per column: from the last header line that has as many cells (after "#" or "%"), with
+/// the unit in brackets, after " / " or in a row of units below. Without such a line: "column 1".
+/// Names are unique: a second "p" becomes "p, column 3". If the number of names differs from that
+/// of the columns, they are not used, except for a first one that says time.
 std::vector<ColumnTitle> columnTitles(const TextDialect &dialect);
 
 /// How many cells the last header line has, if it looks like names but is not as long as the rows.

@@ -19,7 +19,7 @@
 namespace dyncal {
 namespace {
 
-/// More than dialectOf() looks at, but for cells that can be read in two ways.
+/// More than dialectOf() needs, unless cells can be read in two ways.
 constexpr std::uint64_t kHeadBytes = 1 << 20;
 
 /// What each column becomes: a role, or nothing if it is not wanted.
@@ -90,7 +90,7 @@ Result<CaptureSet> readDelimitedText(
     std::optional<std::string_view> head
         = text->read(0, std::min(text->size(), kHeadBytes), buffer);
     std::optional<TextDialect> dialect = head ? dialectOf(*head, settings) : std::nullopt;
-    if (dialect && !dialect->ambiguous.empty()) { // whether it stays so, only the whole text tells
+    if (dialect && !dialect->ambiguous.empty()) { // only the whole text can resolve it
         head = text->read(0, text->size(), buffer);
         dialect = head ? dialectOf(*head, settings) : std::nullopt;
     }

@@ -17,11 +17,11 @@ namespace dyncal {
 int recogniseDelimitedText(const std::string &path, std::string_view head);
 
 /// Reads a table of numbers as one shot, one channel per column. Separator, decimal mark, header
-/// and time column are found by themselves unless the settings state them; `settings.columns`
-/// gives roles, and once it names a column other than the time only named columns are read. Every
-/// row must be readable: an empty or "nan" cell is an invalid sample, anything else that is no
-/// number fails with its line and column (CAP-018). Without a time column the sample rate stays 0.
-/// Fails: CAP-001 no rows of numbers, CAP-003 time column against settings.sampleRate_Hz, CAP-016
+/// and time column are detected unless the settings state them; `settings.columns` gives roles, and
+/// once it names a column other than the time only named columns are read. Every row must be
+/// readable: an empty or "nan" cell is an invalid sample, anything else that is no number fails
+/// with its line and column (CAP-018). Without a time column the sample rate stays 0. Fails:
+/// CAP-001 no rows of numbers, CAP-003 time column against settings.sampleRate_Hz, CAP-016
 /// irregular times, CAP-018 unreadable. Findings: CAP-018 (end of the file), CAP-019 (decimal
 /// mark).
 Result<CaptureSet> readDelimitedText(

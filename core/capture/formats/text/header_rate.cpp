@@ -98,7 +98,7 @@ std::size_t groupMarkAt(std::string_view text, std::size_t at, char separator)
     return 0;
 }
 
-/// Takes what a value is behind a key apart: "[us], 0,01", ": 10 MHz", "_hz = 1e6".
+/// Reads number and unit of the text after a key: "[us], 0,01", ": 10 MHz", "_hz = 1e6".
 class ValueCursor
 {
 public:
@@ -110,7 +110,7 @@ public:
     {
     }
 
-    /// Number and unit, if both can be made out without doubt.
+    /// Number and unit; false if one of them is in doubt.
     bool read(double &number, std::string &unit)
     {
         unit = leadingUnit();

@@ -26,7 +26,7 @@ struct HeaderRate
 /// above decimal commas: it may be 50 kHz as well as 50 Hz.
 std::vector<HeaderRate> headerRates(const TextDialect &dialect);
 
-/// A rate read from a number without unit is believed from here on.
+/// Least rate that is accepted from a number without unit.
 constexpr double kCredibleRate_Hz = 100.0;
 
 } // namespace dyncal

@@ -38,7 +38,7 @@ bool isDigit(char c)
     return static_cast<unsigned char>(c - '0') < 10;
 }
 
-/// The value of eight digits, if these are eight digits (Lemire 2022: all at once in one register).
+/// The value of eight digits, if these are eight digits (all at once in one register, Lemire 2022).
 bool eightDigits(const char *at, std::uint64_t &value)
 {
     std::uint64_t word;
@@ -54,7 +54,7 @@ bool eightDigits(const char *at, std::uint64_t &value)
     return true;
 }
 
-/// Digits as they come; too many overflow harmlessly, as their number is looked at later.
+/// Reads digits; too many overflow harmlessly, as their number is checked later.
 const char *behindDigits(const char *at, const char *end, std::uint64_t &mantissa)
 {
     for (; at != end && isDigit(*at); ++at)
@@ -62,7 +62,7 @@ const char *behindDigits(const char *at, const char *end, std::uint64_t &mantiss
     return at;
 }
 
-/// The same for the digits behind the mark, of which there are more.
+/// The same for the digits after the mark, eight at a time because there are more of them.
 const char *behindFraction(const char *at, const char *end, std::uint64_t &mantissa)
 {
     constexpr std::uint64_t kEightPlaces = 100000000;
@@ -125,15 +125,15 @@ const char *behindNumber(const char *at, const char *end, char decimal, Digits &
     return at;
 }
 
-/// A branch would be guessed wrong every second time.
+/// Without a branch, which the processor would mispredict every second time.
 double signOf(const Digits &number)
 {
     constexpr std::array<double, 2> kSign{1.0, -1.0};
     return kSign[number.negative ? 1 : 0];
 }
 
-/// Mantissa / 10^k for all 64 bits of it, correctly rounded: w / 5^k to at least 63 bits by
-/// integers of 128, one more bit for a remainder (so that ties are told), and a power of two.
+/// Mantissa / 10^k for all 64 bits of it, correctly rounded: w / 5^k to at least 63 bits in 128-bit
+/// integers, one more bit for a remainder (so that ties are recognised), and a power of two.
 double longQuotient(std::uint64_t mantissa, std::size_t k)
 {
     const std::uint64_t power = kPowersOf5[k];
@@ -215,7 +215,7 @@ const char *PlainRowReader::behindLine(const char *at, const char *end, const Ta
 {
     at = behindRow(at, end, row);
     if (at == nullptr || at == end)
-        return nullptr; // an unfinished line is looked at with more care
+        return nullptr; // an unfinished line is left to the slow way
     if (*at == '\n')
         return at + 1;
     if (*at != '\r')

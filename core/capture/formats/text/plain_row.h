@@ -9,8 +9,8 @@
 
 namespace dyncal {
 
-/// The fast way through a table: rows that are nothing but numbers, as nearly all are. It reads
-/// what LineCursor, CellCursor and readCell would read, many times as fast, or says that it cannot.
+/// The fast way through a table: rows that hold only numbers, as nearly all do. It gives the same
+/// values as LineCursor, CellCursor and readCell, many times as fast, or reports that it cannot.
 class PlainRowReader
 {
 public:
@@ -20,13 +20,13 @@ public:
     {
     }
 
-    /// Fills `row` if the text begins with a line of exactly as many numbers (empty cells behind
-    /// them do not matter) and a line end; returns what stands behind that. Null otherwise, and
-    /// `row` then holds anything.
+    /// Fills `row` if the text begins with a line of exactly as many numbers (empty cells after
+    /// them do not matter) and a line end; returns the place after that. Null otherwise; `row` is
+    /// then undefined.
     const char *read(std::string_view text, std::span<double> row) const;
 
-    /// Reads such lines one behind the other, at most `most`: number i of row k to
-    /// columns[i * most + k]. Returns how many; the text then begins behind them.
+    /// Reads such lines, at most `most`: number i of row k goes to columns[i * most + k]. Returns
+    /// how many; the text then begins after them.
     std::size_t readRows(
         std::string_view &text, std::size_t numbers, double *columns, std::size_t most) const;
 

@@ -12,12 +12,12 @@
 namespace dyncal {
 namespace {
 
-constexpr std::uint64_t kMostThreads = 8; ///< the owner, who puts all together, is busy beyond
+constexpr std::uint64_t kMostThreads = 8; ///< with more the owner's joining is the limit
 constexpr std::uint64_t kThreadBytes = 1 << 20; ///< at least, as one takes some 0.1 ms to start
 constexpr std::uint64_t kPartBytes = 1 << 18; ///< text and rows stay in a core's own cache
 constexpr std::size_t kPartsPerThread = 2; ///< one being read and one waiting for the owner
 
-/// How many threads, the owner's among them, are worth their start.
+/// Number of threads that pay off, with the owner's.
 std::uint64_t threadsFor(std::uint64_t bytes)
 {
     const std::uint64_t cores
@@ -100,8 +100,8 @@ void PlainRowsAhead::readOne(std::unique_lock<std::mutex> &lock, std::vector<cha
     m_changed.notify_all();
 }
 
-/// Behind the last line feed of as much text as a part may have; the beginning where lines are
-/// longer than is looked at, or cannot be read.
+/// The place after the last line feed within the size of a part; `begin` where no line feed is
+/// found near the end, or the text cannot be read.
 std::uint64_t PlainRowsAhead::endOfPart(std::uint64_t begin, std::vector<char> &buffer) const
 {
     const std::uint64_t end = std::min(begin + kPartBytes, m_text.size());
@@ -122,7 +122,7 @@ void PlainRowsAhead::fill(Part &part, std::vector<char> &buffer) const
     const auto text = m_text.read(part.begin, part.end, buffer);
     try {
         part.behind += part.rows.read(m_reader, text.value_or(std::string_view()));
-    } catch (const std::bad_alloc &) { // whoever reads on here will say so
+    } catch (const std::bad_alloc &) { // the owner reads on here and reports it
     }
 }
 

@@ -21,7 +21,7 @@
 
 namespace dyncal {
 
-/// Lines one behind the other, each of them a plain row, as columns.
+/// Consecutive lines that are plain rows, as columns.
 class PlainRows
 {
 public:
@@ -37,7 +37,8 @@ public:
         return {m_values.get() + i * m_capacity, m_rows};
     }
 
-    /// Replaces the rows by those of the text up to a line that is none; returns their bytes.
+    /// Replaces the rows by those of the text, up to a line that is no plain row; returns their
+    /// bytes.
     std::size_t read(const PlainRowReader &reader, std::string_view text);
 
 private:
@@ -47,14 +48,14 @@ private:
     std::unique_ptr<double[]> m_values; ///< not touched beyond the rows there are
 };
 
-/// Reads a table in parts of some 256 KiB, on its owner's thread and on threads of their own that
-/// run a few parts ahead. A part ends early at the first line that is no plain row. As it depends
-/// on nothing but the text behind a line end, whoever reads on there gets the same as without it:
-/// the number of threads changes no result.
+/// Reads a table in parts of some 256 KiB, on its owner's thread and on further threads that run a
+/// few parts ahead. A part ends early at the first line that is no plain row; the owner reads on
+/// from there. A part depends only on the text after a line end, so the number of threads changes
+/// no result.
 class PlainRowsAhead
 {
 public:
-    /// Of the text from `begin` on, which is the beginning of a line; text and reader outlive this
+    /// Reads the text from `begin` on, the beginning of a line; text and reader must outlive this
     /// object. Only the owner reads if the text is short or the machine has one core.
     PlainRowsAhead(const PlainRowReader &reader, const TextSource &text, std::uint64_t begin,
         std::size_t columns);
@@ -62,7 +63,7 @@ public:
     PlainRowsAhead &operator=(const PlainRowsAhead &) = delete;
     ~PlainRowsAhead() = default; ///< stops and waits
 
-    /// Where the next part begins. Empty behind the last one: at the end of the text, or before it
+    /// Where the next part begins. Empty after the last one: at the end of the text, or before it
     /// where lines are too long for parts or the text cannot be read.
     std::optional<std::uint64_t> nextBegin() const { return m_nextBegin; }
 
@@ -100,13 +101,13 @@ private:
     std::optional<std::uint64_t> m_nextBegin;
     std::vector<std::vector<char>> m_buffers; ///< one per thread, the owner's first
 
-    std::mutex m_mutex; ///< for all below, but for the rows of parts, which have one reader each
+    std::mutex m_mutex; ///< for all below except the rows of parts, which have one user each
     std::condition_variable_any m_changed;
     std::vector<Part> m_parts; ///< a ring
-    std::uint64_t m_begunText; ///< up to here it is of parts that are begun
+    std::uint64_t m_begunText; ///< end of the text of the parts begun
     std::size_t m_begun = 0; ///< number of parts that somebody reads or has read
     std::size_t m_taken = 0;
-    std::size_t m_free = 0; ///< of them the owner has no use any more
+    std::size_t m_free = 0; ///< parts that the owner no longer needs
     std::vector<std::jthread> m_threads; ///< last, as they use all the rest
 };
 

@@ -73,7 +73,7 @@ RowEnd compared(const Shape &last, const std::vector<Shape> &above)
         && (decimals.second > 0 || exponent.second > 0);
     if (fixed && last.decimals == decimals.first && last.exponentDigits == exponent.first)
         return RowEnd::Whole;
-    if (fixed) // more digits than above were never cut, but may have been more yet
+    if (fixed) // a number with more digits than those above may be cut, too
         return last.decimals < decimals.first || last.exponentDigits < exponent.first
             ? RowEnd::Cut
             : RowEnd::Unclear;
@@ -91,7 +91,7 @@ RowEnd lastRowEnd(std::string_view text, std::string_view line, const TextDialec
     const bool quoteIsOpen = std::any_of(
         cells.begin(), cells.end(), [](std::string_view cell) { return cell.starts_with('"'); });
     if (quoteIsOpen)
-        return RowEnd::Cut; // "-2 of "-2,5"
+        return RowEnd::Cut; // a quoted cell was cut: "-2 of "-2,5"
     if (cells.size() > columns)
         return RowEnd::Whole; // a separator follows the last number
     double value = 0.0;

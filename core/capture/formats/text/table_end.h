@@ -11,9 +11,9 @@
 
 namespace dyncal {
 
-/// What can be told of a last line that has no line end.
+/// Whether a last line without a line end is complete.
 enum class RowEnd {
-    Whole, ///< its last number has the digits that all numbers above have, or quotes around
+    Whole, ///< its last number has all digits of those above, or quotes
     Unclear, ///< it may be whole
     Cut, ///< cells or digits are missing
 };

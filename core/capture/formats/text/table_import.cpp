@@ -23,7 +23,7 @@ tl::unexpected<Error> damaged(
     return fail(ErrorKind::FileUnreadable, {sentence, std::move(more)}, id);
 }
 
-/// A first row with one bad cell must not pass for a header: its other cells are measured values.
+/// A first row with one bad cell must not count as header: its other cells are measured values.
 Result<void> checkHeader(const std::string &path, const TextDialect &dialect)
 {
     if (dialect.header.empty())
@@ -31,7 +31,7 @@ Result<void> checkHeader(const std::string &path, const TextDialect &dialect)
     std::vector<std::string_view> cells = cellsOf(dialect.header.back(), dialect.separator);
     if (static_cast<Index>(cells.size()) < dialect.columns)
         return {};
-    cells.resize(static_cast<std::size_t>(dialect.columns)); // instruments write settings behind
+    cells.resize(static_cast<std::size_t>(dialect.columns)); // settings may follow
     Index numbers = 0;
     std::size_t bad = cells.size();
     for (std::size_t i = 0; i < cells.size(); ++i) {

@@ -95,8 +95,8 @@ private:
         return !m_lines.rest().empty();
     }
 
-    /// Takes over what was read ahead of the next lines, if these can be plain rows here. False if
-    /// nobody reads ahead from here on.
+    /// Takes the next rows that were read ahead; skips them unless `plain`. False if nothing is
+    /// read ahead from here on.
     bool takeAhead(PlainRowsAhead &ahead, bool plain)
     {
         if (ahead.nextBegin() != position())
@@ -137,8 +137,8 @@ private:
             m_path, Expanding::RowsUpTo, std::to_string(m_lines.number()), m_refused);
     }
 
-    /// For as many rows as the text will have if all are as long as those so far, and some more:
-    /// doubling would hold up to three times the values at the end. False if the budget has none.
+    /// Room for the rows expected from the length of those so far, and some more: doubling could
+    /// take three times the memory of the values. False if the budget is used up.
     bool makeRoom(std::size_t more)
     {
         constexpr std::size_t kFirstRows = 1024;
@@ -192,8 +192,8 @@ private:
         return addRow(line, number);
     }
 
-    /// Blank lines at the end of a file mean nothing; within the data each is a sample that is
-    /// missing, or else all behind it would move in time.
+    /// Blank lines at the end of a file mean nothing; within the data each is a missing sample,
+    /// else all samples after it would move in time.
     Result<void> fillBlankRows(Index number)
     {
         const std::size_t values = static_cast<std::size_t>(m_blankRows) * m_row.size();
@@ -246,7 +246,7 @@ private:
             {std::to_string(number), std::to_string(found), std::to_string(m_row.size())});
     }
 
-    /// Whatever the comment says, rows before and behind it need not follow each other in time.
+    /// Rows before and after a comment need not follow each other in time.
     tl::unexpected<Error> commentWithin() const
     {
         return damaged(
@@ -265,16 +265,16 @@ private:
         return end == RowEnd::Cut;
     }
 
-    /// Compared with the rows just above: those that are still in the block, or read again.
+    /// Compared with the rows just above.
     RowEnd endOfLastRow(std::string_view line) const
     {
-        constexpr std::uint64_t kBytesAbove = 8192; // more than is looked at
+        constexpr std::uint64_t kBytesAbove = 8192; // more than lastRowEnd() needs
         std::vector<char> buffer;
         const std::uint64_t wanted = line.size() + kBytesAbove;
         const std::uint64_t begin = m_text.size() > wanted ? m_text.size() - wanted : 0;
         const auto end = m_text.read(begin, m_text.size(), buffer);
         if (!end)
-            return RowEnd::Unclear; // said when the file is sealed
+            return RowEnd::Unclear; // reported when the file is sealed
         return lastRowEnd(*end, end->substr(end->size() - line.size()), m_dialect);
     }
 
@@ -289,7 +289,7 @@ private:
     PlainRowReader m_plain;
     TableColumns m_table;
     Index m_blankRows = 0;
-    Index m_commentLine = 0; ///< the first one behind the data
+    Index m_commentLine = 0; ///< the first one after the data
 };
 
 } // namespace

@@ -16,14 +16,14 @@
 
 namespace dyncal {
 
-/// The numbers of a table and what was said of its end.
+/// The numbers of a table and the findings about its end.
 struct TableColumns
 {
     std::vector<std::vector<double>> columns; ///< equally long; NaN = invalid sample
     Findings findings; ///< CAP-018: the last line is cut or may be
 };
 
-/// Reads the rows behind the header of the text. Every row must be readable: an empty or "nan" cell
+/// Reads the rows after the header of the text. Every row must be readable: an empty or "nan" cell
 /// and each blank line within the data is an invalid sample, anything else that is no number fails
 /// with line and column (CAP-018). Comment lines ("#", "%") may follow the data, not interrupt it.
 /// A file that changes meanwhile fails, too, and one whose blank lines claim more memory than its

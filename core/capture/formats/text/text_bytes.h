@@ -13,8 +13,8 @@
 
 namespace dyncal {
 
-/// The characters of a file. Unlike std::string it does not touch its memory before the file is
-/// read into it, and its characters stay where they are when it is moved.
+/// The characters of a file. Unlike std::string it does not write to its memory before the file is
+/// read, and moving it does not move its characters.
 class FileText
 {
 public:
@@ -45,7 +45,7 @@ tl::unexpected<Error> unreadableText(const std::string &path);
 /// Fails (CAP-018) for more bytes than a text may have, 8 GiB.
 Result<void> checkTextSize(const std::string &path, std::uint64_t bytes);
 
-/// As readTextFile() for bytes that are there already.
+/// As readTextFile(), for bytes in memory.
 std::string textOfBytes(std::string bytes);
 
 /// The beginning of a text file.

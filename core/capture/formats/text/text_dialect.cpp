@@ -68,8 +68,7 @@ Row rowOf(std::string_view line, char separator, char decimal)
     return row;
 }
 
-/// What one row has more than another must be empty: some programs write a separator behind some
-/// last cells.
+/// Further cells of the longer row must be empty: some programs end some rows with a separator.
 bool alike(const Row &a, const Row &b)
 {
     return std::max(a.used, b.used) <= std::min(a.cells, b.cells);
@@ -124,7 +123,7 @@ std::vector<char> decimalsToTry(const std::string &setting)
     return {'.', ','};
 }
 
-/// "1,234" or "12,500,000": thousands as well as thousandths. "0,123" is no thousands.
+/// "1,234" or "12,500,000" may be thousands or decimals; "0,123" is a decimal.
 bool looksGrouped(std::string_view cell)
 {
     const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };

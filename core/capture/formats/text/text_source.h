@@ -17,13 +17,13 @@
 
 namespace dyncal {
 
-/// A text that is in memory, or in a file from which pieces are read when they are asked for.
+/// A text in memory, or in a file that is read piece by piece on demand.
 class TextSource
 {
 public:
     explicit TextSource(std::string_view text); ///< which outlives this object
     explicit TextSource(FileText text);
-    /// The file behind its first `skipped` bytes.
+    /// The file after its first `skipped` bytes.
     TextSource(std::shared_ptr<const SampleFile> file, std::uint64_t skipped);
 
     std::uint64_t size() const { return m_size; }
@@ -42,8 +42,8 @@ private:
     std::uint64_t m_size = 0;
 };
 
-/// A text file of which as little as possible is held: pieces of a file of single bytes or UTF-8,
-/// all of UTF-16. A byte order mark is left out. Fails as readTextFile.
+/// A text file with as little of it in memory as possible: pieces of single-byte text or UTF-8, all
+/// of UTF-16. A byte order mark is left out. Fails as readTextFile.
 Result<TextSource> openText(const std::string &path);
 
 /// A text as blocks of whole lines, of which one is held at a time.
@@ -56,11 +56,11 @@ public:
     {
     }
 
-    /// The lines behind the last block, but none from `end` on, which is behind a line feed or the
-    /// end of the text. Empty there, or if the text cannot be read any more.
+    /// The lines after the last block and before `end`, which is the beginning of a line or the end
+    /// of the text. Empty there, or if the text cannot be read any more.
     std::string_view next(std::uint64_t end);
 
-    std::uint64_t position() const { return m_position; } ///< behind the last block
+    std::uint64_t position() const { return m_position; } ///< after the last block
     void moveTo(std::uint64_t position) { m_position = position; }
     bool failed() const { return m_failed; }
 

@@ -42,7 +42,7 @@ bool isTooSmall(std::string_view number)
     return places + exponent < 0.0;
 }
 
-/// from_chars on the whole text, with the way values that are too small or written "+1" go.
+/// from_chars on the whole text; also accepts "+1" and values too small for a double (0).
 CellKind readPlainNumber(const char *begin, const char *end, double &value)
 {
     const bool plus = begin != end && *begin == '+';
@@ -109,7 +109,7 @@ bool CellCursor::next(std::string_view &cell)
     return true;
 }
 
-/// A quoted cell must end where its closing quote does; anything else is a cell with quotes in it.
+/// A quoted cell ends with its closing quote; any other cell just contains quotes.
 bool CellCursor::nextQuoted(std::string_view &cell)
 {
     const std::string_view blanks = m_separator == '\t' ? " " : kBlanks;
@@ -174,7 +174,7 @@ CellKind readCell(std::string_view cell, char decimal, double &value)
         return CellKind::Unreadable;
     if (mark == std::string_view::npos)
         return readPlainNumber(cell.data(), cell.data() + cell.size(), value);
-    constexpr std::size_t kLongest = 1200; // more than the longest of all doubles printed whole has
+    constexpr std::size_t kLongest = 1200; // longer than any double printed in full
     std::array<char, kLongest> buffer;
     const bool digitBehind
         = mark + 1 < cell.size() && cell[mark + 1] >= '0' && cell[mark + 1] <= '9';
@@ -190,7 +190,7 @@ void SampleColumn::addValueAt(Index row, double value)
     if (row > size()) {
         const std::size_t rows = static_cast<std::size_t>(row);
         if (rows > 2 * m_values.capacity())
-            m_values.reserve(rows + 1); // or else the value itself would double it
+            m_values.reserve(rows + 1); // else push_back would double it
         m_values.resize(rows, std::numeric_limits<double>::quiet_NaN());
         m_hasGaps = true;
     }

@@ -29,10 +29,10 @@ public:
     /// The next line without its end; false at the end of the text.
     bool next(std::string_view &line);
 
-    /// What is behind the line just read.
+    /// The text after the line just read.
     std::string_view rest() const { return m_rest; }
 
-    /// Counts the next lines as read by someone else, up to `behind` the last one's end in rest().
+    /// Skips lines of rest() that were read elsewhere; `behind` is the end of the last one.
     void take(const char *behind, Index lines);
 
     Index number() const { return m_number; } ///< of the line just read, from 1
@@ -81,8 +81,8 @@ enum class CellKind { Number, Empty, Unreadable };
 /// Reads a cell as a number with this decimal mark. "nan" is a number that is NaN.
 CellKind readCell(std::string_view cell, char decimal, double &value);
 
-/// Values of one channel, row by row. Rows without a value at the end are no samples, such before a
-/// later value are invalid ones.
+/// Values of one channel, row by row. Rows without a value are invalid samples, except at the end,
+/// where they are none.
 class SampleColumn
 {
 public:

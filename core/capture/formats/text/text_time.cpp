@@ -18,7 +18,7 @@
 namespace dyncal {
 namespace {
 
-/// From here on a column without unit is in seconds for certain: in ms the rate would be 1 GHz.
+/// From this rate on a column without unit is certainly in seconds: in ms the rate would be 1 GHz.
 /// Slightly less than 1 MHz, because it comes from printed times.
 constexpr double kCertainRate_Hz = 0.999e6;
 
@@ -144,7 +144,7 @@ private:
     }
 
     /// The first column, if its numbers look like times or row numbers and no title or unit says
-    /// what else it is.
+    /// otherwise.
     Result<void> findUntitled(const ColumnTitle &title, ColumnRise rise)
     {
         const bool neutral
@@ -161,7 +161,7 @@ private:
         return {};
     }
 
-    /// A recipe may leave the times out, but not without hearing what they say.
+    /// A recipe may ignore the times, but then a finding tells what they state.
     void noteWhatIsPassedOver()
     {
         const std::optional<Index> titled = titledColumn();
@@ -194,7 +194,7 @@ private:
 
     void take(const TimeAxis &axis, double scale_s)
     {
-        // Stays a number, so that a step out of all reason can be named.
+        // Kept finite, so that a message can name even an absurd step.
         m_time.sampleRate_Hz = std::clamp(1.0 / (axis.step * scale_s),
             std::numeric_limits<double>::min(), std::numeric_limits<double>::max());
         m_time.first_s = axis.first * scale_s;
@@ -212,14 +212,14 @@ private:
         for (const HeaderRate &rate : m_header) {
             if (agrees(rate, m_time.sampleRate_Hz))
                 continue;
-            if (!m_settings.sampleRate_Hz) // else the recipe has decided
+            if (!m_settings.sampleRate_Hz) // a rate in the recipe decides
                 return m_say.headerAgainstTimes(rate, m_time.sampleRate_Hz);
             m_time.findings.push_back(m_say.headerOverruled(rate, m_time.sampleRate_Hz));
         }
         return {};
     }
 
-    /// Numbers without unit: a rate known from elsewhere tells the unit.
+    /// Numbers without unit: a rate stated elsewhere gives the unit.
     Result<void> takeUnstated(const TimeAxis &axis)
     {
         const bool counter = isCounter(axis);

@@ -27,11 +27,11 @@ struct TextTime
 /// Finds the column of times (named in the settings; by title or unit; or a first column without
 /// title that increases uniformly) and takes the rate from it, or else from the header.
 ///
-/// A wrong rate makes every frequency wrong, so times are believed only with a unit. Without one
-/// they are held against the stated rate (settings or header); failing that, seconds are assumed
+/// A wrong rate makes every frequency wrong, so times are trusted only with a unit. Without one
+/// they are compared with the stated rate (settings or header); without that, seconds are assumed
 /// (with a finding) if the rate is then at least 1 MHz, or 100 Hz for a column titled as time.
 /// Otherwise, and for a column that only counts 0, 1, 2, the rate stays 0. Once the settings name
-/// columns, they must name the time too. Row 0 of `columns` is the first line behind the header.
+/// columns, they must name the time too. Row 0 of `columns` is the first line after the header.
 ///
 /// Fails: CAP-001 the first column holds frequencies, CAP-003 times, header and
 /// settings.sampleRate_Hz differ by more than 0.1 % (not the last, if settings.sampleRateReason

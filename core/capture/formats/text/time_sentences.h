@@ -15,7 +15,7 @@
 
 namespace dyncal {
 
-/// What is said of the times of one table: each sentence names file, place and both values.
+/// Errors and findings about the times of one table; each names file, place and both values.
 struct TimeSentences
 {
     const std::string &path;

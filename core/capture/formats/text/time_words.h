@@ -16,7 +16,7 @@ struct ColumnTitle
     std::string unit;
 };
 
-// The words by which texts from instruments and spreadsheets say what is time and what is not.
+// The words for time and frequency in texts from instruments and spreadsheets.
 
 /// 1e-3 for "ms" or "Milliseconds"; empty if the word is no unit of time.
 std::optional<double> secondsPerUnit(std::string_view unit);
@@ -27,8 +27,8 @@ std::optional<double> hertzPerUnit(std::string_view unit);
 /// The same title with a unit that was part of the name: "time_ms", "t in ms", "Zeit ms".
 ColumnTitle withUnitSplit(ColumnTitle title);
 
-/// Whether the title of a column says that it holds times. "t" with a unit that is none of time is
-/// a temperature.
+/// Whether the title of a column says that it holds times. "t" with another unit than one of time
+/// is a temperature.
 bool isTimeTitle(const ColumnTitle &title);
 
 /// Whether the title of a column says that it holds frequencies.
