@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kLeastExplained_percent = 95.0;
 constexpr Index kLeastSamples = 8; ///< of a reduced response: what a spectrum needs
-constexpr double kNegligible = 1e-12; ///< of the responses: residuals that are only rounding
+constexpr double kNegligible = 1e-12; ///< of the responses: smaller residuals are rounding
 
 double lowestRate_Hz(const std::vector<WindowedResponse> &responses)
 {
@@ -30,8 +30,8 @@ double lowestRate_Hz(const std::vector<WindowedResponse> &responses)
     return lowest_Hz;
 }
 
-/// The response from its start on, reduced by `factor`. Where the record begins with the start the
-/// first value is taken to have been there before.
+/// The response from its start on, reduced by `factor`. If the record begins with the start, its
+/// first value is repeated before it.
 Eigen::VectorXd reduced(const WindowedResponse &response, double factor)
 {
     if (factor == 1.0)
@@ -60,7 +60,7 @@ Error tooShort(const WindowedResponse &response, double factor)
         "CAP-004", response.shot};
 }
 
-/// All responses as columns at the lowest rate, as long as the shortest.
+/// All responses as columns at the lowest rate, cut to the length of the shortest.
 std::optional<Error> unify(const std::vector<WindowedResponse> &responses, ComponentResult &result)
 {
     result.sampleRate_Hz = lowestRate_Hz(responses);
@@ -130,7 +130,7 @@ std::optional<Error> decompose(const ComponentSettings &settings, const Spectrum
         result.residuals.push_back(std::move(*analysis));
         control.report(static_cast<double>(i + 1) / static_cast<double>(residuals.cols()));
     }
-    // Where only rounding is left there is nothing to find fault with.
+    // Residuals that are only rounding are not judged.
     if (residuals.norm() > kNegligible * result.responses.norm()) {
         const Findings findings = residualFindings(result, spectrum);
         result.findings.insert(result.findings.end(), findings.begin(), findings.end());

@@ -12,8 +12,8 @@
 namespace dyncal {
 namespace {
 
-/// X = U S V^T. A QR decomposition first makes the cost linear in the samples without squaring the
-/// condition number as the Gram matrix would.
+/// X = U S V^T. A QR decomposition first makes the cost linear in the samples; the Gram matrix
+/// would too, but would square the condition number.
 ThinSvd tallSvd(const Eigen::MatrixXd &X)
 {
     if (X.rows() <= X.cols())

@@ -57,7 +57,7 @@ double ljungBox_p(const Eigen::VectorXd &autocorrelation, Index samples, Index l
 Result<ResidualAnalysis> analyseResidual(const Eigen::Ref<const Eigen::VectorXd> &residual,
     double rate_Hz, const ComponentSettings &settings, const SpectrumSettings &spectrum)
 {
-    SpectrumSettings search = spectrum; // the operator's resonance is no peak of the residual
+    SpectrumSettings search = spectrum; // the operator's list is not for residuals
     search.resonances_Hz.clear();
     search.resonanceBand_Hz.reset();
     search.searchResonance = true;

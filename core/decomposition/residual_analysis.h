@@ -16,7 +16,7 @@
 
 namespace dyncal {
 
-/// What one shot keeps after its reconstruction is taken away.
+/// The residual of one shot: what is left after subtracting its reconstruction.
 struct ResidualAnalysis
 {
     double rms = 0.0; ///< in the units of the responses
@@ -28,14 +28,14 @@ struct ResidualAnalysis
     std::vector<double> peaks_Hz; ///< prominent maxima of that spectrum, strongest first (<= 5)
 };
 
-/// A series as the spectrum stage takes it.
+/// A series in the form that the spectrum stage takes.
 WindowedResponse asResponse(const Eigen::Ref<const Eigen::VectorXd> &values, double rate_Hz);
 
 /// Autocovariance of a zero-mean series at lags 0..maxLag, biased estimate (divides by N), by FFT.
 Eigen::VectorXd autocovariance(const Eigen::Ref<const Eigen::VectorXd> &values, Index maxLag);
 
-/// Autocovariance, whiteness and spectrum of what one shot keeps after its reconstruction. The mean
-/// counts for the rms, not for the autocovariance. At least 8 finite values, else DataBlocked.
+/// Autocovariance, whiteness and spectrum of one shot's residual. Its mean counts for the rms, not
+/// for the autocovariance. At least 8 finite values, else DataBlocked.
 Result<ResidualAnalysis> analyseResidual(const Eigen::Ref<const Eigen::VectorXd> &residual,
     double rate_Hz, const ComponentSettings &settings, const SpectrumSettings &spectrum);
 

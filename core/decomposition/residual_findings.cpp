@@ -19,9 +19,9 @@ namespace {
 
 constexpr double kLargestOutside = 0.05; ///< share of lags
 constexpr double kSameFrequency = 0.03;
-constexpr double kTolerableShare = 0.1; ///< amplitude left of a resonance before it is a caution
-constexpr double kLargestDelay = 1.0; ///< samples between shots whose starts are whole samples
-constexpr double kLargestShare = 0.9; ///< of the energy that one shot of several can hold
+constexpr double kTolerableShare = 0.1; ///< of the resonance's amplitude; more left is a caution
+constexpr double kLargestDelay = 1.0; ///< samples; starts are rounded to whole samples
+constexpr double kLargestShare = 0.9; ///< of the largest energy share that one shot can have
 
 /// The peak of a residual that is a resonance of the average, if one is.
 std::optional<double> resonanceLeft(
@@ -47,10 +47,10 @@ double densityNear(const PowerSpectrum &spectrum, double frequency_Hz)
     return top;
 }
 
-/// What a shift of one shot does to a resonance of it.
+/// Delay of one shot, and what it leaves of a resonance.
 struct Alignment
 {
-    double delay_samples = 0.0; ///< of the shot behind its reconstruction
+    double delay_samples = 0.0; ///< of the shot after its reconstruction
     double share = 0.0; ///< amplitude of the average's resonance that is left without the delay
 };
 
@@ -83,13 +83,13 @@ Alignment align(const ComponentResult &result, Index column, double frequency_Hz
     return found;
 }
 
-/// Whole per cent, below one the first digit that is not 0.
+/// Whole per cent; below 1 % one significant digit.
 std::string percentText(double percent)
 {
     return percent < 1.0 ? numberText(percent, 1) : numberText(std::round(percent), 4);
 }
 
-/// Shots start at their own fraction of a sample, and the start of each is one of its samples.
+/// Whether rounding the starts to whole samples explains the residual.
 bool startsExplain(const Alignment &alignment)
 {
     return std::abs(alignment.delay_samples) <= kLargestDelay && alignment.share <= kTolerableShare;
@@ -146,12 +146,12 @@ void addWhiteness(Index shot, const ResidualAnalysis &residual, Findings &findin
             {std::to_string(shot), percentText(100.0 * residual.outsideFraction)}},
         .value = 100.0 * residual.outsideFraction,
         .limit = 100.0 * kLargestOutside};
-    finding.severity = Severity::Info; // says what one component cannot: no reason to stop
+    finding.severity = Severity::Info; // a limit of one component, no reason to stop
     findings.push_back(std::move(finding));
 }
 
-/// The components follow the odd shot by 1/n, so of n equal ones it holds (n - 1)/n of the energy
-/// of the residuals at most; of two, both hold half whatever they are.
+/// The mean of n shots follows an odd one by 1/n, so it holds at most (n - 1)/n of the residuals'
+/// energy. Of two shots both hold half in any case.
 void addDominance(const ComponentResult &result, Findings &findings)
 {
     const auto shots = static_cast<double>(result.residuals.size());

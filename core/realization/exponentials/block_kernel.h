@@ -9,20 +9,20 @@
 
 namespace dyncal {
 
-/// Products of a few columns of powers with a record cut into blocks: what a fit of exponentials
-/// spends its time on. Up to kBlocks blocks a call, small enough for the first cache.
+/// Products of a few columns of powers with a record cut into blocks; they take most of the time of
+/// a fit of exponentials. Up to kBlocks blocks a call, small enough for the first cache.
 ///
 /// Sums run in the order of Eigen's matrix product of two columns per mode, to the last bit: rows
-/// one after the other; but for the last of an odd number of modes, in calls of kBlocks blocks, the
-/// even rows and the odd ones apart.
+/// one after the other. Exception: the last of an odd number of modes, in calls of kBlocks blocks,
+/// has separate sums of even and odd rows.
 class BlockKernel
 {
 public:
     static constexpr Index kRows = 128;
     static constexpr Index kBlocks = 4;
 
-    /// `powers`: kRows rows, one or two columns per mode. The `lastColumns` at the end are those
-    /// of the last of an odd number of modes.
+    /// `powers`: kRows rows, one or two columns per mode. The last `lastColumns` columns belong to
+    /// the last of an odd number of modes.
     BlockKernel(const Eigen::MatrixXd &powers, Index lastColumns);
 
     /// residual = y - powers * gains; gains: columns x blocks.

@@ -25,7 +25,8 @@ struct ExponentialColumn
     std::size_t order; ///< 0 or 1
 };
 
-/// Sums over samples of the products of two columns, from powerSums: their number costs nothing.
+/// Sums over samples of products of two columns, by powerSums: the time hardly grows with the
+/// number of samples.
 class ExponentialGram
 {
 public:

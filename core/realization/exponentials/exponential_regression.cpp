@@ -62,7 +62,7 @@ Powers powersOf(const std::vector<RegressionMode> &modes, Index blocks)
         powers.within.middleCols(column, columnsOf(mode))
             = powerTable(mode.exponent, kBlock).leftCols(columnsOf(mode));
         column += columnsOf(mode);
-        // Not multiplied on from block to block: errors would add up over a long record.
+        // Not by multiplication from block to block: errors would add up over a long record.
         for (Index b = 0; b < blocks; ++b)
             powers.begins(m, b) = std::exp(mode.exponent * static_cast<double>(b * kBlock));
     }

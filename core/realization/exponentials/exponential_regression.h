@@ -34,11 +34,11 @@ struct RegressionEquations
 };
 
 /// A record cut into columns, so that model and gradient are matrix products. J^T J comes from
-/// powerSums and costs nothing in the record's length.
+/// powerSums, in a time that hardly grows with the record.
 class ExponentialRegression
 {
 public:
-    /// Only the samples of `used` take part, in order and apart from each other; without any, all.
+    /// Only the samples of `used` (in order, not touching) take part; all if it is empty.
     explicit ExponentialRegression(
         const Eigen::VectorXd &y, const std::vector<SampleRange> &used = {});
 

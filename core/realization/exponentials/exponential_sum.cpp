@@ -81,7 +81,8 @@ Eigen::MatrixXd exponentialBasis(const std::vector<std::complex<double>> &poles,
     Eigen::VectorXd divisors = Eigen::VectorXd::Ones(basis.cols());
     for (Index i = 0; i < n; ++i) {
         const std::complex<double> p = poles[static_cast<std::size_t>(i)];
-        // Growing exponentials are written backwards from 1 at the last sample: no overflow.
+        // Growing exponentials are computed backwards from 1 at the last sample, which avoids
+        // overflow.
         const double magnitude = std::abs(p);
         const bool grows = magnitude > 1.0;
         const double log_p = magnitude > 0.0 ? std::log(magnitude) : 0.0;

@@ -25,13 +25,13 @@ struct ExponentialSum
     double value(double t_s) const { return derivative(t_s, 0); }
 };
 
-/// Re and Im of e^(k exponent) for k = 0 .. rows - 1, by one product each: for stretches of a few
-/// hundred, over which rounding does not add up.
+/// Re and Im of e^(k exponent) for k = 0 .. rows - 1, by one multiplication each; for up to a few
+/// hundred rows, where rounding does not yet add up.
 Eigen::MatrixX2d powerTable(std::complex<double> exponent, Index rows);
 
 /// Re and Im of e^(k exponent), k = 0 .. count - 1, over any length: products of two tables of
-/// direct exponentials, so that rounding does not add up. The magnitude is 1 at k = `origin`
-/// instead of 0: growing exponentials are written backwards from their last sample.
+/// direct exponentials, so that rounding does not add up. The magnitude is 1 at k = `origin`:
+/// growing exponentials are computed backwards from their last sample.
 Eigen::MatrixX2d exponentials(std::complex<double> exponent, Index count, Index origin = 0);
 
 /// Values of a sum at t = k dt, block by block: one exponential per block and mode instead of one

@@ -10,7 +10,7 @@ namespace dyncal {
 namespace {
 
 constexpr int kSteps = 600;
-constexpr double kStillLow = 0.25; ///< of the plateau: tells the onset from the first peak
+constexpr double kStillLow = 0.25; ///< of the plateau: separates the onset from the first peak
 
 /// Root of the k-th derivative nearest to 0 within +-search where the response is still low, by
 /// scan and bisection.
@@ -41,7 +41,7 @@ std::optional<double> nearestRoot(const ExponentialSum &response, int k, double 
     return nearest;
 }
 
-/// Largest size of the k-th derivative in the search range: what "vanishes" is measured against.
+/// Largest size of the k-th derivative in the search range, the reference for "vanishes".
 double largest(const ExponentialSum &response, int k, double search_s)
 {
     double top = 0.0;
@@ -59,8 +59,8 @@ std::optional<double> findOnset_s(const ExponentialSum &response, double search_
     if (response.poles_rad_s.size() < 2)
         return nearestRoot(response, 0, search_s);
     if (response.poles_rad_s.size() % 2 == 1) {
-        // Degree three: slope and curvature vanish together, and noise turns the double root of the
-        // slope into two or none; the simple root of the curvature stays put.
+        // Degree three: slope and curvature vanish together. Noise turns the double root of the
+        // slope into two roots or none; the simple root of the curvature hardly moves.
         constexpr double kVanishes = 0.05;
         const auto flat = nearestRoot(response, 2, search_s);
         if (flat

@@ -16,8 +16,7 @@
 namespace dyncal {
 namespace {
 
-/// Beyond this many rows Lanczos is faster for 120 triplets (70 ms for three shots), before that
-/// for fewer only.
+/// Beyond this many rows Lanczos is faster even for 120 triplets (70 ms for three shots).
 constexpr Index kDenseRows = 350;
 
 struct Shape
@@ -98,8 +97,8 @@ void keep(SingularTriplets &&triplets, HankelDecomposition &result)
         = innerProducts(result.leftVectors.topRows(r - 1), result.leftVectors.bottomRows(r - 1));
 }
 
-/// Largest singular values of matrices of the same shape built from the pre-trigger noise, as many
-/// as its record allows.
+/// Largest singular values of matrices of the same shape built from the pre-trigger noise, up to
+/// kDraws, as many as the noise record allows.
 std::vector<double> noiseTops(const ModelInput &input, const Shape &shape,
     const HankelDecomposition &result, const JobControl &control)
 {
@@ -125,9 +124,9 @@ std::vector<double> noiseTops(const ModelInput &input, const Shape &shape,
     return tops;
 }
 
-/// Median and 95 % point of what noise alone would give; with too short a record those of unit
-/// noise, as a share of sqrt(2 m ln m) (docs/method/hankel.md; the Marchenko-Pastur edge does not
-/// hold for Hankel matrices).
+/// Median and 95 % point of what noise alone would give; if the record is too short, by the formula
+/// share * sqrt(2 m ln m) (docs/method/hankel.md; the Marchenko-Pastur edge does not hold for
+/// Hankel matrices).
 void setNoiseFloor(const ModelInput &input, const Shape &shape, const JobControl &control,
     HankelDecomposition &result)
 {
@@ -145,7 +144,7 @@ void setNoiseFloor(const ModelInput &input, const Shape &shape, const JobControl
         result.noiseFloor_median = kShare_median * edge;
         return;
     }
-    // Few draws: mean and mean + 1.645 sd are steadier than their middle and their largest.
+    // With few draws mean and mean + 1.645 sd scatter less than median and maximum.
     const Eigen::Map<const Eigen::ArrayXd> values(tops.data(), static_cast<Index>(tops.size()));
     const double mean = values.mean();
     const double sd

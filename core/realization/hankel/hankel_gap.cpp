@@ -13,7 +13,7 @@
 namespace dyncal {
 namespace {
 
-constexpr double kSurely = 1.3; ///< of the noise's 95 % edge: noise alone does not reach this
+constexpr double kSurely = 1.3; ///< of the noise's 95 % edge; noise alone does not reach it
 constexpr double kRoundingOfValues = 1e-10; ///< of the largest singular value
 constexpr double kClearGap = 3.0;
 
@@ -31,7 +31,7 @@ bool splitsPair(const HankelDecomposition &decomposition, Index order)
     const Eigen::VectorXd &sigma = decomposition.singularValues;
     if (order < 1 || order >= largestOrder(decomposition))
         return false;
-    // What lies in the noise, or in the rounding of noise-free data, belongs to no oscillation.
+    // Values within the noise, or within the rounding of noise-free data, belong to no oscillation.
     const double least
         = std::max(kSurely * decomposition.noiseFloor_p95, kRoundingOfValues * sigma[0]);
     return sigma[order] > least

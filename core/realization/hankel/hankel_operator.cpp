@@ -54,7 +54,7 @@ Eigen::MatrixXd HankelOperator::dense() const
 namespace {
 
 constexpr Index kThreadLength
-    = 20'000; ///< an FFT of this length takes longer than a thread's start
+    = 20'000; ///< an FFT of this length takes longer than starting a thread
 
 } // namespace
 

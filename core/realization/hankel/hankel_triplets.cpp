@@ -85,14 +85,14 @@ Result<SingularTriplets> HankelTriplets::fromSquares(
         if (control.stopRequested())
             return;
         Eigen::VectorXd image = transposedTimes(m_blocks, pairs.vectors.col(k));
-        values[k] = image.norm(); // the root of the eigenvalue has only half the digits
+        values[k] = image.norm(); // the eigenvalue's root has half the digits
         if (right == Right::Wanted)
             images[static_cast<std::size_t>(k)] = std::move(image);
     });
     if (control.stopRequested())
         return fail(ErrorKind::Cancelled, {});
     std::vector<Index> order(
-        static_cast<std::size_t>(count)); // values at rounding may have swapped
+        static_cast<std::size_t>(count)); // at rounding level the order may change
     std::iota(order.begin(), order.end(), Index(0));
     std::stable_sort(
         order.begin(), order.end(), [&](Index a, Index b) { return values[a] > values[b]; });
@@ -130,7 +130,8 @@ double largestSingularValue(const std::vector<HankelOperator> &blocks, const Job
 {
     if (BlockLanczos::mostPairs(blocks.front().rows()) < 1)
         return leftSvd(denseHankel(blocks)).singularValues[0];
-    // A value errs by its residual at most, and by the square of it where others are not so near.
+    // The error of a value is at most its residual, and about its square if other values are far
+    // away.
     constexpr double kResidual = 0.01;
     const auto product = productOf(blocks);
     BlockLanczos lanczos(*product, kResidual);

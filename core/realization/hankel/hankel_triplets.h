@@ -26,7 +26,7 @@ struct SingularTriplets
 
 /// Singular triplets by block Lanczos: of one symmetric block as the eigenpairs of the matrix
 /// itself, otherwise as those of sum H_i H_i^T, where values below about 1e-8 of the first are
-/// rounding. Later calls go on from what earlier ones found.
+/// rounding. Later calls continue from the result of earlier ones.
 class HankelTriplets
 {
 public:
@@ -51,8 +51,7 @@ private:
 /// [H_1 H_2 ...] written out.
 Eigen::MatrixXd denseHankel(const std::vector<HankelOperator> &blocks);
 
-/// Largest singular value alone, to 1 % of it at least (0.01 % as a rule); of no use when asked to
-/// stop.
+/// The largest singular value alone, to 1 % or better (usually 0.01 %); meaningless after a stop.
 double largestSingularValue(
     const std::vector<HankelOperator> &blocks, const JobControl &control = {});
 

@@ -16,14 +16,14 @@
 namespace dyncal {
 namespace {
 
-/// Two: a double eigenvalue is found with both its vectors, two threads have a product each, and
-/// hardly more products are needed than with one.
+/// With two, a double eigenvalue is found with both its vectors and each of two threads has a
+/// product, for hardly more products than with one.
 constexpr Index kBlock = 2;
 constexpr double kRoundingOfProducts = 1e-14; ///< of A's products, relative to the largest
-/// What is left of a vector after a subtraction, below which rounding shows: subtract again.
+/// If a subtraction leaves less than this of a vector, rounding shows, and it is repeated.
 constexpr double kMuchRemoved = 0.05;
 
-/// Fixed numbers without any structure that a record could share.
+/// Fixed numbers without any structure that a record could have.
 void fillRandom(Eigen::Ref<Eigen::VectorXd> x, Index stream)
 {
     RandomStream random(20260101, 0, stream);
@@ -31,8 +31,8 @@ void fillRandom(Eigen::Ref<Eigen::VectorXd> x, Index stream)
         value = random.nextUniform() - 0.5;
 }
 
-/// When to look again whether the pairs have converged: a look costs as much as some products, and
-/// residuals shrink at a steady rate.
+/// Predicts when to check convergence again: a check costs as much as some products, and residuals
+/// shrink at a steady rate.
 class Convergence
 {
 public:
@@ -99,8 +99,8 @@ Eigen::MatrixXd BlockLanczos::removeBasis(Eigen::Ref<Eigen::MatrixXd> W, Index c
     return C;
 }
 
-/// What the recurrence says is in W = A * next: the coupled part of the basis, and `next` itself.
-/// Returns the latter's coefficients.
+/// Subtracts from W = A * next what the recurrence predicts: the coupled part of the basis, and
+/// `next` itself, whose coefficients are returned.
 Eigen::MatrixXd BlockLanczos::removeCoupled(Eigen::Ref<Eigen::MatrixXd> W) const
 {
     const Index coupled = m_restarted ? m_dimension : std::min(m_dimension, kBlock);
@@ -112,9 +112,10 @@ Eigen::MatrixXd BlockLanczos::removeCoupled(Eigen::Ref<Eigen::MatrixXd> W) const
     return corner;
 }
 
-/// A times the next block joins the basis; what is orthogonal to it becomes the block after. What
-/// the recurrence knows goes first, so that the pass over the whole basis removes rounding only: a
-/// single such pass that removes more would lose orthogonality step by step.
+/// Adds the next block to the basis; the part of A times it that is orthogonal to the basis becomes
+/// the following block. The terms of the recurrence are subtracted first, so that the pass over the
+/// whole basis removes rounding only: a single pass that removed more would lose orthogonality step
+/// by step.
 void BlockLanczos::grow()
 {
     const Index d = m_dimension + kBlock;
@@ -144,8 +145,8 @@ void BlockLanczos::extendProjection(const Eigen::MatrixXd &corner)
     m_T.bottomRightCorner(kBlock, kBlock) = 0.5 * (corner + corner.transpose());
 }
 
-/// W = next * R with W orthogonal to the basis: `next` goes behind the basis, R is what couples it
-/// to the last block; earlier blocks have no coupling.
+/// W = next * R with W orthogonal to the basis: `next` is stored after the basis, R couples it to
+/// the last block; earlier blocks have no coupling.
 void BlockLanczos::appendOrthonormal(Eigen::MatrixXd &W)
 {
     Eigen::MatrixXd R = Eigen::MatrixXd::Zero(kBlock, kBlock);
@@ -159,7 +160,7 @@ void BlockLanczos::appendOrthonormal(Eigen::MatrixXd &W)
         const double norm = W.col(j).norm();
         if (norm > kRoundingOfProducts * m_scale) {
             R(j, j) = norm;
-        } else { // the subspace is exhausted: any other direction will do, uncoupled
+        } else { // the subspace is exhausted: any other direction, uncoupled
             fillRandom(W.col(j), kBlock + m_products + j);
             removeBasis(W.col(j), known);
         }
@@ -212,7 +213,7 @@ double BlockLanczos::largestExcess(Index count) const
     return largest;
 }
 
-/// The leading Ritz vectors become the basis; the next block stays what it is.
+/// The leading Ritz vectors become the basis; the next block is kept.
 void BlockLanczos::restart(Index keep)
 {
     rotateColumns(m_Q.leftCols(m_dimension), m_rotation.leftCols(keep));

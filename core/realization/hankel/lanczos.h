@@ -31,7 +31,7 @@ struct EigenPairs
 
 /// Block Lanczos with full reorthogonalisation and thick restarts (Wu and Simon 2000) for the
 /// eigenvalues of largest magnitude. The start block is fixed and sums have a fixed order, so that
-/// results repeat, with one thread or two. An exhausted subspace (a matrix of low rank) goes on
+/// results repeat, with one thread or two. If the subspace is exhausted (low rank) it continues
 /// with a fresh random direction. docs/method/hankel.md.
 class BlockLanczos
 {
@@ -43,11 +43,12 @@ public:
     /// Largest number of pairs a matrix of this size can be asked for.
     static Index mostPairs(Index size);
 
-    /// Iterates until the `count` leading pairs have converged, or until 100 products per pair are
-    /// spent; goes on from what an earlier call has found. False when asked to stop.
+    /// Iterates until the `count` leading pairs have converged, or for at most 100 count + 1000
+    /// products; continues from the result of an earlier call. False when asked to stop.
     bool iterate(Index count, const JobControl &control);
 
-    /// The `count` leading pairs as the last iterate(), of at least as many, left them.
+    /// The `count` leading pairs after the last iterate(), which must have asked for at least as
+    /// many.
     EigenPairs leading(Index count);
 
     Index products() const { return m_products; } ///< A x so far
@@ -73,7 +74,7 @@ private:
     Eigen::MatrixXd m_coupling; ///< A Q = Q T + next * coupling
     Index m_dimension = 0; ///< columns of the basis
     bool m_restarted = false; ///< the next block couples to the whole basis, not to its last block
-    double m_scale = 0.0; ///< largest norm of A q so far: what rounding is relative to
+    double m_scale = 0.0; ///< largest norm of A q so far: the scale of rounding
     Index m_products = 0;
     Eigen::VectorXd m_values; ///< of T, largest magnitude first
     Eigen::MatrixXd m_rotation; ///< eigenvectors of T

@@ -19,7 +19,7 @@ namespace {
 constexpr Index kHighestTried = 20;
 constexpr double kRoundingFloor = 1e-11; ///< of the largest value: nothing below is information
 
-/// What BIC is formed on, and whether it is no longer what the given decomposition was made of.
+/// The input of BIC, and whether it differs from the input of the given decomposition.
 struct WhitenedInput
 {
     ModelInput input;
@@ -27,9 +27,9 @@ struct WhitenedInput
     std::vector<double> floors = {}; ///< mean square per series below which nothing is information
 };
 
-/// Rounding errors that the noise does not randomise do not show in the record before the start, so
-/// it says nothing of their spectrum. The response is then used as it is, and a residual counts as
-/// no less than noise and largest rounding error, which has three times their mean square.
+/// Rounding errors that the noise does not randomise are not seen in the record before the start,
+/// so their spectrum is unknown. The response is then used without whitening, and a residual counts
+/// as at least noise and largest rounding error (three times the mean square of rounding).
 std::optional<WhitenedInput> roundedInput(const ModelInput &input)
 {
     if (std::none_of(input.series.begin(), input.series.end(), roundingCounts))
@@ -66,7 +66,7 @@ WhitenedInput whitenedInput(const ModelInput &input)
         ModelSeries &series = result.input.series[i];
         series.y = whitened(series.y, models[i].coefficients);
         series.noiseSd = std::sqrt(models[i].innovationVariance);
-        series.noise.resize(0); // nobody asks for the noise floor of this decomposition
+        series.noise.resize(0); // this decomposition needs no noise floor
     }
     result.floors.assign(models.size(), 0.0);
     result.input.samples = result.input.series.front().y.size();
@@ -74,8 +74,8 @@ WhitenedInput whitenedInput(const ModelInput &input)
     return result;
 }
 
-/// Coloured noise displaces the poles of weak modes: they are realised anew from what is whitened.
-/// Thesis mode keeps the poles of the listing.
+/// Coloured noise displaces the poles of weak modes, so they are realised again from the whitened
+/// response. Thesis mode keeps the poles of the listing.
 std::optional<HankelDecomposition> decomposeAnew(
     const WhitenedInput &whitened, const JobControl &control)
 {

@@ -22,8 +22,8 @@ struct OrderSuggestion
 };
 
 /// BIC on the pre-whitened response (docs/method/order.md): an AR model of the pre-trigger noise
-/// filters the response (poles survive a FIR filter), then BIC over orders 1..20. Asked to stop, it
-/// returns early with a suggestion that means nothing.
+/// filters the response (poles survive a FIR filter), then BIC over orders 1..20. After a stop the
+/// suggestion is meaningless.
 OrderSuggestion suggestOrder(const ModelInput &input, const HankelDecomposition &decomposition,
     const JobControl &control = {});
 

@@ -23,8 +23,8 @@ StateSpaceModel modalStateSpace(const std::vector<std::complex<double>> &poles,
     for (Index i = 0; i < n; ++i) {
         const std::complex<double> p = poles[static_cast<std::size_t>(i)];
         const double gain = std::sqrt(std::abs(residues[i]));
-        // A resonance above the Nyquist frequency, which the refinement finds at the record's own
-        // rate, is folded: the upper half of its pair in s is the lower one in z.
+        // The refinement, at the record's own rate, may find a resonance above the model's Nyquist
+        // frequency. It is folded: the upper half of its pair in s is the lower one in z.
         if (p.imag() != 0.0) {
             // C (zI - A)^-1 B = 2 Re-form of r/(z-p) + r*/(z-p*), inputs and outputs balanced.
             model.A.block(i, i, 2, 2) << p.real(), p.imag(), -p.imag(), p.real();
@@ -75,7 +75,7 @@ std::vector<std::complex<double>> transmissionZeros(const StateSpaceModel &model
         output = (output * model.A).eval();
     const Eigen::VectorXcd found = eigenvalues(model.A - model.B * output / h[delay]);
     std::vector<std::complex<double>> zeros(found.begin(), found.end());
-    // One eigenvalue at 0 (up to rounding) for every sample of delay is no zero.
+    // Each sample of delay adds an eigenvalue at 0 (up to rounding) that is no zero.
     std::sort(zeros.begin(), zeros.end(),
         [](const auto &a, const auto &b) { return std::abs(a) < std::abs(b); });
     zeros.erase(zeros.begin(), zeros.begin() + delay);

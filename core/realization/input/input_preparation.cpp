@@ -53,7 +53,7 @@ Message tooFewSamples(Index shot, Index found, Index needed)
         {std::to_string(shot), std::to_string(found), std::to_string(needed)}};
 }
 
-/// Share of the ringing's energy that lies before the first sample of the input, noise taken off.
+/// Share of the ringing's energy before the first sample of the input, less that of noise.
 std::optional<double> lostResponse_percent(const ModelInput &input)
 {
     double before = 0.0;
@@ -75,7 +75,7 @@ std::optional<double> lostResponse_percent(const ModelInput &input)
     return std::clamp(100.0 * before / all, 0.0, 100.0);
 }
 
-/// The rate as set, or by the rule; with what is to be said of it.
+/// The rate as set, or by the rule, with its findings.
 Result<void> chooseRate(const std::vector<Source> &list, const SensorTraits &traits,
     const InputSettings &settings, ModelInput &input)
 {
@@ -94,7 +94,7 @@ Result<void> chooseRate(const std::vector<Source> &list, const SensorTraits &tra
     return {};
 }
 
-/// Of every source, down to the model rate.
+/// The filter of every source, down to the model rate.
 Result<std::vector<AntiAliasFilter>> designFilters(const std::vector<Source> &list, double rate_Hz)
 {
     std::vector<AntiAliasFilter> filters;
@@ -107,7 +107,7 @@ Result<std::vector<AntiAliasFilter>> designFilters(const std::vector<Source> &li
     return filters;
 }
 
-/// Of the longest filter.
+/// Half the span of the longest filter.
 double longestHalf_s(const std::vector<AntiAliasFilter> &filters)
 {
     double half_s = 0.0;
@@ -116,9 +116,8 @@ double longestHalf_s(const std::vector<AntiAliasFilter> &filters)
     return half_s;
 }
 
-/// Time of the first sample behind the start. A centred filter sees nothing of the time before the
-/// start once half of it lies behind the sample's own time: the whole filter, both halves, then
-/// lies behind the onset.
+/// Time of the input's first sample after the start: half the filter's span, so that the whole
+/// centred filter lies after the start.
 double chooseOffset_s(const InputSettings &settings, double filterHalf_s, Findings &findings)
 {
     const double offset_s = settings.offset_s.value.value_or(filterHalf_s);
@@ -127,7 +126,7 @@ double chooseOffset_s(const InputSettings &settings, double filterHalf_s, Findin
     return offset_s;
 }
 
-/// Place of the input's first sample in every source.
+/// Position of the input's first sample in every source.
 Result<std::vector<Index>> firstSamples(
     const std::vector<Source> &list, const std::vector<AntiAliasFilter> &filters, double offset_s)
 {
@@ -149,7 +148,7 @@ Result<std::vector<Index>> firstSamples(
     return firsts;
 }
 
-/// As many as are asked for, or by the rule as many as every source offers.
+/// The number asked for, or by the rule at most what every source offers.
 Result<Index> chooseLength(const std::vector<Source> &list,
     const std::vector<AntiAliasFilter> &filters, const std::vector<Index> &firsts,
     const std::optional<Index> &asked, Index wanted)

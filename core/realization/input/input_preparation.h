@@ -15,8 +15,8 @@
 
 namespace dyncal {
 
-/// Resamples to the model rate, cuts the model input and says what was lost (thesis 3.7 4d-5).
-/// Rules of "auto" for rate, offset and length: docs/method/model-input.md.
+/// Resamples to the model rate, cuts the model input and reports the part of the response that is
+/// lost (thesis 3.7 4d-5). Rules of "auto" for rate, offset and length: docs/method/model-input.md.
 Result<ModelInput> prepareModelInput(const std::vector<WindowedResponse> &responses,
     const SpectrumResult &spectrum, const ComponentResult &components,
     const InputSettings &settings, const JobControl &control = {});

@@ -34,7 +34,7 @@ bool seesLeftOut(const ModelSeries &series, Index k)
         [&](const LeftOut &part) { return part.samples.overlaps(seen); });
 }
 
-/// `inStead` minus what was recorded, within the stretches, through the filter.
+/// `inStead` less the recorded values within the stretches, through the filter.
 template <typename Value>
 Eigen::VectorXd replaced(const ModelSeries &series, const Value &inStead)
 {
@@ -50,8 +50,7 @@ Eigen::VectorXd replaced(const ModelSeries &series, const Value &inStead)
     return decimate(change, series.filter, half, series.y.size());
 }
 
-/// Straight line between the samples beside the stretch; where it has only one neighbour, its
-/// level.
+/// Straight line between the samples beside the stretch; with only one neighbour, that one's level.
 double interpolated(const ModelSeries &series, const LeftOut &part, Index i)
 {
     const Index last = series.fullRate.size() - 1;
@@ -150,7 +149,7 @@ Result<void> leaveOut(ModelInput &input, const std::vector<WindowedResponse> &re
         const auto response = std::find_if(responses.begin(), responses.end(),
             [&](const WindowedResponse &r) { return r.shot == stretch.shot; });
         if (response == responses.end())
-            continue; // of a shot that is not used: nothing to leave out
+            continue; // the shot is not used
         ModelSeries &series = input.series[static_cast<std::size_t>(response - responses.begin())];
         if (auto added = addStretch(*response, stretch, series); !added)
             return added;

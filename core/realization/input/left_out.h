@@ -18,11 +18,10 @@ namespace dyncal {
 
 // Marked stretches of a record that take no part in the fit (docs/method/nuisance-modes.md).
 
-/// Notes the stretches in the series they belong to and bridges them by a straight line in the
-/// correction; one of a shot that is not used is ignored. Fails (Usage) on a stretch outside its
-/// window; (DataBlocked, WIN-008) where more than half of a model input would be left out.
-/// Findings: WIN-007 (each stretch, with its reason), WIN-009 (the average of the shots knows
-/// none).
+/// Adds the stretches to their series and bridges them by a straight line in the correction;
+/// stretches of unused shots are ignored. Fails (Usage) on a stretch outside its window;
+/// (DataBlocked, WIN-008) where more than half of a model input would be left out. Findings:
+/// WIN-007 (each stretch, with its reason), WIN-009 (the average of the shots has none).
 Result<void> leaveOut(ModelInput &input, const std::vector<WindowedResponse> &responses,
     const std::vector<ExcludedStretch> &stretches);
 
@@ -35,12 +34,12 @@ std::vector<SampleRange> countedSamples(const ModelSeries &series);
 /// The values (one per sample of y) of countedSamples(), one after the other.
 Eigen::VectorXd countedValues(const ModelSeries &series, const Eigen::VectorXd &values);
 
-/// What, added to y, puts the response that `sensor` and the series' own nuisance terms describe in
-/// place of what was recorded in the stretches; through the filter, at the model rate.
+/// The correction that, added to y, replaces the recording in the stretches by the response of
+/// `sensor` and the series' nuisance terms; through the filter, at the model rate.
 Eigen::VectorXd bridge(const ModelSeries &series, const ExponentialSum &sensor);
 
-/// The input cut to a run of samples without anything left out, as long as every series has one;
-/// shorter than an eighth of the input it is empty. For finding poles.
+/// The input cut to the longest run without stretches left out that every series has; empty if
+/// shorter than an eighth of the input. For finding poles.
 ModelInput cleanRun(const ModelInput &input);
 
 } // namespace dyncal

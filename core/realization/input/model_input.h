@@ -20,7 +20,7 @@
 
 namespace dyncal {
 
-/// Samples of a record from the start on that take no part, with what was recorded there.
+/// Samples left out, counted from the start of the response, with their recorded values.
 struct LeftOut
 {
     SampleRange samples;
@@ -35,8 +35,8 @@ struct ModelSeries
     double first_s = 0.0; ///< time of y[0] relative to the detected start
     Eigen::VectorXd noise; ///< pre-trigger noise through the same filter, at the model rate
     double noiseSd = 0.0; ///< of `noise`, with what rounding leaves; 0 = not known
-    double roundingSd = 0.0; ///< of what rounding adds to y and averaging does not remove: far
-                             ///< below the noise as a rule (docs/method/order.md)
+    double roundingSd = 0.0; ///< rounding error of y that averaging does not remove: usually
+                             ///< far below the noise (docs/method/order.md)
     AntiAliasFilter filter; ///< identity when nothing was reduced
     /// The same stretch at the shot's own rate, from the start on: what the refinement works on.
     Eigen::VectorXd fullRate;
@@ -48,14 +48,14 @@ struct ModelSeries
     double u_baseline = 0.0; ///< of the level that was subtracted
 
     /// Modes that are not the sensor's, as separateNuisance() found them; fullRate is then long
-    /// enough to tell them from the plateau.
+    /// enough to separate them from the plateau.
     std::vector<NuisanceTerm> nuisance = {};
-    std::vector<LeftOut> leftOut = {}; ///< in order and apart
-    Eigen::VectorXd correction = {}; ///< added to y it leaves the sensor alone; empty = none
+    std::vector<LeftOut> leftOut = {}; ///< in order, not touching
+    Eigen::VectorXd correction = {}; ///< added to y it leaves the sensor's part; empty = none
 };
 
-/// Whether errors of rounding show beside the noise (more than a tenth of it): what the record
-/// before the start says of the noise does not hold for the response then.
+/// Whether rounding errors exceed a tenth of the noise: the noise before the start is then not the
+/// noise in the response.
 bool roundingCounts(const ModelSeries &series);
 
 struct ModelInput
@@ -63,16 +63,16 @@ struct ModelInput
     ResponseTreatment treatment = ResponseTreatment::StepDeflated;
     CombineMethod combine = CombineMethod::Stacked;
     double sampleRate_Hz = 0.0;
-    double offset_s = 0.0; ///< start of the input behind the detected start
+    double offset_s = 0.0; ///< begin of the input after the detected start
     Index samples = 0;
     std::vector<ModelSeries> series;
     std::optional<double> samplesPerPeriod; ///< of the main resonance
     std::optional<double> lostResponse_percent; ///< energy of the ringing before the input starts
-    std::vector<NuisanceMode> nuisanceModes; ///< what NuisanceTerm::mode counts in
+    std::vector<NuisanceMode> nuisanceModes; ///< NuisanceTerm::mode is a position in it
     std::vector<ExcludedStretch> leftOut; ///< what was left out of the series
     std::vector<std::optional<double>> soundSpeeds_m_s; ///< of region 5, per shot of the set: what
                                                         ///< their frequencies were scaled by
-    Findings findings; ///< MIN-001..006, CAP-004, WIN-007..009, NUI-001..004
+    Findings findings; ///< MIN-001..006, CAP-004, WIN-007..009, NUI-001..005
 };
 
 /// The thesis's own way: the step is one of the states.

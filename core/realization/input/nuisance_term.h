@@ -11,7 +11,7 @@
 namespace dyncal {
 
 /// What one mode that is not the sensor's adds to one record: Re(amplitude e^(pole t)), t from the
-/// detected start. Pole and amplitude are that record's own (docs/method/nuisance-modes.md).
+/// detected start. Every record has its own pole and amplitude (docs/method/nuisance-modes.md).
 struct NuisanceTerm
 {
     std::size_t mode = 0; ///< place in the recipe's list

@@ -11,7 +11,7 @@
 
 namespace dyncal {
 
-/// A mode that is not the sensor's: fitted to each shot by itself and left out of the model.
+/// A mode that is not the sensor's: fitted to each shot separately and left out of the model.
 struct NuisanceMode
 {
     std::vector<double> frequency_Hz; ///< one, or one per shot of the capture set
@@ -23,7 +23,7 @@ struct NuisanceMode
     bool operator==(const NuisanceMode &) const = default;
 };
 
-/// What the operator wrote of an order that is compared.
+/// The operator's note on an order that is compared.
 struct OrderNote
 {
     Index order = 0;

@@ -27,7 +27,7 @@ Eigen::VectorXd filteredNoise(const SeriesSource &source, const AntiAliasFilter 
     return count >= 8 ? decimate(source.noise, filter, half, count) : Eigen::VectorXd();
 }
 
-/// Of the mean of a noise record: its spectral density at frequency 0 over its length.
+/// u of the mean of a noise record, from its spectral density at frequency 0 over its length.
 double uncertaintyOfMean(const NoiseCovariance &noise)
 {
     if (noise.count == 0)
@@ -38,13 +38,13 @@ double uncertaintyOfMean(const NoiseCovariance &noise)
         / std::abs(1.0 + model.coefficients.sum());
 }
 
-/// The noise with the rounding errors of a response of so many samples, which the record before the
-/// start does not show: a new error at each sample while the response moves, the same error for
-/// long where it comes to rest (docs/method/order.md).
+/// Adds to the noise the rounding errors of a response of `samples` samples, which the record
+/// before the start does not show: a new error at each sample while the response moves, the same
+/// error for long where it rests (docs/method/order.md).
 NoiseCovariance withRounding(
     const NoiseCovariance &noise, double leastSd, double lastingSd, Index samples)
 {
-    constexpr double kShareAlike = 0.1; // of the response, in which these errors are alike
+    constexpr double kShareAlike = 0.1; // share of the response with the same error
     NoiseCovariance result = noise;
     if (noise.count == 0)
         return result;

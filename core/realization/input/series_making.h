@@ -10,8 +10,8 @@
 
 namespace dyncal {
 
-/// The series of so many samples from sample `first` of the source on, resampled through the
-/// filter; with what its noise and its rounding are like. Level and step are left open.
+/// The series of `samples` samples from sample `first` of the source on, resampled through the
+/// filter, with its noise and rounding. Level and step are not filled in.
 ModelSeries makeSeries(
     const SeriesSource &source, const AntiAliasFilter &filter, Index first, Index samples);
 

@@ -11,7 +11,7 @@
 namespace dyncal {
 namespace {
 
-/// What is less than this share of the largest value is rounding of the arithmetic.
+/// Less than this share of the largest value is rounding of the arithmetic.
 constexpr double kArithmetic = 1e-11;
 
 /// Noise of the average: the shots' noise averaged point by point, as the reconstructions are.
@@ -32,14 +32,14 @@ Eigen::VectorXd averageNoise(const std::vector<WindowedResponse> &responses, dou
     return count ? Eigen::VectorXd(sum / static_cast<double>(count)) : sum;
 }
 
-/// Of the errors that rounding makes in a record, in the unit of its values.
+/// Rounding errors of a record, in the unit of its values.
 struct Rounding
 {
     double sd = 0.0;
     double lastingSd = 0.0; ///< of what averaging does not remove
 };
 
-/// Unknown like the noise where there is no quiet stretch.
+/// Unknown (0), like the noise, without a quiet stretch.
 Rounding roundingOf(const WindowedResponse &response)
 {
     if (response.noise.size() < 2)
@@ -50,7 +50,7 @@ Rounding roundingOf(const WindowedResponse &response)
         std::max(response.roundingSd, arithmetic)};
 }
 
-/// Of the average: the shots are rounded apart from each other.
+/// Rounding of the average: the shots are rounded independently.
 Rounding averageRounding(const std::vector<WindowedResponse> &responses)
 {
     Rounding squares;

@@ -32,7 +32,8 @@ const ModelSeries &clearest(const ModelInput &input)
         });
 }
 
-/// Height of every shot against the clearest one, whose own noise would make it seem too low.
+/// Height of every shot relative to the clearest one, corrected for that one's noise, which would
+/// make the ratio too low.
 std::vector<double> heights(const ModelInput &input)
 {
     const ModelSeries &reference = clearest(input);
@@ -85,7 +86,7 @@ bool sharesShape(
         noiseCount += static_cast<double>(noise.size());
         count += static_cast<double>(difference.size());
     }
-    // The combination takes up one shot's worth of freedom. Both variances are estimated from
+    // The combination takes the degrees of freedom of one shot. Both variances are estimated from
     // hundreds of values, so that the logarithm of their ratio is normal.
     const double dof = count * (1.0 - 1.0 / static_cast<double>(height.size()));
     const double spread = std::sqrt(2.0 / dof + 2.0 / noiseCount);

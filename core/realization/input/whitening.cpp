@@ -79,7 +79,7 @@ std::vector<AutoregressiveModel> chooseAutoregressiveModels(
             const double before = tried[i].innovationVariance;
             raiseOrder(records[i].values, tried[i]);
             if (!(tried[i].innovationVariance > 0.0))
-                return models; // predictable to the last digit: no noise to speak of
+                return models; // predictable to the last digit: no noise
             change += n * std::log(tried[i].innovationVariance / before) + std::log(n);
         }
         if (change < smallest) {

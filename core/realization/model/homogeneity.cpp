@@ -24,7 +24,7 @@ namespace dyncal {
 namespace {
 
 constexpr double kSignificance = 0.01;
-constexpr double kSmallestP = 1e-4; ///< smaller ones are not worth telling apart
+constexpr double kSmallestP = 1e-4; ///< smaller ones count as this
 
 /// The poles of the model fitted to some of the shots alone: those that stand out there.
 struct PartFit
@@ -41,13 +41,13 @@ struct PartFit
     Index at(Index pole) const { return *place[static_cast<std::size_t>(pole)]; }
 };
 
-/// Energy over noise of a pole in one series, as the joint fit has it.
+/// Energy over noise of a pole in one series, by the joint fit.
 double energyOf(const ModelInput &input, const ModelDraft &draft, std::size_t r, Index pole)
 {
     return energyOverNoise(input.series[r], draft.series[r], pole, sampleInterval_s(input));
 }
 
-/// What every part is fitted from.
+/// Common input of the fits of all parts.
 struct Source
 {
     const ModelInput &input;
@@ -95,8 +95,8 @@ PartFit fitPoles(const Source &source, const std::vector<std::size_t> &series,
     return part;
 }
 
-/// Poles that only the shots together tell apart cannot be fitted to one: then the main one alone,
-/// with what it leaves over in its uncertainty.
+/// Poles that only all shots together can separate cannot be fitted to one shot; then only the main
+/// one is fitted, and the remaining residual is in its uncertainty.
 PartFit fitPart(
     const Source &source, const std::vector<std::size_t> &series, const JobControl &control)
 {
@@ -106,7 +106,7 @@ PartFit fitPart(
     return part;
 }
 
-/// Shots that carry a level are taken together with those of the same one, from low to high.
+/// One fit for all shots of a level, from low to high.
 std::vector<PartFit> fitLevels(
     const Source &source, const std::vector<PartFit> &shots, const JobControl &control)
 {
@@ -122,8 +122,8 @@ std::vector<PartFit> fitLevels(
     return fits;
 }
 
-/// Plateau over the shots of a part, weighted by their uncertainties; the baseline that was
-/// subtracted moves each whole record.
+/// Mean plateau over the shots of a part, weighted by their uncertainties, which include that of
+/// each baseline.
 void describePlateau(const ModelInput &input, const PartFit &part, LevelPole &result)
 {
     double weights = 0.0;
@@ -183,8 +183,8 @@ double disagreement(const std::vector<PartFit> &fits, Index pole, Index size, In
     Eigen::VectorXd weighted = Eigen::VectorXd::Zero(size);
     double squares = 0.0;
     Index shots = 0;
-    std::complex<double> first; // differences from it: the squares of the poles themselves would
-                                // cancel to nothing where the noise is small
+    std::complex<double> first; // differences from it: with the poles themselves
+                                // all digits would cancel where noise is small
     for (const PartFit &fit : fits) {
         if (!fit.has(pole))
             continue;
@@ -206,7 +206,7 @@ double disagreement(const std::vector<PartFit> &fits, Index pole, Index size, In
     return *dof == 0 ? 0.0 : squares - weighted.dot(information.ldlt().solve(weighted));
 }
 
-/// The scatter of one quantity over the shots, carried to their mean weighted by 1/u^2.
+/// Standard uncertainty of the mean, weighted by 1/u^2, from the scatter over the shots.
 double betweenShots(const std::vector<double> &values, const std::vector<double> &u)
 {
     const double count = static_cast<double>(values.size());
@@ -225,7 +225,7 @@ double betweenShots(const std::vector<double> &values, const std::vector<double>
     return std::sqrt(squares / (count - 1.0) * weightSquares) / weights;
 }
 
-/// What the shots themselves say of a pole they do not share.
+/// Uncertainty of a pole that the shots do not share, from their scatter.
 void useScatter(const std::vector<PartFit> &fits, Index at, Pole &pole)
 {
     std::vector<double> frequency;
@@ -242,7 +242,7 @@ void useScatter(const std::vector<PartFit> &fits, Index at, Pole &pole)
         u_damping.push_back(figures.u_dampingRatio);
     }
     pole.flags.push_back(kShotsDisagreeFlag);
-    if (frequency.size() < 2) { // one shot says nothing of the others
+    if (frequency.size() < 2) { // one shot has no scatter
         pole.u_frequency_Hz = kUnknown;
         pole.u_dampingRatio = kUnknown;
         pole.coverageFactor = kUnknown;
@@ -267,10 +267,10 @@ struct PoleTest
     double probability = 1.0;
 };
 
-/// A pole that rings in one shot and is missing in another, where it would ring ten times above
-/// what stands out if the shots had one shape: it does not stand out there, or holds a thousandth
-/// of that energy (what is left of fitting poles that are not quite that shot's). The statistic:
-/// what is missing, as energy over noise.
+/// Statistic for a pole that rings in one shot and is missing in another: the missing energy over
+/// noise. Missing: with the shape of the other shots it would have ten times the energy that stands
+/// out, but it does not stand out, or has less than a thousandth of that energy (a remainder of
+/// fitting poles that do not quite fit that shot).
 double missing(const ModelInput &input, const ModelDraft &draft, Index pole)
 {
     constexpr double kClear = 10.0;
@@ -278,7 +278,7 @@ double missing(const ModelInput &input, const ModelDraft &draft, Index pole)
     const auto clarity = [&](std::size_t r) { // of the step
         return std::pow(draft.series[r].constant / input.series[r].noiseSd, 2);
     };
-    double largest = 0.0; // of the energy, for a step as clear as 1
+    double largest = 0.0; // energy for a clarity of 1
     for (std::size_t r = 0; r < input.series.size(); ++r) {
         if (clarity(r) > 0.0)
             largest = std::max(largest, energyOf(input, draft, r, pole) / clarity(r));

@@ -13,8 +13,8 @@ namespace dyncal {
 
 /// Fits the poles to every shot alone and to the shots of every level, tests whether the shots
 /// share them (docs/method/model.md) and fills in perShot, perLevel and homogeneity. Where a pole
-/// fails, its uncertainty in the assessment, which must have those of the refinement, becomes the
-/// scatter between the shots, with Student's factor. Nothing is done without a refinement.
+/// fails, its uncertainty in the assessment (before: that of the refinement) becomes the scatter
+/// between the shots, with Student's factor. Does nothing without a refinement.
 void compareShots(const ModelInput &input, const SensorModel &model, ModelAssessment &assessment,
     const JobControl &control);
 

@@ -17,7 +17,7 @@
 namespace dyncal {
 namespace {
 
-/// The same poles refined with the nuisance modes left in the response, beside the model.
+/// Compares the model with the same poles refined with the nuisance modes left in the response.
 std::optional<NuisanceEffect> effectOfNuisance(const ModelInput &input, const SensorModel &model,
     const std::vector<Pole> &assessed, const JobControl &control)
 {
@@ -34,7 +34,7 @@ std::optional<NuisanceEffect> effectOfNuisance(const ModelInput &input, const Se
         effectSide(input, before, before.poles), effectSide(input, model, assessed)};
 }
 
-/// Flags in their order; those that need the uncertainties were not known before.
+/// Flags again, as some flags need the uncertainties, which were not known before.
 void flagAgain(const SensorModel &model, std::vector<Pole> &poles)
 {
     for (Pole &pole : poles)
@@ -58,7 +58,7 @@ Result<ModelAssessment> assessModel(const ModelInput &input, const SensorModel &
         assessment.nuisanceEffect = effectOfNuisance(input, fitted, assessment.poles, control);
     if (settings.refine)
         assessment.secondOrder = fitSecondOrderBeside(input, fitted, control);
-    // What a cancelled fit leaves out must not pass for "nothing found".
+    // A cancelled fit must not look like "nothing found".
     if (control.stopRequested())
         return fail(ErrorKind::Cancelled, {});
     assessment.findings = judgeShots(assessment);

@@ -12,10 +12,10 @@
 
 namespace dyncal {
 
-/// What a fitted model is worth, beside the model itself: uncertainties and last flags of its
-/// poles, the fits to each shot and level with the test whether the shots share their poles, the
-/// effect of the nuisance modes, the second-order sensor (docs/method/model.md). `fitted` must be
-/// fitModel()'s of this input and these settings. Fails only when cancelled.
+/// How good a fitted model is: uncertainties and remaining flags of its poles, the fits to each
+/// shot and level with the test whether the shots share their poles, the effect of the nuisance
+/// modes, the second-order sensor (docs/method/model.md). `fitted` must be the result of fitModel()
+/// for this input and these settings. Fails only when cancelled.
 Result<ModelAssessment> assessModel(const ModelInput &input, const SensorModel &fitted,
     const RealizationSettings &settings, const JobControl &control = {});
 

@@ -15,7 +15,7 @@
 
 namespace dyncal {
 
-/// The same order with the modes left in the response, beside the model without them.
+/// The same order with the nuisance modes left in the response (before) and without them (after).
 struct NuisanceEffect
 {
     struct Side
@@ -48,23 +48,23 @@ struct LevelPole
     double coverageFactor = kUnknown; ///< k of these u at 95 %
 };
 
-/// Test whether the shots share the model's poles, at 1 % (docs/method/model.md); of the pole
-/// on which they agree least.
+/// Test whether the shots share the model's poles, at 1 % (docs/method/model.md); values are those
+/// of the pole on which they agree least.
 struct Homogeneity
 {
     double frequency_Hz = 0.0;
     double statistic = 0.0; ///< chi square
     double dof = 0.0;
-    double probability = 1.0; ///< of so much scatter by chance, times the number of poles tested
+    double probability = 1.0; ///< of so much scatter by chance, times the poles tested
     bool passed = true;
 };
 
-/// What one fitted model is worth; assessModel() makes it. Of no use without that model, and never
-/// to be shown beside another.
+/// How good one fitted model is; made by assessModel(). It belongs to that model and must never be
+/// shown beside another.
 struct ModelAssessment
 {
-    /// Those of the model, one by one, with what only the assessment knows of them: u,
-    /// coverageFactor, "shots-disagree" and "integrator".
+    /// The model's poles, in its order, with what the assessment adds: u, coverageFactor,
+    /// "shots-disagree" and "integrator".
     std::vector<Pole> poles;
     std::optional<NuisanceEffect> nuisanceEffect; ///< where both sides could be refined
     std::vector<LevelPole> perShot; ///< in shot order
@@ -72,11 +72,10 @@ struct ModelAssessment
     std::optional<Homogeneity> homogeneity; ///< empty with fewer than two shots, or where no
                                             ///< pole of them could be compared
     std::optional<SecondOrderModel> secondOrder; ///< the 2nd-order sensor fitted beside the model
-    Findings findings; ///< MOD-010, MOD-011; told behind the model's
+    Findings findings; ///< MOD-010, MOD-011; listed after the model's
 };
 
-/// The poles with all that is known of them: as assessed, or as fitted where `assessment` is null,
-/// with unknown uncertainties.
+/// The poles as assessed; if `assessment` is null as fitted, with unknown uncertainties.
 const std::vector<Pole> &polesOf(const SensorModel &model, const ModelAssessment *assessment);
 
 /// The main resonance among them.

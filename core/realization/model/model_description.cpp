@@ -34,14 +34,15 @@ void poolFits(const ModelInput &input, SensorModel &model)
         noise += series.noiseSd * series.noiseSd * static_cast<double>(counted.size());
         spread += spreadSquares(counted);
         noiseKnown = noiseKnown && std::isfinite(fit.fitAttainable_percent);
-        // Each shot's own plateau is its unit: shots of different height share their shape.
+        // Each shot counts in units of its own plateau: shots of different height have the same
+        // shape.
         const double unit = isStep ? fit.plateauGain : 1.0;
         const double relativeNoise = series.noiseSd / unit;
         const double weight = relativeNoise != 0.0 ? 1.0 / (relativeNoise * relativeNoise) : 1.0;
         weights += weight;
         model.plateauGain += weight * fit.plateauGain;
-        // Free decays start at an arbitrary phase: their sizes are pooled, the first one's phase
-        // kept.
+        // Free decays start at arbitrary phases, so magnitudes are pooled, with the phases of the
+        // first shot.
         const Eigen::ArrayXcd amplitudes = fit.amplitudes.array();
         if (isStep)
             shape.array() += weight * amplitudes / unit;

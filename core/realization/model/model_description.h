@@ -12,9 +12,9 @@
 
 namespace dyncal {
 
-/// Poles, series and what is pooled over them, filled into the model; the pole of the step, where
-/// there is one, comes last. Of the poles' uncertainties nothing is said. In thesis mode the model
-/// must have its state space: the series are simulated with it.
+/// Fills poles, series and pooled values into the model; the step's pole, if any, comes last.
+/// Uncertainties of the poles stay unknown. In thesis mode the model must have its state space
+/// already, because the series are simulated with it.
 void describeModel(const ModelInput &input, const ModelDraft &draft,
     std::optional<std::complex<double>> stepPole, SensorModel &model);
 

@@ -16,12 +16,12 @@ namespace {
 
 constexpr double kGoodShare = 0.8; ///< of the attainable FIT
 constexpr double kOverFit_points = 2.0;
-constexpr double kNoiseLimit_percent = 10.0; ///< below, FIT says nothing
+constexpr double kNoiseLimit_percent = 10.0; ///< below, FIT is meaningless
 constexpr double kSameFrequency = 0.02;
 constexpr double kCancelling = 1e-3;
 constexpr std::size_t kMostNamed = 4; ///< poles in one sentence
 constexpr double kMissingFast = 0.1; ///< of the plateau, at the onset
-constexpr double kFarOff = 10.0; ///< plateaus at the onset: how many more says nothing
+constexpr double kFarOff = 10.0; ///< plateaus at the onset; a larger number means nothing
 constexpr double kStepPole = 1e-3; ///< from 1, in the z plane
 constexpr double kLikeAStep = 0.1; ///< of the largest amplitude
 
@@ -82,7 +82,7 @@ std::string frequenciesOf(const std::vector<const Pole *> &poles)
     return poles.size() > kMostNamed ? list + ", \xE2\x80\xA6" : list;
 }
 
-/// Those of which something is true, a pair once: its conjugate says nothing new.
+/// Poles that fulfil the condition, each pair once.
 template <typename Condition>
 std::vector<const Pole *> polesWhere(const SensorModel &model, Condition condition)
 {
@@ -236,8 +236,8 @@ void judgeAgainstSpectrum(const SensorModel &model, const SpectrumResult &spectr
     }
 }
 
-/// Share of the plateau at which the model starts. Poles in the noise are not counted: brought back
-/// to the onset, a fast one is any number.
+/// Share of the plateau at which the model starts. Poles in the noise do not count: a fast one,
+/// extrapolated to the onset, has an arbitrary value.
 double shareAtOnset(const SensorModel &model)
 {
     double value = model.plateauGain;

@@ -14,13 +14,14 @@
 
 namespace dyncal {
 
-/// What the operator must see about a realised model: ORD-001, ORD-003, MOD-001..006, 008, 009.
+/// What the operator must see about a realised model: ORD-001, ORD-003, MOD-001..006, 008, 009,
+/// 013.
 Findings judgeModel(const SensorModel &model, const ModelInput &input,
     const HankelDecomposition &decomposition, const SpectrumResult &spectrum);
 
-/// Marks in every pole's flags what else the table says of it: "step", "nyquist", "unstable",
-/// "near-cancelled" (a zero within 1e-3 in the z plane), "integrator" (real, as slow as its own
-/// standard uncertainty allows). After "below-noise", which comes with the class.
+/// Adds to every pole's flags: "step", "nyquist", "unstable", "near-cancelled" (a zero within 1e-3
+/// in the z plane), "integrator" (real, as slow as its own standard uncertainty allows). They come
+/// after "below-noise", which is set with the class.
 void flagPoles(const std::vector<std::complex<double>> &zeros, std::vector<Pole> &poles);
 
 } // namespace dyncal

@@ -58,7 +58,7 @@ StateSpaceModel describeStateSpace(const ModelInput &input, const SensorModel &m
     return modalStateSpace(z, residues, feedthrough, sampleInterval_s(input));
 }
 
-/// The pole of the step (thesis mode) is taken out of the list and handed back.
+/// Removes the step's pole (thesis mode) from the list and returns it.
 std::optional<std::complex<double>> takeStepPole(
     const ModelInput &input, std::vector<std::complex<double>> &poles)
 {

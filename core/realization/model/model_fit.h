@@ -16,7 +16,7 @@ namespace dyncal {
 
 /// Realises the model of one order from the decomposition (eq 3.22 or shift invariance, least
 /// squares amplitudes, optional refinement), not yet assessed. Fails (Usage) if order < 1 or larger
-/// than the data allow, naming the largest; and when cancelled.
+/// than the data allow (the message names the largest), and when cancelled.
 Result<SensorModel> fitModel(const ModelInput &input, const HankelDecomposition &decomposition,
     Index order, const RealizationSettings &settings, const SpectrumResult &spectrum,
     const JobControl &control = {});

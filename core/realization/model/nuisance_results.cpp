@@ -72,7 +72,7 @@ ModelInput withModesLeftIn(const ModelInput &input)
     ModelInput plain = input;
     plain.nuisanceModes.clear();
     for (ModelSeries &series : plain.series) {
-        // The records end with the last sample of the series again.
+        // The records end with the last sample of the series, as without modes.
         const double last_s
             = series.first_s + static_cast<double>(series.y.size() - 1) * sampleInterval_s(input);
         const auto count = static_cast<Index>(std::floor(last_s * series.fullRate_Hz + 1e-6)) + 1;

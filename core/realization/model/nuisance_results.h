@@ -12,15 +12,15 @@
 
 namespace dyncal {
 
-/// The modes taken out, as the draft has them, one entry per mode of the input. `fits` are those of
-/// the draft's series.
+/// The modes removed, from the draft, one entry per mode of the input. `fits` belong to the draft's
+/// series.
 std::vector<NuisanceResult> nuisanceResults(
     const ModelInput &input, const ModelDraft &draft, const std::vector<SeriesFit> &fits);
 
-/// The input as it is without nuisance modes in the recipe: what the model is compared with.
+/// The input as it would be without nuisance modes in the recipe, for comparison.
 ModelInput withModesLeftIn(const ModelInput &input);
 
-/// What is compared of a model; `poles` are its own with their uncertainties.
+/// The values of a model that are compared; `poles` are the model's, with uncertainties.
 NuisanceEffect::Side effectSide(
     const ModelInput &input, const SensorModel &model, const std::vector<Pole> &poles);
 

@@ -14,10 +14,11 @@ namespace dyncal {
 
 inline constexpr double kUnstableMargin = 1e-6; ///< of |z| beyond 1
 
-/// Whether a pole grows beyond ten times its beginning over `samples`: with it a model diverges.
+/// Whether a pole grows to more than ten times its initial value over `samples`: a model with it
+/// diverges.
 bool isRunaway(std::complex<double> z, Index samples);
 
-/// Takes such poles out; true if there were any.
+/// Removes such poles; true if there were any.
 bool dropRunaways(std::vector<std::complex<double>> &poles, Index samples);
 
 /// Class of every pole: `step` is the real pole nearest 1 within 1e-3 when the treatment feeds the

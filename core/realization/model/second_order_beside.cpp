@@ -20,7 +20,7 @@ struct Start
     double zeta = 0.0;
 };
 
-/// From the oscillating pole that holds most, else from the two slowest real ones.
+/// From the main resonance, else from the two slowest real poles.
 Start resonanceOf(const SensorModel &model)
 {
     if (const Pole *main = mainPole(model.poles, model.series))
@@ -32,7 +32,7 @@ Start resonanceOf(const SensorModel &model)
     }
     if (real.empty())
         return {};
-    constexpr double kMuchFaster = 9.0; // where only one lag was found
+    constexpr double kMuchFaster = 9.0; // if there is only one real pole
     std::sort(real.begin(), real.end());
     const double slow = real[0];
     const double fast = real.size() > 1 ? real[1] : kMuchFaster * slow;
@@ -40,7 +40,7 @@ Start resonanceOf(const SensorModel &model)
     return {omega / (2.0 * std::numbers::pi), (slow + fast) / (2.0 * omega)};
 }
 
-/// The records at their own rate, with the nuisance terms as the model has them.
+/// The records at their own rate, with the model's nuisance terms.
 std::vector<RefinementRecord> recordsOf(const ModelInput &input, const ModelDraft &draft)
 {
     std::vector<RefinementRecord> records = refinementRecords(input);

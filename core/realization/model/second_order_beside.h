@@ -12,9 +12,9 @@
 
 namespace dyncal {
 
-/// Fits the second-order sensor beside the model, started from its main resonance (or its slowest
-/// real poles) and its shots' plateaus and onsets. Empty where the fit does not converge and for
-/// treatments in which the series are no step responses with a plateau.
+/// Fits the second-order sensor for comparison with the model, starting from the model's main
+/// resonance (or slowest real poles) and its shots' plateaus and onsets. Empty where the fit does
+/// not converge, and for treatments whose series are no step responses with a plateau.
 std::optional<SecondOrderModel> fitSecondOrderBeside(
     const ModelInput &input, const SensorModel &model, const JobControl &control);
 

@@ -11,8 +11,8 @@
 namespace dyncal {
 namespace {
 
-/// What at least half of the shots have of a pole, in units of each shot's plateau where it has
-/// one: the median, of an even number the smaller middle one.
+/// Amplitude of a pole that at least half of the shots have, in units of each shot's plateau if it
+/// has one: the median, for an even number the smaller middle value.
 double commonAmplitude(
     const std::vector<Pole> &poles, const std::vector<SeriesFit> &series, std::size_t pole)
 {

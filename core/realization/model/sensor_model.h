@@ -29,7 +29,7 @@ const char *poleClassName(PoleClass poleClass); ///< "sensor", "step", ...
 
 inline constexpr const char *kBelowNoiseFlag = "below-noise";
 inline constexpr const char *kShotsDisagreeFlag = "shots-disagree";
-inline constexpr const char *kTubeModeFlag = "tube-mode"; ///< where the gas of the tube may ring
+inline constexpr const char *kTubeModeFlag = "tube-mode"; ///< near a computed resonance of the gas
 
 /// One pole of the model: z in the sampled plane, s = ln(z)/Ts in the continuous one.
 struct Pole
@@ -84,7 +84,7 @@ struct NuisanceResult
 };
 
 /// The realised model of one order, as fitModel() makes it. Immutable. The uncertainties of its
-/// poles are unknown here: with all else that tells what the model is worth they are in its
+/// poles are unknown here: like all that tells how good the model is, they are in its
 /// ModelAssessment.
 struct SensorModel
 {
@@ -101,19 +101,19 @@ struct SensorModel
     std::optional<double> fitListing_percent; ///< thesis mode: as the listing computes it
     bool diverges = false; ///< with a pole outside the unit circle the simulation diverges
     bool refined = false;
-    ModelDraft draft; ///< what the assessment goes on from
-    std::vector<NuisanceResult> nuisance; ///< left out of everything above but `simulated`
+    ModelDraft draft; ///< input of the assessment
+    std::vector<NuisanceResult> nuisance; ///< not part of the above, except of `simulated`
     /// Noise that the uncertainties rest on: "white", "AR(p)", with " of the residual" where
     /// that exceeds the noise before the start; empty without refinement.
     std::string uncertaintyMethod;
-    Findings findings; ///< ORD-001, ORD-003, MOD-001..009, 012, 013
+    Findings findings; ///< ORD-001, ORD-003, MOD-001..006, 008, 009, 012, 013
 };
 
-/// The sensor's main resonance, which results and certificate speak of as f0 and zeta: the
-/// oscillating sensor pole (upper half) whose ringing holds most energy, |c|^2 / |Re s| (the
-/// largest amplitude would be a well-damped spurious pole at high orders), in the middle one of
-/// the shots: what rings in one of three only is not the sensor. Null if nothing oscillates.
-/// `poles` are those of the model, as fitted or as assessed, `series` its fits.
+/// The sensor's main resonance, f0 and zeta of results and certificate: the oscillating sensor pole
+/// (upper half) whose ringing has most energy, |c|^2 / |Re s|. Not the largest amplitude, which at
+/// high orders is a well-damped spurious pole. The median over the shots counts: what rings in one
+/// of three shots only is not the sensor. Null if nothing oscillates. `poles` are those of the
+/// model, as fitted or as assessed, `series` its fits.
 const Pole *mainPole(const std::vector<Pole> &poles, const std::vector<SeriesFit> &series);
 
 } // namespace dyncal

@@ -17,7 +17,7 @@
 namespace dyncal {
 namespace {
 
-/// Only what the sensor does takes part in the search for the onset.
+/// The sensor's part of the sum, for the search for the onset.
 ExponentialSum sensorPart(const ExponentialSum &sum, const std::vector<bool> &isSensor)
 {
     ExponentialSum part;
@@ -35,7 +35,7 @@ ExponentialSum sensorPart(const ExponentialSum &sum, const std::vector<bool> &is
     return part;
 }
 
-/// The sensor's response with the tube's modes that the step set off: what vanishes at the onset.
+/// The sensor's response with the tube's modes that the step excites: it vanishes at the onset.
 ExponentialSum drivenPart(const ExponentialSum &sum, const std::vector<bool> &isSensor,
     const std::vector<NuisanceTerm> &terms)
 {
@@ -114,7 +114,7 @@ SeriesFit describeSeries(const ModelInput &input, const ModelDraft &draft, std::
     if (draft.refinement && draft.refinement->withConstant) {
         const Eigen::MatrixXd covariance
             = recordCovariance(*draft.refinement, static_cast<Index>(r));
-        // The baseline that was subtracted moves the whole record.
+        // The uncertainty of the subtracted baseline adds to that of the plateau.
         fit.u_plateauGain = std::hypot(
             std::sqrt(covariance(covariance.rows() - 1, covariance.rows() - 1)), series.u_baseline);
     }
@@ -134,7 +134,7 @@ SeriesFit describeSeries(const ModelInput &input, const ModelDraft &draft, std::
     const Eigen::VectorXd counted = countedValues(series, series.y);
     fit.fit_percent
         = fitPercent(countedValues(series, fit.error).squaredNorm(), spreadSquares(counted));
-    // Without a quiet stretch nobody knows the noise; a record without any noise has one of 0.
+    // Without a quiet stretch the noise is unknown; a record without noise has noise 0.
     fit.fitAttainable_percent = series.noise.size() > 0
         ? fitPercent(series.noiseSd * series.noiseSd * static_cast<double>(counted.size()),
             spreadSquares(counted))

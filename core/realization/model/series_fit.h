@@ -12,9 +12,9 @@
 
 namespace dyncal {
 
-/// How series `r` of the input is described by the draft: plateau, onset with its uncertainty,
-/// amplitudes at the onset, simulation and FIT. `isSensor` tells which poles take part in the
-/// search for the onset; `stateSpace` is what thesis mode simulates with.
+/// Describes series `r` of the input by the draft: plateau, onset with its uncertainty, amplitudes
+/// at the onset, simulation and FIT. `isSensor`: poles that take part in the search for the onset;
+/// `stateSpace`: for the simulation in thesis mode.
 SeriesFit describeSeries(const ModelInput &input, const ModelDraft &draft, std::size_t r,
     const std::vector<bool> &isSensor, const StateSpaceModel &stateSpace);
 

@@ -105,7 +105,7 @@ std::vector<std::complex<double>> withoutNuisancePoles(
     const ModelInput &input, const std::vector<std::complex<double>> &poles)
 {
     const double dt_s = sampleInterval_s(input);
-    // A short input tells two frequencies apart only where they differ by one over its length.
+    // A short input resolves two frequencies only if they differ by one over its length.
     const double resolution_Hz = 1.0 / (dt_s * static_cast<double>(input.samples));
     const auto isNuisance = [&](const std::complex<double> &z) {
         if (z.imag() == 0.0)
@@ -130,7 +130,7 @@ std::vector<std::complex<double>> withoutNuisancePoles(
 Eigen::VectorXcd amplitudesOfStep(const Eigen::VectorXcd &poles_rad_s,
     const Eigen::VectorXcd &amplitudes, double constant, const std::vector<NuisanceTerm> &terms)
 {
-    constexpr int kRounds = 30; // each is closer by about the relative size of the modes
+    constexpr int kRounds = 30; // each reduces the error by about the modes' relative size
     Eigen::VectorXcd found = amplitudes;
     for (int round = 0; round < kRounds; ++round) {
         Eigen::ArrayXcd input = Eigen::ArrayXcd::Ones(poles_rad_s.size());

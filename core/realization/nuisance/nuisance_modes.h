@@ -28,8 +28,8 @@ namespace dyncal {
 std::vector<std::optional<double>> expectedFrequencies_Hz(const std::vector<NuisanceMode> &modes,
     Index shot, const std::vector<std::optional<double>> &soundSpeeds_m_s);
 
-/// The spectra's resonances without those that are nuisance modes, so that neither model rate nor
-/// length are chosen for one. `responses` are the shots of the spectra.
+/// The spectra without resonances that are nuisance modes, so that model rate and length are not
+/// chosen for one. `responses` are the shots of the spectra.
 SpectrumResult withoutNuisancePeaks(const SpectrumResult &spectrum,
     const std::vector<WindowedResponse> &responses, const std::vector<NuisanceMode> &modes,
     const std::vector<std::optional<double>> &soundSpeeds_m_s);
@@ -44,9 +44,10 @@ ModelInput sensorOnly(const ModelInput &input);
 std::vector<std::complex<double>> withoutNuisancePoles(
     const ModelInput &input, const std::vector<std::complex<double>> &poles);
 
-/// Amplitudes that the step alone gives a sensor, from those of its response to the step and the
-/// tube's modes that the step set off: 1 + sum Re(a e^(s_m t)) from the onset on, a = A/G(s_m).
-/// `amplitudes` and `terms` at the onset; terms that were there before the step change nothing.
+/// Amplitudes of the sensor's response to the step alone, from those of its response to the step
+/// and the tube's modes that the step excites: 1 + sum Re(a e^(s_m t)) from the onset on, a =
+/// A/G(s_m). `amplitudes` and `terms` at the onset; terms that existed before the step change
+/// nothing.
 Eigen::VectorXcd amplitudesOfStep(const Eigen::VectorXcd &poles_rad_s,
     const Eigen::VectorXcd &amplitudes, double constant, const std::vector<NuisanceTerm> &terms);
 

@@ -17,7 +17,7 @@
 namespace dyncal {
 namespace {
 
-constexpr double kFewestPeriods = 2.0; ///< below, a mode and the plateau are one
+constexpr double kFewestPeriods = 2.0; ///< below, a mode is not separable from the plateau
 constexpr double kPeriodsFitted = 6.0;
 constexpr double kLargestOfRate = 0.4; ///< of the record's rate
 
@@ -34,7 +34,7 @@ const WindowedResponse *responseOf(const std::vector<WindowedResponse> &response
     return found == responses.end() ? nullptr : &*found;
 }
 
-/// Modes that the window can tell from the plateau; a finding for every other.
+/// Modes that the window can separate from the plateau; a finding for every other.
 std::vector<NuisanceCandidate> candidatesOf(const ModelInput &input,
     const WindowedResponse &response, const std::vector<std::optional<double>> &expected_Hz,
     Findings &findings)
@@ -104,7 +104,7 @@ void searchModes(ModelInput &input, ModelSeries &series, const WindowedResponse 
     if (wanted > series.fullRate.size())
         series.fullRate = response.values.segment(response.lead, std::min(wanted, response.length));
 
-    // Behind half of the model input, which is twelve ring times long, e^-6 of the ringing is left.
+    // After half of the model input, which is twelve ring times long, e^-6 of the ringing is left.
     const double length_s = static_cast<double>(series.fullRate.size()) / series.fullRate_Hz;
     const NuisanceTail tail = tailOf(series, std::min(0.5 * input_s, 0.5 * length_s), fastest_Hz);
     std::vector<NuisanceTerm> terms;

@@ -15,8 +15,8 @@ namespace dyncal {
 /// NUI-001..005.
 void searchNuisance(ModelInput &input, const std::vector<WindowedResponse> &responses);
 
-/// Takes the terms out of the series at the model rate; `series.correction` holds what else is
-/// corrected.
+/// Removes the terms from the series at the model rate: subtracts them in `series.correction`,
+/// which keeps its other corrections.
 void setNuisance(const ModelInput &input, ModelSeries &series, std::vector<NuisanceTerm> terms);
 
 } // namespace dyncal

@@ -40,8 +40,8 @@ std::vector<std::complex<double>> sensorPoles(
 }
 
 /// Sensor and modes together, with the suggested order of `rest`, the response without the modes.
-/// What a first estimate of a mode has left of it may be taken for a state of the sensor; then the
-/// next lower order that converges serves, as the modes are better known behind it.
+/// The remainder of a roughly estimated mode may count as a state of the sensor; then the next
+/// lower order that converges is used, because the modes are known better after it.
 std::optional<Refinement> jointFit(
     const ModelInput &input, const ModelInput &rest, const JobControl &control)
 {
@@ -60,8 +60,8 @@ std::optional<Refinement> jointFit(
     return std::nullopt;
 }
 
-/// The better of the fits that begin with the bridged response and with a run of it that needs no
-/// bridge: a straight line across a ringing is a poor one.
+/// The better of two fits: from the bridged response, and from a run that needs no bridge, because
+/// a straight line is a poor bridge across ringing.
 std::optional<Refinement> bestFit(const ModelInput &input, const JobControl &control)
 {
     const ModelInput rest = sensorOnly(input);
@@ -77,7 +77,8 @@ std::optional<Refinement> bestFit(const ModelInput &input, const JobControl &con
     return best;
 }
 
-/// The series as the joint fit has them; the largest relative change of a mode's frequency.
+/// Takes the nuisance terms of the fit into the series; returns the largest relative change of a
+/// mode's frequency.
 double takeFit(ModelInput &input, const Refinement &fit)
 {
     double change = 0.0;
@@ -114,7 +115,8 @@ void separateNuisance(ModelInput &input, const std::vector<WindowedResponse> &re
         if (!fit)
             break;
         const double change = takeFit(input, *fit);
-        // A bridge is only as good as the fit before: one round more than for modes alone.
+        // A bridge is only as good as the fit before it, so it needs one round more than modes
+        // alone.
         if (change < kSettled && (input.leftOut.empty() || round > 0))
             break;
     }

@@ -17,11 +17,10 @@ namespace dyncal {
 /// themselves, over six periods of the slowest mode or the model input, whichever is longer, at
 /// most the window. Fills nuisance and correction of the series and lengthens their fullRate. The
 /// number of sensor states is that of the smallest BIC of the response without the modes. Stretches
-/// that are left out take no part and are bridged by what was fitted. Findings:
-/// NUI-001 (fewer than two periods in the window), NUI-002 (above 0.4 of the record's sample
-/// rate), NUI-003 (not there in a shot), NUI-004 (averaged shots have no modes of
-/// their own), NUI-005 (no frequency for a shot); such modes stay in. Only for step treatments and
-/// free decays of stacked shots.
+/// that are left out take no part and are bridged by the fit. Findings: NUI-001 (fewer than two
+/// periods in the window), NUI-002 (above 0.4 of the record's sample rate), NUI-003 (not found in a
+/// shot), NUI-004 (averaged shots have no modes of their own), NUI-005 (no frequency for a shot);
+/// such modes stay in. Only for step treatments and free decays of stacked shots.
 void separateNuisance(ModelInput &input, const std::vector<WindowedResponse> &responses,
     const std::vector<NuisanceMode> &modes,
     const std::vector<std::optional<double>> &soundSpeeds_m_s, const JobControl &control = {});

@@ -16,10 +16,10 @@ namespace dyncal {
 namespace {
 
 constexpr double kPerPeriod = 24.0; ///< samples of the search, at the fastest mode
-constexpr double kPresent = 20.0; ///< drop of the squares over their mean: far beyond any noise
+constexpr double kPresent = 20.0; ///< decrease of the squares over their mean; noise gives far less
 constexpr std::array kDampings{0.0, 0.005, 0.015, 0.04, 0.1, 0.2};
 
-/// Constant and modes of these poles by least squares; returns the squares left.
+/// Fits constant and amplitudes for these poles; returns the sum of squares left.
 double fitTail(const NuisanceTail &tail, std::vector<NuisanceTerm> &terms)
 {
     const Index modes = std::ssize(terms);

@@ -15,7 +15,7 @@
 
 namespace dyncal {
 
-/// The record behind a time, averaged in blocks: enough for the modes, without the sensor's.
+/// The record after a time at which the sensor has settled, averaged in blocks.
 struct NuisanceTail
 {
     Eigen::VectorXd y;
@@ -42,11 +42,11 @@ struct NuisanceCandidate
     double frequency_Hz;
 };
 
-/// Adds the mode where it fits best near its expected frequency; false where nothing is there.
+/// Adds the mode at its best frequency near the expected one; false if none is found.
 bool addBestTerm(const NuisanceTail &tail, const NuisanceCandidate &candidate, bool startsWithStep,
     std::vector<NuisanceTerm> &terms);
 
-/// Poles as well, from where the search left them; amplitudes at time 0.
+/// Fits the poles too, starting from those of the search; amplitudes at time 0.
 void polish(const NuisanceTail &tail, bool withConstant, std::vector<NuisanceTerm> &terms);
 
 } // namespace dyncal

@@ -25,7 +25,7 @@ Eigen::VectorXd errorsLeftOut(const ModelInput &input, std::size_t shot,
     ModelInput others = input;
     others.series.erase(others.series.begin() + static_cast<std::ptrdiff_t>(shot));
     for (ModelSeries &series : others.series)
-        series.noise.resize(0); // nobody asks for the noise floor of this decomposition
+        series.noise.resize(0); // this decomposition needs no noise floor
     const auto hankel = decomposeHankel(others, settings, control);
     if (!hankel)
         return {};

@@ -19,8 +19,8 @@ struct CrossShot
 };
 
 /// Leave-one-shot-out: poles from the decomposition of the other shots, amplitudes and constant
-/// fitted to the one left out, orders 1..20. NaN where an order diverges; empty with fewer than two
-/// shots, for an average, and where a decomposition fails.
+/// fitted to the shot left out, orders 1..20. NaN where an order diverges; empty with fewer than
+/// two shots, for an average, and where a decomposition fails.
 CrossShot leaveOneShotOut(
     const ModelInput &input, const RealizationSettings &settings, const JobControl &control = {});
 

@@ -48,11 +48,11 @@ struct OrderSpread
     double dampingSpread = 0.0;
 };
 
-/// What all orders together say about the choice of one (docs/method/order.md). Depends on the
+/// What all orders together show for the choice of one (docs/method/order.md). Depends on the
 /// decomposition and the tolerances, not on the order chosen.
 struct OrderEvidence
 {
-    std::vector<OrderPole> poles; ///< by order, then frequency; the step's pole never
+    std::vector<OrderPole> poles; ///< by order, then frequency; without the step's pole
     Eigen::VectorXd fit_percent; ///< aligned, orders 1.., poles not refined; NaN where it diverges
     double fitAttainable_percent = kUnknown; ///< what the true model would score
     std::vector<Index> unstable; ///< poles outside the unit circle, orders 1..

@@ -10,7 +10,7 @@
 namespace dyncal {
 
 /// MOD-007: the FIT of a shot by the poles of the other shots (orders 1..20) lies more than 15
-/// points below that by the model's.
+/// points below the FIT by the model's poles.
 Findings judgeOtherShots(const SensorModel &model, const OrderEvidence &evidence);
 
 } // namespace dyncal

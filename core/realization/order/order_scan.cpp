@@ -68,7 +68,7 @@ PoleStability stabilityOf(const OrderPole &pole, const std::vector<OrderPole> &b
     return best;
 }
 
-/// All that one order says: its oscillating poles, and FIT (NaN where it diverges).
+/// Result of one order: its oscillating poles, and FIT (NaN where it diverges).
 struct OneOrder
 {
     std::vector<OrderPole> poles;
@@ -105,7 +105,7 @@ public:
         return result;
     }
 
-    /// What the true model would score; unknown where the noise is.
+    /// FIT that the true model would score; unknown if the noise is unknown.
     double attainable_percent() const
     {
         double noise = 0.0;
@@ -118,8 +118,8 @@ public:
     }
 
 private:
-    /// All but the step's own pole (thesis mode), counted. Those with which the order diverges are
-    /// described here, without a size, and left out.
+    /// All poles except the step's own (thesis mode); also counts unstable and Nyquist poles. Poles
+    /// with which the order diverges are described here, without an amplitude, and left out.
     Poles fittedPoles(Index n, OneOrder &result) const
     {
         const Poles all = realizedPoles(m_decomposition, n);

@@ -16,7 +16,7 @@ namespace dyncal {
 namespace {
 
 constexpr double kEnough = 0.98; ///< of the attainable FIT
-constexpr double kNoiseLimit_percent = 10.0; ///< attainable FIT below which it says nothing
+constexpr double kNoiseLimit_percent = 10.0; ///< a lower attainable FIT is meaningless
 constexpr std::size_t kMostPoles = 3;
 
 Message aboutSingularValues(const HankelDecomposition &decomposition, Index n)

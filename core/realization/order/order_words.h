@@ -21,7 +21,7 @@ std::vector<Message> wordsFor(const HankelDecomposition &decomposition,
     const OrderSuggestion &suggestion, const OrderEvidence &evidence);
 
 /// The lowest order whose FIT is at least 98 % of the attainable one and which has neither unstable
-/// nor Nyquist poles; empty if there is none, or the attainable FIT says nothing (10 % or less).
+/// nor Nyquist poles; empty if there is none, or the attainable FIT is meaningless (10 % or less).
 std::optional<Index> lowestSufficientOrder(const OrderEvidence &evidence);
 
 } // namespace dyncal

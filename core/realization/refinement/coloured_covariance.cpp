@@ -32,7 +32,7 @@ std::vector<SampleRange> usedRanges(const RefinementRecord &record)
     return record.used.empty() ? std::vector<SampleRange>{{0, record.y.size()}} : record.used;
 }
 
-/// What the model leaves of the samples that took part, one stretch after the other.
+/// Residuals of the samples that took part, one stretch after the other.
 Eigen::VectorXd residualOf(const RefinementRecord &record, const ExponentialSum &sum,
     const std::vector<NuisanceTerm> &terms)
 {
@@ -59,7 +59,7 @@ Eigen::VectorXd residualOf(const RefinementRecord &record, const ExponentialSum 
     return residual.head(kept);
 }
 
-/// Whether the residual holds more than the noise: innovations of both by the noise's own model.
+/// Whether the residual exceeds the noise, by the innovations of both under the noise's model.
 bool exceedsNoise(const Eigen::VectorXd &residual, const NoiseCovariance &noise,
     const AutoregressiveModel &model, double lostFreedom)
 {
@@ -73,7 +73,7 @@ bool exceedsNoise(const Eigen::VectorXd &residual, const NoiseCovariance &noise,
         > normalQuantile(1.0 - kSignificance) * spread;
 }
 
-/// Rows of the joint covariance that belong to one record: poles, then its own.
+/// Rows of the joint covariance for one record: the poles, then the record's own parameters.
 std::vector<Index> rowsOf(const Refinement &refinement, std::size_t record, Index count)
 {
     const Index n = refinement.poleParameters;

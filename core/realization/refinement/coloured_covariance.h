@@ -18,9 +18,9 @@ struct NoiseModels
     std::vector<AutoregressiveModel> ofRecord;
 };
 
-/// Of the record's pre-trigger noise (`noise`, one per record, at the record's rate), or of what
-/// the fit leaves where that is larger at the 1 % level or no noise is known; p = 0 .. 20 by BIC
-/// over all records. `parameters` were fitted.
+/// Models of the pre-trigger noise (`noise`, one per record, at the record's rate), or of the fit's
+/// residual where that is larger at the 1 % level or no noise is known; p = 0 .. 20 by BIC over all
+/// records. `parameters` is the number of fitted ones.
 NoiseModels chooseNoiseModels(const std::vector<RefinementRecord> &records,
     const std::vector<NoiseCovariance> &noise, const Refinement &fit, Index parameters);
 
@@ -30,7 +30,7 @@ Eigen::MatrixXd noiseFilling(const std::vector<RefinementRecord> &records,
     const std::vector<AutoregressiveModel> &models, const Refinement &fit,
     const Eigen::VectorXd &unit);
 
-/// Brings the covariance of a least-squares fit to the colour of the noise (docs/method/model.md):
+/// Corrects the covariance of a least-squares fit for coloured noise (docs/method/model.md):
 ///     (J^T W J)^-1 (J^T W S W J) (J^T W J)^-1
 /// with S of chooseNoiseModels(). For p = 0 the refinement is left as it is.
 NoiseBasis allowForColour(const std::vector<RefinementRecord> &records,

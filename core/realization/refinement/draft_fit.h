@@ -14,12 +14,12 @@
 
 namespace dyncal {
 
-/// What was fitted to a series' samples, brought back to time 0 and freed of the filter's gain.
+/// A fit of a series' samples, extrapolated to time 0, with the filter's gain divided out.
 ExponentialSum atStart(const ModelSeries &series,
     const std::vector<std::complex<double>> &poles_rad_s, const AmplitudeFit &fit);
 
 /// Amplitudes by least squares at the model rate for the poles given (z plane, without the step's),
-/// brought back to time 0 and freed of the filter's gain. Poles sorted by |s|.
+/// extrapolated to time 0, the filter's gain divided out. Poles sorted by |s|.
 ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<double>> &poles);
 
 /// What the refinement fits: the series at their own rate, weighted by their noise, with their
@@ -27,8 +27,8 @@ ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<d
 std::vector<RefinementRecord> refinementRecords(const ModelInput &input);
 
 /// Refines poles and amplitudes on the records at their own rate from the start on, where no filter
-/// stands between onset and data. Leaves the draft alone in thesis mode, beyond order 12, for poles
-/// that do not decay, and where the refinement does not converge.
+/// distorts the onset. Leaves the draft unchanged in thesis mode, beyond order 12, for poles that
+/// do not decay, and where the refinement does not converge.
 void refineDraft(const ModelInput &input, ModelDraft &draft, const JobControl &control);
 
 } // namespace dyncal

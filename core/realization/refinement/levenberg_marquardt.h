@@ -15,24 +15,24 @@
 
 namespace dyncal {
 
-/// What the two fits of exponentials stop at.
+/// Limits of the two fits of exponentials.
 struct DescentLimits
 {
     int iterations = 60;
     double damping = 1e-4; ///< to begin with
 };
 
-/// The descent goes on until nothing more is gained.
+/// Default of `isOver`: never ends the descent early.
 struct NeverOver
 {
     bool operator()(const Eigen::VectorXd &, const RegressionEquations &) const { return false; }
 };
 
-/// D. W. Marquardt, J. SIAM 11 (1963) 431: `theta` moves from where it is to the least cost that
-/// `equationsAt` (parameters -> RegressionEquations) has; only where `isAllowed`. Ends with a
-/// relative decrease below 1e-12, where no step helps, where `isOver` (asked once an iteration), or
-/// after all iterations: whether theta is where it should be then, `distanceToGo` tells. Equations
-/// at the last theta; empty when stopped, or where the start has no finite cost.
+/// D. W. Marquardt, J. SIAM 11 (1963) 431: moves `theta` to the minimum of the cost of
+/// `equationsAt` (parameters -> RegressionEquations), through points that `isAllowed`. Ends at a
+/// relative decrease below 1e-12, when no step helps, when `isOver` (asked once an iteration), or
+/// after all iterations; `distanceToGo` tells how near the minimum is. Returns the equations at the
+/// last theta; empty when stopped or if the cost is not finite.
 template <typename EquationsAt, typename IsAllowed, typename IsOver = NeverOver>
 std::optional<RegressionEquations> descend(Eigen::VectorXd &theta, const DescentLimits &limits,
     const EquationsAt &equationsAt, const IsAllowed &isAllowed, const JobControl &control,
@@ -67,7 +67,7 @@ std::optional<RegressionEquations> descend(Eigen::VectorXd &theta, const Descent
     return equations;
 }
 
-/// Whether a fit that moved a frequency from `before` to `now` still speaks of the same
+/// Whether a fit that moved a frequency from `before` to `now` still describes the same
 /// oscillation.
 inline bool isSameOscillation(double before, double now)
 {
@@ -75,8 +75,8 @@ inline bool isSameOscillation(double before, double now)
     return now < kFactor * before && now > before / kFactor;
 }
 
-/// How far the next full step would lead, in standard uncertainties of unit weights: at least as
-/// far as in any one parameter.
+/// Length of the next full step in standard uncertainties (for unit weights); no single parameter
+/// moves further.
 inline double distanceToGo(const RegressionEquations &equations)
 {
     return std::sqrt(equations.gradient.dot(equations.matrix.ldlt().solve(equations.gradient)));

@@ -29,8 +29,8 @@ struct ModelDraft
 /// Energy of the part of pole `i` over the input, 2 sum |c p^k|^2, over the variance of the noise.
 double energyOverNoise(const ModelSeries &series, const ExponentialSum &sum, Index i, double dt_s);
 
-/// Energy over noise beyond which a part stands out: ten times what one fitted pair takes up of
-/// white noise.
+/// Energy over noise beyond which a part stands out: ten times what a fitted pair takes from white
+/// noise.
 inline constexpr double kStandsOut = 20.0;
 
 /// Whether the part of each pole stands out of the noise of any series.

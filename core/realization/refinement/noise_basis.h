@@ -13,11 +13,11 @@ namespace dyncal {
 struct NoiseBasis
 {
     Index order = 0; ///< p of the AR(p) model of the noise; 0 = white
-    bool fromResidual = false; ///< in some record the residual exceeds the noise before the start
+    bool fromResidual = false; ///< some residual exceeds the noise before the start
     double dof = 0.0; ///< degrees of freedom of the noise's estimate, for Student's factor
 };
 
-/// "white" or "AR(p)", with " of the residual" where that takes the place of the noise.
+/// "white" or "AR(p)", with " of the residual" where the residual replaces the noise.
 std::string noiseName(const NoiseBasis &basis);
 
 } // namespace dyncal

@@ -43,8 +43,8 @@ Eigen::MatrixXd valuesOf(
     return values;
 }
 
-/// What the filter makes of the columns once it has forgotten their end: with A = sum a_j z^j at
-/// z = e^(s dt), z^k becomes z^k / A and k z^k becomes (k - sum j a_j z^j / A) z^k / A.
+/// Output of the filter for the columns once it has forgotten their end: with A = sum a_j z^j at z
+/// = e^(s dt), z^k becomes z^k / A and k z^k becomes (k - sum j a_j z^j / A) z^k / A.
 std::vector<ColumnSum> settledRows(
     const Sensitivities &sensitivities, const Eigen::VectorXd &unit, const Eigen::VectorXd &a)
 {
@@ -108,7 +108,7 @@ public:
                 {{unit[std::ssize(m_inputs)] * column.factor, column.mode, column.order}});
     }
 
-    /// Over the samples of a range, which end where the filter stands.
+    /// Runs over the samples of a range; the filter must be at the range's end.
     void drive(const SampleRange &range)
     {
         Index end = range.end;
@@ -126,7 +126,7 @@ public:
         m_largest = m_largest.cwiseMax(m_states.cwiseAbs().rowwise().maxCoeff());
     }
 
-    /// Over `count` samples without input, or until nothing is left to come.
+    /// Runs over `count` samples without input, or until the output has decayed.
     void coast(Index count)
     {
         for (Index done = 0; done < count && m_coefficients.size() > 0; done += kBlock) {
@@ -145,7 +145,7 @@ public:
 private:
     static constexpr double kForgotten = 1e-8; ///< of the row's largest value
 
-    /// Whether the last outputs, at samples from `begin` on, are those of the exponentials alone.
+    /// Whether the last outputs, at samples from `begin` on, are those of the settled filter.
     bool isSettled(Index begin) const
     {
         if (m_coefficients.size() == 0)
@@ -156,7 +156,7 @@ private:
             .all();
     }
 
-    /// `input` in order of time; the block before it comes next.
+    /// `input` in order of time; the next call takes the block before it.
     void add(const Eigen::MatrixXd &input)
     {
         const Index p = m_coefficients.size();
@@ -179,7 +179,7 @@ private:
     Eigen::MatrixXd m_sum; ///< its lower half
 };
 
-/// The two (a pair) or one parameters of a pole, then those of its amplitude, at their places.
+/// The parameters of a pole (two for a pair, else one), then those of its amplitude.
 void addMode(Sensitivities &result, Complex exponent, Complex gain, Index ratePlace,
     Index amplitudePlace, bool isPair)
 {
@@ -239,7 +239,7 @@ Eigen::MatrixXd noiseProduct(const Sensitivities &sensitivities, const Eigen::Ve
         if (before != used.rend())
             filter.coast(range->begin - before->end);
     }
-    // Before the record the filter's memory runs on; a stable model ends it.
+    // Before the record the filter runs on without input; a stable model's output decays.
     filter.coast(used.empty() ? 0 : used.back().end);
     return noise.innovationVariance * filter.sum();
 }

@@ -31,9 +31,9 @@ Sensitivities sensitivitiesOf(
 /// J^T S J over `used` (in order, apart; zero elsewhere), S the covariance of the noise, row i of
 /// J^T times unit[i]. With u the output of the transposed filter 1/A run backwards over J^T, it is
 /// the innovation variance times sum u u^T, including samples before the record, since the noise
-/// was there before it. All modes decay or are constant, the noise model is stable: the filter is
-/// run sample by sample only while the end of a range still has an effect; then u is made of the
-/// same exponentials, and its sum has a closed form (docs/method/model.md).
+/// was there before it. All modes decay or are constant, and the noise model is stable. So the
+/// filter runs sample by sample only while the end of a range still has an effect; then u consists
+/// of the same exponentials, and its sum has a closed form (docs/method/model.md).
 Eigen::MatrixXd noiseProduct(const Sensitivities &sensitivities, const Eigen::VectorXd &unit,
     const std::vector<SampleRange> &used, const AutoregressiveModel &noise);
 

@@ -65,8 +65,8 @@ Eigen::VectorXd unitsOf(const Problem &problem)
     return units;
 }
 
-/// Whether the data tell all parameters apart: else a pivot is rounding, and its variance anything,
-/// zero too.
+/// Whether the data determine all parameters: else a pivot is only rounding, and the variance from
+/// it arbitrary.
 bool isDetermined(const Eigen::MatrixXd &matrix)
 {
     const Eigen::VectorXd scale = matrix.diagonal().cwiseSqrt().cwiseInverse();
@@ -82,9 +82,9 @@ double reducedChiSquare(const Problem &problem, const RegressionEquations &equat
     return equations.cost / static_cast<double>(std::max<Index>(1, freedom));
 }
 
-/// Ends a descent at a thousandth of the uncertainties, below every digit that is printed, and one
-/// that does not come back to where it started: a model of too high an order wanders to the last
-/// iteration.
+/// Ends a descent when the next step is below a thousandth of the uncertainties, less than any
+/// printed digit, or when it has left its start for good: with too high an order it would wander to
+/// the last iteration.
 class RefinementEnd
 {
 public:
@@ -107,7 +107,7 @@ private:
     int m_outside = 0; ///< iterations in a row
 };
 
-/// Whether nothing is left to gain that the uncertainties would show.
+/// Whether the remaining way is small against the uncertainties.
 bool hasArrived(const Problem &problem, const RegressionEquations &last)
 {
     constexpr double kUnseen = 0.1; // standard uncertainties
@@ -127,8 +127,8 @@ Eigen::MatrixXd covarianceOf(
 
 constexpr Index kWorthwhile = 3; ///< samples per mean
 
-/// How many samples to average so that no mode turns by more than a radian and a half between two
-/// means, and enough means are left.
+/// Number of samples to average so that no mode turns by more than 1.5 rad between two means, and
+/// enough means remain.
 Index samplesPerMean(const Problem &problem)
 {
     constexpr double kRadians = 1.5;
@@ -144,8 +144,8 @@ Index samplesPerMean(const Problem &problem)
     return problem.records().empty() ? 0 : static_cast<Index>(fewest);
 }
 
-/// The equations where the descent from the poles of `theta` ends, in `theta` too; empty when it
-/// was stopped or ends elsewhere than it started.
+/// Descends from the poles of `theta` and returns the equations at its end, which is then in
+/// `theta`; empty when stopped or when it leaves the neighbourhood of the start.
 std::optional<RegressionEquations> descended(
     const Problem &problem, Eigen::VectorXd &theta, const JobControl &control)
 {

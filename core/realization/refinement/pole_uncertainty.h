@@ -11,7 +11,7 @@
 
 namespace dyncal {
 
-/// A pole as frequency and damping, with what the covariance of the fit says of them.
+/// A pole as frequency and damping ratio, with uncertainties from the covariance of the fit.
 struct PoleFigures
 {
     double frequency_Hz = 0.0; ///< |s|/2pi

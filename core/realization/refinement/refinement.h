@@ -26,7 +26,7 @@ struct RefinementRecord
     std::vector<SampleRange> used = {}; ///< samples that take part, in order; empty = all
 };
 
-/// Outcome of the joint fit: poles shared by all records, amplitudes of each its own.
+/// Result of the joint fit: poles shared by all records, amplitudes for each record.
 struct Refinement
 {
     std::vector<std::complex<double>> poles_rad_s; ///< s_i, paired as given
@@ -41,7 +41,7 @@ struct Refinement
 };
 
 /// The response of one record with parameter `index` of its own (poles first, then amplitudes, c0)
-/// moved by `delta`: for propagating the covariance through what is derived from the response.
+/// moved by `delta`: for propagating the covariance to quantities derived from the response.
 ExponentialSum perturbed(const Refinement &refinement, Index record, Index index, double delta);
 
 /// Covariance of the poles' and one record's parameters, in the order of perturbed().

@@ -64,7 +64,7 @@ Index RefinementProblem::samples() const
 
 bool RefinementProblem::isWorthAThread() const
 {
-    constexpr Index kWork = 250'000; // samples times poles: some 0.3 ms, against 50 us of a start
+    constexpr Index kWork = 250'000; // samples times poles: some 0.3 ms; a thread starts in 50 us
     return samples() * poles() > kWork;
 }
 
@@ -205,7 +205,7 @@ std::vector<RefinementRecord> averaged(const std::vector<RefinementRecord> &reco
                 means.used.push_back(whole);
         }
         if (means.used.empty() && !record.used.empty())
-            means.used.push_back({0, 0}); // none, which no range at all would not say
+            means.used.push_back({0, 0}); // no mean takes part; an empty list would mean all
         result.push_back(std::move(means));
     }
     return result;

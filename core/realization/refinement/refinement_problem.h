@@ -44,7 +44,7 @@ public:
     RegressionEquations equations(const Eigen::VectorXd &theta) const;
     /// Best amplitudes for the poles of `theta`.
     void solveAmplitudes(Eigen::VectorXd &theta) const;
-    /// Whether every pole decays and every mode still speaks of the oscillation it started from.
+    /// Whether every pole decays and every mode still describes the oscillation it started from.
     bool isNearStart(const Eigen::VectorXd &theta) const;
 
 private:
@@ -63,8 +63,8 @@ private:
     Eigen::VectorXd m_start; ///< of the poles
 };
 
-/// The records as means of `factor` samples, without the rest at their ends and the means that a
-/// sample left out touches. Exponentials stay exponentials of the same poles.
+/// The records as means of `factor` samples, without incomplete means at their ends and those that
+/// contain samples left out. Exponentials keep their poles.
 std::vector<RefinementRecord> averaged(const std::vector<RefinementRecord> &records, Index factor);
 
 } // namespace dyncal

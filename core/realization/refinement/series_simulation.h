@@ -17,13 +17,14 @@ namespace dyncal {
 /// 100 (1 - sqrt(errorSquares / spreadSquares)): eq 4.1 in percent, from sums of squares.
 double fitPercent(double errorSquares, double spreadSquares);
 
-/// As FIT is shown everywhere: with one decimal.
+/// FIT with one decimal, as it is shown everywhere.
 std::string fitPercentText(double percent);
 
 /// Sum of squares about the mean.
 double spreadSquares(const Eigen::VectorXd &y);
 
-/// At the samples of series.y: the sum with the terms beside it, through the filter as measured.
+/// The sum with the nuisance terms at the samples of series.y, through the filter as the
+/// measurement.
 Eigen::VectorXd simulate(const ModelSeries &series, const ExponentialSum &sum,
     const std::vector<NuisanceTerm> &terms, double dt_s);
 

@@ -25,7 +25,7 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double kSlowest = 1e-4; ///< zeta beyond which nothing is a second-order sensor
+constexpr double kSlowest = 1e-4; ///< limits of zeta for a second-order sensor
 constexpr double kFastest = 1e3;
 constexpr double kFitMargin_points = 2.0;
 
@@ -122,7 +122,7 @@ bool isSensible(const Problem &problem, const Eigen::VectorXd &theta)
     return true;
 }
 
-/// Every parameter where the free model has it.
+/// All parameters at the values of the free model.
 Eigen::VectorXd startOf(const Problem &problem, const SecondOrderStart &start)
 {
     Eigen::VectorXd theta(problem.parameters());
@@ -148,7 +148,7 @@ std::optional<RegressionEquations> minimise(
     return isSensible(problem, theta) ? equations : std::nullopt;
 }
 
-/// The fit as the sums of exponentials it is, in seconds.
+/// The fit as sums of exponentials, in seconds.
 Refinement asExponentials(const Problem &problem, const Eigen::VectorXd &theta)
 {
     Refinement fit;
@@ -209,7 +209,7 @@ Eigen::MatrixXd chain(const Problem &problem, const Eigen::VectorXd &theta, cons
     return J;
 }
 
-/// Of theta, with the noise's colour.
+/// Covariance of theta, for coloured noise.
 Eigen::MatrixXd covarianceOf(const Problem &problem, const Eigen::VectorXd &theta,
     const RegressionEquations &last, double chiSquare, const NoiseModels &noise)
 {
@@ -241,7 +241,7 @@ void describeShots(const ModelInput &input, const Problem &problem, const Eigen:
         SecondOrderShot shot;
         shot.shot = series.shot;
         shot.plateauGain = theta[plateau];
-        // The baseline that was subtracted moves the whole record.
+        // The uncertainty of the subtracted baseline adds to that of the plateau.
         shot.u_plateauGain = std::hypot(std::sqrt(covariance(plateau, plateau)), series.u_baseline);
         shot.onset_s = theta[onset] * problem.unit_s;
         shot.u_onset_s = std::sqrt(covariance(onset, onset)) * problem.unit_s;

@@ -27,10 +27,10 @@ struct SecondOrderStart
 ///     y(t) = K (1 - e^(-zeta w0 t') (cos wd t' + zeta w0/wd sin wd t')),   t' = t - onset
 /// (thesis eqs 3.11-3.17; for zeta > 1 its two real poles) to the records at their own rate, with
 /// common w0 and zeta, K and onset of each its own; the covariance as in allowForColour(). The
-/// records' nuisance terms, given as the free model has them, are fitted with it; those of the tube
-/// are part of the pressure from the onset on, so the sensor's ringing is the answer to them too.
-/// FIT over the model inputs; `describes` where it is at most two points below
-/// `fitToReach_percent`. Empty where it does not converge.
+/// records' nuisance terms start from those of the free model and are fitted too; those of the tube
+/// are part of the pressure from the onset on, so the sensor responds to them too. FIT over the
+/// model inputs; `describes` is true if it is at most two points below `fitToReach_percent`. Empty
+/// where it does not converge.
 std::optional<SecondOrderModel> fitSecondOrder(const ModelInput &input,
     const std::vector<RefinementRecord> &records, const SecondOrderStart &start,
     double fitToReach_percent, const JobControl &control = {});

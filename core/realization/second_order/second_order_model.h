@@ -21,8 +21,8 @@ struct SecondOrderShot
     double fit_percent = 0.0;
 };
 
-/// The sensor as K w0^2 / (s^2 + 2 zeta w0 s + w0^2), fitted beside the free model: what a reader
-/// compares that one with (docs/method/model.md).
+/// The sensor as K w0^2 / (s^2 + 2 zeta w0 s + w0^2), fitted for comparison with the free model
+/// (docs/method/model.md).
 struct SecondOrderModel
 {
     double f0_Hz = 0.0; ///< w0/2pi

@@ -12,9 +12,9 @@
 
 namespace dyncal {
 
-/// One record of the second-order sensor K w0^2/(s^2 + 2 zeta w0 s + w0^2): its answer to a step at
-/// `onset` and to the modes of the tube, as the sum of exponentials it is (docs/method/model.md).
-/// Times in units of the caller's choice.
+/// One record of the second-order sensor K w0^2/(s^2 + 2 zeta w0 s + w0^2): its response to a step
+/// at `onset` and to the modes of the tube, as a sum of exponentials (docs/method/model.md). Times
+/// in any unit.
 class SecondOrderStep
 {
 public:
@@ -52,7 +52,8 @@ public:
     Eigen::MatrixXd derivatives() const;
 
 private:
-    /// By what the tube's modes multiply the amplitude of e^(s t) that the step alone would give.
+    /// Factor by which the tube's modes change the amplitude of e^(s t) that the step alone would
+    /// give.
     std::complex<double> factorOfModes(std::complex<double> s) const;
 };
 
