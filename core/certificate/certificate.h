@@ -11,8 +11,8 @@
 
 namespace dyncal {
 
-/// The whole certificate of what is there; sections without results say so. `createdUtc`: ISO 8601
-/// with Z.
+/// The whole certificate from the results that exist; sections without results say so.
+/// `createdUtc`: ISO 8601 with Z.
 CertificateData makeCertificate(
     const CalibrationResults &results, const Recipe &recipe, const std::string &createdUtc);
 

@@ -23,7 +23,7 @@ struct CertificateField
 struct CertificateColumn
 {
     Message heading;
-    bool number = false; ///< set to the right
+    bool number = false; ///< right-aligned
 };
 
 struct CertificateTable
@@ -51,7 +51,7 @@ struct CertificateSection
     std::vector<CertificateFigure> figures;
 };
 
-/// A certificate as words and rounded numbers, ready to be set: no layout, no floating point.
+/// A certificate as words and rounded numbers, ready for typesetting: no layout, no floating point.
 struct CertificateData
 {
     std::string language;

@@ -49,7 +49,7 @@ CertificateField methodField(const Recipe &recipe)
         !there};
 }
 
-/// Recorded value of one surrounding quantity as the range over the included shots.
+/// Range of one recorded environmental quantity over the included shots.
 Message environmentRange(
     const CalibrationResults &results, double Environment::*quantity, std::string_view unit)
 {
@@ -78,7 +78,7 @@ ShotLevel levelOf(const CalibrationResults &results, Index shot)
     return results.captures->set.shots[position].level;
 }
 
-/// The step, its U and the k that this was expanded with.
+/// The step, its U and the coverage factor k of U.
 struct StepCells
 {
     Message step;
@@ -101,7 +101,7 @@ StepCells stepCells(const ShockConditions &shot, double coverage)
     const double k = coverageFactor(
         shot.uncertainty->budget.dof[static_cast<Index>(StepResult::Step)], coverage);
     const RoundedValue rounded = roundedValue(*shot.step_Pa, k * *u_Pa, "Pa");
-    if (rounded.u.empty()) // nothing uncertain, or nothing known
+    if (rounded.u.empty()) // u is zero or not known
         return cells;
     cells.step = verbatim(rounded.value + " " + rounded.unit);
     cells.expanded = verbatim(rounded.u + " " + rounded.unit);

@@ -9,7 +9,7 @@
 
 namespace dyncal {
 
-/// How and under which conditions it was calibrated.
+/// How and under which conditions the sensor was calibrated.
 CertificateSection methodSection(const CalibrationResults &results, const Recipe &recipe);
 CertificateSection conditionsSection(const CalibrationResults &results, const Recipe &recipe);
 

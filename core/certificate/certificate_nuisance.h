@@ -12,13 +12,13 @@
 
 namespace dyncal {
 
-/// Tables of the modes that were left out of the model, and of what that changed; nothing without
-/// any. What it changed is known once the model is assessed. `gainUnit` is the unit of the
-/// responses as analysed: "1" if remapped, empty if not known.
+/// Tables of the modes left out of the model, and of their effect, which is known once the model is
+/// assessed; nothing without modes. `gainUnit` is the unit of the responses as analysed: "1" if
+/// remapped, empty if not known.
 void addNuisance(const SensorModel &model, const ModelAssessment *assessment,
     const std::string &gainUnit, CertificateSection &section);
 
-/// Table of the stretches that were left out of the fit; nothing without any.
+/// Table of the stretches left out of the fit; nothing without any.
 void addLeftOut(const ModelInput &input, CertificateSection &section);
 
 } // namespace dyncal

@@ -39,8 +39,8 @@ void addSensitivity(const CalibrationResults &results, CertificateSection &secti
             false});
 }
 
-/// Where the scatter of few shots decides, k is Student's, and printed, so that the interval holds
-/// 95 % there too.
+/// k = 2, or a larger Student's k where the scatter of few shots decides, so that the interval has
+/// 95 % there too; a k other than 2 is printed.
 double coverageOf(const Pole &pole)
 {
     return pole.coverageFactor > kCoverageFactor ? pole.coverageFactor : kCoverageFactor;
@@ -119,7 +119,7 @@ Message poleWord(PoleClass poleClass)
     return {DYNCAL_TEXT("core", "other"), {}};
 }
 
-/// A k other than the column's stands beside the value.
+/// A k other than the column's is printed beside the value.
 Message expanded(double value, double u, std::string_view unit, double k = kCoverageFactor)
 {
     const RoundedValue rounded = roundedValue(value, k * u, unit);
@@ -134,7 +134,7 @@ Message withRounding(double value, double u, std::string_view unit, double k = k
     return verbatim(roundedText(value, k * u, unit));
 }
 
-/// Six decimals, as far out as a pole of a model can be.
+/// Six decimals, except for absurdly large coordinates.
 std::string coordinateText(double x)
 {
     return std::abs(x) < 1e6 ? fixedText(x, 6) : roundedText(x, kUnknown, "");
@@ -146,7 +146,7 @@ std::string complexText(std::complex<double> z)
     return coordinateText(z.real()) + (pair ? " \xC2\xB1 j" + coordinateText(z.imag()) : "");
 }
 
-/// A dash where the number means nothing: not known, or of a simulation that diverges.
+/// A dash where FIT is unknown or the simulation diverges.
 std::string fitText(double percent, bool diverges = false)
 {
     return diverges || !(std::abs(percent) < kMostPercent) ? english(dash())
@@ -198,7 +198,7 @@ std::vector<double> sortedFrequencies(const ResponseResult &response)
     return sorted;
 }
 
-/// How far the nearest other frequency is, where five digits might print both alike; else unknown.
+/// Distance to the nearest other frequency if five digits might print both alike; else unknown.
 double stepToTell(const std::vector<double> &sorted, double frequency_Hz)
 {
     constexpr double kFiveDigits = 1e-4;

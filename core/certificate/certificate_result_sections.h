@@ -9,7 +9,7 @@
 
 namespace dyncal {
 
-/// What came out of it; a section without results says so.
+/// The results; a section without results says so.
 CertificateSection resultsSection(const CalibrationResults &results);
 CertificateSection shotsSection(const CalibrationResults &results);
 CertificateSection modelSection(const CalibrationResults &results, const Recipe &recipe);

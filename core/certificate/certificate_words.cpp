@@ -36,7 +36,7 @@ Message printed(const std::optional<double> &value, std::string_view unit, Messa
 
 std::string factorText(double k)
 {
-    constexpr double kMostOfUse = 1e4; // of a fraction of a degree of freedom
+    constexpr double kMostOfUse = 1e4; // reached with a fraction of a degree of freedom
     return k < kMostOfUse ? fixedText(k, 2) : numberText(k, 3);
 }
 

@@ -12,7 +12,7 @@
 
 namespace dyncal {
 
-/// Coverage factor of the expanded uncertainties on the certificate, where no other is printed.
+/// Coverage factor of expanded uncertainties on the certificate, unless another is printed.
 inline constexpr double kCoverageFactor = 2.0;
 /// A FIT of this magnitude has no meaning: the simulation diverged.
 inline constexpr double kMostPercent = 1e6;
@@ -23,7 +23,7 @@ bool isBlank(std::string_view text);
 Message verbatim(std::string text);
 /// A table cell without a value.
 Message dash();
-/// Value and unit at five digits, or `otherwise` where there is none.
+/// Value and unit with five digits, or `otherwise` if there is none.
 Message printed(const std::optional<double> &value, std::string_view unit, Message otherwise);
 /// "4.30".
 std::string factorText(double k);

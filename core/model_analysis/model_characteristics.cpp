@@ -48,7 +48,7 @@ double bisect(const std::function<double(double)> &f, double a, double b)
     return 0.5 * (a + b);
 }
 
-/// A stretch of time that is looked at evenly.
+/// A stretch of time with evenly spaced points.
 struct TimeGrid
 {
     double begin_s = 0.0;
@@ -56,9 +56,9 @@ struct TimeGrid
     double rate_Hz = 0.0; ///< points per second, at least
 };
 
-/// Forty points per radian of the fastest part that is left, each part until e^-8 of it and 1e-4 of
-/// the plateau: a slow part must not make the grid of a fast one coarse, nor nearly equal poles,
-/// whose amplitudes are huge, end it early.
+/// Forty points per radian of the fastest remaining part; a part remains until it has decayed to
+/// e^-8 and to 1e-4 of the plateau. So a slow part does not make the grid of a fast one coarse, and
+/// nearly equal poles, whose amplitudes are huge, do not end it early.
 std::vector<TimeGrid> timeGrids(const ExponentialSum &y)
 {
     constexpr double kMostPoints = 1e6; ///< in all: 80 per period for a zeta of 1e-4
@@ -90,7 +90,7 @@ std::vector<TimeGrid> timeGrids(const ExponentialSum &y)
     return grids;
 }
 
-/// What is kept of a step response while it is followed from its start.
+/// Follows a step response from its start and keeps the values that the characteristics need.
 class StepScan
 {
 public:
@@ -185,8 +185,8 @@ void describeStep(const SensorModel &model, StepCharacteristics &result)
     scan.describe(result);
 }
 
-/// 400 per decade from 1e-3 of the slowest to 20 times the fastest pole, and those about every
-/// resonance, which may be narrower than that.
+/// 400 points per decade from 1e-3 of the slowest to 20 times the fastest pole, and further ones at
+/// every resonance, which may be narrower than their spacing.
 std::vector<double> frequencyGrid_Hz(const SensorModel &model)
 {
     constexpr int kPerDecade = 400;

@@ -39,7 +39,7 @@ void takeOff(const NuisanceTerm &term, double rate_Hz, Eigen::VectorXd &values)
     }
 }
 
-/// What the model has where nothing is to be believed; the range counts from the detected start.
+/// Replaces a stretch that is left out by the model; the range counts from the detected start.
 void bridgeOver(
     const SampleRange &range, const SeriesFit &fit, double rate_Hz, SensorRecord &record)
 {
@@ -48,7 +48,8 @@ void bridgeOver(
         record.values[i + record.early] = fit.recorded.value(static_cast<double>(i) / rate_Hz);
 }
 
-/// The start is detected a little behind the onset: what the response does in between counts too.
+/// Samples between onset and detected start, which is a little later; they are part of the
+/// response.
 Index samplesBetween(const WindowedResponse &response, double onset_s)
 {
     return std::clamp<Index>(

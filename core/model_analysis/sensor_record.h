@@ -13,12 +13,11 @@
 
 namespace dyncal {
 
-/// One shot's window as the sensor alone would have recorded it: the terms of nuisance modes as the
-/// model found them taken off, stretches left out filled by the model
-/// (docs/method/nuisance-modes.md).
+/// One shot's window as the sensor alone would have recorded it: the model's nuisance terms are
+/// subtracted, stretches left out are filled by the model (docs/method/nuisance-modes.md).
 struct SensorRecord
 {
-    /// A mode that the step set off: its part of the record, and of the pressure relative to the
+    /// A mode that the step excites: amplitude in the record, and in the pressure relative to the
     /// step, both at the onset.
     struct Driven
     {
@@ -31,12 +30,12 @@ struct SensorRecord
     Index early = 0; ///< of them, before the detected start
     std::vector<Driven> driven;
 
-    /// Response to the step alone from `transform`, that of `values`: (transform + the modes' part
-    /// of the record) over (1 + their part of the pressure). Without such modes `transform`.
+    /// Response to the step alone, from the transform of `values`: (transform + the modes' part of
+    /// the record) over (1 + their part of the pressure). Without such modes it is `transform`.
     std::complex<double> ofStep(std::complex<double> transform, double frequency_Hz) const;
 };
 
-/// `fit` describes the shot; null = no model of it, then nothing is taken off.
+/// `fit` describes the shot; null = no model of it, then nothing is subtracted.
 SensorRecord sensorRecord(
     const WindowedResponse &response, const SensorModel &model, const SeriesFit *fit);
 

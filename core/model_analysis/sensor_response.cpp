@@ -18,13 +18,13 @@
 namespace dyncal {
 namespace {
 
-constexpr double kLargestNoise = 0.1; ///< of the magnitude: above, the data say nothing
+constexpr double kLargestNoise = 0.1; ///< of the magnitude: with more, the data are useless
 constexpr double kHighestOfRate = 0.4;
 constexpr double kPeriodsKept
     = 20.0; ///< of the frequency asked, at least, where the window has them
 constexpr Index kCurvePoints = 600;
 
-/// What one shot contributes: its own step and its own place in the series of the model input.
+/// One shot's contribution: its response, its series of the model input, its scale.
 struct ShotView
 {
     const WindowedResponse *response = nullptr;
@@ -34,7 +34,7 @@ struct ShotView
     SensorRecord record; ///< the window without the modes that are not the sensor's
     ExponentialSum step; ///< the model's response of this shot, from the onset on
 
-    double onset_s() const ///< behind the record's first value
+    double onset_s() const ///< after the record's first value
     {
         return (fit ? fit->onset_s : 0.0)
             + static_cast<double>(record.early) / response->sampleRate_Hz;
@@ -67,7 +67,8 @@ double stepOf(const WindowedResponse &response)
     return response.step / response.valueScale;
 }
 
-/// c0 of one shot. The fit of an average has the mean of them; each has its share by its step.
+/// c0 of one shot. The fit of an average gives the mean; each shot's c0 is in proportion to its
+/// step.
 double plateauOf(const SeriesFit &fit, const WindowedResponse &response,
     const std::vector<WindowedResponse> &responses)
 {
@@ -89,7 +90,8 @@ ExponentialSum modelStep(const SensorModel &model, const SeriesFit &fit, double 
     return step;
 }
 
-/// Whether the response is in the DUT's unit per pascal: asked for, one unit, every step known.
+/// Whether the response is in the DUT's unit per pascal: the recipe asks for it, all shots have one
+/// unit, and every step is known.
 bool isPerPressure(const std::vector<WindowedResponse> &responses, const ShockConditionsSet &shock,
     const ResponseSettings &settings)
 {
@@ -120,7 +122,8 @@ std::vector<ShotView> views(const std::vector<WindowedResponse> &responses,
     return list;
 }
 
-/// Long enough for the frequency and for the sensor to settle, no longer: noise grows with length.
+/// Long enough for the frequency and for the sensor to settle, but no longer, because noise grows
+/// with length.
 Index samplesUsed(const WindowedResponse &response, double span_s, double frequency_Hz)
 {
     const double length_s = std::max(span_s, kPeriodsKept / frequency_Hz);
@@ -128,8 +131,8 @@ Index samplesUsed(const WindowedResponse &response, double span_s, double freque
     return static_cast<Index>(std::min(count, static_cast<double>(response.length)));
 }
 
-/// Of the level that continues the shot behind its last sample, and of the baseline, on which the
-/// whole shot stands; not known without the refinement.
+/// u of the level that continues the shot after its last sample, including that of the baseline; 0
+/// without the refinement, where it is not known.
 double levelUncertainty(const ShotView &shot)
 {
     return shot.fit && std::isfinite(shot.fit->u_plateauGain) ? shot.fit->u_plateauGain : 0.0;
@@ -217,7 +220,7 @@ double upperLimit_Hz(
     return kHighestOfRate * rate_Hz;
 }
 
-/// Nothing is said of frequencies that the slowest record does not hold: there S(f) repeats itself.
+/// No values above the Nyquist frequency of the slowest record, where S(f) repeats itself.
 void measure(
     const std::vector<ShotView> &shots, double span_s, double rate_Hz, ResponseResult &result)
 {
@@ -231,7 +234,7 @@ void measure(
         const Point point = measuredAt(shots, span_s, result.frequency_Hz[k]);
         result.magnitude[k] = std::abs(point.S);
         result.u_magnitude[k] = point.u;
-        // The branch nearest the model's unwrapped phase: points may lie far apart.
+        // The branch nearest the model's unwrapped phase, because points may lie far apart.
         const double reference = result.modelPhase_rad[k];
         result.phase_rad[k]
             = reference + std::remainder(std::arg(point.S) - reference, 2.0 * std::numbers::pi);
@@ -268,11 +271,11 @@ void describeModel(
     }
 }
 
-/// Two independent answers; where they differ beyond their uncertainty, say so.
+/// Compares the two independent answers and reports where they differ beyond their uncertainty.
 void compareAnswers(ResponseResult &result)
 {
     constexpr double kCoverage = 4.0;
-    constexpr double kModelShare = 0.02; // what the model itself may be off
+    constexpr double kModelShare = 0.02; // allowed error of the model itself
     for (Index k = 0; k < result.magnitude.size(); ++k) {
         const double difference = std::abs(result.magnitude[k] - result.modelMagnitude[k]);
         const double limit
@@ -292,8 +295,8 @@ void compareAnswers(ResponseResult &result)
     }
 }
 
-/// A list is computed as given; what lies below the band rests on the plateau that the records are
-/// continued with, not on what was recorded.
+/// A list is computed as given; below the band the values depend on the plateau by which the
+/// records are continued, not on recorded samples.
 void reportBelowBand(ResponseResult &result)
 {
     if (result.frequency_Hz.size() == 0)

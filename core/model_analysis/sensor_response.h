@@ -32,7 +32,7 @@ struct ShotSensitivity
 
 struct ResponseResult
 {
-    Eigen::VectorXd frequency_Hz; ///< as asked by the recipe; a grid lies inside the usable band
+    Eigen::VectorXd frequency_Hz; ///< by the recipe; a grid lies inside the usable band
     Eigen::VectorXd magnitude; ///< non-parametric, docs/method/response.md; empty for impulse
     Eigen::VectorXd u_magnitude;
     Eigen::VectorXd phase_rad;
@@ -54,8 +54,8 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
     const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,
     const ResponseSettings &settings);
 
-/// What of the response needs the model only, in a moment: its curve, unit and sensitivities, as
-/// computeResponse has them. The band is the caller's; nothing is taken from the records.
+/// The part of computeResponse() that needs the model only and is quick: curve, unit and
+/// sensitivities. The caller gives the band; nothing is taken from the records.
 ResponseResult computeModelResponse(const std::vector<WindowedResponse> &responses,
     const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,
     const ResponseSettings &settings, double from_Hz, double to_Hz);

@@ -69,7 +69,7 @@ std::complex<double> stepTransformError(
     const ExponentialSum &sum, Index samples, double rate_Hz, double onset_s, double frequency_Hz)
 {
     if (frequency_Hz == 0.0)
-        return 0.0; // the plateau, which every step response reaches
+        return 0.0; // at frequency 0 stepTransform() gives the plateau exactly
     const std::complex<double> jw(0.0, 2.0 * std::numbers::pi * frequency_Hz);
     const double first
         = std::clamp(std::ceil(onset_s * rate_Hz - 1e-9), 0.0, static_cast<double>(samples));

@@ -20,9 +20,9 @@ namespace dyncal {
 std::complex<double> stepTransform(const Eigen::Ref<const Eigen::VectorXd> &y, double rate_Hz,
     double endLevel, double onset_s, double frequency_Hz);
 
-/// What stepTransform() gives of this step response (`sum` from the onset on, 0 before; `onset_s`
-/// in the record), sampled `samples` times and continued by its constant, less its true response
-/// G(f) = c0 + sum c_i jw/(jw - s_i): aliasing, and what the end cuts off; in closed form
+/// Error of stepTransform() for a known step response (`sum` from the onset on, 0 before; `onset_s`
+/// in the record), sampled `samples` times and continued by its constant: its result less the true
+/// response G(f) = c0 + sum c_i jw/(jw - s_i). It contains aliasing and truncation; in closed form
 /// (docs/method/response.md).
 std::complex<double> stepTransformError(
     const ExponentialSum &sum, Index samples, double rate_Hz, double onset_s, double frequency_Hz);

@@ -71,7 +71,7 @@ double UnwrappedPhase::turn(const Point &from, const Point &to, int halvings) co
 
 void UnwrappedPhase::moveTo(double frequency_Hz)
 {
-    // Octave by octave, so that what changes slowly cannot turn by a whole turn unseen either.
+    // Octave by octave, so that a slow change cannot make a whole turn unnoticed.
     while (m_here.frequency_Hz != frequency_Hz) {
         const double octave_Hz
             = std::clamp(frequency_Hz, 0.5 * m_here.frequency_Hz, 2.0 * m_here.frequency_Hz);

@@ -15,14 +15,14 @@ namespace dyncal {
 /// damped frequency of every pole, up to four half widths away.
 std::vector<double> resonantFrequencies_Hz(const SensorModel &model, double from_Hz, double to_Hz);
 
-/// Phase of modelResponse() on the branch that is 0 (a negative plateau: +pi) at f -> 0. Followed
-/// from there through every resonance, so that neither spacing nor width of the modes matters.
+/// Phase of modelResponse() on the branch that is 0 (a negative plateau: +pi) at f -> 0. It is
+/// followed from there through every resonance, whatever the spacing and width of the modes.
 class UnwrappedPhase
 {
 public:
     UnwrappedPhase(const SensorModel &model, ResponseTreatment treatment);
 
-    /// In radians; unknown where the frequency is not finite. Quickest in the order of frequencies.
+    /// In radians; unknown where the frequency is not finite. Fastest for ascending frequencies.
     double at(double asked_Hz);
 
 private:

@@ -10,8 +10,8 @@
 
 namespace dyncal {
 
-/// The stages behind the decomposition, for a run and for the comparison of orders alike. `results`
-/// must hold everything before.
+/// The stages after the decomposition, for a run and for the comparison of orders. `results` must
+/// hold all earlier results.
 Result<SensorModel> modelStage(const CalibrationResults &results, const Recipe &recipe, Index order,
     const JobControl &control);
 Result<ShockConditionsSet> shockOfModel(

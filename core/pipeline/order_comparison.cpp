@@ -25,7 +25,7 @@ Result<std::shared_ptr<const T>> shared(Result<T> result)
     return std::make_shared<const T>(std::move(*result));
 }
 
-/// The model a run has made already, or a new one.
+/// The model of an earlier run, or a new one.
 Result<std::shared_ptr<const SensorModel>> modelOf(
     const CalibrationResults &results, const Recipe &recipe, Index order, const JobControl &control)
 {

@@ -12,21 +12,22 @@
 
 namespace dyncal {
 
-/// One order as a run of it gives it, or why it cannot be had.
+/// The results of one order, or why there are none.
 struct ComparedOrder
 {
     Index order = 0;
     std::shared_ptr<const SensorModel> model; ///< null with an error
     std::shared_ptr<const ModelAssessment> assessment; ///< of `model`
     std::shared_ptr<const ResponseResult> response; ///< null with an error and where it diverges
-    /// p value of the residuals being nothing but noise, over all series; NaN where it diverges.
+    /// p value of the hypothesis that the residuals are noise, over all series; NaN where it
+    /// diverges.
     double whiteness_p = kUnknown;
-    std::optional<double> bic; ///< of the orders that the suggestion looked at
-    std::string note; ///< what the recipe says of it
+    std::optional<double> bic; ///< for the orders that the suggestion tried
+    std::string note; ///< the recipe's note on it
     std::optional<Error> error;
 };
 
-/// What the recipe says of an order; may be empty.
+/// The recipe's note on an order; may be empty.
 std::string noteOnOrder(const Recipe &recipe, Index order);
 
 /// Models of several orders from one decomposition, by the functions of the pipeline, so that each
@@ -36,8 +37,8 @@ std::string noteOnOrder(const Recipe &recipe, Index order);
 Result<std::vector<ComparedOrder>> compareOrders(const CalibrationResults &results,
     const Recipe &recipe, const std::vector<Index> &orders, const JobControl &control = {});
 
-/// Orders worth a look beside each other, ascending: the suggested one, the one above it where it
-/// splits a pair, a high one (100 as in the thesis, or the largest possible), and those pinned.
+/// Orders worth comparing, ascending: the suggested one, the next where that one splits a pair, a
+/// high one (100 as in the thesis, or the largest possible), and those pinned.
 std::vector<Index> defaultCandidates(const CalibrationResults &results, const Recipe &recipe);
 
 } // namespace dyncal

@@ -67,7 +67,8 @@ Result<DecompositionResult> decompose(
     return DecompositionResult{std::move(*hankel), std::move(suggestion)};
 }
 
-/// Runs one stage unless its result is in the cache; keeps count and stops at the first failure.
+/// Runs each stage unless its result is in the cache, reports progress and stops at the first
+/// failure.
 class Run
 {
 public:
@@ -92,7 +93,7 @@ public:
             Result<T> result = compute(controlOf(id));
             if (!result)
                 return stop(id, std::move(result.error()));
-            if (m_control.stopRequested()) // what it gave may be half of a result
+            if (m_control.stopRequested()) // the result may be incomplete
                 return stop(id, Error{ErrorKind::Cancelled, {}, {}, 0});
             found = std::make_shared<const T>(std::move(*result));
             m_cache.store(key, found);
@@ -102,8 +103,8 @@ public:
         return *this;
     }
 
-    /// The result of a later stage as an earlier run left it, if it did, beside what it follows
-    /// from: this run may end before that stage.
+    /// Takes a later stage's result from the cache if all it follows from is there: this run may
+    /// end before that stage.
     template <typename T>
     Run &remembered(StageId id, std::shared_ptr<const T> CalibrationResults::*member)
     {
@@ -121,7 +122,7 @@ private:
         return *this;
     }
 
-    /// What a stage reports is of the part that lies between the stages done and the next.
+    /// Maps a stage's progress 0..1 to its part of the run.
     JobControl controlOf(StageId id)
     {
         const double begin = m_reached;
@@ -130,7 +131,7 @@ private:
             [this, begin, end](double fraction) { reach(begin + fraction * (end - begin)); }};
     }
 
-    /// Only rises: a stage may try one thing after the other, each from 0 to 1.
+    /// Progress never falls, although a stage may try several things, each from 0 to 1.
     void reach(double fraction)
     {
         if (fraction > m_reached)

@@ -14,7 +14,7 @@
 
 namespace dyncal {
 
-/// How far a run came: everything before the failing stage is there.
+/// What a run produced; all results before the failing stage exist.
 struct PipelineOutcome
 {
     CalibrationResults results;

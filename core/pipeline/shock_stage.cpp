@@ -18,7 +18,7 @@
 namespace dyncal {
 namespace {
 
-/// A name that is misspelt must not leave the usual uncertainty in its place without a word.
+/// With a misspelt name the usual uncertainty would silently be used, so a finding reports it.
 Findings unknownQuantities(const std::vector<BudgetEntry> &budget)
 {
     Findings findings;
@@ -34,7 +34,7 @@ Findings unknownQuantities(const std::vector<BudgetEntry> &budget)
     return findings;
 }
 
-/// When the DUTs felt the shock, as far as it can be known before the window is cut.
+/// When the DUTs felt the shock, as known before the window is cut.
 std::vector<DutArrival> startsOfDuts(
     const CaptureSet &set, const RecordStarts &starts, const std::vector<double> &typed_s)
 {

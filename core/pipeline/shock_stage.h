@@ -18,21 +18,21 @@
 
 namespace dyncal {
 
-/// What is known of the shock before any model: from the starts that were detected in the records.
+/// What is known of the shock before any model, from the starts detected in the records.
 struct ExpectedShock
 {
-    ShockConditionsSet conditions; ///< empty where the settings make no sense, or none are wanted
+    ShockConditionsSet conditions; ///< empty if the settings are invalid or the shock is disabled
     Findings findings; ///< CAP-010
 };
 
 /// From the starts of the DUTs, detected or typed (window.start), which are late by the sensor's
-/// delay. Gives the plateau's end to the window, and has the records read only once. Never fails:
-/// what is wrong with the settings is said by shockStage().
+/// delay. The window uses the plateau's end, and the records are read here only. Never fails:
+/// shockStage() reports invalid settings.
 Result<ExpectedShock> expectedShock(
     const CaptureSet &set, const RecordStarts &starts, const Recipe &recipe);
 
-/// When each sensor felt the shock: the model's onset where there is one, else the detected start,
-/// which its own delay makes late.
+/// When each sensor felt the shock: the model's onset, else the detected start, which is late by
+/// the sensor's delay.
 std::vector<DutArrival> dutArrivals(const WindowResult &window, const SensorModel &model);
 
 /// Velocity, states, step, uncertainty and tube of every shot, and which peaks of the spectra move

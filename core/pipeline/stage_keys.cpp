@@ -31,7 +31,7 @@ std::string scalingOf(const Channel &channel)
     return text + '\n';
 }
 
-/// Stands for the hash of a file that is only opened so far.
+/// Replaces the hash of a file that is opened but not yet sealed.
 std::string stampOf(const InputFile &input)
 {
     return input.path + ' ' + std::to_string(input.bytes) + ' ' + std::to_string(input.changed_ns);
@@ -53,8 +53,8 @@ std::string attributesOf(const std::map<std::string, Attributes> &named)
     return text;
 }
 
-/// What was found while reading and sealing: the same bytes may be those that a project expects,
-/// or not (CAP-015).
+/// Findings of reading and sealing belong to the key: a project may expect the same bytes or others
+/// (CAP-015).
 std::string wordsOf(const Findings &findings)
 {
     std::string text;
@@ -74,7 +74,7 @@ std::string describedChannel(const Channel &channel)
         + scalingOf(channel);
 }
 
-/// What identifies the recordings: their samples' hashes and what the file says of them.
+/// What identifies the recordings: hashes of the samples and their description in the files.
 std::string identityOf(const CaptureSet &captures)
 {
     std::string text;

@@ -26,13 +26,13 @@ Findings of(const R &results)
     return (results.*member)->findings;
 }
 
-/// Said by the stages that use what this one found.
+/// The stages that use this one's result report its findings.
 Findings saidElsewhere(const R &)
 {
     return {};
 }
 
-/// Of all orders, and of the model's order in their light (MOD-007).
+/// Findings of all orders, and of the model's order compared with them (MOD-007).
 Findings ofEvidence(const R &results)
 {
     Findings findings = results.evidence->findings;
@@ -43,7 +43,7 @@ Findings ofEvidence(const R &results)
     return findings;
 }
 
-/// With those of its assessment, which are about the model: people read them in one place.
+/// With those of the assessment, which are about the model too: people read them in one place.
 Findings ofModel(const R &results)
 {
     Findings findings = results.model->findings;
@@ -53,7 +53,7 @@ Findings ofModel(const R &results)
     return findings;
 }
 
-void readNothing(const Recipe &, Recipe &) { } // all that it reads is in an earlier key
+void readNothing(const Recipe &, Recipe &) { } // an earlier key has all that it reads
 
 void readCaptures(const Recipe &recipe, Recipe &part)
 {
@@ -169,7 +169,7 @@ constexpr bool isInOrder()
 }
 static_assert(isInOrder());
 
-/// Whether one of the first `count` findings says of the same channel what `finding` says again.
+/// Whether one of the first `count` findings says the same of the same channel as `finding`.
 bool isTold(const Findings &findings, std::size_t count, const Finding &finding)
 {
     return !finding.channel.empty()

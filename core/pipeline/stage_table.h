@@ -20,7 +20,7 @@ struct Stage
     double cost_ms; ///< of the example, roughly: its share of the progress
     const char
         *findings; ///< what the ids of its findings begin with; empty: it has none of its own
-    StageId follows; ///< all up to there, and itself, is what its result depends on
+    StageId follows; ///< its result depends on all stages up to this, and on itself
     void (*read)(const Recipe &recipe, Recipe &part); ///< copies the sections it reads
     bool (*isThere)(const CalibrationResults &results);
     Findings (*findingsOf)(const CalibrationResults &results);
@@ -30,16 +30,16 @@ const Stage &stageOf(StageId id);
 
 const char *stageName(StageId id);
 
-/// The stage whose findings have ids like this one ("WIN-001" -> Window); empty for ids of none.
+/// The stage whose findings have ids like this one ("WIN-001" -> Window); empty if there is none.
 std::optional<StageId> stageOfFinding(const std::string &id);
 
 bool hasResult(const CalibrationResults &results, StageId id);
 Findings findingsOf(const CalibrationResults &results, StageId id); ///< none without a result
 
-/// Of all stages in their order, each told once.
+/// Findings of all stages in their order, without repetitions.
 Findings allFindings(const CalibrationResults &results);
 
-/// The share of a run up to `last` that is done when `id` is, 0 to 1, by what the stages cost.
+/// The share (0 to 1, by the costs of the stages) of a run up to `last` that is done after `id`.
 double progressAfter(StageId id, StageId last);
 
 } // namespace dyncal

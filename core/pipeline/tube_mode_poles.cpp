@@ -21,7 +21,7 @@ struct Mode
 {
     Interval span_Hz;
     std::string name;
-    bool movesWithGas = false; ///< seen to, not only computed
+    bool movesWithGas = false; ///< observed, not only computed
 };
 
 void extend(Interval &span_Hz, double frequency_Hz)

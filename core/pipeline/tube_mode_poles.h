@@ -10,11 +10,11 @@
 
 namespace dyncal {
 
-/// Flags the oscillating poles of a fitted model that lie within 3 % of where the gas of the tube
-/// rings (kTubeModeFlag), and says so of those of class sensor (MOD-012): a caution where a peak of
-/// the spectra moves with the sound speed of region 5 there, a note where a resonance of the tube
-/// is only computed. Poles are shared by the shots, such modes are not: between the lowest and the
-/// highest frequency of a mode every place is its own.
+/// Flags the oscillating poles of a fitted model within 3 % of a mode of the tube's gas
+/// (kTubeModeFlag), and reports those of class sensor (MOD-012): a caution where a peak of the
+/// spectra there moves with the sound speed of region 5, an info where a resonance of the tube is
+/// only computed. The shots share poles but not such modes, so all frequencies between a mode's
+/// lowest and highest count as the mode.
 void judgeTubeModes(const std::vector<FollowedPeak> &peaks, const ShockConditionsSet &conditions,
     SensorModel &model);
 

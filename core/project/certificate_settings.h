@@ -11,7 +11,7 @@
 
 namespace dyncal {
 
-/// A caution the operator has seen and gives a reason for.
+/// A caution that the operator accepts, with the reason.
 struct Acknowledgement
 {
     std::string finding;

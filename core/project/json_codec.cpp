@@ -34,7 +34,7 @@ std::string keyName(const JsonAt &at)
                                               : at.path;
 }
 
-/// "import.exclude[12].shot" -> "import.exclude[].shot"; so for free words in braces.
+/// "import.exclude[12].shot" -> "import.exclude[].shot"; free words in braces go too.
 std::string withoutPlaces(const std::string &path)
 {
     std::string plain;

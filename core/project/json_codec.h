@@ -26,8 +26,8 @@ struct JsonAt
                                                 ///< free words as "{}"
 };
 
-/// How a value of type T is read from JSON and written as JSON. Reading is the only place where a
-/// value is checked; writing gives what reading takes.
+/// How a value of type T is read from JSON and written as JSON. Values are checked only when they
+/// are read; whatever is written can be read again.
 template <typename T>
 struct Codec
 {
@@ -53,7 +53,7 @@ Codec<double> number(double least, double most, Bound bound = Bound::Inclusive);
 Codec<double> anyNumber();
 Codec<double> positiveNumber();
 Codec<double> nonNegativeNumber();
-/// A whole number; 1e6 and 1000.0 are whole too, because many programs write them so.
+/// A whole number; 1e6 and 1000.0 count as whole, because many programs write whole numbers so.
 Codec<Index> whole(Index least, Index most);
 Codec<bool> boolean();
 Codec<std::string> nonEmptyText();
@@ -100,7 +100,7 @@ Codec<std::optional<T>> valueOr(const Json &word, Codec<T> inner)
             return std::optional<T>();
         Result<T> value = inner.read(at);
         if (!value && !at.value.is_structured())
-            return mismatch(at, needs); // the inner codec does not know of the word
+            return mismatch(at, needs); // the inner message would not name the word
         return value.map([](const T &v) { return std::optional<T>(v); });
     };
     const auto write = [word, inner](const std::optional<T> &value) {

@@ -10,9 +10,9 @@
 namespace dyncal {
 
 /// Internal to core/project: puts one recipe document over another. Objects are joined key by key,
-/// any other value of `upper` replaces the one below. `key` is what both stand under: below
-/// "channels" a role alone ("dut") is the "role" of an object, so that neither loses what the other
-/// says of the channel.
+/// any other value of `upper` replaces the one below. `key` is the key of both: under "channels" a
+/// role alone ("dut") counts as an object with that "role", so that the other settings of the
+/// channel are kept.
 void putOver(Json &lower, const Json &upper, std::string_view key = {});
 
 } // namespace dyncal

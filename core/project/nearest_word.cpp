@@ -10,9 +10,9 @@
 namespace dyncal {
 namespace {
 
-/// Longer words are cut: a hostile file must not buy a long comparison.
+/// Longer words are cut, so that a hostile file cannot cause long comparisons.
 constexpr std::size_t kLongestWord = 64;
-/// A key in the wrong section is at most this much further away than one in the right one.
+/// Greatest extra distance of a key in another section.
 constexpr Index kOtherSection = 3;
 
 struct SplitKey

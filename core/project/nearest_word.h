@@ -15,7 +15,7 @@ namespace dyncal {
 Index editDistance(std::string_view a, std::string_view b);
 
 /// The known dotted key ("window.end_s") that the unknown one most likely means: the last part
-/// counts most, so that a key put into the wrong section is found too. Empty if `known` is empty.
+/// counts most, so that a key in the wrong section is found too. Empty if `known` is empty.
 std::string nearestKey(std::string_view unknown, const std::vector<std::string> &known);
 
 } // namespace dyncal

@@ -19,7 +19,7 @@ namespace {
 constexpr const char *kSchema = "dyncal-recipe/1";
 constexpr std::size_t kLargestFile = 4 * 1024 * 1024;
 
-/// The schema is checked and written, but is no part of the value.
+/// The schema is checked and written, but not part of the Recipe.
 Field<Recipe> schema()
 {
     const Codec<std::string> codec = oneOf({kSchema});
@@ -51,7 +51,7 @@ const Codec<Recipe> &recipeCodec()
     return codec;
 }
 
-/// A second line of one quantity would be left out of the uncertainty without a word.
+/// A second line for a quantity would silently be ignored, so it is an error.
 Result<void> checkBudget(const std::vector<BudgetEntry> &budget)
 {
     std::set<std::string> seen;
@@ -65,7 +65,7 @@ Result<void> checkBudget(const std::vector<BudgetEntry> &budget)
     return {};
 }
 
-/// What no single key can see.
+/// Checks that concern several keys.
 Result<void> checkTogether(const Recipe &recipe)
 {
     const RealizationSettings &realization = recipe.realization;

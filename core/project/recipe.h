@@ -51,9 +51,9 @@ std::string recipeJson(const Recipe &recipe);
 /// Reads a recipe file (kind FileUnreadable if it cannot be opened).
 Result<Recipe> readRecipeFile(const std::string &path);
 
-/// A recipe file put over a laboratory's profile: what the recipe leaves out is as in the profile.
-/// Either path may be empty. Fails (Usage) if the profile holds anything but the sections "import"
-/// and "checks".
+/// A recipe file over a laboratory's profile: keys missing in the recipe are taken from the
+/// profile. Either path may be empty. Fails (Usage) if the profile holds anything but the sections
+/// "import" and "checks".
 Result<Recipe> readRecipeFiles(const std::string &recipePath, const std::string &profilePath);
 
 /// Every key that a recipe may hold, as dotted path ("window.end_s", "import.exclude[].shot",

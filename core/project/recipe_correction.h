@@ -8,8 +8,8 @@
 
 namespace dyncal {
 
-/// The recipe with one key changed as a finding proposes. An object is merged into what is there:
-/// roles of two channels leave those of the others alone. Fails (Usage) like parseRecipe if the
+/// The recipe with one key changed as a finding proposes. An object is merged into the existing
+/// one: roles of two channels do not change those of others. Fails (Usage) like parseRecipe if the
 /// key does not exist or does not take the value.
 Result<Recipe> correctedRecipe(const Recipe &recipe, const Correction &correction);
 

@@ -13,8 +13,7 @@
 
 namespace dyncal {
 
-/// The keys of recipe.json on the components, the model and what is made of them, as
-/// recipe_fields_import.h.
+/// The keys of recipe.json for components, model and results, as recipe_fields_import.h.
 Codec<ComponentSettings> componentCodec();
 Codec<InputSettings> inputCodec();
 Codec<RealizationSettings> realizationCodec();

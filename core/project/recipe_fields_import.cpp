@@ -13,10 +13,10 @@ constexpr Index kMostColumns = 100000;
 constexpr Index kMostRows = 1000000000;
 constexpr Index kLongestGap = 1000;
 constexpr double kLeastExpansion = 1.0;
-constexpr double kMostExpansion = 1e4; ///< no filter in use shrinks real samples more
+constexpr double kMostExpansion = 1e4; ///< no real filter compresses samples more
 constexpr double kFastestRate_Hz = 1e12;
 constexpr double kMostReadingFactor = 1e6;
-constexpr double kLeastStepSigmas = 4.0; ///< below, noise alone is found to be a step
+constexpr double kLeastStepSigmas = 4.0; ///< below, noise alone would count as a step
 constexpr double kMostStepSigmas = 1e6;
 
 /// The words for a role; with "" for null where none need be given.

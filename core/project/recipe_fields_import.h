@@ -9,8 +9,8 @@
 
 namespace dyncal {
 
-/// The keys of recipe.json on the way from files to captures, the one table that reading, writing
-/// and the check of docs/recipe.md go by. Internal to core/project.
+/// The keys of recipe.json for reading files into captures: the one table for reading, writing and
+/// the check of docs/recipe.md. Internal to core/project.
 Codec<ImportSettings> importCodec();
 Codec<CheckSettings> checksCodec();
 

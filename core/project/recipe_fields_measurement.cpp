@@ -156,7 +156,7 @@ Field<WindowSettings> baseline()
         }};
 }
 
-/// "plateau" or a time behind the start; two members share the key.
+/// "plateau" or a time after the start; two members share the key.
 Field<WindowSettings> windowEnd()
 {
     const auto codec = valueOr(Json("plateau"), orAuto(positiveNumber()));

@@ -9,7 +9,7 @@
 
 namespace dyncal {
 
-/// The keys of recipe.json on what is read from the records, as recipe_fields_import.h.
+/// The keys of recipe.json for shock, window and spectrum, as recipe_fields_import.h.
 Codec<ShockSettings> shockCodec();
 Codec<WindowSettings> windowCodec();
 Codec<SpectrumSettings> spectrumCodec();

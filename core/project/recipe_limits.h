@@ -7,6 +7,6 @@
 
 namespace dyncal {
 
-inline constexpr Index kMostShots = 100000; ///< that any list of a recipe may have entries for
+inline constexpr Index kMostShots = 100000; ///< largest number of entries in a list per shot
 
 } // namespace dyncal

@@ -11,7 +11,7 @@
 namespace dyncal {
 namespace {
 
-/// A pass over the text that builds nothing: finds what the library's own reader lets through.
+/// A pass over the text that builds nothing and finds errors that the library's reader accepts.
 class StrictChecker : public nlohmann::json_sax<Json>
 {
 public:

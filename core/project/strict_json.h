@@ -18,8 +18,8 @@ using Json = nlohmann::json;
 inline constexpr Index kDeepestJson = 16;
 
 /// Reads the whole of `text` as one JSON value. Fails (Usage) on malformed text with line and
-/// column, on a key that stands twice in one object (the library would silently keep the last),
-/// on nesting deeper than kDeepestJson and on anything behind the value. `what` names the text in
+/// column, on a key that stands twice in one object (the library would silently keep the last), on
+/// nesting deeper than kDeepestJson and on anything after the value. `what` names the text in
 /// sentences ("The recipe").
 Result<Json> parseStrictJson(const std::string &text, const std::string &what);
 

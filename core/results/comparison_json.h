@@ -9,12 +9,12 @@
 
 namespace dyncal {
 
-/// Orders beside each other, schema "dyncal-compare/1" (docs/command-line.md), in the form of
+/// The compared orders, schema "dyncal-compare/1" (docs/command-line.md), in the form of
 /// results.json: never NaN or Infinity, null with "<key>_reason" beside it.
 std::string comparisonJson(
     const CalibrationResults &results, const std::vector<ComparedOrder> &orders);
 
-/// Poles of one class.
+/// Number of poles of one class.
 Index countPoles(const SensorModel &model, PoleClass poleClass);
 
 } // namespace dyncal

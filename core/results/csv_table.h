@@ -14,8 +14,8 @@
 namespace dyncal {
 
 /// Numbers in columns as CSV: comma, '.' as decimal mark, LF, one header line of names with the
-/// unit in them, numbers as the shortest text that reads back the same. What is not finite, and
-/// what a shorter column lacks, is an empty cell.
+/// unit in them, numbers as the shortest text that reads back the same. Values that are not finite,
+/// and those missing in a shorter column, are empty cells.
 class CsvTable
 {
 public:

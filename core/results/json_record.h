@@ -13,7 +13,7 @@
 
 namespace dyncal {
 
-/// A JSON object of results in which nothing is left out without a word: what is missing or not
+/// A JSON object of results in which nothing is omitted silently: a value that is missing or not
 /// finite becomes null with "<key>_reason" beside it. Internal to core/results.
 class JsonRecord
 {
@@ -26,7 +26,7 @@ public:
     /// The text, or null and the reason if it is empty.
     void text(const std::string &key, const std::string &value, const std::string &reason);
     /// A list of numbers; null and the reason if it is empty. Single values that are not finite
-    /// become null with the reason beside the list.
+    /// become null, with the reason beside the list.
     void numbers(const std::string &key, const Eigen::Ref<const Eigen::VectorXd> &values,
         const std::string &reason);
     void missing(const std::string &key, const std::string &reason);

@@ -7,10 +7,10 @@
 
 namespace dyncal {
 
-/// Why nothing but results.json and the recipe may leave the program: the error that stopped the
-/// run or, of a run that came to its end, the first finding that blocks, as an error of kind
-/// DataBlocked. Empty: model, tables, plots and certificate may be written. The one rule of every
-/// verb and of the window. An acknowledgement accepts a caution and never lifts a block.
+/// Why only results.json and the recipe may leave the program: the error that stopped the run or,
+/// if it came to its end, the first finding that blocks, as an error of kind DataBlocked. Empty:
+/// model, tables, plots and certificate may be written. All subcommands and the window use this
+/// rule. An acknowledgement accepts a caution but never lifts a block.
 std::optional<Error> publicationObstacle(const PipelineOutcome &outcome);
 
 inline bool mayPublish(const PipelineOutcome &outcome)

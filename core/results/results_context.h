@@ -10,7 +10,7 @@
 
 namespace dyncal {
 
-/// What every section of results.json is written from. Internal to core/results.
+/// Input of every section of results.json. Internal to core/results.
 struct ResultsContext
 {
     const PipelineOutcome &outcome;

@@ -93,7 +93,7 @@ void addSingularValues(std::vector<CsvFile> &files, const HankelDecomposition &h
     files.push_back({"singular_values.csv", table.text()});
 }
 
-/// What every order says, row by row; what an order has not is an empty cell.
+/// One row per order; a value that an order does not have is an empty cell.
 void addOrders(std::vector<CsvFile> &files, const OrderEvidence &evidence)
 {
     const Index count = evidence.fit_percent.size();

@@ -65,7 +65,7 @@ Json findingJson(const Finding &finding)
     return record.take();
 }
 
-/// The error that stopped the run is the gravest finding of all.
+/// The error that stopped the run, as a finding that blocks.
 Finding asFinding(const Error &error)
 {
     return {.id = error.findingId,

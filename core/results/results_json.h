@@ -11,12 +11,12 @@ namespace dyncal {
 
 /// results.json, schema "dyncal-results/1": UTF-8, sorted keys, two-space indent, LF, shortest
 /// round-trip numbers; never NaN or Infinity (null with "<key>_reason" beside it). `createdUtc` is
-/// ISO 8601 with Z. A run that was blocked still gives every section, null where nothing is.
+/// ISO 8601 with Z. A blocked run still has every section, with null for missing values.
 std::string resultsJson(
     const PipelineOutcome &outcome, const Recipe &recipe, const std::string &createdUtc);
 
-/// Findings of all stages and the error that stopped the run, if that is one of the catalogue and
-/// not among them already: the list of results.json.
+/// The list of results.json: findings of all stages and the error that stopped the run, if that has
+/// an id of the catalogue and is not among them already.
 Findings allFindings(const PipelineOutcome &outcome);
 
 } // namespace dyncal

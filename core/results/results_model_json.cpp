@@ -126,7 +126,7 @@ void addCurves(JsonRecord &section, const ResponseResult &response)
     section.numbers("magnitude", response.magnitude, none);
     section.numbers("u_magnitude", response.u_magnitude, none);
     section.missing("k_magnitude", kNoUncertainty);
-    section.set("u_contains_step", false); // what the noise of the recordings gives, no more
+    section.set("u_contains_step", false); // it contains the noise of the recordings only
     section.numbers("phase_rad", response.phase_rad, none);
     section.numbers("u_phase_rad", response.u_phase_rad, none);
     section.missing("k_phase", kNoUncertainty);

@@ -7,7 +7,7 @@
 
 namespace dyncal {
 
-/// What all orders say: keys of the section "realization".
+/// The evidence of all orders: keys of the section "realization".
 void addOrderEvidence(JsonRecord &section, const ResultsContext &context);
 
 } // namespace dyncal

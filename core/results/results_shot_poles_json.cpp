@@ -100,7 +100,7 @@ void addShotPoles(JsonRecord &section, const ResultsContext &context)
 {
     const CalibrationResults &results = context.results();
     section.text("uncertainty_method", results.model->uncertaintyMethod, kNoUncertainty);
-    static const ModelAssessment nothing; // of a model that is not assessed
+    static const ModelAssessment nothing; // for a model that is not assessed
     const ModelAssessment &found = results.assessment ? *results.assessment : nothing;
     if (found.homogeneity)
         section.set("homogeneity", homogeneityJson(*found.homogeneity));

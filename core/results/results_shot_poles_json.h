@@ -7,7 +7,7 @@
 
 namespace dyncal {
 
-/// Uncertainty, shots and levels one by one; part of the section "model".
+/// Uncertainty, then each shot and level; part of the section "model".
 void addShotPoles(JsonRecord &section, const ResultsContext &context);
 
 } // namespace dyncal

@@ -30,14 +30,14 @@ constexpr std::array<std::string_view, 7> kTables{"components", "singular_values
     "orders", "stability", "frequency_response", "model_curve"};
 constexpr std::array<std::string_view, 4> kTablesOfShots{
     "response_", "spectrum_", "model_input_", "model_"};
-/// Of ui/report/report_figures.cpp; a name once given stays here, for the folders that have it.
+/// Names from ui/report/report_figures.cpp; old names stay here, because folders may have them.
 constexpr std::array<std::string_view, 21> kPlots{"raw-dut", "raw-driven-side", "raw-driver",
     "responses", "responses-start", "spectrum", "explained", "reconstruction", "residuals",
     "residual-autocovariance", "residual-spectrum", "average", "model-input", "singular-values",
     "bic", "model-data", "model-error", "pole-zero", "step", "magnitude", "phase"};
 constexpr std::size_t kMostDigits = 9; // of the number of a shot
 
-/// Digits, at least `least`; more only without zeros before them.
+/// At least `least` digits; more only without leading zeros.
 bool isNumber(std::string_view text, std::size_t least)
 {
     return text.size() >= least && text.size() <= kMostDigits
@@ -66,8 +66,8 @@ bool isPlotName(std::string_view stem)
         && std::ranges::find(kPlots, stem.substr(dash + 1)) != kPlots.end();
 }
 
-/// A list of written files that claims anything else is not a run's: exact, because what such a
-/// list has is replaced and removed, and a recording may lie in csv/ too.
+/// Whether a run writes a file of this name. Exact, because files on a run's list are replaced and
+/// removed, and a recording may lie in csv/ too.
 bool isRunName(const std::string &name)
 {
     const fs::path path(name);
@@ -78,7 +78,7 @@ bool isRunName(const std::string &name)
         || (folder == "model" && isModelName(path.filename().string()));
 }
 
-/// Both writers may share a folder.
+/// Run and export may share a folder.
 bool isRunOrModelName(const std::string &name)
 {
     return isRunName(name) || isModelName(name);

@@ -34,10 +34,11 @@ FolderRequest runFolder(
     const std::string &folder, const CaptureSet &set, std::vector<std::string> settings = {});
 
 /// Writes what `dyncal run` promises as one transaction: recipe.json, csv/*.csv, model/*, the drawn
-/// documents, results.json, and written.json, which lists them with their hashes; of a run that may
-/// not be published (publication.h) recipe.json and results.json alone. What an earlier run left
-/// there goes in the same step: no certificate of other data stays beside new results. Returns the
-/// paths to show, results.json first. Fails as FolderWrite::commit; the folder is then what it was.
+/// documents, results.json, and written.json, which lists them with their hashes. A run that may
+/// not be published (publication.h) writes recipe.json, results.json and written.json only. Files
+/// of an earlier run are removed in the same step, so that no certificate of other data stays
+/// beside new results. Returns the paths to show, results.json first. Fails as FolderWrite::commit;
+/// the folder is then unchanged.
 Result<std::vector<std::string>> writeRunFiles(
     const RunFiles &run, FolderWrite &folder, const JobControl &control = {});
 
@@ -45,9 +46,9 @@ Result<std::vector<std::string>> writeRunFiles(
 FolderRequest modelFolder(
     const std::string &folder, const CaptureSet &set, std::vector<std::string> settings = {});
 
-/// Writes the model in the given formats (modelFormats) as one transaction; the paths. Files of
-/// an earlier export go, those of other formats too: two models never lie side by side. Fails as
-/// FolderWrite::commit, and with MOD-001 (DataBlocked) if the model diverges.
+/// Writes the model in the given formats (modelFormats) as one transaction; returns the paths.
+/// Files of an earlier export are removed, whatever their format: two models never lie side by
+/// side. Fails as FolderWrite::commit, and with MOD-001 (DataBlocked) if the model diverges.
 Result<std::vector<std::string>> writeModelFiles(const CalibrationResults &results,
     const std::vector<std::string> &formats, FolderWrite &folder, const JobControl &control = {});
 

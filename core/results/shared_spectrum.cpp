@@ -62,7 +62,7 @@ SharedSpectrum sharedSpectrum(const std::vector<PowerSpectrum> &spectra, Index c
             if (!(f > 0.0) || !std::isfinite(value))
                 continue;
             const Index cell = std::upper_bound(edges.begin(), edges.end(), f) - edges.begin() - 1;
-            if (!(psd(cell, shot) >= value)) // also where there is none yet
+            if (!(psd(cell, shot) >= value)) // also true for NaN, the initial value
                 psd(cell, shot) = value;
             if (value > largest[cell]) {
                 largest[cell] = value;

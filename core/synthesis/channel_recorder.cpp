@@ -11,7 +11,7 @@ namespace {
 
 constexpr Index kBlock = 1 << 16;
 
-/// Half to even, for magnitudes below 2^51: the sum keeps no digits behind the point.
+/// Half to even, for magnitudes below 2^51: the sum has no bits for fractions.
 double roundHalfToEven(double x)
 {
     constexpr double kNoFraction = 0x1.8p52;

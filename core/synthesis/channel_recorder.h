@@ -24,11 +24,11 @@ struct PressureEvent
     std::optional<Oscillation> oscillation = {};
 };
 
-/// What one sensor is exposed to and what spoils its signal.
+/// The pressure at one sensor, and drift and noise of its signal.
 struct SignalPlan
 {
     SensorSpec sensor;
-    double initial_Pa = 0.0; ///< since ever
+    double initial_Pa = 0.0; ///< before all events
     std::vector<PressureEvent> events;
     double driftPerSecond_V = 0.0; ///< from 0 at the first sample
     double noise_V = 0.0; ///< standard deviation

@@ -25,7 +25,7 @@ constexpr Index kInvalidSamples = 3;
 constexpr double kTubeMode_Hz = 6.8e3; ///< thesis, chapter 5
 constexpr double kTubeModeSoundSpeed_m_s = 444.4; ///< its High shot
 constexpr double kTubeModeAmplitude = 0.03;
-constexpr Index kTubeModeStream = 4; ///< behind scene and channels
+constexpr Index kTubeModeStream = 4; ///< after those of scene and channels
 
 constexpr std::array<std::pair<const char *, DefectKind>, 10> kKinds{
     {{"clip", DefectKind::Clip}, {"nan", DefectKind::Nan}, {"swap", DefectKind::Swap},

@@ -18,17 +18,17 @@ Result<Defect> parseDefect(const std::string &text);
 inline constexpr double kDriftPerSecond = 20.0; ///< of the step: 2 % per millisecond
 
 /// Whether shot `shot` (from 1) is to have the defect. Without a shot number a defect concerns all
-/// shots; RingVar, which is about one shot being unlike the others, then the middle one.
+/// shots; RingVar, which makes one shot unlike the others, then concerns the middle one.
 bool hasDefect(const SimulationSettings &settings, DefectKind kind, Index shot);
 
 /// Fails (Usage) on a defect of a shot that is not simulated.
 Result<void> checkDefects(const SimulationSettings &settings);
 
-/// The sensor with damping doubled in its first mode, most of its response passing through a
-/// slow, hardly damped resonance of its mount instead (docs/simulator.md).
+/// The sensor with doubled damping of its first mode, and most of its response passing through a
+/// slow, lightly damped resonance of its mount (docs/simulator.md).
 SensorSpec looselyMounted(const SensorSpec &sensor);
 
-/// A mode of the gas that the reflected shock sets off.
+/// A mode of the gas that the reflected shock excites.
 struct TubeModeOfShot
 {
     double amplitude = 0.0; ///< of the pressure, relative to the step

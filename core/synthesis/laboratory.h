@@ -11,7 +11,7 @@ namespace dyncal {
 
 inline constexpr double kPressureRange_V = 5.0; ///< of the side and driver channels' converters
 
-/// The sensors beside the DUT: known, so that their channels are in pascal.
+/// The other sensors; their sensitivity is known, so their channels are in pascal.
 const SensorSpec &sideSensor();
 const SensorSpec &driverSensor();
 

@@ -84,7 +84,7 @@ std::vector<double> realPoles(const SensorSpec &sensor)
     return poles_per_s;
 }
 
-/// Real poles that coincide have no residues of their own.
+/// Fails if real poles coincide: they have no residues of their own.
 Result<void> checkRealPoles(const SensorSpec &sensor)
 {
     std::vector<double> shared = realPoles(sensor);

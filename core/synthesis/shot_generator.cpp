@@ -22,8 +22,8 @@ namespace {
 using Recorded = RecordedConditions;
 
 constexpr double kPreTrigger = 0.1; ///< of the record
-constexpr double kShortTail_s = 0.4e-3; ///< what a short record keeps behind the step
-constexpr double kInvalidDelay_s = 50e-6; ///< behind the step
+constexpr double kShortTail_s = 0.4e-3; ///< length of a short record after the step
+constexpr double kInvalidDelay_s = 50e-6; ///< after the step
 constexpr double kDisturbance = -0.15; ///< of the step, when the contact surface's wave is back
 constexpr double kDisturbanceTime_s = 0.3e-3;
 constexpr double kDriverFall_s = 1.5e-3;
@@ -32,7 +32,7 @@ constexpr double kDriverNoise_Pa = 300.0;
 constexpr double kNoiseHeadroom = 5.0; ///< standard deviations
 constexpr double kHeadroom = 1.02;
 constexpr double kClippedOvershoot = 0.5; ///< part of the overshoot that a clipped record keeps
-constexpr double kClippedStep = 0.9; ///< where there is no overshoot to speak of
+constexpr double kClippedStep = 0.9; ///< where there is hardly any overshoot
 constexpr double kOvershootToSpeakOf = 0.02;
 
 /// All that is needed to record one shot.
@@ -98,7 +98,7 @@ ShotPlan planShot(const SimulationSettings &settings, const ShotScene &scene, In
     return plan;
 }
 
-/// What the DUT's converter has to take in one shot.
+/// Largest magnitude at the DUT's converter in one shot.
 double needed_V(const ShotPlan &plan)
 {
     const double drift_V = std::abs(plan.driftPerSecond_V);
@@ -111,7 +111,7 @@ double needed_V(const ShotPlan &plan)
     return kHeadroom * (1.0 + mode) * std::max(early_V, late_V) + kNoiseHeadroom * plan.noise_V;
 }
 
-/// The smallest range of the 1-2-5 series that takes all shots, as one would set it.
+/// The smallest range of the 1-2-5 series that fits all shots, as an operator would choose it.
 double commonRange_V(const std::vector<ShotPlan> &plans)
 {
     double most_V = 0.0;

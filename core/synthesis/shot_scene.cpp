@@ -29,7 +29,7 @@ double nominalVelocity_m_s(ShotLevel level)
     }
 }
 
-/// What the instruments of one day have wrong, the same in all shots.
+/// True values, which differ from the recorded ones by errors that are the same in all shots.
 struct TrueConditions
 {
     double distance_m;
@@ -63,7 +63,7 @@ Result<ShotScene> drawScene(
     ShotScene scene;
     scene.states = *states;
     scene.distance_m = conditions.distance_m;
-    // The steps also keep the C library's power function, whose last bit is the machine's, out.
+    // Rounding to steps also removes differences of the C library's pow() between machines.
     scene.driverPressure_Pa = kPressureSteps_Pa * std::round(*p4_Pa / kPressureSteps_Pa);
     scene.plateau_s = plateauTime_s(*states, Recorded::drivenLength_m);
     scene.sideArrival_s = jitter_s; // the side sensor triggers

@@ -50,7 +50,7 @@ Result<void> checkSize(const SimulationSettings &settings)
         samples * kChannels * static_cast<double>(settings.shots.size()), 1.0, kMostSamplesInAll);
 }
 
-/// Its ringing would come out at another frequency than the truth says.
+/// Above the Nyquist frequency the ringing would appear at another frequency than the stated truth.
 Result<void> checkResolved(const SimulationSettings &settings)
 {
     for (const SensorMode &mode : settings.sensor.modes) {

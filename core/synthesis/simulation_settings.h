@@ -21,7 +21,7 @@ struct Defect
     Index shot = 0; ///< number from 1; 0 = all shots
 };
 
-/// Everything `dyncal simulate` can be told; defaults are documented in docs/simulator.md.
+/// All settings of `dyncal simulate`; defaults are documented in docs/simulator.md.
 struct SimulationSettings
 {
     SensorSpec sensor; ///< what the DUT is

@@ -69,7 +69,7 @@ void StepResponse::addTerms(const Fraction &fraction)
     const std::vector<std::complex<double>> &poles = fraction.poles;
     for (std::size_t i = 0; i < poles.size(); ++i) {
         if (poles[i].imag() < 0.0)
-            continue; // half of a pair: in its partner's real part
+            continue; // half of a pair: its partner's term stands for both
         std::complex<double> product(1.0, 0.0);
         for (std::size_t j = 0; j < poles.size(); ++j) {
             if (j != i)

@@ -31,7 +31,8 @@ public:
     /// The sensor must pass checkSensor, and no real pole of it may be at -1/relaxation_s.
     explicit StepResponse(const SensorSpec &sensor, double relaxation_s = 0.0);
 
-    /// Response to an oscillation instead of the step. No pole of the sensor may be one of it.
+    /// Response to an oscillation instead of the step. Sensor and oscillation must not have a pole
+    /// in common.
     StepResponse(const SensorSpec &sensor, const Oscillation &oscillation);
 
     /// Value at a time after the step; 0 before.
