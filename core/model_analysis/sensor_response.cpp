@@ -220,7 +220,7 @@ double upperLimit_Hz(
     return kHighestOfRate * rate_Hz;
 }
 
-/// No values above the Nyquist frequency of the slowest record, where S(f) repeats itself.
+/// No values above 0.4 of the slowest record's rate: S(f) of samples repeats itself there.
 void measure(
     const std::vector<ShotView> &shots, double span_s, double rate_Hz, ResponseResult &result)
 {
