@@ -17,7 +17,7 @@ constexpr Index kMostLooked = 8192;
 constexpr Index kFewestDifferent = 8;
 constexpr double kLastBits = 4.0; ///< error of a difference, in last bits of the values
 constexpr double kBelievable = 100.0; ///< a step is larger than its error by this much
-constexpr double kTwoValues = 1.5; ///< resolutions: less than three values span
+constexpr double kTwoValues = 1.5; ///< resolutions; a smaller range holds two values at most
 constexpr int kMostTerms = 1000;
 constexpr int kMostDivisions = 100; ///< Euclid's algorithm needs fewer for any two doubles
 
