@@ -14,7 +14,7 @@
 namespace dyncal {
 namespace {
 
-/// The range of a flat record's values, in standard deviations of the largest allowed size.
+/// Largest range of a flat record's values, in units of checks.flatCodes.
 constexpr double kFlatRange = 8.0;
 
 class ChannelChecks

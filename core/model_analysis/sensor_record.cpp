@@ -39,7 +39,8 @@ void takeOff(const NuisanceTerm &term, double rate_Hz, Eigen::VectorXd &values)
     }
 }
 
-/// Replaces a stretch that is left out by the model; the range counts from the detected start.
+/// Fills a stretch that is left out with the model's values; the range counts from the detected
+/// start.
 void bridgeOver(
     const SampleRange &range, const SeriesFit &fit, double rate_Hz, SensorRecord &record)
 {

@@ -16,7 +16,7 @@ namespace {
 constexpr Index kLeastSamples = 64;
 constexpr double kLeastSigmas = 4.0; ///< that even a clear change of level must exceed; less, and
                                      ///< the samples before it are no baseline
-constexpr double kBurstRatio = 2.0; ///< of the height of a burst to what drift explains
+constexpr double kBurstRatio = 2.0; ///< least ratio of a burst's height to the drift
 constexpr Index kLeastQuiet = 32; ///< samples before the start, to know what quiet means
 constexpr Index kQuietStretch = 20000; ///< samples before the start that are looked at
 constexpr Index kSlowBlocks = 64; ///< a response may take this long to rise or to reach its height

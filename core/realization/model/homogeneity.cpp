@@ -24,7 +24,7 @@ namespace dyncal {
 namespace {
 
 constexpr double kSignificance = 0.01;
-constexpr double kSmallestP = 1e-4; ///< smaller ones count as this
+constexpr double kSmallestP = 1e-4; ///< smaller ones are printed with "<"
 
 /// The poles of the model fitted to some of the shots alone: those that stand out there.
 struct PartFit

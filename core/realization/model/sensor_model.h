@@ -29,7 +29,7 @@ const char *poleClassName(PoleClass poleClass); ///< "sensor", "step", ...
 
 inline constexpr const char *kBelowNoiseFlag = "below-noise";
 inline constexpr const char *kShotsDisagreeFlag = "shots-disagree";
-inline constexpr const char *kTubeModeFlag = "tube-mode"; ///< near a computed resonance of the gas
+inline constexpr const char *kTubeModeFlag = "tube-mode"; ///< near a mode of the tube's gas
 
 /// One pole of the model: z in the sampled plane, s = ln(z)/Ts in the continuous one.
 struct Pole

@@ -317,7 +317,7 @@ private:
     const RowFormat *m_format = nullptr;
     std::vector<std::string> m_sources;
     std::shared_ptr<const SampleFile> m_payload;
-    Index m_rows = 0, m_count = 0, m_first = 0; ///< rows; of them shown, from
+    Index m_rows = 0, m_count = 0, m_first = 0; ///< rows in the payload; shown; first shown
     double m_start_s = 0.0;
     CaptureSet m_set;
 };

@@ -125,7 +125,7 @@ private:
         if (!known)
             return unsupportedKind(m_path, std::string(m_maker.vendor) + " .bin " + tag);
         m_wide = tag.ends_with("03");
-        bytes.skip(m_wide ? 8 : 4); // size of the file, the file's real size is used instead
+        bytes.skip(m_wide ? 8 : 4); // size of the file; the real one is used
         const auto waveforms = bytes.next<std::uint32_t>();
         if (!bytes.ok())
             return endsInHeader(m_path);

@@ -109,8 +109,8 @@ public:
     }
 
 private:
-    /// Limit on channels times segments, so that a small file cannot claim endless work. A real
-    /// file has less than one per byte of samples.
+    /// Limit on the channels and segments read in all, so that a small file cannot claim endless
+    /// work. A real file needs less than one per byte of samples.
     static constexpr std::uint64_t kWorkAtLeast = 1'000'000;
     static constexpr std::uint64_t kBytesPerWork = 2;
 
