@@ -36,7 +36,7 @@ constexpr const char *kTourOption = "--screenshot-tour";
 
 constexpr std::chrono::milliseconds kMemoryWatch{500};
 
-/// What finds no memory in the window is left undone, and said by the watch below.
+/// An event for which the window has no memory is dropped; kMemoryWatch below reports it.
 class Application : public QApplication
 {
 public:
@@ -74,7 +74,7 @@ Error noMemoryForWindow()
 
 std::atomic<MainWindow *> shownWindow = nullptr;
 
-/// INT, TERM, HUP: what is not saved is kept for the next start.
+/// For INT, TERM and HUP: unsaved work is kept for the next start.
 void endInOrder(int signal)
 {
     constexpr int kSignalled = 128;

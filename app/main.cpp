@@ -27,8 +27,8 @@
 namespace dyncal {
 namespace {
 
-/// Where the caller allows too little stack, what may be had is taken, for all threads too. False:
-/// it does not do.
+/// Raises a stack limit that is too small as far as the system allows, for all threads. False if
+/// the stack stays too small.
 bool allowStack()
 {
     constexpr rlim_t kLeast = 2 << 20, kWanted = 8 << 20;
@@ -47,14 +47,14 @@ bool allowStack()
     return isAllowed;
 }
 
-/// A mask that takes the user's own rights would leave files that the program itself cannot open
-/// again.
+/// A umask that takes away the user's own rights would leave files that the program itself cannot
+/// open again.
 void keepOwnRights()
 {
     ::umask(::umask(S_IRWXG | S_IRWXO) & (S_IRWXG | S_IRWXO));
 }
 
-/// The stack grows where it is touched, and is a crash where no memory is left for that; so it
+/// The stack grows when it is used, and the program crashes if no memory is left for that; so it
 /// grows now to what the program needs.
 [[gnu::noinline]] void growStack()
 {
@@ -65,7 +65,7 @@ void keepOwnRights()
 }
 
 /// Every recording stays open while it is worked on (docs/adr/0014), and desktops allow 1024 open
-/// files unless they are asked.
+/// files unless a program asks for more.
 void allowManyFiles()
 {
     rlimit files{};
@@ -75,8 +75,8 @@ void allowManyFiles()
     ::setrlimit(RLIMIT_NOFILE, &files);
 }
 
-/// OpenSSL sets itself up when it is first used, and crashes later where memory failed it half way.
-/// False: it did.
+/// OpenSSL sets itself up when it is first used; if memory runs out during this, it crashes later.
+/// False: memory ran out.
 bool setUpHashing()
 {
     try {
@@ -123,9 +123,9 @@ int openWorkbench(int argc, char **argv)
     return runGui(argc, argv, files);
 }
 
-/// A closed pipe and a file that may not grow are errors of writing, which are reported, and no
-/// reason to die in the middle of something. How a helper process ended is told only where its end
-/// is not ignored, which the program that started us may have asked for.
+/// Writing to a closed pipe, or to a file that may not grow, is to be an error that is reported; by
+/// default it would kill the program. And how a helper process ended is known only if SIGCHLD is
+/// not ignored, as it may be by the program that started this one.
 void takeSignals()
 {
     std::signal(SIGPIPE, SIG_IGN);

@@ -14,7 +14,8 @@
 namespace dyncal {
 namespace {
 
-/// Without what is ignored already: nohup asks for that, and a shell for what runs beside it.
+/// The signals that end the program, without those ignored at its start: nohup asks for that, and a
+/// shell does for background jobs.
 sigset_t endSignals()
 {
     sigset_t signals;
@@ -54,7 +55,7 @@ void onEndRequest(std::function<void(int)> end)
             sigwait(&signals, &caught);
             ::_exit(128 + caught);
         }).detach();
-    } catch (const std::system_error &) { // no room for it: the first one ends the program at once
+    } catch (const std::system_error &) { // then the first signal ends the program
         pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
     }
 }

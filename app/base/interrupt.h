@@ -9,12 +9,12 @@
 namespace dyncal {
 
 /// Calls `end` (on a thread of its own) with the number of the first INT, TERM or HUP that arrives;
-/// a second one ends the program at once. One that was ignored at the start stays so. Call it once,
-/// before any thread is started.
+/// a second one ends the program at once. A signal that was ignored at the start stays ignored.
+/// Call it once, before any thread is started.
 void onEndRequest(std::function<void(int)> end);
 
 /// From the first call on, Ctrl-C, SIGTERM and SIGHUP ask running work to stop through this token,
-/// so that no half-written file is left. Before any thread is started, as onEndRequest().
+/// so that no half-written file is left. Call it before any thread is started, as onEndRequest().
 std::stop_token interruptToken();
 
 } // namespace dyncal

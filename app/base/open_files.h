@@ -7,10 +7,10 @@
 
 namespace dyncal {
 
-/// Whether so many more files may be open at once.
+/// Whether `count` more files can be open at once.
 bool areFilesLeft(int count);
 
-/// Internal: says what to do where they are not.
+/// The error (Internal) where they cannot; it says what to do.
 Error tooFewFiles();
 
 } // namespace dyncal

@@ -11,7 +11,7 @@ namespace {
 
 bool s_isRefused = false;
 
-/// All that Qt does about a thread that did not start is to warn.
+/// When a thread does not start, Qt only warns; so this catches the warning.
 void takeRefusal(QtMsgType, const QMessageLogContext &, const QString &)
 {
     s_isRefused = true;
@@ -22,7 +22,7 @@ void takeRefusal(QtMsgType, const QMessageLogContext &, const QString &)
 bool keepPaintingThread()
 {
     static QSemaphore isThere;
-    qputenv("QT_NO_GUI_THREADPOOL", "1"); // newer versions of Qt paint without threads then
+    qputenv("QT_NO_GUI_THREADPOOL", "1"); // makes newer versions of Qt paint without threads
     QThreadPool *pool = QThreadPool::globalInstance();
     pool->setMaxThreadCount(1);
     pool->setExpiryTimeout(-1);

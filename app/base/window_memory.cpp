@@ -14,8 +14,8 @@
 namespace dyncal {
 namespace {
 
-/// What the window's thread gets when nothing is left: enough to end what it is drawing and to say
-/// so.
+/// What the window's thread gets when nothing else is left: enough to finish what it is drawing and
+/// to report the shortage.
 constexpr std::size_t kReserve = std::size_t(64) << 20U;
 /// What an empty window takes, fonts and drivers of the display included.
 constexpr std::size_t kEmptyWindow = std::size_t(192) << 20U;
@@ -44,7 +44,7 @@ bool wasWindowMemoryUsed()
 
 // Qt's strings, lists and pictures come from malloc, so malloc itself is replaced here (glibc
 // manual, "Replacing malloc"). If the part were freed instead, any thread could take it: glibc
-// takes 64 MiB for each new one. Sanitizers bring their own.
+// reserves 64 MiB for each new thread. Sanitizers bring their own malloc.
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 
 // NOLINTBEGIN(bugprone-reserved-identifier): glibc's own names.
@@ -69,7 +69,7 @@ bool isOfReserve(const void *memory) noexcept
     return s_reserve != nullptr && s_reserve->holds(memory);
 }
 
-/// To a new place, where the old one cannot grow.
+/// Moves a block to a new place, because it cannot grow in the old one.
 void *moved(void *old, std::size_t oldSize, void *place, std::size_t size) noexcept
 {
     if (place != nullptr) {

@@ -17,7 +17,7 @@
 namespace dyncal {
 namespace {
 
-/// Whether a blocking finding has said already what stopped the run.
+/// Whether a blocking finding already says what stopped the run.
 bool isSaid(const Error &error, const Findings &findings)
 {
     return std::any_of(findings.begin(), findings.end(), [&](const Finding &finding) {

@@ -10,7 +10,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The file itself, or one of the folder that is given as input.
+/// Whether the target is the input file itself, or a file in the folder given as input.
 bool isInput(const fs::path &target, const std::string &input)
 {
     std::error_code error;

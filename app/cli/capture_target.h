@@ -10,8 +10,8 @@
 
 namespace dyncal {
 
-/// Before the work whose capture is to go there: Usage if the target is one of the inputs (also by
-/// another name) or exists and is not to be replaced.
+/// To be called before any work for the capture begins. Fails (Usage) if the target is one of the
+/// inputs (also by another name) or exists and is not to be replaced.
 Result<void> checkCaptureTarget(
     const CaptureTarget &target, const std::vector<std::string> &inputs);
 

@@ -36,7 +36,7 @@ Result<CaptureSet> readFiles(const CheckOptions &options, const Recipe &recipe)
     return readCaptures(options.files, recipe.import, {interruptToken(), progress.sink()});
 }
 
-/// What the shock relations say of the shots, from the detected starts: no model is computed.
+/// Findings of the shock relations, from the arrivals read from the records: no model is computed.
 Findings shockFindings(const CalibrationResults &results, const Recipe &recipe)
 {
     if (!recipe.shock.enabled || !results.window)
@@ -106,7 +106,7 @@ int check(const CheckOptions &options)
     else
         print(findings, set->shots.size());
     if (outcome.error && outcome.error->findingId.empty())
-        return report(*outcome.error); // is no entry of the catalogue
+        return report(*outcome.error); // not among the findings
     return static_cast<int>(exitCodeOf(findings));
 }
 

@@ -26,9 +26,9 @@ namespace {
 
 constexpr std::array<std::string_view, 7> kVerbs{
     "simulate", "info", "import", "check", "run", "compare", "export"};
-/// Open at once while a recording is read and results are written.
+/// Files open at once while a recording is read and results are written.
 constexpr int kFilesOfAVerb = 12;
-/// Further apart than this, a word is not taken for a misspelt subcommand.
+/// A word that differs by more letters than this is not taken for a misspelt subcommand.
 constexpr Index kMostMisspelt = 2;
 
 Error usageError(const std::string &sentence)
@@ -37,7 +37,7 @@ Error usageError(const std::string &sentence)
         {DYNCAL_TEXT("core", "Wrong usage: %1; see dyncal --help."), {sentence}}, {}, 0};
 }
 
-/// What the parser found wrong, as the part of one sentence.
+/// The complaint of the parser, to be part of a sentence.
 std::string withoutFullStop(std::string text)
 {
     std::replace(text.begin(), text.end(), '\n', ' ');
@@ -103,7 +103,7 @@ Error unsaid()
         0};
 }
 
-/// So much is kept back for the sentence that says that nothing is left.
+/// Memory kept back for the sentence that says that none is left.
 constexpr std::size_t kLastWords = 1 << 16;
 
 } // namespace

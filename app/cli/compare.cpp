@@ -105,7 +105,7 @@ Result<std::vector<ComparedOrder>> compareWithProgress(
         {interruptToken(), progress.sink()});
 }
 
-/// An order that the data do not allow is wrong usage, said once behind the table.
+/// An order that the data do not allow is wrong usage, reported once after the table.
 int conclude(const PipelineOutcome &outcome, const std::vector<ComparedOrder> &orders)
 {
     const int code = reportOutcome(outcome);

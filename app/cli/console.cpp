@@ -13,7 +13,8 @@ namespace dyncal {
 
 namespace {
 
-/// Replaces what the terminal's line shows. Not by the stream, which lets no controls pass.
+/// Replaces the current line of the terminal. It does not use std::cerr, which lets no control
+/// characters pass (TerminalText).
 void onLine(const std::string &text)
 {
     std::fprintf(stderr, "\r%s\033[K", text.c_str());

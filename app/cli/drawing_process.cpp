@@ -25,7 +25,7 @@
 namespace dyncal {
 namespace {
 
-/// Qt's remarks about its platform are no answer to the operator.
+/// Qt's remarks about its platform are not meant for the operator.
 void ignoreMessage(QtMsgType, const QMessageLogContext &, const QString &) { }
 
 /// Drawing needs an application object but no display, and must come out the same on every
@@ -54,7 +54,7 @@ void sendDrawing(const CalibrationResults &results, const Recipe &recipe,
 {
     constexpr std::chrono::milliseconds kBeat{200};
     prepareForQt();
-    // What a library says before it gives up is no sentence for the operator.
+    // Neither is what a library prints before it gives up.
     if (const int nowhere = ::open("/dev/null", O_WRONLY); nowhere >= 0)
         ::dup2(nowhere, STDERR_FILENO);
     int argc = 1;

@@ -12,8 +12,8 @@ namespace dyncal {
 
 /// certificate.pdf and the plots of a run, drawn in a process of its own: Qt ends a process where
 /// it gets no memory, so it draws in a copy of this one, which holds all that is to be drawn and
-/// hands the bytes back (docs/adr/0017-drawing-process.md). Internal where that process dies. For a
-/// program without a QApplication only.
+/// hands the bytes back (docs/adr/0017-drawing-process.md). Fails (Internal) if that process dies.
+/// Only for a program without a QApplication.
 Result<std::vector<DrawnFile>> drawWithoutWindow(
     const CalibrationResults &results, const Recipe &recipe, const std::string &createdUtc);
 

@@ -78,7 +78,7 @@ Result<ProjectState> readJob(const ExportOptions &options)
     return state;
 }
 
-/// What else was read: it must not be written over.
+/// The files read besides the recordings: they must not be overwritten.
 std::vector<std::string> readBeside(const ExportOptions &options)
 {
     std::vector<std::string> files = options.recipe.files();

@@ -10,7 +10,7 @@
 namespace dyncal {
 
 /// Findings as `dyncal info` and `dyncal check` print them (docs/command-line.md); what a finding
-/// has not is null.
+/// does not have is null.
 nlohmann::json findingsJson(const Findings &findings);
 
 } // namespace dyncal

@@ -76,7 +76,7 @@ int importFiles(const ImportOptions &options)
     if (!set)
         return report(set.error());
     if (worstSeverity(set->findings)
-        == Severity::Block) { // it would be given hashes that are right
+        == Severity::Block) { // a capture would give bad data valid hashes
         reportFindings(set->findings);
         std::cerr << "No capture was written.\n";
         return static_cast<int>(exitCodeOf(set->findings));

@@ -72,8 +72,8 @@ bool isCapture(const InputFile &input)
     return input.format == "dyncal-capture";
 }
 
-/// Of each input: empty for other formats, and for captures in which a changed label is not
-/// noticed.
+/// The content hash that each input states: empty for other formats, and for captures without one,
+/// in which a changed label is not noticed.
 Result<std::vector<std::string>> contentHashes(const CaptureSet &set)
 {
     std::vector<std::string> captures;

@@ -37,7 +37,7 @@ bool keepsResults(const Error &error)
     return error.kind == ErrorKind::DataBlocked;
 }
 
-/// Prints the answer and says how it went.
+/// Prints the summary and the files written; the exit code.
 int conclude(
     const PipelineOutcome &outcome, const Recipe &recipe, const std::vector<std::string> &paths)
 {

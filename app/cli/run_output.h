@@ -8,7 +8,7 @@
 namespace dyncal {
 
 /// Draws what `dyncal run` promises and writes it all (writeRunFiles). Certificate and plots only
-/// of a run that came to its end. Without a window: makes what drawing needs.
+/// if the results may be published. For a program without a window (drawWithoutWindow).
 Result<std::vector<std::string>> writeRun(const PipelineOutcome &outcome, const Recipe &recipe,
     const std::string &createdUtc, FolderWrite &folder);
 

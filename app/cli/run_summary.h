@@ -10,7 +10,7 @@
 namespace dyncal {
 
 /// The key results as a short table for a person: natural frequency, damping, sensitivity, fit,
-/// order and why, bands, findings. What was not computed is left out.
+/// order and its reason, bands, findings. What was not computed is left out.
 std::string runSummary(const PipelineOutcome &outcome, const Recipe &recipe);
 
 } // namespace dyncal

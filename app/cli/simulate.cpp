@@ -85,7 +85,8 @@ Result<SimulationSettings> settingsOf(const SimulateOptions &options)
     return settings;
 }
 
-/// What the parser makes of a number that is too large is the largest one. Empty if all is well.
+/// What is wrong with a typed seed; empty if nothing. The parser's own conversion would turn a
+/// number that is too large into the largest one.
 std::string faultOfSeed(const std::string &text)
 {
     std::uint64_t seed = 0;

@@ -48,7 +48,7 @@ bool TerminalText::pass()
 {
     const std::string shown = presentable(m_line, LineBreaks::Keep);
     m_line.clear();
-    constexpr std::size_t kAtOnce = 4096; // so much a pipe takes whole where it takes anything
+    constexpr std::size_t kAtOnce = 4096; // a writable pipe takes this much without waiting
     for (std::string_view rest = shown; !rest.empty();) {
         if (!isWritable())
             return false;
@@ -60,14 +60,14 @@ bool TerminalText::pass()
     return true;
 }
 
-/// A write into a full pipe would not come back before somebody reads.
+/// A write into a full pipe would not return before somebody reads.
 bool TerminalText::isWritable() const
 {
     constexpr int kLook_ms = 50;
     for (;;) {
         pollfd wait{m_descriptor, POLLOUT, 0};
         if (::poll(&wait, 1, kLook_ms) > 0)
-            return true; // or failing, which the write tells
+            return true; // or an error, which the write will report
         if (m_isStopped != nullptr && m_isStopped())
             return false;
     }

@@ -9,14 +9,14 @@
 
 namespace dyncal {
 
-/// While it lives, nothing that goes to one of the standard streams acts on a terminal: controls
-/// and bytes that are no UTF-8 are shown instead (core/base/foreign_text.h). The last resort behind
-/// those who print: they know what must stay on one line.
+/// While it lives, nothing that goes to one of the standard streams acts on a terminal: control
+/// characters and bytes that are not UTF-8 are made visible instead (core/base/foreign_text.h).
+/// This is the last safeguard; only the code that prints knows what must stay on one line.
 class TerminalText : private std::streambuf
 {
 public:
-    /// For std::cout or std::cerr. What nobody reads is waited for, until `isStopped` (none: for
-    /// ever) says that the program is to end; then the stream fails.
+    /// For std::cout or std::cerr. If nobody reads the output, a write waits until `isStopped`
+    /// (without one: for ever) says that the program is to end; then the stream fails.
     TerminalText(std::ostream &stream, bool (*isStopped)());
     ~TerminalText() override;
     TerminalText(const TerminalText &) = delete;

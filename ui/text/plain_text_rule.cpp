@@ -15,8 +15,7 @@ PlainTextRule::PlainTextRule(QObject *parent)
     qApp->installEventFilter(this);
 }
 
-/// A label is polished before its text is laid out for the first time; the label of tooltips is
-/// when it is made.
+/// A label is polished before its text is first laid out; the label of tooltips when it is created.
 bool PlainTextRule::eventFilter(QObject *watched, QEvent *event)
 {
     if (event->type() == QEvent::Polish)

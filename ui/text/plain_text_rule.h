@@ -8,9 +8,9 @@
 namespace dyncal {
 
 /// While it lives, no label of the application guesses whether its text is HTML: labels, tooltips
-/// and message boxes show what they are given as it stands. Text of files that looks like HTML
-/// would otherwise open whatever it names. A label whose text is the program's own says
-/// Qt::RichText itself; cmake/check_foreign_text.cmake knows where that may be.
+/// and message boxes show what they are given as it stands. Foreign text that looks like HTML could
+/// otherwise open the files that it names. A label with rich text of the program itself sets
+/// Qt::RichText; cmake/check_foreign_text.cmake knows where that may be.
 class PlainTextRule : public QObject
 {
 public:

@@ -16,8 +16,8 @@ QString shownNumber(double value, int digits = 4);
 /// "–" where there is no value.
 QString shownQuantity(const std::optional<double> &value, const QString &unit, int digits = 4);
 
-/// In the unit, prefix included, in which shownQuantity(beside, ...) shows another: an uncertainty
-/// beside its value.
+/// `value` in the unit and prefix that shownQuantity(beside, ...) uses: an uncertainty beside its
+/// value.
 QString shownQuantityBeside(double value, double beside, const QString &unit, int digits);
 
 /// A value to the digits of its standard uncertainty, and that uncertainty in the same unit (GUM

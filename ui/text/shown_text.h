@@ -29,7 +29,7 @@ inline QString rawText(const std::string &text)
     return QString::fromStdString(text);
 }
 
-/// Where '&' marks the key of a menu, a button or a label with a partner.
+/// For places where '&' marks the shortcut key: a menu, a button or a label with a partner.
 inline QString withoutMnemonic(QString text)
 {
     return text.replace(QLatin1Char('&'), QLatin1String("&&"));
