@@ -24,11 +24,11 @@ struct OverlaidModel
     std::shared_ptr<const ResponseResult> response; ///< may be null
 };
 
-/// Role of the k-th of the models overlaid, k < kMostOverlaid.
+/// Role of the k-th overlaid model, k < kMostOverlaid.
 CurveRole candidateRole(std::size_t k);
 
-/// Add the candidates to a plot of the chosen model; one series (a position) of each, the first
-/// without one. Models that diverge are left out.
+/// Add the candidates to a plot of the chosen model. `series` is a position; without it the first
+/// series is drawn. Simulations and errors of models that diverge are left out.
 void overlaySimulations(PlotContent &content, const ModelInput &input,
     const std::vector<OverlaidModel> &candidates, std::optional<std::size_t> series = {});
 void overlayErrors(PlotContent &content, const ModelInput &input,

@@ -161,7 +161,7 @@ PlotContent autocovarianceCurves(
         content.levels.push_back({bound, QString(), CurveRole::Noise});
         content.levels.push_back({-bound, QString(), CurveRole::Noise});
     }
-    // Lag 0 is 1 always; the band of white noise is a hundredth of it.
+    // Lag 0 is always 1, and the band of white noise a hundredth of that: y shows the other lags.
     reach = std::max(reach, bound);
     if (std::isfinite(reach) && reach > 0.0) {
         content.yMin = -kReachMargin * reach;

@@ -121,14 +121,14 @@ PowerSpectrum highestPerBand(const PowerSpectrum &spectrum, Index bands)
         const auto band = static_cast<Index>(std::log(f_Hz[i] / *from) / ratio);
         if (band > lastBand)
             highest.push_back(i);
-        else if (!(spectrum.psd[highest.back()] >= spectrum.psd[i])) // a NaN gives way
+        else if (!(spectrum.psd[highest.back()] >= spectrum.psd[i])) // a NaN is replaced
             highest.back() = i;
         lastBand = band;
     }
     return {f_Hz(highest), spectrum.psd(highest)};
 }
 
-/// Lowest decibel value worth showing first: deep nulls of a periodogram would squeeze the rest.
+/// Lowest decibel value of the first view: deep nulls of a periodogram would squeeze the rest.
 std::optional<double> lowestShown_dB(const std::vector<PlotCurve> &curves)
 {
     constexpr double kHiddenShare = 0.02;

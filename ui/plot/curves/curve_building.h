@@ -36,7 +36,8 @@ PlotCurve shotCurve(
 /// besides the one that belongs at its place (low, medium, high) differ by dash and marker.
 ShotStyle shotStyle(Index shot, ShotLevel level);
 
-/// Style of a shot number as its window has it; number 0 is the average of the shots.
+/// Style of a shot by its number, with its level from `window`; number 0 is the average of the
+/// shots.
 ShotStyle shotStyle(Index shot, const WindowResult &window);
 
 std::vector<double> toVector(const Eigen::Ref<const Eigen::VectorXd> &values);

@@ -41,7 +41,7 @@ void addSecondOrder(PlotContent &magnitude, const SensorModel &model, const Seco
     const Eigen::VectorXd &f_Hz = response.modelCurve.frequency_Hz;
     if (f_Hz.size() == 0 || model.plateauGain == 0.0)
         return;
-    // Its plateau against that of the model, which is the response at f -> 0.
+    // The plateau of this sensor as a multiple of the model's, which is the response at f -> 0.
     double ratio = 0.0;
     std::size_t count = 0;
     for (std::size_t i = 0; i < fit.shots.size() && i < model.series.size(); ++i) {

@@ -34,7 +34,7 @@ std::vector<StabilityLook> stabilityLooks()
         {PoleStability::Unstable, CurveRole::UnstablePole, Plots::tr("Unstable")}};
 }
 
-/// The spectra that have the first one's frequencies, that one included.
+/// The spectra with the same frequencies as the first one, including that one.
 std::vector<const PowerSpectrum *> alikeSpectra(const SpectrumResult &spectrum)
 {
     std::vector<const PowerSpectrum *> alike;
@@ -46,9 +46,9 @@ std::vector<const PowerSpectrum *> alikeSpectra(const SpectrumResult &spectrum)
     return alike;
 }
 
-/// Of the mean spectrum the highest value of each of some hundred bands over the frequencies of the
-/// poles: the shape is all that is asked for. Drawn at every move of the order: one logarithm a
-/// band, not a bin.
+/// The mean spectrum over the frequencies of the poles, as the highest value in each of some
+/// hundred bands: only its shape matters. It is drawn at every move of the order, so it takes one
+/// logarithm per band, not per bin.
 PlotCurve spectrumBehind(const SpectrumResult &spectrum, double from_Hz, double to_Hz)
 {
     constexpr int kBands = 400;

@@ -13,7 +13,7 @@ namespace dyncal {
 
 namespace {
 
-/// |<u, ones>| / sqrt(r) of a vector that is constant but for little.
+/// |<u, ones>| / sqrt(r) from which a vector counts as constant.
 constexpr double kConstantEnough = 0.9;
 constexpr double kFirstValuesShown = 40.5;
 constexpr Index kSamplesShown = 150;
@@ -48,7 +48,7 @@ PlotContent modelInputCurves(const ModelInput &input, const WindowResult &window
             timeAxis(series.first_s, 1.0 / input.sampleRate_Hz, series.y.size()),
             toVector(series.y)));
     }
-    // The samples must be told apart at first sight; the rest is a zoom away.
+    // The first view must show single samples; zooming out shows the rest.
     if (input.samples > kSamplesShown && input.sampleRate_Hz > 0.0)
         content.xMax = input.offset_s + static_cast<double>(kSamplesShown) / input.sampleRate_Hz;
     content.summary = Plots::tr("Model input; samples in each series: %1.").arg(input.samples);

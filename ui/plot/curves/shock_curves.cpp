@@ -47,7 +47,7 @@ LineLook lookOf(TubeLine line)
     return {};
 }
 
-/// A way through corners, as a line without dots.
+/// A path through `corners`, drawn as a line without dots.
 void addWay(PlotContent &content, PlotCurve look, const std::vector<TubePoint> &corners)
 {
     const auto pieces = static_cast<int>(corners.size()) - 1;
@@ -62,7 +62,7 @@ void addWay(PlotContent &content, PlotCurve look, const std::vector<TubePoint> &
     content.curves.push_back(std::move(look));
 }
 
-/// Graphs run over x: a way that turns round becomes two.
+/// A graph is sorted by x, so a path that turns back becomes two curves.
 void addPath(const TubePath &path, double burst_s, PlotContent &content)
 {
     const LineLook name = lookOf(path.line);
@@ -82,7 +82,7 @@ void addPath(const TubePath &path, double burst_s, PlotContent &content)
     addWay(content, look, corners);
 }
 
-/// Hatched beside the end wall.
+/// The plateau is hatched beside the end wall.
 void addPlateau(const TubeDiagram &diagram, PlotContent &content)
 {
     const double wall_m = diagram.waves.geometry.drivenLength_m;
@@ -156,7 +156,7 @@ PlotCurve recordOf(const Channel &channel, const EnvelopeSource &envelopeOf)
     return curve;
 }
 
-/// The first view: the passing shock, or at the end wall all until the driver gas is there.
+/// The first view: the passing shock, or at the end wall everything until the driver gas arrives.
 void setView(const Channel &channel, const SideArrival *arrival, const TubeSensor *sensor,
     PlotContent &content)
 {
@@ -175,7 +175,7 @@ void setView(const Channel &channel, const SideArrival *arrival, const TubeSenso
     }
 }
 
-/// Short words for the ticks; higher modes along the tube stay without.
+/// Short words for the ticks; higher modes along the tube get none.
 QString modeLabel(const TubeResonance &mode)
 {
     switch (mode.kind) {

@@ -22,7 +22,7 @@ constexpr double kShareShown = 0.05; ///< of the window, where no rise time is k
 constexpr Index kLeastSamplesShown = 50;
 constexpr double kShareBeforeStart = 0.1;
 
-/// The record through its envelope, or nothing yet while that is built.
+/// The record through its envelope, or nothing while the envelope is still being built.
 void appendRecord(
     const std::shared_ptr<const ChannelEnvelope> &envelope, bool keepRecord, PlotCurve &curve)
 {
@@ -54,7 +54,7 @@ PlotCurve rawCurve(const Channel &channel, const ShotStyle &style, const Envelop
     return curve;
 }
 
-/// The view holds all of a record from the beginning, also while it is still being read.
+/// The view spans the whole record at once, even while it is still being read.
 void extendView(const Channel &channel, PlotContent &content)
 {
     if (channel.samples.size() == 0)

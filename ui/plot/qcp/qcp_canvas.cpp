@@ -74,7 +74,7 @@ void PlotCanvas::replot()
 void PlotCanvas::replotDecorations()
 {
     if (m_isReplotQueued)
-        return; // they come with it
+        return; // that replot draws them too
     m_scene.replotDecorations();
     emit replotted();
 }

@@ -21,9 +21,9 @@ struct View
     QCPRange x, y;
 };
 
-/// One plot on show: content, handles, cursors, and the view with those before it. Positions are
-/// pixels of the inner QCustomPlot. It takes no events: PlotMouse and PlotKeyboard do. What has
-/// happened is told by signals, which PlotWidget passes on.
+/// One plot on show: content, handles, cursors, and the view with its history. Positions are pixels
+/// of the inner QCustomPlot. It handles no events: PlotMouse and PlotKeyboard do. Its signals
+/// report what has happened; PlotWidget passes them on.
 class PlotCanvas : public QObject
 {
     Q_OBJECT
@@ -50,7 +50,7 @@ public:
     void fitView();
     void pan(double xFraction, double yFraction);
     void zoomBy(double factor);
-    void remember(); ///< the view, to go back to
+    void remember(); ///< keeps the view, to go back to it
     void goBack(bool forward);
 
     void placeCursor(int which, const CurvePoint &point);

@@ -16,7 +16,7 @@ namespace dyncal {
 namespace {
 
 constexpr int kDigits = 6;
-/// Samples looked at one by one at most; of more, the extremes of pixel columns are looked at.
+/// Up to this many samples are examined one by one; of more, only the extremes of pixel columns.
 constexpr Index kMostCandidates = 20000;
 
 const char *cursorName(std::size_t which)
@@ -24,7 +24,7 @@ const char *cursorName(std::size_t which)
     return which == 0 ? "A" : "B";
 }
 
-/// Edges of the pixel columns within reach; without a reach, all of the plot's.
+/// Edges of the pixel columns within reach; without a reach, those of the whole plot.
 std::vector<double> pixelEdges(
     const QCustomPlot &plot, const QPointF &position, std::optional<double> reach_px)
 {
@@ -39,8 +39,8 @@ std::vector<double> pixelEdges(
     return edges;
 }
 
-/// Each sample between the edges, or of many the lowest and highest of every column; `all`: beyond
-/// the edges too while they are few.
+/// The samples between the edges; if there are many, only the lowest and highest of every column.
+/// With `all`, samples beyond the edges too, unless there are many.
 DrawnPoints candidates(const CurveSamples &samples, const std::vector<double> &edges, bool all)
 {
     const Index begin = all ? 0 : samples.firstFrom(edges.front());

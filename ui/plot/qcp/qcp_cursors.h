@@ -17,8 +17,8 @@ struct CurvePoint
     double y = 0.0;
 };
 
-/// The visible curve's sample nearest to a pixel, within `reach_px` in both directions; without a
-/// reach: the nearest at all.
+/// The sample of a visible curve that is nearest to a pixel, within `reach_px` in both directions;
+/// without a reach, at any distance.
 std::optional<CurvePoint> nearestPoint(const QCustomPlot &plot, const PlotScene &scene,
     const QPointF &position, std::optional<double> reach_px);
 

@@ -17,8 +17,8 @@ namespace dyncal {
 QCPScatterStyle scatterStyle(MarkerShape shape, const QColor &color, double size);
 
 /// A graph whose legend icon shows dash and marker together; markers are drawn by another graph.
-/// Dashes are drawn as lines of their own: as one dashed path, the many crossings of a ringing
-/// cost the rasteriser 25 times as much.
+/// Dashes are drawn as lines of their own: drawn as one dashed path, a ringing curve with its many
+/// crossings takes the rasteriser 25 times as long.
 class RoleGraph : public QCPGraph
 {
 public:
@@ -40,9 +40,10 @@ struct DrawnCurve
     RoleGraph *graph = nullptr; ///< null for bars
     QCPGraph *markers = nullptr; ///< a few role markers along a line, or dots on every sample
     QCPBars *bars = nullptr;
-    /// Sorted, positive on logarithmic axes; empty while the content's own vectors serve.
+    /// Sorted, positive on logarithmic axes; empty if the content's own vectors can be used as they
+    /// are.
     std::vector<double> ownX, ownY;
-    std::shared_ptr<const CurveSamples> samples; ///< the same, or the long record behind them
+    std::shared_ptr<const CurveSamples> samples; ///< these values, or the long record behind them
     bool dense = false; ///< too many points to hand over: drawn by columns
     std::vector<double> drawnEdges; ///< columns that the graph has now
     bool enveloped = false; ///< they hold extremes, not single samples

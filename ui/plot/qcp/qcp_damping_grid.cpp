@@ -18,7 +18,7 @@ constexpr int kFrequencies = 5; ///< even steps up to half the sample rate
 constexpr int kPoints = 60; ///< of a line: steps of some pixels
 constexpr double kLeastRadius_px = 40.0; ///< of the unit circle, for labels to have room
 constexpr double kLabelGap_px = 4.0;
-constexpr double kSmaller = 0.85; ///< labels, beside the axes'
+constexpr double kSmaller = 0.85; ///< size of labels relative to those of the axes
 
 /// e^(sT) with undamped angular frequency w0 T and damping ratio zeta, upper half.
 std::complex<double> pole(double w0T, double zeta)

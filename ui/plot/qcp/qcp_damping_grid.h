@@ -17,7 +17,7 @@ namespace dyncal {
 class DampingGrid : public QCPAbstractItem
 {
 public:
-    /// `rate_Hz`: of the samples; frequencies are told by it.
+    /// `rate_Hz`: the sample rate, from which the labels get their frequencies.
     DampingGrid(QCustomPlot *plot, double rate_Hz);
 
     void setTheme(const PlotTheme &theme);

@@ -214,8 +214,8 @@ void PlotHandles::place(std::size_t position)
     items.label->position->setCoords(drawnAt(state, state.x.begin), 1.0);
 }
 
-/// At the right of their line, or at the left where the plot ends before they do; those that would
-/// lie over another stand higher.
+/// A label stands right of its line, or left of it where the plot would cut it off; it stands
+/// higher where it would cover another.
 void PlotHandles::placeLabels()
 {
     const QFontMetrics metrics(m_theme.font);

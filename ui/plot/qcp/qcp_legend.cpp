@@ -15,7 +15,7 @@ namespace {
 constexpr int kLegendIconWidth = 26;
 constexpr int kLegendPadding = 4;
 constexpr int kLegendGap = 14;
-constexpr int kLegendDescent = 2; ///< pixels; without, items end where the tail of a g begins
+constexpr int kLegendDescent = 2; ///< pixels; without them the tail of a g is cut off
 
 /// As many columns as fit beside each other, filled row by row.
 int columnsThatFit(const std::vector<int> &widths, int room)
@@ -53,7 +53,7 @@ SceneLegend::SceneLegend(QCustomPlot &plot, const SceneCurves &curves)
     m_plot.legend->setIconSize(kLegendIconWidth, 12);
     m_plot.legend->setIconTextPadding(kLegendPadding);
     m_plot.legend->setLayer("legend");
-    m_plot.plotLayout()->addElement(1, 0, m_row); // a row needs its plot before elements
+    m_plot.plotLayout()->addElement(1, 0, m_row); // must be in the plot before it takes elements
     m_row->addElement(0, 0, m_plot.legend);
     m_row->expandTo(1, 2);
     m_row->setColumnStretchFactor(0, 0.001);

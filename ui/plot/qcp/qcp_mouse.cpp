@@ -150,7 +150,7 @@ void PlotMouse::release(const QMouseEvent &event)
     hover(m_pointer);
 }
 
-/// The span under way, over the full height: it is one of x only.
+/// Shows the span being dragged over the full height, because it is one of x only.
 void PlotMouse::showSpan(const DragSpan &span)
 {
     const QRectF rect = m_plot->axisRect()->rect();

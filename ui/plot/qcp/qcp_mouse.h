@@ -74,7 +74,7 @@ private:
     QRubberBand *m_rubberBand;
     Drag m_drag;
     bool m_markable = false; ///< Shift and drag mark a span
-    bool m_marking = false; ///< so does the next drag
+    bool m_marking = false; ///< the next drag marks a span
     QPointF m_pointer;
 };
 

@@ -15,7 +15,7 @@ namespace dyncal {
 
 namespace {
 
-/// Right: half of the last tick's label.
+/// The right margin holds half of the last tick's label.
 constexpr QMargins kLeastMargins(4, 6, 16, 4);
 constexpr int kTickPadding = 3;
 

@@ -24,15 +24,15 @@ public:
 
     /// Replaces what is drawn; the ranges stay. The content is shared, never copied.
     void setContent(std::shared_ptr<const PlotContent> content);
-    /// Takes a content over that has as many marks and levels as the present one and differs
-    /// by these and its summary at most; only they are drawn again, by replotDecorations(). False,
-    /// with nothing done, where more differs.
+    /// Takes over a content that differs from the present one only in the places and words of its
+    /// marks and levels, as many as before, and in its summary; only these are drawn again, by
+    /// replotDecorations(). False, with nothing done, if more differs.
     bool moveDecorations(const std::shared_ptr<const PlotContent> &content);
-    /// At once, without the rest of the plot.
+    /// Draws marks and levels at once, without the rest of the plot.
     void replotDecorations() { m_decorations.replot(); }
     const PlotContent &content() const { return *m_content; }
     const std::shared_ptr<const PlotContent> &sharedContent() const { return m_content; }
-    /// With the points of the present view where there is a long record behind a curve.
+    /// The content; curves with a long record behind them get the points of the present view.
     PlotContent contentInView() const { return m_curves.inView(*m_content); }
     void setTheme(const PlotTheme &theme);
     const PlotTheme &theme() const { return m_theme; }
@@ -44,11 +44,11 @@ public:
     void fitX();
     void fitY();
     bool hasData() const { return m_curves.hasData(); }
-    /// What depends on the size of the viewport: rows of the legend, equal scales. Done by itself
-    /// before every replot; printing calls it.
+    /// What depends on the size of the viewport: rows of the legend, equal scales. Every replot
+    /// begins with it; printing has to call it.
     void prepare();
 
-    /// That of the axes, or that of damping ratio and frequency where the content asks for it.
+    /// The grid of the axes, or that of damping ratio and frequency if the content asks for it.
     void setGridVisible(bool visible) { m_decorations.setGridVisible(visible); }
     bool isGridVisible() const { return m_decorations.isGridVisible(); }
 

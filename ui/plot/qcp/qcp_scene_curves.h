@@ -11,8 +11,8 @@
 
 namespace dyncal {
 
-/// The curves of one content on one QCustomPlot. A long one is handed over by columns of pixels,
-/// with what is in view only.
+/// The curves of one content on one QCustomPlot. Of a long one only the part in view is handed
+/// over, reduced to pixel columns.
 class SceneCurves
 {
 public:
@@ -21,7 +21,7 @@ public:
     {
     }
 
-    /// Replaces all curves. The content is shared, never copied: curves look into its vectors.
+    /// Replaces all curves. The content is shared, never copied: curves refer to its vectors.
     void make(std::shared_ptr<const PlotContent> content);
     void style(const PlotTheme &theme);
     void setColumnsPerPixel(int columns) { m_columnsPerPixel = columns; }
@@ -32,7 +32,7 @@ public:
     bool hasData() const;
     /// One entry of the legend may stand for several curves: all of the same name go together.
     void setVisible(std::size_t position, bool visible);
-    /// With the points of the present view where there is a long record behind a curve.
+    /// The content; curves with a long record behind them get the points of the present view.
     PlotContent inView(PlotContent content) const;
 
 private:
@@ -46,7 +46,7 @@ private:
     std::vector<double> columnEdges() const;
 
     QCustomPlot &m_plot;
-    std::shared_ptr<const PlotContent> m_content; ///< whose vectors the curves look into
+    std::shared_ptr<const PlotContent> m_content; ///< whose vectors the curves refer to
     PlotTheme m_theme;
     int m_columnsPerPixel = 1;
     std::vector<DrawnCurve> m_curves;

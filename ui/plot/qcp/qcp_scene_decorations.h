@@ -29,7 +29,7 @@ public:
     void style(const PlotTheme &theme);
     /// To be called when the layout is known.
     void placeLabels();
-    /// At once, without the rest of the plot.
+    /// Draws marks and levels at once, without the rest of the plot.
     void replot() { m_layer->replot(); }
 
     void setGridVisible(bool visible);
@@ -58,7 +58,7 @@ private:
     void placeLevelLabel(const Decoration &decoration, std::vector<QRectF> &taken);
 
     QCustomPlot &m_plot;
-    QCPLayer *m_layer; ///< with pixels of its own
+    QCPLayer *m_layer; ///< has a paint buffer of its own
     PlotTheme m_theme;
     std::vector<Decoration> m_decorations;
     QCPItemEllipse *m_unitCircle = nullptr;

@@ -16,7 +16,7 @@ bool isSame(const PlotAxis &a, const PlotAxis &b)
         && a.integers == b.integers;
 }
 
-/// To the bit: a gap (NaN) is the same as a gap.
+/// Compares bits, so that a gap (NaN) equals a gap.
 bool isSame(const std::vector<double> &a, const std::vector<double> &b)
 {
     return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;

@@ -7,8 +7,8 @@
 
 namespace dyncal {
 
-/// Whether two contents differ by the places and words of their marks and levels (without bands)
-/// and by their summary at most.
+/// Whether two contents are equal except for the places and words of their marks and levels
+/// (without bands) and their summary.
 bool isSameButDecorations(const PlotContent &a, const PlotContent &b);
 
 } // namespace dyncal

@@ -14,14 +14,14 @@ namespace {
 
 /// Up to this many samples per column are drawn as they are: the polyline is then as exact.
 constexpr Index kSamplesPerColumn = 4;
-/// A column of this many grains (grain(): samples) may begin half a grain off: that is not seen.
+/// A column of this many grains (grain() samples each) may begin half a grain off unseen.
 constexpr Index kGrainsPerColumn = 8;
 
 void appendColumn(const SampleExtremes &found, double x, DrawnPoints &drawn)
 {
     double first = found.any ? found.min : std::numeric_limits<double>::quiet_NaN();
     double second = found.any ? found.max : first;
-    // Begin with the end that is nearer to where the line is: no needless verticals.
+    // Begin with the value nearer to the end of the line so far: no needless vertical strokes.
     if (!drawn.y.empty() && std::abs(drawn.y.back() - second) < std::abs(drawn.y.back() - first))
         std::swap(first, second);
     drawn.x.insert(drawn.x.end(), {x, x});

@@ -44,7 +44,7 @@ public:
 protected:
     /// Extremes of [edges[k], edges[k + 1]); `edges` ascend within 0..size().
     virtual std::vector<SampleExtremes> stretches(std::span<const Index> edges) const = 0;
-    /// Edges of columns that hold many times as many samples are moved to multiples of this.
+    /// If columns hold many times this number of samples, their edges are moved to multiples of it.
     virtual Index grain() const { return 1; }
 
 private:

@@ -10,9 +10,10 @@ namespace dyncal {
 
 namespace {
 
-/// Longer stretches come only in views that show next to nothing of the curve: drawn solid.
+/// Longer stretches occur only in views that show almost nothing of the curve; they are drawn
+/// solid.
 constexpr double kLongest_px = 5000.0;
-constexpr double kShortest_px = 1e-3; ///< what is left of a dash counts as nothing
+constexpr double kShortest_px = 1e-3; ///< a shorter rest of a dash counts as nothing
 
 } // namespace
 

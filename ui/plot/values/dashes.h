@@ -9,13 +9,14 @@
 
 namespace dyncal {
 
-/// Walks along a line by a dash pattern (lengths in pixels, drawn and gap in turn).
+/// Cuts a line into the parts of a dash pattern (lengths in pixels, drawn and gap in turn).
 class Dashes
 {
 public:
     explicit Dashes(QVector<qreal> pattern);
 
-    /// Adds the drawn parts of a stretch. Of what lies outside of `clip` only the length counts.
+    /// Adds the drawn parts of a stretch. A stretch outside of `clip` adds none, but its length
+    /// counts.
     void add(const QPointF &from, const QPointF &to, const QRectF &clip, QVector<QLineF> &parts);
 
 private:

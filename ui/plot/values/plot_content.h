@@ -52,14 +52,14 @@ struct PlotCurve
     std::vector<double> x;
     std::vector<double> y;
     bool inLegend = true;
-    /// A long record behind the curve, of which x and y are the extremes over all its length. Views
-    /// are drawn from it, down to its single samples.
+    /// A long record behind the curve; x and y then hold only its extremes over the whole length.
+    /// Views are drawn from the record, down to single samples.
     std::shared_ptr<const CurveSamples> record = {};
     bool onSecondAxis = false; ///< against PlotContent::yAxis2, behind what is the plot's own
     int variant = 0; ///< tells curves of one role apart (PlotTheme::style)
 };
 
-/// An axis: quantity and SI unit; the wrapper chooses the prefix ("Time / µs") by the range shown.
+/// An axis: quantity and SI unit; the plot chooses the prefix ("Time / µs") by the range shown.
 struct PlotAxis
 {
     QString quantity; ///< "Time"
@@ -91,7 +91,7 @@ struct PlotContent
     QString title;
     PlotAxis xAxis;
     PlotAxis yAxis;
-    /// At the right; always fitted to its curves. Cursors, hints and picks are of yAxis only.
+    /// At the right; always fitted to its curves. Cursors, hints and picks use yAxis only.
     std::optional<PlotAxis> yAxis2 = {};
     std::vector<PlotCurve> curves;
     std::vector<PlotMark> marks;

@@ -18,7 +18,7 @@ struct HandleState
     Interval x; ///< of a line: begin == end
     bool movable = true;
     bool snapToIntegers = false;
-    bool hatched = false; ///< what takes no part
+    bool hatched = false; ///< marks what takes no part
 
     bool operator==(const HandleState &) const = default;
 };

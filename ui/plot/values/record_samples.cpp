@@ -15,7 +15,7 @@ RecordSamples::RecordSamples(std::shared_ptr<const ChannelEnvelope> envelope)
 
 Index RecordSamples::firstFrom(double x) const
 {
-    // Times of samples may coincide (late ones, in double), so no division tells which it is.
+    // Late samples may have equal times in double precision, so a division cannot find the index.
     const auto before = [this, x](Index i) { return channel().timeOf_s(i) < x; };
     return *std::ranges::partition_point(std::views::iota(Index(0), size()), before);
 }
@@ -39,7 +39,7 @@ DrawnPoints RecordSamples::samples(Index begin, Index end) const
 
 std::vector<SampleExtremes> RecordSamples::stretches(std::span<const Index> edges) const
 {
-    // What cannot be read any more is a gap.
+    // A part of the record that can no longer be read is a gap.
     return m_envelope->stretches(edges).value_or(std::vector<SampleExtremes>(edges.size() - 1));
 }
 

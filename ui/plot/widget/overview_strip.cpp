@@ -223,7 +223,7 @@ void OverviewStrip::mousePressEvent(QMouseEvent *event)
     m_before = m_plots.front()->xRange();
     m_grabbedAt = xAt(pixel);
     m_grip = gripAt(pixel);
-    if (m_grip == Grip::None) { // bring it here
+    if (m_grip == Grip::None) { // move the box here
         m_grip = Grip::Box;
         const double half = 0.5 * (m_before.end - m_before.begin);
         m_before = {m_grabbedAt - half, m_grabbedAt + half};

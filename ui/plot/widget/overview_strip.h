@@ -17,7 +17,7 @@ class PlotWidget;
 
 /// A narrow strip with the whole length of the curves of a plot and a box around the part that the
 /// plot shows. Dragging the box moves the view, dragging an edge of it zooms, a press beside it
-/// brings it there, a double click shows everything. Several plots may follow one strip: they then
+/// moves it there, a double click shows everything. Several plots may follow one strip: they then
 /// always show the same stretch; the strip draws the curves of the first.
 class OverviewStrip : public QWidget
 {

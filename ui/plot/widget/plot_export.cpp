@@ -25,10 +25,10 @@ namespace {
 
 constexpr int kPageDpi = 96;
 constexpr double kImageScale = 2.0;
-constexpr int kPrintColumnsPerPixel = 3; ///< columns of an envelope: finer than a printer's eye
+constexpr int kPrintColumnsPerPixel = 3; ///< columns of an envelope: finer than print shows
 
-/// Plot coordinates 1:1 in pixels of a 96 dpi page. Recorded first: QCustomPlot draws only through
-/// its own painter class, while ours may be anyone's.
+/// Records the plot, 1:1 in pixels of a 96 dpi page, to be played by any painter: QCustomPlot
+/// itself draws only with its own painter class.
 QPicture record(const PlotPicture &picture, QSize size)
 {
     QCustomPlot plot;

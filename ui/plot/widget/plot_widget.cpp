@@ -34,7 +34,7 @@ constexpr int kLeastColumns = 22;
 
 } // namespace
 
-/// The plot, and what takes the events of the widget to it.
+/// The plot, and the objects that handle the events of the widget.
 struct PlotWidget::Parts
 {
     explicit Parts(PlotWidget &widget)

@@ -63,7 +63,8 @@ public:
 
     /// Shift and left drag mark a span of x (spanMarked).
     void setMarkable(bool markable);
-    /// The next left drag marks a span, handles or not; it or Esc ends the mode.
+    /// The next left drag marks a span, even if it begins on a handle; this drag or Esc ends the
+    /// mode.
     void setMarking(bool on);
 
     /// Pixel position (widget coordinates) of a plot coordinate: for tests that use the mouse.
@@ -86,7 +87,7 @@ public:
     /// Readings of the cursors as shown ("A: 1.2 µs; 0.98 V"), empty without cursors.
     QString cursorReadout() const;
 
-    /// Cursor A (0) or B (1) at a place of the x axis, where another plot has it; none: both go.
+    /// Puts cursor A (0) or B (1) at `x`, where another plot has it; without `x` both are removed.
     void followCursor(int which, std::optional<double> x);
 
     QSize sizeHint() const override;
@@ -107,14 +108,14 @@ signals:
     void markingChanged(bool on); ///< also when it ends by itself
     void pointPicked(double x, double y); ///< plain click, at the nearest data point
     void xRangeChanged(dyncal::Interval x); ///< other than by setting content
-    void contentChanged(); ///< and fitted
+    void contentChanged(); ///< and the view fitted to it, if it has to be
     void cursorPlaced(int which, double x); ///< by the operator
     void cursorsCleared(); ///< likewise
     void replotted(); ///< after the pixels are up to date
 
 protected:
     void changeEvent(QEvent *event) override; ///< follows the palette (light, dark)
-    bool event(QEvent *event) override; ///< tool tip, undo of a drag by Esc before shortcuts
+    bool event(QEvent *event) override; ///< tool tip; Esc ends a drag before shortcuts see it
     void resizeEvent(QResizeEvent *event) override;
     void paintEvent(QPaintEvent *event) override; ///< focus ring
     void focusInEvent(QFocusEvent *event) override;
