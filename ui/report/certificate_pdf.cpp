@@ -140,7 +140,7 @@ struct CertificatePdf::Private
     ~Private()
     {
         if (painter.isActive())
-            painter.end(); // before the writer goes
+            painter.end(); // before the writer is destroyed
     }
 };
 

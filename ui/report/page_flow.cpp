@@ -51,7 +51,7 @@ std::vector<PlacedBlock> placeBlocks(const std::vector<FlowBlock> &blocks, doubl
     std::vector<PlacedBlock> placed;
     int page = 0;
     double top = 0.0;
-    bool chained = false; // the block before keeps this one
+    bool chained = false; // the block before must stay with this one
     for (std::size_t i = 0; i < blocks.size(); ++i) {
         const FlowBlock &block = blocks[i];
         const bool chainFits = top + chainHeight(blocks, i, top) <= pageHeight;
@@ -111,7 +111,7 @@ double FlowText::longestWord(const QString &text, const QFont &font, QPaintDevic
 {
     const QFontMetricsF metrics(font, device);
     double widest = 0.0;
-    // A no-break space belongs to its word: only real spaces and line ends part words.
+    // A no-break space belongs to its word: only real spaces and line ends separate words.
     for (const QString &line : text.split(QLatin1Char('\n')))
         for (const QString &word : line.split(QLatin1Char(' ')))
             widest = std::max(widest, metrics.horizontalAdvance(word));

@@ -33,8 +33,8 @@ struct PlacedBlock
     bool withHeader = false;
 };
 
-/// Puts blocks on pages of the given text height. Blocks that keep with the next move on together,
-/// unless they fill more than a page.
+/// Puts blocks on pages of the given text height. Blocks that keep with the next move to a new page
+/// together, unless they fill more than a page.
 std::vector<PlacedBlock> placeBlocks(const std::vector<FlowBlock> &blocks, double pageHeight);
 
 int pageCount(const std::vector<PlacedBlock> &placed);

@@ -27,8 +27,8 @@ void replaceFields(QByteArray &pdf, const QString &field, const QByteArray &text
 /// Where the cross-reference table ("xref", its number of entries, entries of 20 bytes) begins.
 const QByteArray kTable = QByteArrayLiteral("\nxref\n");
 
-/// Takes `count` bytes out at `at`; the table and the place that is stated for it move along. False
-/// if there is no table.
+/// Removes `count` bytes at `at`, and corrects the offsets in the table and the stated place of the
+/// table. False if there is no table.
 bool cutOut(QByteArray &pdf, qsizetype at, qsizetype count)
 {
     constexpr qsizetype kEntry = 20, kDigits = 10;

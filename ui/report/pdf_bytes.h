@@ -9,9 +9,9 @@
 namespace dyncal {
 
 /// A PDF from QPdfWriter with its dates set to `createdUtc` (ISO 8601 with Z) and its document id
-/// to a hash of the content, so that the same content gives the same bytes, in every time zone.
-/// What of a local time is longer than UTC is taken out, and the offsets of the file with it; all
-/// else is replaced by as many bytes. Qt 6.4 offers no way to set them.
+/// to a hash of the content, so that the same content gives the same bytes, in every time zone. A
+/// local time is cut to the length of UTC, and the offsets in the file are corrected for it;
+/// everything else is replaced by as many bytes. Qt 6.4 offers no way to set these values.
 QByteArray withFixedDates(QByteArray pdf, const QString &createdUtc);
 
 } // namespace dyncal

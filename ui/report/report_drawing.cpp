@@ -21,7 +21,7 @@ namespace dyncal {
 namespace {
 
 constexpr QSize kPlotSize(900, 480);
-/// Blocks of a certificate before its layout is known: only the progress needs it.
+/// Assumed number of blocks until the layout of the certificate is known; only for the progress.
 constexpr std::size_t kUsualBlocks = 150;
 
 std::string plotName(std::size_t number, const std::string &id)

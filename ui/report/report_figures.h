@@ -20,7 +20,8 @@ struct ReportFigure
     PlotContent content;
 };
 
-/// Makes one plot; empty where the recordings lack the channel. Holds what it needs of the results.
+/// Makes one plot; empty where the recordings lack the channel. It holds what it needs of the
+/// results.
 using FigureMaker = std::function<std::optional<ReportFigure>()>;
 
 /// One for every plot that these results allow, in the order of the method: making them one by one

@@ -12,7 +12,8 @@ namespace dyncal {
 
 ReportLanguage::ReportLanguage(const std::string &code)
 {
-    // A code without a translation leaves this empty: English.
+    // A code without a translation gets English: dyncal_en has the plural forms, the sources the
+    // rest.
     if (!load(QStringLiteral("dyncal_") + rawText(code), QStringLiteral(":/i18n")))
         (void)load(QStringLiteral("dyncal_en"), QStringLiteral(":/i18n"));
 }
@@ -24,8 +25,8 @@ QString ReportLanguage::translate(
     return text.isNull() ? QString::fromUtf8(source) : text;
 }
 
-/// Installing and removing tells the application that its language changed; every window would lay
-/// itself out anew, each time.
+/// Installing and removing a translator sends this event to the application, and every window would
+/// be laid out anew each time.
 bool ReportLanguage::eventFilter(QObject *watched, QEvent *event)
 {
     return watched == QCoreApplication::instance() && event->type() == QEvent::LanguageChange;

@@ -19,9 +19,9 @@ public:
     QString translate(const char *context, const char *source, const char *disambiguation = nullptr,
         int number = -1) const override;
 
-    /// While one of these lives, every text comes out in the language of the report. The window is
-    /// not told, as its own texts stay: no event may be handled meanwhile. Needs a
-    /// QCoreApplication.
+    /// While one of these lives, every text comes out in the language of the report. The window
+    /// gets no LanguageChange, because its own texts stay; so no event may be handled meanwhile.
+    /// Needs a QCoreApplication.
     class Scope
     {
     public:

@@ -8,9 +8,9 @@
 
 namespace dyncal {
 
-/// While one of these lives, what is drawn comes out the same in every process: the order of hashes
-/// (fonts in a PDF follow it; Qt makes it random) and the decimal mark of numbers ('.', as in every
-/// file that is written). For the thread of the window only.
+/// While one of these lives, what is drawn comes out the same in every process: it fixes the order
+/// in hash tables (which Qt makes random, and which the fonts in a PDF follow) and the decimal mark
+/// of numbers ('.', as in every file that is written). For the thread of the window only.
 class ReproducibleOutput
 {
 public:
@@ -27,7 +27,7 @@ public:
     Q_DISABLE_COPY(ReproducibleOutput)
 
 private:
-    QLocale m_locale; ///< the default one of before
+    QLocale m_locale; ///< the default before
 };
 
 } // namespace dyncal

@@ -74,7 +74,7 @@ void AutoSave::write()
                 emit saved(time);
                 return;
             }
-            m_latest.start(); // there may be room again by then
+            m_latest.start(); // tries again: there may be room on the disk by then
             emit failed(written.error());
         });
 }
@@ -109,7 +109,7 @@ void AutoSave::beat()
 
 void AutoSave::adopt(const QString &file)
 {
-    m_jobs.emplace(this); // after what the old one still does
+    m_jobs.emplace(this); // waits for what the old one still does
     m_store.adopt(file);
     m_beat.start();
 }

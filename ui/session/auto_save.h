@@ -17,7 +17,7 @@
 
 namespace dyncal {
 
-/// When unsaved changes are written down; tests shorten it.
+/// When unsaved changes are written to disk; tests shorten the times.
 struct AutoSaveDelays
 {
     std::chrono::milliseconds rest{2000}; ///< after the last change
@@ -35,9 +35,9 @@ public:
     AutoSave(Session &session, RecoveryStore &store, CurrentUtc currentUtc,
         const AutoSaveDelays &delays = {});
 
-    /// The project that the session's changes are of; empty = never saved.
+    /// The project that the session is changing; empty = never saved.
     void setProject(const QString &path, const ProjectFileHash &sha256 = {});
-    /// Goes on with a file left behind, whose work has just been taken over.
+    /// Continues with a file left behind, after its work was restored into the session.
     void adopt(const QString &file);
     /// Waits for what is being written and removes the file: the program ends in good order.
     void end();
@@ -60,10 +60,10 @@ private:
     RecoveryStore &m_store;
     CurrentUtc m_currentUtc;
     QString m_project;
-    ProjectFileHash m_projectSha256; ///< of the file that the job is a change of
+    ProjectFileHash m_projectSha256; ///< of the project's file before the changes
     QTimer m_rest;
     QTimer m_latest;
-    QTimer m_beat; ///< active: there is a file
+    QTimer m_beat; ///< active while there is a file
     std::optional<JobRunner> m_jobs; ///< one thread: writing and removing keep their order
 };
 

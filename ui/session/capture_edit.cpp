@@ -24,7 +24,7 @@ CaptureSet joinedCaptures(CaptureSet first, const CaptureSet &second)
             finding.shot += shots;
         all.findings.push_back(std::move(finding));
     }
-    if (all.tube.empty()) // as the command line joins: one description, never a mixture of two
+    if (all.tube.empty()) // as on the command line: one description, never a mixture of two
         all.tube = second.tube;
     all.sensors.insert(second.sensors.begin(), second.sensors.end());
     all.instruments.insert(second.instruments.begin(), second.instruments.end());
@@ -41,7 +41,7 @@ bool isRecordingOf(const CaptureSet &set, const std::string &path)
 
 namespace {
 
-/// Drops what belongs to shot `number` and moves later numbers up.
+/// Drops what belongs to shot `number` and lowers the later numbers by one.
 template <typename T>
 void removeNumbered(std::vector<T> &list, Index number)
 {
@@ -127,7 +127,7 @@ void forgetMissingNames(ImportSettings &settings, const CaptureSet &set)
 CaptureSet withoutShots(CaptureSet set, const std::function<bool(const Shot &)> &isOut)
 {
     std::vector<Shot> kept;
-    std::vector<Index> numbers{0}; // of the set; 0: is out
+    std::vector<Index> numbers{0}; // new number by old number; 0: taken out
     for (Shot &shot : set.shots) {
         const bool out = isOut(shot);
         if (!out)

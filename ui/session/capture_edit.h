@@ -10,25 +10,26 @@
 
 namespace dyncal {
 
-/// The recordings of `first` followed by those of `second`; shot numbers of the second's findings
-/// are moved on. Tube and sensor data of the first win.
+/// The recordings of `first` followed by those of `second`; shot numbers in the findings of
+/// `second` are raised to match. Tube and sensor data of the first win.
 CaptureSet joinedCaptures(CaptureSet first, const CaptureSet &second);
 
-/// Whether this name is one of a recording's: to write there would destroy what was measured.
+/// Whether `path` is one of the recordings: writing there would destroy measured data.
 bool isRecordingOf(const CaptureSet &set, const std::string &path);
 
-/// Takes out what names files and channels that the recordings do not have: a recipe may not.
+/// Removes settings of files and channels that the recordings do not have: a recipe may not name
+/// them.
 void forgetMissingNames(ImportSettings &settings, const CaptureSet &set);
 
-/// The recordings without the shots for which `isOut` says so, and without files that only they
+/// The recordings without the shots for which `isOut` is true, and without files that only those
 /// used.
 CaptureSet withoutShots(CaptureSet set, const std::function<bool(const Shot &)> &isOut);
 
-/// The job without shot `number` (from 1): later shots move up by one, and every part of the
-/// recipe that goes by shot number moves with them.
+/// The job without shot `number` (from 1): the numbers of later shots fall by one, also in the
+/// recipe's exclusions, acknowledgements, starts and arrivals.
 ProjectState withoutShot(const ProjectState &state, Index number);
 
-/// Takes shot `number` in (no reason) or out, for the reason that the certificate prints.
+/// Includes shot `number` (no reason) or excludes it, for the reason that the certificate prints.
 void setShotExcluded(
     ImportSettings &settings, Index number, const std::optional<std::string> &reason);
 

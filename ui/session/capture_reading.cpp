@@ -25,7 +25,7 @@ Result<CaptureSet> readOne(
                                 : openCaptures({path}, settings, control);
 }
 
-using ShotName = std::pair<std::string, Index>; ///< of its file, its place there
+using ShotName = std::pair<std::string, Index>; ///< its file, and its place in it
 
 /// One for every file that the shot's channels come from.
 std::set<ShotName> namesOf(const CaptureSet &set, const Shot &shot)
@@ -118,7 +118,7 @@ bool needsReading(
     return std::ranges::any_of(captures.inputs, [&](const InputFile &input) {
         const ImportSettings a = settingsOfFile(before, input.path);
         const ImportSettings b = settingsOfFile(after, input.path);
-        // A reader of tables holds the stated rate against the times of the file.
+        // A reader of tables compares the stated rate with the times in the file.
         return input.path != kExamplePath
             && (a.format != b.format || a.columns != b.columns || a.decimal != b.decimal
                 || a.separator != b.separator || a.skipRows != b.skipRows

@@ -28,7 +28,7 @@ struct CapturesRead
 };
 
 /// Reads every file (or folder, or the built-in example by kExamplePath) for itself, so that one
-/// bad file costs none of the others. They are opened, not sealed: the session does that before
+/// bad file does not stop the others. They are opened, not sealed: the session does that before
 /// anything is computed. Fails only if cancelled.
 Result<CapturesRead> readEach(const std::vector<std::string> &paths, const ImportSettings &settings,
     const JobControl &control);
@@ -39,7 +39,7 @@ Result<CapturesRead> readAgain(
     const CaptureSet &captures, const ImportSettings &settings, const JobControl &control);
 
 /// The recordings of a job and more: files of one recording become one shot (channel_files.h),
-/// which keeps the number that it has.
+/// which keeps its number.
 CaptureSet addedCaptures(
     const CaptureSet &job, const CaptureSet &more, const ImportSettings &settings);
 

@@ -15,7 +15,7 @@ namespace dyncal {
 bool isSealed(const CaptureSet &captures);
 
 /// Gives opened recordings the hashes of their files, in the background. Undo steps made meanwhile
-/// know the opened ones: what each became is remembered.
+/// refer to the opened recordings, so their sealed versions are remembered.
 class CaptureSealing
 {
 public:
@@ -28,9 +28,9 @@ public:
     Captures latest(const Captures &captures) const;
 
     bool isSealing(const Captures &opened) const;
-    void start(const Captures &opened); ///< instead of others under way
+    void start(const Captures &opened); ///< replaces a sealing under way
     void cancel() { m_jobs.cancel(); }
-    void forget(); ///< and what was sealed
+    void forget(); ///< also what was sealed
 
 private:
     Deliver m_deliver;

@@ -13,10 +13,10 @@
 
 namespace dyncal {
 
-/// ISO 8601 with Z, from the program: the window reads no clock.
+/// Gives the time as ISO 8601 with Z. The program passes it in: the window reads no clock.
 using CurrentUtc = std::function<Result<std::string>()>;
 
-/// The time that it tells, invalid where it tells none.
+/// The time that the function gives; invalid if it fails.
 inline QDateTime timeOf(const CurrentUtc &currentUtc)
 {
     const Result<std::string> text = currentUtc();

@@ -22,8 +22,8 @@ class EnvelopeStore : public QObject
 public:
     explicit EnvelopeStore(QObject *parent = nullptr);
 
-    /// From now on these records are wanted, in this order; others are forgotten. Another
-    /// conversion of a known record costs nothing where its envelope serves that too.
+    /// From now on these records are wanted, in this order; others are forgotten. A known record
+    /// with another conversion costs nothing if its envelope can be used for it too.
     void want(std::vector<Channel> channels);
 
     /// Null while it is being built, if it was not wanted, or if its record cannot be read.
@@ -44,8 +44,8 @@ private:
     Envelopes m_known;
     std::vector<Channel> m_missing;
     std::vector<Channel> m_unreadable;
-    double m_partOfFirst = 0.0; ///< of the first missing record that has been read
-    JobRunner m_jobs; ///< last: stops before anything that a delivery touches is gone
+    double m_partOfFirst = 0.0; ///< share of the first missing record that has been read
+    JobRunner m_jobs; ///< last: stops before any member that a delivery uses is destroyed
 };
 
 } // namespace dyncal

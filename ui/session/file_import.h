@@ -8,7 +8,7 @@
 namespace dyncal {
 
 /// The import section in which the file `path` is read as `wanted` says, and every other file as
-/// before. What `wanted` says of shots and of other files is not looked at.
+/// before. What `wanted` says of shots and of other files is ignored.
 ImportSettings withOwnSettings(
     const ImportSettings &settings, const std::string &path, const ImportSettings &wanted);
 

@@ -15,7 +15,7 @@ namespace dyncal {
 namespace {
 
 constexpr mode_t kMode = 0600;
-/// Others that let go of the file at this moment remove it; not many times in a row.
+/// Another program may release the lock just now and remove the file; not many times in a row.
 constexpr int kTries = 10;
 
 bool isStillThere(int descriptor, const char *path)

@@ -9,8 +9,8 @@
 
 namespace dyncal {
 
-/// A lock that lives as long as this object, and no longer than its program: the system lets go of
-/// it when the program is killed. QLockFile goes by process numbers and host names instead, which
+/// A lock that lives as long as this object, and no longer than its program: the system releases it
+/// when the program is killed. QLockFile goes by process numbers and host names instead, which
 /// repeat in containers (a sandboxed program has the same number at every start) and change.
 class FileLock
 {

@@ -9,8 +9,8 @@ namespace dyncal {
 
 namespace {
 
-/// Samples of all series from which on 120 triplets take more than a quarter of a second (three
-/// series of 4000; docs/benchmarks.md).
+/// Number of samples in all series from which 120 triplets take more than a quarter of a second
+/// (three series of 4000; docs/benchmarks.md).
 constexpr Index kLongInput = 12'000;
 /// With fewer rows than this the matrix is decomposed as a whole, or nearly as quickly.
 constexpr Index kManyRows = 1000;

@@ -7,7 +7,7 @@ namespace dyncal {
 
 namespace {
 
-constexpr qint64 kGrace_ms = 700; ///< a run is young until then
+constexpr qint64 kGrace_ms = 700; ///< a younger run may finish
 
 } // namespace
 
@@ -29,7 +29,7 @@ bool FocusRun::mayBegin()
     const qint64 left_ms = kGrace_ms - m_jobs.age_ms();
     if (!isRunning() || left_ms <= 0)
         return true;
-    m_asked.start(static_cast<int>(left_ms)); // or when it is done
+    m_asked.start(static_cast<int>(left_ms)); // or earlier, when the run has finished
     return false;
 }
 

@@ -11,8 +11,8 @@
 namespace dyncal {
 
 /// The first part of every run: the stages up to the one on show. The newest request wins; but a
-/// run that is young is let finish although a newer request waits: otherwise a drag whose steps
-/// come faster than results would never show one.
+/// young run may finish although a newer request waits: otherwise a drag whose steps come faster
+/// than results would never show one.
 class FocusRun
 {
 public:
@@ -22,12 +22,12 @@ public:
     /// it is time for a run.
     FocusRun(JobRunner &jobs, std::function<void()> begin);
 
-    /// `begin` comes when everything that happens at once has happened, once for all that asked.
+    /// Has `begin` called once the events that already wait are handled, a single time for all
+    /// requests until then.
     void ask();
     bool isAsked() const { return m_asked.isActive(); }
     void withdraw() { m_asked.stop(); }
-    /// False: a young run goes on, and `begin` comes when it is old. To be asked when `begin`
-    /// comes.
+    /// To be asked in `begin`. False: a young run goes on, and `begin` is called again later.
     bool mayBegin();
 
     void start(PipelineRequest request, StageId upTo, Deliver deliver, ProgressSink progress);

@@ -32,7 +32,7 @@ public:
     }
 
 signals:
-    void moved(const QObject *source); ///< by the view `source`, whose own cursors stand already
+    void moved(const QObject *source); ///< by the view `source`, whose own cursors have moved
 
 private:
     std::array<std::optional<double>, 2> m_positions_Hz;

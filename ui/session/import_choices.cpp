@@ -12,8 +12,8 @@ namespace dyncal {
 
 namespace {
 
-/// A reader of HDF5 takes what is named and nothing else, or what it guesses: once one dataset is
-/// named, so are the others that are read now.
+/// The reader of HDF5 takes only the datasets that are named, or guesses if none is; so once one is
+/// named, all that are read now must be named.
 void nameChannelsRead(ImportSettings &settings, const ImportView &view)
 {
     for (const ImportChannel &channel : view.channels)

@@ -19,7 +19,7 @@ public:
 
     QStringList names() const; ///< sorted
     Result<ImportSettings> load(const QString &name) const;
-    /// Without what is of single shots and files. Replaces a profile of the same name.
+    /// Leaves out settings of single shots and files. Replaces a profile of the same name.
     Result<void> save(const QString &name, ImportSettings settings) const;
 
 private:
@@ -28,7 +28,7 @@ private:
     QString m_folder;
 };
 
-/// Whether the text can be a profile's name: it becomes a file's.
+/// Whether the text can be a profile's name: it becomes the name of a file.
 bool isProfileName(const QString &name);
 
 } // namespace dyncal

@@ -49,7 +49,7 @@ ChannelRole roleOf(const ImportChannel &channel, const ImportSettings &settings)
     return named == settings.channels.end() ? channel.fileRole : channelRoleFromName(named->second);
 }
 
-/// As applyImportSettings(): a DUT that is given replaces the file's; an only channel is the DUT.
+/// As applyImportSettings(): a DUT that is given replaces the file's; a single channel is the DUT.
 void giveRoles(std::vector<ImportChannel> &channels, const ImportSettings &settings)
 {
     const auto dutGiven = [&](const ImportChannel &channel) {
@@ -116,7 +116,7 @@ std::optional<double> hertzOf(const std::string &text)
     return {};
 }
 
-/// The sentence on header against times ends with the two rates.
+/// The sentence on a header that contradicts the times ends with the two rates.
 void noteContradiction(ImportView &view)
 {
     constexpr std::size_t kArguments = 5;
@@ -142,7 +142,8 @@ void lookAtText(ImportView &view, const std::string &path, const ImportSettings 
     addTextChannels(view);
 }
 
-/// Also files beside it that hold other channels of the same recording: roles are given to all.
+/// Opens also files beside it that hold other channels of the same recording: roles are given to
+/// all.
 Result<CaptureSet> openWithOtherChannels(
     const std::string &path, const ImportSettings &settings, const JobControl &control)
 {
@@ -167,7 +168,7 @@ void lookAtCapture(ImportView &view, const Result<CaptureSet> &set)
         view.problem = set.error();
 }
 
-/// All that an HDF5 file holds; the reader takes what it is told, or guesses.
+/// Lists all that an HDF5 file holds; the reader itself takes the named datasets, or guesses.
 void lookAtDatasets(ImportView &view, const std::string &path, const JobControl &control)
 {
     if (view.format != "hdf5" && view.format != "mat73")

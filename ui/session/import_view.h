@@ -48,8 +48,8 @@ struct ImportView
     bool isComplete(const ImportSettings &settings) const;
 };
 
-/// Under the settings of this file (settingsOfFile). Text tables are read at their beginning only,
-/// of other files as little as shows what they hold.
+/// Reads under the settings of this file (settingsOfFile): of a text table only the beginning, of
+/// other files no more than is needed to show what they hold.
 ImportView lookAtFile(
     const std::string &path, const ImportSettings &settings, const JobControl &control);
 

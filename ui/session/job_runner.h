@@ -22,10 +22,10 @@
 namespace dyncal {
 
 /// Runs one background job at a time; the newest request wins. A new start asks the running job to
-/// stop and drops its result; with two threads the new one does not wait until the old one obeys.
-/// Results arrive on the thread of `receiver` by a queued call, never after a newer start, a
-/// cancel() or the runner's death. Jobs must capture values only. Where memory runs out, in the job
-/// or for its thread or for its result's way, an error that says so arrives instead.
+/// stop and drops its result; with two threads the new job does not wait until the old one has
+/// stopped. Results arrive on the thread of `receiver` by a queued call, never after a newer start,
+/// a cancel() or the runner's death. Jobs must capture values only. If memory runs out, in the job,
+/// for its thread or for the delivery of its result, an error that says so arrives instead.
 class JobRunner
 {
 public:
@@ -130,8 +130,9 @@ private:
         }
     }
 
-    /// From the job's thread. Without its end the receiver would wait for ever, so what it found is
-    /// given up for the memory of the call, and that is tried until others have given back theirs.
+    /// Called on the job's thread. Without this call the receiver would wait for ever; so if memory
+    /// is short, the result is given up to make room, and the call is tried until others have freed
+    /// memory.
     template <typename T>
     void postSurely(const std::stop_token &stop, const std::function<void()> &end, T &outcome)
     {
@@ -167,7 +168,7 @@ private:
     QElapsedTimer m_age;
     bool m_running = false;
     quint64 m_number = 0;
-    JobThreads m_threads; ///< last: waits for its jobs before the rest goes
+    JobThreads m_threads; ///< last: waits for its jobs before other members are destroyed
 };
 
 } // namespace dyncal

@@ -25,7 +25,7 @@ bool JobThreads::start(Job job)
 {
     const std::lock_guard lock(m_mutex);
     std::erase_if(m_workers, [](Worker &worker) {
-        if (worker.hasEnded) // it let go of the lock, so it is as good as gone
+        if (worker.hasEnded) // it has released the lock, so the join does not wait
             worker.thread.join();
         return worker.hasEnded;
     });
@@ -37,14 +37,14 @@ bool JobThreads::start(Job job)
     return !m_workers.empty();
 }
 
-/// If there is one to be had; else those at work come to the job later.
+/// Adds a thread if the system gives one; else the running threads take the job later.
 void JobThreads::addWorker()
 {
     std::list<Worker> added;
     try {
         Worker &worker = added.emplace_back();
         worker.thread = std::thread([this, &worker] { work(worker); });
-    } catch (const std::system_error &) { // no room for its stack, or no number for it
+    } catch (const std::system_error &) { // no memory for its stack, or too many threads
         return;
     } catch (const std::bad_alloc &) {
         return;
@@ -62,7 +62,7 @@ void JobThreads::work(Worker &worker)
             m_waiting.pop_front();
             lock.unlock();
             job();
-        } // what it held goes before the lock is taken
+        } // destroys what the job held before the lock is taken
         lock.lock();
     }
     worker.hasEnded = true;

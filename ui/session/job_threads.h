@@ -24,7 +24,7 @@ public:
         : m_most(most)
     {
     }
-    ~JobThreads(); ///< waits for what runs; what has not begun never will
+    ~JobThreads(); ///< waits for running jobs; those not begun are dropped
     JobThreads(const JobThreads &) = delete;
     JobThreads &operator=(const JobThreads &) = delete;
 

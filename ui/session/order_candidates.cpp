@@ -60,7 +60,7 @@ void OrderCandidates::update()
         return all[static_cast<std::size_t>(stage)];
     };
     if (keyOf(keys, StageId::Decomposition) != keyOf(m_basis.results.keys, StageId::Decomposition))
-        return; // still to come
+        return; // the decomposition is still being computed
     const std::string &basis = keyOf(keys, StageId::Response);
     const bool isOther = basis != m_basisOfModels;
     if (isOther) {

@@ -11,11 +11,11 @@
 
 namespace dyncal {
 
-/// What computes: runPipeline, or a stand-in of tests.
+/// The function that computes: runPipeline, or a stand-in of tests.
 using PipelineFunction = std::function<PipelineOutcome(const std::shared_ptr<const CaptureSet> &,
     const Recipe &, ResultCache &, StageId last, const JobControl &)>;
 
-/// What one run has given, and whether of the first triplets only.
+/// The results of one run, and whether they are of the first triplets only.
 struct RunPart
 {
     PipelineOutcome outcome;
@@ -24,7 +24,8 @@ struct RunPart
     std::shared_ptr<const ResponseResult> modelCurve = {};
 };
 
-/// Runs of the pipeline throw nothing: without a part there was a request to stop, or no memory.
+/// The part, or an outcome with its error: a request to stop, or no memory. Runs of the pipeline
+/// throw nothing.
 RunPart runPartOf(Result<RunPart> part);
 
 /// All that the session's background jobs need for their runs of the pipeline, as values.
@@ -34,7 +35,7 @@ struct PipelineRequest
     std::shared_ptr<ResultCache> cache;
     std::shared_ptr<const CaptureSet> captures;
     Recipe recipe;
-    std::string wholeSet; ///< key of a whole decomposition made, were it no longer in the cache
+    std::string wholeSet; ///< of the whole decomposition made last, even if not in the cache
     bool hasWholeSet = false; ///< the results on show are of the recipe's decomposition
     bool isFirstTriplets = false;
     std::shared_ptr<const ResponseResult> response = {}; ///< on show, perhaps of an earlier run
@@ -42,12 +43,12 @@ struct PipelineRequest
 
     PipelineOutcome run(StageId upTo, const JobControl &control) const;
 
-    /// Whether a run up to `upTo` had better be of the first triplets. Runs the stages before the
+    /// Whether a run up to `upTo` should begin with the first triplets. Runs the stages before the
     /// decomposition, which tell how long the model input is.
     bool wantsFirstTriplets(StageId upTo, const JobControl &control) const;
 
     /// The curve of the model in `part`, over the range of the response on show, which is of
-    /// another model; null where there is no need of it or not enough for it.
+    /// another model; null if it is not needed, or if the data for it are missing.
     std::shared_ptr<const ResponseResult> modelCurve(const CalibrationResults &part) const;
 };
 

@@ -58,7 +58,7 @@ QStringList changedParts(const QJsonObject &stated, const QJsonObject &found)
 
 QJsonObject withChecksums(QJsonObject project)
 {
-    // As it will be read: what cannot be written in JSON is something else then.
+    // Hashed as it will be read back: values that JSON cannot hold change when they are written.
     project = QJsonDocument::fromJson(QJsonDocument(withoutChecksums(project)).toJson()).object();
     const QJsonObject parts = partsOf(project);
     project[kWhole] = hashOf(project);

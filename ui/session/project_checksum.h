@@ -14,8 +14,8 @@ namespace dyncal {
 /// ("captures", "recipe.window"), so that what changed can be named.
 QJsonObject withChecksums(QJsonObject project);
 
-/// PRJ-001 (caution) if the project no longer says what its checksums were made of, naming the
-/// parts; PRJ-002 (info) if it has none, as those of older versions.
+/// PRJ-001 (caution) if the project no longer agrees with its checksums, naming the changed parts;
+/// PRJ-002 (info) if it has none, as those of older versions.
 Findings checkProject(const QJsonObject &project, const QString &name);
 
 } // namespace dyncal

@@ -50,7 +50,7 @@ QJsonArray shotsOf(const CaptureSet &set, Index input)
     return places;
 }
 
-/// What the recording was when the job took it in: saving does not make another one of it.
+/// The hash of the recording when the job took it in: saving does not accept later changes of it.
 QJsonValue hashOf(const InputFile &input)
 {
     const std::string hash = input.expectedSha256.value_or(input.sha256);
@@ -77,7 +77,7 @@ QJsonArray captureReferences(const ProjectState &state, const QDir &folder)
     return list;
 }
 
-/// As it stands in the file; a project of another minor version (1.7) is another one too.
+/// The version as written in the file; one with another minor version (1.7) cannot be read either.
 std::string versionText(const QJsonValue &version)
 {
     const std::string text
@@ -88,7 +88,7 @@ std::string versionText(const QJsonValue &version)
 CaptureReference locate(const QJsonObject &entry, const QDir &folder, const QString &otherFolder)
 {
     CaptureReference reference{entry["path"].toString(), {}};
-    if (!entry["sha256"].isNull()) // one that was taken out is no such thing
+    if (!entry["sha256"].isNull()) // null: not sealed. A key taken out is not null
         reference.sha256 = entry["sha256"].toString();
     for (const auto &place : entry["shots"].toArray())
         reference.shots.insert(static_cast<Index>(place.toInteger()));
@@ -135,7 +135,7 @@ Result<CaptureSet> readReferenced(const std::vector<CaptureReference> &reference
     return std::move(read->set);
 }
 
-/// Whether the bytes are still those is known once they are sealed.
+/// Whether the bytes still have these hashes is known once they are sealed.
 void expectHashes(CaptureSet &set, const std::vector<CaptureReference> &references)
 {
     for (std::size_t i = 0; i < references.size() && i < set.inputs.size(); ++i)
@@ -149,7 +149,7 @@ void expectHashes(CaptureSet &set, const std::vector<CaptureReference> &referenc
 Result<ProjectFile> readProjectFile(const QString &path)
 {
     const std::string name = QFileInfo(path).fileName().toStdString();
-    // A pipe is opened only once somebody writes to it, perhaps never.
+    // Opening a pipe would wait until somebody writes to it, perhaps for ever.
     if (const QFileInfo place(path); place.exists() && !place.isFile())
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT(

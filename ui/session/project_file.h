@@ -18,13 +18,13 @@ namespace dyncal {
 /// What is known of a project file: the SHA-256 of its bytes, nullopt if there is none.
 using ProjectFileHash = std::optional<std::string>;
 
-/// Of the file as it is now; empty text if something of that name cannot be read.
+/// The hash of the file as it is now; an empty string if something of that name cannot be read.
 ProjectFileHash projectFileHash(const QString &path);
 
 /// Writes the job as a project file (JSON: format, version, recipe, checksums, and the recordings
 /// by path relative to the project and the SHA-256 that they were taken in with; never the
-/// recordings themselves) in the place of the file that `expected` tells of. Returns the hash of
-/// the file written. Fails (Usage, finding kChangedMeanwhile) if another file is there, or
+/// recordings themselves) in the place of the file that has the hash `expected`. Returns the hash
+/// of the file written. Fails (Usage, finding kChangedMeanwhile) if another file is there, or
 /// (FileUnreadable) naming the file and why.
 Result<std::string> saveProject(
     const QString &path, const ProjectState &state, const ProjectFileHash &expected);
@@ -40,10 +40,10 @@ struct ProjectFile
 /// Fails when the file is no project or is of a newer version.
 Result<ProjectFile> readProjectFile(const QString &path);
 
-/// Opens the recordings of a project, which can be shown then; they are not sealed. Fails when
+/// Opens the recordings of a project, so that they can be shown; they are not sealed. Fails when
 /// recordings are missing (all are named). Sealing finds a recording whose bytes have changed since
-/// (CAP-015, which blocks). A project that was changed by others is a caution (PRJ-001).
-/// Recordings that are not where they were are taken from `otherFolder`, if that is given, by name.
+/// (CAP-015, which blocks). A project that was changed by others is a caution (PRJ-001). Recordings
+/// that are not where they were are taken from `otherFolder`, if that is given, by name.
 Result<ProjectState> openProject(
     const ProjectFile &file, const JobControl &control = {}, const QString &otherFolder = {});
 
@@ -51,8 +51,8 @@ Result<ProjectState> openProject(
 Result<ProjectState> openProject(
     const QString &path, const JobControl &control = {}, const QString &otherFolder = {});
 
-/// The bytes of a project file for `folder`; `moreKeys` are passed over when it is opened. Of
-/// recordings that are not sealed yet it keeps no hash.
+/// The bytes of a project file for `folder`; `moreKeys` are ignored when it is opened. Recordings
+/// that are not sealed yet are written without a hash.
 QByteArray projectBytes(
     const ProjectState &state, const QString &folder, const QJsonObject &moreKeys = {});
 

@@ -23,10 +23,10 @@ constexpr const char *kPattern = "work-*.dyncal";
 constexpr const char *kLockSuffix = ".lock";
 constexpr const char *kUnreadableSuffix = ".unreadable";
 constexpr const char *kKey = "recovery"; ///< of the project file
-/// More windows than anybody opens: the search for a free name ends.
+/// More windows than anybody opens; ends the search for a free name.
 constexpr int kMostPrograms = 1000;
 
-/// What a program that was stopped in the middle of writing left beside the file.
+/// Removes what a program that was stopped while writing left beside the file.
 void removeParts(const QString &file)
 {
     const QFileInfo info(file);
@@ -36,7 +36,8 @@ void removeParts(const QString &file)
         QFile::remove(info.dir().filePath(part));
 }
 
-/// Out of the way of the next start; never over another one. Empty if it cannot be moved.
+/// Renames the file so that the next start does not find it; never replaces another one. Empty if
+/// it cannot be renamed.
 QString setAside(const QString &file)
 {
     for (int i = 1; i <= kMostPrograms; ++i) {
@@ -112,7 +113,7 @@ void RecoveryStore::adopt(const QString &file)
         m_locks.erase(*m_file);
     }
     m_file = file;
-    if (!m_locks.contains(file)) // given up while it was being opened
+    if (!m_locks.contains(file)) // released while the file was being opened
         lock(file);
     forget(file);
 }

@@ -22,7 +22,7 @@ class FileLock;
 struct RecoveredWork
 {
     QString file; ///< a project file with the key "recovery"
-    QString project; ///< what it was a change of; empty = never saved
+    QString project; ///< the project that was being changed; empty = never saved
     QDateTime saved; ///< when the file was written
     QDateTime stopped; ///< last sign of life
     QStringList recordings; ///< base names
@@ -37,8 +37,8 @@ struct UnreadableWork
 };
 
 /// The recovery files of one user: one per running program, work-1.dyncal and on, each under a lock
-/// that lives as long as its program. A file whose lock can be had was left behind by a program
-/// that no longer runs; it is then this program's to offer, and no other's.
+/// that lives as long as its program. A file whose lock is free was left behind by a program that
+/// no longer runs; this program takes the lock, and no other one offers the work.
 class RecoveryStore
 {
 public:
@@ -70,11 +70,11 @@ private:
     std::vector<UnreadableWork> m_unreadable;
 };
 
-/// Writes the job whole or not at all, with the project that it is a change of. Fails as
+/// Writes the job whole or not at all, with the project that it changes. Fails as
 /// writeFileAtomically does.
 Result<void> writeRecoveryFile(const QString &file, const ProjectState &state,
     const QString &project, const QDateTime &now, const ProjectFileHash &projectSha256 = {});
-/// Notes on the file that its program still runs; the work in it stays as old as it is.
+/// Sets the time of the file, as a sign that its program still runs; the saved time inside stays.
 void markAlive(const QString &file, const QDateTime &now);
 /// What the file holds; its recordings are not looked at. Fails (FileUnreadable, Usage) where it
 /// could not be opened as a project.

@@ -45,7 +45,7 @@ void RestRun::start(QObject *receiver, PipelineRequest request, StageId focus,
             if (part.error || (isFirst && upTo == StageId::Evidence))
                 return RunPart{part, isFirst};
             const auto &next = part.results.keys[static_cast<std::size_t>(upTo) + 1];
-            if (!request.cache->find<void>(next)) // else it is here at once
+            if (!request.cache->find<void>(next)) // else the next part comes at once
                 JobRunner::post(receiver, control.stop,
                     [=, results = part.results] { deliverPart(results, upTo, isFirst); });
         }

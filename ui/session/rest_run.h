@@ -31,7 +31,7 @@ public:
     void withdraw() { m_asked.stop(); }
 
     /// `focus`: what the first part has computed. Delivered on the thread of `receiver`. Of the
-    /// first singular values all comes but what needs the whole set.
+    /// first singular values, everything is delivered but what needs the whole set.
     void start(QObject *receiver, PipelineRequest request, StageId focus, DeliverPart deliverPart,
         Deliver deliver, ProgressSink progress);
 

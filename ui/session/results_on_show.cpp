@@ -27,7 +27,7 @@ CalibrationResults merged(CalibrationResults part, const CalibrationResults &old
     keep(part.components, old.components);
     keep(part.input, old.input);
     keep(part.decomposition, old.decomposition);
-    if (!part.model) { // an assessment is of its model only
+    if (!part.model) { // an assessment belongs to one model only
         part.model = old.model;
         part.assessment = old.assessment;
     }
@@ -90,7 +90,7 @@ Findings ResultsOnShow::findings() const
     if (m_run.error && m_run.error->findingId.empty()
         && m_run.error->kind != ErrorKind::Cancelled) {
         all.insert(all.begin(),
-            {.id = {}, // of no entry of the catalogue
+            {.id = {}, // not in the catalogue
                 .severity = Severity::Block,
                 .shot = m_run.error->shot,
                 .message = m_run.error->message});
@@ -123,7 +123,7 @@ void ResultsOnShow::takePart(
         m_areFirstTriplets = isFirstTriplets;
     for (std::size_t i = 0; i < m_keys.size(); ++i) {
         const auto stage = static_cast<StageId>(i);
-        if (stage <= upTo || hasResult(part, stage)) // it may bring what it remembers
+        if (stage <= upTo || hasResult(part, stage)) // later results may come from the cache
             m_keys[i] = part.keys[i];
     }
     m_run.results = merged(part, m_run.results);

@@ -25,7 +25,7 @@ public:
     /// Old results are of other recordings.
     void forgetLastGood() { m_withLastGood = m_run.results; }
     StageStatus status(StageId stage) const { return stageStatus(m_run, stage); }
-    /// Whether they belong to the recipe as it is.
+    /// Whether the results belong to the recipe as it is now.
     bool areUpToDate() const { return !m_run.computing && m_run.firstStale == kStageCount; }
     /// Whether the result of a stage is of the same recipe as those before it.
     bool isOfThisRun(StageId stage) const;
@@ -36,7 +36,7 @@ public:
     /// The response of this run. While that waits: the model's own curve, if there was a response
     /// to replace.
     std::shared_ptr<const ResponseResult> response() const;
-    /// Those of this run, and the error of a failed stage as a finding that blocks.
+    /// The findings of this run, and the error of a failed stage as a finding that blocks.
     Findings findings() const;
 
     void clear() { *this = {}; }
@@ -47,7 +47,8 @@ public:
     /// The stages up to `upTo` came first: later ones keep their old results, marked stale.
     void takePart(
         const CalibrationResults &part, StageId upTo, bool isFirstTriplets, bool newerWaits);
-    /// With the part that is taken next; `key`: of the response that it stands for.
+    /// To be called before the part that it belongs to is taken; `key` is that of the response it
+    /// stands for.
     void setModelCurve(std::shared_ptr<const ResponseResult> curve, const std::string &key);
 
 private:
@@ -56,7 +57,7 @@ private:
     std::array<std::string, kStageCount> m_keys; ///< each result's own
     bool m_areFirstTriplets = false;
     std::shared_ptr<const ResponseResult> m_modelCurve;
-    std::string m_keyOfCurve; ///< that the response will have
+    std::string m_keyOfCurve; ///< of the response that it stands for
 };
 
 } // namespace dyncal

@@ -133,7 +133,7 @@ void Session::setState(const ProjectState &wanted)
 void Session::markStaleFrom(StageId stage)
 {
     if (stage <= StageId::Decomposition)
-        m_wholeSet.cancel(); // it would be of something else
+        m_wholeSet.cancel(); // its input has changed
     if (m_state.hasShots()) {
         m_shown.markStaleFrom(stage);
         m_shown.setComputing(true);
@@ -218,7 +218,7 @@ void Session::startWholeSet()
     emit stageStatusChanged();
 }
 
-/// Starts what waits before anybody draws: drawing and the next run then share the time.
+/// Starts a waiting run before the results are drawn, so that it computes while the window draws.
 bool Session::startNewer()
 {
     if (!m_focusRun.isAsked())
@@ -272,7 +272,7 @@ void Session::takeRest(const RunPart &part)
 void Session::takeWholeSet(const PipelineOutcome &outcome)
 {
     if (outcome.error) {
-        m_jobs.cancel(); // it would go on from the first ones
+        m_jobs.cancel(); // a running job would continue with the first triplets
         take(outcome);
         return;
     }

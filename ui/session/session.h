@@ -28,9 +28,9 @@ class OrderCandidates;
 /// follow from them, computed in the background. Views read results and apply changed recipes; the
 /// session knows no views.
 ///
-/// It only says what follows what. How each background job begins, waits and ends is said by the
-/// objects that run them: CaptureSealing, FocusRun, RestRun, WholeSetRun; what has come of them is
-/// in ResultsOnShow.
+/// It only decides what follows what. How each background job begins, waits and ends is up to the
+/// objects that run them: CaptureSealing, FocusRun, RestRun, WholeSetRun; their results are in
+/// ResultsOnShow.
 class Session : public QObject
 {
     Q_OBJECT
@@ -64,7 +64,8 @@ public:
     /// Whether decomposition and model on show are of the first singular values only, while the
     /// whole set is computed or after that was cancelled. They are never up to date.
     bool showsFirstTriplets() const { return m_shown.areFirstTriplets(); }
-    /// The recipe that what is on show is computed from: with the first singular values, or as is.
+    /// The recipe that the results on show are computed from: with the first singular values, or as
+    /// is.
     Recipe recipeOnShow() const;
     /// Whether the order chosen is beyond the first singular values, which are all that is there.
     bool needsWholeSet() const;
@@ -90,7 +91,7 @@ public:
     OrderCandidates &candidates() { return *m_candidates; }
     const OrderCandidates &candidates() const { return *m_candidates; }
 
-    /// Starts over with another job: no undo across, clean.
+    /// Starts over with another job: nothing to undo, nothing to save.
     void reset(const ProjectState &state);
 
     /// Whether the result of a stage is of the same recipe as those before it. While a run is under
@@ -151,7 +152,7 @@ private:
     std::unique_ptr<OrderCandidates> m_candidates;
     CaptureSealing m_sealing;
     WholeSetRun m_wholeSet;
-    JobRunner m_jobs; ///< of the two that follow; what runs in it holds values only
+    JobRunner m_jobs; ///< of the two members below; its jobs hold values only
     FocusRun m_focusRun;
     RestRun m_restRun;
 };

@@ -10,9 +10,9 @@
 
 namespace dyncal {
 
-/// Has the whole decomposition computed while its first singular triplets are on show. Orders tried
-/// meanwhile do not start it anew; one that was cancelled waits until it is asked for. Sets are
-/// told apart by the keys of their decompositions.
+/// Computes the whole decomposition while its first singular triplets are on show. Orders tried
+/// meanwhile do not start it anew; after a cancel it waits until it is asked for. Sets are told
+/// apart by the keys of their decompositions.
 class WholeSetRun
 {
 public:
@@ -20,7 +20,7 @@ public:
 
     WholeSetRun(QObject *receiver, Deliver deliver, ProgressSink progress);
 
-    /// False, and nothing is done, where it was withheld. Goes on where it is under way.
+    /// False, and nothing is done, if the set is withheld. One that is under way goes on.
     bool start(const PipelineRequest &request);
     /// The key of the set made last; empty while one is being made.
     const std::string &made() const { return m_made; }
