@@ -173,7 +173,7 @@ void MainMenus::addStageMenu(const QStringList &stages)
 void MainMenus::addLanguageMenu()
 {
     QMenu *menu = m_parts.window.menuBar()->addMenu(tr("&Language"));
-    // Languages are named in themselves, so that anyone finds the own one.
+    // Every language has its own name for itself, so that everyone finds theirs.
     const std::pair<QString, QString> languages[]
         = {{"en", QStringLiteral("English")}, {"sv", QStringLiteral("Svenska")}};
     for (const auto &[code, name] : languages) {

@@ -43,8 +43,8 @@ public:
 
     explicit MainMenus(Parts parts, QObject *parent);
 
-    /// In the language of the moment; again after it has changed. `stages`: the titles of the
-    /// pages.
+    /// Builds the menus in the current language; to be called again after it has changed. `stages`:
+    /// the titles of the pages.
     void build(const QStringList &stages);
 
 private:

@@ -120,7 +120,7 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
 MainWindow::~MainWindow()
 {
     delete m_recovery;
-    // Pages listen to the session, which goes before them.
+    // Pages listen to the session, which would be destroyed before them.
     m_session.disconnect();
     m_session.undoStack().disconnect();
     for (StagePage *page : m_pages)

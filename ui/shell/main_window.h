@@ -51,8 +51,8 @@ public:
     void showControl(Page page, const QString &control);
     void showStart();
     void resetLayout(); ///< docks where they were at first
-    /// From now on unsaved work is kept in `folder`, and what stopped programs left there offered.
-    /// Without this call neither is done.
+    /// From now on unsaved work is kept in `folder`, and what stopped programs left there is
+    /// offered. Without this call neither is done.
     void keepWork(const QString &folder, const AutoSaveDelays &delays = {});
     /// The program is asked to end at once: work in hand stops, unsaved work is kept and offered at
     /// the next start.

@@ -10,8 +10,8 @@ namespace dyncal {
 class MainWindow;
 
 /// Opens the example in `window`, shows every page in turn and writes each as a PNG into `folder`
-/// (made if needed): for the documentation and for looking at. False when something failed; what,
-/// is on stderr.
+/// (made if needed): for the documentation and for inspection. False when something failed; stderr
+/// says what.
 bool runScreenshotTour(MainWindow &window, const QString &folder);
 
 } // namespace dyncal

@@ -17,7 +17,8 @@ class ShotChips : public QWidget
 public:
     explicit ShotChips(QWidget *parent = nullptr);
 
-    /// `set` after the recipe's import section, so that levels and exclusions are those in use.
+    /// `set` with the recipe's import section applied, so that levels and exclusions are those in
+    /// use.
     void setShots(const CaptureSet &set);
 };
 

@@ -10,11 +10,12 @@ namespace dyncal {
 
 namespace {
 
-/// Of one step: too short to be noticed at the mouse.
+/// Length of one drawing step: too short to be noticed at the mouse.
 constexpr std::chrono::milliseconds kDrawingTime{15};
-/// Of the progress: drawing takes about this part of the whole.
+/// Share of drawing in the whole progress.
 constexpr double kDrawingShare = 0.7;
-/// What drawing takes at most: Qt would end the program where it gets no memory.
+/// Memory that drawing takes at most; checked first, because Qt would end the program where it gets
+/// none.
 constexpr std::size_t kDrawingBytes = std::size_t(96) << 20U;
 
 Error notEnoughMemory()
@@ -54,7 +55,7 @@ void ExportJob::cancel()
 {
     m_tick.stop();
     m_drawing.reset();
-    m_write = {}; // and with it the claim on the folder
+    m_write = {}; // also releases the claim on the folder
     m_jobs.cancel();
 }
 
@@ -80,7 +81,7 @@ void ExportJob::drawSome()
 void ExportJob::write(std::vector<DrawnFile> drawn)
 {
     m_run.drawn = std::move(drawn);
-    // The job owns the run: the results may be large, and go with it.
+    // The job owns the run: the results may be large, and are freed with it.
     const auto run = std::make_shared<const RunFiles>(std::exchange(m_run, {}));
     m_jobs.start<bool>(
         [run, write = std::exchange(m_write, {})](const JobControl &control) -> Result<bool> {

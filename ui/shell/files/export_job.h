@@ -11,9 +11,8 @@
 namespace dyncal {
 
 /// Writes results while the window goes on answering: the documents are drawn on the thread of the
-/// window, some milliseconds at a time, then everything is written in the background. What is
-/// written are the results of the moment it was started. Stopped while drawing, nothing on disk has
-/// changed.
+/// window, some milliseconds at a time, then everything is written in the background. It writes the
+/// results as they were at start(). If it is stopped while drawing, nothing on disk has changed.
 class ExportJob : public QObject
 {
     Q_OBJECT
@@ -30,7 +29,7 @@ public:
 
 signals:
     void progress(double fraction);
-    void finished(bool isWhole); ///< false: of a run that may not be published
+    void finished(bool isWhole); ///< false: the run may not be published, and nothing was drawn
     void failed(const dyncal::Error &error);
 
 private:

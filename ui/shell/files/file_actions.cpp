@@ -261,7 +261,8 @@ bool FileActions::saveAs()
         proposedPath(projectName() + "." + kProjectSuffix), kProjectSuffix);
     if (path.isEmpty() || refusesRecording(path))
         return false;
-    // What the dialog asked about is what is there now; of its own file the window knows better.
+    // The dialog asked about the file that is there now; of its own project the window knows the
+    // hash.
     const bool isOwn = QFileInfo(path) == QFileInfo(m_path);
     return saveTo(path, isOwn ? m_onDisk : projectFileHash(path));
 }
@@ -319,7 +320,7 @@ PipelineOutcome FileActions::outcome() const
     return {m_session.results(), m_session.error(), m_session.failedStage()};
 }
 
-/// Says what blocks.
+/// Also shows what blocks.
 bool FileActions::isBlocked()
 {
     const std::optional<Error> obstacle = publicationObstacle(outcome());

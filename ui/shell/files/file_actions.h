@@ -35,9 +35,9 @@ public:
     /// Files or folders from a drop or the command line: a project is opened; recordings start a
     /// job or are added to the one that is open.
     void openPaths(const QStringList &paths);
-    /// Opens what a stopped program left behind, as unsaved changes of its project; recordings
-    /// that are not where they were are sought in the folder `recordings`. Tells by workRestored
-    /// or restoreFailed; nothing when the operator keeps what is open.
+    /// Opens what a stopped program left behind, as unsaved changes of its project; recordings that
+    /// are not where they were are looked for in the folder `recordings`. Emits workRestored or
+    /// restoreFailed; neither if the operator keeps what is open.
     void restoreWork(const RecoveredWork &work, const QString &recordings = {});
     bool save();
     bool saveAs();
@@ -55,7 +55,7 @@ public:
     {
         return m_jobs.isRunning() || m_captures.isRunning() || m_export.isRunning();
     }
-    /// False, and said why, while results are being written: quitting would leave half of them.
+    /// False, with a message, while results are being written: quitting would leave half of them.
     bool mayQuit();
     void cancel();
     void stopForMemory(); ///< cancels everything, and says why
@@ -80,7 +80,7 @@ private:
     void readRecordings(const QStringList &paths, bool add);
     void startJob(
         const ProjectState &state, const QString &path, const ProjectFileHash &onDisk = {});
-    bool refusesRecording(const QString &path); ///< says so; whatever the dialog has asked
+    bool refusesRecording(const QString &path); ///< with a message, even after a dialog asked
     bool saveTo(const QString &path, const ProjectFileHash &expected);
     bool hasResults();
     bool isExporting();
@@ -98,7 +98,7 @@ private:
     QString m_path; ///< of the project; empty = never saved
     ProjectFileHash m_onDisk; ///< the project's file as it was read or saved last
     double m_exampleDuration_s = 0.02;
-    QString m_exportTarget; ///< as it is told when it has been written
+    QString m_exportTarget; ///< as named in the message when it is written
     JobRunner m_jobs;
     CaptureImport m_captures;
     ExportJob m_export;

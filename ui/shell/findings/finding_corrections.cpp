@@ -120,8 +120,8 @@ std::vector<OfferedCorrection> swapChannels(
     return corrections;
 }
 
-/// What the recipe says of the channel of a finding, where it does: that wins over what it says of
-/// the DUT of all files.
+/// The recipe's details of the channel of a finding, or null: they win over what it says of the DUT
+/// of all files.
 ChannelImport *detailsOf(
     ImportSettings &settings, const std::string &file, const std::string &channel)
 {
@@ -167,7 +167,8 @@ OfferedCorrection interpolate()
         });
 }
 
-/// Of the file that the finding speaks of: by its shot, or named in the sentence.
+/// Offers the import of the file that the finding is about: that of its shot, or one that the
+/// sentence names.
 std::vector<OfferedCorrection> showImport(
     const Finding &finding, const Shot *shot, const CaptureSet &set)
 {

@@ -30,7 +30,7 @@ QString fileName(const FileProblem &problem)
     return shownText(QFileInfo(rawText(problem.path)).fileName());
 }
 
-/// The name stands beside the sentence: its folder would only make it long.
+/// The row shows the name already; the full path would only make the sentence long.
 QString sentence(const FileProblem &problem)
 {
     return translated(problem.error.message).replace(shownText(problem.path), fileName(problem));

@@ -13,7 +13,7 @@ class QTableWidget;
 namespace dyncal {
 
 /// Every file that could not be read, with what is wrong and what can be done, in one place: the
-/// others of the same drop are open meanwhile. A file leaves the list when it has been read.
+/// other files of the same drop are already open. A file leaves the list when it has been read.
 class ProblemPanel : public QWidget
 {
     Q_OBJECT

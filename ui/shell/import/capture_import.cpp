@@ -13,7 +13,7 @@
 
 namespace dyncal {
 
-/// What the background read.
+/// What was read in the background.
 struct CaptureImport::Outcome
 {
     std::optional<CapturesRead> again; ///< the files of the job, where they had to be read again

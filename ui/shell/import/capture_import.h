@@ -17,8 +17,8 @@ class ImportDialog;
 class Preferences;
 
 /// Brings recordings into the job: reads them in the background, asks what only the operator knows
-/// (once for all files), takes what can be read and lists the rest. One import section holds for
-/// all files of a job, so a change of it reads earlier files again.
+/// (the answer may hold for all files), takes what can be read and lists the rest. One import
+/// section holds for all files of a job, so if it changes, earlier files may have to be read again.
 class CaptureImport : public QObject
 {
     Q_OBJECT
@@ -26,12 +26,12 @@ class CaptureImport : public QObject
 public:
     CaptureImport(Session &session, Preferences &preferences, QWidget *window);
 
-    /// Files or folders: `add` to the job, or else a new one.
+    /// Reads files or folders into the job (`add`) or into a new one.
     void read(const QStringList &paths, bool add);
     /// Changes the import section as one undo step.
     void change(const ImportSettings &next, const QString &step);
-    /// Shows how one file is read and takes changes: of the job, if the file is part of it, or else
-    /// the file is read with them.
+    /// Shows how one file is read. Changes apply to the job if the file is part of it; else the
+    /// file is read with them.
     void edit(const QString &path);
 
     bool isRunning() const { return m_jobs.isRunning(); }
@@ -53,7 +53,7 @@ private:
         ImportSettings settings;
         bool mayAsk = true;
         QString step;
-        QString asked{}; ///< the file of the last question: no question comes twice
+        QString asked{}; ///< the file of the last question, to ask only once
     };
     struct Outcome;
 

@@ -94,7 +94,7 @@ void ImportChannelTable::setChannels(
         const auto known = details.find(channel.name);
         m_details.push_back(known == details.end() ? ChannelImport{} : known->second);
     }
-    if (names != m_names) { // else what is being typed stays
+    if (names != m_names) { // only then: what is being typed stays
         setRowCount(0);
         setRowCount(static_cast<int>(channels.size()));
         for (int row = 0; row < rowCount(); ++row)

@@ -63,7 +63,7 @@ ImportDatasetTree::ImportDatasetTree(QWidget *parent)
 void ImportDatasetTree::setDatasets(
     const std::vector<DatasetEntry> &datasets, const std::vector<ImportChannel> &channels)
 {
-    if (!std::ranges::equal(datasets, m_datasets, sameEntry)) { // else what is open stays open
+    if (!std::ranges::equal(datasets, m_datasets, sameEntry)) { // only then: open groups stay open
         clear();
         for (const DatasetEntry &dataset : datasets)
             addDataset(dataset);

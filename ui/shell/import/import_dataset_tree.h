@@ -14,7 +14,7 @@
 namespace dyncal {
 
 /// What an HDF5 file of another program holds, as a tree: shape, type and attributes of every
-/// dataset, and for those that can be channels what they are to be.
+/// dataset, and the role of those that can be channels.
 class ImportDatasetTree : public QTreeWidget
 {
     Q_OBJECT

@@ -46,7 +46,7 @@ ImportDialog::ImportDialog(const QString &path, const ImportSettings &settings, 
     , m_profiles(profiles)
     , m_jobs(this)
 {
-    m_settings.files.clear(); // put over the others already
+    m_settings.files.clear(); // merged into the other settings already
     setObjectName("importDialog");
     setWindowTitle(tr("Import %1").arg(asTitle(QFileInfo(path).fileName())));
     auto *column = new QVBoxLayout(this);
@@ -250,7 +250,7 @@ void ImportDialog::showVerdict()
     const bool lacksName = m_keep->isChecked() && !isProfileName(m_keepName->text());
     ImportVerdict verdict = importVerdict(m_looked ? &m_view : nullptr, m_settings, lacksName);
     m_import->setEnabled(verdict.mayImport);
-    // The name is in the title: its folder would only make the sentence long.
+    // The title shows the name already; the full path would only make the sentence long.
     m_verdict->setText(
         verdict.sentence.replace(shownText(m_path), shownText(QFileInfo(m_path).fileName())));
 }

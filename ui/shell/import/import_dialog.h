@@ -26,7 +26,7 @@ class ImportDatasetTree;
 class ImportRateRow;
 class ImportTextBox;
 
-/// Says how a file is read, with what it gives beside it: every change shows its effect at once.
+/// Asks how a file is read, and shows the result beside it: every change shows its effect at once.
 /// Stays open until the file reads without an open question. Changes nothing by itself: the caller
 /// takes settings() when it is accepted.
 class ImportDialog : public QDialog

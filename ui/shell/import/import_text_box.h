@@ -19,7 +19,7 @@ namespace dyncal {
 
 class ImportPreviewTable;
 
-/// How a text table is taken apart, and its first rows read that way. "automatic" says what it
+/// How a text table is split into cells, and its first rows read that way. "automatic" says what it
 /// found.
 class ImportTextBox : public QGroupBox
 {

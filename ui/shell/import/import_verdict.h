@@ -10,8 +10,8 @@
 
 namespace dyncal {
 
-/// Whether the file can be imported as it reads, and one sentence: what stands in the way, or what
-/// to look at, or that all is well.
+/// Whether the file can be imported as it reads, and one sentence: what prevents it, what to look
+/// at, or that all is well.
 struct ImportVerdict
 {
     bool mayImport = false;
@@ -22,7 +22,7 @@ struct ImportVerdict
 /// name that a file can have.
 ImportVerdict importVerdict(const ImportView *view, const ImportSettings &settings, bool lacksName);
 
-/// Of a sentence that stands in the way.
+/// Marks a sentence as one that prevents the import.
 QString blockingSentence(const QString &sentence);
 
 } // namespace dyncal

@@ -7,7 +7,7 @@
 
 namespace dyncal {
 
-/// The control with the name that tests and the name that screen readers know it by.
+/// The control with its two names: one for tests, one for screen readers.
 template <typename Control>
 Control *named(Control *control, const QString &name, const QString &accessible)
 {

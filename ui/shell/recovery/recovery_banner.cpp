@@ -19,7 +19,8 @@ namespace {
 
 /// Below this width the buttons go under the sentence.
 constexpr int kNarrow_px = 900;
-/// How much of the highlight is in the background: seen at once, and read as well as the rest.
+/// Share of the highlight colour in the background: noticed at once, and as easy to read as the
+/// rest.
 constexpr double kTint = 0.2;
 
 QColor mixed(const QColor &a, const QColor &b, double partOfB)
