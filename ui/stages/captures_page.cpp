@@ -330,7 +330,7 @@ void CapturesPage::setLevel(Index shot, ShotLevel level)
     });
 }
 
-/// Explicit words in the recipe: the operator may change each of them.
+/// Writes every level into the recipe, so that the operator can change each of them.
 void CapturesPage::tagByStepHeight()
 {
     std::vector<std::optional<double>> heights(shownSet().shots.size());
@@ -362,7 +362,7 @@ void CapturesPage::changeRate(const std::optional<double> &rate_Hz)
     emit importChanged(next, tr("Change the sample rate"));
 }
 
-/// Of the file that the selected shot comes from, or of the first.
+/// Asks for the import of the file that the selected shot comes from, or of the first.
 void CapturesPage::requestImport()
 {
     const CaptureSet &set = *session().state().captures;

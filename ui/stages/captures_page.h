@@ -35,7 +35,7 @@ public:
 
 signals:
     void addRequested();
-    void importRequested(const QString &path); ///< how this file is read is to be shown
+    void importRequested(const QString &path); ///< to show how this file is read
     /// A change that may need the files to be read again.
     void importChanged(const dyncal::ImportSettings &next, const QString &step);
 

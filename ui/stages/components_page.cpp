@@ -24,7 +24,7 @@ namespace {
 
 constexpr std::array kConfidences{0.90, 0.95, 0.99, 0.999};
 
-/// Below this the number says nothing more.
+/// Below this the exact value no longer matters.
 constexpr double kSmallestShown = 0.001;
 
 QString probabilityText(double p)

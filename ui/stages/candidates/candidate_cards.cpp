@@ -36,7 +36,7 @@ QIcon styleIcon(CurveRole role, const QPalette &palette)
     return pixmap;
 }
 
-/// What is typed here is no key of the page: Enter would adopt.
+/// Keeps the keys typed here from the page, where Enter would adopt the order.
 class RemarkEdit : public QLineEdit
 {
 public:
@@ -100,7 +100,7 @@ CandidateCard::CandidateCard(QWidget *parent)
 void CandidateCard::set(const CandidateRow &row, bool mayOverlay)
 {
     if (m_order != row.order)
-        m_remark->setModified(false); // what was being typed was of another order
+        m_remark->setModified(false); // the text being typed was for another order
     m_order = row.order;
     QString heading = tr("n = %1").arg(row.order);
     if (row.isAdopted)
@@ -167,7 +167,7 @@ void CandidateCards::setRows(const std::vector<CandidateRow> &rows)
         m_cards.push_back(card);
     }
     while (m_cards.size() > rows.size()) {
-        m_cards.back()->deleteLater(); // it may be what is clicked
+        m_cards.back()->deleteLater(); // later: the click may come from it
         m_cards.back()->hide();
         m_cards.pop_back();
     }

@@ -63,7 +63,7 @@ QString signedText(double value, const QString &text)
     return value >= 0.0 ? QStringLiteral("+") + text : text;
 }
 
-/// A value, or how far it is from that of the reference.
+/// A value, or its difference to that of the reference.
 Cell cell(std::optional<double> value, const std::optional<double> *reference, const QString &unit,
     int digits)
 {

@@ -8,7 +8,7 @@
 
 namespace dyncal {
 
-/// The row of a combo box that shows `list` in which `value` stands; the first if it is in none.
+/// The row of `value` in a combo box that shows `list`; the first row if it is not in the list.
 template <typename List, typename T>
 int positionIn(const List &list, const T &value)
 {

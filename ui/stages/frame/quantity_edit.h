@@ -28,7 +28,7 @@ public:
         QWidget *parent = nullptr);
 
     void setSi(double value); ///< without a signal
-    /// A value that is shown, not asked for: readable and to be copied, without arrows.
+    /// Makes it a read-out (or an editor again): to be read and copied, without arrows.
     void setShownOnly(bool shownOnly);
     double si() const { return value() * m_unit.si; }
 

@@ -14,14 +14,14 @@ namespace dyncal {
 
 class InspectorForm;
 
-/// The choice in an inspector of a page with spectra: whose shot's computed resonances of the tube
-/// are ticked in them. They move with the sound speed of the gas, so they are one shot's.
+/// For the inspector of a page with spectra: the choice of the shot whose computed tube resonances
+/// are marked by ticks. They change with the sound speed of the gas, so they belong to one shot.
 class TubeModeChoice : public QObject
 {
     Q_OBJECT
 
 public:
-    /// `shown`: whether the last shot's are ticked before anything is chosen.
+    /// `shown`: whether those of the last shot are marked until the operator chooses.
     TubeModeChoice(InspectorForm &form, QObject *parent, bool shown = true);
 
     /// Takes over what is known of the shots.

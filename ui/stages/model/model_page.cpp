@@ -199,7 +199,7 @@ void ModelPage::showTables()
     };
     show(m_nuisance, nuisanceTable(model, assessment));
     m_tabs->setTabVisible(m_tabs->indexOf(m_nuisance), model && !model->nuisance.empty());
-    // Until the assessment is there, what an earlier one said stands there greyed.
+    // Until the assessment is there, the tables of an earlier one stay, greyed.
     const bool isPending = model && !assessment;
     m_trend->setEnabled(!isPending);
     m_secondOrder->setEnabled(!isPending);

@@ -32,7 +32,7 @@ private:
     QProgressBar *m_progress;
     QPushButton *m_cancel;
     QPushButton *m_compute;
-    QTimer m_slow; ///< active: the rest may still be there before a sentence could be read
+    QTimer m_slow; ///< active: too early to show it, the rest may be done in a moment
 };
 
 } // namespace dyncal

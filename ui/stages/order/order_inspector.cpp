@@ -155,7 +155,7 @@ void OrderInspector::showRecipe(
         m_remarks.insert(note.order, rawText(note.note));
     m_order->set(asDouble(settings.order), static_cast<double>(order));
     {
-        const QSignalBlocker quiet(m_largest); // a recipe cannot offer fewer than it has chosen
+        const QSignalBlocker quiet(m_largest); // cannot be below the chosen order
         m_largest->setMinimum(static_cast<double>(settings.order.value.value_or(1)));
         m_largest->setSi(static_cast<double>(settings.maxOrder));
     }
@@ -188,8 +188,8 @@ void OrderInspector::showResults(const CalibrationResults &results, bool isCurre
     showAdoption(results, isCurrent, isAdopted);
 }
 
-/// Everything here is of the model that there is, whose order stands above it: while a newer one is
-/// computed, nothing is mixed.
+/// Shows only numbers of the model that there is, whose order stands above them, so that nothing is
+/// mixed while a newer model is computed.
 void OrderInspector::showModel(const CalibrationResults &results, const SensorModel *model)
 {
     m_of->setText(model ? QString::number(model->order) : "–");

@@ -38,7 +38,7 @@ public:
     void showResults(const CalibrationResults &results, bool isCurrent, bool isAdopted);
     void adopt(); ///< with the reason typed, or the one proposed; nothing where it is not allowed
     void useSuggestion();
-    void typeOrder(); ///< leads to the field where it is typed
+    void typeOrder(); ///< moves the focus to the field of the order
 
 signals:
     void orderChosen(double order);

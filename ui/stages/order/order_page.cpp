@@ -183,7 +183,7 @@ void OrderPage::setOrder(double order, const QString &mergeKey)
         tr("Order %1").arg(chosen),
         [&](Recipe &r) {
             if (r.realization.order.value != chosen)
-                r.realization.adoptedReason.clear(); // it was said of another order
+                r.realization.adoptedReason.clear(); // the reason was for another order
             r.realization.order = chosen;
         },
         mergeKey);
@@ -240,7 +240,7 @@ void OrderPage::setCandidates(std::vector<Index> orders, const QString &label)
     });
 }
 
-/// From the order on show on, the next one that cuts no oscillating pair in two.
+/// Goes from the order on show to the next one that cuts no oscillating pair in two.
 void OrderPage::stepToWholePairs(Index by)
 {
     if (!results().decomposition)

@@ -53,7 +53,7 @@ QString channelText(const QString &word)
     return role == ChannelRole::Other ? shownText(word) : roleText(role);
 }
 
-/// The last of a channel, or of the DUT, that the velocity was computed from; null = none.
+/// The last sighting of a channel, or of the DUT, that the velocity was computed from; null = none.
 const Sighting *sightingOf(const ShockConditions &shot, const std::string &channel, bool ofDut)
 {
     const Sighting *last = nullptr;
@@ -173,7 +173,7 @@ void ArrivalPanel::editSensor(
     edit(list[std::min(shownSensor(), list.size() - 1)]);
     if (std::any_of(list.begin(), list.end(),
             [](const ArrivalSensor &s) { return !(s.distanceToEndWall_m > 0.0); })) {
-        showFields(); // a place without a distance is none: nothing is taken
+        showFields(); // a sensor without a distance has no place: nothing is changed
         return;
     }
     changeRecipe(

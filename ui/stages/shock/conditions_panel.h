@@ -27,7 +27,7 @@ class ConditionsPanel : public QObject
 public:
     ConditionsPanel(Session &session, InspectorForm &form, QObject *parent);
 
-    /// After the recipe; `recording` has what was recorded, `shot` the gases as used (null = none).
+    /// Shows the recipe; `recording` has what was recorded, `shot` the gases as used (null = none).
     void show(const Shot *recording, const ShockConditions *shot);
 
 private:

@@ -16,8 +16,8 @@ namespace dyncal {
 class InspectorForm;
 class QuantityEdit;
 
-/// The controls of one gas in an inspector: which gas it is, and its constants, which can be typed
-/// for a gas of one's own and are read-outs of what is used otherwise, with their source.
+/// The controls of one gas in an inspector: which gas it is, and its constants. These can be typed
+/// for a custom gas; for other gases they are read-outs of the values used, with their source.
 class GasEdit : public QObject
 {
     Q_OBJECT

@@ -9,13 +9,14 @@
 
 namespace dyncal {
 
-/// What is typed as the arrival of a sensor in a shot (from 1), on the record's own axis.
+/// The typed arrival of a sensor in a shot (from 1), on the record's own axis.
 std::optional<double> typedArrival_s(const ArrivalSensor &sensor, Index shot);
 
-/// What was used in a shot: typed, or found in the record.
+/// The arrival used in a shot: typed, or found in the record.
 std::optional<double> usedArrival_s(const ShockConditions &shot, const ArrivalSensor &sensor);
 
-/// Types the arrival in one of `shots` shots, or (none) has it found; the others stay as they are.
+/// Sets the typed arrival in one of `shots` shots; without a value it is found in the record again.
+/// The other shots stay as they are.
 void typeArrival(
     ArrivalSensor &sensor, Index shot, std::size_t shots, const std::optional<double> &arrival_s);
 

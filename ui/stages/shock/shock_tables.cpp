@@ -65,7 +65,7 @@ public:
         m_rows.push_back(row);
     }
 
-    /// Of the states, where there are any.
+    /// A row of the gas states, where they are known.
     template <typename Value>
     void state(const QString &name, const QString &unit, int digits, Value value)
     {
@@ -220,7 +220,7 @@ ShownTable arrivalTable(const ShockConditionsSet &shock)
     for (const ShockConditions &shot : shock.shots) {
         for (std::size_t i = 0; i < shot.sightings.size(); ++i) {
             const Sighting &s = shot.sightings[i];
-            // Two places give the velocity exactly: what is left then is rounding.
+            // Two places fix the velocity exactly: the residuals are then only rounding.
             const bool fitted = shot.velocityFit && shot.velocityFit->dof > 0
                 && shot.velocityFit->residual.size() == std::ssize(shot.sightings);
             table.rows.push_back({shotName(shot.shot), shownText(s.channel)});

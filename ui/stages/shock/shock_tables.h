@@ -15,7 +15,7 @@ ShownTable stateTable(const ShockConditionsSet &shock);
 /// Pressures read from the records beside those of the relations.
 ShownTable measuredTable(const ShockConditionsSet &shock);
 
-/// Where and when the shock was seen, and how far that lies from the fitted way.
+/// Where and when the shock was seen, and how far that lies from the fitted path.
 ShownTable arrivalTable(const ShockConditionsSet &shock);
 
 /// W, M, p2, p5 and the step of every shot: u by the law of propagation and by Monte Carlo.

@@ -30,7 +30,7 @@ public:
     /// What may be added: tube modes of the first shot that have two periods in its window, and the
     /// spectrum's peaks.
     void showCandidates(const CalibrationResults &results);
-    /// A peak marked in the plot; whose it is says the choice of the shot.
+    /// Takes the frequency of a peak marked in the plot; it belongs to the shot chosen in the list.
     void mark(double frequency_Hz);
 
 signals:

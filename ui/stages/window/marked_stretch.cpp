@@ -9,7 +9,7 @@ namespace dyncal {
 
 namespace {
 
-/// End of the windows of the shots that are used: of the last one to end, 0 without any.
+/// The latest end among the windows of these shots; 0 if none is used.
 double lastEnd_s(const std::vector<Index> &shots, const std::vector<WindowedResponse> &responses)
 {
     double last_s = 0.0;

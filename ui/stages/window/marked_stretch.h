@@ -23,13 +23,13 @@ struct MarkedStretch
     bool operator==(const MarkedStretch &) const = default;
 };
 
-/// The recipe's entries; those of the same span and reason are one, at the place of the first.
+/// The recipe's entries; those of the same span and reason become one, at the place of the first.
 std::vector<MarkedStretch> markedStretches(const std::vector<ExcludedStretch> &entries);
 
 /// The entries of the recipe for these.
 std::vector<ExcludedStretch> excludedStretches(const std::vector<MarkedStretch> &stretches);
 
-/// Where the starts of the shots move, what was marked stays where it is in the records.
+/// Keeps the marked stretches where they are in the records when the starts of the shots move.
 /// `later_s`: by shot, new start minus old start.
 void keepInRecord(std::vector<ExcludedStretch> &entries, const std::vector<double> &later_s);
 
@@ -38,8 +38,8 @@ enum class StretchFault { None, NoReason, EndBeforeBegin, OutsideWindow };
 /// Judged by the windows of its shots; shots without a window (not used) are passed over.
 StretchFault faultOf(const MarkedStretch &stretch, const std::vector<WindowedResponse> &responses);
 
-/// The part of a span that lies in the windows of its shots, as the mouse may have marked more; as
-/// it is where nothing of it does.
+/// The part of a span that lies in the windows of its shots, since the mouse may mark more; the
+/// whole span if no part of it does.
 Interval withinWindows(Interval span_s, const std::vector<Index> &shots,
     const std::vector<WindowedResponse> &responses);
 

@@ -33,8 +33,8 @@ struct ShotChoice
     bool operator==(const ShotChoice &) const = default;
 };
 
-/// The stretches of the records that are left out of the fit: a list, and the typed twin of the one
-/// selected. It decides nothing: what is typed is handed on, and comes back by show().
+/// The stretches of the records that are left out of the fit: a list, and fields with the numbers
+/// of the selected one. It decides nothing: what is typed is handed on, and comes back by show().
 class StretchList : public QWidget
 {
     Q_OBJECT
@@ -62,13 +62,14 @@ private:
     void connectControls();
     void showFields();
     void offerShots(const std::vector<Index> &needed);
-    /// The stretch of the fields: of the one selected, all but what was typed as it is.
+    /// The selected stretch as it is, or a new one from the fields; the caller puts in what was
+    /// typed.
     MarkedStretch typed() const;
     void hand(const MarkedStretch &stretch);
 
     std::vector<StretchRow> m_rows;
     std::vector<ShotChoice> m_shots; ///< what may be chosen
-    std::vector<ShotChoice> m_offered; ///< that, and what the selected one has besides
+    std::vector<ShotChoice> m_offered; ///< these, and the shots of the selected stretch
     QPushButton *m_mark;
     QListWidget *m_list;
     QuantityEdit *m_begin;

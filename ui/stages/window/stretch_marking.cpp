@@ -103,7 +103,7 @@ void StretchMarking::mark(Interval span_s)
     m_list.askForReason();
 }
 
-/// An incomplete one waits; the last drawn replaces one that waits.
+/// Applies a complete stretch. An incomplete one waits as the draft, and replaces the draft before.
 void StretchMarking::takeDraft(const MarkedStretch &stretch)
 {
     std::vector<MarkedStretch> all = stretches();
@@ -126,7 +126,7 @@ void StretchMarking::takeEdit(int row, const MarkedStretch &stretch)
         takeDraft(stretch);
         return;
     }
-    // Of one that is applied, nothing is taken that cannot be: the fields go back.
+    // A stretch that is applied takes no change that cannot be applied: the fields go back.
     if (faultOf(stretch, responses()) != StretchFault::None) {
         show();
         return;
@@ -203,7 +203,7 @@ QString StretchMarking::remark(const MarkedStretch &stretch, bool isDraft) const
     return isDraft ? tr("Not applied.") : whatTheRunSays(stretch);
 }
 
-/// Nothing where the run left it out everywhere, else why not.
+/// Empty if the run left the stretch out in all its shots, else why not.
 QString StretchMarking::whatTheRunSays(const MarkedStretch &stretch) const
 {
     if (const auto &error = m_session.error(); error && error->findingId == "WIN-008"

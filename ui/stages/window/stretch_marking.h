@@ -17,11 +17,11 @@ class StretchMarking : public QObject
     Q_OBJECT
 
 public:
-    /// The plots have time behind the start as x axis.
+    /// The x axis of the plots is the time after the start.
     StretchMarking(
         Session &session, StretchList &list, std::vector<PlotWidget *> plots, QObject *parent);
 
-    /// List and bands after the recipe and the results.
+    /// Updates list and bands from the recipe and the results.
     void show();
     /// The shot on show has changed: new stretches are of it, unless another is chosen.
     void setShot(Index shot);

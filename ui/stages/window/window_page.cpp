@@ -298,7 +298,8 @@ void WindowPage::showHandles()
         settings.endAtPlateau ? chosen->end_s : settings.end_s.value.value_or(chosen->end_s));
 }
 
-/// Behind the computed end of the plateau, less the guard, the record is no response to the step.
+/// After the computed end of the plateau, less the guard, the record is no longer the response to
+/// the step.
 void WindowPage::showGuard(const WindowedResponse &response)
 {
     const auto &expected = results().expected;

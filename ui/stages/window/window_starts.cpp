@@ -11,7 +11,8 @@ namespace dyncal {
 
 namespace {
 
-/// What was marked is counted from the start, and a start is a sample.
+/// Keeps the marked stretches where they are in the records: they are counted from the start, which
+/// is a sample.
 void follow(
     WindowSettings &settings, const std::vector<double> &starts_s, const WindowResult &window)
 {

@@ -14,7 +14,7 @@ namespace dyncal {
 /// shots without a response (excluded) get the first one's. `window` has a response.
 std::vector<double> usedStarts(const WindowResult &window, std::size_t shots);
 
-/// Types starts, one per shot; stretches left out stay where they are in the records.
+/// Sets typed starts, one per shot; stretches left out stay where they are in the records.
 void typeStarts(
     WindowSettings &settings, const std::vector<double> &starts_s, const WindowResult &window);
 
