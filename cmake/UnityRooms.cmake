@@ -2,21 +2,23 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 
 # A room (folder) is compiled in few pieces, so that the headers that its sources share are parsed
-# once: a first build takes far less time. Off in the preset dev, where one changed source should
-# be compiled alone, and where a missing include shows.
+# once: a first build takes far less time. Off in the preset dev, where one changed source should be
+# compiled alone, and where a missing include is noticed.
 option(DYNCAL_UNITY "Compile the sources of a room together" OFF)
 set(DYNCAL_UNITY_MOST 6 CACHE STRING "Sources in a piece at most")
 
 # dyncal_unite_rooms(target layer [APART room...] [ALONE source...]): the sources of the rooms after
 # APART have constants of the same name and stay alone, as do those after ALONE, which take longest.
-# Pieces of few sources keep a change quick; the preset odr, built as a whole, takes more.
+# Small pieces keep the build after a change quick; the preset odr, always built as a whole, has
+# larger ones.
 function(dyncal_unite_rooms target layer)
     cmake_parse_arguments(PARSE_ARGV 2 arg "" "" "APART;ALONE")
     if(NOT DYNCAL_UNITY)
         return()
     endif()
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-    # Raised for every class with a member of a file's own type, unless the file is compiled alone.
+    # This warning is raised for every class with a member of a file's own type, unless the file is
+    # compiled alone.
     target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-subobject-linkage>)
     get_target_property(sources ${target} SOURCES)
     list(FILTER sources INCLUDE REGEX "/${layer}/.*\\.cpp$")

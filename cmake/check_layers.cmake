@@ -68,7 +68,7 @@ foreach(file IN LISTS ui_files)
         if(line MATCHES "\"ui/plot/qcp/" AND NOT file MATCHES "^ui/plot/")
             list(APPEND errors "${file}: ${line}: QCustomPlot stays inside ui/plot")
         endif()
-        # The order lets them; they are told everything as values.
+        # The order of the rooms would allow it, but they get everything as values.
         if(line MATCHES "\"ui/session/" AND file MATCHES "^ui/(plot|report)/")
             list(APPEND errors "${file}: ${line}: plots and reports know values only")
         endif()

@@ -39,7 +39,7 @@ inline SensorModel modelOfPoles(const std::vector<std::complex<double>> &poles_r
     return model;
 }
 
-/// The same of second-order sensors one behind the other: f0 in Hz and zeta of each.
+/// The same for second-order sensors in series: f0 in Hz and zeta of each.
 inline SensorModel cascadeModel(const std::vector<std::pair<double, double>> &modes)
 {
     std::vector<std::complex<double>> poles_rad_s;

@@ -42,7 +42,8 @@ inline std::vector<std::string> hostileTexts(const std::string &file = "/tmp/dyn
         "\U000e0001\U000e0041 \ue000", "; rm -rf / #", "[*][*]", "\ufdfd\u3164\uffa0 wide"};
 }
 
-/// One line of valid UTF-8 in which nothing is hidden or acts; line breaks of ours where asked.
+/// Whether this is valid UTF-8 without characters that act or hide; with LineBreaks::Keep it may
+/// have line breaks.
 inline bool isFitToShow(std::string_view text, LineBreaks breaks = LineBreaks::Escape)
 {
     static constexpr std::array<std::string_view, 14> kNever{"\u202e", "\u202c", "\u2066", "\u2069",

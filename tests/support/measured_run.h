@@ -29,7 +29,7 @@ struct MeasuredRun
     double peak_MiB = 0.0; ///< of itself or its largest helper
 };
 
-/// Runs the program with stdout to nowhere and stderr to the file `errPath`, for at most so long.
+/// Runs the program with stdout to nowhere and stderr to the file `errPath`, for at most `longest`.
 /// Several may run at once.
 inline MeasuredRun measuredRun(const std::vector<std::string> &command, const std::string &errPath,
     std::chrono::milliseconds longest = std::chrono::seconds(30))

@@ -9,7 +9,7 @@
 
 namespace dyncal::testing {
 
-/// What Debian's own python3 said of what a test gave it.
+/// The answer of Debian's own python3 to a call from a test.
 struct PythonAnswer
 {
     bool ran = false; ///< to its end, with exit code 0
@@ -30,7 +30,7 @@ inline PythonAnswer python(const QStringList &arguments)
     return answer;
 }
 
-/// Whether it has what the comparisons need.
+/// Whether it has the modules that the comparisons need.
 inline bool hasNumericalPython()
 {
     return python({"-c", "import numpy, scipy"}).ran;

@@ -29,7 +29,7 @@ struct QuietRecord
 };
 
 /// The exact step response of the sensor (gain 1), each shot arriving at a fraction of a sample of
-/// its own; floating point numbers of which nobody says how they were recorded.
+/// its own; floating point numbers without anything about a converter.
 inline std::shared_ptr<const CaptureSet> quietCapture(
     const SensorSpec &sensor, const QuietRecord &record)
 {

@@ -8,8 +8,8 @@
 
 namespace dyncal::testing {
 
-/// |2 J1(x)/x| with x = pi f d/W: what a diaphragm of diameter d in the side wall, swept by the
-/// shock, leaves of a frequency.
+/// |2 J1(x)/x| with x = pi f d/W: the factor by which a diaphragm of diameter d in the side wall,
+/// swept by the shock, reduces a frequency.
 inline double sideWallAveraging(double frequency_Hz, double diameter_m, double velocity_m_s)
 {
     const double x = std::numbers::pi * frequency_Hz * diameter_m / velocity_m_s;

@@ -78,13 +78,13 @@ struct SecondOrder
     }
 };
 
-/// A record of one shot: `lead` seconds of rest, then a sensor's answer to a step.
+/// A record of one shot: `arrival_s` of rest, then a sensor's response to a step.
 struct StepRecord
 {
     SecondOrder sensor{100e3, 0.05};
     double rate_Hz = 10e6;
     double duration_s = 4e-3;
-    double arrival_s = 4e-4; ///< behind the first sample
+    double arrival_s = 4e-4; ///< after the first sample
     double baseline = 0.0;
     double step = 1.0;
     double noiseSd = 0.0; ///< in the unit of `step`

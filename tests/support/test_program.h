@@ -5,9 +5,9 @@
 
 #include <QTest>
 
-/// The tests of one folder are one program, as linking each alone was half of the build. A test
-/// puts its class into it with DYNCAL_TEST; `PROGRAM NAME [options of Qt Test]` runs the class of
-/// tst_NAME.cpp with an application object of its own, and ctest calls it so for every file.
+/// The tests of one folder are one program, because linking each alone took half of the build. A
+/// test puts its class into it with DYNCAL_TEST; `PROGRAM NAME [options of Qt Test]` runs the class
+/// of tst_NAME.cpp with an application object of its own, and ctest calls it so for every file.
 namespace dyncal::testing {
 
 using RunTest = int (*)(int argc, char **argv);
@@ -28,7 +28,7 @@ int runTest(int argc, char **argv)
 
 } // namespace dyncal::testing
 
-/// The test class of this file; once a file, outside of every namespace.
+/// Registers the test class of this file; once per file, outside of every namespace.
 #define DYNCAL_TEST(Test)                                                                          \
     static const dyncal::testing::RegisteredTest registeredTest(                                   \
         __FILE__, &dyncal::testing::runTest<Test>);

@@ -11,7 +11,7 @@
 
 namespace dyncal {
 
-/// How often k u about the estimated velocity holds the truth.
+/// How often the interval of +- k u around the estimated velocity holds the truth.
 struct Coverage
 {
     Index runs = 0;

@@ -8,8 +8,7 @@
 
 namespace dyncal::testing {
 
-/// Puts a copy in the place of a result, an empty one where there was none, and lets it be
-/// written to.
+/// Replaces a result by a copy that may be written to; by an empty one if there was none.
 template <typename T>
 T &writable(std::shared_ptr<const T> &result)
 {

@@ -19,7 +19,7 @@
 #include <string>
 #include <vector>
 
-/// Files in which every text that their format has room for is one that was given.
+/// Files in which every text field of their format holds a given text.
 namespace dyncal::test {
 
 constexpr int kRows = 300;
@@ -38,7 +38,7 @@ inline std::vector<double> signalValues()
     return values;
 }
 
-/// What a link or a file may be called.
+/// The text as a name that a link or a file can have.
 inline std::string asName(std::string text)
 {
     std::erase(text, '\0');
@@ -110,7 +110,7 @@ inline QByteArray mat(const std::string &text)
     return QByteArray::fromStdString(writer.bytes());
 }
 
-/// A sound calibration whose every text is this one.
+/// A valid capture in which every text is this one.
 inline Result<void> writeCapture(const std::string &path, const std::string &text)
 {
     SimulationSettings settings;
@@ -156,7 +156,7 @@ inline QByteArray recipe(const std::string &text)
         {"acknowledge", {{{"finding", "SHK-001"}, {"shot", 1}, {"reason", text}}}}});
 }
 
-/// A number that is no measured one, where in which channel, and an interval that may be as odd.
+/// A value that no measurement gives, where it stands, and a sample interval that may be as odd.
 struct OddNumbers
 {
     double value = 0.0;

@@ -66,7 +66,7 @@ inline void addKeysightAndRigol(FilesByName &files, const QByteArray &text)
     files["refused_cut.bin"] = testing::scope_bin::file("AG10", {wave}).chopped(5);
 
     testing::rigol::Recipe memory = testing::rigol::familyB();
-    memory.model = "DS1" + text.left(5); // begins so, or it is none
+    memory.model = "DS1" + text.left(5); // without these letters it would be no model
     files["rigol.wfm"] = testing::rigol::wfm(memory);
     memory.points = 16384;
     files["refused_memory.wfm"] = testing::rigol::wfm(memory);
@@ -114,7 +114,7 @@ inline void addWav(FilesByName &files, const QByteArray &text)
         info.text(id).put(static_cast<std::uint32_t>(even.size())).raw(even);
     testing::ByteWriter list;
     list.text("LIST").put(static_cast<std::uint32_t>(4 + info.size())).text("INFO");
-    testing::ByteWriter odd; // a chunk that is called so
+    testing::ByteWriter odd; // a chunk that has the text as its name
     odd.text(text, 4).put<std::uint32_t>(0);
     recipe.before = list.raw(info.bytes()).bytes() + odd.bytes();
     files[asName(text.toStdString()) + ".wav"] = testing::riff::wav(recipe);
@@ -150,7 +150,7 @@ inline void addMatlab5(FilesByName &files, const QByteArray &text)
     constexpr qsizetype kLongestName = 63;
     const QByteArray name = text.left(kLongestName);
     const std::vector<double> values = signalValues();
-    // The first column looks like times, of another rate than the one that is stated, if it is.
+    // The first column looks like times, with another rate than the stated one, if one is stated.
     std::vector<double> table = values;
     for (int row = kRows - 1; row >= 0; --row)
         table.insert(table.begin(), 3e-6 * row);
@@ -193,7 +193,7 @@ inline void writeMatlab73(const std::string &path, const std::string &text)
     testing::mat73::writeHead(path);
 }
 
-/// Into a folder that is there.
+/// Writes all of them into an existing folder.
 inline void writeInstrumentFiles(const std::string &folder, const std::string &text)
 {
     FilesByName files;

@@ -10,10 +10,10 @@
 #include <QTest>
 #include <QXmlStreamReader>
 
-/// What answers and files may hold that hostile text had a part in.
+/// What answers and files may hold when hostile text went into them.
 namespace dyncal::test {
 
-/// Nothing of it acts on a terminal, and it came to its end.
+/// Nothing in the answer acts on a terminal, and the program ended by itself.
 inline void judge(const Answer &answer, const std::string &text)
 {
     const QByteArray about = answer.out.left(2000) + "|" + answer.err.left(2000) + "|"
@@ -62,7 +62,7 @@ inline void judgeFile(const QString &file, const std::string &text)
                 QVERIFY2(cell.isEmpty() || !QByteArray("=@").contains(cell.front()), about);
 }
 
-/// No number of it is one that is none.
+/// No number in it is nan or infinite.
 inline void judgeNumbers(const QByteArray &shown)
 {
     static const QRegularExpression word(

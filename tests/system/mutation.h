@@ -12,7 +12,8 @@
 
 namespace dyncal::testing {
 
-/// Damages bytes as disks, links, other programs and attackers do. The same seed gives the same.
+/// Damages bytes as disks, links, other programs and attackers do. The same seed gives the same
+/// damage.
 class Mutation
 {
 public:
@@ -35,7 +36,7 @@ public:
     }
 
 private:
-    /// Headers say most, so half of all damage is there.
+    /// Headers decide most, so half of all damage is there.
     std::size_t place(const std::string &bytes)
     {
         constexpr std::size_t kHead = 2048;

@@ -84,7 +84,7 @@ private:
     std::filesystem::path m_recording;
 };
 
-/// Names of `before` that are gone or changed; `own` may be.
+/// The first name of `before`, not counting `own`, that is gone or changed; empty if there is none.
 inline std::string firstHarmed(
     const Snapshot &before, const Snapshot &now, const std::set<std::string> &own)
 {

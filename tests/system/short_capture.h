@@ -5,8 +5,8 @@
 
 #include "tests/system/dyncal_process.h"
 
-/// Simulates one shot of 3 ms, quickly read and fitted; false with a warning if the program did
-/// not.
+/// Simulates one shot of 3 ms, quickly read and fitted; false, with a warning, if the program
+/// failed.
 inline bool simulateShortCapture(const QString &path, int seed)
 {
     const Answer answer = runDyncal(

@@ -14,8 +14,8 @@
 #include <cstdint>
 #include <utility>
 
-/// The built program with its window, without a display, and a user of its own: everything it
-/// keeps lies in `home`. window_driver.cpp is its hands and eyes ($DYNCAL_WINDOW_DRIVER).
+/// The built program with its window, without a display, and a user of its own: everything it keeps
+/// lies in `home`. window_driver.cpp operates it ($DYNCAL_WINDOW_DRIVER).
 class WindowProcess
 {
 public:
@@ -76,7 +76,7 @@ public:
     }
     QByteArray last() const { return m_last.toUtf8() + '|' + errors(); }
     bool isRunning() { return m_process.state() != QProcess::NotRunning; }
-    /// How it ended and what it said on stderr; -1: by a signal.
+    /// Its exit code (-1: ended by a signal) and what it wrote to stderr.
     std::pair<int, QByteArray> end()
     {
         const bool normal = m_process.exitStatus() == QProcess::NormalExit;

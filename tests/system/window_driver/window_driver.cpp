@@ -16,17 +16,17 @@
 #include <cstdio>
 #include <unistd.h>
 
-/// Hands and eyes for the program as it is built: a Qt plugin that the environment brings in
+/// Operates the built program: a Qt plugin that is loaded by an environment variable
 /// (QT_QPA_GENERIC_PLUGINS). It takes one command a line from stdin and answers with one line.
-///   title                what the window's title says, with its modified mark
-///   text NAME            what the label or line edit shows; "-" if it is not on show
-///   list NAME            all items of the list or table, in one line
+///   title                the title of the window, with the mark of unsaved changes
+///   text NAME            the text of a label or line edit; "-" if it is not on show
+///   list NAME            all items of a list or table, in one line
 ///   click NAME           presses a button
-///   trigger NAME         takes a menu's action
+///   trigger NAME         chooses an action of a menu
 ///   start NAME           the same, without waiting for the dialog that it opens
-///   accept               presses OK in a message box and answers what it said; "-" if there is
-///   none type NAME WORDS      replaces what a line edit holds and leaves it key KEYS presses a
-///   shortcut, such as Alt+9
+///   accept               presses OK in a message box; answers its text, or "-" without a box
+///   type NAME WORDS      replaces the text of a line edit and presses Return
+///   key KEYS             presses a shortcut, such as Alt+9
 class WindowDriver : public QObject
 {
     Q_OBJECT
