@@ -28,9 +28,9 @@ std::vector<FlowBlock> certificateBlocks(const CertificateData &data,
     const std::vector<ReportFigure> &figures, const CertificateStyle &style, double width,
     QPaintDevice *device);
 
-/// Widths of table columns that sum to `width`: the natural ones if they fit; else each column
-/// keeps the width of its longest word (`least`), and what is above that shrinks in proportion.
-/// `natural` >= `least`, both positive.
+/// Widths of table columns that sum to `width`: in proportion to the natural ones if these fit;
+/// else each column keeps the width of its longest word (`least`), and what is above that shrinks
+/// in proportion. `natural` >= `least`, both positive.
 std::vector<double> columnWidths(
     const std::vector<double> &natural, const std::vector<double> &least, double width);
 

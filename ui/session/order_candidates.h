@@ -35,12 +35,12 @@ public:
     /// To be called whenever recipe or results changed.
     void follow(CandidateBasis basis);
 
-    /// Null while it is computed, or cannot be.
+    /// Null while the model is being computed, or if it cannot be.
     const ComparedOrder *find(Index order) const;
-    /// Whether it is beyond the singular values that are there so far.
+    /// Whether the order is beyond the singular values computed so far.
     bool waitsForWholeSet(Index order) const;
     bool isComputing() const { return m_jobs.isRunning(); }
-    /// Whether the operator wants it drawn over the chosen model; not part of the recipe.
+    /// Whether the operator wants the model drawn over the chosen one; not part of the recipe.
     bool isDrawn(Index order) const { return !m_hidden.contains(order); }
     void setDrawn(Index order, bool drawn);
     /// Why the last comparison failed as a whole, if it did.

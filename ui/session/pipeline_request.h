@@ -36,7 +36,7 @@ struct PipelineRequest
     std::shared_ptr<const CaptureSet> captures;
     Recipe recipe;
     std::string wholeSet; ///< of the whole decomposition made last, even if not in the cache
-    bool hasWholeSet = false; ///< the results on show are of the recipe's decomposition
+    bool hasWholeSet = false; ///< the results on show come from the recipe's decomposition
     bool isFirstTriplets = false;
     std::shared_ptr<const ResponseResult> response = {}; ///< on show, perhaps of an earlier run
     std::string responseKey = {}; ///< its own

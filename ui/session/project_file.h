@@ -37,7 +37,7 @@ struct ProjectFile
     std::string sha256; ///< of the file's bytes
 };
 
-/// Fails when the file is no project or is of a newer version.
+/// Fails when the file is no project or has another version.
 Result<ProjectFile> readProjectFile(const QString &path);
 
 /// Opens the recordings of a project, so that they can be shown; they are not sealed. Fails when

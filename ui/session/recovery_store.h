@@ -54,7 +54,7 @@ public:
     const std::vector<RecoveredWork> &leftBehind() const { return m_left; }
     const std::vector<UnreadableWork> &unreadable() const { return m_unreadable; }
 
-    /// Goes on with a file left behind as its own; the own one so far is given up.
+    /// Continues with a file left behind as its own; the one used so far is removed.
     void adopt(const QString &file);
     /// Removes a file left behind.
     void discard(const QString &file);

@@ -25,7 +25,8 @@ public:
     /// it is time for a run.
     RestRun(JobRunner &jobs, std::function<void()> begin);
 
-    /// The first part is there: `begin` comes at once, or within a series at the next pause.
+    /// To be called when the first part is there: `begin` follows at once, or within a series at
+    /// the next pause.
     void ask(bool isSeries);
     void hurry(); ///< the hand has let go
     void withdraw() { m_asked.stop(); }

@@ -441,8 +441,8 @@ void MainWindow::changeEvent(QEvent *event)
 {
     QMainWindow::changeEvent(event);
     // Pages hold no state, so they are made anew in the new language; queued, because the menu
-    // whose action caused this is among what is replaced.
-    // Drawing a report in another language sends this event too.
+    // whose action caused this is replaced too. Such an event without another language changes
+    // nothing.
     if (event->type() == QEvent::LanguageChange && m_shownLanguage != m_language.code())
         QMetaObject::invokeMethod(this, &MainWindow::buildContents, Qt::QueuedConnection);
 }

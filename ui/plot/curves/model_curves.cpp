@@ -17,9 +17,9 @@ namespace {
 
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kClipShare = 0.5; ///< of the measured range, to either side
-constexpr double kFarthestShown = 2.0; ///< zeros beyond this radius are only counted
+constexpr double kFarthestShown = 2.0; ///< poles and zeros further out are only counted
 
-/// Cuts a curve that diverges off near the data.
+/// Limits a curve that diverges to values near the data.
 void clipTo(const Eigen::VectorXd &measured, std::vector<double> &values)
 {
     if (measured.size() == 0)

@@ -21,7 +21,7 @@ struct AxisPrefix
 bool takesPrefix(const QString &unit);
 
 /// Prefix for an axis that shows [lower, upper] SI values: the larger end reads 1..1000. Units
-/// without prefixes get a power of ten (symbol "10⁻³ ") outside 1e-3..1e4.
+/// without prefixes get a power of ten (symbol "10⁻³ ") outside 1e-2..1e5, decibels never.
 AxisPrefix axisPrefix(double lower, double upper, const QString &unit);
 
 /// "Time / µs"; "Lag" for a quantity without unit.

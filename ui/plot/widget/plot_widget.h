@@ -27,8 +27,8 @@ namespace dyncal {
 /// zooms a box; double click fits; hover shows the nearest point. Keys: F fit, G grid, 1 / 2 put
 /// cursor A / B at the pointer, arrows move the focused handle by one step (signals bandMoved,
 /// lineMoved; Shift: ten steps) or else the view, + / - zoom, Backspace the view before, Tab the
-/// next handle, Esc ends a drag and restores. Where spans can be marked (setMarkable): Shift and
-/// left drag, or left drag while setMarking is on.
+/// next handle, Esc ends a drag and restores, or removes the cursors. Where spans can be marked
+/// (setMarkable): Shift and left drag, or left drag while setMarking is on.
 class PlotWidget : public QWidget
 {
     Q_OBJECT

@@ -62,7 +62,7 @@ private:
     std::vector<RecoveredWork> m_offers; ///< the first is on show
     std::vector<UnreadableWork> m_notes; ///< after the offers
     std::optional<Error> m_notRestored; ///< why the offer on show could not be opened
-    bool m_isDiscarded = false; ///< the offer on show; its file goes when the banner does
+    bool m_isDiscarded = false; ///< the offer on show; its file is removed with the banner
     QDateTime m_saved; ///< invalid: nothing to say
     std::optional<Error> m_failure;
     QLabel *m_status;
