@@ -1549,6 +1549,22 @@
         <source>Response in %1</source>
         <translation>Svar i %1</translation>
     </message>
+    <message>
+        <source>Left by the first components</source>
+        <translation>Kvar efter de första komponenterna</translation>
+    </message>
+    <message>
+        <source>Not explained</source>
+        <translation>Ej förklarat</translation>
+    </message>
+    <message>
+        <source>5 %</source>
+        <translation>5 %</translation>
+    </message>
+    <message>
+        <source>The first component leaves %1 %.</source>
+        <translation>Den första komponenten lämnar %1 %.</translation>
+    </message>
 </context>
 <context>
     <name>Prompts</name>
@@ -3781,10 +3797,6 @@
         <translation>Skott %1: inget steg mellan baslinje och slutnivåband; det är %2, och %3 skulle behövas för att skilja det från brus. Kontrollera window.start eller uteslut skottet.</translation>
     </message>
     <message>
-        <source>Shot %1, channel %2: no step found. The largest change is %3 with noise of %4, and more than %5 times the noise is needed: set window.start by hand or exclude the shot.</source>
-        <translation>Skott %1, kanal %2: inget steg hittades. Den största ändringen är %3 med brus på %4, och mer än %5 gånger bruset behövs: sätt window.start för hand eller uteslut skottet.</translation>
-    </message>
-    <message>
         <source>Shot %1, channel %2: the start cannot be detected, because the record moves or holds no numbers from sample %3 (%4) on and at least %5 quiet samples are needed before. Set window.start by hand.</source>
         <translation>Skott %1, kanal %2: starten kan inte detekteras, eftersom registreringen rör sig eller saknar tal från och med sampel %3 (%4) och minst %5 lugna sampel behövs dessförinnan. Sätt window.start för hand.</translation>
     </message>
@@ -5288,6 +5300,14 @@
         <source>%1 (not a date; write it as 2026-01-31)</source>
         <translation>%1 (inget datum; skriv det som 2026-01-31)</translation>
     </message>
+    <message>
+        <source>Shot %1, channel %2: no step found. The largest change is %3, and more than %4 is needed, %5 times the noise of %6: set window.start by hand or exclude the shot.</source>
+        <translation>Skott %1, kanal %2: inget steg hittat. Den största ändringen är %3, och mer än %4 krävs, %5 gånger bruset på %6: ange window.start för hand eller uteslut skottet.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel %2: no step found. The largest change is %3, and more than %4 is needed, %5 times the %6 that the record drifts in the same time: set window.start by hand or exclude the shot.</source>
+        <translation>Skott %1, kanal %2: inget steg hittat. Den största ändringen är %3, och mer än %4 krävs, %5 gånger de %6 som registreringen driver under samma tid: ange window.start för hand eller uteslut skottet.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
@@ -5800,10 +5820,6 @@
         <translation>Skilj det som skotten har gemensamt från det de inte har.</translation>
     </message>
     <message>
-        <source>Explained, cumulative</source>
-        <translation>Förklarad andel, kumulativ</translation>
-    </message>
-    <message>
         <source>Reconstruction of the shots</source>
         <translation>Rekonstruktion av skotten</translation>
     </message>
@@ -5886,6 +5902,10 @@
     <message>
         <source>– (one shot)</source>
         <translation>– (ett skott)</translation>
+    </message>
+    <message>
+        <source>Left by the first components</source>
+        <translation>Kvar efter de första komponenterna</translation>
     </message>
 </context>
 <context>
@@ -6688,6 +6708,22 @@
         <source>&amp;Next stage</source>
         <translation>&amp;Nästa steg</translation>
     </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>&amp;Färger</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Ljust</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Mörkt</translation>
+    </message>
+    <message>
+        <source>&amp;High contrast</source>
+        <translation>&amp;Hög kontrast</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::MainWindow</name>
@@ -7315,6 +7351,10 @@
     <message>
         <source>%1, damping %2; no resonance</source>
         <translation>%1, dämpning %2; ingen resonans</translation>
+    </message>
+    <message>
+        <source>Else</source>
+        <translation>Annars</translation>
     </message>
 </context>
 <context>

@@ -150,7 +150,10 @@ void PlotWidget::placeNotice()
     const QRect room = axesRect().adjusted(
         kNoticeMargin_px, kNoticeMargin_px, -kNoticeMargin_px, -kNoticeMargin_px);
     const int width = std::max(room.width(), 0);
-    const int height = std::min(d->notice->heightForWidth(width), std::max(room.height(), 0));
+    const QRect text = d->notice->fontMetrics().boundingRect(
+        QRect(0, 0, std::max(width - 2 * kNoticeMargin_px, 1), QWIDGETSIZE_MAX), Qt::TextWordWrap,
+        d->notice->text());
+    const int height = std::min(text.height() + 2 * kNoticeMargin_px, std::max(room.height(), 0));
     d->notice->setGeometry(room.left(), room.top(), width, height);
 }
 
