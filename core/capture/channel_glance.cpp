@@ -71,6 +71,26 @@ double noiseOf(const std::vector<Stretch> &stretches)
     return std::sqrt(0.5 * *quiet);
 }
 
+/// From one stretch to the next but one: the stretch between them holds the step itself.
+double changeAt(const std::vector<Stretch> &stretches, std::size_t i)
+{
+    return i + 2 < stretches.size() ? stretches[i + 2].mean - stretches[i].mean : 0.0;
+}
+
+/// The first of the changes that come near the largest: a sensor in the side wall sees the shock
+/// before its reflection, which is the larger step.
+std::size_t firstStep(const std::vector<Stretch> &stretches, double largest)
+{
+    constexpr double kNear = 0.25;
+    const auto towards = [&](std::size_t i) { return changeAt(stretches, i) / largest; };
+    std::size_t i = 0;
+    while (i + 1 < stretches.size() && !(towards(i) >= kNear))
+        ++i;
+    while (i + 1 < stretches.size() && towards(i + 1) > towards(i))
+        ++i;
+    return i;
+}
+
 ChannelGlance glanceOf(const std::vector<Stretch> &stretches)
 {
     ChannelGlance glance;
@@ -85,15 +105,14 @@ ChannelGlance glanceOf(const std::vector<Stretch> &stretches)
             continue;
         lowest = std::min(lowest, stretch.extremes.min);
         highest = std::max(highest, stretch.extremes.max);
-        // The next but one: the stretch between them holds the step itself.
-        const double change = i + 2 < stretches.size() ? stretches[i + 2].mean - stretch.mean : 0.0;
-        if (std::abs(change) > std::abs(glance.step)) {
+        const double change = changeAt(stretches, i);
+        if (std::abs(change) > std::abs(glance.step))
             glance.step = change;
-            glance.stepAt = static_cast<Index>(i) + 1;
-        }
     }
-    if (glance.step != 0.0)
-        glance.swing = (highest - lowest) / std::abs(glance.step);
+    if (glance.step == 0.0)
+        return glance;
+    glance.stepAt = static_cast<Index>(firstStep(stretches, glance.step)) + 1;
+    glance.swing = (highest - lowest) / std::abs(glance.step);
     return glance;
 }
 

@@ -262,6 +262,9 @@ private slots:
         const QByteArray program = qgetenv("DYNCAL_BINARY");
         const auto unwrapped = qScopeGuard([&] { qputenv("DYNCAL_BINARY", program); });
         qputenv("DYNCAL_BINARY", tracedProgram());
+        // The notes hold text of files: they are shown, not folded.
+        QDir().mkpath(path("home/config/dyncal"));
+        writeBytes(path("home/config/dyncal/dyncal.conf"), "[findings]\nnotesOpen=true\n");
         // A table is asked about; a calibration is shown, and has several findings in the end.
         for (const auto &[file, shown] :
             {std::pair{"image.csv", "list importPreview"}, {"image.h5", "list findingsPanel"}}) {

@@ -177,7 +177,8 @@ void TestWordsOfAllPages::valueAndU_haveOnePlace()
                 const auto found = match.next();
                 ++pairs;
                 QVERIFY2(found.captured(2).size() == found.captured(5).size(), qPrintable(words));
-                QVERIFY2(found.captured(3) == found.captured(6), qPrintable(words));
+                if (!found.captured(3).isEmpty()) // else a word may follow
+                    QVERIFY2(found.captured(3) == found.captured(6), qPrintable(words));
             }
     QVERIFY(pairs > 5);
 }

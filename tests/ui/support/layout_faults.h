@@ -19,6 +19,7 @@
 #include <QScrollBar>
 #include <QStyleOptionComboBox>
 #include <QTabBar>
+#include <QToolButton>
 
 namespace dyncal::test {
 
@@ -126,6 +127,9 @@ private:
     {
         if (button.text().isEmpty() || qobject_cast<const QTabBar *>(button.parentWidget()))
             return;
+        const auto *tool = qobject_cast<const QToolButton *>(&button);
+        if (tool && tool->toolButtonStyle() == Qt::ToolButtonIconOnly && !tool->icon().isNull())
+            return; // its text is in the tool tip
         // Besides the text: the box or the frame, and an icon.
         const bool isBox = button.inherits("QCheckBox") || button.inherits("QRadioButton");
         int room = button.width()

@@ -12,6 +12,8 @@
 #include <QLineEdit>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace dyncal {
 
 namespace {
@@ -38,7 +40,6 @@ OptionalEdit::OptionalEdit(const ShownUnit &unit, double lowest, double highest,
         layout->addWidget(new QLabel(unit.text, this));
     layout->addWidget(m_origin);
     layout->addWidget(m_useRecorded);
-    m_text->setMinimumWidth(m_text->fontMetrics().horizontalAdvance(kWidest) + kFrame_px);
     m_text->installEventFilter(this);
     m_origin->setToolTip(tr("This value is the recording's"));
     m_useRecorded->setText(QStringLiteral("↺"));
@@ -67,6 +68,9 @@ void OptionalEdit::setNames(const QString &objectName, const QString &accessible
 void OptionalEdit::setEmptyText(const QString &text)
 {
     m_text->setPlaceholderText(text);
+    const QFontMetrics metrics = m_text->fontMetrics();
+    m_text->setMinimumWidth(
+        std::max(metrics.horizontalAdvance(kWidest), metrics.horizontalAdvance(text)) + kFrame_px);
 }
 
 void OptionalEdit::set(const std::optional<double> &value, const std::optional<double> &recorded)

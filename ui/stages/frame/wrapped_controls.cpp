@@ -107,6 +107,8 @@ WrappedComboBox::WrappedComboBox(QWidget *parent)
 {
     mayBeHigher(*this);
     connect(this, &QComboBox::currentTextChanged, this, [this] { updateGeometry(); });
+    // Also where its own signals are blocked while it is filled.
+    connect(model(), &QAbstractItemModel::rowsInserted, this, [this] { updateGeometry(); });
 }
 
 QRect WrappedComboBox::textRect(const QRect &all) const
