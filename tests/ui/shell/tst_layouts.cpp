@@ -4,7 +4,6 @@
 #include "core/pipeline/pipeline.h"
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
-#include "tests/ui/shell/window_bench.h"
 #include "tests/ui/support/layout_faults.h"
 #include "tests/ui/support/long_words.h"
 #include "ui/session/example.h"
@@ -12,7 +11,6 @@
 #include "ui/shell/preferences/theme_style.h"
 #include "ui/stages/frame/stage_page.h"
 
-#include <QAction>
 #include <QTemporaryDir>
 #include <QtTest>
 
@@ -46,7 +44,8 @@ std::vector<Look> looks()
                 all.push_back({language, percent, theme});
     if (trials::count(0, 1) > 0)
         return all;
-    return {{"en", 100, ThemeKind::Light}, {"sv", 100, ThemeKind::HighContrast}};
+    return {{"en", 100, ThemeKind::Light}, {"sv", 100, ThemeKind::HighContrast},
+        {"long", 100, ThemeKind::Dark}};
 }
 
 /// The pipeline with one cache for all windows: what one computed is there for the next.
@@ -86,7 +85,6 @@ private slots:
     void initTestCase();
     void cleanup();
     void longWords_are40PercentLonger();
-    void theme_chosenInTheMenu_isUsedAndRemembered();
     void pages_everyLook_canBeRead_data();
     void pages_everyLook_canBeRead();
 
@@ -113,29 +111,6 @@ void TestLayouts::longWords_are40PercentLonger()
 {
     QCOMPARE(test::LongWords::longer("Open %1 of <b>four</b> files"),
         QString::fromUtf8("Öpénéé %1 öfé <b>föüréé</b> fïléséé"));
-}
-
-void TestLayouts::theme_chosenInTheMenu_isUsedAndRemembered()
-{
-    useTheme(ThemeKind::Light);
-    test::WindowBench bench(sharedPipeline(m_cache));
-    bench.window->show();
-    bench.window->session().reset({m_example, {}});
-    QTRY_VERIFY_WITH_TIMEOUT(!bench.window->session().isComputing(), kPatience_ms);
-    const auto *plot = bench.find<PlotWidget>("rawPlot_dut");
-    const auto ground = [&] {
-        QTest::qWait(60);
-        const QPoint corner = plot->axesRect().topRight() + QPoint(-4, 4);
-        return const_cast<PlotWidget *>(plot)->grab().toImage().pixelColor(corner);
-    };
-    QCOMPARE(ground(), themeOf(ThemeKind::Light).plots.background);
-    for (const ThemeKind kind : {ThemeKind::HighContrast, ThemeKind::Dark, ThemeKind::Light}) {
-        bench.find<QAction>("themeAction_" + themeName(kind))->trigger();
-        QCOMPARE(bench.window->palette().color(QPalette::Window),
-            themeOf(kind).palette.color(QPalette::Window));
-        QCOMPARE(ground(), themeOf(kind).plots.background);
-        QCOMPARE(bench.preferences.theme(), kind);
-    }
 }
 
 void TestLayouts::pages_everyLook_canBeRead_data()
