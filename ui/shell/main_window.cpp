@@ -9,6 +9,7 @@
 #include "ui/shell/findings/finding_places.h"
 #include "ui/shell/findings/findings_panel.h"
 #include "ui/shell/findings/problem_panel.h"
+#include "ui/shell/inspector_scroll.h"
 #include "ui/shell/main_menus.h"
 #include "ui/shell/next_bar.h"
 #include "ui/shell/recovery/recovery_banner.h"
@@ -32,7 +33,6 @@
 #include <QDockWidget>
 #include <QMimeData>
 #include <QScrollArea>
-#include <QScrollBar>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QToolBar>
@@ -56,22 +56,6 @@ constexpr QSize kSmallestSize(1000, 640);
 constexpr int kStagesWidth = 170;
 constexpr int kInspectorWidth = 330;
 constexpr int kFindingsHeight = 230;
-constexpr int kLeastFindingLines = 6;
-
-/// As wide as its inspector needs: it scrolls up and down only.
-class InspectorScroll : public QScrollArea
-{
-public:
-    using QScrollArea::QScrollArea;
-
-    QSize minimumSizeHint() const override
-    {
-        const int bar = verticalScrollBar()->sizeHint().width();
-        const QSize least = QScrollArea::minimumSizeHint();
-        return {
-            widget() ? widget()->minimumSizeHint().width() + bar : least.width(), least.height()};
-    }
-};
 
 } // namespace
 
@@ -238,7 +222,6 @@ void MainWindow::buildFindings()
 {
     delete m_findings;
     m_findings = new FindingsPanel(m_findingsDock);
-    m_findings->setMinimumHeight(kLeastFindingLines * fontMetrics().lineSpacing());
     m_findings->setNotesOpen(m_preferences.notesOpen());
     m_findingsDock->setWidget(m_findings);
     connect(m_findings, &FindingsPanel::placeRequested, this, &MainWindow::showFinding);

@@ -44,8 +44,7 @@ std::vector<Look> looks()
                 all.push_back({language, percent, theme});
     if (trials::count(0, 1) > 0)
         return all;
-    return {{"en", 100, ThemeKind::Light}, {"sv", 100, ThemeKind::HighContrast},
-        {"long", 100, ThemeKind::Dark}};
+    return {{"en", 100, ThemeKind::Light}, {"sv", 100, ThemeKind::HighContrast}};
 }
 
 /// The pipeline with one cache for all windows: what one computed is there for the next.

@@ -7,11 +7,11 @@
 #include "core/base/writing/write_problem.h"
 #include "core/capture/capture_seal.h"
 #include "core/capture/opening/capture_open.h"
-#include "core/capture/opening/format_registry.h"
 #include "core/results/model_export.h"
 #include "core/results/publication.h"
 #include "ui/session/capture_edit.h"
 #include "ui/session/example.h"
+#include "ui/shell/files/capture_filter.h"
 #include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
@@ -45,17 +45,6 @@ Result<OpenedProject> openedProject(const QString &path, const JobControl &contr
 bool isProject(const QString &path)
 {
     return QFileInfo(path).suffix() == kProjectSuffix;
-}
-
-QString captureFilter()
-{
-    QStringList patterns;
-    for (const CaptureFormat &format : captureFormats())
-        for (const std::string &extension : format.extensions)
-            patterns << "*." + rawText(extension);
-    patterns.removeDuplicates();
-    return FileActions::tr("Recordings (%1)").arg(patterns.join(' ')) + ";;"
-        + FileActions::tr("All files (*)");
 }
 
 QString projectFilter()

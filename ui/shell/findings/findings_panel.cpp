@@ -41,6 +41,8 @@ bool isNote(const FindingGroup &group)
 FindingsPanel::FindingsPanel(QWidget *parent)
     : QListWidget(parent)
 {
+    constexpr int kLeastLines = 6;
+    setMinimumHeight(kLeastLines * fontMetrics().lineSpacing());
     setObjectName("findingsPanel");
     setAccessibleName(tr("Findings"));
     setWordWrap(true);
