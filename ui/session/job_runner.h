@@ -148,14 +148,14 @@ private:
         }
     }
 
-    ProgressSink throttled(const ProgressSink &progress)
+    ProgressSink throttled(ProgressSink progress)
     {
         if (!progress)
             return {};
         auto sinceLast = std::make_shared<QElapsedTimer>();
         QObject *receiver = m_receiver;
         const std::stop_token stop = m_stop.get_token();
-        return [=](double fraction) {
+        return [=, progress = std::move(progress)](double fraction) {
             if (sinceLast->isValid() && sinceLast->elapsed() < kProgressInterval_ms)
                 return;
             sinceLast->start();
