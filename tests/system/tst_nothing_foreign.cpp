@@ -210,11 +210,16 @@ private slots:
         }
     }
 
-    /// HUP and TERM end a run in order: nothing changed, nothing left.
+    /// INT, TERM and HUP end a run in order: nothing changed, nothing left. The recording is long:
+    /// a quick machine is through with a short one before the signal comes.
     void signals_endInOrder()
     {
         const ScratchFolder place;
-        const QString a = QString::fromStdString(simulated(place, "a.h5", 1));
+        const QString a = QString::fromStdString(place.file("a.h5"));
+        QCOMPARE(runDyncal({"simulate", "-o", a, "--preset", "piezo", "--duration-s", "0.02",
+                               "--sample-rate-hz", "5e7"})
+                     .exitCode,
+            0);
         for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
             QProcess process;
             process.start(qEnvironmentVariable("DYNCAL_BINARY"),
@@ -224,7 +229,7 @@ private slots:
             ::kill(static_cast<pid_t>(process.processId()), number);
             QVERIFY(process.waitForFinished(kLongest_ms));
             QCOMPARE(process.exitStatus(), QProcess::NormalExit);
-            QVERIFY(process.exitCode() == 130);
+            QCOMPARE(process.exitCode(), 130);
             QVERIFY(!fs::exists(place.file("r")));
         }
     }
