@@ -59,14 +59,6 @@ bool concerns(const Finding &finding, Page page, const WorkState &work)
     return stage && std::ranges::find(stages, *stage) != stages.end();
 }
 
-int openCautions(const WorkState &work, std::optional<Page> page)
-{
-    return static_cast<int>(std::ranges::count_if(work.findings, [&](const Finding &finding) {
-        return finding.severity == Severity::Caution && !isAccepted(finding, work.accepted)
-            && (!page || concerns(finding, *page, work));
-    }));
-}
-
 const Finding *ownBlock(Page page, const WorkState &work)
 {
     const auto found = std::ranges::find_if(work.findings, [&](const Finding &finding) {
@@ -135,12 +127,13 @@ PageStanding ofCertificate(const WorkState &work)
         if (std::ranges::find(work.stages, status) != work.stages.end())
             return unsettled(status);
     PageStanding standing = ofResults(Page::Certificate, work);
-    standing.cautions = openCautions(work, std::nullopt);
-    standing.emptyFields = work.emptyFields;
-    standing.wrongFields = work.wrongFields;
+    standing.cautions = openCautions(work);
+    const auto wrong = std::ranges::count_if(work.unfilled, &CertificateField::wrong);
+    standing.wrongFields = static_cast<int>(wrong);
+    standing.emptyFields = static_cast<int>(std::ssize(work.unfilled) - wrong);
     if (standing.status == StageStatus::Done || standing.status == StageStatus::DoneWithCautions) {
         standing.status = standing.cautions > 0 ? StageStatus::DoneWithCautions : StageStatus::Done;
-        if (work.emptyFields + work.wrongFields > 0)
+        if (!work.unfilled.empty())
             standing.status = StageStatus::Incomplete;
     }
     return standing;
@@ -192,6 +185,14 @@ bool isAccepted(const Finding &finding, const std::vector<Acknowledgement> &acce
     return std::ranges::any_of(accepted, [&](const Acknowledgement &entry) {
         return entry.finding == finding.id && (entry.shot == 0 || entry.shot == finding.shot);
     });
+}
+
+int openCautions(const WorkState &work, std::optional<Page> page)
+{
+    return static_cast<int>(std::ranges::count_if(work.findings, [&](const Finding &finding) {
+        return finding.severity == Severity::Caution && !isAccepted(finding, work.accepted)
+            && (!page || concerns(finding, *page, work));
+    }));
 }
 
 PageStanding standingOf(Page page, const WorkState &work)

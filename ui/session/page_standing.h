@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/finding.h"
+#include "core/certificate/certificate_data.h"
 #include "core/project/recipe.h"
 #include "ui/session/stage_status.h"
 
@@ -44,9 +45,11 @@ struct WorkState
     bool stopped = false; ///< the last run ended with an error...
     StageId failedStage = StageId::Captures; ///< ...in this stage
     std::vector<Acknowledgement> accepted;
-    int emptyFields = 0; ///< required by the certificate
-    int wrongFields = 0; ///< typed, but not what they must be: a date that is none
+    std::vector<CertificateField> unfilled; ///< required by the certificate
 };
+
+/// Cautions that nobody gave a reason for; of one page, or of all.
+int openCautions(const WorkState &work, std::optional<Page> page = {});
 
 /// How a page stands, as the stage list and the head of the page say it.
 struct PageStanding

@@ -17,10 +17,7 @@ WorkState workStateOf(const Session &session)
     work.stopped = session.error().has_value();
     work.failedStage = session.failedStage();
     work.accepted = session.recipe().acknowledge;
-    for (const CertificateField &field : unfilledFields(session.results(), session.recipe())) {
-        work.wrongFields += field.wrong;
-        work.emptyFields += !field.wrong;
-    }
+    work.unfilled = unfilledFields(session.results(), session.recipe());
     return work;
 }
 

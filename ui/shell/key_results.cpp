@@ -3,13 +3,13 @@
 
 #include "ui/shell/key_results.h"
 
+#include "core/base/constants.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/shown_text.h"
 
 #include <QCoreApplication>
 
 #include <algorithm>
-#include <limits>
 
 namespace dyncal {
 
@@ -21,8 +21,6 @@ struct Key
     Q_DECLARE_TR_FUNCTIONS(KeyResults)
 };
 
-constexpr double kNotKnown = std::numeric_limits<double>::quiet_NaN();
-
 KeyResult entry(
     const char *name, const QString &symbol, double value, double u, const QString &unit)
 {
@@ -33,7 +31,7 @@ KeyResult sensitivityOf(const CalibrationResults &results)
 {
     const ResponseResult *response = results.response.get();
     KeyResult result = entry("keySensitivity", QStringLiteral("S"),
-        response ? response->sensitivity.value_or(kNotKnown) : kNotKnown, kNotKnown,
+        response ? response->sensitivity.value_or(kUnknown) : kUnknown, kUnknown,
         response ? shownText(response->sensitivityUnit) : QString());
     result.meaning = Key::tr(
         "Sensitivity at the plateau, mean of the shots. Its standard uncertainty is not worked out yet.");
@@ -55,10 +53,10 @@ KeyResult stepOf(const CalibrationResults &results)
 {
     const ShockConditions *shot = largestStep(results);
     const double u = shot && shot->uncertainty
-        ? shot->uncertainty->u(StepResult::Step).value_or(kNotKnown)
-        : kNotKnown;
-    KeyResult result = entry("keyStep", QStringLiteral("Δp"), shot ? *shot->step_Pa : kNotKnown, u,
-        QStringLiteral("Pa"));
+        ? shot->uncertainty->u(StepResult::Step).value_or(kUnknown)
+        : kUnknown;
+    KeyResult result = entry(
+        "keyStep", QStringLiteral("Δp"), shot ? *shot->step_Pa : kUnknown, u, QStringLiteral("Pa"));
     result.meaning = shot
         ? Key::tr("Pressure step of shot %1, the largest; ± is the standard uncertainty u (k = 1).")
               .arg(shot->shot)
@@ -72,12 +70,12 @@ std::vector<KeyResult> keyResults(const CalibrationResults &results)
 {
     const Pole *pole = results.model ? mainPole(*results.model, results.assessment.get()) : nullptr;
     KeyResult frequency
-        = entry("keyFrequency", QStringLiteral("f₀"), pole ? pole->frequency_Hz : kNotKnown,
-            pole ? pole->u_frequency_Hz : kNotKnown, QStringLiteral("Hz"));
+        = entry("keyFrequency", QStringLiteral("f₀"), pole ? pole->frequency_Hz : kUnknown,
+            pole ? pole->u_frequency_Hz : kUnknown, QStringLiteral("Hz"));
     frequency.meaning = Key::tr(
         "Undamped natural frequency of the sensor; ± is the standard uncertainty u (k = 1).");
     KeyResult damping = entry("keyDamping", QStringLiteral("ζ"),
-        pole ? pole->dampingRatio : kNotKnown, pole ? pole->u_dampingRatio : kNotKnown, {});
+        pole ? pole->dampingRatio : kUnknown, pole ? pole->u_dampingRatio : kUnknown, {});
     damping.meaning
         = Key::tr("Damping ratio of the sensor; ± is the standard uncertainty u (k = 1).");
     return {sensitivityOf(results), frequency, damping, stepOf(results)};

@@ -3,7 +3,6 @@
 
 #include "ui/shell/next_bar.h"
 
-#include "core/certificate/required_fields.h"
 #include "ui/session/session.h"
 #include "ui/text/shown_text.h"
 
@@ -65,13 +64,12 @@ QToolButton *NextBar::addLink(const QString &text)
 
 void NextBar::showWork(const WorkState &work, const Session &session)
 {
-    const CalibrationResults &results = session.results();
     const bool isOpen = session.state().hasShots();
     std::vector<NextStep> steps;
     if (isOpen) // before that there is one thing to do
-        steps = nextSteps(work, unfilledFields(results, session.recipe()));
+        steps = nextSteps(work);
     showSteps(steps, isOpen);
-    showResults(keyResults(results), session.isUpToDate());
+    showResults(keyResults(session.results()), session.isUpToDate());
 }
 
 void NextBar::showSteps(const std::vector<NextStep> &steps, bool isOpen)

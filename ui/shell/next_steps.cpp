@@ -39,10 +39,7 @@ void addBlocks(const WorkState &work, std::vector<NextStep> &steps)
 
 void addCautions(const WorkState &work, std::vector<NextStep> &steps)
 {
-    int open = 0;
-    for (const Finding &finding : work.findings)
-        open += finding.severity == Severity::Caution && !isAccepted(finding, work.accepted);
-    if (open > 0)
+    if (const int open = openCautions(work); open > 0)
         steps.push_back({severityGlyph(Severity::Caution) + " "
                 + Steps::tr("reasons for %n caution(s)", nullptr, open),
             Page::Certificate, {}});
@@ -50,13 +47,12 @@ void addCautions(const WorkState &work, std::vector<NextStep> &steps)
 
 } // namespace
 
-std::vector<NextStep> nextSteps(
-    const WorkState &work, const std::vector<CertificateField> &unfilled)
+std::vector<NextStep> nextSteps(const WorkState &work)
 {
     std::vector<NextStep> steps;
     addBlocks(work, steps);
     addCautions(work, steps);
-    for (const CertificateField &field : unfilled)
+    for (const CertificateField &field : work.unfilled)
         steps.push_back({translated(field.label), Page::Certificate, "field_" + rawText(field.id)});
     return steps;
 }

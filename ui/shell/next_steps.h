@@ -3,7 +3,6 @@
 
 #pragma once
 
-#include "core/certificate/certificate_data.h"
 #include "ui/session/page_standing.h"
 
 #include <QString>
@@ -22,7 +21,6 @@ struct NextStep
 
 /// What is missing for a certificate: what blocks, cautions without a reason, fields to be filled
 /// in. Empty = nothing is.
-std::vector<NextStep> nextSteps(
-    const WorkState &work, const std::vector<CertificateField> &unfilled);
+std::vector<NextStep> nextSteps(const WorkState &work);
 
 } // namespace dyncal

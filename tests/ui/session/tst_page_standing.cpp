@@ -44,8 +44,9 @@ WorkState stoppedAt(StageId stage, const char *id)
 
 WorkState withFields(WorkState work, int empty, int wrong)
 {
-    work.emptyFields = empty;
-    work.wrongFields = wrong;
+    work.unfilled.resize(static_cast<std::size_t>(empty + wrong));
+    for (int i = 0; i < wrong; ++i)
+        work.unfilled[static_cast<std::size_t>(i)].wrong = true;
     return work;
 }
 

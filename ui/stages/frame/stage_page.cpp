@@ -100,7 +100,8 @@ StagePage::StagePage(Session &session, const PageText &text, std::vector<StageId
     };
     connect(&session, &Session::recipeChanged, this, whenShown(&StagePage::showRecipeAndStatus));
     connect(&session, &Session::capturesChanged, this, whenShown(&StagePage::refresh));
-    connect(&session, &Session::resultsChanged, this, whenShown(&StagePage::refresh));
+    // The change of status that follows results shows how the page stands.
+    connect(&session, &Session::resultsChanged, this, whenShown(&StagePage::showContents));
     connect(&session, &Session::stageStatusChanged, this, whenShown(&StagePage::showStatus));
 }
 
@@ -123,9 +124,16 @@ void StagePage::showEvent(QShowEvent *event)
 void StagePage::refresh()
 {
     showStatus();
+    showContents();
+}
+
+void StagePage::showContents()
+{
+    const bool wasCurrent = m_isCurrent;
     if (!m_session.isComputing()) // until then it is not known how this goes
         m_isCurrent = reasonWhyBlocked().isEmpty() || !showsOld(m_stages.front());
-    setTablesEnabled(true);
+    if (!wasCurrent)
+        setTablesEnabled(true);
     showResults();
     showRecipe();
     if (!m_isCurrent)

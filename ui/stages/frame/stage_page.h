@@ -74,6 +74,7 @@ protected:
 
 private:
     void refresh();
+    void showContents();
     void showStatus();
     void showNotices();
     void setTablesEnabled(bool enabled);
