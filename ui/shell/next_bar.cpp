@@ -48,18 +48,20 @@ NextBar::NextBar(QWidget *parent)
     m_menu->setObjectName("nextMenu");
 }
 
-QToolButton *NextBar::addLink(const QString &text)
+void NextBar::addLink()
 {
     auto *link = new QToolButton(this);
-    link->setText(withoutMnemonic(text));
+    const std::size_t position = m_links.size();
+    link->setObjectName(QString("nextStep%1").arg(position + 1));
     link->setAutoRaise(true);
     link->setFocusPolicy(Qt::StrongFocus);
     link->setToolTip(tr("Go to where this is settled"));
     QFont underlined = link->font();
     underlined.setUnderline(true);
     link->setFont(underlined);
-    link->show();
-    return link;
+    connect(link, &QToolButton::clicked, this,
+        [this, position] { emit stepRequested(NextStep(m_steps[position])); });
+    m_links.push_back(link);
 }
 
 void NextBar::showWork(const WorkState &work, const Session &session)
@@ -83,16 +85,10 @@ void NextBar::showSteps(const std::vector<NextStep> &steps, bool isOpen)
         return;
     m_heading->setText(heading);
     m_steps = steps;
-    for (QToolButton *link : m_links)
-        link->deleteLater();
-    m_links.clear();
-    m_links.reserve(steps.size());
-    for (std::size_t i = 0; i < m_steps.size(); ++i) {
-        m_links.push_back(addLink(m_steps[i].text));
-        m_links.back()->setObjectName(QString("nextStep%1").arg(i + 1));
-        connect(m_links.back(), &QToolButton::clicked, this,
-            [this, step = m_steps[i]] { emit stepRequested(step); });
-    }
+    while (m_links.size() < m_steps.size())
+        addLink();
+    for (std::size_t i = 0; i < m_steps.size(); ++i)
+        m_links[i]->setText(withoutMnemonic(m_steps[i].text));
     arrange();
 }
 
@@ -154,11 +150,11 @@ void NextBar::placeSteps(int width)
     const int y = m_height - kEdge - line;
     m_heading->setGeometry(kGap, y, widthOf(*m_heading), line);
     int x = kGap + widthOf(*m_heading) + kGap;
-    m_more->setText(tr("%n more", nullptr, static_cast<int>(m_links.size())));
+    m_more->setText(tr("%n more", nullptr, static_cast<int>(m_steps.size())));
     const int room = width - widthOf(*m_more) - 2 * kGap;
     std::size_t shown = 0;
-    for (; shown < m_links.size(); ++shown) {
-        const bool isLast = shown + 1 == m_links.size();
+    for (; shown < m_steps.size(); ++shown) {
+        const bool isLast = shown + 1 == m_steps.size();
         if (x + widthOf(*m_links[shown]) > (isLast ? width - kGap : room))
             break;
         m_links[shown]->setGeometry(x, y, widthOf(*m_links[shown]), line);
@@ -167,12 +163,12 @@ void NextBar::placeSteps(int width)
     m_menu->clear();
     for (std::size_t i = 0; i < m_links.size(); ++i) {
         m_links[i]->setVisible(i < shown);
-        if (i >= shown)
+        if (i >= shown && i < m_steps.size())
             m_menu->addAction(
                 m_links[i]->text(), this, [this, step = m_steps[i]] { emit stepRequested(step); });
     }
-    m_more->setVisible(shown < m_links.size());
-    m_more->setText(tr("%n more", nullptr, static_cast<int>(m_links.size() - shown)));
+    m_more->setVisible(shown < m_steps.size());
+    m_more->setText(tr("%n more", nullptr, static_cast<int>(m_steps.size() - shown)));
     m_more->setGeometry(x, y, widthOf(*m_more), line);
 }
 

@@ -44,13 +44,14 @@ private:
     void arrange();
     int placeResults();
     void placeSteps(int width);
-    QToolButton *addLink(const QString &text);
+    void addLink();
 
     QLabel *m_heading;
     QToolButton *m_more;
     QMenu *m_menu;
     std::vector<NextStep> m_steps;
-    std::vector<QToolButton *> m_links; ///< of m_steps
+    std::vector<QToolButton *>
+        m_links; ///< as many as there ever were steps; the first are those of m_steps
     std::vector<QLabel *> m_results;
     int m_height = 0;
 };

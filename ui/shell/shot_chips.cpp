@@ -29,21 +29,32 @@ ShotChips::ShotChips(QWidget *parent)
 
 void ShotChips::setShots(const CaptureSet &set)
 {
-    qDeleteAll(findChildren<QLabel *>());
-    for (std::size_t i = 0; i < std::min(set.shots.size(), kMostChips); ++i) {
-        const Shot &shot = set.shots[i];
-        const QString text = QString::number(i + 1) + " " + levelText(shot.level);
-        auto *chip = new QLabel(text, this);
-        QFont face = chip->font();
-        face.setStrikeOut(!shot.included);
-        chip->setFont(face);
-        chip->setToolTip(shot.included
-                ? tr("Shot %1: %2").arg(i + 1).arg(shownText(shot.label))
-                : tr("Shot %1 is excluded: %2").arg(i + 1).arg(shownText(shot.excludeReason)));
-        layout()->addWidget(chip);
-    }
+    std::vector<Chip> chips;
+    for (std::size_t i = 0; i < std::min(set.shots.size(), kMostChips); ++i)
+        chips.push_back(chipOf(set.shots[i], i + 1));
     if (set.shots.size() > kMostChips)
-        layout()->addWidget(new QLabel(tr("%1 shots").arg(set.shots.size()), this));
+        chips.push_back({tr("%1 shots").arg(set.shots.size()), {}, false});
+    if (chips == m_chips) // a drag asks for them with every move
+        return;
+    m_chips = std::move(chips);
+    qDeleteAll(findChildren<QLabel *>());
+    for (const Chip &chip : m_chips) {
+        auto *label = new QLabel(chip.text, this);
+        QFont face = label->font();
+        face.setStrikeOut(chip.isStruck);
+        label->setFont(face);
+        label->setToolTip(chip.meaning);
+        layout()->addWidget(label);
+    }
+}
+
+ShotChips::Chip ShotChips::chipOf(const Shot &shot, std::size_t number)
+{
+    return {QString::number(number) + " " + levelText(shot.level),
+        shot.included
+            ? tr("Shot %1: %2").arg(number).arg(shownText(shot.label))
+            : tr("Shot %1 is excluded: %2").arg(number).arg(shownText(shot.excludeReason)),
+        !shot.included};
 }
 
 } // namespace dyncal

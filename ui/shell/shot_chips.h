@@ -7,6 +7,8 @@
 
 #include <QWidget>
 
+#include <vector>
+
 namespace dyncal {
 
 /// The shots of the job in the status bar: number, level and the line style of their curves.
@@ -20,6 +22,19 @@ public:
     /// `set` with the recipe's import section applied, so that levels and exclusions are those in
     /// use.
     void setShots(const CaptureSet &set);
+
+private:
+    struct Chip
+    {
+        QString text;
+        QString meaning;
+        bool isStruck = false;
+
+        bool operator==(const Chip &) const = default;
+    };
+    static Chip chipOf(const Shot &shot, std::size_t number);
+
+    std::vector<Chip> m_chips;
 };
 
 } // namespace dyncal

@@ -112,6 +112,7 @@ private slots:
     void initTestCase();
     void everyMove_awaited_isDrawnInTime();
     void stream_ofMoves_followsTheHand();
+    void plots_keepTheirSizes();
     void release_showsTheFullResult();
 
 private:
@@ -130,9 +131,15 @@ private:
     void release();
     /// Everything the page shows is of this order, or on its way to the screen.
     bool isSettled(Index order) { return shownOrder() == order; }
+    bool eventFilter(QObject *, QEvent *event) override
+    {
+        m_resizes += event->type() == QEvent::Resize ? 1 : 0;
+        return false;
+    }
 
     test::WindowBench m_bench{Session::Pipeline(ForgetfulPipeline())};
     PlotWidget *m_values = nullptr;
+    int m_resizes = 0; ///< of plots
     QElapsedTimer m_clock;
     QTimer m_heartbeat;
     double m_lastReplot_ms = 0.0;
@@ -164,8 +171,9 @@ void TestOrderDrag::initTestCase()
     m_clock.start();
     StagePage *page = m_bench.window->pages()[kOrderRow];
     int plots = 0;
-    for (const PlotWidget *plot : page->findChildren<PlotWidget *>()) {
+    for (PlotWidget *plot : page->findChildren<PlotWidget *>()) {
         connect(plot, &PlotWidget::replotted, this, [this] { m_lastReplot_ms = now_ms(); });
+        plot->installEventFilter(this);
         plots += plot->isVisible() ? 1 : 0;
     }
     std::printf("order drag: %d plots follow\n", plots);
@@ -263,6 +271,15 @@ std::vector<double> TestOrderDrag::streamedMoves()
 void TestOrderDrag::stream_ofMoves_followsTheHand()
 {
     QVERIFY(isQuickEnough("60 moves a second", [this] { return streamedMoves(); }));
+}
+
+/// A page that jumps under the hand costs a whole drawing with each jump.
+void TestOrderDrag::plots_keepTheirSizes()
+{
+    awaitedMoves(); // past every order: now each plot has the room it needs
+    m_resizes = 0;
+    awaitedMoves();
+    QCOMPARE(m_resizes, 0);
 }
 
 void TestOrderDrag::release_showsTheFullResult()

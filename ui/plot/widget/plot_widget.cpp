@@ -52,7 +52,9 @@ struct PlotWidget::Parts
             Interval{shown.y.lower, shown.y.upper}, canvas.handles().states()};
     }
 
-    int besideAxes = 0; ///< height of what stands around the axes
+    /// Most height of what stood around the axes at the present width. It does not shrink with the
+    /// content: a page must not jump while a hand tries one model after the other.
+    int besideAxes = 0;
     PlotCanvas canvas;
     PlotMouse mouse;
     PlotKeyboard keyboard;
@@ -75,7 +77,8 @@ void PlotWidget::connectCanvas()
 {
     const PlotCanvas *canvas = &d->canvas;
     connect(canvas, &PlotCanvas::replotted, this, [this] {
-        if (std::exchange(d->besideAxes, d->canvas.heightBesideAxes()) != d->besideAxes)
+        const int needed = std::max(d->besideAxes, d->canvas.heightBesideAxes());
+        if (std::exchange(d->besideAxes, needed) != needed)
             updateGeometry();
         emit replotted();
     });
@@ -281,8 +284,8 @@ QSize PlotWidget::sizeHint() const
     return {480, 300};
 }
 
-/// Room for what stands around the axes as it was drawn last, and for the curves; a map of equal
-/// scales needs more of it.
+/// Room for what stands around the axes and for the curves; a map of equal scales needs more of
+/// it.
 QSize PlotWidget::minimumSizeHint() const
 {
     const int line = fontMetrics().lineSpacing();
@@ -306,8 +309,10 @@ void PlotWidget::changeEvent(QEvent *event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange
-        || event->type() == QEvent::StyleChange)
+        || event->type() == QEvent::StyleChange) {
+        d->besideAxes = 0;
         d->canvas.applyTheme();
+    }
 }
 
 void PlotWidget::resizeEvent(QResizeEvent *event)
@@ -316,6 +321,8 @@ void PlotWidget::resizeEvent(QResizeEvent *event)
     const QRect inner = rect().adjusted(kRing_px, kRing_px, -kRing_px, -kRing_px);
     if (inner.isEmpty()) // a splitter folded it away: there is nothing to paint on
         return;
+    if (event->size().width() != event->oldSize().width())
+        d->besideAxes = 0;
     d->plot.setGeometry(inner);
     d->canvas.replot();
 }

@@ -40,7 +40,28 @@ private slots:
     void content_growing_isFittedUntilTheViewIsMoved();
     void decorationsAlone_areMovedToWhereANewPlotHasThem();
     void notice_standsInTheAxes_andDimsTheCurves();
+    void leastHeight_fewerNames_staysUntilTheWidthChanges();
 };
+
+void TestPlotWidget::leastHeight_fewerNames_staysUntilTheWidthChanges()
+{
+    PlotContent manyNames = timeContent();
+    for (int i = 2; i <= 24; ++i)
+        manyNames.curves.push_back(
+            ringing(QString("Shot %1 of the series").arg(i), CurveRole::ShotLow, 50, 1e-3));
+    PlotWidget plot;
+    plot.setContent(timeContent());
+    show(plot);
+    const int low = plot.minimumSizeHint().height();
+    plot.setContent(manyNames);
+    QTRY_VERIFY(plot.minimumSizeHint().height() > low);
+    const int high = plot.minimumSizeHint().height();
+    plot.setContent(timeContent());
+    QTest::qWait(50);
+    QCOMPARE(plot.minimumSizeHint().height(), high);
+    plot.resize(700, 400);
+    QTRY_COMPARE(plot.minimumSizeHint().height(), low);
+}
 
 void TestPlotWidget::notice_standsInTheAxes_andDimsTheCurves()
 {
