@@ -120,6 +120,16 @@
     </message>
 </context>
 <context>
+    <name>dyncal::SourceNotice</name>
+    <message numerus="yes">
+        <source>%n more file(s) likewise.</source>
+        <translation>
+            <numerusform>%n more file likewise.</numerusform>
+            <numerusform>%n more files likewise.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>dyncal::WorkRecovery</name>
     <message numerus="yes">
         <source>%1 and %n more</source>

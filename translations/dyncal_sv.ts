@@ -5242,7 +5242,7 @@
     </message>
     <message>
         <source>Too few files may be open at once; raise that limit (ulimit -n) to 64 and one for each recording.</source>
-        <translation>För få filer får vara öppna samtidigt; höj den gränsen (ulimit -n) till 64 och en för varje inspelning.</translation>
+        <translation>För få filer får vara öppna samtidigt; höj den gränsen (ulimit -n) till 64 och en för varje registrering.</translation>
     </message>
     <message>
         <source>The name of project %1 is not valid UTF-8; rename the project.</source>
@@ -5266,11 +5266,11 @@
     </message>
     <message>
         <source>%1 is a project and brings its own recipe, so --recipe and --profile (%2) would change nothing; leave them out, or export from the recordings.</source>
-        <translation>%1 är ett projekt och har sitt eget recept, så --recipe och --profile (%2) skulle inte ändra något; utelämna dem, eller exportera från inspelningarna.</translation>
+        <translation>%1 är ett projekt och har sitt eget recept, så --recipe och --profile (%2) skulle inte ändra något; utelämna dem, eller exportera från registreringarna.</translation>
     </message>
     <message>
         <source>%1 is no recording over time: its values lie along &quot;%2&quot; (X_Dimension, X_Unit_Label), and Time in s, ms, us or ns is needed.</source>
-        <translation>%1 är ingen inspelning över tid: dess värden ligger längs ”%2” (X_Dimension, X_Unit_Label), och Time i s, ms, us eller ns behövs.</translation>
+        <translation>%1 är ingen registrering över tid: dess värden ligger längs ”%2” (X_Dimension, X_Unit_Label), och Time i s, ms, us eller ns behövs.</translation>
     </message>
     <message>
         <source>%1: %2 = %3 and %4 = %5 contradict each other (%6 and %7), so the sample rate is unknown; state it in the recipe&apos;s import section.</source>
@@ -5282,7 +5282,7 @@
     </message>
     <message>
         <source>Channel %1 is no recording over time: its values lie along &quot;%2&quot; (wf_xunit_string, wf_xname), and s, ms, us or ns is needed.</source>
-        <translation>Kanal %1 är ingen inspelning över tid: dess värden ligger längs ”%2” (wf_xunit_string, wf_xname), och s, ms, us eller ns behövs.</translation>
+        <translation>Kanal %1 är ingen registrering över tid: dess värden ligger längs ”%2” (wf_xunit_string, wf_xname), och s, ms, us eller ns behövs.</translation>
     </message>
     <message>
         <source>%1: the times in %2 are not uniform (allowed is 1 % of a step, and half a step in all), so the sample rate is unknown; state it in the recipe&apos;s import section if it is known.</source>
@@ -5307,6 +5307,14 @@
     <message>
         <source>Shot %1, channel %2: no step found. The largest change is %3, and more than %4 is needed, %5 times the %6 that the record drifts in the same time: set window.start by hand or exclude the shot.</source>
         <translation>Skott %1, kanal %2: inget steg hittat. Den största ändringen är %3, och mer än %4 krävs, %5 gånger de %6 som registreringen driver under samma tid: ange window.start för hand eller uteslut skottet.</translation>
+    </message>
+    <message>
+        <source>%1 is no longer where it was opened: it was moved or removed, or its drive is gone. Put it back and read it again, or locate it; nothing is exported before.</source>
+        <translation>%1 finns inte längre där den öppnades: den har flyttats eller tagits bort, eller så är enheten borta. Lägg tillbaka den och läs om den, eller leta upp den; ingenting exporteras förrän dess.</translation>
+    </message>
+    <message>
+        <source>%1 was changed after it was opened, so what is shown may no longer be what it holds. Read it again; nothing is exported before.</source>
+        <translation>%1 har ändrats sedan den öppnades, så det som visas är kanske inte längre det som den innehåller. Läs om den; ingenting exporteras förrän dess.</translation>
     </message>
 </context>
 <context>
@@ -5409,6 +5417,41 @@
     <message>
         <source>%1: automatic</source>
         <translation>%1: automatiskt</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::Banner</name>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Återställ</translation>
+    </message>
+    <message>
+        <source>L&amp;ocate recordings...</source>
+        <translation>Leta &amp;upp registreringar...</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>Ån&amp;gra</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Kasta</translation>
+    </message>
+    <message>
+        <source>&amp;Not now</source>
+        <translation>&amp;Inte nu</translation>
+    </message>
+    <message>
+        <source>It is offered again at the next start</source>
+        <translation>Det erbjuds igen vid nästa start</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>&amp;Stäng</translation>
+    </message>
+    <message>
+        <source>Read a&amp;gain</source>
+        <translation>Läs &amp;om</translation>
     </message>
 </context>
 <context>
@@ -5548,6 +5591,10 @@
             <numerusform>%n skott läst</numerusform>
             <numerusform>%n skott lästa</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Read recordings again</source>
+        <translation>Läs om registreringarna</translation>
     </message>
 </context>
 <context>
@@ -5996,6 +6043,57 @@
     </message>
 </context>
 <context>
+    <name>dyncal::ExportActions</name>
+    <message>
+        <source>Written: %1</source>
+        <translation>Skrivet: %1</translation>
+    </message>
+    <message>
+        <source>Written: %1 (results.json and recipe.json alone, because of what blocks)</source>
+        <translation>Skrivet: %1 (endast results.json och recipe.json, på grund av det som blockerar)</translation>
+    </message>
+    <message>
+        <source>The results are still being computed; try again in a moment.</source>
+        <translation>Resultaten beräknas fortfarande; försök igen om en stund.</translation>
+    </message>
+    <message>
+        <source>The results are out of date because the computation was cancelled; press F9 to compute them again.</source>
+        <translation>Resultaten är inaktuella eftersom beräkningen avbröts; tryck F9 för att beräkna dem igen.</translation>
+    </message>
+    <message>
+        <source>There is no model yet: open recordings and clear what blocks the stages.</source>
+        <translation>Det finns ingen modell än: öppna registreringar och åtgärda det som blockerar arbetsstegen.</translation>
+    </message>
+    <message>
+        <source>Results are still being written to %1; wait until they are, or press Cancel.</source>
+        <translation>Resultaten skrivs fortfarande till %1; vänta tills det är klart eller tryck Avbryt.</translation>
+    </message>
+    <message>
+        <source>Export results into a folder</source>
+        <translation>Exportera resultat till en mapp</translation>
+    </message>
+    <message>
+        <source>Export certificate</source>
+        <translation>Exportera kalibreringsbevis</translation>
+    </message>
+    <message>
+        <source>PDF documents (*.pdf)</source>
+        <translation>PDF-dokument (*.pdf)</translation>
+    </message>
+    <message>
+        <source>Export the model into a folder</source>
+        <translation>Exportera modellen till en mapp</translation>
+    </message>
+    <message>
+        <source>Model written to %1</source>
+        <translation>Modellen skrevs till %1</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Skriver %1</translation>
+    </message>
+</context>
+<context>
     <name>dyncal::FileActions</name>
     <message>
         <source>The recordings are still being read for their hashes, which the project keeps; try again in a moment.</source>
@@ -6046,56 +6144,12 @@
         <translation>Projektet har sparats</translation>
     </message>
     <message>
-        <source>The results are still being computed; try again in a moment.</source>
-        <translation>Resultaten beräknas fortfarande; försök igen om en stund.</translation>
-    </message>
-    <message>
-        <source>The results are out of date because the computation was cancelled; press F9 to compute them again.</source>
-        <translation>Resultaten är inaktuella eftersom beräkningen avbröts; tryck F9 för att beräkna dem igen.</translation>
-    </message>
-    <message>
-        <source>There is no model yet: open recordings and clear what blocks the stages.</source>
-        <translation>Det finns ingen modell än: öppna registreringar och åtgärda det som blockerar arbetsstegen.</translation>
-    </message>
-    <message>
-        <source>Export results into a folder</source>
-        <translation>Exportera resultat till en mapp</translation>
-    </message>
-    <message>
-        <source>Export certificate</source>
-        <translation>Exportera kalibreringsbevis</translation>
-    </message>
-    <message>
-        <source>PDF documents (*.pdf)</source>
-        <translation>PDF-dokument (*.pdf)</translation>
-    </message>
-    <message>
         <source>Cancelled</source>
         <translation>Avbrutet</translation>
     </message>
     <message>
-        <source>Written: %1</source>
-        <translation>Skrivet: %1</translation>
-    </message>
-    <message>
-        <source>Results are still being written to %1; wait until they are, or press Cancel.</source>
-        <translation>Resultaten skrivs fortfarande till %1; vänta tills det är klart eller tryck Avbryt.</translation>
-    </message>
-    <message>
-        <source>Writing %1</source>
-        <translation>Skriver %1</translation>
-    </message>
-    <message>
         <source>The example is open</source>
         <translation>Exemplet är öppnat</translation>
-    </message>
-    <message>
-        <source>Export the model into a folder</source>
-        <translation>Exportera modellen till en mapp</translation>
-    </message>
-    <message>
-        <source>Model written to %1</source>
-        <translation>Modellen skrevs till %1</translation>
     </message>
     <message>
         <source>Restoring work</source>
@@ -6104,10 +6158,6 @@
     <message>
         <source>Work restored; it is not saved yet</source>
         <translation>Arbetet är återställt; det är inte sparat än</translation>
-    </message>
-    <message>
-        <source>Written: %1 (results.json and recipe.json alone, because of what blocks)</source>
-        <translation>Skrivet: %1 (endast results.json och recipe.json, på grund av det som blockerar)</translation>
     </message>
 </context>
 <context>
@@ -7552,37 +7602,6 @@
     </message>
 </context>
 <context>
-    <name>dyncal::RecoveryBanner</name>
-    <message>
-        <source>&amp;Restore</source>
-        <translation>&amp;Återställ</translation>
-    </message>
-    <message>
-        <source>L&amp;ocate recordings...</source>
-        <translation>Leta &amp;upp registreringar...</translation>
-    </message>
-    <message>
-        <source>&amp;Undo</source>
-        <translation>Ån&amp;gra</translation>
-    </message>
-    <message>
-        <source>&amp;Discard</source>
-        <translation>&amp;Kasta</translation>
-    </message>
-    <message>
-        <source>&amp;Not now</source>
-        <translation>&amp;Inte nu</translation>
-    </message>
-    <message>
-        <source>It is offered again at the next start</source>
-        <translation>Det erbjuds igen vid nästa start</translation>
-    </message>
-    <message>
-        <source>&amp;Close</source>
-        <translation>&amp;Stäng</translation>
-    </message>
-</context>
-<context>
     <name>dyncal::ShockPage</name>
     <message>
         <source>Reference step</source>
@@ -7698,6 +7717,20 @@
     <message>
         <source>%1 shots</source>
         <translation>%1 skott</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::SourceNotice</name>
+    <message numerus="yes">
+        <source>%n more file(s) likewise.</source>
+        <translation>
+            <numerusform>Detsamma gäller %n fil till.</numerusform>
+            <numerusform>Detsamma gäller %n filer till.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>Mapp med registreringarna</translation>
     </message>
 </context>
 <context>

@@ -22,6 +22,7 @@ Session::Session(Pipeline pipeline, QObject *parent)
     , m_pipeline(std::move(pipeline))
     , m_progress([this](double done) { emit progress(done); })
     , m_candidates(std::make_unique<OrderCandidates>())
+    , m_sources(this, [this] { emit sourcesChanged(); })
     , m_sealing(
           this, [this](const auto &opened, const auto &sealed) { takeSealed(opened, sealed); },
           m_progress)
@@ -34,6 +35,7 @@ Session::Session(Pipeline pipeline, QObject *parent)
     m_undo.setUndoLimit(kUndoSteps);
     connect(this, &Session::resultsChanged, this, &Session::followCandidates);
     connect(this, &Session::recipeChanged, this, &Session::followCandidates);
+    connect(this, &Session::capturesChanged, this, [this] { m_sources.watch(m_state.captures); });
 }
 
 Session::~Session() = default;
@@ -52,6 +54,16 @@ bool Session::needsWholeSet() const
     return m_shown.keyOf(StageId::Decomposition)
         == decompositionKey(captures, withFirstTriplets(recipe()))
         && m_wholeSet.made() != decompositionKey(captures, recipe());
+}
+
+Findings Session::findings() const
+{
+    Findings all;
+    for (const ChangedSource &source : changedSources())
+        all.push_back(source.finding);
+    for (Finding &finding : m_shown.findings())
+        all.push_back(std::move(finding));
+    return all;
 }
 
 void Session::followCandidates()

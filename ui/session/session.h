@@ -12,6 +12,7 @@
 #include "ui/session/project_state.h"
 #include "ui/session/rest_run.h"
 #include "ui/session/results_on_show.h"
+#include "ui/session/source_watch.h"
 #include "ui/session/stage_status.h"
 #include "ui/session/whole_set_run.h"
 
@@ -69,8 +70,11 @@ public:
     Recipe recipeOnShow() const;
     /// Whether the order chosen is beyond the first singular values, which are all that is there.
     bool needsWholeSet() const;
-    /// Findings of all stages, and the error of a failed stage as a finding that blocks.
-    Findings findings() const { return m_shown.findings(); }
+    /// Findings of all stages, the error of a failed stage as a finding that blocks, and before
+    /// them what has happened to the files of the recordings.
+    Findings findings() const;
+    /// Nothing may leave the program while there are such.
+    const std::vector<ChangedSource> &changedSources() const { return m_sources.changes(); }
 
     QUndoStack &undoStack() { return m_undo; }
     /// Replaces the recipe as one undo step. Changes with the same non-empty `mergeKey` become one
@@ -115,6 +119,7 @@ signals:
     void capturesChanged();
     void resultsChanged();
     void stageStatusChanged();
+    void sourcesChanged(); ///< changedSources() are others
     void failed(const dyncal::Error &error);
     void progress(double fraction);
 
@@ -150,6 +155,7 @@ private:
     FrequencyCursors m_frequencyCursors;
     std::shared_ptr<ResultCache> m_cache = std::make_shared<ResultCache>();
     std::unique_ptr<OrderCandidates> m_candidates;
+    SourceWatch m_sources;
     CaptureSealing m_sealing;
     WholeSetRun m_wholeSet;
     JobRunner m_jobs; ///< of the two members below; its jobs hold values only

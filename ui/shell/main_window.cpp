@@ -4,7 +4,9 @@
 #include "ui/shell/main_window.h"
 
 #include "ui/session/work_state.h"
+#include "ui/shell/banner/banner.h"
 #include "ui/shell/control_focus.h"
+#include "ui/shell/files/source_notice.h"
 #include "ui/shell/findings/finding_answers.h"
 #include "ui/shell/findings/finding_places.h"
 #include "ui/shell/findings/findings_panel.h"
@@ -12,7 +14,6 @@
 #include "ui/shell/inspector_scroll.h"
 #include "ui/shell/main_menus.h"
 #include "ui/shell/next_bar.h"
-#include "ui/shell/recovery/recovery_banner.h"
 #include "ui/shell/recovery/work_recovery.h"
 #include "ui/shell/shot_chips.h"
 #include "ui/shell/stage_list.h"
@@ -69,10 +70,12 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
     , m_currentUtc(std::move(currentUtc))
     , m_session(std::move(pipeline))
     , m_files(new FileActions(m_session, m_currentUtc, prompts, preferences, this))
-    , m_banner(new RecoveryBanner(this))
+    , m_recoveryBanner(new Banner("recovery", this))
+    , m_sourceBanner(new Banner("source", this))
     , m_centre(new QStackedWidget(this))
     , m_inspectors(new QStackedWidget(this))
     , m_work(new WorkStatus(*statusBar(), m_session, *m_files, this))
+    , m_sources(new SourceNotice(m_session, m_files->captures(), m_prompts, *m_sourceBanner, this))
     , m_nextLine(new QToolBar(this))
 {
     initialiseResources();
@@ -113,18 +116,18 @@ MainWindow::~MainWindow()
 
 void MainWindow::buildCentre()
 {
-    auto *centre = new QWidget(this);
-    auto *column = new QVBoxLayout(centre);
+    setCentralWidget(new QWidget(this));
+    auto *column = new QVBoxLayout(centralWidget());
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    column->addWidget(m_banner);
+    column->addWidget(m_recoveryBanner);
+    column->addWidget(m_sourceBanner);
     column->addWidget(m_centre, 1);
-    setCentralWidget(centre);
 }
 
 void MainWindow::keepWork(const QString &folder, const AutoSaveDelays &delays)
 {
-    m_recovery = new WorkRecovery({m_session, *m_files, m_prompts, *m_banner, *statusBar()},
+    m_recovery = new WorkRecovery({m_session, *m_files, m_prompts, *m_recoveryBanner, *statusBar()},
         m_currentUtc, folder, delays, this);
 }
 
@@ -154,7 +157,6 @@ void MainWindow::buildDocks()
     addToolBar(Qt::BottomToolBarArea, m_nextLine);
     // Of a moment, so no part of the layout that is kept.
     m_problemsDock = dock("problemsDock", Qt::BottomDockWidgetArea);
-    m_problemsDock->hide();
 }
 
 void MainWindow::resetLayout()
@@ -180,10 +182,12 @@ void MainWindow::connectSession()
 {
     connect(m_files, &FileActions::projectChanged, this, &MainWindow::showTitle);
     connect(&m_session, &Session::capturesChanged, this, &MainWindow::showCaptures);
-    connect(&m_session, &Session::resultsChanged, this, &MainWindow::showFindings);
-    connect(&m_session, &Session::recipeChanged, this, &MainWindow::showFindings);
-    connect(&m_session, &Session::stageStatusChanged, this, &MainWindow::showStatuses);
-    connect(&m_session, &Session::recipeChanged, this, &MainWindow::showStatuses);
+    for (const auto signal :
+        {&Session::resultsChanged, &Session::recipeChanged, &Session::sourcesChanged})
+        connect(&m_session, signal, this, &MainWindow::showFindings);
+    for (const auto signal :
+        {&Session::stageStatusChanged, &Session::recipeChanged, &Session::sourcesChanged})
+        connect(&m_session, signal, this, &MainWindow::showStatuses);
 }
 
 void MainWindow::buildContents()
@@ -212,6 +216,7 @@ void MainWindow::buildContents()
     showFindings();
     showStatuses();
     m_work->showWords();
+    m_sources->showWords();
     if (m_recovery)
         m_recovery->showWords();
     if (started)
@@ -438,12 +443,8 @@ void MainWindow::dragEnterEvent(QDragEnterEvent *event)
 
 void MainWindow::dropEvent(QDropEvent *event)
 {
-    QStringList paths;
-    for (const QUrl &url : event->mimeData()->urls())
-        if (url.isLocalFile())
-            paths << url.toLocalFile();
     event->acceptProposedAction();
-    m_files->openPaths(paths);
+    m_files->openDropped(event->mimeData()->urls());
 }
 
 } // namespace dyncal

@@ -24,8 +24,9 @@ class FindingsPanel;
 class MainMenus;
 class NextBar;
 class ProblemPanel;
-class RecoveryBanner;
+class Banner;
 class ShotChips;
+class SourceNotice;
 class StageList;
 class StagePage;
 class StartPage;
@@ -96,7 +97,8 @@ private:
 
     StageList *m_stageList = nullptr;
     StartPage *m_start = nullptr;
-    RecoveryBanner *m_banner;
+    Banner *m_recoveryBanner;
+    Banner *m_sourceBanner;
     QStackedWidget *m_centre;
     QStackedWidget *m_inspectors;
     QDockWidget *m_stagesDock;
@@ -108,6 +110,7 @@ private:
     ShotChips *m_chips = nullptr;
     WorkStatus *m_work;
     WorkRecovery *m_recovery = nullptr;
+    SourceNotice *m_sources;
     MainMenus *m_menus = nullptr;
     NextBar *m_next = nullptr;
     QToolBar *m_nextLine; ///< holds it, above the status bar

@@ -297,7 +297,7 @@ void TestExport::recordingMoved_isSaidAndNothingIsWritten()
         (m_window->files().*exports[i])();
         waitIdle();
         QCOMPARE(newProblems().size(), i + 1);
-        QVERIFY2(newProblems().last().contains("example.h5 was changed, moved or removed"),
+        QVERIFY2(newProblems().last().contains("example.h5 is no longer where it was opened"),
             qPrintable(newProblems().last()));
         QCOMPARE(filesBelow(folder), QStringList());
     }

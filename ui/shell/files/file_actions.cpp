@@ -3,13 +3,7 @@
 
 #include "ui/shell/files/file_actions.h"
 
-#include "core/base/writing/atomic_file.h"
 #include "core/base/writing/write_problem.h"
-#include "core/capture/capture_seal.h"
-#include "core/capture/opening/capture_open.h"
-#include "core/results/model_export.h"
-#include "core/results/publication.h"
-#include "ui/session/capture_edit.h"
 #include "ui/session/example.h"
 #include "ui/shell/files/capture_filter.h"
 #include "ui/text/core_text.h"
@@ -64,22 +58,17 @@ FileActions::FileActions(Session &session, CurrentUtc currentUtc, Prompts &promp
     , m_window(window)
     , m_jobs(this)
     , m_captures(session, preferences, window)
-    , m_export(this)
+    , m_exports(session, m_currentUtc, prompts, preferences, window)
 {
     connect(&m_captures, &CaptureImport::busy, this, &FileActions::busy);
     connect(&m_captures, &CaptureImport::progress, this, &FileActions::progress);
     connect(&m_captures, &CaptureImport::idle, this, &FileActions::idle);
     connect(&m_captures, &CaptureImport::newJob, this,
         [this](const ProjectState &state) { startJob(state, {}); });
-    connect(&m_export, &ExportJob::progress, this, &FileActions::progress);
-    connect(&m_export, &ExportJob::failed, this, &FileActions::showProblem);
-    connect(&m_export, &ExportJob::finished, this, [this](bool isWhole) {
-        const QString target = shownText(m_exportTarget);
-        emit idle(isWhole
-                ? tr("Written: %1").arg(target)
-                : tr("Written: %1 (results.json and recipe.json alone, because of what blocks)")
-                      .arg(target));
-    });
+    connect(&m_exports, &ExportActions::busy, this, &FileActions::busy);
+    connect(&m_exports, &ExportActions::progress, this, &FileActions::progress);
+    connect(&m_exports, &ExportActions::idle, this, &FileActions::idle);
+    connect(&m_exports, &ExportActions::failed, this, &FileActions::showProblem);
     connect(&session.undoStack(), &QUndoStack::cleanChanged, this, &FileActions::projectChanged);
 }
 
@@ -145,9 +134,18 @@ void FileActions::openPaths(const QStringList &paths)
     readRecordings(paths, m_session.state().hasShots());
 }
 
+void FileActions::openDropped(const QList<QUrl> &places)
+{
+    QStringList paths;
+    for (const QUrl &place : places)
+        if (place.isLocalFile())
+            paths << place.toLocalFile();
+    openPaths(paths);
+}
+
 void FileActions::readRecordings(const QStringList &paths, bool add)
 {
-    if (!isExporting())
+    if (!m_exports.refuses())
         m_captures.read(paths, add);
 }
 
@@ -162,7 +160,7 @@ void FileActions::startJob(
 
 void FileActions::openExample()
 {
-    if (isExporting() || !mayDiscard())
+    if (m_exports.refuses() || !mayDiscard())
         return;
     emit busy(tr("Making the example"));
     m_jobs.start<CaptureSet>(
@@ -191,7 +189,7 @@ void FileActions::openProject()
 
 void FileActions::openProjectFile(const QString &path)
 {
-    if (isExporting())
+    if (m_exports.refuses())
         return;
     emit busy(tr("Opening project"));
     m_jobs.start<OpenedProject>(
@@ -211,7 +209,7 @@ void FileActions::openProjectFile(const QString &path)
 
 void FileActions::restoreWork(const RecoveredWork &work, const QString &recordings)
 {
-    if (isExporting() || !mayDiscard())
+    if (m_exports.refuses() || !mayDiscard())
         return;
     m_captures.cancel(); // recordings that arrive later would take the place of the work
     emit busy(tr("Restoring work"));
@@ -236,19 +234,11 @@ bool FileActions::save()
     return m_path.isEmpty() ? saveAs() : saveTo(m_path, m_onDisk);
 }
 
-bool FileActions::refusesRecording(const QString &path)
-{
-    if (!isRecordingOf(*m_session.state().captures, path.toStdString()))
-        return false;
-    showProblem(existsAlready(path.toStdString()).value());
-    return true;
-}
-
 bool FileActions::saveAs()
 {
     const QString path = m_prompts.saveFile(m_window, tr("Save project"), projectFilter(),
         proposedPath(projectName() + "." + kProjectSuffix), kProjectSuffix);
-    if (path.isEmpty() || refusesRecording(path))
+    if (path.isEmpty() || m_exports.refusesRecording(path))
         return false;
     // The dialog asked about the file that is there now; of its own project the window knows the
     // hash.
@@ -288,126 +278,31 @@ bool FileActions::saveTo(const QString &path, const ProjectFileHash &expected)
     return true;
 }
 
-/// Only results that belong to the settings on the screen are written.
-bool FileActions::hasResults()
-{
-    QString problem;
-    if (m_session.isComputing())
-        problem = tr("The results are still being computed; try again in a moment.");
-    else if (!m_session.isUpToDate())
-        problem = tr(
-            "The results are out of date because the computation was cancelled; press F9 to compute them again.");
-    else if (!m_session.results().model)
-        problem = tr("There is no model yet: open recordings and clear what blocks the stages.");
-    if (!problem.isEmpty())
-        m_prompts.showProblem(m_window, problem);
-    return problem.isEmpty();
-}
-
-PipelineOutcome FileActions::outcome() const
-{
-    return {m_session.results(), m_session.error(), m_session.failedStage()};
-}
-
-/// Also shows what blocks.
-bool FileActions::isBlocked()
-{
-    const std::optional<Error> obstacle = publicationObstacle(outcome());
-    if (obstacle)
-        showProblem(*obstacle);
-    return obstacle.has_value();
-}
-
-bool FileActions::isExporting()
-{
-    if (m_export.isRunning())
-        m_prompts.showProblem(m_window,
-            tr("Results are still being written to %1; wait until they are, or press Cancel.")
-                .arg(shownText(m_exportTarget)));
-    return m_export.isRunning();
-}
-
 bool FileActions::mayQuit()
 {
-    return !isExporting() && mayDiscard();
+    return !m_exports.refuses() && mayDiscard();
 }
 
 void FileActions::exportResults()
 {
-    if (isExporting() || !hasResults())
-        return;
-    const QString folder = m_prompts.folder(
-        m_window, tr("Export results into a folder"), m_preferences.lastFolder());
-    if (folder.isEmpty())
-        return;
-    Result<FolderWrite> begun
-        = FolderWrite::begin(runFolder(folder.toStdString(), *m_session.state().captures));
-    if (!begun) {
-        showProblem(begun.error());
-        return;
-    }
-    startExport(folder, ReportParts::CertificateAndPlots,
-        [target = std::make_shared<FolderWrite>(std::move(*begun))](
-            const RunFiles &run, const JobControl &control) -> Result<void> {
-            const auto written = writeRunFiles(run, *target, control);
-            if (!written)
-                return tl::unexpected<Error>(written.error());
-            return {};
-        });
+    m_exports.exportResults();
 }
 
 void FileActions::exportCertificate()
 {
-    if (isExporting() || !hasResults() || isBlocked())
-        return;
-    const QString path = m_prompts.saveFile(m_window, tr("Export certificate"),
-        tr("PDF documents (*.pdf)"), proposedPath("certificate.pdf"), "pdf");
-    if (path.isEmpty() || refusesRecording(path))
-        return;
-    startExport(path, ReportParts::Certificate,
-        [path = path.toStdString(), captures = m_session.state().captures](
-            const RunFiles &run, const JobControl &) {
-            const Result<void> whole = checkStillWhole(*captures);
-            return whole ? writeFileAtomically(path, run.drawn.front().bytes) : whole;
-        });
+    m_exports.exportCertificate(proposedPath("certificate.pdf"));
 }
 
 void FileActions::exportModel()
 {
-    if (isExporting() || !hasResults() || isBlocked())
-        return;
-    const QString folder = m_prompts.folder(
-        m_window, tr("Export the model into a folder"), m_preferences.lastFolder());
-    if (folder.isEmpty())
-        return;
-    Result<FolderWrite> target
-        = FolderWrite::begin(modelFolder(folder.toStdString(), *m_session.state().captures));
-    const auto written = target ? writeModelFiles(m_session.results(), modelFormats(), *target)
-                                : tl::unexpected<Error>(target.error());
-    if (written)
-        emit idle(tr("Model written to %1").arg(shownText(folder)));
-    else
-        showProblem(written.error());
-}
-
-void FileActions::startExport(
-    const QString &target, ReportParts parts, const ExportJob::Write &write)
-{
-    const Result<std::string> created = m_currentUtc();
-    if (!created) {
-        showProblem(created.error());
-        return;
-    }
-    m_exportTarget = target;
-    emit busy(tr("Writing %1").arg(shownText(QFileInfo(target).fileName())));
-    m_export.start({outcome(), m_session.recipe(), *created, {}}, parts, write);
+    m_exports.exportModel();
 }
 
 void FileActions::cancel()
 {
     m_jobs.cancel();
     m_captures.cancel();
-    m_export.cancel();
+    m_exports.cancel();
     emit idle(tr("Cancelled"));
 }
 

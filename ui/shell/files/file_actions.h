@@ -7,7 +7,7 @@
 #include "ui/session/project_file.h"
 #include "ui/session/recovery_store.h"
 #include "ui/session/session.h"
-#include "ui/shell/files/export_job.h"
+#include "ui/shell/files/export_actions.h"
 #include "ui/shell/import/capture_import.h"
 #include "ui/shell/preferences/preferences.h"
 #include "ui/stages/frame/prompts.h"
@@ -35,6 +35,7 @@ public:
     /// Files or folders from a drop or the command line: a project is opened; recordings start a
     /// job or are added to the one that is open.
     void openPaths(const QStringList &paths);
+    void openDropped(const QList<QUrl> &places); ///< those of files
     /// Opens what a stopped program left behind, as unsaved changes of its project; recordings that
     /// are not where they were are looked for in the folder `recordings`. Emits workRestored or
     /// restoreFailed; neither if the operator keeps what is open.
@@ -53,7 +54,7 @@ public:
     bool isModified() const;
     bool isBusy() const
     {
-        return m_jobs.isRunning() || m_captures.isRunning() || m_export.isRunning();
+        return m_jobs.isRunning() || m_captures.isRunning() || m_exports.isRunning();
     }
     /// False, with a message, while results are being written: quitting would leave half of them.
     bool mayQuit();
@@ -80,13 +81,7 @@ private:
     void readRecordings(const QStringList &paths, bool add);
     void startJob(
         const ProjectState &state, const QString &path, const ProjectFileHash &onDisk = {});
-    bool refusesRecording(const QString &path); ///< with a message, even after a dialog asked
     bool saveTo(const QString &path, const ProjectFileHash &expected);
-    bool hasResults();
-    bool isExporting();
-    bool isBlocked();
-    PipelineOutcome outcome() const;
-    void startExport(const QString &target, ReportParts parts, const ExportJob::Write &write);
     void showProblem(const Error &error);
     QString proposedPath(const QString &fileName) const;
 
@@ -98,10 +93,9 @@ private:
     QString m_path; ///< of the project; empty = never saved
     ProjectFileHash m_onDisk; ///< the project's file as it was read or saved last
     double m_exampleDuration_s = 0.02;
-    QString m_exportTarget; ///< as named in the message when it is written
     JobRunner m_jobs;
     CaptureImport m_captures;
-    ExportJob m_export;
+    ExportActions m_exports;
 };
 
 } // namespace dyncal

@@ -10,6 +10,7 @@
 #include "ui/text/shown_text.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace dyncal {
 
@@ -67,6 +68,14 @@ void CaptureImport::change(const ImportSettings &next, const QString &step)
     m_session.apply(recipe, step);
 }
 
+void CaptureImport::rereadJob(const QString &folder)
+{
+    Request request{{}, true, m_session.recipe().import, false, tr("Read recordings again")};
+    request.again = true;
+    request.folder = folder;
+    start(request);
+}
+
 void CaptureImport::edit(const QString &path)
 {
     const auto &inputs = m_session.state().captures->inputs;
@@ -87,13 +96,16 @@ void CaptureImport::start(const Request &request)
     emit busy(tr("Reading recordings"));
     const std::shared_ptr<const CaptureSet> earlier
         = request.add ? m_session.state().captures : std::make_shared<const CaptureSet>();
-    const bool again = needsReading(*earlier, m_session.recipe().import, request.settings);
+    const bool again
+        = request.again || needsReading(*earlier, m_session.recipe().import, request.settings);
     m_jobs.start<std::shared_ptr<const Outcome>>(
-        [paths = strings(request.paths), settings = request.settings, earlier, again](
+        [paths = strings(request.paths), settings = request.settings, earlier, again,
+            folder = request.folder.toStdString()](
             const JobControl &control) -> Result<std::shared_ptr<const Outcome>> {
             auto outcome = std::make_shared<Outcome>();
             if (again) {
-                Result<CapturesRead> read = readAgain(*earlier, settings, control);
+                Result<CapturesRead> read
+                    = readAgain(relocated(*earlier, folder), settings, control);
                 if (!read)
                     return tl::unexpected(read.error());
                 outcome->again = std::move(*read);
@@ -143,7 +155,10 @@ void CaptureImport::ask(
 
 void CaptureImport::take(const Request &request, const Outcome &outcome)
 {
-    const std::vector<std::string> tried = strings(request.paths);
+    std::vector<std::string> tried = strings(request.paths);
+    if (request.again)
+        std::ranges::transform(
+            m_session.state().captures->inputs, std::back_inserter(tried), &InputFile::path);
     if (outcome.again && !outcome.again->problems.empty()) {
         // The files of the job do not read this way: it stays as it is.
         std::vector<FileProblem> problems = outcome.again->problems;

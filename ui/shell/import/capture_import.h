@@ -30,6 +30,9 @@ public:
     void read(const QStringList &paths, bool add);
     /// Changes the import section as one undo step.
     void change(const ImportSettings &next, const QString &step);
+    /// Reads the files of the job once more, as one undo step: they were changed, or moved to
+    /// `folder` (empty: nowhere else).
+    void rereadJob(const QString &folder);
     /// Shows how one file is read. Changes apply to the job if the file is part of it; else the
     /// file is read with them.
     void edit(const QString &path);
@@ -54,6 +57,8 @@ private:
         bool mayAsk = true;
         QString step;
         QString asked{}; ///< the file of the last question, to ask only once
+        bool again = false; ///< the files of the job, too
+        QString folder{}; ///< where those are that are not where they were
     };
     struct Outcome;
 

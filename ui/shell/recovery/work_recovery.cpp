@@ -4,7 +4,7 @@
 #include "ui/shell/recovery/work_recovery.h"
 
 #include "ui/session/example.h"
-#include "ui/shell/recovery/recovery_banner.h"
+#include "ui/shell/banner/banner.h"
 #include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
@@ -65,7 +65,7 @@ WorkRecovery::WorkRecovery(const Parts &parts, const CurrentUtc &currentUtc, con
     connect(&parts.files, &FileActions::projectChanged, this, [this] { followProject(); });
     connect(&parts.files, &FileActions::workRestored, this, &WorkRecovery::takeRestored);
     connect(&parts.files, &FileActions::restoreFailed, this, &WorkRecovery::showFailedRestore);
-    connect(&parts.banner, &RecoveryBanner::chosen, this, &WorkRecovery::obey);
+    connect(&parts.banner, &Banner::chosen, this, &WorkRecovery::obey);
     connect(&m_autoSave, &AutoSave::saved, this, &WorkRecovery::showSaved);
     connect(&m_autoSave, &AutoSave::failed, this, &WorkRecovery::showFailure);
     connect(&m_autoSave, &AutoSave::nothingToSave, this, [this] { showSaved({}); });
@@ -93,7 +93,7 @@ void WorkRecovery::end()
 
 void WorkRecovery::showNext()
 {
-    using enum RecoveryAction;
+    using enum BannerAction;
     if (!m_offers.empty() && m_isDiscarded) {
         m_parts.banner.present(
             tr("The recovered work on %1 is discarded.").arg(nameOf(m_offers.front())),
@@ -140,23 +140,25 @@ QString WorkRecovery::timeText(const QDateTime &utc) const
                                                        : QStringLiteral("yyyy-MM-dd HH:mm:ss"));
 }
 
-void WorkRecovery::obey(RecoveryAction action)
+void WorkRecovery::obey(BannerAction action)
 {
     switch (action) {
-    case RecoveryAction::Restore:
+    case BannerAction::Restore:
         restore({});
         break;
-    case RecoveryAction::Locate:
+    case BannerAction::Locate:
         locate();
         break;
-    case RecoveryAction::Discard:
-    case RecoveryAction::Undo:
-        m_isDiscarded = action == RecoveryAction::Discard;
+    case BannerAction::Discard:
+    case BannerAction::Undo:
+        m_isDiscarded = action == BannerAction::Discard;
         showNext();
         break;
-    case RecoveryAction::NotNow:
-    case RecoveryAction::Close:
+    case BannerAction::NotNow:
+    case BannerAction::Close:
         nextOffer();
+        break;
+    case BannerAction::ReadAgain: // not offered here
         break;
     }
 }

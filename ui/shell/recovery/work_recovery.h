@@ -14,8 +14,8 @@ class QStatusBar;
 
 namespace dyncal {
 
-class RecoveryBanner;
-enum class RecoveryAction;
+class Banner;
+enum class BannerAction;
 
 /// Keeps unsaved work while the window is open and offers what stopped programs left behind, one
 /// after the other, in the banner. No dialog is opened unasked.
@@ -29,7 +29,7 @@ public:
         Session &session;
         FileActions &files;
         Prompts &prompts;
-        RecoveryBanner &banner;
+        Banner &banner;
         QStatusBar &statusBar;
     };
     WorkRecovery(const Parts &parts, const CurrentUtc &currentUtc, const QString &folder,
@@ -42,7 +42,7 @@ public:
 private:
     void followProject();
     void showNext();
-    void obey(RecoveryAction action);
+    void obey(BannerAction action);
     void restore(const QString &recordings);
     void locate();
     void nextOffer(); ///< the one on show is settled

@@ -15,22 +15,23 @@ class QPushButton;
 namespace dyncal {
 
 /// What the operator can answer.
-enum class RecoveryAction { Restore, Locate, Discard, Undo, NotNow, Close };
+enum class BannerAction { Restore, ReadAgain, Locate, Undo, Discard, NotNow, Close };
 
-/// A line above the pages that says what a stopped program left behind and what can be done with
-/// it. It waits as long as the operator likes; work goes on below it.
-class RecoveryBanner : public QFrame
+/// A line above the pages that says what has happened and what can be done about it. It waits as
+/// long as the operator likes; work goes on below it.
+class Banner : public QFrame
 {
     Q_OBJECT
 
 public:
-    explicit RecoveryBanner(QWidget *parent = nullptr);
+    /// "recovery" makes a "recoveryBanner" with a "recoverySentence".
+    explicit Banner(const QString &subject, QWidget *parent = nullptr);
 
-    void present(const QString &sentence, const std::vector<RecoveryAction> &actions);
+    void present(const QString &sentence, const std::vector<BannerAction> &actions);
     void showWords(); ///< in the language of the moment
 
 signals:
-    void chosen(dyncal::RecoveryAction action);
+    void chosen(dyncal::BannerAction action);
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -39,7 +40,7 @@ protected:
 private:
     QBoxLayout *m_layout;
     QLabel *m_sentence;
-    std::map<RecoveryAction, QPushButton *> m_buttons;
+    std::map<BannerAction, QPushButton *> m_buttons;
 };
 
 } // namespace dyncal

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "ui/shell/recovery/recovery_banner.h"
+#include "ui/shell/banner/banner.h"
 
 #include <QAccessible>
 #include <QHBoxLayout>
@@ -30,25 +30,26 @@ QColor mixed(const QColor &a, const QColor &b, double partOfB)
 }
 
 /// In the order in which they stand.
-constexpr std::array<std::pair<RecoveryAction, const char *>, 6> kButtons{{
-    {RecoveryAction::Restore, "restoreWork"},
-    {RecoveryAction::Locate, "locateRecordings"},
-    {RecoveryAction::Undo, "undoDiscard"},
-    {RecoveryAction::Discard, "discardWork"},
-    {RecoveryAction::NotNow, "postponeWork"},
-    {RecoveryAction::Close, "closeBanner"},
+constexpr std::array<std::pair<BannerAction, const char *>, 7> kButtons{{
+    {BannerAction::Restore, "restoreWork"},
+    {BannerAction::ReadAgain, "readAgain"},
+    {BannerAction::Locate, "locateRecordings"},
+    {BannerAction::Undo, "undoDiscard"},
+    {BannerAction::Discard, "discardWork"},
+    {BannerAction::NotNow, "postponeWork"},
+    {BannerAction::Close, "closeBanner"},
 }};
 
 } // namespace
 
-RecoveryBanner::RecoveryBanner(QWidget *parent)
+Banner::Banner(const QString &subject, QWidget *parent)
     : QFrame(parent)
     , m_layout(new QBoxLayout(QBoxLayout::LeftToRight, this))
     , m_sentence(new QLabel(this))
 {
-    setObjectName("recoveryBanner");
+    setObjectName(subject + "Banner");
     setFrameShape(QFrame::StyledPanel);
-    m_sentence->setObjectName("recoverySentence");
+    m_sentence->setObjectName(subject + "Sentence");
     m_sentence->setWordWrap(true);
     m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_layout->addWidget(m_sentence, 1);
@@ -66,32 +67,33 @@ RecoveryBanner::RecoveryBanner(QWidget *parent)
     showWords();
 }
 
-void RecoveryBanner::showWords()
+void Banner::showWords()
 {
-    m_buttons[RecoveryAction::Restore]->setText(tr("&Restore"));
-    m_buttons[RecoveryAction::Locate]->setText(tr("L&ocate recordings..."));
-    m_buttons[RecoveryAction::Undo]->setText(tr("&Undo"));
-    m_buttons[RecoveryAction::Discard]->setText(tr("&Discard"));
-    m_buttons[RecoveryAction::NotNow]->setText(tr("&Not now"));
-    m_buttons[RecoveryAction::NotNow]->setToolTip(tr("It is offered again at the next start"));
-    m_buttons[RecoveryAction::Close]->setText(tr("&Close"));
+    m_buttons[BannerAction::Restore]->setText(tr("&Restore"));
+    m_buttons[BannerAction::ReadAgain]->setText(tr("Read a&gain"));
+    m_buttons[BannerAction::Locate]->setText(tr("L&ocate recordings..."));
+    m_buttons[BannerAction::Undo]->setText(tr("&Undo"));
+    m_buttons[BannerAction::Discard]->setText(tr("&Discard"));
+    m_buttons[BannerAction::NotNow]->setText(tr("&Not now"));
+    m_buttons[BannerAction::NotNow]->setToolTip(tr("It is offered again at the next start"));
+    m_buttons[BannerAction::Close]->setText(tr("&Close"));
 }
 
-void RecoveryBanner::resizeEvent(QResizeEvent *event)
+void Banner::resizeEvent(QResizeEvent *event)
 {
     QFrame::resizeEvent(event);
     m_layout->setDirection(
         width() < kNarrow_px ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
-void RecoveryBanner::paintEvent(QPaintEvent *event)
+void Banner::paintEvent(QPaintEvent *event)
 {
     QPainter(this).fillRect(
         rect(), mixed(palette().window().color(), palette().highlight().color(), kTint));
     QFrame::paintEvent(event);
 }
 
-void RecoveryBanner::present(const QString &sentence, const std::vector<RecoveryAction> &actions)
+void Banner::present(const QString &sentence, const std::vector<BannerAction> &actions)
 {
     m_sentence->setText(sentence);
     setAccessibleName(sentence);
