@@ -103,6 +103,7 @@ StagePage::StagePage(Session &session, const PageText &text, std::vector<StageId
     // The change of status that follows results shows how the page stands.
     connect(&session, &Session::resultsChanged, this, whenShown(&StagePage::showContents));
     connect(&session, &Session::stageStatusChanged, this, whenShown(&StagePage::showStatus));
+    connect(&session, &Session::sourcesChanged, this, whenShown(&StagePage::showStatus));
 }
 
 PageStanding StagePage::standing() const
@@ -154,7 +155,10 @@ void StagePage::showStatus()
     const PageStanding now = standingOf(m_page, work);
     m_status->setText(statusGlyph(now.status) + " " + standingWord(now, m_page));
     const Finding *block = now.status == StageStatus::Blocked ? blockOf(m_page, work) : nullptr;
-    const bool isTold = block && !m_session.isComputing();
+    const bool isSaidAbove = block && // of files that changed, for all pages
+        std::ranges::find(m_session.changedSources(), *block, &ChangedSource::finding)
+            != m_session.changedSources().end();
+    const bool isTold = block && !isSaidAbove && !m_session.isComputing();
     m_problem->setVisible(isTold);
     if (isTold)
         m_problem->setText(severityGlyph(Severity::Block) + " " + translated(block->message));

@@ -5,12 +5,12 @@
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 #include "tests/ui/shell/window_bench.h"
-#include "tests/ui/support/recording_files.h"
+#include "tests/ui/support/layout_faults.h"
 #include "ui/session/example.h"
 #include "ui/session/work_state.h"
 #include "ui/shell/banner/banner.h"
-#include "ui/shell/findings/findings_panel.h"
 #include "ui/shell/findings/problem_panel.h"
+#include "ui/shell/stage_list.h"
 #include "ui/stages/frame/stage_page.h"
 
 #include <QDir>
@@ -26,6 +26,7 @@ constexpr int kPatience_ms = 60'000;
 constexpr int kSeen_ms = 2000; ///< so soon a change is known
 constexpr double kDuration_s = 0.004;
 constexpr int kHarms = 4;
+constexpr int kLayout_ms = 100;
 
 } // namespace
 
@@ -168,6 +169,12 @@ void TestChangedSources::everyPage_everyHarm_isSaidAndNothingIsExported()
         const WorkState work = workStateOf(session());
         QCOMPARE(standingOf(Page::Captures, work).status, StageStatus::Blocked);
         QCOMPARE(standingOf(Page::Certificate, work).status, StageStatus::Blocked);
+        QTest::qWait(kLayout_ms);
+        const QStringList faults = test::LayoutFaults(*m_bench.window).found();
+        QVERIFY2(faults.isEmpty(), qPrintable(faults.join("\n")));
+        const StagePage *page = m_bench.window->pages()[static_cast<std::size_t>(
+            m_bench.find<StageList>("stageList")->currentRow())];
+        QVERIFY(page->findChild<QLabel *>("pageStatus")->text().contains("blocked"));
         expectRefused();
         putBackAndReadAgain();
         if (QTest::currentTestFailed())
