@@ -1604,6 +1604,14 @@
         <source>Save it there again</source>
         <translation>Spara den där igen</translation>
     </message>
+    <message>
+        <source>Recordings missing</source>
+        <translation>Registreringar saknas</translation>
+    </message>
+    <message>
+        <source>Locate...</source>
+        <translation>Leta upp...</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -6158,6 +6166,10 @@
     <message>
         <source>Work restored; it is not saved yet</source>
         <translation>Arbetet är återställt; det är inte sparat än</translation>
+    </message>
+    <message>
+        <source>Folder of the recordings</source>
+        <translation>Mapp med registreringarna</translation>
     </message>
 </context>
 <context>

@@ -85,7 +85,8 @@ std::string versionText(const QJsonValue &version)
     return version.isUndefined() ? "none" : text.substr(1, text.size() - 2);
 }
 
-CaptureReference locate(const QJsonObject &entry, const QDir &folder, const QString &otherFolder)
+CaptureReference locate(
+    const QJsonObject &entry, const QDir &folder, const QStringList &otherFolders)
 {
     CaptureReference reference{entry["path"].toString(), {}};
     if (!entry["sha256"].isNull()) // null: not sealed. A key taken out is not null
@@ -96,11 +97,11 @@ CaptureReference locate(const QJsonObject &entry, const QDir &folder, const QStr
         reference.found = true;
         return reference;
     }
-    const QString elsewhere = otherFolder.isEmpty()
-        ? QString()
-        : QDir(otherFolder).filePath(QFileInfo(reference.path).fileName());
-    for (const QString &candidate :
-        {folder.absoluteFilePath(reference.path), entry["absolute_path"].toString(), elsewhere}) {
+    QStringList candidates{
+        folder.absoluteFilePath(reference.path), entry["absolute_path"].toString()};
+    for (const QString &other : otherFolders)
+        candidates << QDir(other).filePath(QFileInfo(reference.path).fileName());
+    for (const QString &candidate : candidates) {
         if (!reference.found && !candidate.isEmpty() && QFileInfo(candidate).isFile()) {
             reference.path = QDir::cleanPath(candidate);
             reference.found = true;
@@ -229,16 +230,16 @@ Result<std::string> saveProject(
 }
 
 Result<ProjectState> openProject(
-    const QString &path, const JobControl &control, const QString &otherFolder)
+    const QString &path, const JobControl &control, const QStringList &otherFolders)
 {
     const Result<ProjectFile> file = readProjectFile(path);
     if (!file)
         return tl::unexpected(file.error());
-    return openProject(*file, control, otherFolder);
+    return openProject(*file, control, otherFolders);
 }
 
 Result<ProjectState> openProject(
-    const ProjectFile &file, const JobControl &control, const QString &otherFolder)
+    const ProjectFile &file, const JobControl &control, const QStringList &otherFolders)
 {
     Result<Recipe> recipe = recipeOfProject(file.content);
     if (!recipe)
@@ -248,7 +249,7 @@ Result<ProjectState> openProject(
     std::vector<CaptureReference> references;
     QStringList missing;
     for (const auto &entry : file.content["captures"].toArray()) {
-        references.push_back(locate(entry.toObject(), folder, otherFolder));
+        references.push_back(locate(entry.toObject(), folder, otherFolders));
         if (!references.back().found)
             missing << QDir::cleanPath(folder.absoluteFilePath(references.back().path));
     }
@@ -256,7 +257,8 @@ Result<ProjectState> openProject(
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
                  "%1 recordings of this project were not found: %2. Put them back where they were, or beside the project, and open it again."),
-                {std::to_string(missing.size()), missing.join(", ").toStdString()}});
+                {std::to_string(missing.size()), missing.join(", ").toStdString()}},
+            kMissingRecordings);
     Result<CaptureSet> set = readReferenced(references, recipe->import, control);
     if (!set)
         return tl::unexpected(set.error());

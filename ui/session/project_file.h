@@ -9,11 +9,15 @@
 
 #include <QJsonObject>
 #include <QString>
+#include <QStringList>
 
 #include <optional>
 #include <string>
 
 namespace dyncal {
+
+/// Of an error: recordings of a project are not where they were.
+inline constexpr const char *kMissingRecordings = "FIL-002";
 
 /// What is known of a project file: the SHA-256 of its bytes, nullopt if there is none.
 using ProjectFileHash = std::optional<std::string>;
@@ -41,15 +45,16 @@ struct ProjectFile
 Result<ProjectFile> readProjectFile(const QString &path);
 
 /// Opens the recordings of a project, so that they can be shown; they are not sealed. Fails when
-/// recordings are missing (all are named). Sealing finds a recording whose bytes have changed since
-/// (CAP-015, which blocks). A project that was changed by others is a caution (PRJ-001). Recordings
-/// that are not where they were are taken from `otherFolder`, if that is given, by name.
+/// recordings are missing (all are named; finding kMissingRecordings). Sealing finds a recording
+/// whose bytes have changed since (CAP-015, which blocks). A project that was changed by others is
+/// a caution (PRJ-001). Recordings that are not where they were are taken from the first of
+/// `otherFolders` that has one of the name.
 Result<ProjectState> openProject(
-    const ProjectFile &file, const JobControl &control = {}, const QString &otherFolder = {});
+    const ProjectFile &file, const JobControl &control = {}, const QStringList &otherFolders = {});
 
 /// Reads a project and opens it.
 Result<ProjectState> openProject(
-    const QString &path, const JobControl &control = {}, const QString &otherFolder = {});
+    const QString &path, const JobControl &control = {}, const QStringList &otherFolders = {});
 
 /// The bytes of a project file for `folder`; `moreKeys` are ignored when it is opened. Recordings
 /// that are not sealed yet are written without a hash.

@@ -231,7 +231,8 @@ void TestProjectFile::movedRecording_isFoundInTheFolderGiven()
     const Result<ProjectState> missing = openProject(path);
     QVERIFY(!missing);
     QVERIFY(said(missing.error()).contains(recording)); // where it should be
-    const Result<ProjectState> opened = openProject(path, {}, m_folder.filePath("elsewhere"));
+    const Result<ProjectState> opened
+        = openProject(path, {}, {m_folder.filePath("nowhere"), m_folder.filePath("elsewhere")});
     QVERIFY(opened);
     QCOMPARE(opened->captures->inputs[0].path, there.toStdString());
     QCOMPARE(*opened->captures->inputs[0].expectedSha256, read->inputs[0].sha256);

@@ -25,12 +25,13 @@ struct OpenedProject
     std::string sha256; ///< of the file that was read
 };
 
-Result<OpenedProject> openedProject(const QString &path, const JobControl &control)
+Result<OpenedProject> openedProject(
+    const QString &path, const QStringList &otherFolders, const JobControl &control)
 {
     const Result<ProjectFile> file = readProjectFile(path);
     if (!file)
         return tl::unexpected<Error>(file.error());
-    Result<ProjectState> state = openProject(*file, control);
+    Result<ProjectState> state = openProject(*file, control, otherFolders);
     if (!state)
         return tl::unexpected<Error>(state.error());
     return OpenedProject{std::move(*state), file->sha256};
@@ -187,24 +188,44 @@ void FileActions::openProject()
         openProjectFile(path);
 }
 
-void FileActions::openProjectFile(const QString &path)
+void FileActions::openProjectFile(const QString &path, const QStringList &otherFolders)
 {
     if (m_exports.refuses())
         return;
     emit busy(tr("Opening project"));
     m_jobs.start<OpenedProject>(
-        [path](const JobControl &control) { return openedProject(path, control); },
-        [this, path](Result<OpenedProject> opened) {
+        [path, otherFolders](
+            const JobControl &control) { return openedProject(path, otherFolders, control); },
+        [this, path, otherFolders](Result<OpenedProject> opened) {
             if (!opened) {
-                showProblem(opened.error());
+                locateOrShow(opened.error(), path, otherFolders);
                 return;
             }
             m_preferences.setLastFolder(QFileInfo(path).absolutePath());
             m_preferences.addRecentFile(path);
             emit idle(tr("Project opened"));
             startJob(opened->state, path, opened->sha256);
+            if (!otherFolders.isEmpty()) // where they were found is worth a save
+                m_session.undoStack().resetClean();
         },
         [this](double done) { emit progress(done); });
+}
+
+/// Recordings that were moved are looked for in one folder after the other, as long as the operator
+/// names one.
+void FileActions::locateOrShow(
+    const Error &error, const QString &path, const QStringList &otherFolders)
+{
+    QString folder;
+    if (error.findingId != kMissingRecordings)
+        showProblem(error);
+    else if (m_prompts.locates(m_window, translated(error.message)))
+        folder = m_prompts.folder(
+            m_window, tr("Folder of the recordings"), QFileInfo(path).absolutePath());
+    if (folder.isEmpty())
+        emit idle({});
+    else
+        openProjectFile(path, otherFolders + QStringList(folder));
 }
 
 void FileActions::restoreWork(const RecoveredWork &work, const QString &recordings)
@@ -214,8 +235,10 @@ void FileActions::restoreWork(const RecoveredWork &work, const QString &recordin
     m_captures.cancel(); // recordings that arrive later would take the place of the work
     emit busy(tr("Restoring work"));
     m_jobs.start<ProjectState>(
-        [file = work.file, recordings](
-            const JobControl &control) { return dyncal::openProject(file, control, recordings); },
+        [file = work.file, recordings](const JobControl &control) {
+            return dyncal::openProject(
+                file, control, recordings.isEmpty() ? QStringList() : QStringList(recordings));
+        },
         [this, work](Result<ProjectState> state) {
             emit idle(state ? tr("Work restored; it is not saved yet") : QString());
             if (!state) {

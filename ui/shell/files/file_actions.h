@@ -31,7 +31,8 @@ public:
     void addCaptures(); ///< asks for files, adds their shots to the job
     void openExample();
     void openProject();
-    void openProjectFile(const QString &path);
+    /// Recordings that are not where they were are looked for in `otherFolders`, by name.
+    void openProjectFile(const QString &path, const QStringList &otherFolders = {});
     /// Files or folders from a drop or the command line: a project is opened; recordings start a
     /// job or are added to the one that is open.
     void openPaths(const QStringList &paths);
@@ -81,6 +82,7 @@ private:
     void readRecordings(const QStringList &paths, bool add);
     void startJob(
         const ProjectState &state, const QString &path, const ProjectFileHash &onDisk = {});
+    void locateOrShow(const Error &error, const QString &path, const QStringList &otherFolders);
     bool saveTo(const QString &path, const ProjectFileHash &expected);
     void showProblem(const Error &error);
     QString proposedPath(const QString &fileName) const;

@@ -82,6 +82,19 @@ ChangedProject Prompts::changedProject(QWidget *parent, const QString &path, boo
     return box.clickedButton() == replace ? ChangedProject::Replace : ChangedProject::Cancel;
 }
 
+bool Prompts::locates(QWidget *parent, const QString &sentence)
+{
+    m_problems << sentence;
+    if (m_scripted) // whoever has put in a folder wants to
+        return !m_files.isEmpty();
+    QMessageBox box(
+        QMessageBox::Warning, tr("Recordings missing"), sentence, QMessageBox::Cancel, parent);
+    box.setTextFormat(Qt::PlainText);
+    const QPushButton *locate = box.addButton(tr("Locate..."), QMessageBox::AcceptRole);
+    box.exec();
+    return box.clickedButton() == locate;
+}
+
 std::optional<QString> Prompts::sentence(
     QWidget *parent, const QString &title, const QString &label)
 {

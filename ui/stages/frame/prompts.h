@@ -35,6 +35,8 @@ public:
     /// What to do where the project's file is not the one that this window read or saved: another
     /// window or program wrote it, or (not `isThere`) took it away.
     ChangedProject changedProject(QWidget *parent, const QString &path, bool isThere);
+    /// Recordings are missing, as `sentence` says: whether the operator wants to look for them.
+    bool locates(QWidget *parent, const QString &sentence);
     std::optional<QString> sentence(QWidget *parent, const QString &title, const QString &label);
     void showProblem(QWidget *parent, const QString &sentence);
 

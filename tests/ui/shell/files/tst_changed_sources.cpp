@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/capture/formats/hdf5/hdf5_capture_writer.h"
+#include "core/capture/opening/capture_open.h"
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 #include "tests/ui/shell/window_bench.h"
@@ -41,6 +42,7 @@ private slots:
     void readAgain_ofWhatCannotBeRead_keepsTheJob();
     void movedRecordings_areLocated();
     void otherRecordingOfTheName_isNotTakenForIt();
+    void projectOfMovedRecordings_isLocatedFolderByFolder();
     void exampleHasNoFiles_andNoNotice();
 
 private:
@@ -233,6 +235,44 @@ void TestChangedSources::otherRecordingOfTheName_isNotTakenForIt()
         return finding.id == "CAP-015" && finding.severity == Severity::Block;
     }));
     QCOMPARE(standingOf(Page::Certificate, workStateOf(session())).status, StageStatus::Blocked);
+}
+
+void TestChangedSources::projectOfMovedRecordings_isLocatedFolderByFolder()
+{
+    std::vector<std::string> paths;
+    for (int shot = 1; shot <= 3; ++shot) {
+        QFile::remove(recording(shot));
+        QVERIFY(QFile::copy(recording(shot) + ".kept", recording(shot)));
+        paths.push_back(recording(shot).toStdString());
+    }
+    const Result<CaptureSet> read = readCaptures(paths, {});
+    QVERIFY(read);
+    const QString project = file("job.dyncal");
+    QVERIFY(saveProject(project, {std::make_shared<const CaptureSet>(*read), {}}, {}));
+    for (int shot = 1; shot <= 3; ++shot) {
+        const QString place = file(shot == 3 ? "place_2" : "place_1");
+        QVERIFY(QDir().mkpath(place));
+        QVERIFY(QFile::rename(recording(shot), place + QString("/shot_%1.h5").arg(shot)));
+    }
+
+    FileActions &files = m_bench.window->files();
+    session().undoStack().setClean();
+    const auto before = session().state().captures;
+    files.openProjectFile(project); // and no: what is open stays
+    QTRY_VERIFY_WITH_TIMEOUT(!files.isBusy(), kPatience_ms);
+    QCOMPARE(session().state().captures, before);
+    QVERIFY(m_bench.prompts.shownProblems().last().contains(recording(1)));
+
+    m_bench.prompts.setNextFile(file("place_1"));
+    m_bench.prompts.setNextFile(file("place_2"));
+    files.openProjectFile(project);
+    QTRY_COMPARE_WITH_TIMEOUT(files.projectPath(), project, kPatience_ms);
+    QVERIFY(!m_bench.prompts.shownProblems().last().contains(recording(1)));
+    QVERIFY(m_bench.prompts.shownProblems().last().contains(recording(3)));
+    QVERIFY(files.isModified()); // where they are now
+    waitForResults();
+    QVERIFY(!banner().isVisible());
+    QCOMPARE(session().results().keys[kStageCount - 1], m_results);
 }
 
 void TestChangedSources::exampleHasNoFiles_andNoNotice()
