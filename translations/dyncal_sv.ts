@@ -1612,6 +1612,10 @@
         <source>Locate...</source>
         <translation>Leta upp...</translation>
     </message>
+    <message>
+        <source>View kept results</source>
+        <translation>Visa sparade resultat</translation>
+    </message>
 </context>
 <context>
     <name>QObject</name>
@@ -6662,6 +6666,17 @@
     <message>
         <source>Not taken yet: the begin (above) must lie before the end (below).</source>
         <translation>Ännu inte taget: början (överst) måste ligga före slutet (nederst).</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::KeptResultsView</name>
+    <message>
+        <source>Kept results of %1</source>
+        <translation>Sparade resultat för %1</translation>
+    </message>
+    <message>
+        <source>These are the results as they stood when the project was saved (%1). The recordings are missing, so nothing can be computed, changed or exported.</source>
+        <translation>Detta är resultaten så som de stod när projektet sparades (%1). Registreringarna saknas, så ingenting kan beräknas, ändras eller exporteras.</translation>
     </message>
 </context>
 <context>

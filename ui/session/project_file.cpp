@@ -215,10 +215,11 @@ ProjectFileHash projectFileHash(const QString &path)
     return sha256OfFile(path.toStdString());
 }
 
-Result<std::string> saveProject(
-    const QString &path, const ProjectState &state, const ProjectFileHash &expected)
+Result<std::string> saveProject(const QString &path, const ProjectState &state,
+    const ProjectFileHash &expected, const QJsonObject &moreKeys)
 {
-    const std::string bytes = projectBytes(state, QFileInfo(path).absolutePath()).toStdString();
+    const std::string bytes
+        = projectBytes(state, QFileInfo(path).absolutePath(), moreKeys).toStdString();
     const Result<void> written = replaceUnchangedFile(path.toStdString(), bytes, expected);
     if (written)
         return sha256Hex(bytes);

@@ -28,10 +28,10 @@ ProjectFileHash projectFileHash(const QString &path);
 /// Writes the job as a project file (JSON: format, version, recipe, checksums, and the recordings
 /// by path relative to the project and the SHA-256 that they were taken in with; never the
 /// recordings themselves) in the place of the file that has the hash `expected`. Returns the hash
-/// of the file written. Fails (Usage, finding kChangedMeanwhile) if another file is there, or
-/// (FileUnreadable) naming the file and why.
-Result<std::string> saveProject(
-    const QString &path, const ProjectState &state, const ProjectFileHash &expected);
+/// of the file written. `moreKeys` are written beside the job. Fails (Usage, finding
+/// kChangedMeanwhile) if another file is there, or (FileUnreadable) naming the file and why.
+Result<std::string> saveProject(const QString &path, const ProjectState &state,
+    const ProjectFileHash &expected, const QJsonObject &moreKeys = {});
 
 /// A project as it was read, all from the same bytes.
 struct ProjectFile

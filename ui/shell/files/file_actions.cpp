@@ -4,8 +4,11 @@
 #include "ui/shell/files/file_actions.h"
 
 #include "core/base/writing/write_problem.h"
+#include "core/certificate/certificate.h"
 #include "ui/session/example.h"
+#include "ui/session/kept_results.h"
 #include "ui/shell/files/capture_filter.h"
+#include "ui/shell/files/kept_results_view.h"
 #include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
@@ -216,15 +219,22 @@ void FileActions::openProjectFile(const QString &path, const QStringList &otherF
 void FileActions::locateOrShow(
     const Error &error, const QString &path, const QStringList &otherFolders)
 {
-    QString folder;
-    if (error.findingId != kMissingRecordings)
+    if (error.findingId != kMissingRecordings) {
         showProblem(error);
-    else if (m_prompts.locates(m_window, translated(error.message)))
-        folder = m_prompts.folder(
-            m_window, tr("Folder of the recordings"), QFileInfo(path).absolutePath());
-    if (folder.isEmpty())
-        emit idle({});
-    else
+        return;
+    }
+    emit idle({});
+    const Result<ProjectFile> file = readProjectFile(path);
+    const auto kept = file ? keptResults(file->content) : std::nullopt;
+    const auto answer
+        = m_prompts.missingRecordings(m_window, translated(error.message), kept.has_value());
+    if (answer == MissingRecordings::ViewResults && kept)
+        (new KeptResultsView(*kept, QFileInfo(path).completeBaseName(), m_window))->show();
+    if (answer != MissingRecordings::Locate)
+        return;
+    const QString folder = m_prompts.folder(
+        m_window, tr("Folder of the recordings"), QFileInfo(path).absolutePath());
+    if (!folder.isEmpty())
         openProjectFile(path, otherFolders + QStringList(folder));
 }
 
@@ -269,6 +279,17 @@ bool FileActions::saveAs()
     return saveTo(path, isOwn ? m_onDisk : projectFileHash(path));
 }
 
+/// Only what belongs to the recipe that is saved.
+QJsonObject FileActions::resultsToKeep() const
+{
+    const Result<std::string> now = m_currentUtc();
+    if (!now || !m_session.isUpToDate() || !m_session.results().model)
+        return {};
+    const CertificateData certificate
+        = makeCertificate(m_session.results(), m_session.recipe(), *now);
+    return {{kKeptResults, keptResultsJson(certificate, *now)}};
+}
+
 /// Another file than expected is replaced only if the operator says so, and only that one.
 bool FileActions::saveTo(const QString &path, const ProjectFileHash &expected)
 {
@@ -277,7 +298,8 @@ bool FileActions::saveTo(const QString &path, const ProjectFileHash &expected)
             tr("The recordings are still being read for their hashes, which the project keeps; try again in a moment."));
         return false;
     }
-    Result<std::string> saved = saveProject(path, m_session.state(), expected);
+    const QJsonObject kept = resultsToKeep();
+    Result<std::string> saved = saveProject(path, m_session.state(), expected, kept);
     while (!saved && saved.error().findingId == kChangedMeanwhile) {
         const ProjectFileHash now = projectFileHash(path);
         const ChangedProject answer = m_prompts.changedProject(m_window, path, now.has_value());
@@ -285,7 +307,7 @@ bool FileActions::saveTo(const QString &path, const ProjectFileHash &expected)
             return false;
         if (answer == ChangedProject::OtherName)
             return saveAs();
-        saved = saveProject(path, m_session.state(), now);
+        saved = saveProject(path, m_session.state(), now, kept);
     }
     if (!saved) {
         showProblem(saved.error());

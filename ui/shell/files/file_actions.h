@@ -83,6 +83,7 @@ private:
     void startJob(
         const ProjectState &state, const QString &path, const ProjectFileHash &onDisk = {});
     void locateOrShow(const Error &error, const QString &path, const QStringList &otherFolders);
+    QJsonObject resultsToKeep() const;
     bool saveTo(const QString &path, const ProjectFileHash &expected);
     void showProblem(const Error &error);
     QString proposedPath(const QString &fileName) const;

@@ -82,17 +82,21 @@ ChangedProject Prompts::changedProject(QWidget *parent, const QString &path, boo
     return box.clickedButton() == replace ? ChangedProject::Replace : ChangedProject::Cancel;
 }
 
-bool Prompts::locates(QWidget *parent, const QString &sentence)
+MissingRecordings Prompts::missingRecordings(QWidget *parent, const QString &sentence, bool areKept)
 {
     m_problems << sentence;
-    if (m_scripted) // whoever has put in a folder wants to
-        return !m_files.isEmpty();
+    if (m_scripted)
+        return m_missing.isEmpty() ? MissingRecordings::Cancel : m_missing.dequeue();
     QMessageBox box(
         QMessageBox::Warning, tr("Recordings missing"), sentence, QMessageBox::Cancel, parent);
     box.setTextFormat(Qt::PlainText);
     const QPushButton *locate = box.addButton(tr("Locate..."), QMessageBox::AcceptRole);
+    QPushButton *view = box.addButton(tr("View kept results"), QMessageBox::ActionRole);
+    view->setEnabled(areKept);
     box.exec();
-    return box.clickedButton() == locate;
+    if (box.clickedButton() == locate)
+        return MissingRecordings::Locate;
+    return box.clickedButton() == view ? MissingRecordings::ViewResults : MissingRecordings::Cancel;
 }
 
 std::optional<QString> Prompts::sentence(
@@ -111,6 +115,7 @@ void Prompts::dropAnswers()
     m_files.clear();
     m_answers.clear();
     m_changedProjects.clear();
+    m_missing.clear();
     m_sentences.clear();
 }
 

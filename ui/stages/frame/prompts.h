@@ -15,6 +15,7 @@ namespace dyncal {
 
 enum class Answer { Save, Discard, Cancel };
 enum class ChangedProject { OtherName, Replace, Cancel };
+enum class MissingRecordings { Locate, ViewResults, Cancel };
 
 /// Every dialog that asks the operator something. Tests make it scripted: then nothing opens, the
 /// answers put in are given in order (Cancel when there is none), and messages are kept.
@@ -35,8 +36,9 @@ public:
     /// What to do where the project's file is not the one that this window read or saved: another
     /// window or program wrote it, or (not `isThere`) took it away.
     ChangedProject changedProject(QWidget *parent, const QString &path, bool isThere);
-    /// Recordings are missing, as `sentence` says: whether the operator wants to look for them.
-    bool locates(QWidget *parent, const QString &sentence);
+    /// What to do where recordings of a project are missing, as `sentence` says; `areKept`: there
+    /// are results to look at.
+    MissingRecordings missingRecordings(QWidget *parent, const QString &sentence, bool areKept);
     std::optional<QString> sentence(QWidget *parent, const QString &title, const QString &label);
     void showProblem(QWidget *parent, const QString &sentence);
 
@@ -45,6 +47,7 @@ public:
     void setNextFiles(const QStringList &paths) { m_files.enqueue(paths); }
     void setNextAnswer(Answer answer) { m_answers.enqueue(answer); }
     void setNextChangedProject(ChangedProject answer) { m_changedProjects.enqueue(answer); }
+    void setNextMissing(MissingRecordings answer) { m_missing.enqueue(answer); }
     int changedProjectsAsked() const { return m_asked; }
     void dropAnswers(); ///< those that were put in and not asked for
     void setNextSentence(const QString &text) { m_sentences.enqueue(text); }
@@ -57,6 +60,7 @@ private:
     QQueue<QStringList> m_files;
     QQueue<Answer> m_answers;
     QQueue<ChangedProject> m_changedProjects;
+    QQueue<MissingRecordings> m_missing;
     int m_asked = 0; ///< about changed projects
     QQueue<QString> m_sentences;
     QStringList m_problems;

@@ -3,6 +3,7 @@
 
 #include "core/capture/formats/hdf5/hdf5_capture_writer.h"
 #include "core/capture/opening/capture_open.h"
+#include "core/certificate/certificate.h"
 #include "tests/support/test_program.h"
 #include "tests/support/trial_count.h"
 #include "tests/ui/shell/window_bench.h"
@@ -13,10 +14,13 @@
 #include "ui/shell/findings/problem_panel.h"
 #include "ui/shell/stage_list.h"
 #include "ui/stages/frame/stage_page.h"
+#include "ui/text/core_text.h"
 
+#include <QDialog>
 #include <QDir>
 #include <QLabel>
 #include <QPushButton>
+#include <QTreeWidget>
 #include <QtTest>
 
 using namespace dyncal;
@@ -43,6 +47,7 @@ private slots:
     void movedRecordings_areLocated();
     void otherRecordingOfTheName_isNotTakenForIt();
     void projectOfMovedRecordings_isLocatedFolderByFolder();
+    void projectWithoutItsRecordings_showsTheKeptResults();
     void exampleHasNoFiles_andNoNotice();
 
 private:
@@ -263,8 +268,10 @@ void TestChangedSources::projectOfMovedRecordings_isLocatedFolderByFolder()
     QCOMPARE(session().state().captures, before);
     QVERIFY(m_bench.prompts.shownProblems().last().contains(recording(1)));
 
-    m_bench.prompts.setNextFile(file("place_1"));
-    m_bench.prompts.setNextFile(file("place_2"));
+    for (const char *place : {"place_1", "place_2"}) {
+        m_bench.prompts.setNextMissing(MissingRecordings::Locate);
+        m_bench.prompts.setNextFile(file(place));
+    }
     files.openProjectFile(project);
     QTRY_COMPARE_WITH_TIMEOUT(files.projectPath(), project, kPatience_ms);
     QVERIFY(!m_bench.prompts.shownProblems().last().contains(recording(1)));
@@ -273,6 +280,34 @@ void TestChangedSources::projectOfMovedRecordings_isLocatedFolderByFolder()
     waitForResults();
     QVERIFY(!banner().isVisible());
     QCOMPARE(session().results().keys[kStageCount - 1], m_results);
+}
+
+/// The words and numbers of the certificate, as they stood when the project was saved.
+void TestChangedSources::projectWithoutItsRecordings_showsTheKeptResults()
+{
+    FileActions &files = m_bench.window->files();
+    QVERIFY(files.save());
+    const CertificateData certificate
+        = makeCertificate(session().results(), session().recipe(), "2026-01-31T12:00:00Z");
+    QVERIFY(QDir(file("place_1")).removeRecursively());
+    m_bench.prompts.setNextMissing(MissingRecordings::ViewResults);
+    files.openProjectFile(files.projectPath());
+    QTRY_VERIFY_WITH_TIMEOUT(
+        m_bench.window->findChild<QTreeWidget *>("keptResultsTree"), kPatience_ms);
+    const auto *tree = m_bench.find<QTreeWidget>("keptResultsTree");
+    QCOMPARE(tree->topLevelItemCount(), static_cast<int>(certificate.sections.size()));
+    int values = 0;
+    for (const CertificateSection &section : certificate.sections)
+        for (const CertificateField &field : section.fields) {
+            const auto found
+                = tree->findItems(translated(field.label), Qt::MatchExactly | Qt::MatchRecursive);
+            QVERIFY(std::ranges::any_of(found, [&](const QTreeWidgetItem *item) {
+                return item->text(1) == translated(field.value);
+            }));
+            ++values;
+        }
+    QVERIFY(values > 20);
+    m_bench.find<QDialog>("keptResults")->close();
 }
 
 void TestChangedSources::exampleHasNoFiles_andNoNotice()
