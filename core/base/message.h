@@ -9,7 +9,7 @@
 
 /// Marks a sentence for translation: DYNCAL_TEXT("core", "Shot %1 has no step."). Core has no Qt;
 /// lupdate is told that this macro means QT_TRANSLATE_NOOP, and ui/text translates the sentence
-/// before the arguments are put in. The context is always "core".
+/// before the arguments are put in. The context is "core"; "RecipeLabel" for labels of recipe keys.
 #define DYNCAL_TEXT(context, text) text
 
 namespace dyncal {

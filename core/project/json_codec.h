@@ -5,6 +5,8 @@
 
 #include "core/base/auto_value.h"
 #include "core/base/interval.h"
+#include "core/base/message.h"
+#include "core/project/recipe_key.h"
 #include "core/project/strict_json.h"
 
 #include <algorithm>
@@ -34,7 +36,7 @@ struct Codec
     std::string needs; ///< what it accepts, in words: "a number above 0"
     std::function<Result<T>(const JsonAt &)> read;
     std::function<Json(const T &)> write;
-    std::vector<std::string> paths = {}; ///< of the keys below: ".gamma", "[].shot"
+    std::vector<RecipeKey> keys = {}; ///< below: ".gamma", "[].shot"
 };
 
 /// "Recipe key %1 is %2; it needs %3."
@@ -106,7 +108,7 @@ Codec<std::optional<T>> valueOr(const Json &word, Codec<T> inner)
     const auto write = [word, inner](const std::optional<T> &value) {
         return value ? inner.write(*value) : word;
     };
-    return {needs, read, write, inner.paths};
+    return {needs, read, write, inner.keys};
 }
 
 template <typename T>
@@ -127,7 +129,7 @@ Codec<Auto<T>> orAuto(Codec<T> inner)
         });
     };
     const auto write = [plain](const Auto<T> &setting) { return plain.write(setting.value); };
-    return {plain.needs, read, write, plain.paths};
+    return {plain.needs, read, write, plain.keys};
 }
 
 /// A list of at least `least` values.
@@ -156,25 +158,26 @@ Codec<std::vector<T>> list(Codec<T> inner, std::size_t least = 0)
             array.push_back(inner.write(value));
         return array;
     };
-    std::vector<std::string> paths;
-    for (const std::string &path : inner.paths)
-        paths.push_back("[]" + path);
-    return {needs, read, write, paths};
+    std::vector<RecipeKey> keys;
+    for (const RecipeKey &key : inner.keys)
+        keys.push_back({"[]" + key.path, key.label});
+    return {needs, read, write, keys};
 }
 
-/// An object whose keys are free words, or only those of `keys` if that is not empty.
+/// An object whose keys are free words, or only those of `words` if that is not empty.
 template <typename T>
 Codec<std::map<std::string, T>> dictionary(
-    Codec<T> inner, const std::string &keyName, std::vector<std::string> keys = {})
+    Codec<T> inner, const std::string &keyName, std::vector<RecipeKey> words = {})
 {
     const std::string needs = "an object from " + keyName + " to " + inner.needs;
-    const auto read = [inner, needs, keys](const JsonAt &at) -> Result<std::map<std::string, T>> {
+    const auto read = [inner, needs, words](const JsonAt &at) -> Result<std::map<std::string, T>> {
         if (!at.value.is_object())
             return mismatch(at, needs);
         std::map<std::string, T> values;
         for (const auto &[key, json] : at.value.items()) {
-            const JsonAt here = keys.empty() ? entry(at, key) : child(at, key);
-            if (!keys.empty() && std::find(keys.begin(), keys.end(), key) == keys.end())
+            const JsonAt here = words.empty() ? entry(at, key) : child(at, key);
+            const auto isKey = [&key = key](const RecipeKey &word) { return word.path == key; };
+            if (!words.empty() && std::none_of(words.begin(), words.end(), isKey))
                 return unknownKey(here);
             Result<T> value = inner.read(here);
             if (!value)
@@ -189,14 +192,14 @@ Codec<std::map<std::string, T>> dictionary(
             object[key] = inner.write(value);
         return object;
     };
-    std::vector<std::string> paths;
-    for (const std::string &key : keys)
-        paths.push_back("." + key);
-    if (keys.empty()) {
-        for (const std::string &path : inner.paths)
-            paths.push_back("{}" + path);
+    std::vector<RecipeKey> keys;
+    for (const RecipeKey &word : words)
+        keys.push_back({"." + word.path, word.label});
+    if (words.empty()) {
+        for (const RecipeKey &key : inner.keys)
+            keys.push_back({"{}" + key.path, key.label});
     }
-    return {needs, read, write, paths};
+    return {needs, read, write, keys};
 }
 
 /// One key of an object that becomes the struct S.
@@ -204,15 +207,17 @@ template <typename S>
 struct Field
 {
     std::string key;
+    const char *label; ///< what the window calls it
     std::function<Result<void>(const JsonAt &, S &)> read;
     std::function<Json(const S &)> write;
-    std::vector<std::string> paths = {}; ///< of the keys below
+    std::vector<RecipeKey> keys = {}; ///< below this one
     bool required = false;
 };
 
 /// A key whose value is one member.
 template <typename S, typename T>
-Field<S> field(const char *key, T S::*member, Codec<T> codec, bool required = false)
+Field<S> field(
+    const char *key, const char *label, T S::*member, Codec<T> codec, bool required = false)
 {
     const auto read = [codec, member](const JsonAt &at, S &object) -> Result<void> {
         Result<T> value = codec.read(at);
@@ -222,18 +227,25 @@ Field<S> field(const char *key, T S::*member, Codec<T> codec, bool required = fa
         return {};
     };
     const auto write = [codec, member](const S &object) { return codec.write(object.*member); };
-    return {key, read, write, codec.paths, required};
+    return {key, label, read, write, codec.keys, required};
+}
+
+/// A key that is documented, and named in the window, elsewhere.
+template <typename S, typename T>
+Field<S> field(const char *key, T S::*member, Codec<T> codec, bool required = false)
+{
+    return field(key, "", member, std::move(codec), required);
 }
 
 /// An object with exactly these keys; one that is missing keeps the struct's own default.
 template <typename S>
 Codec<S> object(std::vector<Field<S>> fields)
 {
-    std::vector<std::string> paths;
+    std::vector<RecipeKey> keys;
     for (const Field<S> &f : fields) {
-        paths.push_back("." + f.key);
-        for (const std::string &below : f.paths)
-            paths.push_back("." + f.key + below);
+        keys.push_back({"." + f.key, f.label});
+        for (const RecipeKey &below : f.keys)
+            keys.push_back({"." + f.key + below.path, below.label});
     }
     const auto read = [fields](const JsonAt &at) -> Result<S> {
         if (!at.value.is_object())
@@ -261,7 +273,7 @@ Codec<S> object(std::vector<Field<S>> fields)
             json[f.key] = f.write(value);
         return json;
     };
-    return {"an object", read, write, paths};
+    return {"an object", read, write, keys};
 }
 
 } // namespace dyncal

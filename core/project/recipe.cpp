@@ -23,7 +23,7 @@ constexpr std::size_t kLargestFile = 4 * 1024 * 1024;
 Field<Recipe> schema()
 {
     const Codec<std::string> codec = oneOf({kSchema});
-    return {"schema",
+    return {"schema", DYNCAL_TEXT("RecipeLabel", "kind of file"),
         [codec](const JsonAt &at, Recipe &) -> Result<void> {
             return codec.read(at).map([](const std::string &) {});
         },
@@ -32,22 +32,12 @@ Field<Recipe> schema()
 
 const Codec<Recipe> &recipeCodec()
 {
-    static const Codec<Recipe> codec = object<Recipe>({
-        schema(),
-        field("import", &Recipe::import, importCodec()),
-        field("checks", &Recipe::checks, checksCodec()),
-        field("shock", &Recipe::shock, shockCodec()),
-        field("window", &Recipe::window, windowCodec()),
-        field("remap", &Recipe::remap, boolean()),
-        field("spectrum", &Recipe::spectrum, spectrumCodec()),
-        field("pca", &Recipe::pca, componentCodec()),
-        field("input", &Recipe::input, inputCodec()),
-        field("realization", &Recipe::realization, realizationCodec()),
-        field("response", &Recipe::response, responseCodec()),
-        field("uncertainty", &Recipe::uncertainty, uncertaintyCodec()),
-        field("acknowledge", &Recipe::acknowledge, list(acknowledgementCodec())),
-        field("certificate", &Recipe::certificate, certificateCodec()),
-    });
+    static const Codec<Recipe> codec = [] {
+        std::vector<Field<Recipe>> fields{schema()};
+        for (const auto &sections : {importSections(), measurementSections(), analysisSections()})
+            fields.insert(fields.end(), sections.begin(), sections.end());
+        return object<Recipe>(std::move(fields));
+    }();
     return codec;
 }
 
@@ -174,12 +164,23 @@ Result<Recipe> readRecipeFiles(const std::string &recipePath, const std::string 
     return recipeOf(*merged);
 }
 
+const std::vector<RecipeKey> &recipeKeys()
+{
+    static const std::vector<RecipeKey> keys = [] {
+        std::vector<RecipeKey> found = recipeCodec().keys;
+        for (RecipeKey &key : found)
+            key.path.erase(0, 1); // the leading dot
+        return found;
+    }();
+    return keys;
+}
+
 const std::vector<std::string> &recipeKeyPaths()
 {
     static const std::vector<std::string> paths = [] {
         std::vector<std::string> found;
-        for (const std::string &path : recipeCodec().paths)
-            found.push_back(path.substr(1)); // without the leading dot
+        for (const RecipeKey &key : recipeKeys())
+            found.push_back(key.path);
         return found;
     }();
     return paths;

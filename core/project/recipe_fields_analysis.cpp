@@ -57,7 +57,7 @@ Field<ResponseSettings> frequencies()
     const auto values = list(positiveNumber(), 1);
     const std::string needs = "\"third-octave\", \"linear:N\" with N between 2 and "
         + std::to_string(kMostFrequencies) + " or a list of frequencies in hertz";
-    return {"frequencies_hz",
+    return {"frequencies_hz", DYNCAL_TEXT("RecipeLabel", "frequencies of the response"),
         [=](const JsonAt &at, ResponseSettings &response) -> Result<void> {
             const std::optional<Index> count = linearCount(at.value);
             if (at.value == "third-octave") {
@@ -108,11 +108,16 @@ Codec<NuisanceMode> nuisanceMode()
 {
     using S = NuisanceMode;
     return object<S>({
-        field("frequency_hz", &S::frequency_Hz, frequencyOrList(), true),
-        field("shot", &S::shot, whole(0, kMostShots)),
-        field("kind", &S::isTube, choice<bool>({{"tube", true}, {"other", false}})),
-        field("label", &S::label, anyText()),
-        field("reason", &S::reason, nonEmptyText(), true),
+        field("frequency_hz", DYNCAL_TEXT("RecipeLabel", "frequency of the nuisance mode"),
+            &S::frequency_Hz, frequencyOrList(), true),
+        field("shot", DYNCAL_TEXT("RecipeLabel", "shot of the nuisance mode"), &S::shot,
+            whole(0, kMostShots)),
+        field("kind", DYNCAL_TEXT("RecipeLabel", "kind of the nuisance mode"), &S::isTube,
+            choice<bool>({{"tube", true}, {"other", false}})),
+        field("label", DYNCAL_TEXT("RecipeLabel", "label of the nuisance mode"), &S::label,
+            anyText()),
+        field("reason", DYNCAL_TEXT("RecipeLabel", "reason for the nuisance mode"), &S::reason,
+            nonEmptyText(), true),
     });
 }
 
@@ -120,8 +125,9 @@ Codec<OrderNote> orderNote()
 {
     using S = OrderNote;
     return object<S>({
-        field("order", &S::order, whole(1, kMostOrders), true),
-        field("note", &S::note, nonEmptyText(), true),
+        field("order", DYNCAL_TEXT("RecipeLabel", "order of the note"), &S::order,
+            whole(1, kMostOrders), true),
+        field("note", DYNCAL_TEXT("RecipeLabel", "note"), &S::note, nonEmptyText(), true),
     });
 }
 
@@ -129,11 +135,13 @@ Codec<BudgetEntry> budgetEntry()
 {
     using S = BudgetEntry;
     return object<S>({
-        field("quantity", &S::quantity, nonEmptyText(), true),
-        field("u", &S::u, nonNegativeNumber(), true),
-        field("distribution", &S::distribution,
-            oneOf({"normal", "rectangular", "triangular", "u-shaped"})),
-        field("dof", &S::dof, orNull(positiveNumber())),
+        field("quantity", DYNCAL_TEXT("RecipeLabel", "quantity of the budget"), &S::quantity,
+            nonEmptyText(), true),
+        field("u", DYNCAL_TEXT("RecipeLabel", "u of the budget"), &S::u, nonNegativeNumber(), true),
+        field("distribution", DYNCAL_TEXT("RecipeLabel", "distribution of the budget"),
+            &S::distribution, oneOf({"normal", "rectangular", "triangular", "u-shaped"})),
+        field("dof", DYNCAL_TEXT("RecipeLabel", "degrees of freedom of the budget"), &S::dof,
+            orNull(positiveNumber())),
     });
 }
 
@@ -150,16 +158,17 @@ Codec<Index> trials()
     return {codec.needs, read, write};
 }
 
-} // namespace
-
 Codec<ComponentSettings> componentCodec()
 {
     using S = ComponentSettings;
     return object<S>({
-        field("components", &S::components, whole(1, kMostComponents)),
-        field("centre", &S::centre, boolean()),
-        field("residual_lags", &S::residualLags, whole(1, kMostLags)),
-        field("residual_confidence", &S::residualConfidence, number(0.5, 1.0, Bound::Exclusive)),
+        field("components", DYNCAL_TEXT("RecipeLabel", "components kept"), &S::components,
+            whole(1, kMostComponents)),
+        field("centre", DYNCAL_TEXT("RecipeLabel", "subtract the mean"), &S::centre, boolean()),
+        field("residual_lags", DYNCAL_TEXT("RecipeLabel", "lags"), &S::residualLags,
+            whole(1, kMostLags)),
+        field("residual_confidence", DYNCAL_TEXT("RecipeLabel", "confidence of the bound"),
+            &S::residualConfidence, number(0.5, 1.0, Bound::Exclusive)),
     });
 }
 
@@ -168,11 +177,16 @@ Codec<InputSettings> inputCodec()
     using S = InputSettings;
     const Codec<std::optional<CombineMethod>> combineOrAuto = valueOr(Json("auto"), combine());
     return object<S>({
-        field("sample_rate_hz", &S::sampleRate_Hz, orAuto(positiveNumber())),
-        field("samples", &S::samples, orAuto(whole(8, kMostInputSamples))),
-        field("offset_s", &S::offset_s, orAuto(nonNegativeNumber())),
-        field("combine", &S::combine, combineOrAuto),
-        field("treatment", &S::treatment, treatment()),
+        field("sample_rate_hz", DYNCAL_TEXT("RecipeLabel", "rate of the model input"),
+            &S::sampleRate_Hz, orAuto(positiveNumber())),
+        field("samples", DYNCAL_TEXT("RecipeLabel", "samples of the model input"), &S::samples,
+            orAuto(whole(8, kMostInputSamples))),
+        field("offset_s", DYNCAL_TEXT("RecipeLabel", "offset of the model input"), &S::offset_s,
+            orAuto(nonNegativeNumber())),
+        field("combine", DYNCAL_TEXT("RecipeLabel", "how shots are combined"), &S::combine,
+            combineOrAuto),
+        field("treatment", DYNCAL_TEXT("RecipeLabel", "what the response is taken for"),
+            &S::treatment, treatment()),
     });
 }
 
@@ -180,16 +194,25 @@ Codec<RealizationSettings> realizationCodec()
 {
     using S = RealizationSettings;
     return object<S>({
-        field("order", &S::order, orAuto(whole(1, kMostOrders))),
-        field("max_order", &S::maxOrder, whole(1, kMostOrders)),
-        field("rows", &S::rows, orAuto(whole(2, kMostInputSamples))),
-        field("refine", &S::refine, boolean()),
-        field("nuisance_modes", &S::nuisanceModes, list(nuisanceMode())),
-        field("stable_frequency", &S::stableFrequency, number(0.0, 1.0, Bound::Exclusive)),
-        field("stable_damping", &S::stableDamping, number(0.0, 1.0, Bound::Exclusive)),
-        field("candidates", &S::candidates, list(whole(1, kMostOrders))),
-        field("candidate_notes", &S::candidateNotes, list(orderNote())),
-        field("adopted_reason", &S::adoptedReason, anyText()),
+        field(
+            "order", DYNCAL_TEXT("RecipeLabel", "order"), &S::order, orAuto(whole(1, kMostOrders))),
+        field("max_order", DYNCAL_TEXT("RecipeLabel", "orders offered"), &S::maxOrder,
+            whole(1, kMostOrders)),
+        field("rows", DYNCAL_TEXT("RecipeLabel", "Hankel rows"), &S::rows,
+            orAuto(whole(2, kMostInputSamples))),
+        field("refine", DYNCAL_TEXT("RecipeLabel", "refine the poles"), &S::refine, boolean()),
+        field("nuisance_modes", DYNCAL_TEXT("RecipeLabel", "nuisance modes"), &S::nuisanceModes,
+            list(nuisanceMode())),
+        field("stable_frequency", DYNCAL_TEXT("RecipeLabel", "stable frequency"),
+            &S::stableFrequency, number(0.0, 1.0, Bound::Exclusive)),
+        field("stable_damping", DYNCAL_TEXT("RecipeLabel", "stable damping"), &S::stableDamping,
+            number(0.0, 1.0, Bound::Exclusive)),
+        field("candidates", DYNCAL_TEXT("RecipeLabel", "pinned orders"), &S::candidates,
+            list(whole(1, kMostOrders))),
+        field("candidate_notes", DYNCAL_TEXT("RecipeLabel", "notes on pinned orders"),
+            &S::candidateNotes, list(orderNote())),
+        field("adopted_reason", DYNCAL_TEXT("RecipeLabel", "reason for the order"),
+            &S::adoptedReason, anyText()),
     });
 }
 
@@ -198,7 +221,7 @@ Codec<ResponseSettings> responseCodec()
     using S = ResponseSettings;
     return object<S>({
         frequencies(),
-        field("reference", &S::reference,
+        field("reference", DYNCAL_TEXT("RecipeLabel", "reference of the response"), &S::reference,
             oneOf({"computed-step", "static-sensitivity", "unit-step"})),
     });
 }
@@ -207,10 +230,13 @@ Codec<UncertaintySettings> uncertaintyCodec()
 {
     using S = UncertaintySettings;
     return object<S>({
-        field("budget", &S::budget, list(budgetEntry())),
-        field("monte_carlo_trials", &S::monteCarloTrials, trials()),
-        field("seed", &S::seed, whole(0, kLargestSeed)),
-        field("coverage", &S::coverage, number(0.0, 1.0, Bound::Exclusive)),
+        field("budget", DYNCAL_TEXT("RecipeLabel", "uncertainty budget"), &S::budget,
+            list(budgetEntry())),
+        field("monte_carlo_trials", DYNCAL_TEXT("RecipeLabel", "Monte Carlo trials"),
+            &S::monteCarloTrials, trials()),
+        field("seed", DYNCAL_TEXT("RecipeLabel", "seed"), &S::seed, whole(0, kLargestSeed)),
+        field("coverage", DYNCAL_TEXT("RecipeLabel", "coverage probability"), &S::coverage,
+            number(0.0, 1.0, Bound::Exclusive)),
     });
 }
 
@@ -218,9 +244,12 @@ Codec<Acknowledgement> acknowledgementCodec()
 {
     using S = Acknowledgement;
     return object<S>({
-        field("finding", &S::finding, nonEmptyText(), true),
-        field("shot", &S::shot, whole(0, kMostShots)),
-        field("reason", &S::reason, nonEmptyText(), true),
+        field("finding", DYNCAL_TEXT("RecipeLabel", "acknowledged finding"), &S::finding,
+            nonEmptyText(), true),
+        field("shot", DYNCAL_TEXT("RecipeLabel", "shot of the acknowledged finding"), &S::shot,
+            whole(0, kMostShots)),
+        field("reason", DYNCAL_TEXT("RecipeLabel", "reason of the acknowledgement"), &S::reason,
+            nonEmptyText(), true),
     });
 }
 
@@ -228,10 +257,34 @@ Codec<CertificateSettings> certificateCodec()
 {
     using S = CertificateSettings;
     return object<S>({
-        field("template", &S::templateName, nonEmptyText()),
-        field("languages", &S::languages, list(oneOf({"en", "sv"}), 1)),
-        field("fields", &S::fields, dictionary(anyText(), "a field's name")),
+        field("template", DYNCAL_TEXT("RecipeLabel", "template of the certificate"),
+            &S::templateName, nonEmptyText()),
+        field("languages", DYNCAL_TEXT("RecipeLabel", "languages of the certificate"),
+            &S::languages, list(oneOf({"en", "sv"}), 1)),
+        field("fields", DYNCAL_TEXT("RecipeLabel", "fields of the certificate"), &S::fields,
+            dictionary(anyText(), "a field's name")),
     });
+}
+
+} // namespace
+
+std::vector<Field<Recipe>> analysisSections()
+{
+    return {
+        field("pca", DYNCAL_TEXT("RecipeLabel", "principal components"), &Recipe::pca,
+            componentCodec()),
+        field("input", DYNCAL_TEXT("RecipeLabel", "model input"), &Recipe::input, inputCodec()),
+        field("realization", DYNCAL_TEXT("RecipeLabel", "realisation"), &Recipe::realization,
+            realizationCodec()),
+        field(
+            "response", DYNCAL_TEXT("RecipeLabel", "response"), &Recipe::response, responseCodec()),
+        field("uncertainty", DYNCAL_TEXT("RecipeLabel", "uncertainty"), &Recipe::uncertainty,
+            uncertaintyCodec()),
+        field("acknowledge", DYNCAL_TEXT("RecipeLabel", "acknowledged findings"),
+            &Recipe::acknowledge, list(acknowledgementCodec())),
+        field("certificate", DYNCAL_TEXT("RecipeLabel", "certificate"), &Recipe::certificate,
+            certificateCodec()),
+    };
 }
 
 } // namespace dyncal

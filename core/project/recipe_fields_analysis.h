@@ -3,23 +3,12 @@
 
 #pragma once
 
-#include "core/decomposition/component_settings.h"
-#include "core/model_analysis/response_settings.h"
-#include "core/project/certificate_settings.h"
 #include "core/project/json_codec.h"
-#include "core/realization/input/realization_settings.h"
-#include "core/shock/uncertainty_settings.h"
-#include "core/signal/signal_settings.h"
+#include "core/project/recipe_sections.h"
 
 namespace dyncal {
 
-/// The keys of recipe.json for components, model and results, as recipe_fields_import.h.
-Codec<ComponentSettings> componentCodec();
-Codec<InputSettings> inputCodec();
-Codec<RealizationSettings> realizationCodec();
-Codec<ResponseSettings> responseCodec();
-Codec<UncertaintySettings> uncertaintyCodec();
-Codec<Acknowledgement> acknowledgementCodec();
-Codec<CertificateSettings> certificateCodec();
+/// The sections of recipe.json for components, model and results, as recipe_fields_import.h.
+std::vector<Field<Recipe>> analysisSections();
 
 } // namespace dyncal

@@ -32,9 +32,16 @@ std::vector<std::string> roleWords(bool mayBeNull)
     return words;
 }
 
-std::vector<std::string> columnNames()
+std::vector<RecipeKey> columnNames()
 {
-    return {"time", "dut", "driven_side", "driver", "trigger", "other"};
+    return {
+        {"time", DYNCAL_TEXT("RecipeLabel", "column of the times")},
+        {"dut", DYNCAL_TEXT("RecipeLabel", "column of the DUT")},
+        {"driven_side", DYNCAL_TEXT("RecipeLabel", "column of the driven-side sensor")},
+        {"driver", DYNCAL_TEXT("RecipeLabel", "column of the driver pressure")},
+        {"trigger", DYNCAL_TEXT("RecipeLabel", "column of the trigger")},
+        {"other", DYNCAL_TEXT("RecipeLabel", "column of another channel")},
+    };
 }
 
 Codec<int> polarity()
@@ -62,14 +69,16 @@ Codec<std::vector<T>> listOrNull(Codec<T> inner)
     const auto write = [plain](const std::vector<T> &values) {
         return values.empty() ? Json(nullptr) : plain.write(values);
     };
-    return {"null or " + plain.needs, read, write, plain.paths};
+    return {"null or " + plain.needs, read, write, plain.keys};
 }
 
 Codec<ExcludedShot> excludedShot()
 {
     return object<ExcludedShot>({
-        field("shot", &ExcludedShot::shot, whole(1, kMostShots), true),
-        field("reason", &ExcludedShot::reason, nonEmptyText(), true),
+        field("shot", DYNCAL_TEXT("RecipeLabel", "excluded shot"), &ExcludedShot::shot,
+            whole(1, kMostShots), true),
+        field("reason", DYNCAL_TEXT("RecipeLabel", "reason for the exclusion"),
+            &ExcludedShot::reason, nonEmptyText(), true),
     });
 }
 
@@ -111,8 +120,9 @@ struct NamedChannel
 Codec<NamedChannel> channelObject()
 {
     // A detail is a member of a member, which field() does not reach.
-    const auto detail = [](const char *key, auto ChannelImport::*member, auto codec) {
-        return Field<NamedChannel>{key,
+    const auto detail = [](const char *key, const char *label, auto ChannelImport::*member,
+                            auto codec) {
+        return Field<NamedChannel>{key, label,
             [=](const JsonAt &at, NamedChannel &channel) -> Result<void> {
                 auto value = codec.read(at);
                 if (!value)
@@ -124,13 +134,20 @@ Codec<NamedChannel> channelObject()
     };
     using D = ChannelImport;
     return object<NamedChannel>({
-        field("role", &NamedChannel::role, oneOf(roleWords(true))),
-        detail("unit", &D::unit, orNull(nonEmptyText())),
-        detail("scale", &D::scale, orNull(positiveNumber())),
-        detail("gain", &D::gain, orNull(positiveNumber())),
-        detail("sensitivity", &D::sensitivity, orNull(positiveNumber())),
-        detail("polarity", &D::polarity, orNull(polarity())),
-        detail("reference", &D::reference, reference()),
+        field("role", DYNCAL_TEXT("RecipeLabel", "role of the channel"), &NamedChannel::role,
+            oneOf(roleWords(true))),
+        detail("unit", DYNCAL_TEXT("RecipeLabel", "unit of the channel"), &D::unit,
+            orNull(nonEmptyText())),
+        detail("scale", DYNCAL_TEXT("RecipeLabel", "factor on the channel"), &D::scale,
+            orNull(positiveNumber())),
+        detail("gain", DYNCAL_TEXT("RecipeLabel", "gain of the channel"), &D::gain,
+            orNull(positiveNumber())),
+        detail("sensitivity", DYNCAL_TEXT("RecipeLabel", "sensitivity of the channel"),
+            &D::sensitivity, orNull(positiveNumber())),
+        detail("polarity", DYNCAL_TEXT("RecipeLabel", "inverted polarity of the channel"),
+            &D::polarity, orNull(polarity())),
+        detail("reference", DYNCAL_TEXT("RecipeLabel", "gauge or absolute pressure of the channel"),
+            &D::reference, reference()),
     });
 }
 
@@ -154,7 +171,7 @@ Codec<NamedChannel> namedChannel()
     const auto write = [=](const NamedChannel &channel) {
         return channel.isObject ? details.write(channel) : word.write(channel.role);
     };
-    return {needs, read, write, details.paths};
+    return {needs, read, write, details.keys};
 }
 
 /// One key for roles and details; two members share it.
@@ -162,7 +179,7 @@ template <typename S>
 Field<S> channels()
 {
     const auto codec = dictionary(namedChannel(), "a channel's name");
-    return {"channels",
+    return {"channels", DYNCAL_TEXT("RecipeLabel", "channel roles"),
         [codec](const JsonAt &at, S &settings) -> Result<void> {
             const auto named = codec.read(at);
             if (!named)
@@ -185,7 +202,7 @@ Field<S> channels()
             }
             return codec.write(named);
         },
-        codec.paths};
+        codec.keys};
 }
 
 /// The keys of import that a file may have for itself; null = as for all files.
@@ -208,34 +225,48 @@ Codec<FileImport> fileImport()
         field("interpolate_invalid", &F::interpolateInvalid, orNull(whole(0, kLongestGap))),
         field("max_expansion", &F::maxExpansion, orNull(number(kLeastExpansion, kMostExpansion))),
     });
-    codec.paths.clear(); // documented once, under import
+    codec.keys.clear(); // documented once, under import
     return codec;
 }
-
-} // namespace
 
 Codec<ImportSettings> importCodec()
 {
     using S = ImportSettings;
     return object<S>({
-        field("format", &S::format, nonEmptyText()),
-        field("columns", &S::columns, columns()),
+        field("format", DYNCAL_TEXT("RecipeLabel", "file format"), &S::format, nonEmptyText()),
+        field("columns", DYNCAL_TEXT("RecipeLabel", "columns of the text file"), &S::columns,
+            columns()),
         channels<S>(),
-        field("decimal", &S::decimal, oneOf({"auto", ".", ","})),
-        field("separator", &S::separator, oneOf({"auto", ",", ";", "tab", "space", "|"})),
-        field("sample_rate_hz", &S::sampleRate_Hz, rate()),
-        field("sample_rate_reason", &S::sampleRateReason, textOrNull()),
-        field("unit", &S::unit, orNull(nonEmptyText())),
-        field("scale", &S::scale, positiveNumber()),
-        field("polarity", &S::polarity, polarity()),
-        field("reference", &S::reference, reference()),
-        field("skip_rows", &S::skipRows, orNull(whole(0, kMostRows))),
-        field("interpolate_invalid", &S::interpolateInvalid, whole(0, kLongestGap)),
-        field("max_expansion", &S::maxExpansion, number(kLeastExpansion, kMostExpansion)),
-        field("channel_files", &S::channelFiles, oneOf({kJoinChannelFiles, "apart"})),
-        field("levels", &S::levels, listOrNull(oneOf({"low", "medium", "high", ""}))),
-        field("exclude", &S::exclude, list(excludedShot())),
-        field("files", &S::files, dictionary(fileImport(), "a file's name")),
+        field("decimal", DYNCAL_TEXT("RecipeLabel", "decimal mark"), &S::decimal,
+            oneOf({"auto", ".", ","})),
+        field("separator", DYNCAL_TEXT("RecipeLabel", "separator"), &S::separator,
+            oneOf({"auto", ",", ";", "tab", "space", "|"})),
+        field(
+            "sample_rate_hz", DYNCAL_TEXT("RecipeLabel", "sample rate"), &S::sampleRate_Hz, rate()),
+        field("sample_rate_reason", DYNCAL_TEXT("RecipeLabel", "why the rate in the file is wrong"),
+            &S::sampleRateReason, textOrNull()),
+        field("unit", DYNCAL_TEXT("RecipeLabel", "unit of the DUT"), &S::unit,
+            orNull(nonEmptyText())),
+        field(
+            "scale", DYNCAL_TEXT("RecipeLabel", "factor on the DUT"), &S::scale, positiveNumber()),
+        field(
+            "polarity", DYNCAL_TEXT("RecipeLabel", "inverted polarity"), &S::polarity, polarity()),
+        field("reference", DYNCAL_TEXT("RecipeLabel", "gauge or absolute pressure"), &S::reference,
+            reference()),
+        field("skip_rows", DYNCAL_TEXT("RecipeLabel", "rows before the data"), &S::skipRows,
+            orNull(whole(0, kMostRows))),
+        field("interpolate_invalid", DYNCAL_TEXT("RecipeLabel", "longest gap to be filled"),
+            &S::interpolateInvalid, whole(0, kLongestGap)),
+        field("max_expansion", DYNCAL_TEXT("RecipeLabel", "memory that a file may take"),
+            &S::maxExpansion, number(kLeastExpansion, kMostExpansion)),
+        field("channel_files", DYNCAL_TEXT("RecipeLabel", "files joined as channels"),
+            &S::channelFiles, oneOf({kJoinChannelFiles, "apart"})),
+        field("levels", DYNCAL_TEXT("RecipeLabel", "levels of the shots"), &S::levels,
+            listOrNull(oneOf({"low", "medium", "high", ""}))),
+        field("exclude", DYNCAL_TEXT("RecipeLabel", "excluded shots"), &S::exclude,
+            list(excludedShot())),
+        field("files", DYNCAL_TEXT("RecipeLabel", "import settings of single files"), &S::files,
+            dictionary(fileImport(), "a file's name")),
     });
 }
 
@@ -243,14 +274,34 @@ Codec<CheckSettings> checksCodec()
 {
     using S = CheckSettings;
     return object<S>({
-        field("saturation_run", &S::saturationRun, whole(2, kMostRows)),
-        field("flat_codes", &S::flatCodes, nonNegativeNumber()),
-        field("min_codes", &S::leastCodes, nonNegativeNumber()),
-        field("step_sigma", &S::stepSigmas, number(kLeastStepSigmas, kMostStepSigmas)),
-        field("rate_mismatch_percent", &S::rateMismatch_percent, nonNegativeNumber()),
-        field(
-            "reading_factor", &S::readingFactor, number(1.0, kMostReadingFactor, Bound::Exclusive)),
+        field("saturation_run",
+            DYNCAL_TEXT("RecipeLabel", "equal samples that count as saturation"), &S::saturationRun,
+            whole(2, kMostRows)),
+        field("flat_codes", DYNCAL_TEXT("RecipeLabel", "scatter below which a channel is flat"),
+            &S::flatCodes, nonNegativeNumber()),
+        field("min_codes", DYNCAL_TEXT("RecipeLabel", "codes that a step should use"),
+            &S::leastCodes, nonNegativeNumber()),
+        field("step_sigma", DYNCAL_TEXT("RecipeLabel", "noise by which a step must stand out"),
+            &S::stepSigmas, number(kLeastStepSigmas, kMostStepSigmas)),
+        field("rate_mismatch_percent",
+            DYNCAL_TEXT("RecipeLabel", "difference allowed between two sample rates"),
+            &S::rateMismatch_percent, nonNegativeNumber()),
+        field("reading_factor",
+            DYNCAL_TEXT("RecipeLabel", "factor allowed between read and computed step"),
+            &S::readingFactor, number(1.0, kMostReadingFactor, Bound::Exclusive)),
     });
+}
+
+} // namespace
+
+std::vector<Field<Recipe>> importSections()
+{
+    return {
+        field("import", DYNCAL_TEXT("RecipeLabel", "import settings"), &Recipe::import,
+            importCodec()),
+        field("checks", DYNCAL_TEXT("RecipeLabel", "limits of findings"), &Recipe::checks,
+            checksCodec()),
+    };
 }
 
 } // namespace dyncal

@@ -3,15 +3,13 @@
 
 #pragma once
 
-#include "core/capture/check_settings.h"
-#include "core/capture/import_settings.h"
 #include "core/project/json_codec.h"
+#include "core/project/recipe_sections.h"
 
 namespace dyncal {
 
-/// The keys of recipe.json for reading files into captures: the one table for reading, writing and
-/// the check of docs/recipe.md. Internal to core/project.
-Codec<ImportSettings> importCodec();
-Codec<CheckSettings> checksCodec();
+/// The sections of recipe.json for reading files into captures: the one table for reading, writing,
+/// the check of docs/recipe.md and the labels of the window. Internal to core/project.
+std::vector<Field<Recipe>> importSections();
 
 } // namespace dyncal

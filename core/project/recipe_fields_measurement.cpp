@@ -19,18 +19,40 @@ std::vector<std::string> substanceNames()
     return names;
 }
 
-Codec<GasSettings> gas()
+/// What the window calls the keys of one of the two gases.
+struct GasLabels
+{
+    const char *gamma;
+    const char *molarMass;
+    const char *substance;
+    const char *heatCapacity;
+};
+
+constexpr GasLabels kDrivenGas{
+    DYNCAL_TEXT("RecipeLabel", "γ of the driven gas"),
+    DYNCAL_TEXT("RecipeLabel", "molar mass of the driven gas"),
+    DYNCAL_TEXT("RecipeLabel", "substance of the driven gas"),
+    DYNCAL_TEXT("RecipeLabel", "heat capacity of the driven gas"),
+};
+constexpr GasLabels kDriverGas{
+    DYNCAL_TEXT("RecipeLabel", "γ of the driver gas"),
+    DYNCAL_TEXT("RecipeLabel", "molar mass of the driver gas"),
+    DYNCAL_TEXT("RecipeLabel", "substance of the driver gas"),
+    DYNCAL_TEXT("RecipeLabel", "heat capacity of the driver gas"),
+};
+
+Codec<GasSettings> gas(const GasLabels &labels)
 {
     std::string names;
     for (const auto &[name, settings] : namedGases())
         names += "\"" + name + "\", ";
     const std::string needs = "one of " + names + "or an object with gamma and molar_mass_kg_mol";
     const Codec<GasSettings> plain = object<GasSettings>({
-        field("gamma", &GasSettings::gamma, number(1.0, 2.0, Bound::Exclusive), true),
-        field("molar_mass_kg_mol", &GasSettings::molarMass_kg_mol,
+        field("gamma", labels.gamma, &GasSettings::gamma, number(1.0, 2.0, Bound::Exclusive), true),
+        field("molar_mass_kg_mol", labels.molarMass, &GasSettings::molarMass_kg_mol,
             number(0.0, 1.0, Bound::Exclusive), true),
-        field("substance", &GasSettings::substance, oneOf(substanceNames())),
-        field("heat_capacity", &GasSettings::heatCapacity,
+        field("substance", labels.substance, &GasSettings::substance, oneOf(substanceNames())),
+        field("heat_capacity", labels.heatCapacity, &GasSettings::heatCapacity,
             oneOf({kConstantHeatCapacity, kVariableHeatCapacity})),
     });
     const auto read = [plain, needs](const JsonAt &at) -> Result<GasSettings> {
@@ -45,7 +67,7 @@ Codec<GasSettings> gas()
             typed->substance = "custom";
         return typed;
     };
-    return {needs, read, plain.write, plain.paths};
+    return {needs, read, plain.write, plain.keys};
 }
 
 /// null = found in the record, one time, or a list with a time or null per shot; two members share
@@ -55,7 +77,7 @@ Field<ArrivalSensor> arrival()
     const auto one = orNull(anyNumber());
     const auto perShot = list(one, 1);
     const std::string needs = "null, a time in seconds or a list of one time or null per shot";
-    return {"arrival_s",
+    return {"arrival_s", DYNCAL_TEXT("RecipeLabel", "arrival"),
         [=](const JsonAt &at, ArrivalSensor &sensor) -> Result<void> {
             if (!at.value.is_array() && !at.value.is_number() && !at.value.is_null())
                 return mismatch(at, needs);
@@ -81,14 +103,19 @@ Field<ArrivalSensor> arrival()
 Codec<ArrivalSensor> arrivalSensor()
 {
     return object<ArrivalSensor>({
-        field("channel", &ArrivalSensor::channel, nonEmptyText(), true),
-        field(
-            "distance_to_end_wall_m", &ArrivalSensor::distanceToEndWall_m, positiveNumber(), true),
-        field("u_distance_m", &ArrivalSensor::u_distance_m, nonNegativeNumber()),
+        field("channel", DYNCAL_TEXT("RecipeLabel", "channel of the arrival sensor"),
+            &ArrivalSensor::channel, nonEmptyText(), true),
+        field("distance_to_end_wall_m", DYNCAL_TEXT("RecipeLabel", "distance to end wall"),
+            &ArrivalSensor::distanceToEndWall_m, positiveNumber(), true),
+        field("u_distance_m", DYNCAL_TEXT("RecipeLabel", "u (distance)"),
+            &ArrivalSensor::u_distance_m, nonNegativeNumber()),
         arrival(),
-        field("u_arrival_s", &ArrivalSensor::u_arrival_s, nonNegativeNumber()),
-        field("delay_s", &ArrivalSensor::delay_s, orNull(anyNumber())),
-        field("u_delay_s", &ArrivalSensor::u_delay_s, nonNegativeNumber()),
+        field("u_arrival_s", DYNCAL_TEXT("RecipeLabel", "u (arrival)"), &ArrivalSensor::u_arrival_s,
+            nonNegativeNumber()),
+        field("delay_s", DYNCAL_TEXT("RecipeLabel", "delay of the sensor"), &ArrivalSensor::delay_s,
+            orNull(anyNumber())),
+        field("u_delay_s", DYNCAL_TEXT("RecipeLabel", "u (delay)"), &ArrivalSensor::u_delay_s,
+            nonNegativeNumber()),
     });
 }
 
@@ -96,11 +123,16 @@ Codec<CounterReading> counterReading()
 {
     using C = CounterReading;
     return object<C>({
-        field("far_m", &C::far_m, positiveNumber(), true),
-        field("near_m", &C::near_m, nonNegativeNumber(), true),
-        field("time_s", &C::time_s, positiveNumber(), true),
-        field("u_distance_m", &C::u_distance_m, nonNegativeNumber()),
-        field("u_time_s", &C::u_time_s, nonNegativeNumber()),
+        field("far_m", DYNCAL_TEXT("RecipeLabel", "far place of the counter"), &C::far_m,
+            positiveNumber(), true),
+        field("near_m", DYNCAL_TEXT("RecipeLabel", "near place of the counter"), &C::near_m,
+            nonNegativeNumber(), true),
+        field("time_s", DYNCAL_TEXT("RecipeLabel", "time of the counter"), &C::time_s,
+            positiveNumber(), true),
+        field("u_distance_m", DYNCAL_TEXT("RecipeLabel", "u (length of the counter)"),
+            &C::u_distance_m, nonNegativeNumber()),
+        field("u_time_s", DYNCAL_TEXT("RecipeLabel", "u (time of the counter)"), &C::u_time_s,
+            nonNegativeNumber()),
     });
 }
 
@@ -108,10 +140,14 @@ Codec<ExcludedStretch> excludedStretch()
 {
     using S = ExcludedStretch;
     return object<S>({
-        field("shot", &S::shot, whole(1, kMostShots), true),
-        field("from_s", &S::from_s, anyNumber(), true),
-        field("to_s", &S::to_s, positiveNumber(), true),
-        field("reason", &S::reason, nonEmptyText(), true),
+        field("shot", DYNCAL_TEXT("RecipeLabel", "shot of the stretch"), &S::shot,
+            whole(1, kMostShots), true),
+        field("from_s", DYNCAL_TEXT("RecipeLabel", "begin of the stretch"), &S::from_s, anyNumber(),
+            true),
+        field("to_s", DYNCAL_TEXT("RecipeLabel", "end of the stretch"), &S::to_s, positiveNumber(),
+            true),
+        field("reason", DYNCAL_TEXT("RecipeLabel", "reason for leaving the stretch out"),
+            &S::reason, nonEmptyText(), true),
     });
 }
 
@@ -141,7 +177,7 @@ Codec<std::vector<double>> start()
 Field<WindowSettings> baseline()
 {
     const auto codec = valueOr(Json(nullptr), orAuto(interval()));
-    return {"baseline_s",
+    return {"baseline_s", DYNCAL_TEXT("RecipeLabel", "baseline"),
         [codec](const JsonAt &at, WindowSettings &window) -> Result<void> {
             const Result<std::optional<Auto<Interval>>> value = codec.read(at);
             if (!value)
@@ -160,7 +196,7 @@ Field<WindowSettings> baseline()
 Field<WindowSettings> windowEnd()
 {
     const auto codec = valueOr(Json("plateau"), orAuto(positiveNumber()));
-    return {"end_s",
+    return {"end_s", DYNCAL_TEXT("RecipeLabel", "end of the window"),
         [codec](const JsonAt &at, WindowSettings &window) -> Result<void> {
             const Result<std::optional<Auto<double>>> value = codec.read(at);
             if (!value)
@@ -179,7 +215,7 @@ Field<SpectrumSettings> resonance()
 {
     const auto frequencies = list(positiveNumber());
     const std::string needs = "\"auto\", \"none\" or a list of frequencies in hertz";
-    return {"resonance",
+    return {"resonance", DYNCAL_TEXT("RecipeLabel", "resonance"),
         [=](const JsonAt &at, SpectrumSettings &spectrum) -> Result<void> {
             const bool isWord = at.value == "auto" || at.value == "none";
             if (!isWord && !at.value.is_array())
@@ -202,40 +238,66 @@ Field<SpectrumSettings> resonance()
         }};
 }
 
-} // namespace
-
 Codec<ShockSettings> shockCodec()
 {
     using S = ShockSettings;
     return object<S>({
-        field("enabled", &S::enabled, boolean()),
-        field("p1_pa", &S::p1_Pa, orNull(positiveNumber())),
-        field("t1_k", &S::T1_K, orNull(positiveNumber())),
-        field("t4_k", &S::T4_K, orNull(positiveNumber())),
-        field("driven_gas", &S::drivenGas, gas()),
-        field("driver_gas", &S::driverGas, gas()),
-        field("relative_humidity", &S::relativeHumidity, orNull(number(0.0, 1.0))),
-        field("velocity_m_s", &S::velocity_m_s, orNull(positiveNumber())),
-        field("step_pa", &S::step_Pa, orNull(positiveNumber())),
-        field("arrival_sensors", &S::arrivalSensors, list(arrivalSensor())),
-        field("driver_length_m", &S::driverLength_m, orNull(positiveNumber())),
-        field("driven_length_m", &S::drivenLength_m, orNull(positiveNumber())),
-        field("inner_diameter_m", &S::innerDiameter_m, orNull(positiveNumber())),
-        field("dut_position", &S::dutPosition, oneOf({"end-wall", "side-wall"})),
-        field("front_duration_s", &S::frontDuration_s, nonNegativeNumber()),
-        field("u_front_duration_s", &S::u_frontDuration_s, nonNegativeNumber()),
-        field("state_from", &S::stateFrom, oneOf({"velocity", "p2", "p4"})),
-        field("p2_pa", &S::p2_Pa, orNull(positiveNumber())),
-        field("p4_pa", &S::p4_Pa, orNull(positiveNumber())),
-        field("carbon_dioxide_fraction", &S::carbonDioxide, number(0.0, 0.01)),
-        field("counters", &S::counters, list(counterReading())),
-        field("attenuation", &S::attenuation, oneOf({"auto", "none", "linear"})),
-        field("use_dut_arrival", &S::useDutArrival, boolean()),
-        field("dut_distance_to_end_wall_m", &S::dutDistance_m, orNull(positiveNumber())),
-        field("dut_diameter_m", &S::dutDiameter_m, orNull(positiveNumber())),
-        field("tube_length_m", &S::tubeLength_m, orNull(positiveNumber())),
-        field("wall_sound_speed_m_s", &S::wallSoundSpeed_m_s, positiveNumber()),
-        field("plateau_guard_s", &S::plateauGuard_s, nonNegativeNumber()),
+        field("enabled", DYNCAL_TEXT("RecipeLabel", "compute the step from the shock"), &S::enabled,
+            boolean()),
+        field("p1_pa", DYNCAL_TEXT("RecipeLabel", "p1, absolute"), &S::p1_Pa,
+            orNull(positiveNumber())),
+        field("t1_k", DYNCAL_TEXT("RecipeLabel", "T1"), &S::T1_K, orNull(positiveNumber())),
+        field(
+            "t4_k", DYNCAL_TEXT("RecipeLabel", "T4 (driver)"), &S::T4_K, orNull(positiveNumber())),
+        field(
+            "driven_gas", DYNCAL_TEXT("RecipeLabel", "driven gas"), &S::drivenGas, gas(kDrivenGas)),
+        field(
+            "driver_gas", DYNCAL_TEXT("RecipeLabel", "driver gas"), &S::driverGas, gas(kDriverGas)),
+        field("relative_humidity", DYNCAL_TEXT("RecipeLabel", "relative humidity"),
+            &S::relativeHumidity, orNull(number(0.0, 1.0))),
+        field("velocity_m_s", DYNCAL_TEXT("RecipeLabel", "velocity of the shock"), &S::velocity_m_s,
+            orNull(positiveNumber())),
+        field("step_pa", DYNCAL_TEXT("RecipeLabel", "pressure step"), &S::step_Pa,
+            orNull(positiveNumber())),
+        field("arrival_sensors", DYNCAL_TEXT("RecipeLabel", "arrival sensors"), &S::arrivalSensors,
+            list(arrivalSensor())),
+        field("driver_length_m", DYNCAL_TEXT("RecipeLabel", "driver section"), &S::driverLength_m,
+            orNull(positiveNumber())),
+        field("driven_length_m", DYNCAL_TEXT("RecipeLabel", "driven section"), &S::drivenLength_m,
+            orNull(positiveNumber())),
+        field("inner_diameter_m", DYNCAL_TEXT("RecipeLabel", "inner diameter"), &S::innerDiameter_m,
+            orNull(positiveNumber())),
+        field("dut_position", DYNCAL_TEXT("RecipeLabel", "place of the DUT"), &S::dutPosition,
+            oneOf({"end-wall", "side-wall"})),
+        field("front_duration_s", DYNCAL_TEXT("RecipeLabel", "duration of the front"),
+            &S::frontDuration_s, nonNegativeNumber()),
+        field("u_front_duration_s", DYNCAL_TEXT("RecipeLabel", "u (duration of the front)"),
+            &S::u_frontDuration_s, nonNegativeNumber()),
+        field("state_from", DYNCAL_TEXT("RecipeLabel", "what the state follows from"),
+            &S::stateFrom, oneOf({"velocity", "p2", "p4"})),
+        field("p2_pa", DYNCAL_TEXT("RecipeLabel", "p2, absolute"), &S::p2_Pa,
+            orNull(positiveNumber())),
+        field("p4_pa", DYNCAL_TEXT("RecipeLabel", "driver pressure, absolute"), &S::p4_Pa,
+            orNull(positiveNumber())),
+        field("carbon_dioxide_fraction", DYNCAL_TEXT("RecipeLabel", "CO₂"), &S::carbonDioxide,
+            number(0.0, 0.01)),
+        field("counters", DYNCAL_TEXT("RecipeLabel", "counters"), &S::counters,
+            list(counterReading())),
+        field("attenuation", DYNCAL_TEXT("RecipeLabel", "change of the velocity along the tube"),
+            &S::attenuation, oneOf({"auto", "none", "linear"})),
+        field("use_dut_arrival", DYNCAL_TEXT("RecipeLabel", "use the arrival at the DUT"),
+            &S::useDutArrival, boolean()),
+        field("dut_distance_to_end_wall_m",
+            DYNCAL_TEXT("RecipeLabel", "distance of the DUT to the end wall"), &S::dutDistance_m,
+            orNull(positiveNumber())),
+        field("dut_diameter_m", DYNCAL_TEXT("RecipeLabel", "diameter of the DUT"),
+            &S::dutDiameter_m, orNull(positiveNumber())),
+        field("tube_length_m", DYNCAL_TEXT("RecipeLabel", "length of the tube"), &S::tubeLength_m,
+            orNull(positiveNumber())),
+        field("wall_sound_speed_m_s", DYNCAL_TEXT("RecipeLabel", "sound speed of the wall"),
+            &S::wallSoundSpeed_m_s, positiveNumber()),
+        field("plateau_guard_s", DYNCAL_TEXT("RecipeLabel", "guard before the plateau's end"),
+            &S::plateauGuard_s, nonNegativeNumber()),
     });
 }
 
@@ -243,11 +305,13 @@ Codec<WindowSettings> windowCodec()
 {
     using S = WindowSettings;
     return object<S>({
-        field("start", &S::start_s, start()),
+        field("start", DYNCAL_TEXT("RecipeLabel", "start"), &S::start_s, start()),
         baseline(),
         windowEnd(),
-        field("settle_s", &S::settle_s, orAuto(interval())),
-        field("exclude_stretches", &S::excludeStretches, list(excludedStretch())),
+        field("settle_s", DYNCAL_TEXT("RecipeLabel", "settle band"), &S::settle_s,
+            orAuto(interval())),
+        field("exclude_stretches", DYNCAL_TEXT("RecipeLabel", "stretches left out of the fit"),
+            &S::excludeStretches, list(excludedStretch())),
     });
 }
 
@@ -255,18 +319,33 @@ Codec<SpectrumSettings> spectrumCodec()
 {
     using S = SpectrumSettings;
     return object<S>({
-        field("taper", &S::taper,
+        field("taper", DYNCAL_TEXT("RecipeLabel", "window function"), &S::taper,
             choice<Taper>({{"rectangular", Taper::Rectangular}, {"hann", Taper::Hann}})),
-        field("method", &S::method,
+        field("method", DYNCAL_TEXT("RecipeLabel", "estimator"), &S::method,
             choice<SpectrumMethod>(
                 {{"periodogram", SpectrumMethod::Periodogram}, {"welch", SpectrumMethod::Welch}})),
-        field("segment", &S::segment, orNull(whole(8, kMostSamples))),
-        field("detrend", &S::detrend,
+        field("segment", DYNCAL_TEXT("RecipeLabel", "segment length"), &S::segment,
+            orNull(whole(8, kMostSamples))),
+        field("detrend", DYNCAL_TEXT("RecipeLabel", "trend taken off"), &S::detrend,
             choice<Detrend>(
                 {{"none", Detrend::None}, {"mean", Detrend::Mean}, {"linear", Detrend::Linear}})),
-        field("resonance_band_hz", &S::resonanceBand_Hz, orNull(interval())),
+        field("resonance_band_hz", DYNCAL_TEXT("RecipeLabel", "band of the search"),
+            &S::resonanceBand_Hz, orNull(interval())),
         resonance(),
     });
+}
+
+} // namespace
+
+std::vector<Field<Recipe>> measurementSections()
+{
+    return {
+        field("shock", DYNCAL_TEXT("RecipeLabel", "reference step"), &Recipe::shock, shockCodec()),
+        field("window", DYNCAL_TEXT("RecipeLabel", "window"), &Recipe::window, windowCodec()),
+        field("remap", DYNCAL_TEXT("RecipeLabel", "remap to 0..1"), &Recipe::remap, boolean()),
+        field(
+            "spectrum", DYNCAL_TEXT("RecipeLabel", "spectrum"), &Recipe::spectrum, spectrumCodec()),
+    };
 }
 
 } // namespace dyncal

@@ -4,14 +4,11 @@
 #pragma once
 
 #include "core/project/json_codec.h"
-#include "core/shock/shock_settings.h"
-#include "core/signal/signal_settings.h"
+#include "core/project/recipe_sections.h"
 
 namespace dyncal {
 
-/// The keys of recipe.json for shock, window and spectrum, as recipe_fields_import.h.
-Codec<ShockSettings> shockCodec();
-Codec<WindowSettings> windowCodec();
-Codec<SpectrumSettings> spectrumCodec();
+/// The sections of recipe.json for shock, window and spectrum, as recipe_fields_import.h.
+std::vector<Field<Recipe>> measurementSections();
 
 } // namespace dyncal

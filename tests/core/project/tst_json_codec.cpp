@@ -45,7 +45,7 @@ Codec<Tree> treeCodec()
         field("leaves", &Tree::leaves, list(leafCodec())),
         field("rate", &Tree::rate, orAuto(positiveNumber())),
         field("limit", &Tree::limit, orNull(number(-1.0, 1.0))),
-        field("columns", &Tree::columns, dictionary(whole(0, 9), "a role", {"dut", "time"})),
+        field("columns", &Tree::columns, dictionary(whole(0, 9), "a role", {{"dut"}, {"time"}})),
     });
 }
 
@@ -210,7 +210,9 @@ private slots:
 
     void object_knowsThePathsBelow()
     {
-        const std::vector<std::string> paths = treeCodec().paths;
+        std::vector<std::string> paths;
+        for (const RecipeKey &key : treeCodec().keys)
+            paths.push_back(key.path);
         QCOMPARE(paths.size(), knownPaths().size());
         for (const std::string &path : knownPaths())
             QVERIFY2(
