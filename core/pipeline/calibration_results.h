@@ -7,7 +7,6 @@
 #include "core/decomposition/component_result.h"
 #include "core/model_analysis/sensor_response.h"
 #include "core/pipeline/shock_stage.h"
-#include "core/pipeline/stage.h"
 #include "core/realization/hankel/hankel_decomposition.h"
 #include "core/realization/hankel/order_suggestion.h"
 #include "core/realization/input/model_input.h"
@@ -25,6 +24,27 @@
 #include <string>
 
 namespace dyncal {
+
+/// The steps of the method, in the order in which they are computed; stage_table.cpp describes
+/// each, and CalibrationResults below holds what each leaves.
+enum class StageId {
+    Captures, ///< roles, units, exclusions applied; recordings checked
+    Arrivals, ///< where the records of DUTs and side sensors begin to move
+    Expected, ///< the shock from these arrivals, before any model
+    Window, ///< start, response window, remap
+    Spectrum, ///< power spectra and resonances
+    Components, ///< PCA, residuals, average
+    ModelInput, ///< resampled, cut
+    Decomposition, ///< Hankel singular values, suggested order
+    Model, ///< poles, fit
+    Shock, ///< velocity, states, pressure step
+    Response, ///< frequency response, characteristics, sensitivity
+    Assessment, ///< of the model: uncertainties, shots compared; no response waits for it
+    Evidence, ///< what all orders show; no result waits for it
+    MonteCarlo, ///< of the pressure step; nothing waits for it
+};
+inline constexpr StageId kLastStage = StageId::MonteCarlo;
+inline constexpr int kStageCount = static_cast<int>(kLastStage) + 1;
 
 /// Captures after the recipe's import section, with their findings.
 struct PreparedCaptures

@@ -3,69 +3,14 @@
 
 #include "core/pipeline/pipeline.h"
 
-#include "core/capture/capture_check.h"
-#include "core/capture/import_rules.h"
-#include "core/decomposition/component_analysis.h"
-#include "core/pipeline/model_stages.h"
-#include "core/pipeline/nuisance_stage.h"
 #include "core/pipeline/stage_keys.h"
 #include "core/pipeline/stage_table.h"
-#include "core/realization/hankel/order_suggestion.h"
-#include "core/realization/model/model_assessing.h"
-#include "core/realization/nuisance/nuisance_modes.h"
-#include "core/realization/order/order_scan.h"
-#include "core/shock/shock_velocity.h"
-#include "core/shock/step_monte_carlo.h"
-#include "core/signal/window_cutting.h"
 
-#include <algorithm>
 #include <exception>
 #include <new>
 
 namespace dyncal {
 namespace {
-
-Result<PreparedCaptures> prepareCaptures(const CaptureSet &captures, const Recipe &recipe)
-{
-    auto set = applyImportSettings(captures, recipe.import, recipe.checks);
-    if (!set)
-        return tl::unexpected(set.error());
-    PreparedCaptures prepared{std::move(*set), {}};
-    prepared.findings = prepared.set.findings;
-    const Findings checked = checkCaptures(prepared.set, recipe.checks);
-    prepared.findings.insert(prepared.findings.end(), checked.begin(), checked.end());
-    return prepared;
-}
-
-Result<WindowResult> window(
-    const CalibrationResults &r, const Recipe &recipe, const JobControl &control)
-{
-    const CaptureSet &set = r.captures->set;
-    WindowContext context{recipe.input.treatment, recipe.remap, {}, recipe.checks, {}};
-    for (Index shot = 1; shot <= std::ssize(set.shots); ++shot) {
-        const ShockConditions *conditions = r.expected->conditions.ofShot(shot);
-        context.plateau_s.push_back(conditions ? conditions->plateau_s : std::nullopt);
-        const Channel *dut
-            = set.shots[static_cast<std::size_t>(shot - 1)].channelWithRole(ChannelRole::Dut);
-        const DetectedStart *start = r.starts->of(set, shot, dut);
-        context.starts.push_back(start ? std::optional(*start) : std::nullopt);
-    }
-    Result<WindowResult> result = cutWindows(set, recipe.window, context, control);
-    if (result)
-        result->findings.insert(
-            result->findings.begin(), r.expected->findings.begin(), r.expected->findings.end());
-    return result;
-}
-
-Result<DecompositionResult> decompose(
-    const ModelInput &input, const RealizationSettings &settings, const JobControl &control)
-{
-    auto hankel = decomposeHankel(input, settings, control.part(0, 2));
-    if (!hankel)
-        return tl::unexpected(hankel.error());
-    OrderSuggestion suggestion = suggestOrder(input, *hankel, control.part(1, 2));
-    return DecompositionResult{std::move(*hankel), std::move(suggestion)};
-}
 
 /// Runs each stage unless its result is in the cache, reports progress and stops at the first
 /// failure.
@@ -80,46 +25,59 @@ public:
     {
     }
 
-    template <typename T, typename Compute>
-    Run &stage(StageId id, std::shared_ptr<const T> CalibrationResults::*member, Compute compute)
+    /// All stages up to the last; what has failed before is not tried.
+    void all(const CaptureSet &captures, const Recipe &recipe)
     {
-        if (m_outcome.error || id > m_last)
-            return *this;
-        const std::string &key = m_outcome.results.keys[static_cast<std::size_t>(id)];
-        std::shared_ptr<const T> found = m_cache.find<T>(key);
-        if (!found) {
-            if (m_control.stopRequested())
-                return stop(id, Error{ErrorKind::Cancelled, {}, {}, 0});
-            Result<T> result = compute(controlOf(id));
-            if (!result)
-                return stop(id, std::move(result.error()));
-            if (m_control.stopRequested()) // the result may be incomplete
-                return stop(id, Error{ErrorKind::Cancelled, {}, {}, 0});
-            found = std::make_shared<const T>(std::move(*result));
-            m_cache.store(key, found);
+        for (int i = 0; i <= static_cast<int>(m_last) && !m_outcome.error; ++i) {
+            one(stageOf(static_cast<StageId>(i)), captures, recipe);
+            if (static_cast<StageId>(i) == StageId::Model)
+                remember(stageOf(StageId::Assessment));
         }
-        m_outcome.results.*member = std::move(found);
-        reach(progressAfter(id, m_last));
-        return *this;
+    }
+
+private:
+    using Any = StageResult::Any;
+
+    void one(const Stage &stage, const CaptureSet &captures, const Recipe &recipe)
+    {
+        Result<Any> found = m_cache.find<void>(keyOf(stage));
+        if (!*found)
+            found = computed(stage, captures, recipe);
+        if (!found) {
+            m_outcome.error = std::move(found.error());
+            m_outcome.failedStage = stage.id;
+            return;
+        }
+        stage.result.put(m_outcome.results, *found);
+        reach(progressAfter(stage.id, m_last));
+    }
+
+    Result<Any> computed(const Stage &stage, const CaptureSet &captures, const Recipe &recipe)
+    {
+        const Error cancelled{ErrorKind::Cancelled, {}, {}, 0};
+        if (m_control.stopRequested())
+            return tl::unexpected(cancelled);
+        const JobControl control = controlOf(stage.id);
+        Result<Any> result = stage.result.compute({captures, recipe, m_outcome.results, control});
+        if (!result)
+            return result;
+        if (m_control.stopRequested()) // the result may be incomplete
+            return tl::unexpected(cancelled);
+        m_cache.store<void>(keyOf(stage), *result);
+        return result;
     }
 
     /// Takes a later stage's result from the cache if all it follows from is there: this run may
     /// end before that stage.
-    template <typename T>
-    Run &remembered(StageId id, std::shared_ptr<const T> CalibrationResults::*member)
+    void remember(const Stage &stage)
     {
-        if (hasResult(m_outcome.results, stageOf(id).follows))
-            m_outcome.results.*member
-                = m_cache.find<T>(m_outcome.results.keys[static_cast<std::size_t>(id)]);
-        return *this;
+        if (hasResult(m_outcome.results, stage.follows))
+            stage.result.put(m_outcome.results, m_cache.find<void>(keyOf(stage)));
     }
 
-private:
-    Run &stop(StageId id, Error error)
+    const std::string &keyOf(const Stage &stage) const
     {
-        m_outcome.error = std::move(error);
-        m_outcome.failedStage = id;
-        return *this;
+        return m_outcome.results.keys[static_cast<std::size_t>(stage.id)];
     }
 
     /// Maps a stage's progress 0..1 to its part of the run.
@@ -145,56 +103,6 @@ private:
     double m_reached = 0.0;
 };
 
-/// The method (thesis 3.7), one call per step.
-void runStages(const CaptureSet &captures, const Recipe &recipe, Run &run, CalibrationResults &r)
-{
-    using R = CalibrationResults;
-    using Control = const JobControl &;
-    run.stage(StageId::Captures, &R::captures,
-           [&](Control) { return prepareCaptures(captures, recipe); })
-        .stage(StageId::Arrivals, &R::starts,
-            [&](Control control) {
-                return detectStarts(r.captures->set, arrivalChannels(recipe.shock), control,
-                    recipe.checks.stepSigmas);
-            })
-        .stage(StageId::Expected, &R::expected,
-            [&](Control) { return expectedShock(r.captures->set, *r.starts, recipe); })
-        .stage(StageId::Window, &R::window,
-            [&](Control control) { return window(r, recipe, control); })
-        .stage(StageId::Spectrum, &R::spectrum,
-            [&](Control control) {
-                return analyseSpectra(r.window->responses, recipe.spectrum, control);
-            })
-        .stage(StageId::Components, &R::components,
-            [&](Control control) {
-                return analyseComponents(r.window->responses, recipe.pca, recipe.spectrum, control);
-            })
-        .stage(StageId::ModelInput, &R::input,
-            [&](Control control) { return separatedInput(r, recipe, control); })
-        .stage(StageId::Decomposition, &R::decomposition,
-            [&](Control control) {
-                return decompose(sensorOnly(*r.input), recipe.realization, control);
-            })
-        .stage(StageId::Model, &R::model,
-            [&](Control control) { return modelStage(r, recipe, orderOf(r, recipe), control); })
-        .remembered(StageId::Assessment, &R::assessment)
-        .stage(
-            StageId::Shock, &R::shock, [&](Control) { return shockOfModel(r, recipe, *r.model); })
-        .stage(StageId::Response, &R::response,
-            [&](Control) { return responseStage(r, recipe, *r.model, *r.shock); })
-        .stage(StageId::Assessment, &R::assessment,
-            [&](Control control) {
-                return assessModel(*r.input, *r.model, recipe.realization, control);
-            })
-        .stage(StageId::Evidence, &R::evidence,
-            [&](Control control) {
-                return gatherOrderEvidence(sensorOnly(*r.input), r.decomposition->hankel,
-                    r.decomposition->suggestion, recipe.realization, control);
-            })
-        .stage(StageId::MonteCarlo, &R::monteCarlo,
-            [&](Control control) { return stepMonteCarlo(*r.shock, recipe.uncertainty, control); });
-}
-
 Error outOfMemory()
 {
     return {ErrorKind::Internal,
@@ -212,8 +120,7 @@ PipelineOutcome runPipeline(const std::shared_ptr<const CaptureSet> &captures, c
     PipelineOutcome outcome;
     try {
         outcome.results.keys = stageKeys(*captures, recipe);
-        Run run(outcome, cache, last, control);
-        runStages(*captures, recipe, run, outcome.results);
+        Run(outcome, cache, last, control).all(*captures, recipe);
     } catch (const std::bad_alloc &) {
         outcome.error = outOfMemory();
     } catch (const std::exception &exception) {

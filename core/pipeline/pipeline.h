@@ -22,8 +22,8 @@ struct PipelineOutcome
     StageId failedStage = StageId::Captures; ///< meaningful with an error
 };
 
-/// The method, one line per step: the only place where stages are put together. The window and the
-/// command line both call this, so their numbers are the same. Results whose inputs have not
+/// The method: the stages of stage_table.cpp, one after the other. The window and the command line
+/// both call this, so their numbers are the same. Results whose inputs have not
 /// changed come from the cache. Never throws; a lack of memory is an Error of kind Internal.
 PipelineOutcome runPipeline(const std::shared_ptr<const CaptureSet> &captures, const Recipe &recipe,
     ResultCache &cache, StageId last = kLastStage, const JobControl &control = {});

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/capture/capture_set.h"
-#include "core/pipeline/stage.h"
+#include "core/pipeline/calibration_results.h"
 #include "core/project/recipe.h"
 
 #include <array>

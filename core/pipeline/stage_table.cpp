@@ -3,21 +3,43 @@
 
 #include "core/pipeline/stage_table.h"
 
+#include "core/decomposition/component_analysis.h"
+#include "core/pipeline/early_stages.h"
+#include "core/pipeline/model_stages.h"
+#include "core/pipeline/nuisance_stage.h"
+#include "core/realization/model/model_assessing.h"
+#include "core/realization/nuisance/nuisance_modes.h"
 #include "core/realization/order/order_findings.h"
+#include "core/realization/order/order_scan.h"
+#include "core/shock/shock_velocity.h"
+#include "core/shock/step_monte_carlo.h"
 
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <type_traits>
 
 namespace dyncal {
 namespace {
 
 using R = CalibrationResults;
+using Any = StageResult::Any;
 
-template <auto member>
-bool has(const R &results)
+/// A stage's result is what `compute` makes, kept in `member`.
+template <auto member, auto compute>
+constexpr StageResult kept()
 {
-    return results.*member != nullptr;
+    using T = typename std::remove_reference_t<decltype(std::declval<R &>().*member)>::element_type;
+    return {[](const StageInputs &in) -> Result<Any> {
+                auto made = compute(in);
+                if (!made)
+                    return tl::unexpected(std::move(made.error()));
+                return std::make_shared<T>(std::move(*made));
+            },
+        [](const R &results) -> Any { return results.*member; },
+        [](R &results, const Any &result) {
+            results.*member = std::static_pointer_cast<T>(result);
+        }};
 }
 
 template <auto member>
@@ -61,16 +83,32 @@ void readCaptures(const Recipe &recipe, Recipe &part)
     part.checks = recipe.checks;
 }
 
+Result<PreparedCaptures> captures(const StageInputs &in)
+{
+    return prepareCaptures(in.captures, in.recipe);
+}
+
 void readArrivals(const Recipe &recipe, Recipe &part)
 {
     for (const ArrivalSensor &sensor : recipe.shock.arrivalSensors)
         part.shock.arrivalSensors.push_back({sensor.channel});
 }
 
+Result<RecordStarts> arrivals(const StageInputs &in)
+{
+    return detectStarts(in.results.captures->set, arrivalChannels(in.recipe.shock), in.control,
+        in.recipe.checks.stepSigmas);
+}
+
 void readExpected(const Recipe &recipe, Recipe &part)
 {
     part.shock = recipe.shock;
     part.window.start_s = recipe.window.start_s;
+}
+
+Result<ExpectedShock> expected(const StageInputs &in)
+{
+    return expectedShock(in.results.captures->set, *in.results.starts, in.recipe);
 }
 
 void readWindow(const Recipe &recipe, Recipe &part)
@@ -81,14 +119,30 @@ void readWindow(const Recipe &recipe, Recipe &part)
     part.input.treatment = recipe.input.treatment;
 }
 
+Result<WindowResult> window(const StageInputs &in)
+{
+    return windowStage(in.results, in.recipe, in.control);
+}
+
 void readSpectrum(const Recipe &recipe, Recipe &part)
 {
     part.spectrum = recipe.spectrum;
 }
 
+Result<SpectrumResult> spectrum(const StageInputs &in)
+{
+    return analyseSpectra(in.results.window->responses, in.recipe.spectrum, in.control);
+}
+
 void readComponents(const Recipe &recipe, Recipe &part)
 {
     part.pca = recipe.pca;
+}
+
+Result<ComponentResult> components(const StageInputs &in)
+{
+    return analyseComponents(
+        in.results.window->responses, in.recipe.pca, in.recipe.spectrum, in.control);
 }
 
 void readModelInput(const Recipe &recipe, Recipe &part)
@@ -98,10 +152,20 @@ void readModelInput(const Recipe &recipe, Recipe &part)
     part.realization.nuisanceModes = recipe.realization.nuisanceModes;
 }
 
+Result<ModelInput> modelInput(const StageInputs &in)
+{
+    return separatedInput(in.results, in.recipe, in.control);
+}
+
 void readDecomposition(const Recipe &recipe, Recipe &part)
 {
     part.realization.maxOrder = recipe.realization.maxOrder;
     part.realization.rows = recipe.realization.rows;
+}
+
+Result<DecompositionResult> decomposition(const StageInputs &in)
+{
+    return decompositionStage(sensorOnly(*in.results.input), in.recipe.realization, in.control);
 }
 
 void readModel(const Recipe &recipe, Recipe &part)
@@ -110,14 +174,34 @@ void readModel(const Recipe &recipe, Recipe &part)
     part.realization.refine = recipe.realization.refine;
 }
 
+Result<SensorModel> model(const StageInputs &in)
+{
+    return modelStage(in.results, in.recipe, orderOf(in.results, in.recipe), in.control);
+}
+
 void readShock(const Recipe &recipe, Recipe &part)
 {
     part.uncertainty.budget = recipe.uncertainty.budget; // `shock` is in an earlier key
 }
 
+Result<ShockConditionsSet> shock(const StageInputs &in)
+{
+    return shockOfModel(in.results, in.recipe, *in.results.model);
+}
+
 void readResponse(const Recipe &recipe, Recipe &part)
 {
     part.response = recipe.response;
+}
+
+Result<ResponseResult> response(const StageInputs &in)
+{
+    return responseStage(in.results, in.recipe, *in.results.model, *in.results.shock);
+}
+
+Result<ModelAssessment> assessment(const StageInputs &in)
+{
+    return assessModel(*in.results.input, *in.results.model, in.recipe.realization, in.control);
 }
 
 void readEvidence(const Recipe &recipe, Recipe &part)
@@ -126,37 +210,54 @@ void readEvidence(const Recipe &recipe, Recipe &part)
     part.realization.stableDamping = recipe.realization.stableDamping;
 }
 
+Result<OrderEvidence> evidence(const StageInputs &in)
+{
+    return gatherOrderEvidence(sensorOnly(*in.results.input), in.results.decomposition->hankel,
+        in.results.decomposition->suggestion, in.recipe.realization, in.control);
+}
+
 void readMonteCarlo(const Recipe &recipe, Recipe &part)
 {
     part.uncertainty = recipe.uncertainty;
+}
+
+Result<StepMonteCarloSet> monteCarlo(const StageInputs &in)
+{
+    return stepMonteCarlo(*in.results.shock, in.recipe.uncertainty, in.control);
 }
 
 using enum StageId;
 
 // Evidence serves every order: model and response do not count for it.
 constexpr std::array<Stage, kStageCount> kStages{{
-    {Captures, "captures", 3, 40, "CAP-", Captures, readCaptures, has<&R::captures>,
-        of<&R::captures>},
-    {Arrivals, "arrivals", 1, 110, "", Captures, readArrivals, has<&R::starts>, saidElsewhere},
-    {Expected, "expected shock", 1, 30, "", Arrivals, readExpected, has<&R::expected>,
-        saidElsewhere},
-    {Window, "window", 1, 50, "WIN-", Expected, readWindow, has<&R::window>, of<&R::window>},
-    {Spectrum, "spectrum", 1, 110, "SPC-", Window, readSpectrum, has<&R::spectrum>,
-        of<&R::spectrum>},
-    {Components, "components", 1, 300, "PCA-", Spectrum, readComponents, has<&R::components>,
-        of<&R::components>},
-    {ModelInput, "model input", 1, 10, "MIN-", Components, readModelInput, has<&R::input>,
-        of<&R::input>},
-    {Decomposition, "decomposition", 1, 100, "ORD-", ModelInput, readDecomposition,
-        has<&R::decomposition>, saidElsewhere},
-    {Model, "model", 1, 10, "MOD-", Decomposition, readModel, has<&R::model>, ofModel},
-    {Shock, "shock", 1, 1, "SHK-", Model, readShock, has<&R::shock>, of<&R::shock>},
-    {Response, "response", 2, 30, "RSP-", Shock, readResponse, has<&R::response>, of<&R::response>},
-    {Assessment, "model assessment", 1, 10, "", Model, readNothing, has<&R::assessment>,
-        saidElsewhere},
-    {Evidence, "evidence", 1, 160, "", Decomposition, readEvidence, has<&R::evidence>, ofEvidence},
-    {MonteCarlo, "Monte Carlo", 1, 50, "", Shock, readMonteCarlo, has<&R::monteCarlo>,
-        of<&R::monteCarlo>},
+    {Captures, "captures", 3, 40, "CAP-", Captures, Captures, true, readCaptures,
+        kept<&R::captures, captures>(), of<&R::captures>},
+    {Arrivals, "arrivals", 1, 110, "", Captures, Captures, false, readArrivals,
+        kept<&R::starts, arrivals>(), saidElsewhere},
+    {Expected, "expected shock", 1, 30, "", Arrivals, Shock, false, readExpected,
+        kept<&R::expected, expected>(), saidElsewhere},
+    {Window, "window", 1, 50, "WIN-", Expected, Window, true, readWindow,
+        kept<&R::window, window>(), of<&R::window>},
+    {Spectrum, "spectrum", 1, 110, "SPC-", Window, Spectrum, true, readSpectrum,
+        kept<&R::spectrum, spectrum>(), of<&R::spectrum>},
+    {Components, "components", 1, 300, "PCA-", Spectrum, Components, true, readComponents,
+        kept<&R::components, components>(), of<&R::components>},
+    {ModelInput, "model input", 1, 10, "MIN-", Components, ModelInput, true, readModelInput,
+        kept<&R::input, modelInput>(), of<&R::input>},
+    {Decomposition, "decomposition", 1, 100, "ORD-", ModelInput, Decomposition, true,
+        readDecomposition, kept<&R::decomposition, decomposition>(), saidElsewhere},
+    {Model, "model", 1, 10, "MOD-", Decomposition, Model, true, readModel, kept<&R::model, model>(),
+        ofModel},
+    {Shock, "shock", 1, 1, "SHK-", Model, Shock, true, readShock, kept<&R::shock, shock>(),
+        of<&R::shock>},
+    {Response, "response", 2, 30, "RSP-", Shock, Model, true, readResponse,
+        kept<&R::response, response>(), of<&R::response>},
+    {Assessment, "model assessment", 1, 10, "", Model, Model, true, readNothing,
+        kept<&R::assessment, assessment>(), saidElsewhere},
+    {Evidence, "evidence", 1, 160, "", Decomposition, Decomposition, false, readEvidence,
+        kept<&R::evidence, evidence>(), ofEvidence},
+    {MonteCarlo, "Monte Carlo", 1, 50, "", Shock, Shock, true, readMonteCarlo,
+        kept<&R::monteCarlo, monteCarlo>(), of<&R::monteCarlo>},
 }};
 
 constexpr bool isInOrder()
@@ -203,7 +304,7 @@ std::optional<StageId> stageOfFinding(const std::string &id)
 
 bool hasResult(const CalibrationResults &results, StageId id)
 {
-    return stageOf(id).isThere(results);
+    return stageOf(id).result.get(results) != nullptr;
 }
 
 Findings findingsOf(const CalibrationResults &results, StageId id)

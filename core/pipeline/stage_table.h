@@ -3,15 +3,35 @@
 
 #pragma once
 
+#include "core/base/progress.h"
+#include "core/base/result.h"
 #include "core/pipeline/calibration_results.h"
-#include "core/pipeline/stage.h"
 #include "core/project/recipe.h"
 
+#include <memory>
 #include <optional>
 
 namespace dyncal {
 
-/// What the program knows of a stage besides its function: one line of the table for each.
+/// What a stage is computed from; the results hold those of the stages that it follows.
+struct StageInputs
+{
+    const CaptureSet &captures;
+    const Recipe &recipe;
+    const CalibrationResults &results;
+    const JobControl &control;
+};
+
+/// How a stage's result is computed, and where it is kept.
+struct StageResult
+{
+    using Any = std::shared_ptr<const void>;
+    Result<Any> (*compute)(const StageInputs &inputs);
+    Any (*get)(const CalibrationResults &results);
+    void (*put)(CalibrationResults &results, const Any &result);
+};
+
+/// What the program knows of a stage: one line of the table for each.
 struct Stage
 {
     StageId id;
@@ -21,8 +41,10 @@ struct Stage
     const char
         *findings; ///< what the ids of its findings begin with; empty: it has none of its own
     StageId follows; ///< its result depends on all stages up to this, and on itself
+    StageId shownWith; ///< the stage on whose page it is seen
+    bool awaited; ///< that page is done only with it
     void (*read)(const Recipe &recipe, Recipe &part); ///< copies the sections it reads
-    bool (*isThere)(const CalibrationResults &results);
+    StageResult result;
     Findings (*findingsOf)(const CalibrationResults &results);
 };
 

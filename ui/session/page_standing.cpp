@@ -12,34 +12,16 @@
 namespace dyncal {
 namespace {
 
+/// The stage that each page is opened for.
+constexpr std::array<StageId, kPageCount> kOpenedFor{StageId::Captures, StageId::Shock,
+    StageId::Window, StageId::Spectrum, StageId::Components, StageId::ModelInput,
+    StageId::Decomposition, StageId::Model, StageId::Response};
+
 /// Where something is seen that went wrong in a stage and has no id of its own.
 Page pageOfStage(StageId stage)
 {
-    switch (stage) {
-    case StageId::Captures:
-    case StageId::Arrivals:
-        return Page::Captures;
-    case StageId::Expected:
-    case StageId::Shock:
-    case StageId::MonteCarlo:
-        return Page::Shock;
-    case StageId::Window:
-        return Page::Window;
-    case StageId::Spectrum:
-        return Page::Spectrum;
-    case StageId::Components:
-        return Page::Components;
-    case StageId::ModelInput:
-        return Page::ModelInput;
-    case StageId::Decomposition:
-    case StageId::Evidence:
-        return Page::Order;
-    case StageId::Model:
-    case StageId::Response:
-    case StageId::Assessment:
-        break;
-    }
-    return Page::Model;
+    const auto found = std::ranges::find(kOpenedFor, stageOf(stage).shownWith);
+    return static_cast<Page>(found - kOpenedFor.begin());
 }
 
 /// The page that a finding counts for; one without an id of the catalogue is what stopped the run.
@@ -143,41 +125,28 @@ PageStanding ofCertificate(const WorkState &work)
 
 std::vector<StageId> stagesOf(Page page)
 {
-    using enum StageId;
-    switch (page) {
-    case Page::Captures:
-        return {Captures};
-    case Page::Shock:
-        return {Shock, MonteCarlo};
-    case Page::Window:
-        return {Window};
-    case Page::Spectrum:
-        return {Spectrum};
-    case Page::Components:
-        return {Components};
-    case Page::ModelInput:
-        return {ModelInput};
-    case Page::Order:
-        return {Decomposition, Model};
-    case Page::Model:
-        return {Model, Response, Assessment};
-    case Page::Certificate:
-        break;
+    const StageId first = kOpenedFor[static_cast<std::size_t>(page)];
+    std::vector<StageId> stages{first};
+    for (int i = 0; i < kStageCount; ++i) {
+        const Stage &stage = stageOf(static_cast<StageId>(i));
+        if (stage.awaited && stage.shownWith == first && stage.id != first)
+            stages.push_back(stage.id);
     }
-    return {Response};
+    if (page == Page::Order) // what an order means is seen in its model
+        stages.push_back(StageId::Model);
+    return stages;
 }
 
 std::optional<Page> pageOfFinding(const std::string &id)
 {
-    using enum Page;
-    constexpr std::pair<std::string_view, Page> kPrefixes[]{{"CAP-", Captures}, {"FIL-", Captures},
-        {"PRJ-", Captures}, {"SHK-", Shock}, {"WIN-", Window}, {"SPC-", Spectrum},
-        {"NUI-", Spectrum}, {"PCA-", Components}, {"MIN-", ModelInput}, {"ORD-", Order},
-        {"MOD-", Model}, {"RSP-", Model}};
+    // Those that no stage finds, or that are settled elsewhere than where they are found.
+    constexpr std::pair<std::string_view, Page> kPrefixes[]{
+        {"FIL-", Page::Captures}, {"PRJ-", Page::Captures}, {"NUI-", Page::Spectrum}};
     for (const auto &[prefix, page] : kPrefixes)
         if (id.starts_with(prefix))
             return page;
-    return std::nullopt;
+    const std::optional<StageId> stage = stageOfFinding(id);
+    return stage ? std::optional(pageOfStage(*stage)) : std::nullopt;
 }
 
 bool isAccepted(const Finding &finding, const std::vector<Acknowledgement> &accepted)

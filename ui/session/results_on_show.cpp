@@ -15,27 +15,20 @@ namespace {
 /// `part`, with what it lacks from `old`.
 CalibrationResults merged(CalibrationResults part, const CalibrationResults &old)
 {
-    const auto keep = [](auto &now, const auto &before) {
-        if (!now)
-            now = before;
-    };
-    keep(part.captures, old.captures);
-    keep(part.starts, old.starts);
-    keep(part.expected, old.expected);
-    keep(part.window, old.window);
-    keep(part.spectrum, old.spectrum);
-    keep(part.components, old.components);
-    keep(part.input, old.input);
-    keep(part.decomposition, old.decomposition);
-    if (!part.model) { // an assessment belongs to one model only
-        part.model = old.model;
+    if (!part.model) // an assessment belongs to one model only
         part.assessment = old.assessment;
+    for (int i = 0; i < kStageCount; ++i) {
+        const Stage &stage = stageOf(static_cast<StageId>(i));
+        if (stage.id != StageId::Assessment && !hasResult(part, stage.id))
+            stage.result.put(part, stage.result.get(old));
     }
-    keep(part.shock, old.shock);
-    keep(part.response, old.response);
-    keep(part.evidence, old.evidence);
-    keep(part.monteCarlo, old.monteCarlo);
     return part;
+}
+
+/// What the first results show is told at once; of later stages only what belongs to this run.
+bool isToldOnlyOfThisRun(StageId stage)
+{
+    return stage >= StageId::Model && stage != StageId::Assessment; // which goes with its model
 }
 
 } // namespace
@@ -75,16 +68,11 @@ void ResultsOnShow::setModelCurve(
 Findings ResultsOnShow::findings() const
 {
     CalibrationResults results = m_run.results;
-    if (!isOfThisRun(StageId::Model))
-        results.model = nullptr;
-    if (!isOfThisRun(StageId::Shock))
-        results.shock = nullptr;
-    if (!isOfThisRun(StageId::Response))
-        results.response = nullptr;
-    if (!isOfThisRun(StageId::Evidence))
-        results.evidence = nullptr;
-    if (!isOfThisRun(StageId::MonteCarlo))
-        results.monteCarlo = nullptr;
+    for (int i = 0; i < kStageCount; ++i) {
+        const auto stage = static_cast<StageId>(i);
+        if (isToldOnlyOfThisRun(stage) && !isOfThisRun(stage))
+            stageOf(stage).result.put(results, nullptr);
+    }
     Findings all = allFindings({results, m_run.error, m_run.failedStage});
     // The list of results.json leaves out errors that are not of the catalogue; people see them.
     if (m_run.error && m_run.error->findingId.empty()

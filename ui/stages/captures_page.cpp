@@ -47,7 +47,7 @@ CapturesPage::CapturesPage(Session &session, Prompts &prompts)
     : StagePage(session,
         {"capturesPage", tr("Captures"),
             tr("Add the recordings of one sensor and say what each channel is.")},
-        {StageId::Captures})
+        Page::Captures)
     , m_prompts(prompts)
     , m_table(new QTableWidget(this))
 {

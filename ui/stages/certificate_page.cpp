@@ -80,7 +80,7 @@ CertificatePage::CertificatePage(Session &session)
     : StagePage(session,
         {"certificatePage", tr("Certificate"),
             tr("Fill in what is not measured, then export the certificate.")},
-        {StageId::Response})
+        Page::Certificate)
 {
     buildForm();
     buildInspector();

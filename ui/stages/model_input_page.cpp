@@ -31,7 +31,7 @@ ModelInputPage::ModelInputPage(Session &session)
     : StagePage(session,
         {"modelInputPage", tr("Model input"),
             tr("Choose the rate, the stretch and how the step is treated.")},
-        {StageId::ModelInput})
+        Page::ModelInput)
     , m_plot(makePlot("modelInputPlot", tr("What the identification gets")))
 {
     content()->addWidget(m_plot);

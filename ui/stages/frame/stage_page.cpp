@@ -21,14 +21,6 @@ namespace dyncal {
 
 namespace {
 
-Page pageWith(const std::vector<StageId> &stages)
-{
-    for (int row = 0; row < kPageCount; ++row)
-        if (stagesOf(static_cast<Page>(row)) == stages)
-            return static_cast<Page>(row);
-    return Page::Certificate;
-}
-
 /// Where the window is too small for all plots of a page, it scrolls.
 QScrollArea *scrolled(QVBoxLayout &content)
 {
@@ -46,11 +38,11 @@ QScrollArea *scrolled(QVBoxLayout &content)
 
 } // namespace
 
-StagePage::StagePage(Session &session, const PageText &text, std::vector<StageId> stages)
+StagePage::StagePage(Session &session, const PageText &text, Page page)
     : m_session(session)
     , m_text(text)
-    , m_stages(std::move(stages))
-    , m_page(pageWith(m_stages))
+    , m_stages(stagesOf(page))
+    , m_page(page)
     , m_inspector(new InspectorForm)
     , m_status(new QLabel(this))
     , m_problem(new QLabel(this))
@@ -136,7 +128,7 @@ void StagePage::showContents()
     if (!wasCurrent)
         setTablesEnabled(true);
     showResults();
-    showRecipe();
+    showControls();
     if (!m_isCurrent)
         setTablesEnabled(false);
     m_inspector->setReadoutsEnabled(m_isCurrent);
@@ -170,8 +162,20 @@ void StagePage::showStatus()
 /// What is typed into the certificate changes how it stands, and computes nothing.
 void StagePage::showRecipeAndStatus()
 {
-    showRecipe();
+    showControls();
     showStatus();
+}
+
+void StagePage::showControls()
+{
+    showRecipe();
+    for (const auto &show : m_followers)
+        show(recipe());
+}
+
+void StagePage::follow(std::function<void(const Recipe &)> show)
+{
+    m_followers.push_back(std::move(show));
 }
 
 QString StagePage::reasonWhyBlocked() const
@@ -200,7 +204,7 @@ void StagePage::showNotices()
 void StagePage::takeBackDrag()
 {
     m_session.cancelMerge();
-    showRecipe();
+    showControls();
 }
 
 PlotContent StagePage::nothingYet()

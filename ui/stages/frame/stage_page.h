@@ -35,7 +35,7 @@ class StagePage : public QWidget
     Q_OBJECT
 
 public:
-    StagePage(Session &session, const PageText &text, std::vector<StageId> stages);
+    StagePage(Session &session, const PageText &text, Page page);
 
     const PageText &text() const { return m_text; }
     /// The stages shown here; the first is the one that the page is opened for.
@@ -68,6 +68,9 @@ protected:
     /// Cursors of these plots stand where those of all other frequency views stand.
     void shareFrequencyCursors(const std::vector<PlotWidget *> &plots);
 
+    /// For a control that only its own key needs: `show` sets it from each recipe.
+    void follow(std::function<void(const Recipe &)> show);
+
     /// Changes the recipe as one undo step.
     void change(const QString &label, const std::function<void(Recipe &)> &edit,
         const QString &mergeKey = {});
@@ -76,6 +79,7 @@ private:
     void refresh();
     void showContents();
     void showStatus();
+    void showControls();
     void showNotices();
     void setTablesEnabled(bool enabled);
     QString reasonWhyBlocked() const;
@@ -91,6 +95,7 @@ private:
     QLabel *m_problem;
     QPushButton *m_wayBack; ///< undoes what blocked the page
     QVBoxLayout *m_content;
+    std::vector<std::function<void(const Recipe &)>> m_followers;
     struct ShownPlot
     {
         PlotWidget *plot;

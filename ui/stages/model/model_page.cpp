@@ -22,7 +22,7 @@ namespace dyncal {
 ModelPage::ModelPage(Session &session)
     : StagePage(session,
         {"modelPage", tr("Model"), tr("Judge the model of the chosen order against the data.")},
-        {StageId::Model, StageId::Response, StageId::Assessment})
+        Page::Model)
 {
     buildPlots();
     buildInspector();

@@ -49,7 +49,7 @@ OrderPage::OrderPage(Session &session)
     : StagePage(session,
         {"orderPage", tr("Order"),
             tr("Drag the cut, click a value or use the arrow keys. Everything follows.")},
-        {StageId::Decomposition, StageId::Model})
+        Page::Order)
 {
     setFocusPolicy(Qt::StrongFocus);
     buildPlots();

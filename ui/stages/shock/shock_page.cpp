@@ -30,7 +30,7 @@ ShockPage::ShockPage(Session &session)
     : StagePage(session,
         {"shockPage", tr("Reference step"),
             tr("Gas state and shock velocity, or a typed step, give the pressure that the sensor saw.")},
-        {StageId::Shock, StageId::MonteCarlo})
+        Page::Shock)
 {
     buildPlots();
     buildReferenceControls();

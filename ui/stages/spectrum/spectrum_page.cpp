@@ -36,7 +36,7 @@ SpectrumPage::SpectrumPage(Session &session)
     : StagePage(session,
         {"spectrumPage", tr("Spectrum"),
             tr("Confirm the resonance. With \"given by me\" a click on a peak takes it; else the click marks an oscillation that is not the sensor's.")},
-        {StageId::Spectrum})
+        Page::Spectrum)
     , m_plot(makePlot("spectrumPlot", tr("Power spectral density")))
     , m_table(new ValueTable("resonanceTable", tr("Resonances"), this))
 {

@@ -39,7 +39,7 @@ WindowPage::WindowPage(Session &session)
     : StagePage(session,
         {"windowPage", tr("Window"),
             tr("Drag the bands and lines. All shots are aligned on their own start.")},
-        {StageId::Window})
+        Page::Window)
 {
     buildPlots();
     buildInspector();
