@@ -37,7 +37,7 @@ QString probabilityText(double p)
 ComponentsPage::ComponentsPage(Session &session)
     : StagePage(session,
         {"componentsPage", tr("PCA"), tr("Separate what the shots share from what they do not.")},
-        {StageId::Components})
+        Page::Components)
 {
     buildPlots();
     buildInspector();
@@ -77,22 +77,25 @@ void ComponentsPage::buildInspector()
 {
     InspectorForm *form = inspector();
     form->addSection(tr("Components"));
-    m_kept = form->add(tr("Kept"), "componentsKept", new QuantityEdit({}, 1, 99, 0));
-    connect(m_kept, &QuantityEdit::edited, this, [this](double kept) {
-        change(tr("Keep %1 components").arg(kept),
-            [&](Recipe &r) { r.pca.components = std::lround(kept); });
+    auto *kept = form->add(tr("Kept"), "componentsKept", new QuantityEdit({}, 1, 99, 0));
+    form->follow([kept](const Recipe &r) { kept->setSi(static_cast<double>(r.pca.components)); });
+    connect(kept, &QuantityEdit::edited, this, [this](double count) {
+        change(tr("Keep %1 components").arg(count),
+            [&](Recipe &r) { r.pca.components = std::lround(count); });
     });
-    m_centre = new WrappedCheckBox(tr("Take away the mean over the shots first"));
-    m_centre->setObjectName("centre");
-    form->addWide(m_centre);
-    connect(m_centre, &QCheckBox::clicked, this,
+    auto *centre = new WrappedCheckBox(tr("Take away the mean over the shots first"));
+    centre->setObjectName("centre");
+    form->addWide(centre);
+    form->follow([centre](const Recipe &r) { centre->setChecked(r.pca.centre); });
+    connect(centre, &QCheckBox::clicked, this,
         [this](bool on) { change(tr("Centre the shots"), [&](Recipe &r) { r.pca.centre = on; }); });
     m_first = form->addReadout(tr("First explains"), "firstExplains");
 
     form->addSection(tr("Residuals"));
-    m_lags = form->add(tr("Lags"), "residualLags", new QuantityEdit({}, 1, 100000, 0));
-    connect(m_lags, &QuantityEdit::edited, this, [this](double lags) {
-        change(tr("Change the lags"), [&](Recipe &r) { r.pca.residualLags = std::lround(lags); });
+    auto *lags = form->add(tr("Lags"), "residualLags", new QuantityEdit({}, 1, 100000, 0));
+    form->follow([lags](const Recipe &r) { lags->setSi(static_cast<double>(r.pca.residualLags)); });
+    connect(lags, &QuantityEdit::edited, this, [this](double count) {
+        change(tr("Change the lags"), [&](Recipe &r) { r.pca.residualLags = std::lround(count); });
     });
     QStringList choices;
     for (const double confidence : kConfidences)
@@ -109,13 +112,9 @@ void ComponentsPage::buildInspector()
 
 void ComponentsPage::showRecipe()
 {
-    const ComponentSettings &settings = recipe().pca;
-    m_kept->setSi(static_cast<double>(settings.components));
-    m_centre->setChecked(settings.centre);
-    m_lags->setSi(static_cast<double>(settings.residualLags));
     int choice = -1; // a recipe may hold another value
     for (std::size_t i = 0; i < kConfidences.size(); ++i)
-        if (std::abs(kConfidences[i] - settings.residualConfidence) < 1e-9)
+        if (std::abs(kConfidences[i] - recipe().pca.residualConfidence) < 1e-9)
             choice = static_cast<int>(i);
     m_confidence->setCurrentIndex(choice);
 }

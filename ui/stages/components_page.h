@@ -5,12 +5,10 @@
 
 #include "ui/stages/frame/stage_page.h"
 
-class QCheckBox;
 class QComboBox;
 
 namespace dyncal {
 
-class QuantityEdit;
 class TubeModeChoice;
 class ValueTable;
 
@@ -36,9 +34,6 @@ private:
     PlotWidget *m_autocovariance;
     PlotWidget *m_spectrum;
     ValueTable *m_table;
-    QuantityEdit *m_kept;
-    QCheckBox *m_centre;
-    QuantityEdit *m_lags;
     QComboBox *m_confidence;
     QLabel *m_first;
     TubeModeChoice *m_tubeModes;

@@ -82,6 +82,17 @@ QLabel *InspectorForm::addNote(const QString &objectName)
     return note;
 }
 
+void InspectorForm::follow(std::function<void(const Recipe &)> show)
+{
+    m_followers.push_back(std::move(show));
+}
+
+void InspectorForm::showRecipe(const Recipe &recipe)
+{
+    for (const auto &show : m_followers)
+        show(recipe);
+}
+
 void InspectorForm::setReadoutsEnabled(bool enabled)
 {
     for (QLabel *readout : m_readouts)

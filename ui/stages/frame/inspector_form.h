@@ -3,11 +3,13 @@
 
 #pragma once
 
+#include "core/project/recipe_sections.h"
 #include "ui/stages/frame/wrapped_controls.h"
 
 #include <QLabel>
 #include <QWidget>
 
+#include <functional>
 #include <vector>
 
 class QComboBox;
@@ -42,6 +44,9 @@ public:
     QLabel *addNote(const QString &objectName);
     /// A control that says by itself what it is (a button, a check box).
     void addWide(QWidget *control);
+    /// For a control that only its own key needs: `show` sets it from each recipe.
+    void follow(std::function<void(const Recipe &)> show);
+    void showRecipe(const Recipe &recipe); ///< to all that follow it
     /// Pale read-outs are out of date.
     void setReadoutsEnabled(bool enabled);
 
@@ -59,6 +64,7 @@ private:
     void addRow(const QString &label, QWidget *control);
     QFormLayout *m_layout;
     std::vector<QLabel *> m_readouts;
+    std::vector<std::function<void(const Recipe &)>> m_followers;
 };
 
 } // namespace dyncal

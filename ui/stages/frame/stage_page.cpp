@@ -169,13 +169,7 @@ void StagePage::showRecipeAndStatus()
 void StagePage::showControls()
 {
     showRecipe();
-    for (const auto &show : m_followers)
-        show(recipe());
-}
-
-void StagePage::follow(std::function<void(const Recipe &)> show)
-{
-    m_followers.push_back(std::move(show));
+    m_inspector->showRecipe(recipe());
 }
 
 QString StagePage::reasonWhyBlocked() const

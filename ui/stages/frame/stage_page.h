@@ -68,9 +68,6 @@ protected:
     /// Cursors of these plots stand where those of all other frequency views stand.
     void shareFrequencyCursors(const std::vector<PlotWidget *> &plots);
 
-    /// For a control that only its own key needs: `show` sets it from each recipe.
-    void follow(std::function<void(const Recipe &)> show);
-
     /// Changes the recipe as one undo step.
     void change(const QString &label, const std::function<void(Recipe &)> &edit,
         const QString &mergeKey = {});
@@ -95,7 +92,6 @@ private:
     QLabel *m_problem;
     QPushButton *m_wayBack; ///< undoes what blocked the page
     QVBoxLayout *m_content;
-    std::vector<std::function<void(const Recipe &)>> m_followers;
     struct ShownPlot
     {
         PlotWidget *plot;

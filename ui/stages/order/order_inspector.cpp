@@ -88,15 +88,19 @@ void OrderInspector::buildAdoption(InspectorForm &form)
 void OrderInspector::buildSettings(InspectorForm &form)
 {
     form.addSection(tr("Stable within"));
-    m_stableFrequency = form.add(
+    auto *frequency = form.add(
         tr("Frequency"), "stableFrequency", new QuantityEdit({"%", 0.01}, 1e-5, 0.99, 3));
-    m_stableDamping
+    auto *damping
         = form.add(tr("Damping"), "stableDamping", new QuantityEdit({"%", 0.01}, 1e-5, 0.99, 3));
-    connect(m_stableFrequency, &QuantityEdit::edited, this, [this](double share) {
+    form.follow([=](const Recipe &r) {
+        frequency->setSi(r.realization.stableFrequency);
+        damping->setSi(r.realization.stableDamping);
+    });
+    connect(frequency, &QuantityEdit::edited, this, [this](double share) {
         m_change(tr("Change the tolerance of stable frequencies"),
             [&](Recipe &r) { r.realization.stableFrequency = share; });
     });
-    connect(m_stableDamping, &QuantityEdit::edited, this, [this](double share) {
+    connect(damping, &QuantityEdit::edited, this, [this](double share) {
         m_change(tr("Change the tolerance of stable damping"),
             [&](Recipe &r) { r.realization.stableDamping = share; });
     });
@@ -113,10 +117,11 @@ void OrderInspector::buildSettings(InspectorForm &form)
             r.realization.rows = rows.value ? Auto<Index>(std::lround(*rows.value)) : Auto<Index>();
         });
     });
-    m_refine = new WrappedCheckBox(tr("Refine the poles (least squares)"));
-    m_refine->setObjectName("refinePoles");
-    form.addWide(m_refine);
-    connect(m_refine, &QCheckBox::clicked, this, [this](bool on) {
+    auto *refine = new WrappedCheckBox(tr("Refine the poles (least squares)"));
+    refine->setObjectName("refinePoles");
+    form.addWide(refine);
+    form.follow([refine](const Recipe &r) { refine->setChecked(r.realization.refine); });
+    connect(refine, &QCheckBox::clicked, this, [this](bool on) {
         m_change(tr("Refine the poles"), [&](Recipe &r) { r.realization.refine = on; });
     });
 }
@@ -163,9 +168,6 @@ void OrderInspector::showRecipe(
     if (results.decomposition)
         rows = static_cast<double>(results.decomposition->hankel.rows);
     m_rows->set(asDouble(settings.rows), rows);
-    m_refine->setChecked(settings.refine);
-    m_stableFrequency->setSi(settings.stableFrequency);
-    m_stableDamping->setSi(settings.stableDamping);
     if (!m_reason->hasFocus())
         m_reason->setText(rawText(settings.adoptedReason));
 }

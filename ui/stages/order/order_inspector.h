@@ -11,7 +11,6 @@
 
 #include <functional>
 
-class QCheckBox;
 class QLineEdit;
 class QPushButton;
 
@@ -72,9 +71,6 @@ private:
     QLabel *m_why;
     QuantityEdit *m_largest;
     AutoEdit *m_rows;
-    QCheckBox *m_refine;
-    QuantityEdit *m_stableFrequency;
-    QuantityEdit *m_stableDamping;
 };
 
 /// Why a model cannot be adopted: its blocking finding (MOD-001); empty where it can.
