@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/index.h"
+#include "core/base/message.h"
 
 namespace dyncal {
 
@@ -18,6 +19,27 @@ struct CheckSettings
     double rateMismatch_percent = 0.1; ///< between a stated and a typed sample rate
     double readingFactor = 3.0; ///< between the step that is read and the computed one
 
+    static void keys(auto &section)
+    {
+        using S = CheckSettings;
+        constexpr double kLeastStepSigmas = 4.0; // below, noise alone would count as a step
+        section.whole("saturation_run",
+            DYNCAL_TEXT("RecipeLabel", "equal samples that count as saturation"), &S::saturationRun,
+            2, 1000000000);
+        section.nonNegative("flat_codes",
+            DYNCAL_TEXT("RecipeLabel", "scatter below which a channel is flat"), &S::flatCodes);
+        section.nonNegative("min_codes", DYNCAL_TEXT("RecipeLabel", "codes that a step should use"),
+            &S::leastCodes);
+        section.number("step_sigma",
+            DYNCAL_TEXT("RecipeLabel", "noise by which a step must stand out"), &S::stepSigmas,
+            kLeastStepSigmas, 1e6);
+        section.nonNegative("rate_mismatch_percent",
+            DYNCAL_TEXT("RecipeLabel", "difference allowed between two sample rates"),
+            &S::rateMismatch_percent);
+        section.inside("reading_factor",
+            DYNCAL_TEXT("RecipeLabel", "factor allowed between read and computed step"),
+            &S::readingFactor, 1.0, 1e6);
+    }
     bool operator==(const CheckSettings &) const = default;
 };
 

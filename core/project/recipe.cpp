@@ -8,6 +8,7 @@
 #include "core/project/recipe_fields_analysis.h"
 #include "core/project/recipe_fields_import.h"
 #include "core/project/recipe_fields_measurement.h"
+#include "core/project/section_keys.h"
 
 #include <filesystem>
 #include <fstream>
@@ -34,7 +35,10 @@ const Codec<Recipe> &recipeCodec()
 {
     static const Codec<Recipe> codec = [] {
         std::vector<Field<Recipe>> fields{schema()};
-        for (const auto &sections : {importSections(), measurementSections(), analysisSections()})
+        SectionKeys<Recipe> plain;
+        Recipe::keys(plain);
+        for (const auto &sections :
+            {importSections(), measurementSections(), analysisSections(), plain.take()})
             fields.insert(fields.end(), sections.begin(), sections.end());
         return object<Recipe>(std::move(fields));
     }();

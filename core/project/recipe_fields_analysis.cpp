@@ -11,8 +11,6 @@
 namespace dyncal {
 namespace {
 
-constexpr Index kMostComponents = 1000;
-constexpr Index kMostLags = 10000000;
 constexpr Index kMostInputSamples = 10000000;
 constexpr Index kMostOrders = 2000;
 constexpr Index kMostFrequencies = 100000;
@@ -158,20 +156,6 @@ Codec<Index> trials()
     return {codec.needs, read, write};
 }
 
-Codec<ComponentSettings> componentCodec()
-{
-    using S = ComponentSettings;
-    return object<S>({
-        field("components", DYNCAL_TEXT("RecipeLabel", "components kept"), &S::components,
-            whole(1, kMostComponents)),
-        field("centre", DYNCAL_TEXT("RecipeLabel", "subtract the mean"), &S::centre, boolean()),
-        field("residual_lags", DYNCAL_TEXT("RecipeLabel", "lags"), &S::residualLags,
-            whole(1, kMostLags)),
-        field("residual_confidence", DYNCAL_TEXT("RecipeLabel", "confidence of the bound"),
-            &S::residualConfidence, number(0.5, 1.0, Bound::Exclusive)),
-    });
-}
-
 Codec<InputSettings> inputCodec()
 {
     using S = InputSettings;
@@ -271,8 +255,6 @@ Codec<CertificateSettings> certificateCodec()
 std::vector<Field<Recipe>> analysisSections()
 {
     return {
-        field("pca", DYNCAL_TEXT("RecipeLabel", "principal components"), &Recipe::pca,
-            componentCodec()),
         field("input", DYNCAL_TEXT("RecipeLabel", "model input"), &Recipe::input, inputCodec()),
         field("realization", DYNCAL_TEXT("RecipeLabel", "realisation"), &Recipe::realization,
             realizationCodec()),

@@ -15,9 +15,6 @@ constexpr Index kLongestGap = 1000;
 constexpr double kLeastExpansion = 1.0;
 constexpr double kMostExpansion = 1e4; ///< no real filter compresses samples more
 constexpr double kFastestRate_Hz = 1e12;
-constexpr double kMostReadingFactor = 1e6;
-constexpr double kLeastStepSigmas = 4.0; ///< below, noise alone would count as a step
-constexpr double kMostStepSigmas = 1e6;
 
 /// The words for a role; with "" for null where none need be given.
 std::vector<std::string> roleWords(bool mayBeNull)
@@ -270,28 +267,6 @@ Codec<ImportSettings> importCodec()
     });
 }
 
-Codec<CheckSettings> checksCodec()
-{
-    using S = CheckSettings;
-    return object<S>({
-        field("saturation_run",
-            DYNCAL_TEXT("RecipeLabel", "equal samples that count as saturation"), &S::saturationRun,
-            whole(2, kMostRows)),
-        field("flat_codes", DYNCAL_TEXT("RecipeLabel", "scatter below which a channel is flat"),
-            &S::flatCodes, nonNegativeNumber()),
-        field("min_codes", DYNCAL_TEXT("RecipeLabel", "codes that a step should use"),
-            &S::leastCodes, nonNegativeNumber()),
-        field("step_sigma", DYNCAL_TEXT("RecipeLabel", "noise by which a step must stand out"),
-            &S::stepSigmas, number(kLeastStepSigmas, kMostStepSigmas)),
-        field("rate_mismatch_percent",
-            DYNCAL_TEXT("RecipeLabel", "difference allowed between two sample rates"),
-            &S::rateMismatch_percent, nonNegativeNumber()),
-        field("reading_factor",
-            DYNCAL_TEXT("RecipeLabel", "factor allowed between read and computed step"),
-            &S::readingFactor, number(1.0, kMostReadingFactor, Bound::Exclusive)),
-    });
-}
-
 } // namespace
 
 std::vector<Field<Recipe>> importSections()
@@ -299,8 +274,6 @@ std::vector<Field<Recipe>> importSections()
     return {
         field("import", DYNCAL_TEXT("RecipeLabel", "import settings"), &Recipe::import,
             importCodec()),
-        field("checks", DYNCAL_TEXT("RecipeLabel", "limits of findings"), &Recipe::checks,
-            checksCodec()),
     };
 }
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/base/message.h"
 #include "core/capture/check_settings.h"
 #include "core/capture/import_settings.h"
 #include "core/decomposition/component_settings.h"
@@ -35,6 +36,13 @@ struct Recipe
     std::vector<Acknowledgement> acknowledge;
     CertificateSettings certificate;
 
+    /// The sections of plain settings, which list their keys themselves; those with keys of a form
+    /// of their own are in recipe_fields_*.cpp.
+    static void keys(auto &recipe)
+    {
+        recipe.section("checks", DYNCAL_TEXT("RecipeLabel", "limits of findings"), &Recipe::checks);
+        recipe.section("pca", DYNCAL_TEXT("RecipeLabel", "principal components"), &Recipe::pca);
+    }
     bool operator==(const Recipe &) const = default;
 };
 
