@@ -78,39 +78,8 @@ void addLeaves(const Json &value, const std::string &path, std::vector<std::stri
 /// Everything that one member of CalibrationResults holds, under the key of its stage.
 void copyStage(StageId stage, const CalibrationResults &complete, ResultCache &cache)
 {
-    const auto store = [&](const auto &value) {
-        cache.store(complete.keys[static_cast<std::size_t>(stage)], value);
-    };
-    switch (stage) {
-    case StageId::Captures:
-        return store(complete.captures);
-    case StageId::Arrivals:
-        return store(complete.starts);
-    case StageId::Expected:
-        return store(complete.expected);
-    case StageId::Window:
-        return store(complete.window);
-    case StageId::Spectrum:
-        return store(complete.spectrum);
-    case StageId::Components:
-        return store(complete.components);
-    case StageId::ModelInput:
-        return store(complete.input);
-    case StageId::Decomposition:
-        return store(complete.decomposition);
-    case StageId::Model:
-        return store(complete.model);
-    case StageId::Shock:
-        return store(complete.shock);
-    case StageId::Response:
-        return store(complete.response);
-    case StageId::Assessment:
-        return store(complete.assessment);
-    case StageId::Evidence:
-        return store(complete.evidence);
-    case StageId::MonteCarlo:
-        return store(complete.monteCarlo);
-    }
+    cache.store<void>(
+        complete.keys[static_cast<std::size_t>(stage)], stageOf(stage).result.get(complete));
 }
 
 } // namespace
