@@ -238,10 +238,11 @@ Field<SpectrumSettings> resonance()
         }};
 }
 
-Codec<ShockSettings> shockCodec()
+/// The gases, and what is known of the shock without looking at records.
+std::vector<Field<ShockSettings>> conditionFields()
 {
     using S = ShockSettings;
-    return object<S>({
+    return {
         field("enabled", DYNCAL_TEXT("RecipeLabel", "compute the step from the shock"), &S::enabled,
             boolean()),
         field("p1_pa", DYNCAL_TEXT("RecipeLabel", "p1, absolute"), &S::p1_Pa,
@@ -259,6 +260,14 @@ Codec<ShockSettings> shockCodec()
             orNull(positiveNumber())),
         field("step_pa", DYNCAL_TEXT("RecipeLabel", "pressure step"), &S::step_Pa,
             orNull(positiveNumber())),
+    };
+}
+
+/// Sensors and tube.
+std::vector<Field<ShockSettings>> tubeFields()
+{
+    using S = ShockSettings;
+    return {
         field("arrival_sensors", DYNCAL_TEXT("RecipeLabel", "arrival sensors"), &S::arrivalSensors,
             list(arrivalSensor())),
         field("driver_length_m", DYNCAL_TEXT("RecipeLabel", "driver section"), &S::driverLength_m,
@@ -298,7 +307,15 @@ Codec<ShockSettings> shockCodec()
             &S::wallSoundSpeed_m_s, positiveNumber()),
         field("plateau_guard_s", DYNCAL_TEXT("RecipeLabel", "guard before the plateau's end"),
             &S::plateauGuard_s, nonNegativeNumber()),
-    });
+    };
+}
+
+Codec<ShockSettings> shockCodec()
+{
+    std::vector<Field<ShockSettings>> fields = conditionFields();
+    for (const Field<ShockSettings> &tube : tubeFields())
+        fields.push_back(tube);
+    return object<ShockSettings>(std::move(fields));
 }
 
 Codec<WindowSettings> windowCodec()
