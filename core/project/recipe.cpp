@@ -8,6 +8,7 @@
 #include "core/project/recipe_fields_analysis.h"
 #include "core/project/recipe_fields_import.h"
 #include "core/project/recipe_fields_measurement.h"
+#include "core/project/recipe_fields_shock.h"
 #include "core/project/section_keys.h"
 
 #include <filesystem>
@@ -37,8 +38,8 @@ const Codec<Recipe> &recipeCodec()
         std::vector<Field<Recipe>> fields{schema()};
         SectionKeys<Recipe> plain;
         Recipe::keys(plain);
-        for (const auto &sections :
-            {importSections(), measurementSections(), analysisSections(), plain.take()})
+        for (const auto &sections : {importSections(), shockSections(), measurementSections(),
+                 analysisSections(), plain.take()})
             fields.insert(fields.end(), sections.begin(), sections.end());
         return object<Recipe>(std::move(fields));
     }();

@@ -8,7 +8,7 @@
 
 namespace dyncal {
 
-/// The sections of recipe.json for shock, window and spectrum, as recipe_fields_import.h.
+/// The sections of recipe.json for window and spectrum, as recipe_fields_import.h.
 std::vector<Field<Recipe>> measurementSections();
 
 } // namespace dyncal
