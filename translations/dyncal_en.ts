@@ -110,6 +110,23 @@
     </message>
 </context>
 <context>
+    <name>dyncal::PlotExportActions</name>
+    <message numerus="yes">
+        <source>Stopped, because the settings changed: %n plot(s) written to %1</source>
+        <translation>
+            <numerusform>Stopped, because the settings changed: %n plot written to %1</numerusform>
+            <numerusform>Stopped, because the settings changed: %n plots written to %1</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n plot(s) written to %1</source>
+        <translation>
+            <numerusform>%n plot written to %1</numerusform>
+            <numerusform>%n plots written to %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>dyncal::ProblemPanel</name>
     <message numerus="yes">
         <source>%n file(s) could not be read. All others are open.</source>

@@ -652,10 +652,6 @@
         <translation>1, 2</translation>
     </message>
     <message>
-        <source>put cursor A or B at the pointer</source>
-        <translation>placera markör A eller B vid pekaren</translation>
-    </message>
-    <message>
         <source>Left, Right (Order)</source>
         <translation>Vänster, höger (Modellordning)</translation>
     </message>
@@ -738,6 +734,26 @@
     <message>
         <source>In plots</source>
         <translation>I diagram</translation>
+    </message>
+    <message>
+        <source>put cursor A or B at the pointer; the mouse drags it</source>
+        <translation>sätt markör A eller B vid pekaren; musen drar den</translation>
+    </message>
+    <message>
+        <source>Ctrl+Left, Ctrl+Right</source>
+        <translation>Ctrl+Vänster, Ctrl+Höger</translation>
+    </message>
+    <message>
+        <source>move the cursor placed last by one sample; with Shift by ten</source>
+        <translation>flytta den senast satta markören ett sampel; med Skift tio</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>go to a place that is typed</source>
+        <translation>gå till en plats som skrivs in</translation>
     </message>
 </context>
 <context>
@@ -6055,6 +6071,29 @@
     </message>
 </context>
 <context>
+    <name>dyncal::CursorTable</name>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>Värden vid markörerna</translation>
+    </message>
+    <message>
+        <source>Curve</source>
+        <translation>Kurva</translation>
+    </message>
+    <message>
+        <source>A (key 1)</source>
+        <translation>A (tangent 1)</translation>
+    </message>
+    <message>
+        <source>B (key 2)</source>
+        <translation>B (tangent 2)</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+</context>
+<context>
     <name>dyncal::ExportActions</name>
     <message>
         <source>Written: %1</source>
@@ -6298,6 +6337,25 @@
     <message>
         <source>Source of the constants: %1</source>
         <translation>Konstanternas källa: %1</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::GoToField</name>
+    <message>
+        <source>Go to</source>
+        <translation>Gå till</translation>
+    </message>
+    <message>
+        <source>Go to, in %1</source>
+        <translation>Gå till, i %1</translation>
+    </message>
+    <message>
+        <source>There is no curve to go to.</source>
+        <translation>Det finns ingen kurva att gå till.</translation>
+    </message>
+    <message>
+        <source>Nothing is shown at %1: the curves reach from %2 to %3.</source>
+        <translation>Ingenting visas vid %1: kurvorna går från %2 till %3.</translation>
     </message>
 </context>
 <context>
@@ -6800,6 +6858,10 @@
     <message>
         <source>&amp;High contrast</source>
         <translation>&amp;Hög kontrast</translation>
+    </message>
+    <message>
+        <source>Save all p&amp;lots...</source>
+        <translation>Spara alla d&amp;iagram...</translation>
     </message>
 </context>
 <context>
@@ -7545,6 +7607,59 @@
     </message>
 </context>
 <context>
+    <name>dyncal::PlotExportActions</name>
+    <message numerus="yes">
+        <source>Stopped, because the settings changed: %n plot(s) written to %1</source>
+        <translation>
+            <numerusform>Avbrutet, eftersom inställningarna ändrades: %n diagram skrivet till %1</numerusform>
+            <numerusform>Avbrutet, eftersom inställningarna ändrades: %n diagram skrivna till %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Plots are still being written; wait until they are.</source>
+        <translation>Diagram skrivs fortfarande; vänta tills det är klart.</translation>
+    </message>
+    <message>
+        <source>The results are still being computed; try again in a moment.</source>
+        <translation>Resultaten beräknas fortfarande; försök igen om ett ögonblick.</translation>
+    </message>
+    <message>
+        <source>There is no curve in this plot.</source>
+        <translation>Det finns ingen kurva i det här diagrammet.</translation>
+    </message>
+    <message>
+        <source>This plot is not written, because it is not what the settings give: %1</source>
+        <translation>Det här diagrammet skrivs inte, eftersom det inte är vad inställningarna ger: %1</translation>
+    </message>
+    <message>
+        <source>Export plot</source>
+        <translation>Exportera diagram</translation>
+    </message>
+    <message>
+        <source>Vector image (*.svg);;Image (*.png);;PDF (*.pdf);;Data (*.csv)</source>
+        <translation>Vektorbild (*.svg);;Bild (*.png);;PDF (*.pdf);;Data (*.csv)</translation>
+    </message>
+    <message>
+        <source>A plot cannot be written as %1; choose a name that ends in .svg, .png, .pdf or .csv.</source>
+        <translation>Ett diagram kan inte skrivas som %1; välj ett namn som slutar på .svg, .png, .pdf eller .csv.</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Skrivet: %1</translation>
+    </message>
+    <message>
+        <source>Save all plots into a folder</source>
+        <translation>Spara alla diagram i en mapp</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n plot(s) written to %1</source>
+        <translation>
+            <numerusform>%n diagram skrivet till %1</numerusform>
+            <numerusform>%n diagram skrivna till %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>dyncal::PlotWidget</name>
     <message>
         <source>Copy image</source>
@@ -7563,20 +7678,16 @@
         <translation>Anpassa</translation>
     </message>
     <message>
-        <source>Export plot</source>
-        <translation>Exportera diagram</translation>
-    </message>
-    <message>
-        <source>Vector image (*.svg);;Image (*.png);;PDF (*.pdf);;Data (*.csv)</source>
-        <translation>Vektorbild (*.svg);;Bild (*.png);;PDF (*.pdf);;Data (*.csv)</translation>
-    </message>
-    <message>
-        <source>The plot could not be written to %1; choose a folder that can be written and a name that ends in .svg, .png, .pdf or .csv.</source>
-        <translation>Diagrammet kunde inte skrivas till %1; välj en skrivbar mapp och ett namn som slutar på .svg, .png, .pdf eller .csv.</translation>
-    </message>
-    <message>
         <source>Grid</source>
         <translation>Rutnät</translation>
+    </message>
+    <message>
+        <source>Go to...</source>
+        <translation>Gå till...</translation>
+    </message>
+    <message>
+        <source>Values at the cursors</source>
+        <translation>Värden vid markörerna</translation>
     </message>
 </context>
 <context>

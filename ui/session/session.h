@@ -6,12 +6,12 @@
 #include "ui/session/capture_sealing.h"
 #include "ui/session/envelope_store.h"
 #include "ui/session/focus_run.h"
-#include "ui/session/frequency_cursors.h"
 #include "ui/session/job_runner.h"
 #include "ui/session/pipeline_request.h"
 #include "ui/session/project_state.h"
 #include "ui/session/rest_run.h"
 #include "ui/session/results_on_show.h"
+#include "ui/session/shared_cursors.h"
 #include "ui/session/source_watch.h"
 #include "ui/session/stage_status.h"
 #include "ui/session/whole_set_run.h"
@@ -90,7 +90,7 @@ public:
     /// Minima and maxima of the records on the screen.
     EnvelopeStore &envelopes() { return m_envelopes; }
 
-    FrequencyCursors &frequencyCursors() { return m_frequencyCursors; }
+    SharedCursors &cursors(CursorAxis axis) { return m_cursors[static_cast<std::size_t>(axis)]; }
     /// Models of the orders pinned for comparison.
     OrderCandidates &candidates() { return *m_candidates; }
     const OrderCandidates &candidates() const { return *m_candidates; }
@@ -152,7 +152,7 @@ private:
     Recipe m_beforeMerge;
     QString m_mergeKey;
     EnvelopeStore m_envelopes;
-    FrequencyCursors m_frequencyCursors;
+    std::array<SharedCursors, kCursorAxes> m_cursors;
     std::shared_ptr<ResultCache> m_cache = std::make_shared<ResultCache>();
     std::unique_ptr<OrderCandidates> m_candidates;
     SourceWatch m_sources;

@@ -12,7 +12,13 @@ namespace dyncal {
 class InspectorScroll : public QScrollArea
 {
 public:
-    using QScrollArea::QScrollArea;
+    explicit InspectorScroll(QWidget *inspector)
+    {
+        setWidget(inspector);
+        setWidgetResizable(true);
+        setFrameShape(QFrame::NoFrame);
+        setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    }
 
     QSize minimumSizeHint() const override
     {

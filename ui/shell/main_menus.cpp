@@ -105,6 +105,8 @@ void MainMenus::addFileMenu()
         [=] { files->exportModel(); });
     addAction(menu, "exportCertificateAction", tr("Export cer&tificate..."), QKeySequence("Ctrl+P"),
         [=] { files->exportCertificate(); });
+    addAction(menu, "saveAllPlotsAction", tr("Save all p&lots..."), QKeySequence("Ctrl+Shift+P"),
+        m_parts.savePlots);
     menu->addSeparator();
     addAction(
         menu, "quitAction", tr("&Quit"), QKeySequence::Quit, [this] { m_parts.window.close(); });

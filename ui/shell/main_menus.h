@@ -37,6 +37,7 @@ public:
         Language &language;
         std::vector<std::pair<QDockWidget *, QString>> docks; ///< with the key that shows or hides
         std::function<void()> resetLayout;
+        std::function<void()> savePlots; ///< of all pages
         std::function<void(int row)> showPage;
         std::function<void(int by)> turnPage; ///< to the next stage or the one before
     };

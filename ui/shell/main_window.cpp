@@ -87,7 +87,8 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
     m_menus
         = new MainMenus({*this, m_session, *m_files, m_preferences, m_language,
                             {{m_stagesDock, "F5"}, {m_inspectorDock, "F4"}, {m_findingsDock, "F6"}},
-                            [this] { resetLayout(); }, [this](int row) { showPage(row); },
+                            [this] { resetLayout(); }, [this] { m_files->exportPlots(m_pages); },
+                            [this](int row) { showPage(row); },
                             [this](int by) { showPage(m_stageList->currentRow() + by); }},
             this);
     connectSession();
@@ -302,12 +303,8 @@ void MainWindow::buildPages()
     for (StagePage *page : m_pages) {
         m_stageList->addStage(page->text().title);
         m_centre->addWidget(page);
-        auto *scroll = new InspectorScroll(m_inspectors);
-        scroll->setWidget(page->inspector());
-        scroll->setWidgetResizable(true);
-        scroll->setFrameShape(QFrame::NoFrame);
-        scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-        m_inspectors->addWidget(scroll);
+        m_inspectors->addWidget(new InspectorScroll(page->inspector()));
+        connect(page, &StagePage::plotExport, m_files, &FileActions::exportPlot);
     }
     connect(m_stageList, &QListWidget::currentRowChanged, this, &MainWindow::showPage);
     connect(m_stageList, &QListWidget::itemClicked, this,

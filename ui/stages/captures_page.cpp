@@ -194,6 +194,7 @@ PlotWidget *CapturesPage::plotOf(ChannelRole role, std::size_t unit)
         m_split->insertWidget(at, plot);
         m_split->setStretchFactor(at, role == ChannelRole::Dut ? 3 : 2);
         m_overview->follow(plot);
+        shareCursors(CursorAxis::RecordTime, {plot});
         plots.push_back(plot);
         ++m_shownPlots;
     }

@@ -50,6 +50,8 @@ void ComponentsPage::buildPlots()
     m_residual = makePlot("residualPlot", tr("Residuals"));
     m_autocovariance = makePlot("autocovariancePlot", tr("Autocovariance of the residuals"));
     m_spectrum = makePlot("residualSpectrumPlot", tr("Spectrum of the residuals"));
+    shareCursors(CursorAxis::ResponseTime, {m_reconstruction, m_residual});
+    shareCursors(CursorAxis::Frequency, {m_spectrum});
     m_table = new ValueTable("residualTable", tr("Residuals of every shot"), this);
 
     auto *left = new QSplitter(Qt::Vertical);

@@ -34,6 +34,7 @@ ModelInputPage::ModelInputPage(Session &session)
         Page::ModelInput)
     , m_plot(makePlot("modelInputPlot", tr("What the identification gets")))
 {
+    shareCursors(CursorAxis::ResponseTime, {m_plot});
     content()->addWidget(m_plot);
     buildInspector();
 }

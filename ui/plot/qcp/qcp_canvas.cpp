@@ -62,6 +62,7 @@ void PlotCanvas::setContent(const PlotContent &content)
     m_scene.setContent(now);
     fitContent(*before);
     m_cursors.refresh(m_scene);
+    emit cursorsChanged();
     replot();
 }
 
@@ -170,13 +171,29 @@ void PlotCanvas::placeCursor(int which, const CurvePoint &point)
 {
     m_cursors.place(which, point);
     m_cursors.refresh(m_scene);
+    emit cursorsChanged();
     replot();
+}
+
+void PlotCanvas::moveCursor(int which, const CurvePoint &point)
+{
+    placeCursor(which, point);
+    emit cursorPlaced(which, point.x);
+}
+
+void PlotCanvas::goTo(double x)
+{
+    remember();
+    const double half = m_plot->xAxis->coordToPixel(x) - m_plot->axisRect()->rect().center().x();
+    pan(half / std::max(1, m_plot->axisRect()->width()), 0.0);
+    moveCursor(0, m_cursors.sampleAt(m_scene, x));
 }
 
 void PlotCanvas::clearCursors()
 {
     m_cursors.clear();
     m_cursors.refresh(m_scene);
+    emit cursorsChanged();
     replot();
 }
 

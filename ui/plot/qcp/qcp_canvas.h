@@ -54,6 +54,9 @@ public:
     void goBack(bool forward);
 
     void placeCursor(int which, const CurvePoint &point);
+    void moveCursor(int which, const CurvePoint &point); ///< by the operator: others follow
+    /// Cursor A to the sample nearest to `x`, in the middle of the view.
+    void goTo(double x);
     void clearCursors();
     const std::optional<HandleGrip> &focusedGrip() const { return m_focused; }
     void focusGrip(const std::optional<HandleGrip> &grip);
@@ -68,7 +71,9 @@ signals:
     void pointPicked(double x, double y);
     void cursorPlaced(int which, double x);
     void cursorsCleared();
+    void cursorsChanged(); ///< by anybody, or the curves beneath them
     void fitRequested();
+    void goToRequested();
     void menuRequested(const QPoint &globalPosition);
 
 private:

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace dyncal {
@@ -47,6 +48,14 @@ DrawnPoints candidates(const CurveSamples &samples, const std::vector<double> &e
     const Index end = all ? samples.size() : samples.firstBeyond(edges.back());
     return end - begin <= kMostCandidates ? samples.samples(begin, std::max(begin, end))
                                           : samples.points(edges);
+}
+
+/// Whether there is one y for each x: not of the points of a map or of a strip of orders.
+bool hasOneValue(const PlotContent &content, const PlotCurve &curve)
+{
+    return !content.equalAspect
+        && (curve.record
+            || std::ranges::adjacent_find(curve.x, std::ranges::greater_equal()) == curve.x.end());
 }
 
 QString valueText(double value, const PlotAxis &axis)
@@ -123,11 +132,86 @@ PlotCursors::PlotCursors(QCustomPlot &plot)
 void PlotCursors::place(int which, const CurvePoint &point)
 {
     m_points[static_cast<std::size_t>(which)] = point;
+    m_last = which;
 }
 
 void PlotCursors::clear()
 {
     m_points = {};
+}
+
+std::optional<int> PlotCursors::cursorAt(const QPointF &position, double reach_px) const
+{
+    if (!m_plot.axisRect()->rect().contains(position.toPoint()))
+        return std::nullopt;
+    for (int which : {0, 1})
+        if (at(which)
+            && std::abs(m_plot.xAxis->coordToPixel(at(which)->x) - position.x()) <= reach_px)
+            return which;
+    return std::nullopt;
+}
+
+CurvePoint PlotCursors::sampleAt(const PlotScene &scene, double x)
+{
+    for (std::size_t c = 0; c < scene.curves().size(); ++c) {
+        const DrawnCurve &drawn = scene.curves()[c];
+        if (!drawn.visible || drawn.curve->onSecondAxis
+            || !hasOneValue(scene.content(), *drawn.curve))
+            continue;
+        if (const auto at = sampleNear(*drawn.samples, x)) {
+            const DrawnPoints sample = drawn.samples->samples(*at, *at + 1);
+            return {c, sample.x.front(), sample.y.front()};
+        }
+    }
+    return {0, x, std::numeric_limits<double>::quiet_NaN()};
+}
+
+CurvePoint PlotCursors::stepped(const PlotScene &scene, int which, Index steps) const
+{
+    const CurvePoint here = at(which).value_or(CurvePoint());
+    const CurvePoint from = std::isfinite(here.y) ? here : sampleAt(scene, here.x);
+    if (!std::isfinite(from.y) || from.curve >= scene.curves().size())
+        return here;
+    const CurveSamples &samples = *scene.curves()[from.curve].samples;
+    const Index to
+        = std::clamp<Index>(sampleNear(samples, from.x).value_or(0) + steps, 0, samples.size() - 1);
+    const DrawnPoints sample = samples.samples(to, to + 1);
+    return {from.curve, sample.x.front(), sample.y.front()};
+}
+
+CursorValues PlotCursors::values(const PlotScene &scene) const
+{
+    const PlotContent &content = scene.content();
+    CursorValues values{content.xAxis.quantity, content.xAxis.unit, {}, {}};
+    for (std::size_t i = 0; i < 2; ++i)
+        if (m_points[i])
+            values.x[i] = m_points[i]->x;
+    for (const DrawnCurve &drawn : scene.curves()) {
+        if (!drawn.visible || !hasOneValue(content, *drawn.curve))
+            continue;
+        const bool isSecond = drawn.curve->onSecondAxis && content.yAxis2;
+        CursorRow row{drawn.curve->name, isSecond ? content.yAxis2->unit : content.yAxis.unit, {}};
+        for (std::size_t i = 0; i < 2; ++i)
+            if (values.x[i])
+                row.y[i] = valueNear(*drawn.samples, *values.x[i]);
+        values.rows.push_back(row);
+    }
+    return values;
+}
+
+/// Of a curve that changed the cursor shows what it is now, where the cursor stands.
+void PlotCursors::readAgain(const PlotScene &scene)
+{
+    for (std::optional<CurvePoint> &point : m_points) {
+        if (!point || !std::isfinite(point->y))
+            continue;
+        const DrawnCurve *drawn
+            = point->curve < scene.curves().size() ? &scene.curves()[point->curve] : nullptr;
+        if (drawn && !hasOneValue(scene.content(), *drawn->curve))
+            continue;
+        const auto now = drawn ? valueNear(*drawn->samples, point->x) : std::nullopt;
+        point->y = now.value_or(std::numeric_limits<double>::quiet_NaN());
+    }
 }
 
 QString PlotCursors::readout(const PlotContent &content) const
@@ -156,6 +240,7 @@ QString PlotCursors::readout(const PlotContent &content) const
 void PlotCursors::refresh(const PlotScene &scene)
 {
     const PlotTheme &theme = scene.theme();
+    readAgain(scene);
     for (std::size_t i = 0; i < 2; ++i) {
         m_lines[i]->setVisible(m_points[i].has_value());
         m_names[i]->setVisible(m_points[i].has_value());

@@ -21,10 +21,17 @@ void PlotKeyboard::placeCursor(int which)
     const QRect rect = m_canvas.plot().axisRect()->rect();
     const QPointF pointer = m_mouse.pointer();
     const QPointF at = rect.contains(pointer.toPoint()) ? pointer : QPointF(rect.center());
-    if (const auto point = nearestPoint(m_canvas.plot(), m_canvas.scene(), at, std::nullopt)) {
-        m_canvas.placeCursor(which, *point);
-        emit m_canvas.cursorPlaced(which, point->x);
-    }
+    if (const auto point = nearestPoint(m_canvas.plot(), m_canvas.scene(), at, std::nullopt))
+        m_canvas.moveCursor(which, *point);
+}
+
+/// By samples of its curve: the cursor placed last.
+bool PlotKeyboard::stepCursor(Index steps)
+{
+    const std::optional<int> which = m_canvas.cursors().last();
+    if (which)
+        m_canvas.moveCursor(*which, m_canvas.cursors().stepped(m_canvas.scene(), *which, steps));
+    return which.has_value();
 }
 
 void PlotKeyboard::nudge(double steps)
@@ -87,6 +94,10 @@ bool PlotKeyboard::press(const QKeyEvent &event)
         emit m_canvas.fitRequested();
         return true;
     case Qt::Key_G:
+        if (event.modifiers().testFlag(Qt::ControlModifier)) {
+            emit m_canvas.goToRequested();
+            return true;
+        }
         m_canvas.scene().setGridVisible(!m_canvas.scene().isGridVisible());
         m_canvas.replot();
         return true;
@@ -97,6 +108,8 @@ bool PlotKeyboard::press(const QKeyEvent &event)
     case Qt::Key_Left:
     case Qt::Key_Right: {
         const double sign = event.key() == Qt::Key_Left ? -1.0 : 1.0;
+        if (event.modifiers().testFlag(Qt::ControlModifier))
+            return stepCursor(static_cast<Index>(sign * many));
         onHandle ? nudge(sign * many) : m_canvas.pan(sign * kPanStep, 0.0);
         return true;
     }

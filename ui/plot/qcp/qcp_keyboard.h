@@ -29,6 +29,7 @@ public:
 private:
     bool escape();
     void placeCursor(int which);
+    bool stepCursor(Index steps);
     void nudge(double steps);
 
     PlotCanvas &m_canvas;

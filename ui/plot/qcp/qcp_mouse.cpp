@@ -20,6 +20,7 @@ namespace {
 constexpr double kWheelZoom = 0.85; ///< range kept per wheel notch
 constexpr double kPanStep = 0.1; ///< of the range per wheel notch
 constexpr double kDragStart_px = 4.0;
+constexpr double kCursorReach_px = 4.0;
 constexpr double kHoverReach_px = 12.0;
 constexpr double kPickReach_px = 20.0;
 
@@ -69,6 +70,8 @@ void PlotMouse::press(const QMouseEvent &event)
                 = m_plot->xAxis->pixelToCoord(m_pointer.x()) - m_canvas.handles().positionOf(*grip);
             m_drag = DragHandle{*grip, before, before.snapToIntegers ? 0.0 : grabbedAt};
             m_canvas.focusGrip(grip);
+        } else if (const auto which = cursorAt(m_pointer)) {
+            m_drag = DragCursor{*which, *m_canvas.cursors().at(*which)};
         } else {
             m_drag = DragPan{m_pointer, m_plot->xAxis->range(), m_plot->yAxis->range()};
         }
@@ -87,6 +90,8 @@ void PlotMouse::move(const QMouseEvent &event)
         m_rubberBand->setVisible(box->moved);
     } else if (auto *handle = std::get_if<DragHandle>(&m_drag)) {
         dragHandleTo(*handle, m_pointer);
+    } else if (const auto *cursor = std::get_if<DragCursor>(&m_drag)) {
+        dragCursorTo(*cursor, m_pointer);
     } else if (auto *span = std::get_if<DragSpan>(&m_drag)) {
         showSpan(*span);
     } else {
@@ -126,6 +131,21 @@ void PlotMouse::dragHandleTo(DragHandle &handle, const QPointF &position)
     m_canvas.handles().set(after);
     m_canvas.replot();
     emit m_canvas.handleMoved(after, false);
+}
+
+/// To the sample nearest to the pointer, wherever in the axes it is.
+void PlotMouse::dragCursorTo(const DragCursor &drag, const QPointF &position)
+{
+    const QRectF rect = m_plot->axisRect()->rect();
+    const QPointF inside(std::clamp(position.x(), rect.left(), rect.right()),
+        std::clamp(position.y(), rect.top(), rect.bottom()));
+    if (const auto point = nearestPoint(*m_plot, m_canvas.scene(), inside, std::nullopt))
+        m_canvas.moveCursor(drag.which, *point);
+}
+
+std::optional<int> PlotMouse::cursorAt(const QPointF &position) const
+{
+    return m_canvas.cursors().cursorAt(position, kCursorReach_px);
 }
 
 void PlotMouse::release(const QMouseEvent &event)
@@ -214,7 +234,7 @@ void PlotMouse::hover(const QPointF &position)
 {
     const auto grip = m_marking ? std::nullopt : m_canvas.handles().gripAt(position);
     m_canvas.owner().setCursor(m_marking               ? Qt::CrossCursor
-            : grip                                     ? Qt::SplitHCursor
+            : grip || cursorAt(position)               ? Qt::SplitHCursor
             : m_canvas.scene().legendEntryAt(position) ? Qt::PointingHandCursor
                                                        : Qt::ArrowCursor);
     if (grip || !m_plot->axisRect()->rect().contains(position.toPoint()))
@@ -265,6 +285,8 @@ bool PlotMouse::cancelDrag()
     if (const auto *handle = std::get_if<DragHandle>(&cancelled)) {
         m_canvas.handles().set(handle->before);
         emit m_canvas.handleDragCancelled(handle->before);
+    } else if (const auto *cursor = std::get_if<DragCursor>(&cancelled)) {
+        m_canvas.moveCursor(cursor->which, cursor->before);
     } else if (const auto *pan = std::get_if<DragPan>(&cancelled)) {
         m_canvas.setView({pan->x, pan->y});
     }

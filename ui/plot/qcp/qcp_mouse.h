@@ -32,11 +32,16 @@ struct DragHandle
     HandleState before;
     double grabbedAt = 0.0; ///< pointer minus handle, so that it does not jump
 };
+struct DragCursor
+{
+    int which = 0;
+    CurvePoint before;
+};
 struct DragSpan
 {
     QPointF from;
 };
-using Drag = std::variant<std::monostate, DragPan, DragBox, DragHandle, DragSpan>;
+using Drag = std::variant<std::monostate, DragPan, DragBox, DragHandle, DragCursor, DragSpan>;
 
 /// The mouse on one plot: pan, box, handles, spans, picks, hints, wheel.
 class PlotMouse
@@ -61,7 +66,9 @@ public:
 private:
     QPointF inPlot(const QPointF &position) const;
     void hover(const QPointF &position);
+    std::optional<int> cursorAt(const QPointF &position) const;
     void dragHandleTo(DragHandle &drag, const QPointF &position);
+    void dragCursorTo(const DragCursor &drag, const QPointF &position);
     void panTo(DragPan &drag, const QPointF &position);
     void showSpan(const DragSpan &span);
     void markSpan(const DragSpan &span);

@@ -10,10 +10,9 @@
 #include "ui/plot/values/axis_prefix.h"
 #include "ui/text/shown_text.h"
 
-#include <QFileInfo>
+#include <QBuffer>
 #include <QPdfWriter>
 #include <QPicture>
-#include <QSaveFile>
 #include <QSvgGenerator>
 
 #include <algorithm>
@@ -92,17 +91,19 @@ bool savePdf(const PlotPicture &picture, QSize size, QIODevice &device)
     return painter.end();
 }
 
-QString csvNumber(const std::vector<double> &values, std::size_t row)
+QString cell(const std::vector<double> &values, std::size_t row, TableFormat format)
 {
     if (row >= values.size() || !std::isfinite(values[row]))
         return {};
-    return rawText(numberText(values[row]));
+    QString number = rawText(numberText(values[row]));
+    return format == TableFormat::Csv ? number : number.replace('.', plotLocale().decimalPoint());
 }
 
-QString csvHeading(const QString &name, const PlotAxis &axis)
+QString heading(const QString &name, const PlotAxis &axis, TableFormat format)
 {
     const QString quantity = name.isEmpty() ? axis.quantity : name;
-    return rawText(csvCell(axisLabel(quantity, axis.unit, {}).toStdString()));
+    const QString text = axisLabel(quantity, axis.unit, {});
+    return format == TableFormat::Csv ? rawText(csvCell(text.toStdString())) : pasted(text);
 }
 
 } // namespace
@@ -141,15 +142,19 @@ bool writePicture(const PlotPicture &picture, QSize size, const QString &format,
     return format == QLatin1String("pdf") && savePdf(picture, size, device);
 }
 
-bool savePicture(const PlotPicture &picture, QSize size, const QString &path)
+std::optional<QByteArray> pictureBytes(
+    const PlotPicture &picture, QSize size, const QString &format)
 {
-    QSaveFile file(path);
-    return file.open(QIODevice::WriteOnly)
-        && writePicture(picture, size, QFileInfo(path).suffix().toLower(), file) && file.commit();
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    if (!buffer.open(QIODevice::WriteOnly) || !writePicture(picture, size, format, buffer))
+        return std::nullopt;
+    return bytes;
 }
 
-QString contentCsv(const PlotContent &content)
+QString contentTable(const PlotContent &content, TableFormat format)
 {
+    const QChar separator = format == TableFormat::Csv ? ',' : '\t';
     const std::vector<PlotCurve> &curves = content.curves;
     const bool shared = std::all_of(curves.begin(), curves.end(),
         [&curves](const PlotCurve &curve) { return curve.x == curves.front().x; });
@@ -158,20 +163,20 @@ QString contentCsv(const PlotContent &content)
     for (std::size_t i = 0; i < curves.size(); ++i) {
         if (i == 0 || !shared) {
             const QString name = shared ? QString() : content.xAxis.quantity + " " + curves[i].name;
-            headings += csvHeading(name, content.xAxis);
+            headings += heading(name, content.xAxis, format);
             columns.push_back(&curves[i].x);
         }
         const bool second = curves[i].onSecondAxis && content.yAxis2;
-        headings += csvHeading(curves[i].name, second ? *content.yAxis2 : content.yAxis);
+        headings += heading(curves[i].name, second ? *content.yAxis2 : content.yAxis, format);
         columns.push_back(&curves[i].y);
     }
     std::size_t rows = 0;
     for (const std::vector<double> *column : columns)
         rows = std::max(rows, column->size());
-    QString text = headings.join(QLatin1Char(',')) + QLatin1Char('\n');
+    QString text = headings.join(separator) + QLatin1Char('\n');
     for (std::size_t row = 0; row < rows; ++row) {
         for (std::size_t c = 0; c < columns.size(); ++c)
-            text += (c ? QStringLiteral(",") : QString()) + csvNumber(*columns[c], row);
+            text += (c ? QString(separator) : QString()) + cell(*columns[c], row, format);
         text += QLatin1Char('\n');
     }
     return text;

@@ -34,11 +34,17 @@ QImage renderPicture(const PlotPicture &picture, QSize size, double scale);
 /// Writes the picture as "png", "svg" or "pdf"; false if that failed.
 bool writePicture(const PlotPicture &picture, QSize size, const QString &format, QIODevice &device);
 
-/// Writes .png, .svg or .pdf by suffix; false if it cannot be written.
-bool savePicture(const PlotPicture &picture, QSize size, const QString &path);
+/// The same in memory; empty if that failed.
+std::optional<QByteArray> pictureBytes(
+    const PlotPicture &picture, QSize size, const QString &format);
 
-/// The curves as CSV: one x column if all curves share it, else a pair of columns per curve. SI
-/// units, shortest round-trip numbers, '.' as decimal mark, LF; empty cells for missing numbers.
-QString contentCsv(const PlotContent &content);
+enum class TableFormat {
+    Csv, ///< commas, '.' as decimal mark
+    Paste, ///< tabs, the decimal mark of the language: what a spreadsheet takes
+};
+
+/// The curves as a table: one x column if all curves share it, else a pair of columns per curve. SI
+/// units, shortest round-trip numbers, LF; empty cells for missing numbers.
+QString contentTable(const PlotContent &content, TableFormat format);
 
 } // namespace dyncal

@@ -6,16 +6,13 @@
 #include "ui/plot/qcp/qcp_keyboard.h"
 #include "ui/plot/qcp/qcp_texts.h"
 #include "ui/plot/widget/plot_export.h"
+#include "ui/plot/widget/plot_notice.h"
 
 #include <QApplication>
 #include <QClipboard>
 #include <QContextMenuEvent>
-#include <QFileDialog>
-#include <QLabel>
 #include <QMenu>
-#include <QMimeData>
-#include <QStyle>
-#include <QToolTip>
+#include <QMetaMethod>
 
 #include <limits>
 #include <utility>
@@ -25,7 +22,6 @@ namespace dyncal {
 namespace {
 
 constexpr int kRing_px = 2; ///< width of the focus ring around the plot
-constexpr int kNoticeMargin_px = 8;
 constexpr QSize kLeastSize(200, 130);
 constexpr int kLeastAxes = 70;
 constexpr int kLeastLinesOfAxes = 5;
@@ -59,7 +55,7 @@ struct PlotWidget::Parts
     PlotMouse mouse;
     PlotKeyboard keyboard;
     QCustomPlot &plot;
-    QLabel *notice = nullptr; ///< made with the first sentence
+    PlotNotice *notice = nullptr; ///< made with the first sentence
 };
 
 PlotWidget::PlotWidget(QWidget *parent)
@@ -88,6 +84,8 @@ void PlotWidget::connectCanvas()
     connect(canvas, &PlotCanvas::pointPicked, this, &PlotWidget::pointPicked);
     connect(canvas, &PlotCanvas::cursorPlaced, this, &PlotWidget::cursorPlaced);
     connect(canvas, &PlotCanvas::cursorsCleared, this, &PlotWidget::cursorsCleared);
+    connect(canvas, &PlotCanvas::cursorsChanged, this, &PlotWidget::cursorsChanged);
+    connect(canvas, &PlotCanvas::goToRequested, this, &PlotWidget::goToRequested);
     connect(canvas, &PlotCanvas::fitRequested, this, &PlotWidget::fit);
     connect(canvas, &PlotCanvas::menuRequested, this, &PlotWidget::showMenu);
     connect(
@@ -99,7 +97,10 @@ void PlotWidget::connectCanvas()
         });
     connect(canvas, &PlotCanvas::handleDragCancelled, this,
         [this](const HandleState &before) { emit dragCancelled(before.id, before.x); });
-    connect(canvas, &PlotCanvas::replotted, this, &PlotWidget::placeNotice);
+    connect(canvas, &PlotCanvas::replotted, this, [this] {
+        if (d->notice)
+            d->notice->placeIn(axesRect());
+    });
 }
 
 PlotWidget::~PlotWidget() = default;
@@ -132,32 +133,10 @@ void PlotWidget::setNotice(const QString &sentence, bool dimmed)
     d->canvas.setDimmed(dimmed && !sentence.isEmpty());
     if (!d->notice && sentence.isEmpty())
         return;
-    if (!d->notice) {
-        d->notice = new QLabel(this);
-        d->notice->setObjectName("plotNotice");
-        d->notice->setWordWrap(true);
-        d->notice->setMargin(kNoticeMargin_px);
-        d->notice->setAttribute(Qt::WA_TransparentForMouseEvents);
-        d->notice->setAutoFillBackground(true);
-    }
-    d->notice->setText(sentence);
-    d->notice->setHidden(sentence.isEmpty());
-    placeNotice();
-}
-
-/// In the upper part of the axes, as wide as they allow.
-void PlotWidget::placeNotice()
-{
-    if (!d->notice || d->notice->isHidden())
-        return;
-    const QRect room = axesRect().adjusted(
-        kNoticeMargin_px, kNoticeMargin_px, -kNoticeMargin_px, -kNoticeMargin_px);
-    const int width = std::max(room.width(), 0);
-    const QRect text = d->notice->fontMetrics().boundingRect(
-        QRect(0, 0, std::max(width - 2 * kNoticeMargin_px, 1), QWIDGETSIZE_MAX), Qt::TextWordWrap,
-        d->notice->text());
-    const int height = std::min(text.height() + 2 * kNoticeMargin_px, std::max(room.height(), 0));
-    d->notice->setGeometry(room.left(), room.top(), width, height);
+    if (!d->notice)
+        d->notice = new PlotNotice(this);
+    d->notice->say(sentence);
+    d->notice->placeIn(axesRect());
 }
 
 QString PlotWidget::notice() const
@@ -295,14 +274,14 @@ QSize PlotWidget::minimumSizeHint() const
         std::max(kLeastSize.height(), d->besideAxes + axes + 2 * kRing_px)};
 }
 
-bool PlotWidget::exportImage(const QString &path) const
+CursorValues PlotWidget::cursorValues() const
 {
-    return savePicture(d->picture(), d->plot.size(), path);
+    return d->canvas.cursors().values(d->canvas.scene());
 }
 
-QString PlotWidget::csv() const
+void PlotWidget::goTo(double x)
 {
-    return contentCsv(d->canvas.scene().contentInView());
+    d->canvas.goTo(x);
 }
 
 void PlotWidget::changeEvent(QEvent *event)
@@ -403,16 +382,27 @@ void PlotWidget::focusOutEvent(QFocusEvent *event)
     update();
 }
 
+/// What nobody listens to is not offered.
+void PlotWidget::addToMenu(QMenu &menu, const QString &text, void (PlotWidget::*signal)())
+{
+    if (isSignalConnected(QMetaMethod::fromSignal(signal)))
+        menu.addAction(text, this, signal);
+}
+
 void PlotWidget::showMenu(const QPoint &globalPosition)
 {
     QMenu menu(this);
+    menu.setObjectName("plotMenu");
     menu.addAction(tr("Copy image"), this, [this] {
         QApplication::clipboard()->setImage(renderPicture(d->picture(), d->plot.size(), 2.0));
     });
-    menu.addAction(tr("Copy data"), this, [this] { QApplication::clipboard()->setText(csv()); });
-    menu.addAction(tr("Export..."), this, &PlotWidget::exportWithDialog);
+    menu.addAction(
+        tr("Copy data"), this, [this] { QApplication::clipboard()->setText(dataToPaste()); });
+    addToMenu(menu, tr("Export..."), &PlotWidget::exportRequested);
     menu.addSeparator();
     menu.addAction(tr("Fit"), this, &PlotWidget::fit);
+    addToMenu(menu, tr("Go to..."), &PlotWidget::goToRequested);
+    addToMenu(menu, tr("Values at the cursors"), &PlotWidget::cursorTableRequested);
     QAction *grid = menu.addAction(tr("Grid"), this, [this](bool visible) {
         d->canvas.scene().setGridVisible(visible);
         d->canvas.replot();
@@ -422,24 +412,21 @@ void PlotWidget::showMenu(const QPoint &globalPosition)
     menu.exec(globalPosition);
 }
 
-void PlotWidget::exportWithDialog()
+QString PlotWidget::csv() const
 {
-    const QString path = QFileDialog::getSaveFileName(this, tr("Export plot"), QString(),
-        tr("Vector image (*.svg);;Image (*.png);;PDF (*.pdf);;Data (*.csv)"));
-    if (path.isEmpty())
-        return;
-    bool done = false;
-    if (path.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive)) {
-        QSaveFile file(path);
-        done = file.open(QIODevice::WriteOnly) && file.write(csv().toUtf8()) >= 0 && file.commit();
-    } else {
-        done = exportImage(path);
-    }
-    if (!done)
-        QToolTip::showText(mapToGlobal(rect().center()),
-            tr("The plot could not be written to %1; choose a folder that can be written and a name that ends in .svg, .png, .pdf or .csv.")
-                .arg(path),
-            this);
+    return contentTable(d->canvas.scene().contentInView(), TableFormat::Csv);
+}
+
+QString PlotWidget::dataToPaste() const
+{
+    return contentTable(d->canvas.scene().contentInView(), TableFormat::Paste);
+}
+
+std::optional<QByteArray> PlotWidget::fileBytes(const QString &format, QSize size) const
+{
+    if (format == QLatin1String("csv"))
+        return csv().toUtf8();
+    return pictureBytes(d->picture(), size.isEmpty() ? d->plot.size() : size, format);
 }
 
 } // namespace dyncal

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/base/interval.h"
+#include "ui/plot/values/cursor_values.h"
 #include "ui/plot/values/plot_content.h"
 #include "ui/plot/values/plot_handle_state.h"
 #include "ui/plot/values/plot_text.h"
@@ -13,7 +14,7 @@
 #include <memory>
 #include <vector>
 
-class QLabel;
+class QMenu;
 class QPainter;
 
 namespace dyncal {
@@ -25,10 +26,11 @@ namespace dyncal {
 ///
 /// Mouse: wheel zooms x at the pointer, Ctrl+wheel y, Shift+wheel pans; left drag pans; right drag
 /// zooms a box; double click fits; hover shows the nearest point. Keys: F fit, G grid, 1 / 2 put
-/// cursor A / B at the pointer, arrows move the focused handle by one step (signals bandMoved,
-/// lineMoved; Shift: ten steps) or else the view, + / - zoom, Backspace the view before, Tab the
-/// next handle, Esc ends a drag and restores, or removes the cursors. Where spans can be marked
-/// (setMarkable): Shift and left drag, or left drag while setMarking is on.
+/// cursor A / B at the pointer (then the mouse drags them, and Ctrl+arrows move the last one by
+/// samples), Ctrl+G asks where to go, arrows move the focused handle by one step (signals
+/// bandMoved, lineMoved; Shift: ten steps) or else the view, + / - zoom, Backspace the view before,
+/// Tab the next handle, Esc ends a drag and restores, or removes the cursors. Where spans can be
+/// marked (setMarkable): Shift and left drag, or left drag while setMarking is on.
 class PlotWidget : public QWidget
 {
     Q_OBJECT
@@ -87,18 +89,30 @@ public:
     /// Readings of the cursors as shown ("A: 1.2 µs; 0.98 V"), empty without cursors.
     QString cursorReadout() const;
 
+    /// What all visible curves are where the cursors stand.
+    CursorValues cursorValues() const;
+    /// Puts cursor A on the sample nearest to `x`, in the middle of the view.
+    void goTo(double x);
+
     /// Puts cursor A (0) or B (1) at `x`, where another plot has it; without `x` both are removed.
     void followCursor(int which, std::optional<double> x);
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
-    bool exportImage(const QString &path) const; ///< .png, .svg or .pdf by suffix
+    /// The plot as a file of a format: "png", "svg", "pdf" or "csv" (csv()), as large as on the
+    /// screen without a size; empty of any other, and where it cannot be drawn.
+    std::optional<QByteArray> fileBytes(const QString &format, QSize size = {}) const;
     /// The plotted numbers at full precision, '.' as decimal mark; of a long record those of the
     /// present view: its samples when they are few, else extremes of pixel columns.
     QString csv() const;
+    /// The same for a spreadsheet: cells joined by tabs, the decimal mark of the language.
+    QString dataToPaste() const;
 
 signals:
+    void exportRequested(); ///< by the menu, which offers what somebody listens to
+    void goToRequested(); ///< likewise, and by Ctrl+G
+    void cursorTableRequested(); ///< likewise
     void bandMoved(const QString &id, dyncal::Interval x, bool finished); ///< finished = released
     void lineMoved(const QString &id, double x, bool finished);
     /// Esc ended the drag of a band or line: it stands where it stood before, and what was done at
@@ -111,6 +125,7 @@ signals:
     void contentChanged(); ///< and the view fitted to it, if it has to be
     void cursorPlaced(int which, double x); ///< by the operator
     void cursorsCleared(); ///< likewise
+    void cursorsChanged(); ///< by anybody, or the values beneath them
     void replotted(); ///< after the pixels are up to date
 
 protected:
@@ -131,9 +146,8 @@ protected:
 
 private:
     void connectCanvas();
-    void placeNotice();
     void showMenu(const QPoint &globalPosition);
-    void exportWithDialog();
+    void addToMenu(QMenu &menu, const QString &text, void (PlotWidget::*signal)());
 
     struct Parts;
     std::unique_ptr<Parts> d;

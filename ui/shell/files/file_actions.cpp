@@ -63,6 +63,7 @@ FileActions::FileActions(Session &session, CurrentUtc currentUtc, Prompts &promp
     , m_jobs(this)
     , m_captures(session, preferences, window)
     , m_exports(session, m_currentUtc, prompts, preferences, window)
+    , m_plotExports(session, prompts, preferences, window)
 {
     connect(&m_captures, &CaptureImport::busy, this, &FileActions::busy);
     connect(&m_captures, &CaptureImport::progress, this, &FileActions::progress);
@@ -73,6 +74,8 @@ FileActions::FileActions(Session &session, CurrentUtc currentUtc, Prompts &promp
     connect(&m_exports, &ExportActions::progress, this, &FileActions::progress);
     connect(&m_exports, &ExportActions::idle, this, &FileActions::idle);
     connect(&m_exports, &ExportActions::failed, this, &FileActions::showProblem);
+    connect(&m_plotExports, &PlotExportActions::idle, this, &FileActions::idle);
+    connect(&m_plotExports, &PlotExportActions::failed, this, &FileActions::showProblem);
     connect(&session.undoStack(), &QUndoStack::cleanChanged, this, &FileActions::projectChanged);
 }
 

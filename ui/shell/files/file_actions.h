@@ -8,6 +8,7 @@
 #include "ui/session/recovery_store.h"
 #include "ui/session/session.h"
 #include "ui/shell/files/export_actions.h"
+#include "ui/shell/files/plot_export_actions.h"
 #include "ui/shell/import/capture_import.h"
 #include "ui/shell/preferences/preferences.h"
 #include "ui/stages/frame/prompts.h"
@@ -46,6 +47,9 @@ public:
     void exportResults();
     void exportCertificate();
     void exportModel(); ///< MAT, JSON, CSV, MATLAB and Python scripts into a folder
+
+    void exportPlot(const PlotWidget *plot) { m_plotExports.exportPlot(*plot); }
+    void exportPlots(const std::vector<StagePage *> &pages) { m_plotExports.exportAll(pages); }
 
     /// Reading of recordings, its questions and its problems.
     CaptureImport &captures() { return m_captures; }
@@ -99,6 +103,7 @@ private:
     JobRunner m_jobs;
     CaptureImport m_captures;
     ExportActions m_exports;
+    PlotExportActions m_plotExports;
 };
 
 } // namespace dyncal

@@ -48,6 +48,7 @@ StagePage::StagePage(Session &session, const PageText &text, Page page)
     , m_problem(new QLabel(this))
     , m_wayBack(new QPushButton(this))
     , m_content(new QVBoxLayout)
+    , m_plotTools(new PlotTools(this))
 {
     setObjectName(text.name);
     m_inspector->setObjectName(text.name + "Inspector");
@@ -112,6 +113,27 @@ void StagePage::showEvent(QShowEvent *event)
 {
     refresh();
     QWidget::showEvent(event);
+    m_plotTools->setTableVisible(true);
+}
+
+void StagePage::hideEvent(QHideEvent *event)
+{
+    m_plotTools->setTableVisible(false);
+    QWidget::hideEvent(event);
+}
+
+void StagePage::catchUp()
+{
+    if (!isVisible())
+        refresh();
+}
+
+std::vector<PlotWidget *> StagePage::plots() const
+{
+    std::vector<PlotWidget *> plots;
+    for (const ShownPlot &shown : m_shownPlots)
+        plots.push_back(shown.plot);
+    return plots;
 }
 
 void StagePage::refresh()
@@ -216,28 +238,15 @@ PlotWidget *StagePage::makePlot(
     plot->setAccessibleName(accessibleName);
     m_shownPlots.push_back({plot, from.value_or(m_stages.front())});
     connect(plot, &PlotWidget::dragCancelled, this, &StagePage::takeBackDrag);
+    connect(plot, &PlotWidget::exportRequested, this, [this, plot] { emit plotExport(plot); });
+    m_plotTools->attach(plot);
     return plot;
 }
 
-void StagePage::shareFrequencyCursors(const std::vector<PlotWidget *> &plots)
+void StagePage::shareCursors(CursorAxis axis, const std::vector<PlotWidget *> &plots)
 {
-    FrequencyCursors *cursors = &m_session.frequencyCursors();
-    for (PlotWidget *plot : plots) {
-        connect(plot, &PlotWidget::cursorPlaced, cursors,
-            [cursors, plot](int which, double f_Hz) { cursors->place(which, f_Hz, plot); });
-        connect(
-            plot, &PlotWidget::cursorsCleared, cursors, [cursors, plot] { cursors->clear(plot); });
-        connect(cursors, &FrequencyCursors::moved, plot, [plot, cursors](const QObject *source) {
-            if (source == plot)
-                return;
-            const auto &at_Hz = cursors->positions_Hz();
-            if (!at_Hz[0] && !at_Hz[1])
-                plot->followCursor(0, std::nullopt);
-            for (std::size_t i = 0; i < at_Hz.size(); ++i)
-                if (at_Hz[i])
-                    plot->followCursor(static_cast<int>(i), at_Hz[i]);
-        });
-    }
+    for (PlotWidget *plot : plots)
+        PlotTools::share(plot, &m_session.cursors(axis));
 }
 
 void StagePage::change(

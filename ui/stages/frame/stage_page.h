@@ -7,6 +7,7 @@
 #include "ui/session/page_standing.h"
 #include "ui/session/session.h"
 #include "ui/stages/frame/inspector_form.h"
+#include "ui/stages/frame/plot_tools.h"
 
 #include <QVBoxLayout>
 #include <QWidget>
@@ -47,6 +48,11 @@ public:
     virtual StageId focus() const;
     InspectorForm *inspector() { return m_inspector; }
     static PlotContent nothingYet(); ///< an empty plot that says so
+    std::vector<PlotWidget *> plots() const;
+    void catchUp(); ///< draws what is on show, although the page is hidden
+
+signals:
+    void plotExport(const dyncal::PlotWidget *plot); ///< the operator wants it as a file
 
 protected:
     virtual void showRecipe() = 0; ///< sets the controls
@@ -55,6 +61,7 @@ protected:
     virtual bool showsOld(StageId from) const { return m_session.isLastGood(from); }
     virtual void takeBackDrag(); ///< after Esc in a drag: the recipe is as before it
     void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
 
     Session &session() { return m_session; }
     const Session &session() const { return m_session; }
@@ -65,8 +72,8 @@ protected:
     /// `from`: the stage whose result it shows; without, that of the page.
     PlotWidget *makePlot(
         const QString &objectName, const QString &accessibleName, std::optional<StageId> from = {});
-    /// Cursors of these plots stand where those of all other frequency views stand.
-    void shareFrequencyCursors(const std::vector<PlotWidget *> &plots);
+    /// Cursors of these plots stand where those of all other plots with this axis stand.
+    void shareCursors(CursorAxis axis, const std::vector<PlotWidget *> &plots);
 
     /// Changes the recipe as one undo step.
     void change(const QString &label, const std::function<void(Recipe &)> &edit,
@@ -98,6 +105,7 @@ private:
         StageId from;
     };
     std::vector<ShownPlot> m_shownPlots;
+    PlotTools *m_plotTools;
 };
 
 } // namespace dyncal

@@ -54,7 +54,8 @@ void ModelPage::buildPlots()
     split->addWidget(right);
     split->setSizes({1000, 1000});
     content()->addWidget(split);
-    shareFrequencyCursors({m_magnitude, m_phase});
+    shareCursors(CursorAxis::Frequency, {m_magnitude, m_phase});
+    shareCursors(CursorAxis::ResponseTime, {m_fit, m_error});
 }
 
 QTabWidget *ModelPage::buildTables()

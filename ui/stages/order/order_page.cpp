@@ -85,7 +85,8 @@ void OrderPage::buildPlots()
     content()->addWidget(new FirstTripletsBar(session(), this));
     content()->addWidget(split, 1);
     content()->addWidget(buildCandidates());
-    shareFrequencyCursors({m_strip, m_bode});
+    shareCursors(CursorAxis::Frequency, {m_strip, m_bode});
+    shareCursors(CursorAxis::ResponseTime, {m_fit});
 }
 
 QWidget *OrderPage::buildCandidates()

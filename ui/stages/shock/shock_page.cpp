@@ -46,6 +46,7 @@ void ShockPage::buildPlots()
 {
     m_diagram = makePlot("tubeDiagram", tr("Waves in the tube over distance and time"));
     m_side = makePlot("sidePlot", tr("Arrival of the shock at a sensor"));
+    shareCursors(CursorAxis::RecordTime, {m_side});
     auto *plots = new QSplitter(Qt::Horizontal, this);
     plots->addWidget(m_diagram);
     plots->addWidget(m_side);

@@ -45,7 +45,7 @@ SpectrumPage::SpectrumPage(Session &session)
     split->addWidget(m_table);
     split->setSizes({1000, 180});
     content()->addWidget(split);
-    shareFrequencyCursors({m_plot});
+    shareCursors(CursorAxis::Frequency, {m_plot});
     connect(m_plot, &PlotWidget::pointPicked, this, [this](double frequency_Hz, double) {
         if (sourceOf(recipe().spectrum) == Given)
             giveResonance(frequency_Hz);

@@ -50,6 +50,7 @@ void WindowPage::buildPlots()
 {
     m_plot = makePlot("windowPlot", tr("Response, remapped, with the bands"));
     m_detail = makePlot("windowDetailPlot", tr("First stretch of the response"));
+    shareCursors(CursorAxis::ResponseTime, {m_plot, m_detail});
     m_table = new ValueTable("windowTable", tr("Levels and step of every shot"), this);
     m_table->setMinimumHeight(120);
     auto *split = new QSplitter(Qt::Vertical, this);

@@ -24,9 +24,10 @@ class TestPlotOutput : public QObject
     Q_OBJECT
 
 private slots:
-    void export_allFormats_writeFiles();
-    void export_unknownSuffix_fails();
-    void export_svg_isVectorAndDeterministic();
+    void file_allFormats();
+    void file_unknownFormat_isNone();
+    void file_svg_isVectorAndDeterministic();
+    void paste_tabsAndTheDecimalMarkOfTheLanguage();
     void csv_sharedAndOwnX_fullPrecision();
     void paint_intoPdf_staysVector();
     void largeCurve_spikeOfOneSample_isDrawn();
@@ -34,49 +35,60 @@ private slots:
     void longRecord_csv_isOfTheView();
 };
 
-void TestPlotOutput::export_allFormats_writeFiles()
+void TestPlotOutput::file_allFormats()
 {
-    QTemporaryDir folder;
     PlotWidget plot;
     plot.setContent(timeContent());
     plot.setBand("b", "Band", {2e-4, 4e-4});
     show(plot);
-    QVERIFY(plot.exportImage(folder.filePath("a.png")));
-    const QImage image(folder.filePath("a.png"));
+    const QImage image = QImage::fromData(plot.fileBytes("png").value(), "PNG");
     QVERIFY(image.width() > 1000);
     QCOMPARE(image.pixelColor(2, 2), QColor(Qt::white));
     QVERIFY(inkedPixels(image) > 1000);
-    QVERIFY(plot.exportImage(folder.filePath("a.svg")));
-    QVERIFY(bytesOf(folder.filePath("a.svg")).contains("<svg"));
-    QVERIFY(plot.exportImage(folder.filePath("a.pdf")));
-    QVERIFY(bytesOf(folder.filePath("a.pdf")).startsWith("%PDF-"));
+    QVERIFY(plot.fileBytes("svg").value().contains("<svg"));
+    QVERIFY(plot.fileBytes("pdf").value().startsWith("%PDF-"));
+    QCOMPARE(plot.fileBytes("csv").value(), plot.csv().toUtf8());
+    const QImage small = QImage::fromData(plot.fileBytes("png", {300, 200}).value());
+    QCOMPARE(small.size(), QSize(600, 400)); // two pixels for each of the screen
 }
 
-void TestPlotOutput::export_unknownSuffix_fails()
+void TestPlotOutput::file_unknownFormat_isNone()
 {
-    QTemporaryDir folder;
     PlotWidget plot;
     plot.setContent(timeContent());
     show(plot);
-    QVERIFY(!plot.exportImage(folder.filePath("a.gif")));
-    QVERIFY(!QFile::exists(folder.filePath("a.gif")));
-    QVERIFY(!plot.exportImage(folder.filePath("missing/a.png")));
+    QVERIFY(!plot.fileBytes("gif"));
+    QVERIFY(!plot.fileBytes(""));
 }
 
-void TestPlotOutput::export_svg_isVectorAndDeterministic()
+void TestPlotOutput::file_svg_isVectorAndDeterministic()
 {
-    QTemporaryDir folder;
     PlotWidget plot;
     plot.setContent(timeContent());
     show(plot);
-    QVERIFY(plot.exportImage(folder.filePath("a.svg")));
-    QVERIFY(plot.exportImage(folder.filePath("b.svg")));
-    const QByteArray svg = bytesOf(folder.filePath("a.svg"));
-    QCOMPARE(svg, bytesOf(folder.filePath("b.svg")));
+    const QByteArray svg = plot.fileBytes("svg").value();
+    QCOMPARE(svg, plot.fileBytes("svg").value());
     QVERIFY(!svg.contains("<image"));
     QVERIFY(svg.contains("<text"));
     QVERIFY(svg.contains("Time / ms"));
     QVERIFY(svg.contains("One response that settles at 1."));
+}
+
+void TestPlotOutput::paste_tabsAndTheDecimalMarkOfTheLanguage()
+{
+    PlotContent content;
+    content.xAxis = {"Time", "s"};
+    content.yAxis = {"Signal", "V"};
+    content.curves.push_back(
+        {"=1+1", CurveRole::Measured, CurveStyle::Line, {0.0, 0.1}, {1.0 / 3.0, kNan}, true});
+    PlotWidget plot;
+    plot.setContent(content);
+    QCOMPARE(plot.dataToPaste(), QString("Time / s\t'=1+1 / V\n0\t0.3333333333333333\n0.1\t\n"));
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::Swedish));
+    const QString swedish = plot.dataToPaste();
+    QLocale::setDefault(before);
+    QCOMPARE(swedish, QString("Time / s\t'=1+1 / V\n0\t0,3333333333333333\n0,1\t\n"));
 }
 
 void TestPlotOutput::csv_sharedAndOwnX_fullPrecision()

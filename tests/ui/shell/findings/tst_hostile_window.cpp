@@ -405,7 +405,7 @@ private slots:
                         QVERIFY2(xml.name() != QLatin1String(foreign), text.c_str());
             }
             QVERIFY2(!xml.hasError(), text.c_str());
-            const QString table = contentCsv(content);
+            const QString table = contentTable(content, TableFormat::Csv);
             QVERIFY(isFitToShow(table.toStdString(), LineBreaks::Keep));
             QCOMPARE(table.count('\n'), 3);
             QVERIFY(table.contains("\n0,-1\n1,2\n"));
