@@ -3873,14 +3873,6 @@
         <translation>Skott %1: slutnivån driver ännu %2 % av steget per ms; nivån beror med +-%3 % på var slutnivåbandet ligger.</translation>
     </message>
     <message>
-        <source>Shot %1, channel %2: invalid sample %3 at %4, inside the response window or its baseline; exclude the shot or set import.interpolate_invalid.</source>
-        <translation>Skott %1, kanal %2: ogiltigt sampel %3 vid %4, inom svarsfönstret eller dess baslinje; uteslut skottet eller sätt import.interpolate_invalid.</translation>
-    </message>
-    <message>
-        <source>Shot %1, channel %2 is saturated for %3 samples from %4 on, inside the response window or its baseline; the shot cannot be used: exclude it.</source>
-        <translation>Skott %1, kanal %2 är mättad under %3 sampel från och med %4, inom svarsfönstret eller dess baslinje; skottet kan inte användas: uteslut det.</translation>
-    </message>
-    <message>
         <source>Shot %1: the step uses %2 codes of the converter; quantisation limits the result.</source>
         <translation>Skott %1: steget utnyttjar %2 kodsteg i omvandlaren; kvantiseringen begränsar resultatet.</translation>
     </message>
@@ -5344,6 +5336,14 @@
         <source>%1 was changed after it was opened, so what is shown may no longer be what it holds. Read it again; nothing is exported before.</source>
         <translation>%1 har ändrats sedan den öppnades, så det som visas är kanske inte längre det som den innehåller. Läs om den; ingenting exporteras förrän dess.</translation>
     </message>
+    <message>
+        <source>Shot %1, channel %2: invalid samples (%3, from sample %4 to %5) at %6, inside the response window or its baseline; exclude the shot or set import.interpolate_invalid.</source>
+        <translation>Skott %1, kanal %2: ogiltiga sampel (%3, från sampel %4 till %5) vid %6, inom svarsfönstret eller dess baslinje; uteslut skottet eller sätt import.interpolate_invalid.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel %2 is saturated for %3 (%4 samples) at %5, from %6 on, inside the response window or its baseline; the shot cannot be used: exclude it.</source>
+        <translation>Skott %1, kanal %2 är mättad under %3 (%4 sampel) vid %5, från och med %6, inom svarsfönstret eller dess baslinje; skottet kan inte användas: uteslut det.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
@@ -5802,6 +5802,14 @@
     <message>
         <source>Tag shots by step height</source>
         <translation>Märk skotten efter steghöjd</translation>
+    </message>
+    <message>
+        <source>shot %1: invalid</source>
+        <translation>skott %1: ogiltigt</translation>
+    </message>
+    <message>
+        <source>shot %1: saturated</source>
+        <translation>skott %1: mättat</translation>
     </message>
 </context>
 <context>
@@ -8453,6 +8461,10 @@
     <message>
         <source>One end, common to all shots. The plateau is over before it in: %1.</source>
         <translation>Ett slut, gemensamt för alla skott. Platån tar slut före det i: %1.</translation>
+    </message>
+    <message>
+        <source>One end, common to all shots. The record of shot %1 ends here.</source>
+        <translation>Ett slut, gemensamt för alla skott. Registreringen av skott %1 slutar här.</translation>
     </message>
 </context>
 <context>

@@ -142,15 +142,20 @@ std::optional<Error> invalidSamples(const Channel &channel, Index shot, const Wi
         joined.begin = bands.baseline.begin;
     for (const SampleRange &range : {joined, bands.baseline}) {
         const Eigen::VectorXd values = physicalValues(channel, range.begin, range.size());
-        const auto invalid = std::find_if(
-            values.begin(), values.end(), [](double value) { return !std::isfinite(value); });
-        if (invalid == values.end())
+        const auto isInvalid = [](double value) { return !std::isfinite(value); };
+        const auto first = std::find_if(values.begin(), values.end(), isInvalid);
+        if (first == values.end())
             continue;
-        const Index sample = range.begin + (invalid - values.begin());
+        Index last = values.size() - 1;
+        while (!isInvalid(values[last]))
+            --last;
+        const Index sample = range.begin + (first - values.begin());
         return Error{ErrorKind::DataBlocked,
             {DYNCAL_TEXT("core",
-                 "Shot %1, channel %2: invalid sample %3 at %4, inside the response window or its baseline; exclude the shot or set import.interpolate_invalid."),
-                {std::to_string(shot), channel.name, std::to_string(sample),
+                 "Shot %1, channel %2: invalid samples (%3, from sample %4 to %5) at %6, inside the response window or its baseline; exclude the shot or set import.interpolate_invalid."),
+                {std::to_string(shot), channel.name,
+                    std::to_string(std::count_if(first, values.end(), isInvalid)),
+                    std::to_string(sample), std::to_string(range.begin + last),
                     numberWithUnit(channel.timeOf_s(sample), "s", 6)}},
             "CAP-006", shot};
     }
@@ -164,8 +169,13 @@ std::optional<Error> saturatedSamples(
         if (const auto run = runAtRail(channel, range, checks.saturationRun))
             return Error{ErrorKind::DataBlocked,
                 {DYNCAL_TEXT("core",
-                     "Shot %1, channel %2 is saturated for %3 samples from %4 on, inside the response window or its baseline; the shot cannot be used: exclude it."),
-                    {std::to_string(shot), channel.name, std::to_string(run->count),
+                     "Shot %1, channel %2 is saturated for %3 (%4 samples) at %5, from %6 on, inside the response window or its baseline; the shot cannot be used: exclude it."),
+                    {std::to_string(shot), channel.name,
+                        numberWithUnit(
+                            static_cast<double>(run->count) / channel.sampleRate_Hz, "s", 3),
+                        std::to_string(run->count),
+                        numberWithUnit(
+                            physicalValue(channel, channel.samples.at(run->begin)), channel.unit),
                         numberWithUnit(channel.timeOf_s(run->begin), "s", 6)}},
                 "CAP-007", shot};
     }

@@ -41,6 +41,28 @@ constexpr std::array kPlottedRoles{ChannelRole::Dut, ChannelRole::DrivenSide, Ch
 constexpr std::array kLevels{ShotLevel::None, ShotLevel::Low, ShotLevel::Medium, ShotLevel::High};
 const std::array<std::string, 3> kReferences{"", "gauge", "absolute"};
 
+/// Marks where the records of a role hold invalid or saturated samples.
+std::vector<PlotMark> faultMarks(
+    const PreparedCaptures &captures, ChannelRole role, const std::string &unit)
+{
+    std::vector<PlotMark> marks;
+    for (const Finding &finding : captures.findings) {
+        const bool isInvalid = finding.id == "CAP-006";
+        const auto at = static_cast<std::size_t>(finding.shot - 1);
+        if ((!isInvalid && finding.id != "CAP-007") || !finding.time_s
+            || at >= captures.set.shots.size())
+            continue;
+        const Channel *channel = captures.set.shots[at].channelWithRole(role);
+        if (channel && channel->name == finding.channel && channel->unit == unit)
+            marks.push_back({*finding.time_s,
+                (isInvalid ? CapturesPage::tr("shot %1: invalid")
+                           : CapturesPage::tr("shot %1: saturated"))
+                    .arg(finding.shot),
+                CurveRole::UnstablePole});
+    }
+    return marks;
+}
+
 } // namespace
 
 CapturesPage::CapturesPage(Session &session, Prompts &prompts)
@@ -173,6 +195,8 @@ void CapturesPage::showPlots()
                 continue;
             PlotContent content = rawCurves(shownSet(), role, envelopeOf,
                 unit < units.size() ? std::optional(units[unit]) : std::nullopt);
+            if (results().captures && unit < units.size())
+                content.marks = faultMarks(*results().captures, role, units[unit]);
             content.growing = envelopes.isBusy();
             if (content.growing)
                 content.title += tr(" (reading the recordings: %1 %)")

@@ -150,16 +150,40 @@ void WindowPage::moveLine(const QString &id, double time_s, bool finished)
 {
     if (id == kStart && finished)
         shiftStarts(time_s);
-    if (id == kEnd && time_s > 0.0)
+    if (id == kEnd && time_s > 0.0) {
+        const std::optional<RecordEnd> last = firstRecordEnd();
         change(
             tr("Move the window's end"),
             [&](Recipe &r) {
-                r.window.end_s = time_s;
+                r.window.end_s = last ? std::min(time_s, last->end_s) : time_s;
                 r.window.endAtPlateau = false;
             },
             id);
-    if (finished)
+    }
+    if (finished) {
         session().endMerge();
+        // The line goes back to where the records allow it, once it is let go.
+        QMetaObject::invokeMethod(this, &WindowPage::showHandles, Qt::QueuedConnection);
+    }
+}
+
+std::optional<WindowPage::RecordEnd> WindowPage::firstRecordEnd() const
+{
+    std::optional<RecordEnd> first;
+    if (!firstResponse() || !results().captures)
+        return first;
+    for (const WindowedResponse &response : results().window->responses) {
+        const auto at = static_cast<std::size_t>(response.shot - 1);
+        const Channel *dut = results().captures->set.shots[at].channelWithRole(ChannelRole::Dut);
+        if (!dut)
+            continue;
+        const double end_s = dut->t0_s + dut->duration_s() - response.start_s;
+        // A sample less: what is after it is rounded to whole samples.
+        const double last_s = end_s - 1.0 / dut->sampleRate_Hz;
+        if (!first || last_s < first->end_s)
+            first = RecordEnd{last_s, response.shot};
+    }
+    return first;
 }
 
 namespace {
@@ -259,6 +283,9 @@ QString WindowPage::endText() const
         return tr("Each shot ends with its own plateau.");
     if (settings.end_s.isAuto())
         return tr("Automatic: each shot has an end of its own.");
+    const std::optional<RecordEnd> last = firstRecordEnd();
+    if (last && *settings.end_s.value >= last->end_s)
+        return tr("One end, common to all shots. The record of shot %1 ends here.").arg(last->shot);
     const auto &expected = results().expected;
     QStringList early;
     for (const ShockConditions &shot :

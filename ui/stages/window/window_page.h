@@ -41,6 +41,13 @@ private:
     void showGuard(const WindowedResponse &response);
     void showLength();
     void showTable();
+    /// Where the first of the records is over, after its own start.
+    struct RecordEnd
+    {
+        double end_s;
+        Index shot;
+    };
+    std::optional<RecordEnd> firstRecordEnd() const;
     const WindowedResponse *firstResponse() const;
     const WindowedResponse *responseOfChosenShot() const;
 
