@@ -193,6 +193,7 @@ Codec<std::map<std::string, T>> dictionary(
         return object;
     };
     std::vector<RecipeKey> keys;
+    keys.reserve(words.size() + inner.keys.size());
     for (const RecipeKey &word : words)
         keys.push_back({"." + word.path, word.label});
     if (words.empty()) {
