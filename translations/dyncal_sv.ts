@@ -1035,6 +1035,10 @@
         <source>%1, of the residual</source>
         <translation>%1, av residualen</translation>
     </message>
+    <message>
+        <source>%1 % of attainable %2 %: at the noise limit</source>
+        <translation>%1 % av uppnåeliga %2 %: vid brusgränsen</translation>
+    </message>
 </context>
 <context>
     <name>NextSteps</name>

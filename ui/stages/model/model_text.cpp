@@ -58,6 +58,9 @@ QString flagText(const std::string &flag)
     return found == std::end(kWords) ? rawText(flag) : ModelText::tr(found->second);
 }
 
+/// Attainable FIT below which FIT and its limit are both mostly noise.
+constexpr double kNoiseLimit_percent = 10.0;
+
 } // namespace
 
 QString fitText(const SensorModel &model)
@@ -67,7 +70,10 @@ QString fitText(const SensorModel &model)
     const QString attainable = shownNumber(model.fitAttainable_percent, 3);
     if (model.fit_percent < 0.0)
         return ModelText::tr("< 0 % of attainable %1 %").arg(attainable);
-    return ModelText::tr("%1 % of attainable %2 %")
+    // A low FIT tells nothing against the model where the noise allows no more.
+    return (model.fitAttainable_percent < kNoiseLimit_percent
+            ? ModelText::tr("%1 % of attainable %2 %: at the noise limit")
+            : ModelText::tr("%1 % of attainable %2 %"))
         .arg(shownNumber(model.fit_percent, 3), attainable);
 }
 
