@@ -69,6 +69,7 @@ template <typename E>
 Codec<E> choice(std::vector<std::pair<std::string, E>> names)
 {
     std::vector<std::string> words;
+    words.reserve(names.size());
     for (const auto &[word, value] : names)
         words.push_back(word);
     Codec<std::string> inner = oneOf(words);
@@ -167,7 +168,7 @@ Codec<std::vector<T>> list(Codec<T> inner, std::size_t least = 0)
 /// An object whose keys are free words, or only those of `words` if that is not empty.
 template <typename T>
 Codec<std::map<std::string, T>> dictionary(
-    Codec<T> inner, const std::string &keyName, std::vector<RecipeKey> words = {})
+    Codec<T> inner, const std::string &keyName, const std::vector<RecipeKey> &words = {})
 {
     const std::string needs = "an object from " + keyName + " to " + inner.needs;
     const auto read = [inner, needs, words](const JsonAt &at) -> Result<std::map<std::string, T>> {

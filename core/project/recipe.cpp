@@ -19,7 +19,7 @@ namespace dyncal {
 namespace {
 
 constexpr const char *kSchema = "dyncal-recipe/1";
-constexpr std::size_t kLargestFile = 4 * 1024 * 1024;
+constexpr std::size_t kLargestFile = std::size_t(4) << 20U;
 
 /// The schema is checked and written, but not part of the Recipe.
 Field<Recipe> schema()
