@@ -8463,12 +8463,12 @@
         <translation>Ett slut, gemensamt för alla skott.</translation>
     </message>
     <message>
-        <source>One end, common to all shots. The plateau is over before it in: %1.</source>
-        <translation>Ett slut, gemensamt för alla skott. Platån tar slut före det i: %1.</translation>
+        <source>The plateau is over before it in: %1.</source>
+        <translation>Platån är slut före den i: %1.</translation>
     </message>
     <message>
-        <source>One end, common to all shots. The record of shot %1 ends here.</source>
-        <translation>Ett slut, gemensamt för alla skott. Registreringen av skott %1 slutar här.</translation>
+        <source>The record of shot %1 ends here.</source>
+        <translation>Registreringen av skott %1 slutar här.</translation>
     </message>
 </context>
 <context>

@@ -283,19 +283,24 @@ QString WindowPage::endText() const
         return tr("Each shot ends with its own plateau.");
     if (settings.end_s.isAuto())
         return tr("Automatic: each shot has an end of its own.");
+    QStringList said{tr("One end, common to all shots.")};
+    if (const QStringList early = endedPlateaus(); !early.isEmpty())
+        said << tr("The plateau is over before it in: %1.").arg(early.join(QStringLiteral(", ")));
     const std::optional<RecordEnd> last = firstRecordEnd();
     if (last && *settings.end_s.value >= last->end_s)
-        return tr("One end, common to all shots. The record of shot %1 ends here.").arg(last->shot);
+        said << tr("The record of shot %1 ends here.").arg(last->shot);
+    return said.join(QLatin1Char(' '));
+}
+
+QStringList WindowPage::endedPlateaus() const
+{
     const auto &expected = results().expected;
     QStringList early;
     for (const ShockConditions &shot :
         expected ? expected->conditions.shots : std::vector<ShockConditions>())
-        if (shot.plateau_s && *shot.plateau_s < *settings.end_s.value)
+        if (shot.plateau_s && *shot.plateau_s < *recipe().window.end_s.value)
             early << tr("%1 (%2)").arg(shot.shot).arg(shownQuantity(*shot.plateau_s, "s", 3));
-    return early.isEmpty()
-        ? tr("One end, common to all shots.")
-        : tr("One end, common to all shots. The plateau is over before it in: %1.")
-              .arg(early.join(QStringLiteral(", ")));
+    return early;
 }
 
 void WindowPage::showHandles()

@@ -37,6 +37,8 @@ private:
     void shiftStarts(double by_s);
     void setStart(const Auto<double> &start_s);
     QString endText() const;
+    /// The shots whose plateau is over before the common end, each with when.
+    QStringList endedPlateaus() const;
     void showHandles();
     void showGuard(const WindowedResponse &response);
     void showLength();
