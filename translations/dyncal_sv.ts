@@ -5348,6 +5348,14 @@
         <source>Shot %1, channel %2 is saturated for %3 (%4 samples) at %5, from %6 on, inside the response window or its baseline; the shot cannot be used: exclude it.</source>
         <translation>Skott %1, kanal %2 är mättad under %3 (%4 sampel) vid %5, från och med %6, inom svarsfönstret eller dess baslinje; skottet kan inte användas: uteslut det.</translation>
     </message>
+    <message>
+        <source>Shot %1, channel %2 stands still at %3 from %4 on, although its baseline shows noise: it froze during the response, so the end of the plateau cannot be found. Exclude the shot, or set window.end_s before that time if the record up to there can be trusted.</source>
+        <translation>Skott %1, kanal %2 står stilla på %3 från och med %4, fast baslinjen visar brus: signalen frös under svaret, så platåns slut kan inte hittas. Uteslut skottet, eller sätt window.end_s före den tiden om registreringen fram till dess går att lita på.</translation>
+    </message>
+    <message>
+        <source>Shot %1, channel %2 stands still at %3 for %4 from %5 on, soon behind the response window, although its baseline shows noise: it was cut off or stuck there; look whether the response before can be trusted.</source>
+        <translation>Skott %1, kanal %2 står stilla på %3 i %4 från och med %5, strax efter svarsfönstret, fast baslinjen visar brus: signalen skars av eller fastnade där; se efter om svaret dessförinnan går att lita på.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

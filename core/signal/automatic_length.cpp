@@ -19,7 +19,6 @@ constexpr Index kLasting = 10; ///< blocks that a departure from the plateau mus
 constexpr Index kLeastLasting = 3; ///< at the end of the record
 constexpr double kDepartureShare = 0.03; ///< of the step
 constexpr double kDepartureSigmas = 6.0;
-constexpr double kUsedShare = 0.9; ///< of the time to the departure, which is noticed late
 constexpr double kDecayed = 1.5; ///< rms of a block over the noise
 
 /// `reduce` of the finite samples of each block after `start`; NaN for blocks without any.

@@ -9,9 +9,10 @@
 namespace dyncal {
 
 inline constexpr Index kLeastWindow = 16; ///< samples
+inline constexpr double kUsedShare = 0.9; ///< of the time to the departure, which is noticed late
 
-/// Samples after `start` until the level leaves its plateau for good, times 0.9; at most `limit`
-/// samples. `baseline` and `noiseSd` are those of the record before the step.
+/// Samples after `start` until the level leaves its plateau for good, times kUsedShare; at most
+/// `limit` samples. `baseline` and `noiseSd` are those of the record before the step.
 Index automaticStepLength(
     const Channel &channel, Index start, Index limit, double baseline, double noiseSd);
 

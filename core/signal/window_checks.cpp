@@ -6,7 +6,6 @@
 #include "core/base/number_text.h"
 #include "core/capture/flat_top.h"
 #include "core/signal/level_statistics.h"
-#include "core/signal/stuck_values.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +19,6 @@ constexpr double kBaselineDrift_per_ms = 0.005;
 constexpr double kSlopeSigmas = 3.0; ///< a slope below so many u may be noise
 constexpr double kLeastSnr_dB = 20.0;
 constexpr double kMilli = 1e-3;
-constexpr double kMostStuck = 0.2; ///< of the window's samples
 
 /// Calls `visit(begin, count)` for every run of at least `least` samples that `isAt` accepts, until
 /// it returns true.
@@ -182,28 +180,6 @@ std::optional<Error> saturatedSamples(
     return std::nullopt;
 }
 
-/// A window that stands still although the baseline shows noise: cut off at limits that the file
-/// does not state, or stuck.
-std::optional<Error> stuckWindow(const Channel &channel, Index shot, const WindowBands &bands)
-{
-    const SampleRange &window = bands.window;
-    const SampleRange &baseline = bands.baseline;
-    const Eigen::VectorXd values = physicalValues(channel, window.begin, window.size());
-    const Eigen::VectorXd quiet = physicalValues(channel, baseline.begin, baseline.size());
-    const std::optional<StuckValues> stuck = stuckValues(values, quiet);
-    const double share
-        = stuck ? static_cast<double>(stuck->total) / static_cast<double>(window.size()) : 0.0;
-    if (!(share > kMostStuck))
-        return std::nullopt;
-    return Error{ErrorKind::DataBlocked,
-        {DYNCAL_TEXT("core",
-             "Shot %1, channel %2 stands still at %3 for %4 % of the response window, the longest time from %5 on, although its baseline shows noise: it was cut off or stuck. The shot cannot be used: exclude it."),
-            {std::to_string(shot), channel.name, numberWithUnit(values[stuck->begin], channel.unit),
-                numberText(100.0 * share, 2),
-                numberWithUnit(channel.timeOf_s(window.begin + stuck->begin), "s", 6)}},
-        "CAP-007", shot};
-}
-
 } // namespace
 
 std::optional<Error> unusableSamples(
@@ -215,7 +191,7 @@ std::optional<Error> unusableSamples(
     if (auto error = saturatedSamples(channel, shot, bands, checks))
         errors.push_back(std::move(*error));
     if (errors.empty())
-        return stuckWindow(channel, shot, bands);
+        return std::nullopt;
     return asOneError(std::move(errors));
 }
 

@@ -15,9 +15,8 @@
 namespace dyncal {
 
 /// CAP-006 when the baseline, the window or what lies between them holds invalid samples, CAP-007
-/// when one of the two is saturated on a converter whose rails are known, or the window stands
-/// still for more than a fifth although the baseline shows noise. With both, one stands behind the
-/// other in `further`.
+/// when one of the two is saturated on a converter whose rails are known. With both, one stands
+/// behind the other in `further`.
 std::optional<Error> unusableSamples(
     const Channel &channel, Index shot, const WindowBands &bands, const CheckSettings &checks = {});
 

@@ -6,6 +6,7 @@
 #include "core/base/number_text.h"
 #include "core/signal/level_statistics.h"
 #include "core/signal/rounding.h"
+#include "core/signal/standstill.h"
 #include "core/signal/start_detection.h"
 #include "core/signal/step_readings.h"
 #include "core/signal/window_bands.h"
@@ -84,6 +85,11 @@ public:
         m_bands = *bands;
         if (auto error = unusableSamples(*m_channel, m_response.shot, m_bands, m_context.checks))
             return error;
+        const std::optional<Standstill> still = standstill(*m_channel, m_bands);
+        if (auto error = still
+                ? blockingStandstill(*m_channel, m_response.shot, *still, endIsSearched())
+                : std::nullopt)
+            return error;
         measureLevels();
         if (!m_isAtRest) {
             result.findings.push_back(notAtRest());
@@ -93,6 +99,8 @@ public:
             return error;
         cutValues();
         measureCharacteristics();
+        if (still)
+            result.findings.push_back(standstillBehind(*m_channel, m_response.shot, *still));
         const Findings findings = windowFindings(*m_channel, m_response, m_context, plateau_s());
         result.findings.insert(result.findings.end(), findings.begin(), findings.end());
         result.responses.push_back(std::move(m_response));
@@ -101,6 +109,11 @@ public:
 
 private:
     bool isStep() const { return isStepTreatment(m_context.treatment); }
+
+    bool endIsSearched() const
+    {
+        return isStep() && !m_settings.endAtPlateau && m_settings.end_s.isAuto();
+    }
 
     std::optional<double> plateau_s() const
     {

@@ -12,6 +12,7 @@
 
 #include <QTest>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -54,6 +55,14 @@ Result<WindowResult> cut(const Channel &channel)
     return cutWindows(captureSetOf({channel}), {}, {});
 }
 
+/// Whether a caution says that the record stands still.
+bool isNamed(const WindowResult &result)
+{
+    return std::ranges::any_of(result.findings, [](const Finding &finding) {
+        return finding.id == "CAP-007" && finding.severity == Severity::Caution;
+    });
+}
+
 } // namespace
 
 /// Records that stand still for more of the window than the noise of their baseline explains.
@@ -86,6 +95,42 @@ private slots:
         QVERIFY(!cut(record(0.0025, code, 32000))); // 22 %
         QVERIFY(cut(record(0.0025, code, 33000))); // 19 %
         QVERIFY(cut(record(0.0025, code, 40000)));
+    }
+
+    /// A record that freezes while it rings: the search for the plateau's end finds the freeze.
+    void frozenRinging_givesNoWrongStepWithoutAWord()
+    {
+        Gaussian random(11);
+        const int trials = trials::count(100, 2000);
+        int blocked = 0, named = 0;
+        for (int k = 0; k < trials; ++k) {
+            StepRecord step;
+            step.sensor = {200e3 * std::pow(0.1, random.uniform()), 0.01 + 0.05 * random.uniform()};
+            step.noiseSd = 0.002;
+            step.seed = 100 + static_cast<std::uint64_t>(k);
+            Eigen::VectorXd values = step.values();
+            const auto frozen = 4300 + static_cast<Index>(20000.0 * std::pow(random.uniform(), 3));
+            values.tail(values.size() - frozen).setConstant(values[frozen]);
+            const auto done = cut(doubleChannel(values, step.rate_Hz));
+            blocked += done ? 0 : 1;
+            named += done && isNamed(*done) ? 1 : 0;
+            QVERIFY2(!done || isNamed(*done)
+                    || std::abs(done->responses[0].step - step.step) < 0.005 * step.step,
+                qPrintable(QString("trial %1, frozen at %2").arg(k).arg(frozen)));
+        }
+        qInfo("%d trials: %d blocked, %d named", trials, blocked, named);
+        QVERIFY(2 * blocked > trials);
+    }
+
+    void frozenBehindATypedEnd_isACaution()
+    {
+        WindowSettings settings;
+        settings.end_s.value = 5e-4;
+        const Channel channel = record(0.0025, 1e-3, 9600); // 60 us behind the end
+        const auto done = cutWindows(captureSetOf({channel}), settings, {});
+        QVERIFY(done && isNamed(*done));
+        QVERIFY(std::abs(done->responses[0].step - 2.5) < 0.01);
+        QVERIFY(!isNamed(*cutWindows(captureSetOf({record(0.0025, 1e-3, 40000)}), settings, {})));
     }
 
     void clippedRinging_countsAllItsTops()
