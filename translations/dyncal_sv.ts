@@ -5889,10 +5889,6 @@
         </translation>
     </message>
     <message>
-        <source>for example 2026-01-31</source>
-        <translation>till exempel 2026-01-31</translation>
-    </message>
-    <message>
         <source>■ This is not a date. Write it as 2026-01-31.</source>
         <translation>■ Detta är inget datum. Skriv det som 2026-01-31.</translation>
     </message>
@@ -5902,6 +5898,10 @@
             <numerusform>■ %n obligatoriskt fält att fylla i: %1.</numerusform>
             <numerusform>■ %n obligatoriska fält att fylla i: %1.</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>YYYY-MM-DD</source>
+        <translation>ÅÅÅÅ-MM-DD</translation>
     </message>
 </context>
 <context>

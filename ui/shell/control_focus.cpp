@@ -3,9 +3,15 @@
 
 #include "ui/shell/control_focus.h"
 
+#include "ui/stages/frame/layout_scale.h"
+
+#include <QAbstractItemView>
+#include <QApplication>
 #include <QScrollArea>
 #include <QTabWidget>
 #include <QTableWidget>
+
+#include <algorithm>
 
 namespace dyncal {
 
@@ -46,6 +52,23 @@ void focus(QWidget &control)
         target->setFocus(Qt::OtherFocusReason);
 }
 
+bool isHardlySeen(const QWidget &widget)
+{
+    const QRect seen = widget.visibleRegion().boundingRect();
+    return seen.width() < std::min(widget.width(), scale::kLeastTarget)
+        || seen.height() < std::min(widget.height(), scale::kLeastTarget);
+}
+
+void scrollTo(QWidget &widget)
+{
+    for (QWidget *parent = widget.parentWidget(); parent; parent = parent->parentWidget()) {
+        if (auto *scroll = qobject_cast<QScrollArea *>(parent))
+            scroll->ensureWidgetVisible(&widget);
+        else if (auto *view = qobject_cast<QAbstractItemView *>(parent))
+            view->scrollTo(view->indexAt(widget.mapTo(view->viewport(), widget.rect().center())));
+    }
+}
+
 } // namespace
 
 QWidget *controlIn(QWidget &root, const QString &name)
@@ -67,6 +90,15 @@ void bringIntoView(QWidget &page, QWidget &inspector, const QString &name)
         focus(*control);
     else
         page.setFocus(Qt::OtherFocusReason);
+}
+
+void keepFocusInView(QWidget &window)
+{
+    QObject::connect(
+        qApp, &QApplication::focusChanged, &window, [&window](QWidget *, QWidget *now) {
+            if (now && window.isAncestorOf(now) && isHardlySeen(*now))
+                scrollTo(*now);
+        });
 }
 
 void selectShot(QWidget &page, Index shot)

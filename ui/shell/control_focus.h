@@ -18,6 +18,10 @@ QWidget *controlIn(QWidget &root, const QString &name);
 /// where it may be hidden; to the page where there is no such control.
 void bringIntoView(QWidget &page, QWidget &inspector, const QString &name);
 
+/// From now on what gets the focus by Tab or by a key, and is hardly in view, is scrolled into
+/// view. What is clicked is in view already, and stays where it is.
+void keepFocusInView(QWidget &window);
+
 /// Where the focus went to the table of the shots: the row of a shot, from 1; 0 = none.
 void selectShot(QWidget &page, Index shot);
 

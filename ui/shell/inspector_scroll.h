@@ -3,12 +3,18 @@
 
 #pragma once
 
+#include "ui/stages/frame/layout_scale.h"
+
+#include <QEvent>
 #include <QScrollArea>
 #include <QScrollBar>
 
+#include <algorithm>
+
 namespace dyncal {
 
-/// As wide as its inspector needs: it scrolls up and down only.
+/// As wide as its inspector ever needed: it scrolls up and down only, and a value that gets shorter
+/// moves nothing.
 class InspectorScroll : public QScrollArea
 {
 public:
@@ -17,16 +23,43 @@ public:
         setWidget(inspector);
         setWidgetResizable(true);
         setFrameShape(QFrame::NoFrame);
+        setFocusPolicy(Qt::NoFocus); // keys belong to its controls
         setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     }
 
     QSize minimumSizeHint() const override
     {
-        const int bar = verticalScrollBar()->sizeHint().width();
         const QSize least = QScrollArea::minimumSizeHint();
-        return {
-            widget() ? widget()->minimumSizeHint().width() + bar : least.width(), least.height()};
+        return {std::max(m_least, widthOfInspector()), least.height()};
     }
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override
+    {
+        const bool isFiltered = QScrollArea::eventFilter(watched, event);
+        if (watched == widget() && event->type() == QEvent::LayoutRequest
+            && widthOfInspector() > m_least) {
+            m_least = widthOfInspector();
+            updateGeometry();
+        }
+        return isFiltered;
+    }
+
+    void changeEvent(QEvent *event) override
+    {
+        QScrollArea::changeEvent(event);
+        if (event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange)
+            m_least = 0;
+    }
+
+private:
+    int widthOfInspector() const
+    {
+        const int bar = verticalScrollBar()->sizeHint().width() + scale::kSmall;
+        return widget() ? widget()->minimumSizeHint().width() + bar : 0;
+    }
+
+    int m_least = 0;
 };
 
 } // namespace dyncal

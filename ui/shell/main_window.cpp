@@ -93,6 +93,7 @@ MainWindow::MainWindow(Session::Pipeline pipeline, CurrentUtc currentUtc, Prefer
             this);
     connectSession();
     buildContents();
+    keepFocusInView(*this);
     resize(kFirstSize);
     restoreGeometry(m_preferences.geometry());
     m_layout = m_preferences.layout();

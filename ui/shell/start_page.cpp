@@ -3,10 +3,13 @@
 
 #include "ui/shell/start_page.h"
 
+#include "ui/stages/frame/wrapped_controls.h"
+
 #include <QCommandLinkButton>
 #include <QFrame>
 #include <QIcon>
 #include <QLabel>
+#include <QScrollArea>
 #include <QVBoxLayout>
 
 namespace dyncal {
@@ -15,15 +18,17 @@ StartPage::StartPage(QWidget *parent)
     : QWidget(parent)
 {
     setObjectName("startPage");
+    auto *inside = new QWidget;
     auto *column = new QVBoxLayout;
     auto *logo = new QLabel(this);
     logo->setPixmap(QIcon(":/icons/dyncal.svg").pixmap(72, 72));
-    auto *title = new QLabel(tr("Dynamic calibration of pressure sensors"), this);
+    auto *title = new FormLabel(tr("Dynamic calibration of pressure sensors"), this);
+    title->setAlignment(Qt::AlignCenter);
     QFont font = title->font();
     font.setPointSizeF(font.pointSizeF() * 1.8);
     title->setFont(font);
     column->addWidget(logo, 0, Qt::AlignHCenter);
-    column->addWidget(title, 0, Qt::AlignHCenter);
+    column->addWidget(title);
     column->addSpacing(18);
 
     const auto addButton = [&](const QString &name, const QString &text, const QString &hint,
@@ -46,19 +51,27 @@ StartPage::StartPage(QWidget *parent)
         tr("Go on with a calibration saved earlier"), &StartPage::openProjectRequested);
 
     column->addSpacing(12);
-    auto *zone = new QLabel(tr("Or drop recordings, a folder or a project here."), this);
+    auto *zone = new FormLabel(tr("Or drop recordings, a folder or a project here."), this);
     zone->setObjectName("dropZone");
     zone->setAlignment(Qt::AlignCenter);
     zone->setMinimumHeight(110);
     zone->setFrameStyle(QFrame::StyledPanel | QFrame::Sunken);
     column->addWidget(zone);
 
-    auto *layout = new QGridLayout(this);
+    auto *layout = new QGridLayout(inside);
     layout->addLayout(column, 1, 1);
     layout->setRowStretch(0, 1);
     layout->setRowStretch(2, 2);
     layout->setColumnStretch(0, 1);
     layout->setColumnStretch(2, 1);
+    auto *area = new QScrollArea(this); // large letters on a small screen
+    area->setFrameShape(QFrame::NoFrame);
+    area->setFocusPolicy(Qt::NoFocus);
+    area->setWidgetResizable(true);
+    area->setWidget(inside);
+    auto *whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(area);
 }
 
 } // namespace dyncal

@@ -91,8 +91,11 @@ CapturesPage::CapturesPage(Session &session, Prompts &prompts)
     m_table->setHorizontalHeaderLabels({tr("Shot"), tr("Level"), tr("File"), tr("Rate"),
         tr("Samples"), tr("DUT unit"), tr("SHA-256")});
     m_table->verticalHeader()->hide();
+    m_table->setTabKeyNavigation(false); // Tab leaves it
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     m_table->horizontalHeader()->setSectionResizeMode(File, QHeaderView::Stretch);
+    m_table->horizontalHeader()->setMinimumSectionSize(
+        m_table->horizontalHeader()->sectionSizeHint(File));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
     m_table->setMinimumHeight(110);

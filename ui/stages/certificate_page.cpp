@@ -57,6 +57,7 @@ constexpr std::array<Field, 17> kFields{{
     {"remarks", 2},
 }};
 
+constexpr int kLeastOfField = 16; ///< letters; a field without that room goes below its label
 constexpr const char *kRemarks = "remarks";
 
 bool isDate(std::string_view key)
@@ -111,8 +112,9 @@ void CertificatePage::buildForm()
             edit = m_remarks;
         } else {
             auto *line = new QLineEdit(page);
+            line->setMinimumWidth(kLeastOfField * fontMetrics().averageCharWidth());
             if (isDate(field.key))
-                line->setPlaceholderText(tr("for example 2026-01-31"));
+                setWholePlaceholder(*line, tr("YYYY-MM-DD"));
             connect(line, &QLineEdit::editingFinished, this,
                 [this, line, key = field.key] { setField(key, line->text().trimmed(), {}); });
             m_edits.emplace_back(field.key, line);

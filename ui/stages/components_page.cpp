@@ -6,6 +6,7 @@
 #include "ui/plot/curves/component_curves.h"
 #include "ui/plot/curves/signal_curves.h"
 #include "ui/plot/widget/overview_strip.h"
+#include "ui/stages/frame/folding_splitter.h"
 #include "ui/stages/frame/quantity_edit.h"
 #include "ui/stages/frame/tube_mode_choice.h"
 #include "ui/stages/frame/value_table.h"
@@ -66,7 +67,7 @@ void ComponentsPage::buildPlots()
     right->addWidget(m_reconstruction);
     right->addWidget(m_residual);
     right->addWidget(m_spectrum);
-    auto *split = new QSplitter(Qt::Horizontal, this);
+    auto *split = new FoldingSplitter(this);
     split->addWidget(left);
     split->addWidget(right);
     overview->follow(m_reconstruction);

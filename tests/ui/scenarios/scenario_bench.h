@@ -4,7 +4,6 @@
 #pragma once
 
 #include "core/capture/formats/hdf5/hdf5_capture_writer.h"
-#include "core/certificate/certificate.h"
 #include "core/synthesis/sensor_simulator.h"
 #include "core/synthesis/shot_generator.h"
 #include "tests/ui/shell/window_bench.h"
@@ -18,7 +17,6 @@
 #include <QLineEdit>
 #include <QMimeData>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QTableWidget>
 #include <QtTest>
 
@@ -236,35 +234,4 @@ struct ScenarioBench : WindowBench
     }
 };
 
-/// Every sentence of the certificate as it would be printed now.
-inline QString certificateText(const ScenarioBench &bench)
-{
-    QString text;
-    for (const CertificateSection &section :
-        makeCertificate(bench.session().results(), bench.recipe(), {}).sections) {
-        for (const Message &paragraph : section.paragraphs)
-            text += QString::fromStdString(english(paragraph)) + '\n';
-        for (const CertificateField &field : section.fields)
-            text += QString::fromStdString(english(field.value)) + '\n';
-        for (const CertificateTable &table : section.tables)
-            for (const auto &row : table.rows)
-                for (const Message &cell : row)
-                    text += QString::fromStdString(english(cell)) + '\n';
-    }
-    return text;
-}
-
-/// The number that a cell begins with.
-inline double number(const QString &cell)
-{
-    return cell.section(' ', 0, 0).toDouble();
-}
-
 } // namespace dyncal::test
-
-/// A sentence that the operator reads holds these words.
-#define DYNCAL_SAYS(sentence, words)                                                               \
-    do {                                                                                           \
-        const QString readText = (sentence);                                                       \
-        QVERIFY2(readText.contains(words), qPrintable("read: " + readText));                       \
-    } while (false)

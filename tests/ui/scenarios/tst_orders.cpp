@@ -3,7 +3,7 @@
 
 #include "core/results/results_json.h"
 #include "tests/support/test_program.h"
-#include "tests/ui/scenarios/scenario_bench.h"
+#include "tests/ui/scenarios/scenario_words.h"
 #include "ui/plot/values/plot_theme.h"
 #include "ui/session/order_candidates.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "tests/support/test_program.h"
-#include "tests/ui/scenarios/scenario_bench.h"
+#include "tests/ui/scenarios/scenario_words.h"
 
 using namespace dyncal;
 using namespace dyncal::test;

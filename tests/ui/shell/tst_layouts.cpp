@@ -44,7 +44,8 @@ std::vector<Look> looks()
                 all.push_back({language, percent, theme});
     if (trials::count(0, 1) > 0)
         return all;
-    return {{"en", 100, ThemeKind::Light}, {"sv", 100, ThemeKind::HighContrast}};
+    return {{"en", 100, ThemeKind::Light}, {"sv", 200, ThemeKind::HighContrast},
+        {"long", 150, ThemeKind::Dark}};
 }
 
 /// The pipeline with one cache for all windows: what one computed is there for the next.
@@ -70,6 +71,20 @@ void waitUntilLaidOut(const MainWindow &window)
             return;
         before = now;
     }
+}
+
+/// What of the window cannot be read before anything is open.
+QStringList startPageFaults(MainWindow &window)
+{
+    QStringList faults;
+    for (const QSize &size : kSizes) {
+        window.resize(size);
+        QTest::qWait(40);
+        const test::LayoutFaults found(window);
+        for (const QString &fault : found.found())
+            faults << QString("%1x%2 start: ").arg(size.width()).arg(size.height()) + fault;
+    }
+    return faults;
 }
 
 } // namespace
@@ -140,11 +155,11 @@ void TestLayouts::pages_everyLook_canBeRead()
     const auto noon = [] { return Result<std::string>("2026-01-31T12:00:00Z"); };
     MainWindow window(sharedPipeline(m_cache), noon, preferences, prompts, language);
     window.show();
+    QStringList faults = startPageFaults(window);
     window.session().reset({m_example, {}});
     QTRY_VERIFY_WITH_TIMEOUT(!window.session().isComputing(), kPatience_ms);
     QVERIFY(!window.session().error());
 
-    QStringList faults;
     for (const QSize &size : kSizes) {
         window.resize(size);
         for (std::size_t row = 0; row < window.pages().size(); ++row) {

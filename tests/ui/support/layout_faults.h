@@ -30,6 +30,10 @@ class LayoutFaults
 public:
     explicit LayoutFaults(const QWidget &window)
     {
+        if (window.minimumSizeHint().width() > window.width() + kSlack_px)
+            m_found << QString("The window needs %1 px of %2")
+                           .arg(window.minimumSizeHint().width())
+                           .arg(window.width());
         for (const QWidget *widget : window.findChildren<QWidget *>())
             if (widget->isVisible() && widget->width() > 0)
                 look(*widget);
@@ -179,10 +183,12 @@ private:
                     header.model()->headerData(i, Qt::Horizontal).toString().split('\n'))
                     needs(header, line, header.sectionSize(i) - 4);
     }
-    /// What cannot be scrolled to.
+    /// What cannot be scrolled to; pages are scrolled up and down only.
     void lookAt(const QScrollArea &area)
     {
-        if (area.widget() && area.horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff
+        const bool isUpAndDown = area.horizontalScrollBarPolicy() == Qt::ScrollBarAlwaysOff
+            || area.objectName() == "pageScroll";
+        if (area.widget() && isUpAndDown
             && area.widget()->width() > area.viewport()->width() + kSlack_px)
             say(area,
                 QString("%1 wide in %2").arg(area.widget()->width()).arg(area.viewport()->width()));

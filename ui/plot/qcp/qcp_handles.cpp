@@ -224,12 +224,17 @@ void PlotHandles::placeLabels()
     for (std::size_t i = 0; i < m_states.size(); ++i) {
         QCPItemText *label = m_items[i].label;
         const double x = m_plot.xAxis->coordToPixel(drawnAt(m_states[i], m_states[i].x.begin));
+        label->setVisible(!m_states[i].label.isEmpty());
         if (!label->visible() || !(x >= axes.left() && x <= axes.right()))
             continue;
         const int width = metrics.horizontalAdvance(m_states[i].label) + 2 * kLabelGap_px;
+        if (width > axes.width()) { // cut, it would say nothing
+            label->setVisible(false);
+            continue;
+        }
         const bool leftOf = x + width > axes.right() && x - width >= axes.left();
         // Where neither side has room, it stands across its line.
-        const bool across = !leftOf && x + width > axes.right() && width < axes.width();
+        const bool across = !leftOf && x + width > axes.right();
         const double at = across ? axes.right() - width : x;
         label->position->setCoords(m_plot.xAxis->pixelToCoord(at), 1.0);
         QRect place(static_cast<int>(at) - (leftOf ? width : 0), 0, width, metrics.height());

@@ -266,8 +266,8 @@ void SceneDecorations::placeLevelLabel(const Decoration &decoration, std::vector
         metrics.horizontalAdvance(decoration.label->text()) + kLabelGap_px, metrics.height() + 1);
     const double y = m_plot.yAxis->coordToPixel(decoration.levelY);
     const auto isFree = [&](const QRectF &place) {
-        return rect.left() <= place.left() && rect.top() <= place.top()
-            && place.bottom() <= rect.bottom()
+        return rect.left() <= place.left() && place.right() <= rect.right()
+            && rect.top() <= place.top() && place.bottom() <= rect.bottom()
             && std::none_of(taken.begin(), taken.end(),
                 [&](const QRectF &other) { return place.intersects(other); });
     };

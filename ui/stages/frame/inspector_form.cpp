@@ -6,19 +6,9 @@
 #include "ui/stages/frame/layout_scale.h"
 
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 
-#include <algorithm>
-
 namespace dyncal {
-
-namespace {
-
-constexpr int kDigitsOfNumbers = 11;
-constexpr int kBesideNumber_px = 30; ///< frame and arrows
-
-} // namespace
 
 InspectorForm::InspectorForm(QWidget *parent)
     : QWidget(parent)
@@ -32,7 +22,7 @@ InspectorForm::InspectorForm(QWidget *parent)
 
 void InspectorForm::addSection(const QString &title)
 {
-    auto *label = new QLabel(title, this);
+    auto *label = new FormLabel(title, this);
     label->setFont(scale::heading(label->font()));
     if (m_layout->rowCount() > 0)
         label->setContentsMargins(0, scale::kMedium, 0, 0);
@@ -41,15 +31,6 @@ void InspectorForm::addSection(const QString &title)
 
 void InspectorForm::addRow(const QString &label, QWidget *control)
 {
-    // Numbers are given the room that they mostly need, not that of the extremes allowed.
-    QList<QDoubleSpinBox *> numbers = control->findChildren<QDoubleSpinBox *>();
-    if (auto *number = qobject_cast<QDoubleSpinBox *>(control))
-        numbers << number;
-    for (QDoubleSpinBox *number : numbers)
-        number->setMinimumWidth(std::min(number->minimumSizeHint().width(),
-            fontMetrics().horizontalAdvance(
-                QString(kDigitsOfNumbers, QChar('0')) + number->suffix())
-                + kBesideNumber_px));
     addWrappedRow(*m_layout, label, control);
 }
 
@@ -65,18 +46,16 @@ QComboBox *InspectorForm::addChoice(
 
 QLabel *InspectorForm::addReadout(const QString &label, const QString &objectName)
 {
-    auto *value = new QLabel(this);
+    auto *value = new FormLabel({}, this);
     value->setTextInteractionFlags(Qt::TextSelectableByMouse);
-    value->setWordWrap(true);
     m_readouts.push_back(value);
     return add(label, objectName, value);
 }
 
 QLabel *InspectorForm::addNote(const QString &objectName)
 {
-    auto *note = new QLabel(this);
+    auto *note = new FormLabel({}, this);
     note->setObjectName(objectName);
-    note->setWordWrap(true);
     note->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_layout->addRow(note);
     return note;

@@ -11,7 +11,16 @@
 #include <QLineEdit>
 #include <QSignalBlocker>
 
+#include <algorithm>
+
 namespace dyncal {
+
+namespace {
+
+constexpr int kLettersOfNumbers = 15; ///< "2330.121235 kHz"
+constexpr int kBesideNumber_px = 30; ///< frame and arrows
+
+} // namespace
 
 QuantityEdit::QuantityEdit(
     const ShownUnit &unit, double lowest, double highest, int decimals, QWidget *parent)
@@ -39,6 +48,14 @@ QuantityEdit::QuantityEdit(
 bool QuantityEdit::isTyping() const
 {
     return m_typing || (hasFocus() && lineEdit()->isModified());
+}
+
+QSize QuantityEdit::minimumSizeHint() const
+{
+    const QSize least = QDoubleSpinBox::minimumSizeHint();
+    const int mostly = fontMetrics().horizontalAdvance(QString(kLettersOfNumbers, QChar('0')))
+        + kBesideNumber_px;
+    return {std::min(least.width(), mostly), least.height()};
 }
 
 void QuantityEdit::setSi(double value)

@@ -30,6 +30,8 @@ public:
     void setSi(double value); ///< without a signal
     /// Makes it a read-out (or an editor again): to be read and copied, without arrows.
     void setShownOnly(bool shownOnly);
+    /// Room for most numbers with their unit, not for the extremes of its range.
+    QSize minimumSizeHint() const override;
     double si() const { return value() * m_unit.si; }
 
     double valueFromText(const QString &text) const override;

@@ -8,6 +8,7 @@
 #include "ui/stages/frame/recipe_change.h"
 #include "ui/stages/frame/status_text.h"
 #include "ui/stages/frame/value_table.h"
+#include "ui/stages/frame/wrapped_controls.h"
 #include "ui/text/core_text.h"
 #include "ui/text/finding_text.h"
 
@@ -62,11 +63,10 @@ StagePage::StagePage(Session &session, const PageText &text, Page page)
     m_wayBack->hide();
     connect(m_wayBack, &QPushButton::clicked, &session.undoStack(), &QUndoStack::undo);
 
-    auto *title = new QLabel(text.title, this);
+    auto *title = new FormLabel(text.title, this);
     title->setFont(scale::title(title->font()));
     auto *instruction = new QLabel(text.instruction, this);
     instruction->setWordWrap(true);
-    title->setWordWrap(true);
     m_status->setWordWrap(true);
     m_status->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     auto *head = new QHBoxLayout;

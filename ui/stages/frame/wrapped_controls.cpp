@@ -17,11 +17,13 @@ namespace {
 
 constexpr int kTextFlags = Qt::TextShowMnemonic;
 constexpr int kAroundComboText_px = 4;
+constexpr int kAroundFieldText_px = 14;
 
-/// Qt's own are never higher than one line.
+/// Qt's own are never higher than one line, and never narrower than all their words in one.
 void mayBeHigher(QWidget &control)
 {
     QSizePolicy policy = control.sizePolicy();
+    policy.setHorizontalPolicy(QSizePolicy::Preferred);
     policy.setVerticalPolicy(QSizePolicy::Minimum);
     policy.setHeightForWidth(true);
     control.setSizePolicy(policy);
@@ -109,6 +111,7 @@ WrappedComboBox::WrappedComboBox(QWidget *parent)
     connect(this, &QComboBox::currentTextChanged, this, [this] { updateGeometry(); });
     // Also where its own signals are blocked while it is filled.
     connect(model(), &QAbstractItemModel::rowsInserted, this, [this] { updateGeometry(); });
+    connect(model(), &QAbstractItemModel::dataChanged, this, [this] { updateGeometry(); });
 }
 
 QRect WrappedComboBox::textRect(const QRect &all) const
@@ -123,7 +126,7 @@ QRect WrappedComboBox::textRect(const QRect &all) const
 
 int WrappedComboBox::heightForWidth(int width) const
 {
-    const QSize hint = sizeHint();
+    const QSize hint = QComboBox::sizeHint();
     const int room = textRect({0, 0, width, hint.height()}).width();
     const int oneLine = fontMetrics().height();
     const QString broken = brokenText(fontMetrics(), currentText(), room);
@@ -135,9 +138,14 @@ QSize WrappedComboBox::minimumSizeHint() const
     int widest = 0;
     for (int i = 0; i < count(); ++i)
         widest = std::max(widest, widestWord(fontMetrics(), itemText(i)));
-    const QSize hint = sizeHint();
-    return {hint.width() - textRect({QPoint(), hint}).width() + widest + kAroundComboText_px,
-        hint.height()};
+    const QSize hint = QComboBox::sizeHint();
+    return {hint.width() - textRect({QPoint(), hint}).width() + widest, hint.height()};
+}
+
+/// Qt's counts letters of an average width.
+QSize WrappedComboBox::sizeHint() const
+{
+    return QComboBox::sizeHint().expandedTo(minimumSizeHint());
 }
 
 void WrappedComboBox::paintEvent(QPaintEvent *)
@@ -165,6 +173,12 @@ QSize FormLabel::sizeHint() const
 QSize FormLabel::minimumSizeHint() const
 {
     return {widestWord(fontMetrics(), text()) + 2, sizeHint().height()};
+}
+
+void setWholePlaceholder(QLineEdit &field, const QString &text)
+{
+    field.setPlaceholderText(text);
+    field.setMinimumWidth(field.fontMetrics().horizontalAdvance(text) + kAroundFieldText_px);
 }
 
 void addWrappedRow(QFormLayout &form, const QString &label, QWidget *field)

@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QFormLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 
 namespace dyncal {
@@ -59,6 +60,7 @@ public:
 
     bool hasHeightForWidth() const override { return true; }
     int heightForWidth(int width) const override;
+    QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 
 protected:
@@ -68,7 +70,8 @@ private:
     QRect textRect(const QRect &all) const;
 };
 
-/// Beside its field as long as there is room, else above it and in several lines.
+/// Words in one line as long as there is room, else in several; never narrower than its longest
+/// word.
 class FormLabel : public QLabel
 {
     Q_OBJECT
@@ -79,6 +82,9 @@ public:
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
 };
+
+/// What to type, in a field that is wide enough to show it whole.
+void setWholePlaceholder(QLineEdit &field, const QString &text);
 
 /// A row whose label goes above its field where both have no room.
 void addWrappedRow(QFormLayout &form, const QString &label, QWidget *field);

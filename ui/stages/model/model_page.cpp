@@ -7,6 +7,7 @@
 #include "ui/plot/curves/model_residual_curves.h"
 #include "ui/session/order_candidates.h"
 #include "ui/stages/candidates/candidate_rows.h"
+#include "ui/stages/frame/folding_splitter.h"
 #include "ui/stages/frame/tube_mode_choice.h"
 #include "ui/stages/frame/value_table.h"
 #include "ui/stages/model/model_text.h"
@@ -49,7 +50,7 @@ void ModelPage::buildPlots()
     for (QWidget *widget : std::initializer_list<QWidget *>{m_magnitude, m_phase, buildTables()})
         right->addWidget(widget);
     right->setSizes({900, 700, 1000});
-    auto *split = new QSplitter(Qt::Horizontal, this);
+    auto *split = new FoldingSplitter(this);
     split->addWidget(left);
     split->addWidget(right);
     split->setSizes({1000, 1000});

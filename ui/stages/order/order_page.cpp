@@ -12,6 +12,7 @@
 #include "ui/stages/candidates/candidate_cards.h"
 #include "ui/stages/candidates/candidate_rows.h"
 #include "ui/stages/candidates/candidate_table.h"
+#include "ui/stages/frame/folding_splitter.h"
 #include "ui/stages/order/first_triplets_bar.h"
 #include "ui/stages/order/order_inspector.h"
 
@@ -78,7 +79,7 @@ void OrderPage::buildPlots()
     m_fit = makePlot("orderFitPlot", tr("Data and model"), StageId::Model);
     m_bode = makePlot("orderBodePlot", tr("Frequency response of the model"), StageId::Response);
     m_poles = makePlot("orderPolePlot", tr("Poles and zeros"), StageId::Model);
-    auto *split = new QSplitter(Qt::Horizontal, this);
+    auto *split = new FoldingSplitter(this);
     split->addWidget(column({m_values, m_evidence, m_poles}));
     split->addWidget(column({m_strip, m_fit, m_bode}));
     split->setSizes({1000, 1250});

@@ -4,6 +4,7 @@
 #include "ui/stages/shock/shock_page.h"
 
 #include "ui/plot/curves/shock_curves.h"
+#include "ui/stages/frame/folding_splitter.h"
 #include "ui/stages/frame/value_table.h"
 #include "ui/stages/shock/arrival_panel.h"
 #include "ui/stages/shock/conditions_panel.h"
@@ -47,7 +48,7 @@ void ShockPage::buildPlots()
     m_diagram = makePlot("tubeDiagram", tr("Waves in the tube over distance and time"));
     m_side = makePlot("sidePlot", tr("Arrival of the shock at a sensor"));
     shareCursors(CursorAxis::RecordTime, {m_side});
-    auto *plots = new QSplitter(Qt::Horizontal, this);
+    auto *plots = new FoldingSplitter(this);
     plots->addWidget(m_diagram);
     plots->addWidget(m_side);
     plots->setSizes({1000, 1000});

@@ -66,7 +66,7 @@ NuisanceList::NuisanceList(QWidget *parent)
 {
     m_modes->setMaximumHeight(90);
     m_kind->addItems({tr("gas in the tube: moves with the shot"), tr("anything else")});
-    m_reason->setPlaceholderText(tr("needed, is printed"));
+    setWholePlaceholder(*m_reason, tr("needed, is printed"));
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_modes);

@@ -88,7 +88,7 @@ void StretchList::build()
     m_list->setWordWrap(true);
     m_list->setTextElideMode(Qt::ElideNone);
     m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    m_reason->setPlaceholderText(tr("needed, is printed"));
+    setWholePlaceholder(*m_reason, tr("needed, is printed"));
     m_note->setWordWrap(true);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

@@ -24,11 +24,13 @@ using dyncal::valueWithUnit;
 
 namespace {
 
+double linear(double channel)
+{
+    return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+}
+
 double luminance(const QColor &color)
 {
-    const auto linear = [](double channel) {
-        return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
-    };
     return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF())
         + 0.0722 * linear(color.blueF());
 }
@@ -40,12 +42,49 @@ double contrastRatio(const QColor &a, const QColor &b)
     return (lighter + 0.05) / (darker + 0.05);
 }
 
+/// How a colour looks to an eye without green receptors: Machado, Oliveira and Fernandes, IEEE
+/// Trans. Vis. Comput. Graph. 15 (2009) 1291, deuteranomaly of severity 1, in linear light.
+QColor withoutGreen(const QColor &color)
+{
+    constexpr double kMatrix[3][3] = {{0.367322, 0.860646, -0.227968},
+        {0.280085, 0.672501, 0.047413}, {-0.011820, 0.042940, 0.968881}};
+    const double light[3] = {linear(color.redF()), linear(color.greenF()), linear(color.blueF())};
+    double seen[3];
+    for (int i = 0; i < 3; ++i) {
+        const double sum
+            = kMatrix[i][0] * light[0] + kMatrix[i][1] * light[1] + kMatrix[i][2] * light[2];
+        const double inside = std::clamp(sum, 0.0, 1.0);
+        seen[i]
+            = inside <= 0.0031308 ? 12.92 * inside : 1.055 * std::pow(inside, 1.0 / 2.4) - 0.055;
+    }
+    return QColor::fromRgbF(
+        static_cast<float>(seen[0]), static_cast<float>(seen[1]), static_cast<float>(seen[2]));
+}
+
 constexpr std::array<CurveRole, 22> kRoles{CurveRole::ShotLow, CurveRole::ShotMedium,
     CurveRole::ShotHigh, CurveRole::ShotOther, CurveRole::Mean, CurveRole::Measured,
     CurveRole::Model, CurveRole::Error, CurveRole::Noise, CurveRole::Reference, CurveRole::Pole,
     CurveRole::Zero, CurveRole::StepPole, CurveRole::UnstablePole, CurveRole::Suggestion,
     CurveRole::Candidate1, CurveRole::Candidate2, CurveRole::Candidate3, CurveRole::Candidate4,
     CurveRole::StablePole, CurveRole::HalfStablePole, CurveRole::NewPole};
+
+/// The kind of plot that a role belongs to: curves, the map of poles, their stabilisation.
+int plotOf(CurveRole role)
+{
+    switch (role) {
+    case CurveRole::Pole:
+    case CurveRole::Zero:
+    case CurveRole::StepPole:
+    case CurveRole::UnstablePole:
+        return 1;
+    case CurveRole::StablePole:
+    case CurveRole::HalfStablePole:
+    case CurveRole::NewPole:
+        return 2;
+    default:
+        return 0;
+    }
+}
 
 constexpr int kMostShots = 22;
 
@@ -71,6 +110,7 @@ private slots:
     void value_withUnit_hasDigitsAskedFor();
     void theme_everyRole_contrastsAtLeastThreeToOne();
     void theme_everyRole_contrastsWithBands();
+    void theme_withoutGreen_contrastsAndIsToldApart();
     void theme_textAndFocus_contrastEnough();
     void theme_palette_contrastsEnough();
     void shots_neighbours_differ();
@@ -166,6 +206,32 @@ void TestPlotLook::theme_everyRole_contrastsWithBands()
         for (const CurveRole role : kRoles)
             QVERIFY2(contrastRatio(theme.style(role).color, theme.bandFill) >= 3.0,
                 qPrintable(QString::number(static_cast<int>(role))));
+    }
+}
+
+/// An eye that tells no red from green sees every curve, and tells any two apart by dash, marker or
+/// width.
+void TestPlotLook::theme_withoutGreen_contrastsAndIsToldApart()
+{
+    for (const ThemeKind kind : dyncal::kThemeKinds) {
+        const PlotTheme theme = dyncal::themeOf(kind).plots;
+        for (const CurveRole role : kRoles) {
+            const dyncal::RoleStyle style = theme.style(role);
+            const QString name
+                = QString("%1, role %2").arg(dyncal::themeName(kind)).arg(static_cast<int>(role));
+            const double ratio
+                = contrastRatio(withoutGreen(style.color), withoutGreen(theme.background));
+            QVERIFY2(ratio >= 3.0, qPrintable(name + QString(": %1").arg(ratio)));
+            for (const CurveRole other : kRoles) {
+                const dyncal::RoleStyle its = theme.style(other);
+                QVERIFY2(other == role || plotOf(other) != plotOf(role) || its.dash != style.dash
+                        || its.marker != style.marker || its.width != style.width,
+                    qPrintable(name + QString(" and %1").arg(static_cast<int>(other))));
+            }
+        }
+        QCOMPARE(withoutGreen(Qt::white).name(), QString("#ffffff"));
+        QVERIFY(contrastRatio(withoutGreen(theme.text), withoutGreen(theme.background)) >= 4.5);
+        QVERIFY(contrastRatio(withoutGreen(theme.focus), withoutGreen(theme.background)) >= 3.0);
     }
 }
 
