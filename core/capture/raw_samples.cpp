@@ -53,9 +53,8 @@ RawSamples RawSamples::inMemory(Index begin, Index count) const
     visitBlocks(begin, begin + (count > 0 ? 1 : 0), [&](auto first, Index) {
         using T = std::remove_const_t<typename decltype(first)::element_type>;
         std::vector<T> all(static_cast<std::size_t>(count));
-        complete = visitBlocks(begin, begin + count, [&](auto values, Index at) {
-            std::memcpy(all.data() + (at - begin), values.data(), values.size_bytes());
-        });
+        complete = visitBlocks(begin, begin + count,
+            [&](auto values, Index at) { std::ranges::copy(values, all.begin() + (at - begin)); });
         copy = RawSamples(Counts(std::move(all)));
     });
     return complete ? copy : RawSamples();

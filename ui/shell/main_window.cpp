@@ -275,6 +275,8 @@ void MainWindow::buildProblems()
 
 void MainWindow::buildPages()
 {
+    if (QWidget *field = focusWidget()) // what is typed is taken while its page still stands
+        field->clearFocus();
     for (StagePage *page : m_pages)
         delete page;
     m_pages.clear();

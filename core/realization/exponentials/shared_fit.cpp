@@ -54,7 +54,8 @@ std::vector<AmplitudeFit> fitSharedPoles(const Eigen::MatrixXd &records,
     Eigen::VectorXd norms;
     const Eigen::MatrixXd basis = scaledBasis(records.rows(), poles, withConstant, norms);
     Eigen::MatrixXd gram = Eigen::MatrixXd::Zero(basis.cols(), basis.cols());
-    gram.selfadjointView<Eigen::Lower>().rankUpdate(basis.transpose());
+    if (basis.cols() > 0) // Eigen's products take the address of the first element
+        gram.selfadjointView<Eigen::Lower>().rankUpdate(basis.transpose());
     gram.triangularView<Eigen::StrictlyUpper>() = gram.transpose();
     Eigen::MatrixXd scaled = basis.transpose() * records;
     if (scaled.rows() > 0) // without poles and constant nothing is fitted

@@ -381,6 +381,10 @@ private slots:
         const RecordSurvey half = surveyRecord(RawSamples(RawSamples::Counts(values)));
         QCOMPARE(half.sd, 32767.5);
         std::vector<std::uint16_t> large(100000, 65535);
+        for (std::size_t i = 0; i < large.size(); i += 2)
+            large[i] = 65533; // squares beyond 31 bits
+        QVERIFY(std::abs(surveyRecord(RawSamples(RawSamples::Counts(large))).sd - 1.0) < 1e-5);
+        std::ranges::fill(large, std::uint16_t(65535));
         large[1] = 65534;
         QVERIFY(surveyRecord(RawSamples(RawSamples::Counts(large))).sd < 0.01);
         std::vector<std::int32_t> wide(10000, std::numeric_limits<std::int32_t>::min());

@@ -311,6 +311,8 @@ private slots:
         const std::vector<SeriesFit> series = calibration.model.series;
         calibration.model = testing::secondOrderModel(1e5, 0.03);
         calibration.model.series = series;
+        for (SeriesFit &fit : calibration.model.series)
+            fit.amplitudes.conservativeResize(static_cast<Index>(calibration.model.poles.size()));
         const ResponseResult result = calibration.run();
         QVERIFY(hasFinding(result.findings, "RSP-001"));
         const Finding &finding = result.findings.front();

@@ -41,6 +41,12 @@ void *operator new(std::size_t bytes)
     return memory;
 }
 
+/// Qt uses it, too; what `operator delete` frees must come from the same place.
+void *operator new(std::size_t bytes, const std::nothrow_t &) noexcept
+{
+    return std::malloc(bytes > 0 ? bytes : 1);
+}
+
 void operator delete(void *memory) noexcept
 {
     std::free(memory);

@@ -244,7 +244,8 @@ inline PipelineOutcome samplePipeline(const std::shared_ptr<const CaptureSet> &c
     input->sampleRate_Hz = kRate_Hz;
     input->samples = 600;
     input->samplesPerPeriod = kRate_Hz / kResonance_Hz;
-    for (Index shot = 1; shot <= 3; ++shot) {
+    const auto shots = std::min<Index>(3, static_cast<Index>(prepared->set.shots.size()));
+    for (Index shot = 1; shot <= shots; ++shot) {
         if (!prepared->set.shots[static_cast<std::size_t>(shot - 1)].included)
             continue;
         const WindowedResponse response = sampleResponse(shot, recipe.window);

@@ -19,7 +19,8 @@ bool isSame(const PlotAxis &a, const PlotAxis &b)
 /// Compares bits, so that a gap (NaN) equals a gap.
 bool isSame(const std::vector<double> &a, const std::vector<double> &b)
 {
-    return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0;
+    return a.size() == b.size()
+        && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(double)) == 0);
 }
 
 bool isSame(const PlotCurve &a, const PlotCurve &b)

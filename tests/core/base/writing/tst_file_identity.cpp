@@ -138,7 +138,7 @@ private slots:
         for (const int size : {0, 1, 63, 64, kBlock - 1, kBlock, kBlock + 1, 2 * kBlock}) {
             QByteArray bytes(size, '\0');
             for (int i = 0; i < size; ++i)
-                bytes[i] = static_cast<char>((i * 7919) >> 3);
+                bytes[i] = static_cast<char>((static_cast<unsigned>(i) * 7919U) >> 3U);
             place.write("file", bytes.data(), static_cast<std::size_t>(size));
             const QByteArray wanted = QCryptographicHash::hash(bytes, QCryptographicHash::Sha256);
             QCOMPARE(QByteArray::fromStdString(sha256At(folder.get(), "file")), wanted.toHex());

@@ -47,7 +47,8 @@ Unpacked unpacked(const std::string &path, const std::vector<UnpackOrder> &order
         qFatal("the helper process ended");
     Unpacked result{bytes.back() == static_cast<std::byte>('y'), {}};
     result.values.resize(bytes.size() / sizeof(double));
-    std::memcpy(result.values.data(), bytes.data(), result.values.size() * sizeof(double));
+    if (!result.values.empty())
+        std::memcpy(result.values.data(), bytes.data(), result.values.size() * sizeof(double));
     return result;
 }
 

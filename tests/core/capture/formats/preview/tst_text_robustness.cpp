@@ -165,7 +165,7 @@ private:
 
     void edit(QByteArray &text)
     {
-        static const QByteArray kBytes(",;\t .-+eE0919\n\r\"#%\0\xFF\xB5nNx|/", 28);
+        static const QByteArray kBytes(",;\t .-+eE0919\n\r\"#%\0\xFF\xB5nNx|/", 27);
         const int at = below(text.size());
         const int length = below(std::min<qsizetype>(40, text.size() - at)) + 1;
         switch (below(6)) {
