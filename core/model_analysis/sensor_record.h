@@ -35,8 +35,8 @@ struct SensorRecord
     std::complex<double> ofStep(std::complex<double> transform, double frequency_Hz) const;
 };
 
-/// `fit` describes the shot by the poles of `model`, one amplitude each; null = no model of it, then
-/// nothing is subtracted.
+/// `fit` describes the shot by the poles of `model`, one amplitude each; null = no model of it,
+/// then nothing is subtracted.
 SensorRecord sensorRecord(
     const WindowedResponse &response, const SensorModel &model, const SeriesFit *fit);
 

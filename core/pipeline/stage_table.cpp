@@ -230,13 +230,13 @@ using enum StageId;
 
 // Evidence serves every order: model and response do not count for it.
 constexpr std::array<Stage, kStageCount> kStages{{
-    {Captures, "captures", 3, 40, "CAP-", Captures, Captures, true, readCaptures,
+    {Captures, "captures", 4, 40, "CAP-", Captures, Captures, true, readCaptures,
         kept<&R::captures, captures>(), of<&R::captures>},
     {Arrivals, "arrivals", 1, 110, "", Captures, Captures, false, readArrivals,
         kept<&R::starts, arrivals>(), saidElsewhere},
     {Expected, "expected shock", 1, 30, "", Arrivals, Shock, false, readExpected,
         kept<&R::expected, expected>(), saidElsewhere},
-    {Window, "window", 1, 50, "WIN-", Expected, Window, true, readWindow,
+    {Window, "window", 2, 50, "WIN-", Expected, Window, true, readWindow,
         kept<&R::window, window>(), of<&R::window>},
     {Spectrum, "spectrum", 1, 110, "SPC-", Window, Spectrum, true, readSpectrum,
         kept<&R::spectrum, spectrum>(), of<&R::spectrum>},

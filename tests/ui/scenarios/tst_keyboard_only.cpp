@@ -140,24 +140,19 @@ void TestKeyboardOnly::s27_numbersOfAPlot_areReadByKeys()
     auto *plot = m_bench->find<PlotWidget>("singularValuePlot");
     plot->setFocus(Qt::TabFocusReason);
     const auto choose = [plot](const QString &words) {
-        bool isOffered = false;
-        QTimer::singleShot(0, plot, [&] {
-            auto *menu = qobject_cast<QMenu *>(QApplication::activePopupWidget());
-            for (QAction *action : menu->actions()) {
-                if (action->text() != words)
-                    continue;
-                isOffered = true;
-                while (menu->activeAction() != action)
-                    QTest::keyClick(menu, Qt::Key_Down);
-                QTest::keyClick(menu, Qt::Key_Return);
-                return;
-            }
-            menu->close();
-        });
         const QPoint middle = plot->rect().center();
         QContextMenuEvent event(QContextMenuEvent::Keyboard, middle, plot->mapToGlobal(middle));
         QApplication::sendEvent(plot, &event);
-        return isOffered;
+        auto *menu = qobject_cast<QMenu *>(QApplication::activePopupWidget());
+        for (QAction *action : menu->actions()) {
+            if (action->text() != words)
+                continue;
+            while (menu->activeAction() != action)
+                QTest::keyClick(menu, Qt::Key_Down);
+            QTest::keyClick(menu, Qt::Key_Return);
+            return true;
+        }
+        return false;
     };
     QVERIFY(choose("Copy data"));
     const QStringList rows = QApplication::clipboard()->text().split('\n', Qt::SkipEmptyParts);

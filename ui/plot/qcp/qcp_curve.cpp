@@ -6,6 +6,7 @@
 #include "ui/plot/values/dashes.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace dyncal {
 
@@ -71,6 +72,20 @@ void RoleGraph::drawLinePlot(QCPPainter *painter, const QVector<QPointF> &lines)
         dashes.add(lines[i - 1], lines[i], clipRect(), parts);
     painter->drawLines(parts);
     painter->setPen(pen);
+}
+
+void RoleGraph::drawScatterPlot(
+    QCPPainter *painter, const QVector<QPointF> &scatters, const QCPScatterStyle &style) const
+{
+    const double size = style.size();
+    const QRectF room = QRectF(clipRect()).adjusted(-size, -size, size, size);
+    QVector<QPointF> seen;
+    seen.reserve(scatters.size());
+    std::ranges::copy_if(scatters, std::back_inserter(seen), [&room](const QPointF &point) {
+        return point.x() >= room.left() && point.x() <= room.right() && point.y() >= room.top()
+            && point.y() <= room.bottom(); // not a number is nowhere
+    });
+    QCPGraph::drawScatterPlot(painter, seen, style);
 }
 
 QCPAbstractPlottable *DrawnCurve::plottable() const

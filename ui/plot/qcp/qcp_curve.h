@@ -28,6 +28,9 @@ public:
 protected:
     void drawLegendIcon(QCPPainter *painter, const QRectF &rect) const override;
     void drawLinePlot(QCPPainter *painter, const QVector<QPointF> &lines) const override;
+    /// Only those in view: far outside Qt's rasteriser fails.
+    void drawScatterPlot(QCPPainter *painter, const QVector<QPointF> &scatters,
+        const QCPScatterStyle &style) const override;
 
 private:
     QCPScatterStyle m_legendMarker;
@@ -38,7 +41,7 @@ struct DrawnCurve
 {
     const PlotCurve *curve = nullptr;
     RoleGraph *graph = nullptr; ///< null for bars
-    QCPGraph *markers = nullptr; ///< a few role markers along a line, or dots on every sample
+    RoleGraph *markers = nullptr; ///< a few role markers along a line, or dots on every sample
     QCPBars *bars = nullptr;
     /// Sorted, positive on logarithmic axes; empty if the content's own vectors can be used as they
     /// are.

@@ -5,10 +5,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace dyncal {
 
 namespace {
+
+constexpr double kNarrowest = 1e-9; ///< of what shows all: a tenth of a sample of 100 MS
+constexpr double kWidest = 1e6;
+constexpr double kDigits = 1e-12; ///< of the larger bound; less leaves no digits for pixels
 
 QCPRange widened(QCPRange range, const PlotAxis &axis, double margin)
 {
@@ -29,7 +34,35 @@ bool hasMargin(const PlotCurve &curve)
         || curve.style == CurveStyle::Bars || curve.style == CurveStyle::Stems;
 }
 
+QCPRange exponentsOf(const QCPRange &range)
+{
+    constexpr double kLeast = std::numeric_limits<double>::min();
+    return {std::log10(std::max(range.lower, kLeast)), std::log10(std::max(range.upper, kLeast))};
+}
+
 } // namespace
+
+QCPRange drawableRange(const QCPRange &range, const QCPRange &home, bool logarithmic)
+{
+    if (logarithmic) {
+        const QCPRange exponents = exponentsOf(range);
+        const QCPRange near = drawableRange(exponents, exponentsOf(home), false);
+        return near == exponents ? range
+                                 : QCPRange(std::pow(10.0, near.lower), std::pow(10.0, near.upper));
+    }
+    const double whole = home.size();
+    if (!(whole > 0.0) || !std::isfinite(whole))
+        return range;
+    const double far = kWidest * whole;
+    const double center = std::isfinite(range.center())
+        ? std::clamp(range.center(), home.center() - far, home.center() + far)
+        : home.center();
+    const double least = std::max(kNarrowest * whole, kDigits * std::abs(center));
+    const double size = std::isfinite(range.size()) ? std::clamp(range.size(), least, far) : whole;
+    if (size == range.size() && center == range.center())
+        return range;
+    return {center - 0.5 * size, center + 0.5 * size};
+}
 
 QCPRange dataRange(DataAxis of, const PlotContent &content, const std::vector<DrawnCurve> &curves)
 {

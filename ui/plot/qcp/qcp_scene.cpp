@@ -160,8 +160,17 @@ void PlotScene::arrange()
     grid->setRowStretchFactor(row, 1.0);
 }
 
+void PlotScene::keepDrawable()
+{
+    m_plot.xAxis->setRange(
+        drawableRange(m_plot.xAxis->range(), m_homeX, m_content->xAxis.logarithmic));
+    m_plot.yAxis->setRange(
+        drawableRange(m_plot.yAxis->range(), m_homeY, m_content->yAxis.logarithmic));
+}
+
 void PlotScene::prepare()
 {
+    keepDrawable();
     if (m_breaksText)
         m_title->setText(
             brokenText(QFontMetrics(m_title->font()), m_content->title, m_plot.viewport().width()));
@@ -262,14 +271,14 @@ void PlotScene::setTheme(const PlotTheme &theme)
 
 void PlotScene::fitX()
 {
-    const QCPRange range = dataRange(DataAxis::X);
+    const QCPRange range = m_homeX = dataRange(DataAxis::X);
     m_plot.xAxis->setRange(
         m_content->xMin.value_or(range.lower), m_content->xMax.value_or(range.upper));
 }
 
 void PlotScene::fitY()
 {
-    QCPRange range = dataRange(DataAxis::Y);
+    QCPRange range = m_homeY = dataRange(DataAxis::Y);
     if (!m_content->marks.empty())
         range.upper = aboveData(range, m_content->yAxis);
     m_plot.yAxis->setRange(

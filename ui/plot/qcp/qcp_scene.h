@@ -72,9 +72,11 @@ private:
     /// Widens one axis so that both have the same scale, for contents that ask for it.
     void equaliseAspect();
     QCPRange dataRange(DataAxis axis) const;
+    void keepDrawable();
 
     QCustomPlot &m_plot;
     std::shared_ptr<const PlotContent> m_content;
+    QCPRange m_homeX, m_homeY; ///< that show all
     PlotTheme m_theme;
     SceneCurves m_curves;
     SceneLegend m_legend;

@@ -119,7 +119,7 @@ void SceneCurves::makePlottable(DrawnCurve &drawn)
     drawn.plottable()->setName(curve.name);
     drawn.plottable()->setVisible(drawn.visible);
     if (isLine(curve.style)) {
-        drawn.markers = new QCPGraph(m_plot.xAxis, y);
+        drawn.markers = new RoleGraph(m_plot.xAxis, y);
         drawn.markers->setLineStyle(QCPGraph::lsNone);
         drawn.markers->setVisible(drawn.visible);
     }

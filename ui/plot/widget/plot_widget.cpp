@@ -391,25 +391,27 @@ void PlotWidget::addToMenu(QMenu &menu, const QString &text, void (PlotWidget::*
 
 void PlotWidget::showMenu(const QPoint &globalPosition)
 {
-    QMenu menu(this);
-    menu.setObjectName("plotMenu");
-    menu.addAction(tr("Copy image"), this, [this] {
+    // Not on the stack: its plot may be gone before it, when the pages are built anew.
+    auto *menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->setObjectName("plotMenu");
+    menu->addAction(tr("Copy image"), this, [this] {
         QApplication::clipboard()->setImage(renderPicture(d->picture(), d->plot.size(), 2.0));
     });
-    menu.addAction(
+    menu->addAction(
         tr("Copy data"), this, [this] { QApplication::clipboard()->setText(dataToPaste()); });
-    addToMenu(menu, tr("Export..."), &PlotWidget::exportRequested);
-    menu.addSeparator();
-    menu.addAction(tr("Fit"), this, &PlotWidget::fit);
-    addToMenu(menu, tr("Go to..."), &PlotWidget::goToRequested);
-    addToMenu(menu, tr("Values at the cursors"), &PlotWidget::cursorTableRequested);
-    QAction *grid = menu.addAction(tr("Grid"), this, [this](bool visible) {
+    addToMenu(*menu, tr("Export..."), &PlotWidget::exportRequested);
+    menu->addSeparator();
+    menu->addAction(tr("Fit"), this, &PlotWidget::fit);
+    addToMenu(*menu, tr("Go to..."), &PlotWidget::goToRequested);
+    addToMenu(*menu, tr("Values at the cursors"), &PlotWidget::cursorTableRequested);
+    QAction *grid = menu->addAction(tr("Grid"), this, [this](bool visible) {
         d->canvas.scene().setGridVisible(visible);
         d->canvas.replot();
     });
     grid->setCheckable(true);
     grid->setChecked(d->canvas.scene().isGridVisible());
-    menu.exec(globalPosition);
+    menu->popup(globalPosition);
 }
 
 QString PlotWidget::csv() const

@@ -295,10 +295,11 @@ void FindingsPanel::contextMenuEvent(QContextMenuEvent *event)
     const Findings findings = m_rows[at].findings;
     if (findings.front().severity != Severity::Caution)
         return;
-    QMenu menu(this);
-    menu.addAction(
+    auto *menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addAction(
         tr("Give a reason..."), this, [this, findings] { emit reasonRequested(findings); });
-    menu.exec(event->globalPos());
+    menu->popup(event->globalPos());
 }
 
 /// Folded ones too: what is copied is what was found.

@@ -26,6 +26,7 @@ private slots:
     void table_showsAllShots_andFollowsTheCursors();
     void table_goesWithItsPage();
     void menu_offersWhatThePageHas();
+    void menu_mayOutliveItsPlot();
 
 private:
     static PlotWidget *plot(PageBench<WindowPage> &bench, const char *name)
@@ -129,29 +130,37 @@ void TestPlotTools::menu_offersWhatThePageHas()
 {
     PageBench<WindowPage> bench;
     PlotWidget *whole = plot(bench, "windowPlot");
-    QStringList offered;
-    QTimer::singleShot(0, whole, [&] {
-        auto *menu = whole->findChild<QMenu *>("plotMenu");
+    const auto offeredBy = [](PlotWidget &plot) {
+        QContextMenuEvent asked(QContextMenuEvent::Keyboard, QPoint(5, 5), QPoint(5, 5));
+        QApplication::sendEvent(&plot, &asked);
+        QStringList offered;
+        auto *menu = plot.findChild<QMenu *>("plotMenu");
         for (const QAction *action : menu->actions())
             offered << action->text();
         menu->close();
-    });
-    QContextMenuEvent asked(QContextMenuEvent::Keyboard, QPoint(5, 5), QPoint(5, 5));
-    QApplication::sendEvent(whole, &asked);
+        return offered;
+    };
+    QStringList offered = offeredBy(*whole);
     QVERIFY(offered.contains("Export..."));
     QVERIFY(offered.contains("Go to..."));
     QVERIFY(offered.contains("Values at the cursors"));
-    offered.clear();
     PlotWidget alone;
-    QTimer::singleShot(0, &alone, [&] {
-        auto *menu = alone.findChild<QMenu *>("plotMenu");
-        for (const QAction *action : menu->actions())
-            offered << action->text();
-        menu->close();
-    });
-    QApplication::sendEvent(&alone, &asked);
+    offered = offeredBy(alone);
     QVERIFY(offered.contains("Copy data"));
     QVERIFY(!offered.contains("Export..."));
+}
+
+/// As when the language is changed while it is open.
+void TestPlotTools::menu_mayOutliveItsPlot()
+{
+    auto plot = std::make_unique<PlotWidget>();
+    plot->show();
+    QContextMenuEvent asked(QContextMenuEvent::Keyboard, QPoint(5, 5), QPoint(5, 5));
+    QApplication::sendEvent(plot.get(), &asked);
+    QVERIFY(plot->findChild<QMenu *>("plotMenu"));
+    plot.reset();
+    QApplication::processEvents();
+    QVERIFY(!QApplication::activePopupWidget());
 }
 
 DYNCAL_TEST(TestPlotTools)
