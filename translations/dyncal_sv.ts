@@ -5356,6 +5356,10 @@
         <source>Shot %1, channel %2 stands still at %3 for %4 from %5 on, soon behind the response window, although its baseline shows noise: it was cut off or stuck there; look whether the response before can be trusted.</source>
         <translation>Skott %1, kanal %2 står stilla på %3 i %4 från och med %5, strax efter svarsfönstret, fast baslinjen visar brus: signalen skars av eller fastnade där; se efter om svaret dessförinnan går att lita på.</translation>
     </message>
+    <message>
+        <source>The Hankel matrix was decomposed for another treatment of the response than the model&apos;s; compute the decomposition again.</source>
+        <translation>Hankelmatrisen delades upp för en annan behandling av svaret än modellens; beräkna uppdelningen igen.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

@@ -59,8 +59,10 @@ void OrderCandidates::update()
     const auto keyOf = [](const auto &all, StageId stage) -> const std::string & {
         return all[static_cast<std::size_t>(stage)];
     };
-    if (keyOf(keys, StageId::Decomposition) != keyOf(m_basis.results.keys, StageId::Decomposition))
-        return; // the decomposition is still being computed
+    const auto isOld
+        = [&](StageId stage) { return keyOf(keys, stage) != keyOf(m_basis.results.keys, stage); };
+    if (isOld(StageId::ModelInput) || isOld(StageId::Decomposition))
+        return; // one of them is still being computed
     const std::string &basis = keyOf(keys, StageId::Response);
     const bool isOther = basis != m_basisOfModels;
     if (isOther) {

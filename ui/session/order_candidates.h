@@ -18,7 +18,7 @@ struct CandidateBasis
 {
     std::shared_ptr<const CaptureSet> captures;
     Recipe recipe; ///< that the results are computed from
-    CalibrationResults results;
+    CalibrationResults results; ///< its keys are each result's own
     bool isFirstTriplets = false; ///< the decomposition is of the first singular values only
 };
 

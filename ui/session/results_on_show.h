@@ -31,6 +31,7 @@ public:
     bool isOfThisRun(StageId stage) const;
     /// What the result of a stage was computed from.
     const std::string &keyOf(StageId stage) const;
+    const std::array<std::string, kStageCount> &keys() const { return m_keys; }
     /// Whether decomposition and model are of the first singular values only.
     bool areFirstTriplets() const { return m_areFirstTriplets; }
     /// The response of this run. While that waits: the model's own curve, if there was a response

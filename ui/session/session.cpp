@@ -68,7 +68,11 @@ Findings Session::findings() const
 
 void Session::followCandidates()
 {
-    m_candidates->follow({m_state.captures, recipeOnShow(), results(), showsFirstTriplets()});
+    // While a part of a run is on show, its later results are still those of the run before.
+    CalibrationResults basis = results();
+    basis.keys = m_shown.keys();
+    m_candidates->follow(
+        {m_state.captures, recipeOnShow(), std::move(basis), showsFirstTriplets()});
 }
 
 void Session::apply(const Recipe &next, const QString &label, const QString &mergeKey)

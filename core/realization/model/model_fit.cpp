@@ -88,6 +88,12 @@ Result<SensorModel> fitModel(const ModelInput &input, const HankelDecomposition 
                 {std::to_string(order), std::to_string(decomposition.rows),
                     std::to_string(largest)}});
     }
+    if (isThesisMode(input) != (decomposition.shiftedCore.size() > 0)) {
+        return fail(ErrorKind::Usage,
+            {DYNCAL_TEXT("core",
+                 "The Hankel matrix was decomposed for another treatment of the response than the model's; compute the decomposition again."),
+                {}});
+    }
     std::vector<std::complex<double>> poles = realizedPoles(decomposition, order);
     const auto stepPole = takeStepPole(input, poles);
     poles = withoutNuisancePoles(input, poles);

@@ -68,6 +68,8 @@ void TestResultsOnShow::part_keepsWhatHasNotComeYet_andSaysSo()
     QVERIFY(shown.isOfThisRun(StageId::Model));
     QVERIFY(!shown.isOfThisRun(StageId::Response));
     QCOMPARE(shown.keyOf(StageId::Response), std::string("first"));
+    QCOMPARE(shown.keys()[static_cast<std::size_t>(StageId::Response)], std::string("first"));
+    QCOMPARE(shown.keys()[static_cast<std::size_t>(StageId::Shock)], std::string("second"));
     QCOMPARE(shown.run().firstStale, static_cast<int>(StageId::Shock) + 1);
 }
 

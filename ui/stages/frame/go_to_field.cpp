@@ -116,4 +116,12 @@ void GoToField::focusOutEvent(QFocusEvent *event)
     }
 }
 
+/// Also when its page is left: the focus must not come back to it with the page.
+void GoToField::hideEvent(QHideEvent *event)
+{
+    QLineEdit::hideEvent(event);
+    clearFocus();
+    deleteLater();
+}
+
 } // namespace dyncal

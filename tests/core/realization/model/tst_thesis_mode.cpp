@@ -149,6 +149,24 @@ private slots:
         qInfo("4 of 4 series covered");
     }
 
+    /// As a window may hold them for a moment, when the treatment was changed.
+    void decompositionOfAnotherTreatment_isRefused()
+    {
+        const Eigen::VectorXd y = testing::sampledStep(30e3, 0.05, 1e6, 400);
+        const auto inputOf = [&](ResponseTreatment treatment) {
+            return testing::makeInput(treatment, 1e6, {testing::makeSeries(1, y, 1e6)});
+        };
+        const ModelInput thesis = inputOf(ResponseTreatment::StepAsImpulse);
+        const ModelInput step = inputOf(ResponseTreatment::StepDeflated);
+        QVERIFY(fitModel(thesis, *decomposeHankel(thesis, {}), 3, {}, {}));
+        QVERIFY(fitModel(step, *decomposeHankel(step, {}), 2, {}, {}));
+        for (const auto &model : {fitModel(thesis, *decomposeHankel(step, {}), 2, {}, {}),
+                 fitModel(step, *decomposeHankel(thesis, {}), 3, {}, {})}) {
+            QVERIFY(!model);
+            QCOMPARE(model.error().kind, ErrorKind::Usage);
+        }
+    }
+
     void stepPole_isClassedAndNotCounted()
     {
         const Eigen::VectorXd y = testing::sampledStep(30e3, 0.05, 1e6, 400);
