@@ -70,9 +70,9 @@ public:
         if constexpr (sizeof(T) <= 2) {
             std::int64_t sum = 0;
             std::int64_t squares = 0;
-            for (const std::int64_t value : values) {
+            for (const std::int32_t value : values) {
                 sum += value;
-                squares += value * value;
+                squares += static_cast<std::int64_t>(value) * value;
             }
             add(static_cast<double>(sum), static_cast<double>(squares));
         } else {

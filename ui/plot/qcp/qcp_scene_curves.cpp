@@ -300,7 +300,7 @@ void SceneCurves::drawMarkers(DrawnCurve &drawn) const
     } else if (hasMarkers(drawn.curve->role)) {
         // Each role begins elsewhere, so that markers of curves on each other do not coincide.
         const Index phase
-            = (1 + 2 * static_cast<Index>(drawn.curve->role) + 3 * drawn.curve->variant) % 8;
+            = (1 + 2 * static_cast<Index>(drawn.curve->role) + 3 * Index(drawn.curve->variant)) % 8;
         for (Index k = 0; k < kMarkersPerCurve; ++k)
             add(begin + (8 * k + phase) * count / (8 * kMarkersPerCurve), 1);
     }
