@@ -59,8 +59,11 @@ void NextBar::addLink()
     QFont underlined = link->font();
     underlined.setUnderline(true);
     link->setFont(underlined);
-    connect(link, &QToolButton::clicked, this,
-        [this, position] { emit stepRequested(NextStep(m_steps[position])); });
+    connect(link, &QToolButton::clicked, this, [this, position] {
+        // The field that the click left may have been the last that was missing.
+        if (position < m_steps.size())
+            emit stepRequested(NextStep(m_steps[position]));
+    });
     m_links.push_back(link);
 }
 

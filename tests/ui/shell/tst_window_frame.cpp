@@ -108,6 +108,7 @@ private slots:
     void docks_tenRestarts_keepTheirSizes();
     void docks_restartsWithoutWork_keepTheirSizes();
     void next_emptyField_isALinkToIt();
+    void next_stepThatIsGone_leadsNowhere();
     void next_menu_hasWhatIsNotInTheLine();
     void next_narrowWindow_isNotCut();
     void keyResults_areAlwaysInView();
@@ -186,6 +187,25 @@ void TestWindowFrame::next_emptyField_isALinkToIt()
     QVERIFY(caution);
     QTest::mouseClick(caution, Qt::LeftButton);
     QCOMPARE(bench.window->focusWidget(), bench.find<FindingsPanel>("findingsPanel"));
+}
+
+/// A click takes what was typed first: the step that it was meant for may be settled by that.
+void TestWindowFrame::next_stepThatIsGone_leadsNowhere()
+{
+    Bench bench;
+    bench.window->resize(1400, 900);
+    bench.openSample();
+    auto *third = bench.find<QToolButton>("nextStep3");
+    QVERIFY(third->isVisible());
+    bench.window->showPage(static_cast<int>(Page::Certificate));
+    for (QLineEdit *field : bench.window->findChildren<QLineEdit *>())
+        if (field->objectName().startsWith("field_")) {
+            field->setText(field->objectName().contains("date") ? "2026-01-31" : "something");
+            QTest::keyClick(field, Qt::Key_Return);
+        }
+    QTRY_VERIFY(!third->isVisible());
+    third->click();
+    QVERIFY(bench.window->pages()[static_cast<std::size_t>(Page::Certificate)]->isVisible());
 }
 
 void TestWindowFrame::next_menu_hasWhatIsNotInTheLine()
