@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <QElapsedTimer>
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -69,6 +70,29 @@ inline QByteArray fileBytes(const QString &path)
 {
     QFile file(path);
     return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// Whether a process ignores ("SigIgn") or blocks ("SigBlk") a signal, as the kernel says.
+inline bool hasSignalIn(const char *set, qint64 process, int number)
+{
+    const QByteArray status = fileBytes(QString("/proc/%1/status").arg(process));
+    const QByteArray key = QByteArray(set) + ":\t";
+    const qsizetype mask = status.indexOf(key);
+    return mask >= 0
+        && (status.mid(mask + key.size(), 16).toULongLong(nullptr, 16) & (1ULL << (number - 1)))
+        != 0;
+}
+
+/// Waits until the program waits for the signal on a thread of its own, with all others blocking
+/// it: before that its start is ended by it as any program's. False if it ended or a minute passed.
+inline bool waitUntilAwaited(const QProcess &process, int number)
+{
+    constexpr int kLongest_ms = 60000;
+    QElapsedTimer waited;
+    for (waited.start(); waited.elapsed() < kLongest_ms;)
+        if (hasSignalIn("SigBlk", process.processId(), number))
+            return true;
+    return false;
 }
 
 inline QJsonObject fileJson(const QString &path)

@@ -225,7 +225,8 @@ private slots:
             process.start(qEnvironmentVariable("DYNCAL_BINARY"),
                 {"run", a, "-o", QString::fromStdString(place.file("r/out"))});
             QVERIFY(process.waitForStarted());
-            std::this_thread::sleep_for(std::chrono::milliseconds(300));
+            QVERIFY(waitUntilAwaited(process, number));
+            std::this_thread::sleep_for(std::chrono::milliseconds(100)); // into the work
             ::kill(static_cast<pid_t>(process.processId()), number);
             QVERIFY(process.waitForFinished(kLongest_ms));
             QCOMPARE(process.exitStatus(), QProcess::NormalExit);

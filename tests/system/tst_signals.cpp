@@ -53,13 +53,7 @@ private:
         return 0;
     }
 
-    static bool ignoresInterrupt(pid_t process)
-    {
-        const QByteArray status = fileBytes(QString("/proc/%1/status").arg(process));
-        const qsizetype mask = status.indexOf("SigIgn:\t");
-        return mask >= 0
-            && (status.mid(mask + 8, 16).toULongLong(nullptr, 16) & (1ULL << (SIGINT - 1))) != 0;
-    }
+    static bool ignoresInterrupt(pid_t process) { return hasSignalIn("SigIgn", process, SIGINT); }
 
     static QElapsedTimer running()
     {
