@@ -32,12 +32,30 @@ inline constexpr Qt::KeyboardModifiers kModifiers[] = {Qt::NoModifier, Qt::NoMod
     Qt::NoModifier, Qt::ShiftModifier, Qt::ControlModifier, Qt::AltModifier};
 
 /// Also letters for which Qt Test knows no key.
-inline void typeInto(QWidget &field, const QString &text)
+inline void typeInto(const QPointer<QLineEdit> &field, const QString &text)
 {
     for (const char32_t letter : text.toUcs4()) {
         QKeyEvent press(QEvent::KeyPress, 0, Qt::NoModifier, QString::fromUcs4(&letter, 1));
-        QCoreApplication::sendEvent(&field, &press);
+        if (field)
+            QCoreApplication::sendEvent(field, &press);
     }
+}
+
+/// Qt Test's own click and key go on with a widget that went away when it was pressed.
+inline void click(const QPointer<QWidget> &widget, Qt::MouseButton button, QPoint at)
+{
+    QTest::mousePress(widget, button, {}, at);
+    if (widget)
+        QTest::mouseRelease(widget, button, {}, at);
+}
+
+inline void strike(
+    const QPointer<QWidget> &widget, Qt::Key key, Qt::KeyboardModifiers modifiers = {})
+{
+    if (widget)
+        QTest::keyPress(widget, key, modifiers);
+    if (widget)
+        QTest::keyRelease(widget, key, modifiers);
 }
 
 inline QString nameOf(const QObject *object)
@@ -112,17 +130,20 @@ inline QWidget *Monkey::anyControl()
 
 inline QString Monkey::clickSomething()
 {
-    QWidget *control = anyControl();
+    QPointer<QWidget> control = anyControl();
     if (!control)
         return {};
     const QString name = nameOf(control);
     const QPoint at(draw(std::max(1, control->width())), draw(std::max(1, control->height())));
-    if (auto *table = qobject_cast<QAbstractItemView *>(control))
+    if (auto *table = qobject_cast<QAbstractItemView *>(control.data()))
         control = table->viewport();
-    if (chance(10))
-        QTest::mouseDClick(control, Qt::LeftButton, {}, at);
-    else
-        QTest::mouseClick(control, chance(85) ? Qt::LeftButton : Qt::RightButton, {}, at);
+    const bool isDouble = chance(10);
+    const Qt::MouseButton button = isDouble || chance(85) ? Qt::LeftButton : Qt::RightButton;
+    click(control, button, at);
+    if (isDouble && control)
+        QTest::mouseEvent(QTest::MouseDClick, control, button, {}, at);
+    if (isDouble && control)
+        QTest::mouseRelease(control, button, {}, at);
     return "click " + name;
 }
 
@@ -134,19 +155,20 @@ inline QString Monkey::typeSomething()
             fields << field;
     if (fields.isEmpty())
         return {};
-    QLineEdit *field = fields[draw(static_cast<int>(fields.size()))];
+    const QPointer<QLineEdit> field = fields[draw(static_cast<int>(fields.size()))];
     const QString text = kTexts[draw(static_cast<int>(kTexts.size()))];
     const QString name = nameOf(field) + " of " + nameOf(field->parentWidget());
+    const QPointer<QWidget> owner = qobject_cast<QAbstractSpinBox *>(field->parentWidget());
     field->setFocus(Qt::MouseFocusReason);
-    field->selectAll();
+    if (field)
+        field->selectAll();
     if (text.isEmpty())
-        QTest::keyClick(field, Qt::Key_Delete);
+        strike(field.data(), Qt::Key_Delete);
     else
-        typeInto(*field, text);
-    if (chance(70)) {
-        QWidget *owner = qobject_cast<QAbstractSpinBox *>(field->parentWidget());
-        QTest::keyClick(owner ? owner : field, chance(80) ? Qt::Key_Return : Qt::Key_Escape);
-    }
+        typeInto(field, text);
+    if (chance(70))
+        strike(owner ? owner : QPointer<QWidget>(field.data()),
+            chance(80) ? Qt::Key_Return : Qt::Key_Escape);
     return QString("type \"%1\" into %2").arg(text, name);
 }
 
@@ -157,7 +179,7 @@ inline QString Monkey::pressSomething()
     const Qt::KeyboardModifiers modifiers
         = kModifiers[draw(static_cast<int>(std::size(kModifiers)))];
     const QString name = focused ? nameOf(focused) : QString("no focus");
-    QTest::keyClick(focused ? focused : m_bench.window.get(), key, modifiers);
+    strike(focused ? focused : m_bench.window.get(), key, modifiers);
     return QString("key %1 %2 to %3").arg(int(key), 0, 16).arg(modifiers.toInt(), 0, 16).arg(name);
 }
 
@@ -182,8 +204,8 @@ inline QString Monkey::dragInAPlot()
     QTest::mousePress(plot, button, kModifiers[draw(6)], from);
     for (int i = draw(5); i >= 0 && plot; --i)
         QTest::mouseMove(plot, point());
-    if (plot && chance(10))
-        QTest::keyClick(plot, Qt::Key_Escape);
+    if (chance(10))
+        strike(plot.data(), Qt::Key_Escape);
     if (plot)
         QTest::mouseRelease(plot, button, {}, point());
     return "drag in " + name;
@@ -252,10 +274,10 @@ inline void Monkey::answer()
 {
     if (auto *menu = qobject_cast<QMenu *>(QApplication::activePopupWidget())) {
         const Qt::Key keys[] = {Qt::Key_Down, Qt::Key_Down, Qt::Key_Return, Qt::Key_Escape};
-        QTest::keyClick(menu, keys[draw(4)]);
-    } else if (QWidget *popup = QApplication::activePopupWidget()) {
-        QTest::keyClick(popup, chance(50) ? Qt::Key_Down : Qt::Key_Return);
-        if (chance(50))
+        strike(menu, keys[draw(4)]);
+    } else if (const QPointer<QWidget> popup = QApplication::activePopupWidget()) {
+        strike(popup, chance(50) ? Qt::Key_Down : Qt::Key_Return);
+        if (chance(50) && popup)
             popup->close();
     } else if (auto *dialog = qobject_cast<QDialog *>(QApplication::activeModalWidget())) {
         dialog->reject();
