@@ -60,6 +60,21 @@ private:
         bench->window->session().reset({m_example, {}});
         return bench;
     }
+    /// The picture that does not change any more: a page is laid out again when plots know their
+    /// room.
+    static QImage atRest(MainWindow &window)
+    {
+        constexpr int kMostTries = 40;
+        QImage last;
+        for (int i = 0; i < kMostTries; ++i) {
+            QTest::qWait(100);
+            QImage now = window.grab().toImage();
+            if (now == last)
+                return now;
+            last = std::move(now);
+        }
+        return last;
+    }
     static std::vector<QImage> pictures(MainWindow &window)
     {
         std::vector<QImage> all;
@@ -67,8 +82,7 @@ private:
             window.showPage(static_cast<int>(page));
             if (QWidget *focused = window.focusWidget())
                 focused->clearFocus(); // a cursor that blinks
-            QTest::qWait(150);
-            all.push_back(window.grab().toImage());
+            all.push_back(atRest(window));
         }
         return all;
     }

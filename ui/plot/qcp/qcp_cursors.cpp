@@ -106,7 +106,7 @@ PlotCursors::PlotCursors(QCustomPlot &plot)
         }
         line->setSelectable(false);
         line->setVisible(false);
-        auto *name = new QCPItemText(&m_plot);
+        auto *name = new PlotLabel(&m_plot);
         name->setLayer(QStringLiteral("overlay"));
         name->position->setTypeX(QCPItemPosition::ptPlotCoords);
         name->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
@@ -251,6 +251,7 @@ void PlotCursors::refresh(const PlotScene &scene)
         m_lines[i]->setPen(QPen(theme.text, 1.0, i == 0 ? Qt::SolidLine : Qt::DashLine));
         m_names[i]->position->setCoords(m_points[i]->x, 1.0);
         m_names[i]->setColor(theme.text);
+        m_names[i]->setRim(theme.background);
         m_names[i]->setFont(theme.font);
     }
     m_readout->setVisible(any());

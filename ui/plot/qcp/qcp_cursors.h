@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "ui/plot/qcp/qcp_label.h"
 #include "ui/plot/qcp/qcp_scene.h"
 #include "ui/plot/values/cursor_values.h"
 
@@ -56,7 +57,7 @@ private:
     std::array<std::optional<CurvePoint>, 2> m_points;
     int m_last = 0;
     std::array<QCPItemLine *, 2> m_lines{};
-    std::array<QCPItemText *, 2> m_names{};
+    std::array<PlotLabel *, 2> m_names{};
     QCPItemText *m_readout = nullptr;
 };
 

@@ -64,7 +64,8 @@ PlotHandles::Items PlotHandles::makeItems(const HandleState &state)
         items.end = makeLine();
     }
     items.begin = makeLine();
-    items.label = new QCPItemText(&m_plot);
+    items.label = new PlotLabel(&m_plot);
+    items.label->setLayer(QStringLiteral("overlay")); // never under the curves
     items.label->position->setTypeX(QCPItemPosition::ptPlotCoords);
     items.label->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
     items.label->setSelectable(false);
@@ -222,7 +223,7 @@ void PlotHandles::placeLabels()
     const QRect axes = m_plot.axisRect()->rect();
     std::vector<QRect> taken;
     for (std::size_t i = 0; i < m_states.size(); ++i) {
-        QCPItemText *label = m_items[i].label;
+        PlotLabel *label = m_items[i].label;
         const double x = m_plot.xAxis->coordToPixel(drawnAt(m_states[i], m_states[i].x.begin));
         label->setVisible(!m_states[i].label.isEmpty());
         if (!label->visible() || !(x >= axes.left() && x <= axes.right()))
@@ -266,6 +267,7 @@ void PlotHandles::paint(std::size_t position)
             hatched ? QBrush(m_theme.handle, Qt::BDiagPattern) : QBrush(m_theme.bandFill));
     }
     items.label->setColor(m_theme.text);
+    items.label->setRim(m_theme.background);
     items.label->setFont(m_theme.font);
 }
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "ui/plot/qcp/qcp_label.h"
 #include "ui/plot/values/plot_handle_state.h"
 #include "ui/plot/values/plot_theme.h"
 
@@ -52,7 +53,7 @@ private:
         QCPItemRect *fill = nullptr;
         QCPItemLine *begin = nullptr;
         QCPItemLine *end = nullptr;
-        QCPItemText *label = nullptr;
+        PlotLabel *label = nullptr;
     };
     Items makeItems(const HandleState &state);
     QCPItemLine *makeLine();

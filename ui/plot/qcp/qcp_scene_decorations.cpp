@@ -56,10 +56,10 @@ void SceneDecorations::make(const PlotContent &content)
         m_decorations.begin(), m_decorations.end(), [](const Decoration &a, const Decoration &b) {
             return a.markX.value_or(0.0) < b.markX.value_or(0.0);
         });
-    for (const Decoration &decoration : m_decorations) {
+    for (const Decoration &decoration : m_decorations)
         decoration.line->setLayer(m_layer);
+    for (const Decoration &decoration : m_decorations) // no label under a neighbour's line
         decoration.label->setLayer(m_layer);
-    }
 }
 
 void SceneDecorations::move(const PlotContent &content)
@@ -86,7 +86,7 @@ void SceneDecorations::makeMark(const PlotMark &mark)
         position->setTypeX(QCPItemPosition::ptPlotCoords);
         position->setTypeY(QCPItemPosition::ptAxisRectRatio);
     }
-    auto *label = new QCPItemText(&m_plot);
+    auto *label = new PlotLabel(&m_plot);
     label->position->setTypeX(QCPItemPosition::ptPlotCoords);
     label->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
     label->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -112,7 +112,7 @@ void SceneDecorations::makeLevel(const PlotLevel &level)
         position->setTypeX(QCPItemPosition::ptAxisRectRatio);
         position->setTypeY(QCPItemPosition::ptPlotCoords);
     }
-    auto *label = new QCPItemText(&m_plot);
+    auto *label = new PlotLabel(&m_plot);
     label->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
     label->position->setTypeY(QCPItemPosition::ptPlotCoords);
     label->setPositionAlignment(Qt::AlignRight | Qt::AlignBottom);
@@ -178,6 +178,7 @@ void SceneDecorations::restyle()
         decoration.line->setSelectable(false);
         decoration.label->setSelectable(false);
         decoration.label->setColor(m_theme.text);
+        decoration.label->setRim(m_theme.background);
         decoration.label->setFont(m_theme.font);
         decoration.label->setVisible(!decoration.label->text().isEmpty());
         if (decoration.band) {

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "ui/plot/qcp/qcp_label.h"
 #include "ui/plot/values/plot_content.h"
 #include "ui/plot/values/plot_text.h"
 #include "ui/plot/values/plot_theme.h"
@@ -40,7 +41,7 @@ private:
     struct Decoration
     {
         QCPItemLine *line = nullptr;
-        QCPItemText *label = nullptr;
+        PlotLabel *label = nullptr;
         CurveRole role = CurveRole::Reference;
         std::optional<double> markX;
         double levelY = 0.0; ///< of a level

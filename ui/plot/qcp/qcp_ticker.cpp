@@ -79,11 +79,10 @@ QVector<QString> PrefixTicker::createLabelVector(
     labels.reserve(ticks.size());
     const double step = ticks.size() > 1 ? (ticks[1] - ticks[0]) / m_prefix.factor : 1.0;
     const int decimals = decimalsOf(step);
-    const QLocale locale = plotLocale();
     for (const double tick : ticks) {
         const double value = tick / m_prefix.factor;
         // No "-0.0" for a tick that is zero but for rounding.
-        labels.append(locale.toString(std::abs(value) < 1e-9 * step ? 0.0 : value, 'f', decimals));
+        labels.append(plotNumber(std::abs(value) < 1e-9 * step ? 0.0 : value, 'f', decimals));
     }
     return labels;
 }
@@ -133,7 +132,7 @@ QString DecadeTicker::getTickLabel(double tick, const QLocale &, QChar, int)
     }
     const AxisPrefix prefix
         = takesPrefix(m_axis.unit) ? axisPrefix(0.0, tick, m_axis.unit) : AxisPrefix{};
-    const QString number = plotLocale().toString(tick / prefix.factor, 'g', 6);
+    const QString number = plotNumber(tick / prefix.factor, 'g', 6);
     return prefix.symbol.isEmpty() ? number : number + QChar(0x202F) + prefix.symbol;
 }
 

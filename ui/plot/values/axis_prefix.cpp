@@ -64,6 +64,11 @@ QLocale plotLocale()
     return locale;
 }
 
+QString plotNumber(double value, char format, int precision)
+{
+    return plotLocale().toString(value, format, precision).replace(QChar(0x2212), QChar('-'));
+}
+
 QString powerOfTen(int exponent)
 {
     static const std::array<const char *, 10> kDigits{
@@ -87,9 +92,9 @@ QString valueWithUnit(double value, const QString &unit, int digits)
     QString number;
     if (magnitude == 0.0 || (magnitude >= 1e-3 && magnitude < 1e6)) {
         const int whole = magnitude < 1.0 ? 1 : static_cast<int>(std::log10(magnitude)) + 1;
-        number = plotLocale().toString(scaled, 'f', std::max(0, digits - whole));
+        number = plotNumber(scaled, 'f', std::max(0, digits - whole));
     } else {
-        number = plotLocale().toString(scaled, 'e', digits - 1);
+        number = plotNumber(scaled, 'e', digits - 1);
     }
     const QString shown = prefix.symbol + unit;
     return shown.isEmpty() ? number : number + QChar(0x202F) + shown;

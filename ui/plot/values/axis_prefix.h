@@ -30,6 +30,10 @@ QString axisLabel(const QString &quantity, const QString &unit, const AxisPrefix
 /// The locale of the program without group separators: "1000", decimal mark of the language.
 QLocale plotLocale();
 
+/// A number in that locale, but with the minus sign of tables and fields: some languages have
+/// another. `format` and `precision` as for QLocale::toString.
+QString plotNumber(double value, char format, int precision);
+
 /// A power of ten as "10⁻³" for the decade `exponent`.
 QString powerOfTen(int exponent);
 

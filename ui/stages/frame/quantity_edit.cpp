@@ -18,6 +18,7 @@ namespace dyncal {
 namespace {
 
 constexpr int kLettersOfNumbers = 15; ///< "2330.121235 kHz"
+constexpr int kReadOutDigits = 5; ///< a result has no more to say; tables show as many
 constexpr int kBesideNumber_px = 30; ///< frame and arrows
 
 } // namespace
@@ -71,6 +72,8 @@ void QuantityEdit::setShownOnly(bool shownOnly)
 {
     setReadOnly(shownOnly);
     setButtonSymbols(shownOnly ? NoButtons : UpDownArrows);
+    if (!isTyping())
+        lineEdit()->setText(textFromValue(value()) + suffix());
 }
 
 void QuantityEdit::endTyping()
@@ -135,7 +138,7 @@ double QuantityEdit::valueFromText(const QString &text) const
 
 QString QuantityEdit::textFromValue(double value) const
 {
-    return shownNumber(value, kFieldDigits);
+    return shownNumber(value, isReadOnly() ? kReadOutDigits : kFieldDigits);
 }
 
 /// Why this is not taken; empty if it is.

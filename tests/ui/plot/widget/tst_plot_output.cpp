@@ -27,6 +27,7 @@ private slots:
     void file_allFormats();
     void file_unknownFormat_isNone();
     void file_svg_isVectorAndDeterministic();
+    void swedishAxes_haveTheMinusOfTables();
     void paste_tabsAndTheDecimalMarkOfTheLanguage();
     void csv_sharedAndOwnX_fullPrecision();
     void paint_intoPdf_staysVector();
@@ -72,6 +73,26 @@ void TestPlotOutput::file_svg_isVectorAndDeterministic()
     QVERIFY(svg.contains("<text"));
     QVERIFY(svg.contains("Time / ms"));
     QVERIFY(svg.contains("One response that settles at 1."));
+}
+
+void TestPlotOutput::swedishAxes_haveTheMinusOfTables()
+{
+    const QLocale before;
+    QLocale::setDefault(QLocale(QLocale::Swedish));
+    PlotContent content;
+    content.xAxis = {"Time", "s"};
+    content.yAxis = {"Signal", "V"};
+    content.curves.push_back(
+        {"a", CurveRole::Measured, CurveStyle::Line, {-1.0, 1.0}, {-0.5, 0.5}, true});
+    PlotWidget plot;
+    plot.setContent(content);
+    show(plot);
+    QStringList texts;
+    for (const PlotText &text : plot.texts())
+        texts << text.text;
+    QLocale::setDefault(before);
+    QVERIFY2(texts.contains("-1,0") || texts.contains("-0,5"), qPrintable(texts.join('|')));
+    QVERIFY(!texts.join(' ').contains(QChar(0x2212)));
 }
 
 void TestPlotOutput::paste_tabsAndTheDecimalMarkOfTheLanguage()

@@ -61,6 +61,7 @@ private slots:
     void initTestCase() { m_set = testing::simulatedExample(1e7, 0.004); }
     void init() { QLocale::setDefault(QLocale::c()); }
     void found_isTheSensorsResonance_andShownPerShot();
+    void found_hasTheDigitsOfTheTable_andAllOfThemOnceGiven();
     void click_whileGiven_takesThePeak_elseMarksIt();
     void given_isUsedAndUndone();
     void band_emptied_isNoLimit();
@@ -84,6 +85,18 @@ void TestSpectrumPage::found_isTheSensorsResonance_andShownPerShot()
     QVERIFY2(std::abs(found_Hz / truth_Hz - 1.0) < 0.01, qPrintable(QString::number(found_Hz)));
     QVERIFY(std::abs(bench.control<QuantityEdit>("resonanceFrequency")->si() - found_Hz) < 1e-2);
     QVERIFY(bench.control<QuantityEdit>("resonanceFrequency")->isReadOnly()); // found, not asked
+}
+
+void TestSpectrumPage::found_hasTheDigitsOfTheTable_andAllOfThemOnceGiven()
+{
+    Bench bench(m_set);
+    auto *field = bench.control<QuantityEdit>("resonanceFrequency");
+    const double found_Hz = bench.session.results().spectrum->resonances.at(0).frequency_Hz;
+    QCOMPARE(field->text(), QString::number(found_Hz / 1e3, 'f', 1) + " kHz");
+    bench.choose("resonanceSource", Given);
+    QCOMPARE(bench.recipe().spectrum.resonances_Hz, std::vector<double>{field->si()});
+    QVERIFY(std::abs(field->si() - found_Hz) < 1e-2);
+    QVERIFY2(field->text().size() > 12, qPrintable(field->text()));
 }
 
 void TestSpectrumPage::click_whileGiven_takesThePeak_elseMarksIt()
