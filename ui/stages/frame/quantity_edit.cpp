@@ -162,7 +162,7 @@ QValidator::State QuantityEdit::validate(QString &text, int &) const
 void QuantityEdit::fixup(QString &text) const
 {
     m_refused = true;
-    if (m_typing)
+    if (m_typing && isVisible()) // a window that closes takes no more children
         showRefusal(const_cast<QuantityEdit *>(this), faultOf(text));
 }
 

@@ -42,6 +42,7 @@ private slots:
     void interval_typed_unticks();
     void wheel_withoutFocus_changesNothing();
     void refusal_standsBelowTheField_untilTheNextKey();
+    void refusal_isNotPutIntoAWindowThatCloses();
     void recorded_isAValueWithItsOrigin();
     void optional_emptied_isUnknown();
     void optional_nonsense_isNotTaken();
@@ -261,6 +262,20 @@ void TestInspectorEdits::refusal_standsBelowTheField_untilTheNextKey()
     const auto *note = window.findChild<QLabel *>("refusalNote");
     QVERIFY(window.rect().contains(note->geometry()));
     QVERIFY(!note->geometry().intersects(spin->geometry()));
+}
+
+void TestInspectorEdits::refusal_isNotPutIntoAWindowThatCloses()
+{
+    auto window = std::make_unique<QWidget>();
+    auto *other = new QLineEdit(window.get());
+    auto *edit = new QuantityEdit({"kHz", 1e3}, 0.0, 1e6, 3, window.get());
+    window->show();
+    QVERIFY(QTest::qWaitForWindowExposed(window.get()));
+    other->setFocus();
+    QTest::keyClicks(edit->findChild<QLineEdit *>(), "banana"); // by a program that needs no focus
+    window->close();
+    QVERIFY(!window->findChild<QLabel *>("refusalNote"));
+    window.reset(); // the focus chain of its children is whole
 }
 
 void TestInspectorEdits::recorded_isAValueWithItsOrigin()
