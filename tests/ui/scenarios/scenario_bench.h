@@ -109,7 +109,7 @@ struct ScenarioBench : WindowBench
         drop(paths);
         settle();
         if (!session().state().hasShots())
-            qFatal("no shots");
+            qFatal("no shots: %s", qPrintable(prompts.shownProblems().join(' ')));
     }
 
     void show(Page page) const { window->showPage(static_cast<int>(page)); }

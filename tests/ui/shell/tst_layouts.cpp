@@ -57,19 +57,26 @@ Session::Pipeline sharedPipeline(const std::shared_ptr<ResultCache> &cache)
     };
 }
 
-/// A plot that was drawn may ask for more room, and so on.
+/// A plot that was drawn may ask for more room, and so on; a title tells how far a reading is.
 void waitUntilLaidOut(const MainWindow &window)
 {
     QList<QRect> before;
-    for (int i = 0; i < 20; ++i) {
+    QStringList titlesBefore;
+    QElapsedTimer waited;
+    for (waited.start(); waited.elapsed() < kPatience_ms;) {
         QTest::qWait(40);
         QList<QRect> now;
-        for (const PlotWidget *plot : window.findChildren<PlotWidget *>())
-            if (plot->isVisible())
-                now << plot->geometry() << plot->axesRect();
-        if (now == before)
+        QStringList titles;
+        for (const PlotWidget *plot : window.findChildren<PlotWidget *>()) {
+            if (!plot->isVisible())
+                continue;
+            now << plot->geometry() << plot->axesRect();
+            titles << plot->content().title;
+        }
+        if (now == before && titles == titlesBefore)
             return;
         before = now;
+        titlesBefore = titles;
     }
 }
 

@@ -53,12 +53,7 @@ PlotExportActions::PlotExportActions(
     m_tick.setInterval(0);
     connect(&m_tick, &QTimer::timeout, this, &PlotExportActions::writeNext);
     for (auto change : {&Session::recipeChanged, &Session::capturesChanged})
-        connect(&session, change, this, [this] {
-            if (m_tick.isActive())
-                stop(tr("Stopped, because the settings changed: %n plot(s) written to %1", nullptr,
-                    m_written)
-                         .arg(shownText(m_folder)));
-        });
+        connect(&session, change, this, &PlotExportActions::stopOnChange);
 }
 
 /// What is written belongs to the settings on the screen and to the files that were opened.
@@ -134,8 +129,10 @@ void PlotExportActions::writeNext()
         if (plot)
             write(*plot);
     } else if (!m_pages.empty()) {
-        StagePage *page = m_pages.back();
+        const QPointer<StagePage> page = m_pages.back();
         m_pages.pop_back();
+        if (!page) // another language builds the pages anew
+            return stopOnChange();
         page->catchUp();
         for (const PlotWidget *plot : page->plots())
             if (isWritable(*plot))
@@ -174,6 +171,14 @@ void PlotExportActions::stop(const QString &outcome)
     m_waiting.clear();
     m_pages.clear();
     emit idle(outcome);
+}
+
+void PlotExportActions::stopOnChange()
+{
+    if (m_tick.isActive())
+        stop(tr(
+            "Stopped, because the settings changed: %n plot(s) written to %1", nullptr, m_written)
+                 .arg(shownText(m_folder)));
 }
 
 } // namespace dyncal

@@ -29,7 +29,7 @@ public:
 
     void exportPlot(const PlotWidget &plot);
     /// Into a folder, as SVG, numbered in the order of the pages; one page or plot at a turn of the
-    /// event loop. A change of the job or of its settings meanwhile ends it.
+    /// event loop. A change of the job, of its settings or of the language meanwhile ends it.
     void exportAll(const std::vector<StagePage *> &pages);
 
 signals:
@@ -41,13 +41,14 @@ private:
     void writeNext();
     void write(const PlotWidget &plot);
     void stop(const QString &outcome);
+    void stopOnChange();
 
     Session &m_session;
     Prompts &m_prompts;
     Preferences &m_preferences;
     QWidget *m_window;
     QString m_folder;
-    std::vector<StagePage *> m_pages; ///< still to be drawn, the next one last
+    std::vector<QPointer<StagePage>> m_pages; ///< still to be drawn, the next one last
     std::vector<QPointer<const PlotWidget>> m_waiting; ///< of the page drawn, the next one last
     int m_written = 0;
     QTimer m_tick;

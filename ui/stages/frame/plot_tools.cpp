@@ -17,7 +17,10 @@ PlotTools::PlotTools(QWidget *page)
 
 void PlotTools::attach(PlotWidget *plot)
 {
-    connect(plot, &PlotWidget::goToRequested, this, [plot] { new GoToField(*plot); });
+    connect(plot, &PlotWidget::goToRequested, this, [plot] {
+        if (plot->isVisible()) // its menu may outlive its page
+            new GoToField(*plot);
+    });
     connect(plot, &PlotWidget::cursorTableRequested, this, [this, plot] { showTable(plot); });
 }
 

@@ -38,6 +38,7 @@ private slots:
     void initTestCase();
     void allPlots_ofAllPages_inOrder();
     void allPlots_again_replaceNothing();
+    void allPlots_anotherLanguageMeanwhile_ends();
     void allPlots_intoUnwritableFolder_saysSo();
     void onePlot_isWritten_asItsNameSays();
     void onePlot_overARecording_isRefused();
@@ -110,6 +111,27 @@ void TestPlotExport::allPlots_again_replaceNothing()
         qPrintable(lastProblems(before).first()));
     QTest::qWait(50);
     QCOMPARE(bytesOf(last), QByteArray("mine"));
+}
+
+/// The pages are built anew for a language: those that were to be written are gone.
+void TestPlotExport::allPlots_anotherLanguageMeanwhile_ends()
+{
+    test::WindowBench bench{runPipeline};
+    bench.window->show();
+    bench.window->files().openPaths({file("shots.h5")});
+    QTRY_VERIFY_WITH_TIMEOUT(
+        bench.window->session().state().hasShots() && bench.window->session().isUpToDate(),
+        kPatience_ms);
+    const QDir folder(bench.folder.filePath("cut short"));
+    QVERIFY(folder.mkpath("."));
+    const QSignalSpy finished(&bench.window->files(), &FileActions::idle);
+    bench.prompts.setNextFile(folder.path());
+    bench.find<QAction>("saveAllPlotsAction")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(!folder.entryList(QDir::Files).isEmpty(), kPatience_ms);
+    bench.find<QAction>("languageAction_sv")->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(!finished.isEmpty(), kPatience_ms);
+    bench.find<QAction>("languageAction_en")->trigger();
+    QVERIFY(folder.entryList(QDir::Files).size() < 15);
 }
 
 void TestPlotExport::allPlots_intoUnwritableFolder_saysSo()

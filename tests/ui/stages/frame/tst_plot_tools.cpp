@@ -23,6 +23,7 @@ private slots:
     void timeCursors_areSharedByThePlotsOfAResponse();
     void goTo_typedWithAUnit();
     void goTo_whatCannotBeTaken_isSaid();
+    void goTo_onAPageThatWasLeft_opensNothing();
     void table_showsAllShots_andFollowsTheCursors();
     void table_goesWithItsPage();
     void menu_offersWhatThePageHas();
@@ -88,6 +89,15 @@ void TestPlotTools::goTo_whatCannotBeTaken_isSaid()
     QVERIFY2(refusalOnShow(field).contains("20.00"), qPrintable(refusalOnShow(field)));
     QCOMPARE(whole->xRange(), view);
     QVERIFY(!whole->cursorValues().x[0]);
+}
+
+void TestPlotTools::goTo_onAPageThatWasLeft_opensNothing()
+{
+    PageBench<WindowPage> bench;
+    PlotWidget *whole = plot(bench, "windowPlot");
+    bench.page.hide();
+    emit whole->goToRequested();
+    QVERIFY(!whole->findChild<QLineEdit *>("goToField"));
 }
 
 void TestPlotTools::table_showsAllShots_andFollowsTheCursors()
