@@ -802,10 +802,6 @@
 <context>
     <name>KeyResults</name>
     <message>
-        <source>Sensitivity at the plateau, mean of the shots. Its standard uncertainty is not worked out yet.</source>
-        <translation>Känslighet på platån, skottens medelvärde. Dess standardosäkerhet är ännu inte bestämd.</translation>
-    </message>
-    <message>
         <source>Pressure step of shot %1, the largest; ± is the standard uncertainty u (k = 1).</source>
         <translation>Trycksteg för skott %1, det största; ± är standardosäkerheten u (k = 1).</translation>
     </message>
@@ -820,6 +816,10 @@
     <message>
         <source>Damping ratio of the sensor; ± is the standard uncertainty u (k = 1).</source>
         <translation>Givarens dämpningsgrad; ± är standardosäkerheten u (k = 1).</translation>
+    </message>
+    <message>
+        <source>Sensitivity: the level at the onset of the step over the pressure step, mean of the shots. Its standard uncertainty is not worked out yet.</source>
+        <translation>Känslighet: nivån vid stegets början genom trycksteget, medelvärde över skotten. Dess standardosäkerhet är ännu inte beräknad.</translation>
     </message>
 </context>
 <context>
@@ -3329,10 +3329,6 @@
         <translation>inte bestämt (utanför modellens område)</translation>
     </message>
     <message>
-        <source>Sensitivity at the plateau, mean of the shots</source>
-        <translation>Känslighet på platån, medelvärde över skotten</translation>
-    </message>
-    <message>
         <source>not determined (no pressure step)</source>
         <translation>inte bestämt (inget trycksteg)</translation>
     </message>
@@ -5359,6 +5355,22 @@
     <message>
         <source>The Hankel matrix was decomposed for another treatment of the response than the model&apos;s; compute the decomposition again.</source>
         <translation>Hankelmatrisen delades upp för en annan behandling av svaret än modellens; beräkna uppdelningen igen.</translation>
+    </message>
+    <message>
+        <source>Sensitivity at the onset of the step, mean of the shots</source>
+        <translation>Känslighet vid stegets början, medelvärde över skotten</translation>
+    </message>
+    <message>
+        <source>Drift of shot %1 behind the step, from the onset to %2 after it (no part of the sensitivity)</source>
+        <translation>Drift för skott %1 efter steget, från början till %2 efter den (ingår inte i känsligheten)</translation>
+    </message>
+    <message>
+        <source>Behind the step the response drifts by %1 % until the end of the model input, with a time constant of about %2: slower than the sensor, so no part of its step (heat of the gas, an AC coupling). The sensitivity is that of the level at the onset, before the drift.</source>
+        <translation>Efter steget driver svaret med %1 % fram till slutet av modellens indata, med en tidskonstant på omkring %2: långsammare än givaren och alltså ingen del av dess steg (gasens värme, en AC-koppling). Känsligheten är den för nivån vid början, före driften.</translation>
+    </message>
+    <message>
+        <source>A part of the response with a time constant of %1 may be the sensor&apos;s own or a drift (heat of the gas, an AC coupling): it is less than ten times slower than the rest. It counts as the sensor&apos;s own; as a drift it would change the sensitivity by %2 %. Compare with a shot of another step, or with the static sensitivity.</source>
+        <translation>En del av svaret med tidskonstanten %1 kan vara givarens egen eller en drift (gasens värme, en AC-koppling): den är mindre än tio gånger långsammare än resten. Den räknas som givarens egen; som drift skulle den ändra känsligheten med %2 %. Jämför med ett skott med annat steg, eller med den statiska känsligheten.</translation>
     </message>
 </context>
 <context>

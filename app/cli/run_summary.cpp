@@ -57,7 +57,7 @@ void addModel(std::string &text, const CalibrationResults &results)
 /// Why there is no pressure step, and what a certificate cannot state without one.
 void addMissingStep(std::string &text, const CalibrationResults &results)
 {
-    addLine(text, "Plateau sensitivity", "not determined (no pressure step)");
+    addLine(text, "Sensitivity", "not determined (no pressure step)");
     for (const Finding &finding : results.shock ? results.shock->findings : Findings()) {
         if (finding.id == "SHK-007")
             addLine(text, "", english(finding.message));
@@ -74,7 +74,7 @@ void addSensitivity(
         return;
     }
     // The prefix belongs to the numerator, so "V/Pa" becomes "uV/Pa".
-    addLine(text, "Plateau sensitivity",
+    addLine(text, "Sensitivity",
         numberWithUnit(*response.sensitivity, presentable(response.sensitivityUnit), 5));
     for (const ShotSensitivity &shot : response.shots) {
         if (shot.sensitivity)

@@ -4,8 +4,17 @@
 #include "core/base/finding.h"
 
 #include <algorithm>
+#include <array>
 
 namespace dyncal {
+
+const char *findingCauseName(FindingCause cause)
+{
+    constexpr std::array kNames{"drift", "shots", "typed", "rate", "scale", "distance", "gas",
+        "temperature", "humidity", "attenuation", "pressure", "delay", "echo", "front", "noise",
+        "order"};
+    return kNames[static_cast<std::size_t>(cause)];
+}
 
 const char *severityName(Severity severity)
 {

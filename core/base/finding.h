@@ -24,6 +24,27 @@ struct Correction
     bool operator==(const Correction &) const = default;
 };
 
+/// What a finding says may be wrong; several where the data cannot tell them apart, the likeliest
+/// first.
+enum class FindingCause {
+    Drift,
+    Shots,
+    Typed,
+    Rate,
+    Scale,
+    Distance,
+    Gas,
+    Temperature,
+    Humidity,
+    Attenuation,
+    Pressure,
+    Delay,
+    Echo,
+    Front,
+    Noise,
+    Order
+};
+
 /// A result exists and the operator must see something about it. Ids are stable (findings catalogue
 /// in docs/findings.md); scripts and tests key on them.
 struct Finding
@@ -38,11 +59,14 @@ struct Finding
     std::optional<double> limit = std::nullopt;
     std::optional<Correction> correction
         = std::nullopt; ///< where one change of the recipe would settle it
+    std::vector<FindingCause> causes = {};
 
     bool operator==(const Finding &) const = default;
 };
 
 using Findings = std::vector<Finding>;
+
+const char *findingCauseName(FindingCause cause); ///< "drift", ...: the words of results.json
 
 /// "info", "caution" or "block": the words of results.json.
 const char *severityName(Severity severity);

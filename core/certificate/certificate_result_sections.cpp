@@ -4,6 +4,7 @@
 #include "core/certificate/certificate_result_sections.h"
 
 #include "core/base/constants.h"
+#include "core/base/number_text.h"
 #include "core/base/rounding.h"
 #include "core/certificate/certificate_nuisance.h"
 #include "core/certificate/certificate_words.h"
@@ -31,11 +32,18 @@ Message notReached()
 void addSensitivity(const CalibrationResults &results, CertificateSection &section)
 {
     const ResponseResult *response = results.response.get();
-    section.fields.push_back(
-        {"sensitivity", {DYNCAL_TEXT("core", "Sensitivity at the plateau, mean of the shots"), {}},
-            printed(response ? response->sensitivity : std::nullopt,
-                response ? response->sensitivityUnit : "",
-                {DYNCAL_TEXT("core", "not determined (no pressure step)"), {}}),
+    section.fields.push_back({"sensitivity",
+        {DYNCAL_TEXT("core", "Sensitivity at the onset of the step, mean of the shots"), {}},
+        printed(response ? response->sensitivity : std::nullopt,
+            response ? response->sensitivityUnit : "",
+            {DYNCAL_TEXT("core", "not determined (no pressure step)"), {}}),
+        false});
+    for (const ShotDrift &drift : response ? response->drift : std::vector<ShotDrift>())
+        section.fields.push_back({"drift",
+            {DYNCAL_TEXT("core",
+                 "Drift of shot %1 behind the step, from the onset to %2 after it (no part of the sensitivity)"),
+                {std::to_string(drift.shot), numberWithUnit(drift.at_s, "s", 3)}},
+            printedWithUncertainty(100.0 * drift.relative, 100.0 * drift.u, "%", kCoverageFactor),
             false});
 }
 

@@ -17,9 +17,11 @@
 namespace dyncal {
 namespace {
 
-/// y(t)/c0 of the model's step response, t from the onset.
+/// The sensor's answer to a step of 1, t from the onset: without what drifts slower than it.
 ExponentialSum normalisedSum(const SensorModel &model)
 {
+    if (!model.slowPoles.empty())
+        return model.sensorStep;
     ExponentialSum sum{1.0, Eigen::VectorXcd(model.amplitudes.size()), model.amplitudes};
     for (Index i = 0; i < sum.poles_rad_s.size(); ++i)
         sum.poles_rad_s[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;
@@ -29,10 +31,10 @@ ExponentialSum normalisedSum(const SensorModel &model)
 
 bool hasStepResponse(const SensorModel &model, ResponseTreatment treatment)
 {
-    const Index count = model.amplitudes.size();
-    return isStepTreatment(treatment) && !model.diverges && model.plateauGain != 0.0 && count > 0
-        && std::all_of(model.poles.begin(), model.poles.begin() + count,
-            [](const Pole &pole) { return pole.s_rad_s.real() < 0.0; });
+    if (!isStepTreatment(treatment) || model.diverges || model.level == 0.0)
+        return false;
+    const Eigen::VectorXcd poles = normalisedSum(model).poles_rad_s;
+    return poles.size() > 0 && (poles.array().real() < 0.0).all();
 }
 
 /// Root of a sign change of `f` between a and b, by bisection to full precision.
@@ -204,8 +206,12 @@ std::vector<double> frequencyGrid_Hz(const SensorModel &model)
 void describeBands(
     const SensorModel &model, ResponseTreatment treatment, StepCharacteristics &result)
 {
+    const ExponentialSum own = model.sensorStep;
     const auto ratioAt = [&](double frequency_Hz) {
-        return std::abs(modelResponse(model, treatment, frequency_Hz) / model.plateauGain);
+        if (model.slowPoles.empty())
+            return std::abs(modelResponse(model, treatment, frequency_Hz) / model.plateauGain);
+        const std::complex<double> jw(0.0, kTwoPi * frequency_Hz);
+        return std::abs(1.0 + (own.amplitudes.array() * jw / (jw - own.poles_rad_s.array())).sum());
     };
     const std::vector<double> grid_Hz = frequencyGrid_Hz(model);
     std::vector<double> ratios;

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/base/constants.h"
 #include "core/base/finding.h"
 #include "core/base/index.h"
 #include "core/base/result.h"
@@ -22,12 +23,25 @@
 
 namespace dyncal {
 
-/// Sensitivity of one shot: c0 times its step over the pressure step.
+/// Sensitivity of one shot: the level of its step, at the onset, over the pressure step.
 struct ShotSensitivity
 {
     Index shot = 0;
     std::optional<double> sensitivity; ///< empty = not determined (no pressure step)
     std::string unit; ///< "V/Pa"
+    double u_sensitivity = kUnknown; ///< of level and step together
+    double k_sensitivity = kUnknown; ///< for 95 %, by the effective degrees of freedom
+};
+
+/// What the response of one shot does behind its step, from the level at the onset to the settle
+/// band: of a model with slow poles.
+struct ShotDrift
+{
+    Index shot = 0;
+    double tau_s = kUnknown; ///< of the slowest part; negative where it grows
+    double relative = 0.0; ///< settled level over level at the onset - 1
+    double u = kUnknown; ///< of `relative`
+    double at_s = 0.0; ///< middle of the settle band, after the onset
 };
 
 struct ResponseResult
@@ -44,6 +58,7 @@ struct ResponseResult
     std::string unit; ///< "V/Pa" with a pressure step, "1" without
     StepCharacteristics characteristics;
     std::vector<ShotSensitivity> shots;
+    std::vector<ShotDrift> drift; ///< empty where nothing drifts
     std::optional<double> sensitivity; ///< mean over the shots
     std::string sensitivityUnit;
     ResponseCurve modelCurve; ///< for plots: 600 points over the band and past it

@@ -58,6 +58,10 @@ Json findingJson(const Finding &finding)
     record.set("message", english(finding.message));
     record.number("value", finding.value, "Is not about one number.");
     record.number("limit", finding.limit, "Has no limit.");
+    Json causes = Json::array();
+    for (const FindingCause cause : finding.causes)
+        causes.push_back(findingCauseName(cause));
+    record.set("cause", std::move(causes));
     if (finding.correction)
         record.set("mend",
             {{"label", english(finding.correction->label)}, {"key", finding.correction->key},
@@ -135,6 +139,7 @@ std::string resultsJson(
     root.set("recipe", Json::parse(recipeJson(recipe)));
     addInputs(root, context);
     addShots(root, context);
+    addDrift(root, context);
     addShock(root, context);
     addSpectrum(root, context);
     addComponents(root, context);

@@ -11,6 +11,9 @@ using Json = JsonRecord::Json;
 /// Why an included shot has no response although the window stage is done.
 constexpr const char *kNotUsed = "The shot was not used; see the findings.";
 
+constexpr const char *kNoSensitivityUncertainty
+    = "The uncertainty of the step is not known, or the model was not refined.";
+
 std::string whyNoResponse(const Shot &shot, const ResultsContext &context)
 {
     if (!shot.included)
@@ -75,6 +78,9 @@ void addSensitivity(JsonRecord &record, Index shot, const ResultsContext &contex
     record.number("sensitivity", found ? found->sensitivity : std::nullopt, reason);
     const bool known = found && found->sensitivity;
     record.text("sensitivity_unit", known ? found->unit : std::string(), reason);
+    const std::string unknown = known ? kNoSensitivityUncertainty : reason;
+    record.number("u_sensitivity", known ? found->u_sensitivity : kUnknown, unknown);
+    record.number("k_sensitivity", known ? found->k_sensitivity : kUnknown, unknown);
 }
 
 Json shotJson(Index number, const Shot &shot, const ResultsContext &context)
@@ -103,6 +109,8 @@ Json shotJson(Index number, const Shot &shot, const ResultsContext &context)
     } else {
         record.missing("sensitivity", reason);
         record.missing("sensitivity_unit", reason);
+        record.missing("u_sensitivity", reason);
+        record.missing("k_sensitivity", reason);
     }
     return record.take();
 }
@@ -124,6 +132,26 @@ void addInputs(JsonRecord &root, const ResultsContext &context)
         list.push_back(record.take());
     }
     root.set("inputs", std::move(list));
+}
+
+void addDrift(JsonRecord &root, const ResultsContext &context)
+{
+    const ResponseResult *response = context.results().response.get();
+    if (!response) {
+        root.missing("drift", context.whyMissing());
+        return;
+    }
+    Json list = Json::array();
+    for (const ShotDrift &drift : response->drift) {
+        JsonRecord record;
+        record.set("shot", drift.shot);
+        record.number("tau_s", drift.tau_s, "Not determined.");
+        record.number("relative", drift.relative, "Not determined.");
+        record.number("u", drift.u, kNoUncertainty);
+        record.number("at_s", drift.at_s, "Not determined.");
+        list.push_back(record.take());
+    }
+    root.set("drift", std::move(list));
 }
 
 void addShots(JsonRecord &root, const ResultsContext &context)

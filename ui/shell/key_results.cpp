@@ -34,7 +34,7 @@ KeyResult sensitivityOf(const CalibrationResults &results)
         response ? response->sensitivity.value_or(kUnknown) : kUnknown, kUnknown,
         response ? shownText(response->sensitivityUnit) : QString());
     result.meaning = Key::tr(
-        "Sensitivity at the plateau, mean of the shots. Its standard uncertainty is not worked out yet.");
+        "Sensitivity: the level at the onset of the step over the pressure step, mean of the shots. Its standard uncertainty is not worked out yet.");
     return result;
 }
 

@@ -8,6 +8,7 @@
 #include "core/realization/input/left_out.h"
 #include "core/realization/model/pole_classes.h"
 #include "core/realization/model/series_fit.h"
+#include "core/realization/model/step_level.h"
 #include "core/realization/refinement/pole_uncertainty.h"
 #include "core/realization/refinement/series_simulation.h"
 
@@ -16,6 +17,14 @@
 
 namespace dyncal {
 namespace {
+
+/// The series share their poles.
+void addTo(ExponentialSum &sum, const ExponentialSum &one, double weight)
+{
+    if (sum.poles_rad_s.size() == 0)
+        sum = {1.0, one.poles_rad_s, Eigen::VectorXcd::Zero(one.amplitudes.size())};
+    sum.amplitudes += weight * one.amplitudes;
+}
 
 void poolFits(const ModelInput &input, SensorModel &model)
 {
@@ -36,11 +45,14 @@ void poolFits(const ModelInput &input, SensorModel &model)
         noiseKnown = noiseKnown && std::isfinite(fit.fitAttainable_percent);
         // Each shot counts in units of its own plateau: shots of different height have the same
         // shape.
-        const double unit = isStep ? fit.plateauGain : 1.0;
+        const double unit = isStep ? fit.level : 1.0;
         const double relativeNoise = series.noiseSd / unit;
         const double weight = relativeNoise != 0.0 ? 1.0 / (relativeNoise * relativeNoise) : 1.0;
         weights += weight;
         model.plateauGain += weight * fit.plateauGain;
+        model.level += weight * fit.level;
+        if (!model.slowPoles.empty())
+            addTo(model.sensorStep, fit.sensorStep, weight);
         // Free decays start at arbitrary phases, so magnitudes are pooled, with the phases of the
         // first shot.
         const Eigen::ArrayXcd amplitudes = fit.amplitudes.array();
@@ -52,7 +64,9 @@ void poolFits(const ModelInput &input, SensorModel &model)
                       .exp();
     }
     model.plateauGain /= weights;
-    model.amplitudes = shape / weights * (isStep ? model.plateauGain : 1.0);
+    model.level /= weights;
+    model.amplitudes = shape / weights * (isStep ? model.level : 1.0);
+    model.sensorStep.amplitudes /= weights;
     model.fit_percent = fitPercent(error, spread);
     model.fitAttainable_percent = noiseKnown ? fitPercent(noise, spread) : kUnknown;
 }
@@ -103,6 +117,7 @@ void describeModel(const ModelInput &input, const ModelDraft &draft,
     model.poles = listPoles(input, draft, standsOut, stepPole);
     for (std::size_t r = 0; r < input.series.size(); ++r)
         model.series.push_back(describeSeries(input, draft, r, standsOut, model.stateSpace));
+    describeStepLevel(input, draft, standsOut, model);
     poolFits(input, model);
     describeAmplitudes(model);
 }

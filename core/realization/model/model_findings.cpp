@@ -246,13 +246,13 @@ double shareAtOnset(const SensorModel &model)
         if (std::ranges::find(flags, kBelowNoiseFlag) == flags.end())
             value += model.amplitudes[i].real();
     }
-    return std::abs(value / model.plateauGain);
+    return std::abs(value / model.level);
 }
 
 /// A sensor cannot jump: a model that starts far from 0 lacks its fastest part.
 void judgeOnset(const SensorModel &model, const ModelInput &input, Findings &out)
 {
-    if (!isStepTreatment(input.treatment) || model.diverges || !(std::abs(model.plateauGain) > 0.0))
+    if (!isStepTreatment(input.treatment) || model.diverges || !(std::abs(model.level) > 0.0))
         return;
     const double atOnset = shareAtOnset(model);
     if (atOnset > kMissingFast) {
@@ -268,6 +268,37 @@ void judgeOnset(const SensorModel &model, const ModelInput &input, Findings &out
     }
 }
 
+std::string timeConstant(const Pole &pole)
+{
+    return numberWithUnit(1.0 / std::abs(pole.s_rad_s), "s", 2);
+}
+
+/// What is slower than the sensor: told apart from its step, or too fast for that.
+void judgeDrift(const SensorModel &model, Findings &out)
+{
+    if (!model.slowPoles.empty()) {
+        const Pole &pole = model.poles[static_cast<std::size_t>(model.slowPoles.front())];
+        out.push_back({.id = "MOD-014",
+            .message
+            = {DYNCAL_TEXT("core",
+                   "Behind the step the response drifts by %1 % until the end of the model input, with a time constant of about %2: slower than the sensor, so no part of its step (heat of the gas, an AC coupling). The sensitivity is that of the level at the onset, before the drift."),
+                {numberText(100.0 * model.drift, 2), timeConstant(pole)}},
+            .value = model.drift,
+            .causes = {FindingCause::Drift}});
+    }
+    if (model.doubtfulPole) {
+        const Pole &pole = model.poles[static_cast<std::size_t>(*model.doubtfulPole)];
+        out.push_back({.id = "MOD-015",
+            .severity = Severity::Caution,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "A part of the response with a time constant of %1 may be the sensor's own or a drift (heat of the gas, an AC coupling): it is less than ten times slower than the rest. It counts as the sensor's own; as a drift it would change the sensitivity by %2 %. Compare with a shot of another step, or with the static sensitivity."),
+                {timeConstant(pole), numberText(100.0 * model.doubtfulShare, 2)}},
+            .value = model.doubtfulShare,
+            .causes = {FindingCause::Drift}});
+    }
+}
+
 } // namespace
 
 void flagPoles(const std::vector<std::complex<double>> &zeros, std::vector<Pole> &poles)
@@ -276,7 +307,8 @@ void flagPoles(const std::vector<std::complex<double>> &zeros, std::vector<Pole>
         if (pole.poleClass == PoleClass::Step || pole.poleClass == PoleClass::Nyquist
             || pole.poleClass == PoleClass::Unstable)
             pole.flags.push_back(poleClassName(pole.poleClass));
-        if (isCancelled(pole, zeros))
+        const bool isDrift = std::ranges::find(pole.flags, kDriftFlag) != pole.flags.end();
+        if (!isDrift && isCancelled(pole, zeros))
             pole.flags.push_back("near-cancelled");
         if (pole.poleClass != PoleClass::Step && pole.z.imag() == 0.0
             && pole.frequency_Hz <= pole.u_frequency_Hz)
@@ -297,6 +329,7 @@ Findings judgeModel(const SensorModel &model, const ModelInput &input,
     judgeFit(model, findings);
     judgeAgainstSpectrum(model, spectrum, findings);
     judgeOnset(model, input, findings);
+    judgeDrift(model, findings);
     return findings;
 }
 

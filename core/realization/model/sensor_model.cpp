@@ -20,7 +20,7 @@ double commonAmplitude(
     for (const SeriesFit &fit : series) {
         if (static_cast<Index>(pole) >= fit.amplitudes.size())
             return poles[pole].amplitude;
-        const double unit = fit.plateauGain != 0.0 ? std::abs(fit.plateauGain) : 1.0;
+        const double unit = fit.level != 0.0 ? std::abs(fit.level) : 1.0;
         amplitudes.push_back(std::abs(fit.amplitudes[static_cast<Index>(pole)]) / unit);
     }
     if (amplitudes.empty())
@@ -65,6 +65,17 @@ const Pole *mainPole(const std::vector<Pole> &poles, const std::vector<SeriesFit
         }
     }
     return main;
+}
+
+bool isPlateauKnown(const SensorModel &model)
+{
+    constexpr double kMost = 0.05;
+    if (model.slowPoles.empty())
+        return true;
+    double u = 0.0; // the series share the rate, and with it their errors
+    for (const SeriesFit &fit : model.series)
+        u += fit.u_plateauGain / static_cast<double>(model.series.size());
+    return u <= kMost * std::abs(model.plateauGain);
 }
 
 } // namespace dyncal

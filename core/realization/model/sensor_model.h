@@ -29,6 +29,7 @@ const char *poleClassName(PoleClass poleClass); ///< "sensor", "step", ...
 
 inline constexpr const char *kBelowNoiseFlag = "below-noise";
 inline constexpr const char *kShotsDisagreeFlag = "shots-disagree";
+inline constexpr const char *kDriftFlag = "drift"; ///< slower than the sensor, no part of it
 inline constexpr const char *kTubeModeFlag = "tube-mode"; ///< near a mode of the tube's gas
 
 /// One pole of the model: z in the sampled plane, s = ln(z)/Ts in the continuous one.
@@ -52,6 +53,9 @@ struct SeriesFit
     Index shot = 0; ///< number from 1; 0 = the average
     double plateauGain = 0.0; ///< c0, in the units of the series (0 for impulse)
     double u_plateauGain = kUnknown;
+    double level = 0.0; ///< of the step itself, at the onset (onset_level.h); c0 without a drift
+    double u_level = kUnknown;
+    ExponentialSum sensorStep; ///< with a drift: the sensor's own answer to a step of 1
     Eigen::VectorXcd amplitudes; ///< c_i at the onset, the anti-alias filter's gain divided out,
                                  ///< as the step alone would give them
     ExponentialSum recorded; ///< as fitted, without the nuisance modes; time 0 = detected start
@@ -94,6 +98,12 @@ struct SensorModel
     std::vector<std::complex<double>> zeros;
     std::vector<SeriesFit> series;
     double plateauGain = 0.0; ///< pooled c0
+    double level = 0.0; ///< pooled, of the step itself
+    ExponentialSum sensorStep; ///< pooled; empty without a drift
+    std::vector<Index> slowPoles; ///< positions of those that are a drift, no part of the sensor
+    double drift = 0.0; ///< by them from the onset to the end of the model input, of the level
+    std::optional<Index> doubtfulPole; ///< one that might be a drift, too fast to be told apart
+    double doubtfulShare = 0.0; ///< of the level that it would add, if it is one
     Eigen::VectorXcd
         amplitudes; ///< pooled c_i at the onset, order of `poles` without the step pole
     double fit_percent = 0.0; ///< aligned, pooled over the shots
@@ -106,7 +116,7 @@ struct SensorModel
     /// Noise that the uncertainties rest on: "white", "AR(p)", with " of the residual" where
     /// that exceeds the noise before the start; empty without refinement.
     std::string uncertaintyMethod;
-    Findings findings; ///< ORD-001, ORD-003, MOD-001..006, 008, 009, 012, 013
+    Findings findings; ///< ORD-001, ORD-003, MOD-001..006, 008, 009, 012..015
 };
 
 /// The sensor's main resonance, f0 and zeta of results and certificate: the oscillating sensor pole
@@ -115,5 +125,9 @@ struct SensorModel
 /// of three shots only is not the sensor. Null if nothing oscillates. `poles` are those of the
 /// model, as fitted or as assessed, `series` its fits.
 const Pole *mainPole(const std::vector<Pole> &poles, const std::vector<SeriesFit> &series);
+
+/// Whether c0, to which the response would tend, may be stated: with a drift that has hardly begun
+/// it is an extrapolation, and is not where its u is more than 5 % of it.
+bool isPlateauKnown(const SensorModel &model);
 
 } // namespace dyncal

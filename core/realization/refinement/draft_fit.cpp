@@ -7,6 +7,7 @@
 #include "core/realization/input/left_out.h"
 #include "core/realization/refinement/coloured_covariance.h"
 #include "core/realization/refinement/pole_refinement.h"
+#include "core/realization/refinement/refinement_problem.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,8 +31,13 @@ bool canRefine(const ModelInput &input, const std::vector<std::complex<double>> 
 {
     return !isThesisMode(input) && !poles.empty()
         && static_cast<Index>(poles.size()) <= kLargestRefined
-        && std::all_of(poles.begin(), poles.end(), [](const std::complex<double> &z) {
-               return std::abs(z) < 1.0 && !(z.imag() == 0.0 && z.real() <= 0.0);
+        && std::all_of(poles.begin(), poles.end(), [&](const std::complex<double> &z) {
+               const bool isReal = z.imag() == 0.0;
+               if (isReal && z.real() <= 0.0)
+                   return false;
+               return std::abs(z) < 1.0
+                   || (isReal
+                       && isNearlyRamp(std::log(z.real()) * static_cast<double>(input.samples)));
            });
 }
 

@@ -28,15 +28,23 @@ struct NeverOver
     bool operator()(const Eigen::VectorXd &, const RegressionEquations &) const { return false; }
 };
 
+/// Default of `adjust`: takes a step as it is.
+struct AsItIs
+{
+    void operator()(Eigen::VectorXd &) const { }
+};
+
 /// D. W. Marquardt, J. SIAM 11 (1963) 431: moves `theta` to the minimum of the cost of
 /// `equationsAt` (parameters -> RegressionEquations), through points that `isAllowed`. Ends at a
 /// relative decrease below 1e-12, when no step helps, when `isOver` (asked once an iteration), or
-/// after all iterations; `distanceToGo` tells how near the minimum is. Returns the equations at the
-/// last theta; empty when stopped or if the cost is not finite.
-template <typename EquationsAt, typename IsAllowed, typename IsOver = NeverOver>
+/// after all iterations; `adjust` may move a step before it is tried. `distanceToGo` tells how near
+/// the minimum is. Returns the equations at the last theta; empty when stopped or if the cost is
+/// not finite.
+template <typename EquationsAt, typename IsAllowed, typename IsOver = NeverOver,
+    typename Adjust = AsItIs>
 std::optional<RegressionEquations> descend(Eigen::VectorXd &theta, const DescentLimits &limits,
     const EquationsAt &equationsAt, const IsAllowed &isAllowed, const JobControl &control,
-    IsOver isOver = {})
+    IsOver isOver = {}, const Adjust &adjust = {})
 {
     constexpr double kConverged = 1e-12;
     constexpr double kLargestDamping = 1e8;
@@ -49,7 +57,8 @@ std::optional<RegressionEquations> descend(Eigen::VectorXd &theta, const Descent
             break;
         Eigen::MatrixXd damped = equations.matrix;
         damped.diagonal() *= 1.0 + damping;
-        const Eigen::VectorXd next = theta + damped.ldlt().solve(equations.gradient);
+        Eigen::VectorXd next = theta + damped.ldlt().solve(equations.gradient);
+        adjust(next);
         RegressionEquations tried = isAllowed(next) ? equationsAt(next) : equations;
         if (!(tried.cost < equations.cost)) {
             damping *= 10.0;

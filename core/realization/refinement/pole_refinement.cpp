@@ -149,10 +149,17 @@ Index samplesPerMean(const Problem &problem)
 std::optional<RegressionEquations> descended(
     const Problem &problem, Eigen::VectorXd &theta, const JobControl &control)
 {
+    problem.leaveZero(theta);
     problem.solveAmplitudes(theta);
     auto equations = descend(
         theta, {60, 1e-4}, [&](const Eigen::VectorXd &at) { return problem.equations(at); },
-        [](const Eigen::VectorXd &at) { return at.allFinite(); }, control, RefinementEnd(problem));
+        [](const Eigen::VectorXd &at) { return at.allFinite(); }, control, RefinementEnd(problem),
+        [&](Eigen::VectorXd &next) {
+            // On the way through rate 0 the two amplitudes of a ramp pass infinity: they are solved
+            // for, so that only the rate is searched.
+            if (next.allFinite() && problem.leaveZero(next))
+                problem.solveAmplitudes(next);
+        });
     if (!theta.allFinite() || !problem.isNearStart(theta))
         return std::nullopt;
     return equations;

@@ -29,6 +29,9 @@ RefinementProblem::RefinementProblem(const std::vector<RefinementRecord> &record
             fastest = std::max(fastest, std::abs(record.nuisance.front().pole_rad_s));
     }
     m_unit_s = fastest > 0.0 ? 1.0 / fastest : 0.0;
+    for (const RefinementRecord &record : records)
+        m_length
+            = std::max(m_length, static_cast<double>(record.y.size()) / record.rate_Hz / m_unit_s);
     std::vector<double> start;
     for (std::size_t i = 0; i < startPoles_rad_s.size(); ++i) {
         m_isPair.push_back(isUpperOfPair(startPoles_rad_s, i));
@@ -167,10 +170,31 @@ Eigen::VectorXd RefinementProblem::start() const
     return theta;
 }
 
+bool RefinementProblem::leaveZero(Eigen::VectorXd &theta) const
+{
+    constexpr double kLeast = 2e-3; // time constants over the record
+    bool any = false;
+    Index at = 0;
+    for (const bool pair : m_isPair) {
+        if (!pair && isNearlyRamp(m_start[at] * m_length)) {
+            any = true;
+            if (std::abs(theta[at]) * m_length < kLeast)
+                theta[at] = std::copysign(kLeast / m_length, theta[at]);
+        }
+        at += pair ? 2 : 1;
+    }
+    return any;
+}
+
 bool RefinementProblem::isNearStart(const Eigen::VectorXd &theta) const
 {
     Index at = 0;
     for (const bool pair : m_isPair) {
+        // A drift that is nearly a ramp over the record has no well-known rate, not even its sign.
+        if (!pair && isNearlyRamp(m_start[at] * m_length) && isNearlyRamp(theta[at] * m_length)) {
+            ++at;
+            continue;
+        }
         if (!(theta[at] < 0.0))
             return false;
         const double before

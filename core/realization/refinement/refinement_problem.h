@@ -8,10 +8,19 @@
 
 #include <Eigen/Core>
 
+#include <cmath>
 #include <complex>
 #include <vector>
 
 namespace dyncal {
+
+/// Whether a real pole is so slow, for its number of time constants over the record, that its part
+/// is a ramp but for a quarter.
+inline bool isNearlyRamp(double timeConstants)
+{
+    constexpr double kMost = 0.5;
+    return std::abs(timeConstants) <= kMost;
+}
 
 /// The least squares of refinePoles() as a function of one vector of parameters: poles first, then
 /// per record n amplitudes, maybe c0, and per nuisance term Re and Im of pole and amplitude. Times
@@ -44,7 +53,11 @@ public:
     RegressionEquations equations(const Eigen::VectorXd &theta) const;
     /// Best amplitudes for the poles of `theta`.
     void solveAmplitudes(Eigen::VectorXd &theta) const;
-    /// Whether every pole decays and every mode still describes the oscillation it started from.
+    /// Moves real poles that are nearly ramps off rate 0, where c0 and their amplitude are the same
+    /// parameter; by so little that it cannot be seen. Returns whether there are any.
+    bool leaveZero(Eigen::VectorXd &theta) const;
+    /// Whether every pole decays, unless it is nearly a ramp, and every mode still describes the
+    /// oscillation it started from.
     bool isNearStart(const Eigen::VectorXd &theta) const;
 
 private:
@@ -60,6 +73,7 @@ private:
     std::vector<bool> m_isPair;
     bool m_withConstant;
     double m_unit_s = 0.0;
+    double m_length = 0.0; ///< of the longest record, in that unit
     Eigen::VectorXd m_start; ///< of the poles
 };
 

@@ -82,6 +82,8 @@ constexpr std::pair<std::string_view, FindingPlace> kPlaces[]{
     {"MOD-010", {Page::Model, "polePlot"}},
     {"MOD-012", {Spectrum, "nuisanceModes"}},
     {"MOD-013", {ModelInput, "treatment"}},
+    {"MOD-014", {Page::Model, "poleTable"}},
+    {"MOD-015", {Page::Model, "poleTable"}},
     {"RSP-001", {Page::Model, "magnitudePlot"}},
     {"PRJ-001", {Captures, "shotTable"}},
 };
