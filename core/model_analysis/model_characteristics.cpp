@@ -31,7 +31,7 @@ ExponentialSum normalisedSum(const SensorModel &model)
 
 bool hasStepResponse(const SensorModel &model, ResponseTreatment treatment)
 {
-    if (!isStepTreatment(treatment) || model.diverges || model.level == 0.0)
+    if (!isStepTreatment(treatment) || model.diverges || model.level() == 0.0)
         return false;
     const Eigen::VectorXcd poles = normalisedSum(model).poles_rad_s;
     return poles.size() > 0 && (poles.array().real() < 0.0).all();

@@ -5,9 +5,9 @@
 
 #include "core/base/constants.h"
 #include "core/base/number_text.h"
-#include "core/base/propagation.h"
 #include "core/model_analysis/model_response.h"
 #include "core/model_analysis/sensor_record.h"
+#include "core/model_analysis/shot_uncertainty.h"
 #include "core/model_analysis/step_transform.h"
 #include "core/model_analysis/unwrapped_phase.h"
 
@@ -85,9 +85,9 @@ double plateauOf(const SeriesFit &fit, const WindowedResponse &response,
 double levelOf(const SeriesFit &fit, const WindowedResponse &response,
     const std::vector<WindowedResponse> &responses)
 {
-    if (fit.level == fit.plateauGain)
+    if (fit.level() == fit.plateauGain)
         return plateauOf(fit, response, responses);
-    return fit.level / fit.plateauGain * plateauOf(fit, response, responses);
+    return fit.level() / fit.plateauGain * plateauOf(fit, response, responses);
 }
 
 /// The model's step response of that shot, from the onset on: it ends at the shot's own c0.
@@ -125,7 +125,7 @@ std::vector<ShotView> views(const std::vector<WindowedResponse> &responses,
         }
         if (isAbsolute)
             view.perPressure = response.valueScale / *shock.ofShot(response.shot)->step_Pa;
-        else if (view.fit && view.fit->level != 0.0)
+        else if (view.fit && view.fit->level() != 0.0)
             view.perPressure = 1.0 / levelOf(*view.fit, response, responses);
         list.push_back(view);
     }
@@ -258,7 +258,7 @@ double turnOf_rad(const SensorModel &model, double scale)
 {
     if (scale >= 0.0)
         return 0.0;
-    return model.level < 0.0 ? -std::numbers::pi : std::numbers::pi;
+    return model.level() < 0.0 ? -std::numbers::pi : std::numbers::pi;
 }
 
 void describeModel(
@@ -325,30 +325,12 @@ void reportBelowBand(ResponseResult &result)
         .limit = result.fLow_Hz});
 }
 
-/// Level and step are independent. Few degrees of freedom are those of the step.
-void addUncertainty(const SeriesFit &fit, const ShockConditions &conditions, ShotSensitivity &shot)
-{
-    constexpr double kCoverage = 0.95;
-    const auto u_step_Pa = conditions.uncertainty && !conditions.stepTyped
-        ? conditions.uncertainty->u(StepResult::Step)
-        : std::nullopt;
-    if (!u_step_Pa || !std::isfinite(fit.u_level) || fit.level == 0.0)
-        return;
-    const double ofStep = *u_step_Pa / *conditions.step_Pa;
-    const double ofLevel = fit.u_level / fit.level;
-    const double relative = std::hypot(ofStep, ofLevel);
-    const double dof = conditions.uncertainty->budget.dof[static_cast<Index>(StepResult::Step)]
-        * std::pow(relative / ofStep, 4.0);
-    shot.u_sensitivity = std::abs(*shot.sensitivity) * relative;
-    shot.k_sensitivity = coverageFactor(dof, kCoverage);
-}
-
 void describeDrift(const std::vector<WindowedResponse> &responses, const SensorModel &model,
     ResponseResult &result)
 {
     for (const WindowedResponse &response : responses) {
         const SeriesFit *fit = fitOfShot(model, response.shot);
-        if (model.slowPoles.empty() || !fit || fit->level == 0.0)
+        if (model.slowPoles.empty() || !fit || fit->level() == 0.0)
             continue;
         const double settled = stepOf(response) / levelOf(*fit, response, responses);
         const double inBand
@@ -357,7 +339,7 @@ void describeDrift(const std::vector<WindowedResponse> &responses, const SensorM
         const std::complex<double> s
             = model.poles[static_cast<std::size_t>(model.slowPoles.front())].s_rad_s;
         result.drift.push_back({response.shot, -1.0 / s.real(), settled - 1.0,
-            std::abs(settled) * std::hypot(fit->u_level / fit->level, noise),
+            std::abs(settled) * std::hypot(fit->u_level() / fit->level(), noise),
             0.5 * (response.settle_s.begin + response.settle_s.end) - fit->onset_s});
     }
 }
@@ -397,10 +379,10 @@ void describeShots(const std::vector<WindowedResponse> &responses, const SensorM
 double scaleOf(
     const SensorModel &model, bool isStep, bool isAbsolute, const ResponseResult &response)
 {
-    if (!isStep || model.level == 0.0)
+    if (!isStep || model.level() == 0.0)
         return 1.0;
-    return isAbsolute && response.sensitivity ? *response.sensitivity / model.level
-                                              : 1.0 / model.level;
+    return isAbsolute && response.sensitivity ? *response.sensitivity / model.level()
+                                              : 1.0 / model.level();
 }
 
 } // namespace

@@ -160,7 +160,7 @@ void addModel(JsonRecord &root, const ResultsContext &context)
     addFits(section, *model);
     section.number("plateau_gain", isPlateauKnown(*model) ? model->plateauGain : kUnknown,
         "The response drifts: where it would end is not known well enough.");
-    section.number("onset_level", model->level, "The level could not be fitted.");
+    section.number("onset_level", model->level(), "The level could not be fitted.");
     section.text("gain_unit", gainUnit(context), "The recordings state no unit.");
     section.set("nuisance", nuisanceJson(*model));
     if (assessment && assessment->nuisanceEffect)

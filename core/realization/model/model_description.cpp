@@ -32,6 +32,7 @@ void poolFits(const ModelInput &input, SensorModel &model)
     double noise = 0.0;
     double spread = 0.0;
     double weights = 0.0;
+    double level = 0.0;
     bool noiseKnown = true;
     Eigen::VectorXcd shape = Eigen::VectorXcd::Zero(model.series.front().amplitudes.size());
     const bool isStep = isStepTreatment(input.treatment);
@@ -45,12 +46,12 @@ void poolFits(const ModelInput &input, SensorModel &model)
         noiseKnown = noiseKnown && std::isfinite(fit.fitAttainable_percent);
         // Each shot counts in units of its own plateau: shots of different height have the same
         // shape.
-        const double unit = isStep ? fit.level : 1.0;
+        const double unit = isStep ? fit.level() : 1.0;
         const double relativeNoise = series.noiseSd / unit;
         const double weight = relativeNoise != 0.0 ? 1.0 / (relativeNoise * relativeNoise) : 1.0;
         weights += weight;
         model.plateauGain += weight * fit.plateauGain;
-        model.level += weight * fit.level;
+        level += weight * fit.level();
         if (!model.slowPoles.empty())
             addTo(model.sensorStep, fit.sensorStep, weight);
         // Free decays start at arbitrary phases, so magnitudes are pooled, with the phases of the
@@ -64,8 +65,9 @@ void poolFits(const ModelInput &input, SensorModel &model)
                       .exp();
     }
     model.plateauGain /= weights;
-    model.level /= weights;
-    model.amplitudes = shape / weights * (isStep ? model.level : 1.0);
+    if (!model.slowPoles.empty())
+        model.stepLevel = level / weights;
+    model.amplitudes = shape / weights * (isStep ? model.level() : 1.0);
     model.sensorStep.amplitudes /= weights;
     model.fit_percent = fitPercent(error, spread);
     model.fitAttainable_percent = noiseKnown ? fitPercent(noise, spread) : kUnknown;

@@ -246,13 +246,13 @@ double shareAtOnset(const SensorModel &model)
         if (std::ranges::find(flags, kBelowNoiseFlag) == flags.end())
             value += model.amplitudes[i].real();
     }
-    return std::abs(value / model.level);
+    return std::abs(value / model.level());
 }
 
 /// A sensor cannot jump: a model that starts far from 0 lacks its fastest part.
 void judgeOnset(const SensorModel &model, const ModelInput &input, Findings &out)
 {
-    if (!isStepTreatment(input.treatment) || model.diverges || !(std::abs(model.level) > 0.0))
+    if (!isStepTreatment(input.treatment) || model.diverges || !(std::abs(model.level()) > 0.0))
         return;
     const double atOnset = shareAtOnset(model);
     if (atOnset > kMissingFast) {

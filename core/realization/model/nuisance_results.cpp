@@ -23,8 +23,8 @@ NuisanceOfShot ofShot(
     const NuisanceTerm atOnset = termsAt({result.term}, fit.onset_s).front();
     result.phase_rad = std::arg(atOnset.amplitude);
     result.relativeAmplitude = std::abs(atOnset.amplitude);
-    if (fit.level != 0.0)
-        result.relativeAmplitude /= std::abs(fit.level);
+    if (fit.level() != 0.0)
+        result.relativeAmplitude /= std::abs(fit.level());
     if (draft.refinement) {
         const Eigen::Matrix4d covariance = nuisanceCovariance(
             *draft.refinement, static_cast<Index>(series), static_cast<Index>(term));

@@ -20,7 +20,7 @@ double commonAmplitude(
     for (const SeriesFit &fit : series) {
         if (static_cast<Index>(pole) >= fit.amplitudes.size())
             return poles[pole].amplitude;
-        const double unit = fit.level != 0.0 ? std::abs(fit.level) : 1.0;
+        const double unit = fit.level() != 0.0 ? std::abs(fit.level()) : 1.0;
         amplitudes.push_back(std::abs(fit.amplitudes[static_cast<Index>(pole)]) / unit);
     }
     if (amplitudes.empty())

@@ -53,8 +53,8 @@ struct SeriesFit
     Index shot = 0; ///< number from 1; 0 = the average
     double plateauGain = 0.0; ///< c0, in the units of the series (0 for impulse)
     double u_plateauGain = kUnknown;
-    double level = 0.0; ///< of the step itself, at the onset (onset_level.h); c0 without a drift
-    double u_level = kUnknown;
+    std::optional<double> stepLevel; ///< with a drift: of the step itself (onset_level.h)
+    double u_stepLevel = kUnknown;
     ExponentialSum sensorStep; ///< with a drift: the sensor's own answer to a step of 1
     Eigen::VectorXcd amplitudes; ///< c_i at the onset, the anti-alias filter's gain divided out,
                                  ///< as the step alone would give them
@@ -67,6 +67,10 @@ struct SeriesFit
     Eigen::VectorXd error; ///< y - simulated
     double fit_percent = 0.0;
     double fitAttainable_percent = 0.0; ///< what the true model would score, from pre-trigger noise
+
+    /// Of the step itself, at the onset: c0 without a drift.
+    double level() const { return stepLevel.value_or(plateauGain); }
+    double u_level() const { return stepLevel ? u_stepLevel : u_plateauGain; }
 };
 
 /// One mode that is not the sensor's, in one shot.
@@ -98,7 +102,7 @@ struct SensorModel
     std::vector<std::complex<double>> zeros;
     std::vector<SeriesFit> series;
     double plateauGain = 0.0; ///< pooled c0
-    double level = 0.0; ///< pooled, of the step itself
+    std::optional<double> stepLevel; ///< with a drift: pooled
     ExponentialSum sensorStep; ///< pooled; empty without a drift
     std::vector<Index> slowPoles; ///< positions of those that are a drift, no part of the sensor
     double drift = 0.0; ///< by them from the onset to the end of the model input, of the level
@@ -117,6 +121,9 @@ struct SensorModel
     /// that exceeds the noise before the start; empty without refinement.
     std::string uncertaintyMethod;
     Findings findings; ///< ORD-001, ORD-003, MOD-001..006, 008, 009, 012..015
+
+    /// Of the step itself, at the onset: c0 without a drift.
+    double level() const { return stepLevel.value_or(plateauGain); }
 };
 
 /// The sensor's main resonance, f0 and zeta of results and certificate: the oscillating sensor pole

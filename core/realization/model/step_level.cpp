@@ -183,8 +183,8 @@ void take(const ModelInput &input, const Poles &slow, const std::vector<Level> &
     model.drift = meanShare(levels, 1, static_cast<Index>(slow.size()));
     for (std::size_t r = 0; r < levels.size(); ++r) {
         SeriesFit &fit = model.series[r];
-        fit.level = levels[r].onset.value;
-        fit.u_level = std::hypot(std::sqrt(levels[r].variances[0]), input.series[r].u_baseline);
+        fit.stepLevel = levels[r].onset.value;
+        fit.u_stepLevel = std::hypot(std::sqrt(levels[r].variances[0]), input.series[r].u_baseline);
         fit.sensorStep = levels[r].onset.sensor;
     }
 }
@@ -194,10 +194,6 @@ void take(const ModelInput &input, const Poles &slow, const std::vector<Level> &
 void describeStepLevel(const ModelInput &input, const ModelDraft &draft,
     const std::vector<bool> &standsOut, SensorModel &model)
 {
-    for (SeriesFit &fit : model.series) {
-        fit.level = fit.plateauGain;
-        fit.u_level = fit.u_plateauGain;
-    }
     if (!isStepTreatment(input.treatment) || isThesisMode(input) || !draft.refinement
         || !draft.refinement->withConstant)
         return;

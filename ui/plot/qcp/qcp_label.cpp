@@ -3,7 +3,7 @@
 
 #include "ui/plot/qcp/qcp_label.h"
 
-#include <QFontMetricsF>
+#include <QFontMetrics>
 #include <QPainterPath>
 
 namespace dyncal {
@@ -21,14 +21,21 @@ PlotLabel::PlotLabel(QCustomPlot *plot)
 void PlotLabel::draw(QCPPainter *painter)
 {
     if (m_rim.isValid()) {
-        const QPointF corner = topLeft->pixelPosition();
-        QPainterPath letters;
-        letters.addText(corner.x() + padding().left(),
-            corner.y() + padding().top() + QFontMetricsF(font()).ascent(), font(), text());
+        // As QCPItemText places its text; its anchors still tell where it stood before.
+        const QFontMetrics metrics(font(), painter->device());
+        const QMargins pads = padding();
+        const QRect letters = metrics.boundingRect(
+            0, 0, 0, 0, Qt::TextDontClip | static_cast<int>(textAlignment()), text());
+        const QRectF box = letters.adjusted(-pads.left(), -pads.top(), pads.right(), pads.bottom());
+        const QPointF corner = position->pixelPosition()
+            + getTextDrawPoint(QPointF(0, 0), box, positionAlignment()).toPoint();
+        QPainterPath outline;
+        outline.addText(
+            corner + QPointF(pads.left(), pads.top() + metrics.ascent()), font(), text());
         painter->save();
         painter->setAntialiasing(true);
         painter->strokePath(
-            letters, QPen(m_rim, kRim_px, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+            outline, QPen(m_rim, kRim_px, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
         painter->restore();
     }
     QCPItemText::draw(painter);
