@@ -20,7 +20,8 @@ PlotLabel::PlotLabel(QCustomPlot *plot)
 
 void PlotLabel::draw(QCPPainter *painter)
 {
-    if (m_rim.isValid()) {
+    // On paper a label is plain letters: an outline is no text for who searches or edits the file.
+    if (m_rim.isValid() && !painter->modes().testFlag(QCPPainter::pmVectorized)) {
         // As QCPItemText places its text; its anchors still tell where it stood before.
         const QFontMetrics metrics(font(), painter->device());
         const QMargins pads = padding();
