@@ -9,6 +9,7 @@
 #include <hdf5/serial/hdf5.h>
 #endif
 
+#include <memory>
 #include <mutex>
 #include <utility>
 
@@ -71,6 +72,12 @@ inline std::mutex &hdf5Mutex()
 /// could not be closed (a full disk). We close everything ourselves.
 inline void silenceHdf5()
 {
+    // Where memory ends while it starts, the library follows a null pointer; std::bad_alloc
+    // instead.
+    [[maybe_unused]] static const bool hasRoom = [] {
+        const auto room = std::make_unique<volatile char[]>(std::size_t{2} << 20U);
+        return room[0] == 0; // a read, so that the room is not optimised away
+    }();
     [[maybe_unused]] static const herr_t noExitHandler = H5dont_atexit(); // before any other call
     H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }
