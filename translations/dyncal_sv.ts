@@ -818,8 +818,8 @@
         <translation>Givarens dämpningsgrad; ± är standardosäkerheten u (k = 1).</translation>
     </message>
     <message>
-        <source>Sensitivity: the level at the onset of the step over the pressure step, mean of the shots. Its standard uncertainty is not worked out yet.</source>
-        <translation>Känslighet: nivån vid stegets början genom trycksteget, medelvärde över skotten. Dess standardosäkerhet är ännu inte beräknad.</translation>
+        <source>Sensitivity: the level at the onset of the step over the pressure step, mean of the shots, with its standard uncertainty where that of the step is known.</source>
+        <translation>Känslighet: nivån vid stegets början genom trycksteget, medelvärde över skotten, med dess standardosäkerhet där stegets är känd.</translation>
     </message>
 </context>
 <context>
@@ -4757,10 +4757,6 @@
         <translation>k</translation>
     </message>
     <message>
-        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is not contained in the uncertainties of the sensitivity and of the frequency response.</source>
-        <translation>U för steget är dess utvidgade osäkerhet med täckningsfaktorn k på samma rad, för täckningssannolikheten %1 %. Den följer av osäkerheterna för stötvågens hastighet, begynnelsetrycket, begynnelsetemperaturen och gasen och gäller för ett idealt stötrör. Den ingår inte i osäkerheterna för känsligheten och frekvenssvaret.</translation>
-    </message>
-    <message>
         <source>gas in the tube</source>
         <translation>gas i röret</translation>
     </message>
@@ -4807,10 +4803,6 @@
     <message>
         <source>The oscillations above were fitted in each shot together with the sensor. Poles, sensitivity and frequency response are those of the sensor without them; the fit counts them.</source>
         <translation>Svängningarna ovan anpassades i varje skott tillsammans med givaren. Poler, känslighet och frekvenssvar är givarens utan dem; anpassningsgraden räknar med dem.</translation>
-    </message>
-    <message>
-        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes, not the uncertainty of the pressure step. A complete uncertainty budget was not evaluated; where no uncertainty stands beside a value, none is stated. Rise time, overshoot, settling time and band edges are those of the model.</source>
-        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2 och innehåller bara bidraget från registreringarnas brus, inte tryckstegets osäkerhet. Någon fullständig osäkerhetsbudget har inte beräknats; där ingen osäkerhet står bredvid ett värde är ingen angiven. Stigtid, översläng, insvängningstid och bandgränser är modellens.</translation>
     </message>
     <message>
         <source>There is no decomposition yet that orders could be taken from.</source>
@@ -5371,6 +5363,50 @@
     <message>
         <source>A part of the response with a time constant of %1 may be the sensor&apos;s own or a drift (heat of the gas, an AC coupling): it is less than ten times slower than the rest. It counts as the sensor&apos;s own; as a drift it would change the sensitivity by %2 %. Compare with a shot of another step, or with the static sensitivity.</source>
         <translation>En del av svaret med tidskonstanten %1 kan vara givarens egen eller en drift (gasens värme, en AC-koppling): den är mindre än tio gånger långsammare än resten. Den räknas som givarens egen; som drift skulle den ändra känsligheten med %2 %. Jämför med ett skott med annat steg, eller med den statiska känsligheten.</translation>
+    </message>
+    <message>
+        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is contained in the uncertainty of the sensitivity, not in those of the frequency response.</source>
+        <translation>U för steget är dess utvidgade osäkerhet med täckningsfaktorn k på samma rad, för täckningssannolikheten %1 %. Den följer av osäkerheterna för stötvågens hastighet, begynnelsetrycket, begynnelsetemperaturen och gasen och gäller för ett idealt stötrör. Den ingår i osäkerheten för känsligheten men inte i osäkerheterna för frekvenssvaret.</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes, not the uncertainty of the pressure step; that of the sensitivity alone contains both. A complete uncertainty budget was not evaluated; where no uncertainty stands beside a value, none is stated. Rise time, overshoot, settling time and band edges are those of the model.</source>
+        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2 och innehåller bara bidraget från registreringarnas brus, inte tryckstegets osäkerhet; bara känslighetens innehåller båda. Någon fullständig osäkerhetsbudget har inte beräknats; där ingen osäkerhet står bredvid ett värde är ingen angiven. Stigtid, översläng, insvängningstid och bandgränser är modellens.</translation>
+    </message>
+    <message>
+        <source>not determined (no level at the onset)</source>
+        <translation>inte bestämd (ingen nivå vid stegets början)</translation>
+    </message>
+    <message>
+        <source>Sensitivity at the onset of the step, low level</source>
+        <translation>Känslighet vid stegets början, låg nivå</translation>
+    </message>
+    <message>
+        <source>Sensitivity at the onset of the step, medium level</source>
+        <translation>Känslighet vid stegets början, medelnivå</translation>
+    </message>
+    <message>
+        <source>Sensitivity at the onset of the step, high level</source>
+        <translation>Känslighet vid stegets början, hög nivå</translation>
+    </message>
+    <message>
+        <source>one value per level (the shots do not agree)</source>
+        <translation>ett värde per nivå (skotten stämmer inte överens)</translation>
+    </message>
+    <message>
+        <source>Sensitivity at the onset of the step, mean of the shots, which do not agree</source>
+        <translation>Känslighet vid stegets början, medelvärde över skotten, som inte stämmer överens</translation>
+    </message>
+    <message>
+        <source>Change of the sensitivity with the step</source>
+        <translation>Känslighetens ändring med steget</translation>
+    </message>
+    <message>
+        <source>The sensitivities of the shots, from %1 to %2 % about their mean, differ by more than their uncertainties explain; shot %3 is the odd one. Their scatter serves as the uncertainty of the mean; look at that shot, its step and its level, or state one value per level.</source>
+        <translation>Skottens känsligheter, från %1 till %2 % kring medelvärdet, skiljer sig mer än deras osäkerheter förklarar; skott %3 avviker mest. Deras spridning gäller som medelvärdets osäkerhet; granska det skottet, dess steg och dess nivå, eller ange ett värde per nivå.</translation>
+    </message>
+    <message>
+        <source>The sensitivities of the shots, from %1 to %2 % about their mean, differ by more than 1 % each would explain (their own uncertainties are not known); shot %3 is the odd one. Look at that shot, its step and its level, or state one value per level.</source>
+        <translation>Skottens känsligheter, från %1 till %2 % kring medelvärdet, skiljer sig mer än 1 % vardera skulle förklara (deras egna osäkerheter är inte kända); skott %3 avviker mest. Granska det skottet, dess steg och dess nivå, eller ange ett värde per nivå.</translation>
     </message>
 </context>
 <context>
@@ -7876,6 +7912,10 @@
     <message>
         <source>Sensitivity: not determined. %1</source>
         <translation>Känslighet: inte bestämd. %1</translation>
+    </message>
+    <message>
+        <source>Drift to the settle band</source>
+        <translation>Drift till slutnivåns band</translation>
     </message>
 </context>
 <context>

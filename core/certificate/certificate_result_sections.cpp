@@ -4,9 +4,9 @@
 #include "core/certificate/certificate_result_sections.h"
 
 #include "core/base/constants.h"
-#include "core/base/number_text.h"
 #include "core/base/rounding.h"
 #include "core/certificate/certificate_nuisance.h"
+#include "core/certificate/certificate_sensitivity.h"
 #include "core/certificate/certificate_words.h"
 
 #include <algorithm>
@@ -27,24 +27,6 @@ Message noModel()
 Message notReached()
 {
     return {DYNCAL_TEXT("core", "not determined (outside the range of the model)"), {}};
-}
-
-void addSensitivity(const CalibrationResults &results, CertificateSection &section)
-{
-    const ResponseResult *response = results.response.get();
-    section.fields.push_back({"sensitivity",
-        {DYNCAL_TEXT("core", "Sensitivity at the onset of the step, mean of the shots"), {}},
-        printed(response ? response->sensitivity : std::nullopt,
-            response ? response->sensitivityUnit : "",
-            {DYNCAL_TEXT("core", "not determined (no pressure step)"), {}}),
-        false});
-    for (const ShotDrift &drift : response ? response->drift : std::vector<ShotDrift>())
-        section.fields.push_back({"drift",
-            {DYNCAL_TEXT("core",
-                 "Drift of shot %1 behind the step, from the onset to %2 after it (no part of the sensitivity)"),
-                {std::to_string(drift.shot), numberWithUnit(drift.at_s, "s", 3)}},
-            printedWithUncertainty(100.0 * drift.relative, 100.0 * drift.u, "%", kCoverageFactor),
-            false});
 }
 
 /// k = 2, or a larger Student's k where the scatter of few shots decides, so that the interval has
@@ -96,18 +78,13 @@ void addCharacteristics(const CalibrationResults &results, CertificateSection &s
 
 std::vector<Message> shotRow(const CalibrationResults &results, const WindowedResponse &response)
 {
-    Message sensitivity{DYNCAL_TEXT("core", "not determined"), {}};
-    if (results.response)
-        for (const ShotSensitivity &entry : results.response->shots)
-            if (entry.shot == response.shot && entry.sensitivity)
-                sensitivity = printed(entry.sensitivity, entry.unit, sensitivity);
     return {verbatim(std::to_string(response.shot)), levelWord(response.level),
         verbatim(roundedText(response.sampleRate_Hz, kUnknown, "Hz")),
         verbatim(roundedText(response.step, kUnknown, response.unit)),
         std::abs(response.snr_dB) < kMostDecibels ? verbatim(fixedText(response.snr_dB, 1) + " dB")
                                                   : dash(),
         printed(response.riseTime_s, "s", dash()), printed(response.overshoot_percent, "%", dash()),
-        printed(response.settlingTime_s, "s", dash()), sensitivity};
+        printed(response.settlingTime_s, "s", dash()), shotSensitivityText(results, response.shot)};
 }
 
 Message poleWord(PoleClass poleClass)
@@ -257,7 +234,7 @@ CertificateSection resultsSection(const CalibrationResults &results)
     addCharacteristics(results, section);
     section.notes.push_back(
         {DYNCAL_TEXT("core",
-             "Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes, not the uncertainty of the pressure step. A complete uncertainty budget was not evaluated; where no uncertainty stands beside a value, none is stated. Rise time, overshoot, settling time and band edges are those of the model."),
+             "Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes, not the uncertainty of the pressure step; that of the sensitivity alone contains both. A complete uncertainty budget was not evaluated; where no uncertainty stands beside a value, none is stated. Rise time, overshoot, settling time and band edges are those of the model."),
             {}});
     return section;
 }

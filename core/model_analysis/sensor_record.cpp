@@ -3,6 +3,7 @@
 
 #include "core/model_analysis/sensor_record.h"
 
+#include "core/model_analysis/drift.h"
 #include "core/realization/exponentials/exponential_sum.h"
 #include "core/realization/nuisance/nuisance_modes.h"
 #include "core/signal/window_bands.h"
@@ -65,6 +66,21 @@ std::complex<double> stepTransformOf(
     return 0.5 * jw * (amplitude / (jw - s) + std::conj(amplitude) / (jw - std::conj(s)));
 }
 
+void takeOffDrift(const DriftResult &drift, Index shot, const SeriesFit &fit, double rate_Hz,
+    SensorRecord &record)
+{
+    const ShotDrift *found = drift.ofShot(shot);
+    if (!found)
+        return;
+    const double s = -1.0 / found->tau_s;
+    const double c = found->share * fit.level();
+    for (Index i = 0; i < record.values.size(); ++i) {
+        const double t_s = static_cast<double>(i - record.early) / rate_Hz - fit.onset_s;
+        record.values[i] -= t_s > 0.0 ? c * std::expm1(s * t_s) : 0.0;
+    }
+    record.slow.push_back({s, c, drift.kind == DriftKind::Heat ? found->share : 0.0});
+}
+
 } // namespace
 
 std::complex<double> SensorRecord::ofStep(std::complex<double> transform, double frequency_Hz) const
@@ -74,13 +90,19 @@ std::complex<double> SensorRecord::ofStep(std::complex<double> transform, double
         transform += stepTransformOf(mode.response, mode.pole_rad_s, frequency_Hz);
         input += stepTransformOf(mode.pressure, mode.pole_rad_s, frequency_Hz);
     }
+    for (const Slow &mode : slow) {
+        const std::complex<double> jw(0.0, 2.0 * std::numbers::pi * frequency_Hz);
+        const std::complex<double> share = mode.rate_rad_s / (jw - mode.rate_rad_s);
+        transform += mode.response * share;
+        input += mode.pressure * share;
+    }
     return transform / input;
 }
 
-SensorRecord sensorRecord(
-    const WindowedResponse &response, const SensorModel &model, const SeriesFit *fit)
+SensorRecord sensorRecord(const WindowedResponse &response, const SensorModel &model,
+    const SeriesFit *fit, const DriftResult &drift)
 {
-    SensorRecord record{response.window(), 0, {}};
+    SensorRecord record{response.window(), 0, {}, {}};
     if (!fit)
         return record;
     record.early = samplesBetween(response, fit->onset_s);
@@ -105,6 +127,7 @@ SensorRecord sensorRecord(
             = fit->plateauGain + (fit->amplitudes.array() * s / (s - poles)).sum();
         record.driven.push_back({s, term.amplitude, term.amplitude / gain});
     }
+    takeOffDrift(drift, response.shot, *fit, response.sampleRate_Hz, record);
     return record;
 }
 

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/model_analysis/drift.h"
 #include "core/realization/model/sensor_model.h"
 #include "core/signal/response_window.h"
 
@@ -26,18 +27,30 @@ struct SensorRecord
         std::complex<double> pressure;
     };
 
+    /// A drift that `values` are freed of: c (1 - e^(s t)) was added, so that they stay at the
+    /// level of the onset.
+    struct Slow
+    {
+        double rate_rad_s = 0.0;
+        double response = 0.0; ///< c, in the record
+        double pressure = 0.0; ///< of what the sensor sees, relative to the step; 0 where the
+                               ///< drift belongs to the sensor's chain
+    };
+
     Eigen::VectorXd values; ///< from the onset on, at least from the detected start
     Index early = 0; ///< of them, before the detected start
     std::vector<Driven> driven;
+    std::vector<Slow> slow;
 
     /// Response to the step alone, from the transform of `values`: (transform + the modes' part of
-    /// the record) over (1 + their part of the pressure). Without such modes it is `transform`.
+    /// the record) over (1 + their part of the pressure). Without such modes it is `transform`. A
+    /// slow mode's parts are c s/(jw - s).
     std::complex<double> ofStep(std::complex<double> transform, double frequency_Hz) const;
 };
 
 /// `fit` describes the shot by the poles of `model`, one amplitude each; null = no model of it,
-/// then nothing is subtracted.
-SensorRecord sensorRecord(
-    const WindowedResponse &response, const SensorModel &model, const SeriesFit *fit);
+/// then nothing is subtracted. `drift`: findDrift() of the same model.
+SensorRecord sensorRecord(const WindowedResponse &response, const SensorModel &model,
+    const SeriesFit *fit, const DriftResult &drift = {});
 
 } // namespace dyncal

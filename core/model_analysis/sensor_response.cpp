@@ -7,7 +7,7 @@
 #include "core/base/number_text.h"
 #include "core/model_analysis/model_response.h"
 #include "core/model_analysis/sensor_record.h"
-#include "core/model_analysis/shot_uncertainty.h"
+#include "core/model_analysis/shot_levels.h"
 #include "core/model_analysis/step_transform.h"
 #include "core/model_analysis/unwrapped_phase.h"
 
@@ -15,6 +15,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 namespace dyncal {
 namespace {
@@ -47,49 +48,6 @@ double inputSpan_s(const ModelInput &input)
     return input.offset_s + static_cast<double>(input.samples) / input.sampleRate_Hz;
 }
 
-const SeriesFit *fitOfShot(const SensorModel &model, Index shot)
-{
-    for (const SeriesFit &fit : model.series) {
-        if (fit.shot == shot || fit.shot == 0)
-            return &fit;
-    }
-    return nullptr;
-}
-
-bool shareOneUnit(const std::vector<WindowedResponse> &responses)
-{
-    return std::all_of(responses.begin(), responses.end(),
-        [&](const WindowedResponse &response) { return response.unit == responses.front().unit; });
-}
-
-/// The step in the unit of the values: 1 where they are remapped.
-double stepOf(const WindowedResponse &response)
-{
-    return response.step / response.valueScale;
-}
-
-/// c0 of one shot. The fit of an average gives the mean; each shot's c0 is in proportion to its
-/// step.
-double plateauOf(const SeriesFit &fit, const WindowedResponse &response,
-    const std::vector<WindowedResponse> &responses)
-{
-    if (fit.shot != 0)
-        return fit.plateauGain;
-    double mean = 0.0;
-    for (const WindowedResponse &other : responses)
-        mean += stepOf(other) / static_cast<double>(responses.size());
-    return fit.plateauGain * stepOf(response) / mean;
-}
-
-/// The level of the step itself, at the onset, likewise.
-double levelOf(const SeriesFit &fit, const WindowedResponse &response,
-    const std::vector<WindowedResponse> &responses)
-{
-    if (fit.level() == fit.plateauGain)
-        return plateauOf(fit, response, responses);
-    return fit.level() / fit.plateauGain * plateauOf(fit, response, responses);
-}
-
 /// The model's step response of that shot, from the onset on: it ends at the shot's own c0.
 ExponentialSum modelStep(const SensorModel &model, const SeriesFit &fit, double plateau)
 {
@@ -98,6 +56,18 @@ ExponentialSum modelStep(const SensorModel &model, const SeriesFit &fit, double 
     for (Index i = 0; i < step.poles_rad_s.size(); ++i)
         step.poles_rad_s[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;
     return step;
+}
+
+/// The record was freed of its drift and stays at the level of the onset: so does what the model
+/// makes of it.
+void stopDrift(const SensorModel &model, ShotView &view)
+{
+    if (view.record.slow.empty())
+        return;
+    view.plateau = view.fit->level();
+    view.step.constant = view.plateau;
+    for (const Index i : model.slowPoles)
+        view.step.amplitudes[i] = 0.0;
 }
 
 /// Whether the response is in the DUT's unit per pascal: the recipe asks for it, all shots have one
@@ -113,15 +83,17 @@ bool isPerPressure(const std::vector<WindowedResponse> &responses, const ShockCo
 }
 
 std::vector<ShotView> views(const std::vector<WindowedResponse> &responses,
-    const SensorModel &model, const ShockConditionsSet &shock, bool isAbsolute)
+    const SensorModel &model, const ShockConditionsSet &shock, bool isAbsolute,
+    const DriftResult &drift)
 {
     std::vector<ShotView> list;
     for (const WindowedResponse &response : responses) {
         ShotView view{&response, fitOfShot(model, response.shot), 1.0, 1.0, {}, {}};
-        view.record = sensorRecord(response, model, view.fit);
+        view.record = sensorRecord(response, model, view.fit, drift);
         if (view.fit) {
             view.plateau = plateauOf(*view.fit, response, responses);
             view.step = modelStep(model, *view.fit, view.plateau);
+            stopDrift(model, view);
         }
         if (isAbsolute)
             view.perPressure = response.valueScale / *shock.ofShot(response.shot)->step_Pa;
@@ -145,7 +117,8 @@ Index samplesUsed(const WindowedResponse &response, double span_s, double freque
 /// without the refinement, where it is not known.
 double levelUncertainty(const ShotView &shot)
 {
-    return shot.fit && std::isfinite(shot.fit->u_plateauGain) ? shot.fit->u_plateauGain : 0.0;
+    const double u = shot.fit ? shot.fit->u_level() : 0.0;
+    return std::isfinite(u) ? u : 0.0;
 }
 
 struct Point
@@ -261,6 +234,24 @@ double turnOf_rad(const SensorModel &model, double scale)
     return model.level() < 0.0 ? -std::numbers::pi : std::numbers::pi;
 }
 
+/// The model's drift is known over its input only: it gives way to what the whole record shows of
+/// a drift of the sensor's chain, and to nothing for heat, which acts on the sensor's face.
+void exchangeDrift(const SensorModel &model, ResponseResult &result)
+{
+    const auto exchange
+        = [&](const Eigen::VectorXd &f_Hz, Eigen::VectorXd &magnitude, Eigen::VectorXd &phase_rad) {
+              for (Index k = 0; k < f_Hz.size(); ++k) {
+                  const std::complex<double> change
+                      = result.drift.keptAt(f_Hz[k]) / modelledDrift(model, f_Hz[k]);
+                  magnitude[k] *= std::abs(change);
+                  phase_rad[k] += std::arg(change);
+              }
+          };
+    exchange(result.frequency_Hz, result.modelMagnitude, result.modelPhase_rad);
+    exchange(
+        result.modelCurve.frequency_Hz, result.modelCurve.magnitude, result.modelCurve.phase_rad);
+}
+
 void describeModel(
     const SensorModel &model, ResponseTreatment treatment, double scale, ResponseResult &result)
 {
@@ -279,6 +270,8 @@ void describeModel(
         result.modelMagnitude[k] = std::abs(scale * modelResponse(model, treatment, f_Hz));
         result.modelPhase_rad[k] = phase.at(f_Hz) + turn_rad;
     }
+    if (!result.drift.shots.empty())
+        exchangeDrift(model, result);
 }
 
 /// Compares the two independent answers and reports where they differ beyond their uncertainty.
@@ -325,54 +318,15 @@ void reportBelowBand(ResponseResult &result)
         .limit = result.fLow_Hz});
 }
 
-void describeDrift(const std::vector<WindowedResponse> &responses, const SensorModel &model,
-    ResponseResult &result)
+void takeShots(ShotSensitivities &&found, ResponseResult &result)
 {
-    for (const WindowedResponse &response : responses) {
-        const SeriesFit *fit = fitOfShot(model, response.shot);
-        if (model.slowPoles.empty() || !fit || fit->level() == 0.0)
-            continue;
-        const double settled = stepOf(response) / levelOf(*fit, response, responses);
-        const double inBand
-            = response.sampleRate_Hz * (response.settle_s.end - response.settle_s.begin);
-        const double noise = response.noiseSd / std::abs(response.step) / std::sqrt(inBand);
-        const std::complex<double> s
-            = model.poles[static_cast<std::size_t>(model.slowPoles.front())].s_rad_s;
-        result.drift.push_back({response.shot, -1.0 / s.real(), settled - 1.0,
-            std::abs(settled) * std::hypot(fit->u_level() / fit->level(), noise),
-            0.5 * (response.settle_s.begin + response.settle_s.end) - fit->onset_s});
-    }
-}
-
-void describeShots(const std::vector<WindowedResponse> &responses, const SensorModel &model,
-    const ShockConditionsSet &shock, ResponseResult &result)
-{
-    double sum = 0.0;
-    std::size_t count = 0;
-    for (const WindowedResponse &response : responses) {
-        ShotSensitivity shot{response.shot, {}, response.unit + "/Pa"};
-        const ShockConditions *conditions = shock.ofShot(response.shot);
-        const SeriesFit *fit = fitOfShot(model, response.shot);
-        if (conditions && conditions->step_Pa && fit && !model.diverges) {
-            shot.sensitivity
-                = levelOf(*fit, response, responses) * response.valueScale / *conditions->step_Pa;
-            addUncertainty(*fit, *conditions, shot);
-            sum += *shot.sensitivity;
-            ++count;
-        }
-        result.sensitivityUnit = shot.unit;
-        result.shots.push_back(std::move(shot));
-    }
-    if (!shareOneUnit(responses)) {
-        result.findings.push_back({.id = "CAP-023",
-            .severity = Severity::Caution,
-            .message
-            = {DYNCAL_TEXT("core",
-                   "The shots are recorded in different units, so their sensitivities are not averaged; give one unit for all (import.unit)."),
-                {}}});
-    } else if (count > 0 && count == responses.size()) {
-        result.sensitivity = sum / static_cast<double>(count);
-    }
+    result.shots = std::move(found.shots);
+    result.summary = std::move(found.summary);
+    if (!result.shots.empty())
+        result.sensitivityUnit = result.shots.back().unit;
+    if (result.summary.mean)
+        result.sensitivity = result.summary.mean->value;
+    result.findings.insert(result.findings.end(), found.findings.begin(), found.findings.end());
 }
 
 /// From the model's unit (remapped, the level of the step) to that of the response.
@@ -396,8 +350,10 @@ ResponseResult computeModelResponse(const std::vector<WindowedResponse> &respons
     result.fHigh_Hz = to_Hz;
     const bool isStep = isStepTreatment(input.treatment);
     const bool isAbsolute = isPerPressure(responses, shock, settings);
-    if (isStep)
-        describeShots(responses, model, shock, result);
+    if (isStep) {
+        result.drift = findDrift(responses, model, inputSpan_s(input));
+        takeShots(describeShots(responses, model, shock), result);
+    }
     result.unit = isStep && isAbsolute ? result.sensitivityUnit : "1";
     if (!model.diverges)
         describeModel(model, input.treatment, scaleOf(model, isStep, isAbsolute, result), result);
@@ -414,13 +370,15 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
     const double rate_Hz = lowestRate_Hz(responses);
     result.fLow_Hz = 1.0 / shortestWindow_s(responses);
     result.fHigh_Hz = kHighestOfRate * rate_Hz;
-    result.characteristics = stepCharacteristics(model, input.treatment);
+    if (isLevelKnown(model))
+        result.characteristics = stepCharacteristics(model, input.treatment);
 
     const bool isAbsolute = isPerPressure(responses, shock, settings);
-    const std::vector<ShotView> shots = views(responses, model, shock, isAbsolute);
+    if (isStep)
+        result.drift = findDrift(responses, model, span_s);
+    const std::vector<ShotView> shots = views(responses, model, shock, isAbsolute, result.drift);
     if (isStep) {
-        describeShots(responses, model, shock, result);
-        describeDrift(responses, model, result);
+        takeShots(describeShots(responses, model, shock), result);
         result.fHigh_Hz = upperLimit_Hz(shots, span_s, result.fLow_Hz, rate_Hz);
     }
     result.unit = isStep && isAbsolute ? result.sensitivityUnit : "1";

@@ -3,13 +3,14 @@
 
 #pragma once
 
-#include "core/base/constants.h"
 #include "core/base/finding.h"
 #include "core/base/index.h"
 #include "core/base/result.h"
+#include "core/model_analysis/drift.h"
 #include "core/model_analysis/model_characteristics.h"
 #include "core/model_analysis/model_curves.h"
 #include "core/model_analysis/response_settings.h"
+#include "core/model_analysis/shot_sensitivity.h"
 #include "core/realization/input/model_input.h"
 #include "core/realization/model/sensor_model.h"
 #include "core/shock/shock_conditions.h"
@@ -22,27 +23,6 @@
 #include <vector>
 
 namespace dyncal {
-
-/// Sensitivity of one shot: the level of its step, at the onset, over the pressure step.
-struct ShotSensitivity
-{
-    Index shot = 0;
-    std::optional<double> sensitivity; ///< empty = not determined (no pressure step)
-    std::string unit; ///< "V/Pa"
-    double u_sensitivity = kUnknown; ///< of level and step together
-    double k_sensitivity = kUnknown; ///< for 95 %, by the effective degrees of freedom
-};
-
-/// What the response of one shot does behind its step, from the level at the onset to the settle
-/// band: of a model with slow poles.
-struct ShotDrift
-{
-    Index shot = 0;
-    double tau_s = kUnknown; ///< of the slowest part; negative where it grows
-    double relative = 0.0; ///< settled level over level at the onset - 1
-    double u = kUnknown; ///< of `relative`
-    double at_s = 0.0; ///< middle of the settle band, after the onset
-};
 
 struct ResponseResult
 {
@@ -58,9 +38,10 @@ struct ResponseResult
     std::string unit; ///< "V/Pa" with a pressure step, "1" without
     StepCharacteristics characteristics;
     std::vector<ShotSensitivity> shots;
-    std::vector<ShotDrift> drift; ///< empty where nothing drifts
     std::optional<double> sensitivity; ///< mean over the shots
     std::string sensitivityUnit;
+    SensitivitySummary summary; ///< of computeResponse(); its mean is `sensitivity`
+    DriftResult drift;
     ResponseCurve modelCurve; ///< for plots: 600 points over the band and past it
     Findings findings;
 };

@@ -250,7 +250,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         ofModel},
     {Shock, "shock", 1, 1, "SHK-", Model, Shock, true, readShock, kept<&R::shock, shock>(),
         of<&R::shock>},
-    {Response, "response", 3, 30, "RSP-", Shock, Model, true, readResponse,
+    {Response, "response", 4, 30, "RSP-", Shock, Model, true, readResponse,
         kept<&R::response, response>(), of<&R::response>},
     {Assessment, "model assessment", 1, 10, "", Model, Model, true, readNothing,
         kept<&R::assessment, assessment>(), saidElsewhere},

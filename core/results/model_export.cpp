@@ -90,6 +90,7 @@ std::string jsonFile(const SensorModel &model, const CalibrationResults &results
     root.set("C", rowsOf(model.stateSpace.C));
     root.set("D", rowsOf(model.stateSpace.D));
     root.number("c0", model.plateauGain, "The plateau could not be fitted.");
+    root.number("onset_level", model.level(), "The level could not be fitted.");
     root.set("c", complexList(sum.c));
     root.set("s_rad_s", complexList(sum.s));
     root.number("sensitivity", response ? response->sensitivity : std::nullopt,

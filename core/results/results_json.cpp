@@ -9,6 +9,7 @@
 #include "core/results/results_analysis_json.h"
 #include "core/results/results_measurement_json.h"
 #include "core/results/results_model_json.h"
+#include "core/results/results_sensitivity_json.h"
 #include "core/results/results_shock_json.h"
 
 #include <algorithm>
@@ -140,6 +141,7 @@ std::string resultsJson(
     addInputs(root, context);
     addShots(root, context);
     addDrift(root, context);
+    addSensitivitySummary(root, context);
     addShock(root, context);
     addSpectrum(root, context);
     addComponents(root, context);

@@ -3,6 +3,8 @@
 
 #include "core/results/results_measurement_json.h"
 
+#include "core/results/results_sensitivity_json.h"
+
 namespace dyncal {
 namespace {
 
@@ -10,9 +12,6 @@ using Json = JsonRecord::Json;
 
 /// Why an included shot has no response although the window stage is done.
 constexpr const char *kNotUsed = "The shot was not used; see the findings.";
-
-constexpr const char *kNoSensitivityUncertainty
-    = "The uncertainty of the step is not known, or the model was not refined.";
 
 std::string whyNoResponse(const Shot &shot, const ResultsContext &context)
 {
@@ -65,24 +64,6 @@ void addOnset(JsonRecord &record, const WindowedResponse *response, const Series
     record.number("u_onset_s", fit->u_onset_s, kNoUncertainty);
 }
 
-void addSensitivity(JsonRecord &record, Index shot, const ResultsContext &context)
-{
-    const char *undetermined = "Not determined: the shot's pressure step is not known.";
-    const ResponseResult *response = context.results().response.get();
-    const ShotSensitivity *found = nullptr;
-    for (std::size_t i = 0; response && i < response->shots.size(); ++i) {
-        if (response->shots[i].shot == shot)
-            found = &response->shots[i];
-    }
-    const std::string reason = response ? undetermined : context.whyMissing();
-    record.number("sensitivity", found ? found->sensitivity : std::nullopt, reason);
-    const bool known = found && found->sensitivity;
-    record.text("sensitivity_unit", known ? found->unit : std::string(), reason);
-    const std::string unknown = known ? kNoSensitivityUncertainty : reason;
-    record.number("u_sensitivity", known ? found->u_sensitivity : kUnknown, unknown);
-    record.number("k_sensitivity", known ? found->k_sensitivity : kUnknown, unknown);
-}
-
 Json shotJson(Index number, const Shot &shot, const ResultsContext &context)
 {
     JsonRecord record;
@@ -105,7 +86,7 @@ Json shotJson(Index number, const Shot &shot, const ResultsContext &context)
         modelled ? "The model describes the average of the shots, which has no onset of its own."
                  : (response ? context.whyMissing() : reason));
     if (response) {
-        addSensitivity(record, number, context);
+        addShotSensitivity(record, number, context);
     } else {
         record.missing("sensitivity", reason);
         record.missing("sensitivity_unit", reason);
@@ -132,26 +113,6 @@ void addInputs(JsonRecord &root, const ResultsContext &context)
         list.push_back(record.take());
     }
     root.set("inputs", std::move(list));
-}
-
-void addDrift(JsonRecord &root, const ResultsContext &context)
-{
-    const ResponseResult *response = context.results().response.get();
-    if (!response) {
-        root.missing("drift", context.whyMissing());
-        return;
-    }
-    Json list = Json::array();
-    for (const ShotDrift &drift : response->drift) {
-        JsonRecord record;
-        record.set("shot", drift.shot);
-        record.number("tau_s", drift.tau_s, "Not determined.");
-        record.number("relative", drift.relative, "Not determined.");
-        record.number("u", drift.u, kNoUncertainty);
-        record.number("at_s", drift.at_s, "Not determined.");
-        list.push_back(record.take());
-    }
-    root.set("drift", std::move(list));
 }
 
 void addShots(JsonRecord &root, const ResultsContext &context)

@@ -9,8 +9,6 @@ namespace dyncal {
 
 /// The sections "inputs" and "shots" of results.json.
 void addInputs(JsonRecord &root, const ResultsContext &context);
-/// What every shot does behind its step; an empty list where nothing drifts.
-void addDrift(JsonRecord &root, const ResultsContext &context);
 void addShots(JsonRecord &root, const ResultsContext &context);
 
 } // namespace dyncal

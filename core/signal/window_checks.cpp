@@ -108,8 +108,10 @@ void addStepFindings(const WindowedResponse &response, Findings &findings)
     const char *text = DYNCAL_TEXT("core",
         "Shot %1: the settling level still drifts %2 % of the step per ms; the level depends by +-%3 % on where the settle band lies.");
     if (auto drift = driftFinding("WIN-003", text, response, response.settleSlope_per_s,
-            response.settle_s, kSettleDrift_per_ms))
+            response.settle_s, kSettleDrift_per_ms)) {
+        drift->causes = {FindingCause::Drift};
         findings.push_back(std::move(*drift));
+    }
 }
 
 Finding behindPlateau(const WindowedResponse &response, double plateau_s)

@@ -31,10 +31,12 @@ KeyResult sensitivityOf(const CalibrationResults &results)
 {
     const ResponseResult *response = results.response.get();
     KeyResult result = entry("keySensitivity", QStringLiteral("S"),
-        response ? response->sensitivity.value_or(kUnknown) : kUnknown, kUnknown,
+        response ? response->sensitivity.value_or(kUnknown) : kUnknown,
+        response && response->summary.mean ? response->summary.mean->u.value_or(kUnknown)
+                                           : kUnknown,
         response ? shownText(response->sensitivityUnit) : QString());
     result.meaning = Key::tr(
-        "Sensitivity: the level at the onset of the step over the pressure step, mean of the shots. Its standard uncertainty is not worked out yet.");
+        "Sensitivity: the level at the onset of the step over the pressure step, mean of the shots, with its standard uncertainty where that of the step is known.");
     return result;
 }
 

@@ -237,21 +237,22 @@ const QHash<QString, QStringList> &contract()
         {"model",
             {"order", "dt_s", "A", "B", "C", "D", "poles", "zeros", "fit_percent",
                 "fit_attainable_percent", "fit_listing_percent", "fit_per_shot_percent",
-                "plateau_gain", "gain_unit", "uncertainty_method", "homogeneity", "per_shot",
-                "per_level", "nuisance", "nuisance_effect", "second_order"}},
+                "plateau_gain", "onset_level", "gain_unit", "uncertainty_method", "homogeneity",
+                "per_shot", "per_level", "nuisance", "nuisance_effect", "second_order"}},
         {"response",
             {"frequency_hz", "magnitude", "u_magnitude", "k_magnitude", "u_contains_step",
                 "phase_rad", "u_phase_rad", "k_phase", "model_magnitude", "model_phase_rad",
                 "f_low_hz", "f_high_hz", "unit"}},
         {"bands", {"within_5_percent_hz", "within_10_percent_hz", "minus_3_db_hz", "source"}},
-        {"findings", {"id", "severity", "shot", "channel", "time_s", "message", "value", "limit"}},
+        {"findings",
+            {"id", "severity", "shot", "channel", "time_s", "message", "value", "limit", "cause"}},
     };
     return keys;
 }
 
 const QStringList kTopLevel{"schema", "software", "created_utc", "recipe", "inputs", "shots",
     "shock", "spectrum", "pca", "input", "realization", "model", "response", "bands", "budget",
-    "gum_validated_by_monte_carlo", "findings"};
+    "gum_validated_by_monte_carlo", "findings", "sensitivity", "drift"};
 
 QJsonObject written(const PipelineOutcome &outcome, const Recipe &recipe = {})
 {

@@ -185,6 +185,17 @@ void ShockPage::showTables()
     show(m_peaks, followedPeakTable(shock));
 }
 
+static QString sensitivityText(double value, const std::optional<double> &u, const QString &unit)
+{
+    return u ? shownWithU(value, *u, unit) : shownQuantity(value, unit, 5);
+}
+
+static QString driftText(const ShotDrift *drift)
+{
+    return drift ? shownWithU(100.0 * drift->relative, 100.0 * drift->u, QStringLiteral("%"))
+                 : QStringLiteral("\u2013");
+}
+
 void ShockPage::showSensitivity()
 {
     const auto &response = session().results().response;
@@ -192,13 +203,15 @@ void ShockPage::showSensitivity()
     if (response)
         for (const ShotSensitivity &shot : response->shots)
             rows.push_back({tr("Shot %1").arg(shot.shot),
-                shot.sensitivity ? shownQuantity(*shot.sensitivity, rawText(shot.unit), 5)
-                                 : tr("not determined")});
-    m_sensitivity->setValues({tr("Shot"), tr("Sensitivity")}, rows);
+                shot.sensitivity ? sensitivityText(*shot.sensitivity, shot.u, rawText(shot.unit))
+                                 : tr("not determined"),
+                driftText(response->drift.ofShot(shot.shot))});
+    m_sensitivity->setValues({tr("Shot"), tr("Sensitivity"), tr("Drift to the settle band")}, rows);
     if (response && response->sensitivity) {
-        m_reason->setText(
-            tr("Sensitivity: %1, mean over the shots.")
-                .arg(shownQuantity(*response->sensitivity, rawText(response->sensitivityUnit), 5)));
+        m_reason->setText(tr("Sensitivity: %1, mean over the shots.")
+                              .arg(sensitivityText(*response->sensitivity,
+                                  response->summary.mean ? response->summary.mean->u : std::nullopt,
+                                  rawText(response->sensitivityUnit))));
         return;
     }
     QStringList reasons;

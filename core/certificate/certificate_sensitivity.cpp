@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/certificate/certificate_sensitivity.h"
+
+#include "core/base/number_text.h"
+#include "core/certificate/certificate_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+namespace {
+
+/// Never below 2, as everywhere on the certificate.
+double coverageOf(double k)
+{
+    return std::max(k, kCoverageFactor);
+}
+
+Message notDetermined(const ResponseResult *response)
+{
+    const bool hasStep = response
+        && std::ranges::any_of(
+            response->shots, [](const ShotSensitivity &shot) { return shot.step_Pa.has_value(); });
+    return hasStep ? Message{DYNCAL_TEXT("core", "not determined (no level at the onset)"), {}}
+                   : Message{DYNCAL_TEXT("core", "not determined (no pressure step)"), {}};
+}
+
+Message textOf(const SensitivityMean &mean, const ResponseResult &response)
+{
+    if (!mean.u)
+        return printed(mean.value, response.sensitivityUnit, notDetermined(&response));
+    return printedWithUncertainty(
+        mean.value, *mean.u, response.sensitivityUnit, coverageOf(mean.k));
+}
+
+Message meanText(const ResponseResult *response)
+{
+    if (!response || !response->sensitivity)
+        return notDetermined(response);
+    SensitivityMean mean = response->summary.mean.value_or(SensitivityMean{});
+    mean.value = *response->sensitivity;
+    return textOf(mean, *response);
+}
+
+/// Where the shots disagree a mean over levels says nothing: each level stands for itself.
+bool isByLevel(const ResponseResult *response)
+{
+    return response && !response->summary.shotsAgree && response->summary.perLevel.size() > 1;
+}
+
+Message levelLabel(ShotLevel level)
+{
+    if (level == ShotLevel::Low)
+        return {DYNCAL_TEXT("core", "Sensitivity at the onset of the step, low level"), {}};
+    if (level == ShotLevel::Medium)
+        return {DYNCAL_TEXT("core", "Sensitivity at the onset of the step, medium level"), {}};
+    return {DYNCAL_TEXT("core", "Sensitivity at the onset of the step, high level"), {}};
+}
+
+void addLevels(const ResponseResult &response, CertificateSection &section)
+{
+    for (const SensitivityMean &level : response.summary.perLevel)
+        section.fields.push_back(
+            {"sensitivity_level", levelLabel(level.level), textOf(level, response), false});
+}
+
+void addMean(const ResponseResult *response, CertificateSection &section)
+{
+    const bool agree = !response || response->summary.shotsAgree;
+    const Message value = isByLevel(response)
+        ? Message{DYNCAL_TEXT("core", "one value per level (the shots do not agree)"), {}}
+        : meanText(response);
+    section.fields.push_back({"sensitivity",
+        agree || isByLevel(response)
+            ? Message{DYNCAL_TEXT(
+                          "core", "Sensitivity at the onset of the step, mean of the shots"),
+                {}}
+            : Message{DYNCAL_TEXT("core",
+                          "Sensitivity at the onset of the step, mean of the shots, which do not agree"),
+                {}},
+        value, false});
+}
+
+void addTrend(const SensitivitySummary &summary, CertificateSection &section)
+{
+    constexpr double kPercentPerMegapascal = 1e8;
+    if (!summary.linearity_per_Pa || !summary.uLinearity_per_Pa)
+        return;
+    section.fields.push_back(
+        {"linearity", {DYNCAL_TEXT("core", "Change of the sensitivity with the step"), {}},
+            printedWithUncertainty(kPercentPerMegapascal * *summary.linearity_per_Pa,
+                kPercentPerMegapascal * *summary.uLinearity_per_Pa, "%/MPa"),
+            false});
+}
+
+void addDrift(const ResponseResult &response, CertificateSection &section)
+{
+    for (const ShotDrift &drift : response.drift.shots)
+        section.fields.push_back({"drift",
+            {DYNCAL_TEXT("core",
+                 "Drift of shot %1 behind the step, from the onset to %2 after it (no part of the sensitivity)"),
+                {std::to_string(drift.shot), numberWithUnit(drift.at_s, "s", 3)}},
+            printedWithUncertainty(100.0 * drift.relative, 100.0 * drift.u, "%"), false});
+}
+
+} // namespace
+
+void addSensitivity(const CalibrationResults &results, CertificateSection &section)
+{
+    const ResponseResult *response = results.response.get();
+    addMean(response, section);
+    if (!response)
+        return;
+    if (isByLevel(response))
+        addLevels(*response, section);
+    addTrend(response->summary, section);
+    addDrift(*response, section);
+}
+
+Message shotSensitivityText(const CalibrationResults &results, Index shot)
+{
+    const Message none{DYNCAL_TEXT("core", "not determined"), {}};
+    if (!results.response)
+        return none;
+    const auto entry = std::ranges::find(results.response->shots, shot, &ShotSensitivity::shot);
+    if (entry == results.response->shots.end() || !entry->sensitivity)
+        return none;
+    return entry->u
+        ? printedWithUncertainty(*entry->sensitivity, *entry->u, entry->unit, coverageOf(entry->k))
+        : printed(entry->sensitivity, entry->unit, none);
+}
+
+} // namespace dyncal

@@ -1,0 +1,306 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/model_analysis/shot_sensitivity.h"
+
+#include "core/base/distributions.h"
+#include "core/base/number_text.h"
+#include "core/base/propagation.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+
+namespace dyncal {
+namespace {
+
+constexpr double kCoverage = 0.95;
+constexpr double kSmallestChance = 1e-3;
+constexpr double kLeastSpread = 0.05; ///< of the mean step: below, no trend can be seen
+constexpr double kUnstated = 0.01; ///< u of a shot in the comparison where none is stated
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr auto kOfStep = static_cast<Index>(StepResult::Step);
+
+/// A part of u with its degrees of freedom.
+struct Part
+{
+    double u = 0.0;
+    double dof = kInfinite;
+};
+
+struct Combined
+{
+    double u = 0.0;
+    double dof = kInfinite;
+};
+
+/// Welch-Satterthwaite (GUM G.4.1).
+Combined combined(const std::vector<Part> &parts)
+{
+    double variance = 0.0;
+    double fourth = 0.0;
+    for (const Part &part : parts) {
+        variance += part.u * part.u;
+        if (std::isfinite(part.dof) && part.dof > 0.0)
+            fourth += std::pow(part.u, 4) / part.dof;
+    }
+    return {std::sqrt(variance), fourth > 0.0 ? variance * variance / fourth : kInfinite};
+}
+
+/// Relative parts of the shots' uncertainties: own ones, and of every common input one row.
+struct Parts
+{
+    std::vector<std::vector<Part>> own; ///< per shot
+    std::map<std::string, std::vector<Part>> common; ///< per input, per shot
+};
+
+bool isComplete(
+    const std::vector<ShotSensitivity> &shots, const std::vector<const StepUncertainty *> &steps)
+{
+    for (std::size_t i = 0; i < shots.size(); ++i)
+        if (!shots[i].u || !steps[i])
+            return false;
+    return true;
+}
+
+Parts partsOf(
+    const std::vector<ShotSensitivity> &shots, const std::vector<const StepUncertainty *> &steps)
+{
+    Parts parts;
+    parts.own.resize(shots.size());
+    for (std::size_t i = 0; i < shots.size(); ++i) {
+        if (!shots[i].u || !steps[i]) {
+            parts.own[i].push_back({kUnstated, kInfinite});
+            continue;
+        }
+        parts.own[i].push_back({shots[i].uLevel_relative, kInfinite});
+        for (const BudgetLine &line : steps[i]->budget.lines) {
+            const Part part{line.contribution[kOfStep] / *shots[i].step_Pa, line.input.dof};
+            if (!line.input.common) {
+                parts.own[i].push_back(part);
+                continue;
+            }
+            auto &row = parts.common[line.input.quantity];
+            row.resize(shots.size());
+            row[i] = part;
+        }
+    }
+    return parts;
+}
+
+Eigen::MatrixXd covarianceOf(const Parts &parts)
+{
+    // What converter and model leave out of a level, which no noise shows: shots are not told apart
+    // by less.
+    constexpr double kLeftOut = 5e-4;
+    const auto n = static_cast<Index>(parts.own.size());
+    Eigen::MatrixXd V = Eigen::MatrixXd::Zero(n, n);
+    for (Index i = 0; i < n; ++i) {
+        const double own = combined(parts.own[static_cast<std::size_t>(i)]).u;
+        V(i, i) = own * own + kLeftOut * kLeftOut;
+    }
+    for (const auto &[quantity, row] : parts.common) {
+        Eigen::VectorXd c(n);
+        for (Index i = 0; i < n; ++i)
+            c[i] = row[static_cast<std::size_t>(i)].u;
+        V += c * c.transpose();
+    }
+    return V;
+}
+
+/// Generalised least squares of `r` on the columns of X.
+struct GeneralisedFit
+{
+    Eigen::VectorXd value;
+    Eigen::MatrixXd covariance;
+    double chiSquare = 0.0;
+};
+
+GeneralisedFit fitted(const Eigen::MatrixXd &X, const Eigen::VectorXd &r, const Eigen::MatrixXd &V)
+{
+    const Eigen::LDLT<Eigen::MatrixXd> solver(V);
+    const Eigen::MatrixXd weighted = solver.solve(X);
+    GeneralisedFit fit;
+    fit.covariance = (X.transpose() * weighted).inverse();
+    fit.value = fit.covariance * (weighted.transpose() * r);
+    const Eigen::VectorXd rest = r - X * fit.value;
+    fit.chiSquare = std::max(0.0, rest.dot(solver.solve(rest)));
+    return fit;
+}
+
+/// The scatter that takes the place of the shots' own parts, of one shot.
+using Scatter = std::optional<Part>;
+
+SensitivityMean meanOf(const std::vector<ShotSensitivity> &shots,
+    const std::vector<std::size_t> &of, const std::optional<Parts> &parts, const Scatter &scatter)
+{
+    const double n = static_cast<double>(of.size());
+    double sum = 0.0;
+    for (const std::size_t i : of)
+        sum += *shots[i].sensitivity;
+    SensitivityMean mean{ShotLevel::None, sum / n, {}, kUnknown, kUnknown};
+    if (!parts)
+        return mean;
+    std::vector<Part> all;
+    for (const auto &[quantity, row] : parts->common) {
+        double u = 0.0;
+        for (const std::size_t i : of)
+            u += row[i].u / n;
+        all.push_back({u, row[of.front()].dof});
+    }
+    if (scatter) {
+        all.push_back({scatter->u / std::sqrt(n), scatter->dof});
+    } else {
+        for (const std::size_t i : of)
+            for (const Part &part : parts->own[i])
+                all.push_back({part.u / n, part.dof});
+    }
+    const Combined u = combined(all);
+    mean.u = std::abs(mean.value) * u.u;
+    mean.dof = u.dof;
+    mean.k = coverageFactor(u.dof, kCoverage);
+    return mean;
+}
+
+/// Standard deviation about the mean of each group, pooled; empty without a degree of freedom.
+Scatter scatterWithin(const Eigen::VectorXd &r, const std::vector<std::vector<std::size_t>> &groups)
+{
+    double squares = 0.0;
+    double dof = 0.0;
+    for (const std::vector<std::size_t> &group : groups) {
+        double mean = 0.0;
+        for (const std::size_t i : group)
+            mean += r[static_cast<Index>(i)] / static_cast<double>(group.size());
+        for (const std::size_t i : group)
+            squares += std::pow(r[static_cast<Index>(i)] - mean, 2);
+        dof += static_cast<double>(group.size()) - 1.0;
+    }
+    return dof > 0.0 ? Scatter({std::sqrt(squares / dof), dof}) : std::nullopt;
+}
+
+void addTrend(const std::vector<ShotSensitivity> &shots, const Eigen::VectorXd &r,
+    const Eigen::MatrixXd &V, SensitivitySummary &summary)
+{
+    Eigen::VectorXd step(r.size());
+    for (Index i = 0; i < r.size(); ++i)
+        step[i] = *shots[static_cast<std::size_t>(i)].step_Pa;
+    if (step.maxCoeff() - step.minCoeff() < kLeastSpread * std::abs(step.mean()))
+        return;
+    Eigen::MatrixXd X = Eigen::MatrixXd::Ones(r.size(), 2);
+    X.col(1) = step.array() / step.mean() - 1.0;
+    const GeneralisedFit line = fitted(X, r, V);
+    const double excess
+        = r.size() > 2 ? std::max(1.0, line.chiSquare / static_cast<double>(r.size() - 2)) : 1.0;
+    summary.linearity_per_Pa = line.value[1] / step.mean();
+    summary.uLinearity_per_Pa = std::sqrt(excess * line.covariance(1, 1)) / step.mean();
+}
+
+/// The shot farthest from the median of the others: the mean follows an outlier.
+Index oddOne(const Eigen::VectorXd &r)
+{
+    Eigen::VectorXd sorted = r;
+    std::ranges::sort(sorted);
+    const Index half = r.size() / 2;
+    const double median = r.size() % 2 ? sorted[half] : 0.5 * (sorted[half - 1] + sorted[half]);
+    Index worst = 0;
+    (r.array() - median).abs().maxCoeff(&worst);
+    return worst;
+}
+
+Finding disagreement(const std::vector<ShotSensitivity> &shots, const Eigen::VectorXd &r,
+    double chance, bool isComplete)
+{
+    const Index odd = oddOne(r);
+    return {.id = "RSP-002",
+        .severity = Severity::Caution,
+        .message = {isComplete
+                ? DYNCAL_TEXT("core",
+                    "The sensitivities of the shots, from %1 to %2 % about their mean, differ by more than their uncertainties explain; shot %3 is the odd one. Their scatter serves as the uncertainty of the mean; look at that shot, its step and its level, or state one value per level.")
+                : DYNCAL_TEXT("core",
+                    "The sensitivities of the shots, from %1 to %2 % about their mean, differ by more than 1 % each would explain (their own uncertainties are not known); shot %3 is the odd one. Look at that shot, its step and its level, or state one value per level."),
+            {numberText(100.0 * r.minCoeff(), 3), numberText(100.0 * r.maxCoeff(), 3),
+                std::to_string(shots[static_cast<std::size_t>(odd)].shot)}},
+        .value = chance,
+        .limit = kSmallestChance,
+        .causes = {FindingCause::Shots}};
+}
+
+std::vector<std::vector<std::size_t>> byLevel(const std::vector<ShotSensitivity> &shots)
+{
+    std::map<ShotLevel, std::vector<std::size_t>> levels;
+    for (std::size_t i = 0; i < shots.size(); ++i)
+        if (shots[i].level != ShotLevel::None)
+            levels[shots[i].level].push_back(i);
+    std::vector<std::vector<std::size_t>> groups;
+    for (const auto &[level, group] : levels)
+        groups.push_back(group);
+    return groups;
+}
+
+/// Compares the shots with each other; returns the relative differences from the plain mean.
+Eigen::VectorXd compare(const std::vector<ShotSensitivity> &shots, double mean, const Parts &parts,
+    bool isComplete, SensitivitySummary &summary)
+{
+    const auto n = static_cast<Index>(shots.size());
+    Eigen::VectorXd r(n);
+    for (Index i = 0; i < n; ++i)
+        r[i] = *shots[static_cast<std::size_t>(i)].sensitivity / mean - 1.0;
+    if (n < 2 || !r.allFinite())
+        return r;
+    const Eigen::MatrixXd V = covarianceOf(parts);
+    const GeneralisedFit about = fitted(Eigen::MatrixXd::Ones(n, 1), r, V);
+    summary.homogeneity_p = chiSquareSurvival(about.chiSquare, static_cast<double>(n - 1));
+    summary.shotsAgree = *summary.homogeneity_p >= kSmallestChance;
+    if (!summary.shotsAgree)
+        summary.findings.push_back(disagreement(shots, r, *summary.homogeneity_p, isComplete));
+    if (isComplete)
+        addTrend(shots, r, V, summary);
+    return r;
+}
+
+} // namespace
+
+void addUncertainty(const StepUncertainty *step, double levelDof, ShotSensitivity &shot)
+{
+    const auto u_step_Pa = step ? step->u(StepResult::Step) : std::nullopt;
+    if (!u_step_Pa || !shot.sensitivity || !shot.step_Pa || !std::isfinite(shot.uLevel_relative))
+        return;
+    const Combined u = combined({{*u_step_Pa / *shot.step_Pa, step->budget.dof[kOfStep]},
+        {shot.uLevel_relative, levelDof > 0.0 ? levelDof : kInfinite}});
+    shot.u = std::abs(*shot.sensitivity) * u.u;
+    shot.dof = u.dof;
+    shot.k = coverageFactor(u.dof, kCoverage);
+}
+
+SensitivitySummary summarise(
+    const std::vector<ShotSensitivity> &shots, const std::vector<const StepUncertainty *> &steps)
+{
+    SensitivitySummary summary;
+    if (shots.empty() || !std::ranges::all_of(shots, [](const ShotSensitivity &shot) {
+            return shot.sensitivity.has_value() && shot.step_Pa.has_value();
+        }))
+        return summary;
+    const Parts parts = partsOf(shots, steps);
+    const bool complete = isComplete(shots, steps);
+    const std::optional<Parts> known = complete ? std::optional(parts) : std::nullopt;
+    std::vector<std::size_t> all(shots.size());
+    for (std::size_t i = 0; i < all.size(); ++i)
+        all[i] = i;
+    const double plain = meanOf(shots, all, std::nullopt, {}).value;
+    const Eigen::VectorXd r = compare(shots, plain, parts, complete, summary);
+    const Scatter total = summary.shotsAgree ? std::nullopt : scatterWithin(r, {all});
+    summary.mean = meanOf(shots, all, known, total);
+    const auto groups = byLevel(shots);
+    Scatter within = summary.shotsAgree ? std::nullopt : scatterWithin(r, groups);
+    for (const std::vector<std::size_t> &group : groups) {
+        summary.perLevel.push_back(meanOf(shots, group, known, within ? within : total));
+        summary.perLevel.back().level = shots[group.front()].level;
+    }
+    return summary;
+}
+
+} // namespace dyncal

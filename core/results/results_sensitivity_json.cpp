@@ -1,0 +1,106 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/results/results_sensitivity_json.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+namespace {
+
+using SensitivityJson = JsonRecord::Json;
+
+constexpr const char *kIncomplete
+    = "Not complete: the uncertainty of the pressure step or of the level at the onset is not known.";
+constexpr const char *kInfiniteDof = "Infinite.";
+
+void addMean(JsonRecord &record, const SensitivityMean &mean)
+{
+    record.number("value", mean.value, "Not finite.");
+    record.number("u", mean.u, kIncomplete);
+    record.number("k", mean.k, kIncomplete);
+    record.number("dof", mean.dof, mean.u ? kInfiniteDof : kIncomplete);
+}
+
+SensitivityJson levelsJson(const std::vector<SensitivityMean> &levels)
+{
+    SensitivityJson list = SensitivityJson::array();
+    for (const SensitivityMean &level : levels) {
+        JsonRecord record;
+        record.set("level", shotLevelName(level.level));
+        addMean(record, level);
+        list.push_back(record.take());
+    }
+    return list;
+}
+
+} // namespace
+
+void addSensitivitySummary(JsonRecord &root, const ResultsContext &context)
+{
+    const ResponseResult *response = context.results().response.get();
+    if (!response || !response->summary.mean) {
+        root.missing("sensitivity",
+            response
+                ? "Not determined: the level or the pressure step of a shot is not known, or the shots differ in unit."
+                : context.whyMissing());
+        return;
+    }
+    const SensitivitySummary &summary = response->summary;
+    JsonRecord section;
+    addMean(section, *summary.mean);
+    section.set("unit", response->sensitivityUnit);
+    section.set("per_level", levelsJson(summary.perLevel));
+    const char *uncompared = "Fewer than two shots, or their uncertainties are not known.";
+    section.number("homogeneity_p", summary.homogeneity_p, uncompared);
+    section.set("shots_agree", summary.shotsAgree);
+    const char *noTrend = summary.homogeneity_p ? "The steps are alike." : uncompared;
+    section.number("linearity_per_pa", summary.linearity_per_Pa, noTrend);
+    section.number("u_linearity_per_pa", summary.uLinearity_per_Pa, noTrend);
+    root.set("sensitivity", section.take());
+}
+
+void addDrift(JsonRecord &root, const ResultsContext &context)
+{
+    const ResponseResult *response = context.results().response.get();
+    if (!response) {
+        root.missing("drift", context.whyMissing());
+        return;
+    }
+    SensitivityJson list = SensitivityJson::array();
+    for (const ShotDrift &drift : response->drift.shots) {
+        JsonRecord record;
+        record.set("shot", drift.shot);
+        record.number("tau_s", drift.tau_s, "Longer than the model input can tell.");
+        record.number("share", drift.share, "Not finite.");
+        record.number("relative", drift.relative, "Not finite.");
+        record.number("u", drift.u, "Not known.");
+        record.number("at_s", drift.at_s, "Not known.");
+        record.set("attributed_to", driftKindName(response->drift.kind));
+        list.push_back(record.take());
+    }
+    root.set("drift", std::move(list));
+}
+
+void addShotSensitivity(JsonRecord &record, Index shot, const ResultsContext &context)
+{
+    const char *undetermined
+        = "Not determined: the shot's pressure step is not known, or the level of its response at the onset not to 10 %.";
+    const ResponseResult *response = context.results().response.get();
+    const ShotSensitivity *found = nullptr;
+    for (std::size_t i = 0; response && i < response->shots.size(); ++i) {
+        if (response->shots[i].shot == shot)
+            found = &response->shots[i];
+    }
+    const std::string reason = response ? undetermined : context.whyMissing();
+    const bool known = found && found->sensitivity;
+    record.number("sensitivity", found ? found->sensitivity : std::nullopt, reason);
+    record.text("sensitivity_unit", known ? found->unit : std::string(), reason);
+    const std::string incomplete = known ? kIncomplete : reason;
+    record.number("u_sensitivity", found ? found->u : std::nullopt, incomplete);
+    record.number(
+        "k_sensitivity", known && found->u ? std::optional(found->k) : std::nullopt, incomplete);
+}
+
+} // namespace dyncal
