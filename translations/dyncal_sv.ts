@@ -4649,10 +4649,6 @@
         <translation>Skott %1: steget når &apos;%2&apos; %3 före &apos;%4&apos;, som stöten passerar först. De två kanalerna verkar förväxlade; byt deras roller i import.channels, för en enda fil i import.files.</translation>
     </message>
     <message>
-        <source>The pressure step is not determined: the relative humidity of the driven gas is not recorded; enter it or choose the gas &apos;air&apos;.</source>
-        <translation>Trycksteget är inte bestämt: den drivna gasens relativa fuktighet är inte registrerad; ange den eller välj gasen &apos;air&apos;.</translation>
-    </message>
-    <message>
         <source>Use %1 K</source>
         <translation>Använd %1 K</translation>
     </message>
@@ -5407,6 +5403,22 @@
     <message>
         <source>The sensitivities of the shots, from %1 to %2 % about their mean, differ by more than 1 % each would explain (their own uncertainties are not known); shot %3 is the odd one. Look at that shot, its step and its level, or state one value per level.</source>
         <translation>Skottens känsligheter, från %1 till %2 % kring medelvärdet, skiljer sig mer än 1 % vardera skulle förklara (deras egna osäkerheter är inte kända); skott %3 avviker mest. Granska det skottet, dess steg och dess nivå, eller ange ett värde per nivå.</translation>
+    </message>
+    <message>
+        <source>The gas constants recorded in the capture give a speed of sound of %1 in the driven gas, the gas that it names gives %2: with that the pressure step would be %3 % different. The constants are used; choose the driven gas.</source>
+        <translation>Gaskonstanterna i registreringen ger ljudhastigheten %1 i den drivna gasen, gasen som den namnger ger %2: med den skulle trycksteget vara %3 % annorlunda. Konstanterna används; välj den drivna gasen.</translation>
+    </message>
+    <message>
+        <source>The chosen driven gas has a speed of sound of %1, air of the known humidity %2: with that the pressure step would be %3 % different. The chosen gas is used; choose humid air or the recorded gas if that is what was in the tube.</source>
+        <translation>Den valda drivna gasen har ljudhastigheten %1, luft med den kända fuktigheten %2: med den skulle trycksteget vara %3 % annorlunda. Den valda gasen används; välj fuktig luft eller den registrerade gasen om det var den som fanns i röret.</translation>
+    </message>
+    <message>
+        <source>The chosen driven gas has a speed of sound of %1, the gas constants recorded in the capture give %2: with that the pressure step would be %3 % different. The chosen gas is used; check which one was in the tube.</source>
+        <translation>Den valda drivna gasen har ljudhastigheten %1, gaskonstanterna i registreringen ger %2: med dem skulle trycksteget vara %3 % annorlunda. Den valda gasen används; kontrollera vilken som fanns i röret.</translation>
+    </message>
+    <message>
+        <source>The chosen driven gas has a speed of sound of %1, the gas named in the capture %2: with that the pressure step would be %3 % different. The chosen gas is used; check which one was in the tube.</source>
+        <translation>Den valda drivna gasen har ljudhastigheten %1, gasen som namnges i registreringen %2: med den skulle trycksteget vara %3 % annorlunda. Den valda gasen används; kontrollera vilken som fanns i röret.</translation>
     </message>
 </context>
 <context>
@@ -6409,6 +6421,10 @@
     <message>
         <source>Source of the constants: %1</source>
         <translation>Konstanternas källa: %1</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation>som registrerad</translation>
     </message>
 </context>
 <context>

@@ -236,6 +236,7 @@ std::vector<std::vector<std::size_t>> byLevel(const std::vector<ShotSensitivity>
         if (shots[i].level != ShotLevel::None)
             levels[shots[i].level].push_back(i);
     std::vector<std::vector<std::size_t>> groups;
+    groups.reserve(levels.size());
     for (const auto &[level, group] : levels)
         groups.push_back(group);
     return groups;

@@ -10,7 +10,7 @@ namespace {
 
 std::vector<std::string> substanceNames()
 {
-    std::vector<std::string> names{"custom"};
+    std::vector<std::string> names{"custom", kAutoGas};
     for (const auto &[name, settings] : namedGases())
         names.push_back(name);
     return names;
@@ -40,7 +40,7 @@ constexpr GasLabels kDriverGas{
 
 Codec<GasSettings> gas(const GasLabels &labels)
 {
-    std::string names;
+    std::string names = std::string("\"") + kAutoGas + "\", ";
     for (const auto &[name, settings] : namedGases())
         names += "\"" + name + "\", ";
     const std::string needs = "one of " + names + "or an object with gamma and molar_mass_kg_mol";
@@ -53,6 +53,8 @@ Codec<GasSettings> gas(const GasLabels &labels)
             oneOf({kConstantHeatCapacity, kVariableHeatCapacity})),
     });
     const auto read = [plain, needs](const JsonAt &at) -> Result<GasSettings> {
+        if (at.value == kAutoGas)
+            return recordedGas();
         for (const auto &[name, settings] : namedGases()) {
             if (at.value == name)
                 return settings;

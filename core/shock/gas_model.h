@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace dyncal {
@@ -44,6 +45,9 @@ struct GasModel
     double u_molarMass_kg_mol = 0.0;
     const char *source = ""; ///< of the constants
 };
+
+/// `GasModel::source` of constants that a recipe states.
+inline constexpr std::string_view kTypedConstants = "typed";
 
 /// What the program knows of a gas that a recipe may name.
 struct NamedGas

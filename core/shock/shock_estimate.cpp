@@ -123,7 +123,7 @@ void addDriver(ShockWork &work)
     const auto T4_K = firstKnown(work.settings.T4_K, work.shot.environment.T4_K);
     if (!T4_K)
         return;
-    auto driver = driverModel(work.settings.driverGas, *T4_K);
+    auto driver = driverModel(chosenDriverGas(work.settings, work.set), *T4_K);
     if (!driver) {
         work.done = tl::unexpected(driver.error());
         return;
@@ -155,7 +155,7 @@ Result<double> velocityFromPressure(const ShockWork &work, double p1_Pa, double 
         return velocityOfShockedPressure_m_s(
             *work.conditions.drivenGas, p1_Pa, T1_K, settings.p2_Pa.value_or(0.0));
     const double T4_K = firstKnown(settings.T4_K, work.shot.environment.T4_K).value_or(T1_K);
-    const auto driver = driverModel(settings.driverGas, T4_K);
+    const auto driver = driverModel(chosenDriverGas(settings, work.set), T4_K);
     if (!driver)
         return tl::unexpected(driver.error());
     return velocityOfDriverPressure_m_s(gas, p1_Pa, T1_K, driver->constants,
@@ -172,8 +172,9 @@ void addUncertainty(ShockWork &work, const SectionState &state, const VelocityEs
         return;
     }
     const Environment &around = work.shot.environment;
-    StepMeasurement measurement{work.settings.drivenGas, state, estimate, {}, work.atEndWall(),
-        around.u_p1_Pa, around.u_T1_K};
+    const GasWay &gas = work.gasWays.front();
+    StepMeasurement measurement{gas.settings, state, estimate, {}, work.atEndWall(), around.u_p1_Pa,
+        around.u_T1_K, gas.humidity.u, gas.humidity.distribution};
     if (estimate.fit && estimate.sightings.empty())
         measurement.counters = work.settings.counters;
     auto uncertainty = evaluateStep(measurement, work.request);
@@ -193,18 +194,13 @@ void addUncertainty(ShockWork &work, const SectionState &state, const VelocityEs
 /// the humidity.
 std::optional<GasModel> drivenModel(ShockWork &work, SectionState &state)
 {
-    const auto humidity
-        = firstKnown(work.settings.relativeHumidity, work.shot.environment.relativeHumidity);
-    if (work.settings.drivenGas.substance == "humid-air" && !humidity) {
-        work.reportMissing(Message{
-            DYNCAL_TEXT("core",
-                "The pressure step is not determined: the relative humidity of the driven gas is not recorded; enter it or choose the gas 'air'."),
-            {}});
-        return std::nullopt;
-    }
-    state.relativeHumidity = humidity.value_or(0.0);
+    work.gasWays = waysToDrivenGas(work.settings, work.set, work.shot.environment);
+    const GasWay &way = work.gasWays.front();
+    state.relativeHumidity = way.humidity.value;
     state.carbonDioxide = work.settings.carbonDioxide;
-    auto gas = gasModel(work.settings.drivenGas, state);
+    auto gas = gasModel(way.settings, state);
+    if (gas && way.source == GasSource::RecordedConstants && gas->source == kTypedConstants)
+        gas->source = "recorded";
     if (gas)
         return std::move(*gas);
     if (gas.error().kind == ErrorKind::Usage)
@@ -230,7 +226,8 @@ void addShockedStates(ShockWork &work, const VelocityEstimate &estimate, const S
                 states.error(), isTemperature ? kelvinFor("shock.t1_k", T1_K) : std::nullopt);
         return;
     }
-    work.conditions.states = std::move(*states);
+    work.conditions.states = *states;
+    judgeGas(work, state);
     if (!work.conditions.stepTyped)
         work.conditions.step_Pa = stepOf(*work.conditions.states, work.atEndWall());
     addUncertainty(work, state, estimate);

@@ -3,10 +3,12 @@
 
 #include "core/shock/shock_findings.h"
 
+#include "core/base/constants.h"
 #include "core/base/distributions.h"
 #include "core/base/number_text.h"
 #include "core/shock/pressure_units.h"
 #include "core/shock/shock_uncertainty.h"
+#include "core/shock/variable_shock.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,7 +37,43 @@ void reportVelocityUncertainty(ShockWork &work, const char *text, double relativ
         .limit = kVelocityUncertaintyLimit});
 }
 
+const char *gasText(const GasContradiction &found)
+{
+    if (found.used.source == GasSource::RecordedConstants)
+        return DYNCAL_TEXT("core",
+            "The gas constants recorded in the capture give a speed of sound of %1 in the driven gas, the gas that it names gives %2: with that the pressure step would be %3 % different. The constants are used; choose the driven gas.");
+    if (found.isHumidity)
+        return DYNCAL_TEXT("core",
+            "The chosen driven gas has a speed of sound of %1, air of the known humidity %2: with that the pressure step would be %3 % different. The chosen gas is used; choose humid air or the recorded gas if that is what was in the tube.");
+    if (found.other.source == GasSource::RecordedConstants)
+        return DYNCAL_TEXT("core",
+            "The chosen driven gas has a speed of sound of %1, the gas constants recorded in the capture give %2: with that the pressure step would be %3 % different. The chosen gas is used; check which one was in the tube.");
+    return DYNCAL_TEXT("core",
+        "The chosen driven gas has a speed of sound of %1, the gas named in the capture %2: with that the pressure step would be %3 % different. The chosen gas is used; check which one was in the tube.");
+}
+
 } // namespace
+
+void judgeGas(ShockWork &work, const SectionState &state)
+{
+    const auto found = gasContradiction(work.gasWays, state);
+    if (!found)
+        return;
+    const ShockStates &states = *work.conditions.states;
+    const auto others = shockStatesOf(
+        found->otherModel, state.pressure_Pa, state.temperature_K, states.velocity_m_s);
+    const double change = others
+        ? stepOf(*others, work.atEndWall()) / stepOf(states, work.atEndWall()) - 1.0
+        : kUnknown;
+    work.findings.push_back({.id = "SHK-015",
+        .severity = Severity::Caution,
+        .shot = work.conditions.shot,
+        .message = {gasText(*found),
+            {numberWithUnit(found->usedSpeed_m_s, "m/s", 5),
+                numberWithUnit(found->otherSpeed_m_s, "m/s", 5), numberText(100.0 * change, 3)}},
+        .value = change,
+        .causes = {found->isHumidity ? FindingCause::Humidity : FindingCause::Gas}});
+}
 
 void judgeVelocity(ShockWork &work, double relativeFromDistance)
 {

@@ -11,6 +11,8 @@ namespace dyncal {
 // What the operator must see of one shot; each may add a finding.
 void judgeVelocity(ShockWork &work, double relativeFromDistance); ///< SHK-003
 void judgeFit(ShockWork &work, const VelocityEstimate &estimate); ///< SHK-008, SHK-010
+/// SHK-015; the first of `gasWays` made the states.
+void judgeGas(ShockWork &work, const SectionState &state);
 void judgeMeasured(ShockWork &work); ///< SHK-002
 void judgeDriverPressure(ShockWork &work, double computed_Pa); ///< SHK-006
 void judgeTypedPressure(ShockWork &work, double p1_Pa); ///< SHK-011

@@ -13,6 +13,10 @@ namespace dyncal {
 
 inline constexpr const char *kConstantHeatCapacity = "constant";
 inline constexpr const char *kVariableHeatCapacity = "variable";
+/// Substances that only the program itself chooses: what the capture says (gas_choice.h), and air
+/// of a humidity at any pressure and temperature.
+inline constexpr const char *kAutoGas = "auto";
+inline constexpr const char *kMoistAir = "moist-air";
 inline constexpr double kUsualCarbonDioxide = 4e-4; ///< mole fraction in air
 
 /// A gas: constants, which serve with a constant heat capacity, and what substance it is.
@@ -20,10 +24,18 @@ struct GasSettings
 {
     double gamma = 1.402; ///< thesis table 4.1
     double molarMass_kg_mol = 0.028966; ///< thesis table 4.1
-    std::string substance = "air"; ///< or "humid-air", "n2", "he", "ar", "co2", "custom"
+    std::string substance = "air"; ///< or "auto", "humid-air", "n2", "he", "ar", "co2", "custom"
     std::string heatCapacity = kConstantHeatCapacity; ///< or variable: cp(T) of the substance
     bool operator==(const GasSettings &) const = default;
 };
+
+/// What the capture says of the gas, else moist air.
+inline GasSettings recordedGas()
+{
+    GasSettings gas;
+    gas.substance = kAutoGas;
+    return gas;
+}
 
 /// A sensor that marks the passing of the shock before it reaches the end wall.
 struct ArrivalSensor
@@ -49,8 +61,8 @@ struct ShockSettings
     std::optional<double> p1_Pa;
     std::optional<double> T1_K;
     std::optional<double> T4_K;
-    GasSettings drivenGas;
-    GasSettings driverGas;
+    GasSettings drivenGas = recordedGas();
+    GasSettings driverGas = recordedGas();
     std::optional<double> relativeHumidity;
     std::optional<double> velocity_m_s;
     std::optional<double> step_Pa; ///< typed pressure step: wins over a computed one

@@ -231,11 +231,11 @@ private:
                  Distribution::Normal, true,
                  [](StepPoint &p, double x) { p.state.temperature_K = x; }),
             "the temperature T1", "t1_k");
-        if (m_measurement.gas.substance != "humid-air")
+        if (m_measurement.gas.substance != "humid-air" && m_measurement.gas.substance != kMoistAir)
             return;
         need(
-            addKnown("relative_humidity", "relative_humidity", state.relativeHumidity, 0.0,
-                Distribution::Normal, true,
+            addKnown("relative_humidity", "relative_humidity", state.relativeHumidity,
+                m_measurement.u_relativeHumidity, m_measurement.humidityDistribution, true,
                 [](StepPoint &p, double x) { p.state.relativeHumidity = std::clamp(x, 0.0, 1.0); }),
             "the relative humidity", "relative_humidity");
         addKnown("carbon_dioxide_fraction", "carbon_dioxide_fraction", state.carbonDioxide, 0.0,

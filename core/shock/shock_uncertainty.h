@@ -43,6 +43,8 @@ struct StepMeasurement
     bool atEndWall = true;
     double u_p1_Pa = 0.0; ///< as recorded; not above 0 = not stated
     double u_T1_K = 0.0;
+    double u_relativeHumidity = 0.0; ///< where the budget states none
+    Distribution humidityDistribution = Distribution::Normal;
 };
 
 /// Uncertainty of one shot's velocity, Mach number, p2, p5 and step.

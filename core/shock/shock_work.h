@@ -6,6 +6,7 @@
 #include "core/base/finding.h"
 #include "core/base/result.h"
 #include "core/capture/capture_set.h"
+#include "core/shock/gas_choice.h"
 #include "core/shock/shock_conditions.h"
 #include "core/shock/shock_relations.h"
 #include "core/shock/shock_settings.h"
@@ -13,6 +14,7 @@
 #include "core/signal/record_starts.h"
 
 #include <optional>
+#include <vector>
 
 namespace dyncal {
 
@@ -27,6 +29,7 @@ struct ShockWork
     const ShockConditions *before; ///< null: the records have not been read yet
     ShockConditions conditions;
     Findings findings;
+    std::vector<GasWay> gasWays{}; ///< to the driven gas; the first one is used
     Result<void> done{}; ///< an error that stops everything
 
     bool atEndWall() const { return settings.dutPosition == kEndWall; }

@@ -86,6 +86,7 @@ Environment recordedEnvironment(double p4_Pa)
     environment.T4_K = Recorded::T4_K;
     environment.ambientPressure_Pa = Recorded::p1_Pa;
     environment.ambientT_K = Recorded::T1_K;
+    environment.relativeHumidity = 0.0; // the gas is dry
     return environment;
 }
 

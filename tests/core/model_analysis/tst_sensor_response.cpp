@@ -124,7 +124,8 @@ private slots:
         QVERIFY(std::abs(*result.sensitivity / (0.5 * (first + second)) - 1.0) < kRounding);
         QCOMPARE(result.unit, std::string("V/Pa"));
         QCOMPARE(result.sensitivityUnit, std::string("V/Pa"));
-        QVERIFY(std::abs(second / first - 1.0) > 0.1); // so the shots disagree, and nothing else is said
+        QVERIFY(std::abs(second / first - 1.0)
+            > 0.1); // so the shots disagree, and nothing else is said
         QCOMPARE(result.findings.size(), std::size_t(1));
         QCOMPARE(result.findings.front().id, std::string("RSP-002"));
     }

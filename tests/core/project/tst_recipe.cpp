@@ -287,7 +287,7 @@ private slots:
         row("band backwards", R"({"window": {"settle_s": [2e-3, 1e-3]}})",
             "Recipe key window.settle_s is [0.002,0.001]; it needs a list of two numbers, the smaller first.");
         row("gas", R"({"shock": {"driven_gas": "steam"}})",
-            "Recipe key shock.driven_gas is \"steam\"; it needs one of \"air\", \"n2\", \"he\", \"ar\", \"co2\", \"humid-air\", or an object with gamma and molar_mass_kg_mol.");
+            "Recipe key shock.driven_gas is \"steam\"; it needs one of \"auto\", \"air\", \"n2\", \"he\", \"ar\", \"co2\", \"humid-air\", or an object with gamma and molar_mass_kg_mol.");
         row("missing in a list", R"({"import": {"exclude": [{"shot": 1}]}})",
             "Recipe key import.exclude[0] is {\"shot\":1}; it needs the key \"reason\".");
         row("section no object", R"({"window": 3})", "Recipe key window is 3; it needs an object.");

@@ -230,6 +230,7 @@ private slots:
         set.shots = {shot};
         set.tube["driven_length_m"] = "0.97";
         ShockSettings settings;
+        settings.drivenGas = GasSettings();
         settings.arrivalSensors = {{"side", kDistance_m, 2e-4, side_s(), 1e-7, 0.0, 0.0}};
         const auto result
             = estimateShockConditions(set, {{1, kAtWall_s, 1e-8, true}}, settings).value();

@@ -74,6 +74,7 @@ CaptureSet setWithSide(double velocity_m_s)
 ShockSettings typedVelocity(double velocity_m_s)
 {
     ShockSettings settings;
+    settings.drivenGas = settings.driverGas = GasSettings(); // dry air, as in the thesis
     settings.velocity_m_s = velocity_m_s;
     return settings;
 }
@@ -381,7 +382,9 @@ void TestShockConditions::distanceUncertainty_large_cautionWithFactor()
 {
     CaptureSet set = setWithSide(kVelocity_m_s);
     set.tube["u_endflange_to_sensor2_m"] = numberText(kDistance_m * 0.0033);
-    const auto result = estimateShockConditions(set, kArrival, {});
+    ShockSettings settings;
+    settings.drivenGas = GasSettings(); // the thesis' dry air
+    const auto result = estimateShockConditions(set, kArrival, settings);
     const Finding *finding = findingWithId(result->findings, "SHK-003");
     QVERIFY(finding != nullptr);
     QCOMPARE(finding->severity, Severity::Caution);

@@ -184,11 +184,11 @@ void TestStagePages::shock_typedValues_areSi()
     QCOMPARE(*bench.recipe().shock.T1_K, 294.15);
     bench.type("stepPressureValue", "434.2");
     QCOMPARE(*bench.recipe().shock.step_Pa, 434200.0);
-    bench.choose("drivenGas", 1); // humid air
+    bench.choose("drivenGas", 2); // humid air
     bench.type("humidityValue", "45");
     QCOMPARE(*bench.recipe().shock.relativeHumidity, 0.45);
     QVERIFY(bench.control<QuantityEdit>("drivenMolarMass")->isReadOnly()); // of air
-    bench.choose("drivenGas", 6); // typed
+    bench.choose("drivenGas", 7); // typed
     bench.control<QuantityEdit>("drivenMolarMass")->setValue(28.97);
     QCOMPARE(bench.recipe().shock.drivenGas.molarMass_kg_mol, 28.97e-3);
     bench.control<QCheckBox>("shockEnabled")->click();

@@ -46,6 +46,7 @@ constexpr std::pair<std::string_view, FindingPlace> kPlaces[]{
     {"SHK-007", {Shock, "p1"}},
     {"SHK-008", {Shock, "addArrivalSensor"}},
     {"SHK-009", {Shock, "drivenGas"}},
+    {"SHK-015", {Shock, "drivenGas"}},
     {"SHK-010", {Shock, "arrivalTable"}},
     {"SHK-011", {Shock, "p1"}},
     {"SHK-012", {Shock, "stepUncertaintyTable"}},

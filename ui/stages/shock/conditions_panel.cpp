@@ -113,8 +113,9 @@ void ConditionsPanel::show(const Shot *recording, const ShockConditions *shot)
     m_dioxide->set(settings.carbonDioxide);
     const GasSettings &gas = settings.drivenGas;
     const bool moist = gas.substance == "humid-air";
-    m_humidity->setEnabled(moist);
-    m_dioxide->setEnabled(moist);
+    const bool mayBeMoist = moist || gas.substance == kAutoGas;
+    m_humidity->setEnabled(mayBeMoist);
+    m_dioxide->setEnabled(mayBeMoist);
     m_variable->setChecked(gas.heatCapacity == kVariableHeatCapacity);
     m_variable->setEnabled(!moist && gas.substance != "custom");
     m_driven->set(gas, shot ? shot->drivenGas : std::nullopt);

@@ -21,9 +21,10 @@ struct Choice
 
 QVector<Choice> choices()
 {
-    return {{"air", GasEdit::tr("dry air")}, {"humid-air", GasEdit::tr("humid air")},
-        {"n2", QStringLiteral("N₂")}, {"he", QStringLiteral("He")}, {"ar", QStringLiteral("Ar")},
-        {"co2", QStringLiteral("CO₂")}, {"custom", GasEdit::tr("other, typed")}};
+    return {{kAutoGas, GasEdit::tr("as recorded")}, {"air", GasEdit::tr("dry air")},
+        {"humid-air", GasEdit::tr("humid air")}, {"n2", QStringLiteral("N₂")},
+        {"he", QStringLiteral("He")}, {"ar", QStringLiteral("Ar")}, {"co2", QStringLiteral("CO₂")},
+        {"custom", GasEdit::tr("other, typed")}};
 }
 
 QStringList words()
@@ -77,7 +78,8 @@ void GasEdit::set(const GasSettings &settings, const std::optional<GasModel> &us
             m_substance->setCurrentIndex(i);
     }
     const bool typed = settings.substance == "custom";
-    const bool known = used && used->name == settings.substance && !typed;
+    const bool known
+        = used && (used->name == settings.substance || settings.substance == kAutoGas) && !typed;
     m_gamma->setShownOnly(!typed);
     m_molarMass->setShownOnly(!typed);
     m_gamma->setSi(known ? used->constants.gamma : settings.gamma);

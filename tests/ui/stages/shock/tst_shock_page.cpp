@@ -149,19 +149,19 @@ private slots:
         auto *mass = bench.control<QuantityEdit>("drivenMolarMass");
         QVERIFY(gamma->isReadOnly() && mass->isReadOnly());
         QVERIFY(gamma->toolTip().contains("table 4.1"));
-        bench.choose("drivenGas", 2);
+        bench.choose("drivenGas", 3);
         waitComputed(bench.session);
         QCOMPARE(bench.session.recipe().shock.drivenGas.substance, std::string("n2"));
         QCOMPARE(mass->si(), 0.028014);
         QVERIFY(!bench.control<QWidget>("humidity")->isEnabled());
-        bench.choose("drivenGas", 1);
+        bench.choose("drivenGas", 2);
         waitComputed(bench.session);
         QVERIFY(bench.control<QWidget>("humidity")->isEnabled());
         bench.type("humidityValue", "40");
         waitComputed(bench.session);
         QVERIFY(gamma->toolTip().contains("Cramer"));
         QVERIFY(gamma->si() > 1.395 && gamma->si() < 1.402); // moist air of the shot, not the 1.402
-        bench.choose("driverGas", 6);
+        bench.choose("driverGas", 7);
         QVERIFY(!bench.control<QuantityEdit>("driverGamma")->isReadOnly());
         bench.control<QuantityEdit>("driverGamma")->setValue(1.5);
         QCOMPARE(bench.session.recipe().shock.driverGas.gamma, 1.5);
