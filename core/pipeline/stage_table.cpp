@@ -248,7 +248,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         readDecomposition, kept<&R::decomposition, decomposition>(), saidElsewhere},
     {Model, "model", 2, 10, "MOD-", Decomposition, Model, true, readModel, kept<&R::model, model>(),
         ofModel},
-    {Shock, "shock", 2, 1, "SHK-", Model, Shock, true, readShock, kept<&R::shock, shock>(),
+    {Shock, "shock", 3, 1, "SHK-", Model, Shock, true, readShock, kept<&R::shock, shock>(),
         of<&R::shock>},
     {Response, "response", 4, 30, "RSP-", Shock, Model, true, readResponse,
         kept<&R::response, response>(), of<&R::response>},

@@ -37,6 +37,17 @@ void reportVelocityUncertainty(ShockWork &work, const char *text, double relativ
         .limit = kVelocityUncertaintyLimit});
 }
 
+/// The records alone place the attenuation outside what is assumed, by two u.
+bool leavesItsRange(const VelocityFit &fit)
+{
+    if (!fit.attenuation || !fit.seenAttenuation_per_m)
+        return false;
+    const Interval &range = fit.attenuation->range_per_m;
+    const double room = 2.0 * fit.u_seenAttenuation_per_m;
+    return *fit.seenAttenuation_per_m > range.end + room
+        || *fit.seenAttenuation_per_m < range.begin - room;
+}
+
 const char *gasText(const GasContradiction &found)
 {
     if (found.used.source == GasSource::RecordedConstants)
@@ -79,7 +90,12 @@ void judgeVelocity(ShockWork &work, double relativeFromDistance)
 {
     const auto &uncertainty = work.conditions.uncertainty;
     const auto u_m_s = uncertainty ? uncertainty->u(StepResult::Velocity) : std::nullopt;
-    const double relative = u_m_s.value_or(0.0) / work.conditions.states->velocity_m_s;
+    // The range of the attenuation is a statement on the tube, not something to mend in this shot.
+    const double u_range_m_s
+        = uncertainty ? uncertainty->contributionOf(kAttenuation, StepResult::Velocity) : 0.0;
+    const double relative
+        = std::sqrt(std::max(std::pow(u_m_s.value_or(0.0), 2) - u_range_m_s * u_range_m_s, 0.0))
+        / work.conditions.states->velocity_m_s;
     if (relativeFromDistance > kVelocityUncertaintyLimit)
         reportVelocityUncertainty(work,
             DYNCAL_TEXT("core",
@@ -112,7 +128,7 @@ void judgeFit(ShockWork &work, const VelocityEstimate &estimate)
     const double probability = chiSquareSurvival(*fit->chiSquare, static_cast<double>(fit->dof));
     if (probability >= kScatterProbability)
         return;
-    work.findings.push_back({.id = "SHK-010",
+    Finding finding{.id = "SHK-010",
         .severity = Severity::Caution,
         .shot = work.conditions.shot,
         .message
@@ -120,7 +136,18 @@ void judgeFit(ShockWork &work, const VelocityEstimate &estimate)
                "The arrivals scatter about their line more than their stated uncertainties allow (chi-square %1, degrees of freedom %2): check distances, delays and arrivals, or let the velocity change along the tube."),
             {numberText(*fit->chiSquare, 3), std::to_string(fit->dof)}},
         .value = probability,
-        .limit = kScatterProbability});
+        .limit = kScatterProbability,
+        .causes = {FindingCause::Distance, FindingCause::Delay}};
+    if (leavesItsRange(*fit)) {
+        const Interval &range = fit->attenuation->range_per_m;
+        finding.message = {
+            DYNCAL_TEXT("core",
+                "The arrivals show a velocity that falls by %1 % per metre along the tube, outside the range of %2 to %3 % per metre that is assumed (shock.attenuation_per_m): widen the range if the tube does that, else check distances, delays and arrivals."),
+            {numberText(100.0 * *fit->seenAttenuation_per_m, 2), numberText(100.0 * range.begin, 2),
+                numberText(100.0 * range.end, 2)}};
+        finding.causes.insert(finding.causes.begin(), FindingCause::Attenuation);
+    }
+    work.findings.push_back(std::move(finding));
 }
 
 void judgeMeasured(ShockWork &work)

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "core/shock/velocity_fit.h"
+#include "core/shock/counter_fit.h"
 
 #include <optional>
 #include <string>
@@ -79,6 +79,7 @@ struct ShockSettings
     double carbonDioxide = kUsualCarbonDioxide; ///< mole fraction in humid air
     std::vector<CounterReading> counters = {}; ///< win over arrival sensors
     std::string attenuation = "auto"; ///< or "none", "linear"
+    Interval attenuation_per_m = kUsualAttenuation_per_m; ///< what is known of it for "auto"
     bool useDutArrival = true; ///< a DUT in the end wall marks the arrival there
     std::optional<double> dutDistance_m = std::nullopt; ///< of a DUT in the side wall
     std::optional<double> dutDiameter_m = std::nullopt; ///< of its diaphragm

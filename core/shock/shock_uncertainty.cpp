@@ -23,6 +23,7 @@ struct StepPoint
     Eigen::VectorXd distance_m;
     Eigen::VectorXd time_s;
     std::vector<CounterReading> counters;
+    double attenuation_per_m = 0.0; ///< as observed beforehand
 };
 
 using Setter = std::function<void(StepPoint &, double)>;
@@ -32,9 +33,10 @@ double velocityAt(const StepMeasurement &m, const StepPoint &point)
     const auto &fit = m.velocity.fit;
     double velocity_m_s = *m.velocity.velocity_m_s;
     if (fit && !point.counters.empty())
-        velocity_m_s = refittedCounterVelocity_m_s(*fit, point.counters);
+        velocity_m_s = refittedCounterVelocity_m_s(*fit, point.counters, point.attenuation_per_m);
     else if (fit)
-        velocity_m_s = refittedVelocity_m_s(*fit, point.distance_m, point.time_s);
+        velocity_m_s
+            = refittedVelocity_m_s(*fit, point.distance_m, point.time_s, point.attenuation_per_m);
     return velocity_m_s + point.velocityShift_m_s;
 }
 
@@ -101,6 +103,8 @@ private:
         StepPoint point;
         point.state = m_measurement.state;
         point.counters = m_measurement.counters;
+        if (const auto &fit = m_measurement.velocity.fit; fit && fit->attenuation)
+            point.attenuation_per_m = fit->attenuation->value_per_m();
         const auto &sightings = m_measurement.velocity.sightings;
         point.distance_m.resize(std::ssize(sightings));
         point.time_s.resize(std::ssize(sightings));
@@ -158,6 +162,10 @@ private:
                 m_velocityMissing = notStated("the velocity", "velocity_m_s");
             return;
         }
+        if (const auto &observed = velocity.fit->attenuation)
+            add({kAttenuation, observed->value_per_m(), observed->u_per_m(),
+                    Distribution::Rectangular, std::numeric_limits<double>::infinity(), true},
+                [](StepPoint &p, double x) { p.attenuation_per_m = x; });
         if (velocity.fit->scatterEstimated)
             add({"velocity_scatter", 0.0, velocity.fit->scatter_m_s, Distribution::Normal,
                     static_cast<double>(velocity.fit->dof), false},
@@ -301,6 +309,14 @@ std::optional<double> StepUncertainty::u(StepResult result) const
 {
     const bool missing = velocityMissing || (result != StepResult::Velocity && stepMissing);
     return missing ? std::nullopt : std::optional(budget.u[static_cast<Index>(result)]);
+}
+
+double StepUncertainty::contributionOf(const std::string &input, StepResult result) const
+{
+    for (const BudgetLine &line : budget.lines)
+        if (line.input.quantity == input)
+            return line.contribution[static_cast<Index>(result)];
+    return 0.0;
 }
 
 Result<StepUncertainty> evaluateStep(

@@ -23,6 +23,9 @@ namespace dyncal {
 enum class StepResult : Index { Velocity, Mach, P2, P5, Step };
 inline constexpr Index kStepResults = 5;
 
+/// The input that stands for the range of the attenuation (shock.attenuation_per_m).
+inline constexpr const char *kAttenuation = "attenuation_per_m";
+
 /// An uncertainty that the operator states (recipe section "uncertainty", key "budget").
 struct StatedUncertainty
 {
@@ -55,6 +58,7 @@ struct StepUncertainty
     std::optional<Message> stepMissing; ///< the same for all other results
 
     std::optional<double> u(StepResult result) const;
+    double contributionOf(const std::string &input, StepResult result) const; ///< 0 without it
 };
 
 /// What is asked for besides the step itself.

@@ -14,6 +14,10 @@
 namespace dyncal {
 namespace {
 
+/// An unknown delay of the 50 % crossing, in rise times: from 0 (a diaphragm that the front sweeps)
+/// to this (a damped sensor); it is never negative.
+constexpr double kLargestDelay = 0.85;
+
 VelocityEstimate missing(Message message)
 {
     VelocityEstimate estimate;
@@ -62,15 +66,13 @@ std::optional<Sighting> sightingOf(
     seen.channel = sensor.channel;
     seen.distance_m = sensor.distanceToEndWall_m;
     seen.u_distance_m = sensor.u_distance_m;
-    seen.time_s = (typed ? *sensor.arrival_s : found->time_s) - sensor.delay_s.value_or(0.0);
+    const double rise_s = found != nullptr ? found->rise_s : 0.0;
+    const double delay_s = sensor.delay_s.value_or(0.5 * kLargestDelay * rise_s);
+    seen.time_s = (typed ? *sensor.arrival_s : found->time_s) - delay_s;
     // A time read with a cursor is no better than the search, and has the same delay.
     const bool stated = typed && sensor.u_arrival_s > 0.0;
     seen.u_time_s = stated || found == nullptr ? sensor.u_arrival_s : found->u_time_s;
-    // The delay lies between 0 (a diaphragm that the front sweeps) and the rise time (a sensor that
-    // rings).
-    seen.u_delay_s = sensor.delay_s ? sensor.u_delay_s
-        : found != nullptr          ? found->rise_s / std::sqrt(3.0)
-                                    : 0.0;
+    seen.u_delay_s = sensor.delay_s ? sensor.u_delay_s : kLargestDelay * rise_s / std::sqrt(12.0);
     return seen;
 }
 
@@ -240,7 +242,7 @@ VelocityEstimate estimateVelocity(const CaptureSet &set, Index shot,
     }
     const Attenuation attenuation = attenuationOf(settings.attenuation);
     if (!settings.counters.empty())
-        return withFit({}, fitCounters(settings.counters, attenuation));
+        return withFit({}, fitCounters(settings.counters, attenuation, settings.attenuation_per_m));
     auto found = sightings(set, shot, dutArrival, seen, settings);
     if (!found)
         return missing(std::move(found.error()));
@@ -263,7 +265,8 @@ VelocityEstimate estimateVelocity(const CaptureSet &set, Index shot,
     }
     estimate.relativeDistanceUncertainty = relativeDistanceUncertainty(estimate.sightings);
     estimate.usesUncorrectedDut = dutArrival && nearest.isDut && !dutArrival->delayCorrected;
-    return withFit(estimate, fitVelocity(estimate.sightings, attenuation));
+    return withFit(
+        estimate, fitVelocity(estimate.sightings, attenuation, settings.attenuation_per_m));
 }
 
 } // namespace dyncal

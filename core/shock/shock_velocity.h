@@ -69,7 +69,8 @@ struct VelocityEstimate
 /// The typed velocity; else fitVelocity() through where and when the shock was seen: the
 /// arrivalSensors(), as far as `seen` has them, and a DUT in the end wall. Two places are needed.
 /// Counters of the recipe come before all arrivals. A sensor's typed delay is taken off its
-/// arrival; where none is typed, the rise time is the half width of the unknown delay.
+/// arrival; an unknown one lies anywhere between 0 and 0.85 of its rise time, so that the middle is
+/// taken off.
 VelocityEstimate estimateVelocity(const CaptureSet &set, Index shot,
     const std::optional<DutArrival> &dutArrival, const std::vector<SeenArrival> &seen,
     const ShockSettings &settings);

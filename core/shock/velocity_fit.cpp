@@ -3,48 +3,14 @@
 
 #include "core/shock/velocity_fit.h"
 
-#include "core/base/distributions.h"
 #include "core/base/number_text.h"
-
-#include <Eigen/QR>
+#include "core/shock/polynomial_fit.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace dyncal {
 namespace {
-
-constexpr double kSignificance = 0.99865; ///< one-sided, as 3 sigma of a normal distribution
-
-/// Polynomial of degree `parameters` - 1 through y over x, weighted; coefficients and covariance
-/// for weights that are inverse variances.
-struct Polynomial
-{
-    Eigen::VectorXd coefficients; ///< ascending
-    Eigen::MatrixXd covariance;
-    Eigen::VectorXd residual;
-};
-
-Polynomial fitPolynomial(const Eigen::VectorXd &x, const Eigen::VectorXd &y,
-    const Eigen::VectorXd &weight, Index parameters)
-{
-    Eigen::MatrixXd powers(x.size(), parameters);
-    powers.col(0).setOnes();
-    for (Index k = 1; k < parameters; ++k)
-        powers.col(k) = powers.col(k - 1).cwiseProduct(x);
-    const Eigen::VectorXd root = weight.cwiseSqrt();
-    const Eigen::MatrixXd weighted = root.asDiagonal() * powers;
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(weighted);
-    Polynomial fit;
-    fit.coefficients = qr.solve(root.cwiseProduct(y));
-    fit.residual = y - powers * fit.coefficients;
-    const Eigen::MatrixXd triangle = qr.matrixQR().topRows(parameters);
-    const Eigen::MatrixXd inverse = triangle.triangularView<Eigen::Upper>().solve(
-        Eigen::MatrixXd::Identity(parameters, parameters));
-    fit.covariance = inverse * inverse.transpose();
-    return fit;
-}
 
 /// Times over distances: slowness at the wall and what follows.
 struct Line
@@ -61,10 +27,32 @@ struct Line
     {
         return 2.0 * std::sqrt(polynomial.covariance(2, 2)) * velocity() * velocity();
     }
-    /// u(W), if the weights are inverse variances.
-    double u_velocity() const
+    /// u(W) from the arrivals alone, whose inverse variances are `weight`.
+    double u_velocity(const Eigen::VectorXd &weight) const
     {
-        return std::sqrt(polynomial.covariance(1, 1)) * velocity() * velocity();
+        const double variance
+            = polynomial.gain.row(1).transpose().cwiseAbs2().cwiseQuotient(weight).sum();
+        return std::sqrt(variance) * velocity() * velocity();
+    }
+};
+
+/// Places and times as vectors; times count from the first, as the record may start anywhere.
+struct Arrivals
+{
+    Eigen::VectorXd x;
+    Eigen::VectorXd t;
+    double origin_s = 0.0;
+
+    explicit Arrivals(const std::vector<Sighting> &sightings)
+        : x(std::ssize(sightings))
+        , t(std::ssize(sightings))
+    {
+        for (Index i = 0; i < x.size(); ++i) {
+            x[i] = sightings[static_cast<std::size_t>(i)].distance_m;
+            t[i] = sightings[static_cast<std::size_t>(i)].time_s;
+        }
+        origin_s = t.size() > 0 ? t[0] : 0.0;
+        t.array() -= origin_s;
     }
 };
 
@@ -92,18 +80,6 @@ Eigen::VectorXd statedWeights(const std::vector<Sighting> &sightings, double vel
     return weight.cwiseMin(1e12 * weight.minCoeff());
 }
 
-/// Number of different places: two values at one place say nothing about the shape along the tube.
-Index distinctPlaces(Eigen::VectorXd x)
-{
-    std::sort(x.begin(), x.end());
-    return std::unique(x.begin(), x.end()) - x.begin();
-}
-
-double weightedSquares(const Eigen::VectorXd &weight, const Eigen::VectorXd &residual)
-{
-    return weight.dot(residual.cwiseAbs2());
-}
-
 Error notTowardsTheWall(const std::vector<Sighting> &sightings, double velocity_m_s)
 {
     const auto byDistance
@@ -118,189 +94,134 @@ Error notTowardsTheWall(const std::vector<Sighting> &sightings, double velocity_
         "SHK-001"};
 }
 
-double dofOf(bool stated, Index residualDof)
-{
-    return stated ? std::numeric_limits<double>::infinity() : static_cast<double>(residualDof);
-}
-
-/// `dof` of u: an uncertainty from few residuals is itself uncertain.
-bool isSignificant(double gradient, double u_gradient, double dof)
-{
-    return dof > 0.0 && std::abs(gradient) > studentQuantile(kSignificance, dof) * u_gradient;
-}
-
-/// Fills in everything that follows from the chosen line.
-VelocityFit described(const Line &line, const Eigen::VectorXd &weight, bool stated)
+/// Fills in everything that follows from the chosen line; `dof` are those of its residuals.
+VelocityFit described(
+    const Line &line, const Arrivals &seen, const Eigen::VectorXd &weight, bool stated, Index dof)
 {
     VelocityFit fit;
     fit.velocity_m_s = line.velocity();
+    fit.arrivalAtWall_s = line.polynomial.coefficients[0] + seen.origin_s;
     fit.attenuated = line.polynomial.coefficients.size() > 2;
     fit.residual = line.polynomial.residual;
     fit.weight = weight;
-    fit.dof = weight.size() - line.polynomial.coefficients.size();
-    const double squares = weightedSquares(weight, fit.residual);
-    if (stated && fit.dof > 0)
-        fit.chiSquare = squares;
-    if (!stated && fit.dof > 0) {
-        fit.scatterEstimated = true;
-        fit.scatter_m_s = line.u_velocity() * std::sqrt(squares / static_cast<double>(fit.dof));
+    fit.dof = dof;
+    if (stated && dof > 0)
+        fit.chiSquare = line.polynomial.squares;
+    fit.scatterEstimated = !stated && dof > 0;
+    return fit;
+}
+
+/// Without prior knowledge; the scatter of unstated uncertainties is that of the residuals.
+VelocityFit fittedAlone(
+    const Arrivals &seen, const Eigen::VectorXd &weight, bool stated, Index parameters)
+{
+    const Line line{fitPolynomial(seen.x, seen.t, weight, parameters)};
+    const Index dof = seen.x.size() - parameters;
+    VelocityFit fit = described(line, seen, weight, stated, dof);
+    const double factor
+        = stated || dof <= 0 ? 1.0 : std::sqrt(line.polynomial.squares / static_cast<double>(dof));
+    if (fit.scatterEstimated)
+        fit.scatter_m_s = factor * line.u_velocity(weight);
+    if (parameters > 2) {
+        fit.gradient_per_s = line.gradient();
+        if (stated || dof > 0)
+            fit.u_gradient_per_s = factor * line.u_gradient();
     }
     return fit;
 }
 
+/// Inverse variances from the scatter about a line of the curvature that is likely beforehand.
+Eigen::VectorXd scatterWeights(const Arrivals &seen, double curvature_s_m2)
+{
+    const Index dof = seen.x.size() - 2;
+    const Eigen::VectorXd straightened = seen.t - curvature_s_m2 * seen.x.cwiseAbs2();
+    const Eigen::VectorXd one = Eigen::VectorXd::Ones(seen.x.size());
+    const double squares = fitPolynomial(seen.x, straightened, one, 2).squares;
+    // Arrivals that agree to the last digit are still no better than their clock.
+    const double least_s = 1e-9 * (seen.t.maxCoeff() - seen.t.minCoeff());
+    const double scatter_s = dof > 0 ? std::sqrt(squares / static_cast<double>(dof)) : 0.0;
+    return one / std::pow(std::max(scatter_s, least_s), 2);
+}
+
+VelocityFit fittedWithRange(const Arrivals &seen, const std::vector<Sighting> &sightings,
+    double first_m_s, const Interval &range_per_m)
+{
+    const AttenuationObservation observed{range_per_m, 0.5 / first_m_s};
+    const double curvature = observed.scale * observed.value_per_m();
+    const bool stated = everyUncertaintyIsStated(sightings);
+    const Eigen::VectorXd weight
+        = stated ? statedWeights(sightings, first_m_s) : scatterWeights(seen, curvature);
+    const double u_curvature = observed.scale * observed.u_per_m();
+    const Line line{fitPolynomial(
+        seen.x, seen.t, weight, 3, CoefficientPrior{curvature, 1.0 / (u_curvature * u_curvature)})};
+    VelocityFit fit = described(line, seen, weight, stated, seen.x.size() - 2);
+    fit.attenuation = observed;
+    if (fit.scatterEstimated)
+        fit.scatter_m_s = line.u_velocity(weight);
+    if (distinctPlaces(seen.x) < 3)
+        return fit;
+    fit.gradient_per_s = line.gradient();
+    if (stated || fit.scatterEstimated)
+        fit.u_gradient_per_s = line.u_gradient();
+    const VelocityFit alone = fittedAlone(seen, weight, true, 3);
+    fit.seenAttenuation_per_m = *alone.gradient_per_s / alone.velocity_m_s;
+    fit.u_seenAttenuation_per_m = *alone.u_gradient_per_s / alone.velocity_m_s;
+    return fit;
+}
+
+VelocityFit fittedWithout(const Arrivals &seen, const std::vector<Sighting> &sightings,
+    double first_m_s, Attenuation attenuation)
+{
+    const bool stated = everyUncertaintyIsStated(sightings);
+    const Eigen::VectorXd weight = stated ? statedWeights(sightings, first_m_s)
+                                          : Eigen::VectorXd::Ones(seen.x.size()).eval();
+    VelocityFit straight = fittedAlone(seen, weight, stated, 2);
+    if (distinctPlaces(seen.x) < 3 || attenuation == Attenuation::None)
+        return straight;
+    VelocityFit bent = fittedAlone(seen, weight, stated, 3);
+    const bool known = stated || bent.scatterEstimated;
+    if (known && bent.velocity_m_s > 0.0)
+        return bent;
+    straight.gradient_per_s = bent.gradient_per_s;
+    straight.u_gradient_per_s = bent.u_gradient_per_s;
+    return straight;
+}
+
 } // namespace
 
-Result<VelocityFit> fitVelocity(const std::vector<Sighting> &sightings, Attenuation attenuation)
+double AttenuationObservation::u_per_m() const
 {
-    const Index count = std::ssize(sightings);
-    Eigen::VectorXd x(count), t(count);
-    for (Index i = 0; i < count; ++i) {
-        x[i] = sightings[static_cast<std::size_t>(i)].distance_m;
-        t[i] = sightings[static_cast<std::size_t>(i)].time_s;
-    }
-    if (count < 2 || x.maxCoeff() == x.minCoeff())
+    return range_per_m.length() / std::sqrt(12.0);
+}
+
+Result<VelocityFit> fitVelocity(
+    const std::vector<Sighting> &sightings, Attenuation attenuation, const Interval &range_per_m)
+{
+    const Arrivals seen(sightings);
+    if (seen.x.size() < 2 || seen.x.maxCoeff() == seen.x.minCoeff())
         return fail(ErrorKind::Usage,
             Message{DYNCAL_TEXT(
                         "core", "A velocity needs arrivals at two places at least; there are %1."),
-                {std::to_string(std::min<Index>(count, 1))}});
-    const double origin_s = t[0]; // times count from here: the record's axis may start anywhere
-    t.array() -= origin_s;
-    const Line first{fitPolynomial(x, t, Eigen::VectorXd::Ones(count), 2)};
+                {std::to_string(std::min<Index>(seen.x.size(), 1))}});
+    const Line first{fitPolynomial(seen.x, seen.t, Eigen::VectorXd::Ones(seen.x.size()), 2)};
     if (!(first.velocity() > 0.0 && std::isfinite(first.velocity())))
         return tl::unexpected(notTowardsTheWall(sightings, first.velocity()));
-    const bool stated = everyUncertaintyIsStated(sightings);
-    const Eigen::VectorXd weight
-        = stated ? statedWeights(sightings, first.velocity()) : Eigen::VectorXd::Ones(count).eval();
-    const Line straight{fitPolynomial(x, t, weight, 2)};
-    VelocityFit fit = described(straight, weight, stated);
-    fit.arrivalAtWall_s = straight.polynomial.coefficients[0] + origin_s;
-    if (distinctPlaces(x) < 3 || attenuation == Attenuation::None)
-        return fit;
-    const Line bent{fitPolynomial(x, t, weight, 3)};
-    const VelocityFit bentFit = described(bent, weight, stated);
-    const bool known = stated || bentFit.scatterEstimated;
-    const double factor = stated || bentFit.dof == 0
-        ? 1.0
-        : std::sqrt(weightedSquares(weight, bentFit.residual) / static_cast<double>(bentFit.dof));
-    const bool asked = attenuation == Attenuation::Linear && known;
-    const bool taken = known
-        && (asked
-            || isSignificant(
-                bent.gradient(), factor * bent.u_gradient(), dofOf(stated, bentFit.dof)));
-    if (taken && bent.velocity() > 0.0) {
-        fit = bentFit;
-        fit.arrivalAtWall_s = bent.polynomial.coefficients[0] + origin_s;
-    }
-    fit.gradient_per_s = bent.gradient();
-    if (known)
-        fit.u_gradient_per_s = factor * bent.u_gradient();
-    return fit;
+    return attenuation == Attenuation::Automatic
+        ? fittedWithRange(seen, sightings, first.velocity(), range_per_m)
+        : fittedWithout(seen, sightings, first.velocity(), attenuation);
 }
 
-double refittedVelocity_m_s(
-    const VelocityFit &fit, const Eigen::VectorXd &distance_m, const Eigen::VectorXd &time_s)
+double refittedVelocity_m_s(const VelocityFit &fit, const Eigen::VectorXd &distance_m,
+    const Eigen::VectorXd &time_s, double attenuation_per_m)
 {
     const Eigen::VectorXd since = time_s.array() - time_s[0];
-    return Line{fitPolynomial(distance_m, since, fit.weight, fit.attenuated ? 3 : 2)}.velocity();
-}
-
-namespace {
-
-/// Mean velocities of the intervals and their middles.
-struct Intervals
-{
-    Eigen::VectorXd middle_m;
-    Eigen::VectorXd velocity_m_s;
-    Eigen::VectorXd weight;
-    bool stated = true;
-};
-
-Intervals intervalsOf(const std::vector<CounterReading> &readings)
-{
-    const Index count = std::ssize(readings);
-    Intervals intervals{
-        Eigen::VectorXd(count), Eigen::VectorXd(count), Eigen::VectorXd::Ones(count), true};
-    for (Index i = 0; i < count; ++i) {
-        const CounterReading &r = readings[static_cast<std::size_t>(i)];
-        const double length_m = r.far_m - r.near_m;
-        intervals.middle_m[i] = 0.5 * (r.far_m + r.near_m);
-        intervals.velocity_m_s[i] = length_m / r.time_s;
-        const double u = intervals.velocity_m_s[i]
-            * std::hypot(r.u_distance_m / length_m, r.u_time_s / r.time_s);
-        intervals.stated = intervals.stated && r.u_distance_m > 0.0;
-        intervals.weight[i] = 1.0 / (u * u);
-    }
-    if (!intervals.stated)
-        intervals.weight.setOnes();
-    return intervals;
-}
-
-VelocityFit describedCounters(const Polynomial &line, const Intervals &intervals)
-{
-    VelocityFit fit;
-    fit.velocity_m_s = line.coefficients[0];
-    fit.arrivalAtWall_s = std::numeric_limits<double>::quiet_NaN();
-    fit.attenuated = line.coefficients.size() > 1;
-    fit.residual = line.residual;
-    fit.weight = intervals.weight;
-    fit.dof = intervals.weight.size() - line.coefficients.size();
-    const double squares = weightedSquares(intervals.weight, line.residual);
-    if (intervals.stated && fit.dof > 0)
-        fit.chiSquare = squares;
-    fit.scatterEstimated = !intervals.stated && fit.dof > 0;
-    if (fit.scatterEstimated)
-        fit.scatter_m_s = std::sqrt(line.covariance(0, 0) * squares / static_cast<double>(fit.dof));
-    return fit;
-}
-
-} // namespace
-
-Result<VelocityFit> fitCounters(
-    const std::vector<CounterReading> &readings, Attenuation attenuation)
-{
-    for (const CounterReading &r : readings) {
-        const bool isFinite = std::isfinite(r.far_m) && std::isfinite(r.time_s);
-        if (!(isFinite && r.far_m > r.near_m && r.near_m >= 0.0 && r.time_s > 0.0))
-            return fail(ErrorKind::Usage,
-                Message{
-                    DYNCAL_TEXT("core",
-                        "A counter reads %1 s from %2 m to %3 m before the end wall; the time must be above 0 and the first distance the larger one."),
-                    {numberText(r.time_s), numberText(r.far_m), numberText(r.near_m)}});
-    }
-    if (readings.empty())
-        return fail(
-            ErrorKind::Usage, Message{DYNCAL_TEXT("core", "There is no counter reading."), {}});
-    const Intervals intervals = intervalsOf(readings);
-    VelocityFit fit = describedCounters(
-        fitPolynomial(intervals.middle_m, intervals.velocity_m_s, intervals.weight, 1), intervals);
-    if (distinctPlaces(intervals.middle_m) < 2 || attenuation == Attenuation::None)
-        return fit;
-    const Polynomial bent
-        = fitPolynomial(intervals.middle_m, intervals.velocity_m_s, intervals.weight, 2);
-    const VelocityFit bentFit = describedCounters(bent, intervals);
-    const bool known = intervals.stated || bentFit.scatterEstimated;
-    const double squares = weightedSquares(intervals.weight, bent.residual);
-    const double factor = intervals.stated || bentFit.dof == 0
-        ? 1.0
-        : std::sqrt(squares / static_cast<double>(bentFit.dof));
-    const double gradient = bent.coefficients[1];
-    const double u_gradient = factor * std::sqrt(bent.covariance(1, 1));
-    if (attenuation == Attenuation::Linear
-        || (known && isSignificant(gradient, u_gradient, dofOf(intervals.stated, bentFit.dof))))
-        fit = bentFit;
-    fit.gradient_per_s = gradient;
-    if (known)
-        fit.u_gradient_per_s = u_gradient;
-    return fit;
-}
-
-double refittedCounterVelocity_m_s(
-    const VelocityFit &fit, const std::vector<CounterReading> &readings)
-{
-    const Intervals intervals = intervalsOf(readings);
-    return fitPolynomial(
-        intervals.middle_m, intervals.velocity_m_s, fit.weight, fit.attenuated ? 2 : 1)
-        .coefficients[0];
+    if (!fit.attenuation)
+        return Line{fitPolynomial(distance_m, since, fit.weight, fit.attenuated ? 3 : 2)}
+            .velocity();
+    const double u = fit.attenuation->scale * fit.attenuation->u_per_m();
+    return Line{fitPolynomial(distance_m, since, fit.weight, 3,
+                    CoefficientPrior{fit.attenuation->scale * attenuation_per_m, 1.0 / (u * u)})}
+        .velocity();
 }
 
 } // namespace dyncal

@@ -74,6 +74,7 @@ inline Recipe fullRecipe()
         .carbonDioxide = 5e-4,
         .counters = {{1.4, 1.1, 2.6e-4, 1e-4, 1e-8}},
         .attenuation = "linear",
+        .attenuation_per_m = {-0.001, 0.02},
         .useDutArrival = false,
         .dutDistance_m = 0.3,
         .dutDiameter_m = 5.5e-3,

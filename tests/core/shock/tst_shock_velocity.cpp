@@ -160,9 +160,9 @@ private slots:
                 {seenAt("near", 1e-3, 1e-7, 3e-6)}, settings)
                 .sightings.front();
         };
-        Sighting seen = sighting(); // nothing typed: half the width of a rectangle is the rise
-        QCOMPARE(seen.time_s, 1e-3);
-        QVERIFY(std::abs(seen.u_delay_s - 3e-6 / std::sqrt(3.0)) < 1e-20);
+        Sighting seen = sighting(); // nothing typed: a rectangle from 0 to 0.85 of the rise
+        QVERIFY(std::abs(seen.time_s - (1e-3 - 0.425 * 3e-6)) < 1e-17);
+        QVERIFY(std::abs(seen.u_delay_s - 0.85 * 3e-6 / std::sqrt(12.0)) < 1e-20);
         QCOMPARE(seen.u_time_s, 1e-7);
         sensor.delay_s = 5e-6;
         sensor.u_delay_s = 2e-7;
@@ -176,7 +176,7 @@ private slots:
         sensor.u_arrival_s = 4e-7;
         QCOMPARE(sighting().u_time_s, 4e-7);
         sensor.delay_s.reset();
-        QVERIFY(std::abs(sighting().u_delay_s - 3e-6 / std::sqrt(3.0)) < 1e-20);
+        QVERIFY(std::abs(sighting().u_delay_s - 0.85 * 3e-6 / std::sqrt(12.0)) < 1e-20);
     }
 
     void dutWithoutUncertainty_hasThatOfItsSampling()

@@ -1,9 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/shock/velocity_fit.h"
+#include "core/shock/counter_fit.h"
 #include "tests/support/test_program.h"
 
+#include <Eigen/LU>
 #include <QtTest>
 
 #include <cmath>
@@ -59,7 +60,10 @@ private slots:
     void manyPlaces_onALine_exact();
     void weights_moreCertainPlaceWins();
     void attenuation_linear_recoversVelocityAtTheWall();
-    void attenuation_automatic_onlyWhereSignificant();
+    void range_onePlaceBeforeTheWall_decidesAlone();
+    void range_manyPlaces_arrivalsDecide();
+    void range_isAnObservation_asInTheNormalEquations();
+    void range_counters_sameAsPlaces();
     void attenuation_threePlacesStated_uncertaintyKnown();
     void scatter_unstatedDistances_isEstimated();
     void chiSquare_ofStatedUncertainties();
@@ -74,7 +78,7 @@ private slots:
 
 void TestVelocityFit::twoPlaces_distanceOverTime()
 {
-    const auto fit = fitVelocity(arrivals({0.8, 0.0}, 512.8, 0.0), Attenuation::Automatic);
+    const auto fit = fitVelocity(arrivals({0.8, 0.0}, 512.8, 0.0), Attenuation::None);
     QVERIFY(std::abs(fit->velocity_m_s / 512.8 - 1.0) < 1e-13);
     QVERIFY(std::abs(fit->arrivalAtWall_s - 0.123) < 1e-12);
     QCOMPARE(fit->dof, Index(0));
@@ -83,8 +87,7 @@ void TestVelocityFit::twoPlaces_distanceOverTime()
 
 void TestVelocityFit::manyPlaces_onALine_exact()
 {
-    for (const Attenuation attenuation :
-        {Attenuation::None, Attenuation::Automatic, Attenuation::Linear}) {
+    for (const Attenuation attenuation : {Attenuation::None, Attenuation::Linear}) {
         const auto fit = fitVelocity(arrivals({1.4, 1.1, 0.8, 0.5, 0.2}, 512.8, 0.0), attenuation);
         QVERIFY(std::abs(fit->velocity_m_s / 512.8 - 1.0) < 1e-10);
         QVERIFY(fit->residual.cwiseAbs().maxCoeff() < 1e-14);
@@ -114,12 +117,76 @@ void TestVelocityFit::attenuation_linear_recoversVelocityAtTheWall()
     QVERIFY(straight->velocity_m_s > 514.0); // what ignoring it costs
 }
 
-void TestVelocityFit::attenuation_automatic_onlyWhereSignificant()
+void TestVelocityFit::range_onePlaceBeforeTheWall_decidesAlone()
 {
-    const std::vector<double> places{1.0, 0.8, 0.6, 0.4, 0.2};
-    QVERIFY(fitVelocity(arrivals(places, 512.8, 5.128), Attenuation::Automatic)->attenuated);
-    QVERIFY(!fitVelocity(arrivals(places, 512.8, 0.1), Attenuation::Automatic)->attenuated);
-    QVERIFY(fitVelocity(arrivals(places, 512.8, 0.1), Attenuation::Automatic)->gradient_per_s);
+    // Mean velocity over x is W (1 + a x/2) to first order: here a is the middle of the range.
+    for (const double u_distance_m : {2e-4, 0.0}) {
+        const auto fit
+            = fitVelocity(arrivals({0.8, 0.0}, 512.8, 0.0, u_distance_m), Attenuation::Automatic);
+        QVERIFY(std::abs(fit->velocity_m_s / 512.8 - (1.0 - 0.0025 * 0.4)) < 2e-6);
+        QVERIFY(fit->attenuated && !fit->gradient_per_s && fit->dof == 0);
+        QVERIFY(std::abs(fit->attenuation->u_per_m() - 0.015 / std::sqrt(12.0)) < 1e-15);
+        const auto known = fitVelocity(arrivals({0.8, 0.0}, 512.8, 5.128, u_distance_m),
+            Attenuation::Automatic, {0.0099, 0.0101});
+        QVERIFY(std::abs(known->velocity_m_s / 512.8 - 1.0) < 5e-5);
+    }
+}
+
+void TestVelocityFit::range_manyPlaces_arrivalsDecide()
+{
+    // Nearly exact arrivals: the range, although it does not hold the truth, hardly counts.
+    const auto fit = fitVelocity(
+        arrivals({1.0, 0.8, 0.6, 0.4, 0.2}, 512.8, 10.256, 1e-7, 1e-10), Attenuation::Automatic);
+    QVERIFY(std::abs(fit->velocity_m_s / 512.8 - 1.0) < 1e-4);
+    QVERIFY(std::abs(*fit->seenAttenuation_per_m / 0.02 - 1.0) < 0.03);
+    QVERIFY(*fit->chiSquare > 10.0); // it contradicts the range
+}
+
+void TestVelocityFit::range_isAnObservation_asInTheNormalEquations()
+{
+    const std::vector<Sighting> list = arrivals({0.8, 0.5, 0.2, 0.0}, 500.0, 3.0, 2e-4, 3e-7);
+    const auto fit = fitVelocity(list, Attenuation::Automatic);
+    // (X'WX + P) c = X'W t + P c_prior, solved directly.
+    Eigen::Matrix3d normal = Eigen::Matrix3d::Zero();
+    Eigen::Vector3d right = Eigen::Vector3d::Zero();
+    for (Index i = 0; i < 4; ++i) {
+        const Sighting &s = list[static_cast<std::size_t>(i)];
+        const Eigen::Vector3d row(1.0, s.distance_m, s.distance_m * s.distance_m);
+        normal += fit->weight[i] * row * row.transpose();
+        right += fit->weight[i] * row * (s.time_s - list[0].time_s);
+    }
+    const double scale = fit->attenuation->scale;
+    const double weight = 12.0 / std::pow(0.015 * scale, 2);
+    normal(2, 2) += weight;
+    right[2] += weight * scale * 0.0025;
+    const Eigen::Vector3d c = normal.fullPivLu().solve(right);
+    QVERIFY(std::abs(-1.0 / c[1] / fit->velocity_m_s - 1.0) < 1e-9);
+    QVERIFY(std::abs(*fit->u_gradient_per_s
+                    / (2.0 * std::sqrt(normal.inverse()(2, 2)) * std::pow(fit->velocity_m_s, 2))
+                - 1.0)
+        < 1e-6);
+    Eigen::VectorXd x(4), t(4);
+    for (Index i = 0; i < 4; ++i) {
+        x[i] = list[static_cast<std::size_t>(i)].distance_m;
+        t[i] = list[static_cast<std::size_t>(i)].time_s;
+    }
+    QVERIFY(std::abs(refittedVelocity_m_s(*fit, x, t, 0.0025) / fit->velocity_m_s - 1.0) < 1e-12);
+    QVERIFY(refittedVelocity_m_s(*fit, x, t, 0.01) < fit->velocity_m_s);
+}
+
+void TestVelocityFit::range_counters_sameAsPlaces()
+{
+    // One counter over the last 0.8 m is one sensor there and one in the wall.
+    const CounterReading reading{0.8, 0.0, 0.8 / 512.8, 2e-4, 3e-7};
+    const auto counter = fitCounters({reading}, Attenuation::Automatic);
+    const auto places = fitVelocity(arrivals({0.8, 0.0}, 512.8, 0.0), Attenuation::Automatic);
+    QVERIFY(std::abs(counter->velocity_m_s / places->velocity_m_s - 1.0) < 3e-6);
+    QVERIFY(
+        std::abs(
+            refittedCounterVelocity_m_s(*counter, {reading}, 0.0025) / counter->velocity_m_s - 1.0)
+        < 1e-12);
+    const auto real = fitCounters(realCounters(), Attenuation::Automatic);
+    QVERIFY(real->scatterEstimated && real->scatter_m_s > 0.0 && real->gradient_per_s);
 }
 
 void TestVelocityFit::attenuation_threePlacesStated_uncertaintyKnown()
@@ -166,11 +233,11 @@ void TestVelocityFit::refitted_sameInputs_sameVelocity()
             x[i] = list[static_cast<std::size_t>(i)].distance_m;
             t[i] = list[static_cast<std::size_t>(i)].time_s;
         }
-        QVERIFY(std::abs(refittedVelocity_m_s(*fit, x, t) / fit->velocity_m_s - 1.0) < 1e-12);
+        QVERIFY(std::abs(refittedVelocity_m_s(*fit, x, t, 0.0) / fit->velocity_m_s - 1.0) < 1e-12);
     }
     const auto counters = fitCounters(realCounters(), Attenuation::Linear);
-    QVERIFY(
-        std::abs(refittedCounterVelocity_m_s(*counters, realCounters()) - counters->velocity_m_s)
+    QVERIFY(std::abs(refittedCounterVelocity_m_s(*counters, realCounters(), 0.0)
+                - counters->velocity_m_s)
         < 1e-9);
 }
 
@@ -214,7 +281,7 @@ void TestVelocityFit::sensorsAtOnePlace_areNoThirdPlace()
         auto seen = arrivals({0.6, 0.6, 0.0}, 512.8, 0.0, u_distance_m);
         seen[0].time_s += disagreement_s;
         seen[1].time_s -= disagreement_s;
-        const auto fit = fitVelocity(seen, asked ? Attenuation::Linear : Attenuation::Automatic);
+        const auto fit = fitVelocity(seen, asked ? Attenuation::Linear : Attenuation::None);
         QVERIFY(fit.has_value());
         QVERIFY(!fit->attenuated);
         QVERIFY(!fit->gradient_per_s && !fit->u_gradient_per_s);
@@ -224,7 +291,7 @@ void TestVelocityFit::sensorsAtOnePlace_areNoThirdPlace()
 
 void TestVelocityFit::countersOverOneStretch_areNoSecondPlace()
 {
-    for (const Attenuation attenuation : {Attenuation::Automatic, Attenuation::Linear}) {
+    for (const Attenuation attenuation : {Attenuation::None, Attenuation::Linear}) {
         const auto fit = fitCounters(
             {{1.0, 0.5, 1e-3, 1e-4, 1e-7}, {1.0, 0.5, 1.01e-3, 1e-4, 1e-7}}, attenuation);
         QVERIFY(!fit->attenuated && !fit->gradient_per_s);

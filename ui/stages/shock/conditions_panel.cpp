@@ -92,6 +92,7 @@ void ConditionsPanel::buildTubeControls()
         new OptionalEdit(kMetre, 1e-3, 1000.0), &ShockSettings::driverLength_m);
     m_diameter = addShockNumber(m_session, m_form, tr("Inner diameter"), "innerDiameter",
         new OptionalEdit(kMillimetre, 1e-4, 100.0), &ShockSettings::innerDiameter_m);
+    addAttenuation();
     m_guard = m_form.add(tr("Guard before the plateau's end"), "plateauGuard",
         new OptionalEdit(kMicroseconds, 0.0, 1.0));
     m_guard->setEmptyText(tr("none"));
@@ -101,11 +102,33 @@ void ConditionsPanel::buildTubeControls()
     });
 }
 
+void ConditionsPanel::addAttenuation()
+{
+    const ShownUnit percent{"%/m", 0.01};
+    const auto add = [&](const QString &label, const QString &name, double Interval::*end) {
+        auto *edit = m_form.add(label, name, new OptionalEdit(percent, -0.5, 0.5));
+        connect(edit, &OptionalEdit::edited, this, [=, this](const std::optional<double> &typed) {
+            Interval range = m_session.recipe().shock.attenuation_per_m;
+            range.*end = typed.value_or(kUsualAttenuation_per_m.*end);
+            if (range.begin < range.end)
+                changeRecipe(m_session, tr("Change the range of the attenuation"),
+                    [&](Recipe &r) { r.shock.attenuation_per_m = range; });
+            else
+                edit->set(m_session.recipe().shock.attenuation_per_m.*end);
+        });
+        return edit;
+    };
+    m_leastAttenuation = add(tr("Attenuation, at least"), "leastAttenuation", &Interval::begin);
+    m_largestAttenuation = add(tr("Attenuation, at most"), "largestAttenuation", &Interval::end);
+}
+
 void ConditionsPanel::show(const Shot *recording, const ShockConditions *shot)
 {
     const ShockSettings &settings = m_session.recipe().shock;
     const CaptureSet &set = *m_session.state().captures;
     const Environment around = recording ? recording->environment : Environment();
+    m_leastAttenuation->set(settings.attenuation_per_m.begin);
+    m_largestAttenuation->set(settings.attenuation_per_m.end);
     m_p1->set(settings.p1_Pa, recorded(around.p1_Pa));
     m_T1->set(settings.T1_K, recorded(around.T1_K));
     m_T4->set(settings.T4_K, recorded(around.T4_K));

@@ -33,6 +33,7 @@ public:
 private:
     void buildGasControls();
     void buildTubeControls();
+    void addAttenuation();
 
     Session &m_session;
     InspectorForm &m_form;
@@ -48,6 +49,8 @@ private:
     OptionalEdit *m_driverLength;
     OptionalEdit *m_diameter;
     OptionalEdit *m_guard;
+    OptionalEdit *m_leastAttenuation = nullptr;
+    OptionalEdit *m_largestAttenuation = nullptr;
 };
 
 } // namespace dyncal

@@ -31,12 +31,13 @@ struct InputWords
     const char *unit;
 };
 
-constexpr std::array<InputWords, 12> kInputs{{
+constexpr std::array<InputWords, 13> kInputs{{
     {"distance_m", QT_TRANSLATE_NOOP("ShockBudget", "Distance, %1"), "m"},
     {"arrival_s", QT_TRANSLATE_NOOP("ShockBudget", "Arrival, %1"), "s"},
     {"delay_s", QT_TRANSLATE_NOOP("ShockBudget", "Delay, %1"), "s"},
     {"time_s", QT_TRANSLATE_NOOP("ShockBudget", "Time, %1"), "s"},
     {"velocity_m_s", QT_TRANSLATE_NOOP("ShockBudget", "Velocity"), "m/s"},
+    {kAttenuation, QT_TRANSLATE_NOOP("ShockBudget", "Attenuation along the tube"), "1/m"},
     {"velocity_scatter", QT_TRANSLATE_NOOP("ShockBudget", "Scatter of the velocity"), "m/s"},
     {"p1_pa", QT_TRANSLATE_NOOP("ShockBudget", "p1"), "Pa"},
     {"t1_k", QT_TRANSLATE_NOOP("ShockBudget", "T1"), "K"},
