@@ -5,6 +5,7 @@
 
 #include "core/base/version.h"
 #include "core/certificate/calendar_date.h"
+#include "core/certificate/certificate_checks.h"
 #include "core/certificate/certificate_words.h"
 #include "core/pipeline/stage_table.h"
 
@@ -163,11 +164,9 @@ CertificateSection remarksSection(const CalibrationResults &results, const Recip
             finding.shot > 0 ? verbatim(std::to_string(finding.shot)) : dash(), severity,
             finding.message, reason});
     }
-    if (table.rows.empty())
-        section.paragraphs.push_back(
-            {DYNCAL_TEXT("core", "The automatic checks of the data raised no caution."), {}});
-    else
+    if (!table.rows.empty())
         section.tables.push_back(std::move(table));
+    addCheckTable(results, section);
     return section;
 }
 

@@ -18,12 +18,10 @@ double stepOf(const WindowedResponse &response)
     return response.step / response.valueScale;
 }
 
-/// The budget of a shot's step; null where there is none, or the step was typed.
+/// The budget of a shot's step; null where there is none.
 const StepUncertainty *stepUncertainty(const ShockConditions *conditions)
 {
-    return conditions && conditions->uncertainty && !conditions->stepTyped
-        ? &*conditions->uncertainty
-        : nullptr;
+    return conditions && conditions->uncertainty ? &*conditions->uncertainty : nullptr;
 }
 
 ShotSensitivity sensitivityOfShot(const WindowedResponse &response,

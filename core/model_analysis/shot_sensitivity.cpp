@@ -242,6 +242,39 @@ std::vector<std::vector<std::size_t>> byLevel(const std::vector<ShotSensitivity>
     return groups;
 }
 
+/// Weights that make shot i less the generalised mean of the others.
+Eigen::VectorXd contrastOf(Index i, const Eigen::MatrixXd &V)
+{
+    std::vector<Index> others;
+    for (Index k = 0; k < V.rows(); ++k)
+        if (k != i)
+            others.push_back(k);
+    const Eigen::MatrixXd rest = V(others, others);
+    const Eigen::VectorXd weight = rest.ldlt().solve(Eigen::VectorXd::Ones(std::ssize(others)));
+    Eigen::VectorXd contrast = Eigen::VectorXd::Unit(V.rows(), i);
+    for (Index a = 0; a < weight.size(); ++a)
+        contrast[others[static_cast<std::size_t>(a)]] = -weight[a] / weight.sum();
+    return contrast;
+}
+
+FarthestShot farthestOf(const std::vector<ShotSensitivity> &shots, double mean,
+    const Eigen::VectorXd &r, const Eigen::MatrixXd &V)
+{
+    FarthestShot farthest;
+    double largest = -1.0;
+    for (Index i = 0; i < r.size(); ++i) {
+        const Eigen::VectorXd contrast = contrastOf(i, V);
+        const double difference = contrast.dot(r);
+        const double u = std::sqrt(contrast.dot(V * contrast));
+        if (std::abs(difference) / u <= largest)
+            continue;
+        largest = std::abs(difference) / u;
+        farthest = {shots[static_cast<std::size_t>(i)].shot, mean * (1.0 + r[i]),
+            mean * (1.0 + r[i] - difference), std::abs(mean) * u};
+    }
+    return farthest;
+}
+
 /// Compares the shots with each other; returns the relative differences from the plain mean.
 Eigen::VectorXd compare(const std::vector<ShotSensitivity> &shots, double mean, const Parts &parts,
     bool isComplete, SensitivitySummary &summary)
@@ -256,6 +289,7 @@ Eigen::VectorXd compare(const std::vector<ShotSensitivity> &shots, double mean, 
     const GeneralisedFit about = fitted(Eigen::MatrixXd::Ones(n, 1), r, V);
     summary.homogeneity_p = chiSquareSurvival(about.chiSquare, static_cast<double>(n - 1));
     summary.shotsAgree = *summary.homogeneity_p >= kSmallestChance;
+    summary.farthest = farthestOf(shots, mean, r, V);
     if (!summary.shotsAgree)
         summary.findings.push_back(disagreement(shots, r, *summary.homogeneity_p, isComplete));
     if (isComplete)

@@ -40,6 +40,15 @@ struct SensitivityMean
     double dof = kUnknown;
 };
 
+/// The shot that differs most from the others, by its own u.
+struct FarthestShot
+{
+    Index shot = 0;
+    double value = kUnknown;
+    double others = kUnknown; ///< generalised mean of the others
+    double u = kUnknown; ///< of the difference, common factors removed
+};
+
 /// What the shots of a calibration say together.
 struct SensitivitySummary
 {
@@ -47,6 +56,7 @@ struct SensitivitySummary
     std::vector<SensitivityMean> perLevel; ///< from low to high; only shots with a level
     std::optional<double> homogeneity_p; ///< chance of as much scatter; empty below two shots
     bool shotsAgree = true;
+    std::optional<FarthestShot> farthest; ///< where homogeneity_p is known
     std::optional<double> linearity_per_Pa; ///< (dS/dstep) / S; empty where the steps are alike
     std::optional<double> uLinearity_per_Pa;
     Findings findings; ///< RSP-002

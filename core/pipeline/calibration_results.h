@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/capture/capture_set.h"
+#include "core/consistency/way_comparison.h"
 #include "core/decomposition/component_result.h"
 #include "core/model_analysis/sensor_response.h"
 #include "core/pipeline/shock_stage.h"
@@ -39,6 +40,7 @@ enum class StageId {
     Model, ///< poles, fit
     Shock, ///< velocity, states, pressure step
     Response, ///< frequency response, characteristics, sensitivity
+    Checks, ///< the independent ways to one quantity, compared
     Assessment, ///< of the model: uncertainties, shots compared; no response waits for it
     Evidence, ///< what all orders show; no result waits for it
     MonteCarlo, ///< of the pressure step; nothing waits for it
@@ -73,6 +75,7 @@ struct CalibrationResults
     std::shared_ptr<const SensorModel> model;
     std::shared_ptr<const ShockConditionsSet> shock;
     std::shared_ptr<const ResponseResult> response;
+    std::shared_ptr<const ConsistencyResult> checks;
     std::shared_ptr<const ModelAssessment> assessment; ///< of `model` and no other
     std::shared_ptr<const OrderEvidence> evidence; ///< of the decomposition, not of one order
     std::shared_ptr<const StepMonteCarloSet> monteCarlo;

@@ -3,6 +3,7 @@
 
 #include "core/pipeline/stage_table.h"
 
+#include "core/consistency/consistency.h"
 #include "core/decomposition/component_analysis.h"
 #include "core/pipeline/early_stages.h"
 #include "core/pipeline/model_stages.h"
@@ -199,6 +200,12 @@ Result<ResponseResult> response(const StageInputs &in)
     return responseStage(in.results, in.recipe, *in.results.model, *in.results.shock);
 }
 
+Result<ConsistencyResult> checks(const StageInputs &in)
+{
+    return compareWays(in.results.captures->set, in.recipe.shock, *in.results.shock,
+        *in.results.response, uncertaintyRequest(in.recipe.uncertainty).stated);
+}
+
 Result<ModelAssessment> assessment(const StageInputs &in)
 {
     return assessModel(*in.results.input, *in.results.model, in.recipe.realization, in.control);
@@ -248,10 +255,12 @@ constexpr std::array<Stage, kStageCount> kStages{{
         readDecomposition, kept<&R::decomposition, decomposition>(), saidElsewhere},
     {Model, "model", 2, 10, "MOD-", Decomposition, Model, true, readModel, kept<&R::model, model>(),
         ofModel},
-    {Shock, "shock", 3, 1, "SHK-", Model, Shock, true, readShock, kept<&R::shock, shock>(),
+    {Shock, "shock", 4, 1, "SHK-", Model, Shock, true, readShock, kept<&R::shock, shock>(),
         of<&R::shock>},
     {Response, "response", 4, 30, "RSP-", Shock, Model, true, readResponse,
         kept<&R::response, response>(), of<&R::response>},
+    {Checks, "checks", 1, 10, "CHK-", Response, Checks, true, readNothing,
+        kept<&R::checks, checks>(), of<&R::checks>},
     {Assessment, "model assessment", 1, 10, "", Model, Model, true, readNothing,
         kept<&R::assessment, assessment>(), saidElsewhere},
     {Evidence, "evidence", 1, 160, "", Decomposition, Decomposition, false, readEvidence,

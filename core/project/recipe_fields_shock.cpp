@@ -69,6 +69,30 @@ Codec<GasSettings> gas(const GasLabels &labels)
     return {needs, read, plain.write, plain.keys};
 }
 
+/// null, one number for all shots, or a list with a number or null per shot.
+Codec<PerShot> perShot(const Codec<double> &number)
+{
+    const auto one = orNull(number);
+    const auto list = dyncal::list(one, 1);
+    const std::string needs = one.needs + ", or a list of one of these per shot";
+    const auto read = [=](const JsonAt &at) -> Result<PerShot> {
+        if (at.value.is_array())
+            return list.read(at).map(
+                [](const std::vector<std::optional<double>> &each) { return PerShot(each); });
+        if (!at.value.is_number() && !at.value.is_null())
+            return mismatch(at, needs);
+        return one.read(at).map([](const std::optional<double> &value) {
+            PerShot typed;
+            typed.common = value;
+            return typed;
+        });
+    };
+    const auto write = [=](const PerShot &typed) {
+        return typed.each.empty() ? one.write(typed.common) : list.write(typed.each);
+    };
+    return {needs, read, write};
+}
+
 /// null = found in the record, one time, or a list with a time or null per shot; two members share
 /// the key.
 Field<ArrivalSensor> arrival()
@@ -154,9 +178,9 @@ std::vector<Field<ShockSettings>> conditionFields()
         field("relative_humidity", DYNCAL_TEXT("RecipeLabel", "relative humidity"),
             &S::relativeHumidity, orNull(number(0.0, 1.0))),
         field("velocity_m_s", DYNCAL_TEXT("RecipeLabel", "velocity of the shock"), &S::velocity_m_s,
-            orNull(positiveNumber())),
+            perShot(positiveNumber())),
         field("step_pa", DYNCAL_TEXT("RecipeLabel", "pressure step"), &S::step_Pa,
-            orNull(positiveNumber())),
+            perShot(positiveNumber())),
     };
 }
 
@@ -207,6 +231,11 @@ std::vector<Field<ShockSettings>> tubeFields()
             &S::wallSoundSpeed_m_s, positiveNumber()),
         field("plateau_guard_s", DYNCAL_TEXT("RecipeLabel", "guard before the plateau's end"),
             &S::plateauGuard_s, nonNegativeNumber()),
+        field("largest_mach", DYNCAL_TEXT("RecipeLabel", "largest Mach number of the tube"),
+            &S::largestMach, number(1.0, 100.0, Bound::Exclusive)),
+        field("largest_driver_pressure_pa",
+            DYNCAL_TEXT("RecipeLabel", "largest driver pressure of the tube"),
+            &S::largestDriverPressure_Pa, positiveNumber()),
     };
 }
 

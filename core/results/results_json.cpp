@@ -7,6 +7,7 @@
 #include "core/base/version.h"
 #include "core/pipeline/stage_table.h"
 #include "core/results/results_analysis_json.h"
+#include "core/results/results_checks_json.h"
 #include "core/results/results_measurement_json.h"
 #include "core/results/results_model_json.h"
 #include "core/results/results_sensitivity_json.h"
@@ -143,6 +144,7 @@ std::string resultsJson(
     addDrift(root, context);
     addSensitivitySummary(root, context);
     addShock(root, context);
+    addChecks(root, context);
     addSpectrum(root, context);
     addComponents(root, context);
     addModelInput(root, context);

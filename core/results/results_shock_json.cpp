@@ -147,9 +147,11 @@ void addUncertainty(
     record.number("u_mach", u(StepResult::Mach), reason);
     record.number("u_p2_pa", u(StepResult::P2), reason);
     record.number("u_p5_pa", u(StepResult::P5), reason);
-    const auto u_step_Pa = shock.stepTyped ? std::nullopt : u(StepResult::Step);
-    record.number("u_step_pa", u_step_Pa,
-        shock.stepTyped ? std::string("The step is typed, without an uncertainty.") : reason);
+    const auto u_step_Pa = u(StepResult::Step);
+    const std::string noStep = shock.stepTyped
+        ? "The step is typed, without an uncertainty (step_relative in uncertainty.budget)."
+        : reason;
+    record.number("u_step_pa", u_step_Pa, noStep);
     if (!u_step_Pa) {
         record.missing("step_dof", reason);
         record.missing("step_budget", reason);

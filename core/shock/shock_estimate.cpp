@@ -59,6 +59,22 @@ void addSideWall(ShockWork &work)
     work.conditions.plateauEnd = PlateauEnd::ReflectedShock;
 }
 
+/// The levels behind the reflected shock, up to where the plateau's end may reach the sensor.
+void readReturns(ShockWork &work, double atWall_s, double plateau_s)
+{
+    for (SeenArrival &seen : work.conditions.seen) {
+        const Channel *channel = work.shot.channelCalled(seen.channel);
+        const auto place
+            = std::ranges::find(work.conditions.sightings, seen.channel, &Sighting::channel);
+        if (!seen.found || !seen.found->back || channel == nullptr
+            || place == work.conditions.sightings.end())
+            continue;
+        const double end_s = atWall_s + plateau_s
+            + place->distance_m / work.conditions.states->reflected.soundSpeed_m_s;
+        seen.found->back->level = levelBehindReturn(*channel, *seen.found->back, atWall_s, end_s);
+    }
+}
+
 void addDiagram(
     ShockWork &work, const TubeWaves &waves, const std::optional<DutArrival> &dutArrival)
 {
@@ -80,6 +96,8 @@ void addDiagram(
         ? besides(work.before->measured, *c.states, p4_Pa)
         : measuredPressures(work.shot, *c.states, c.sightings, atWall_s, waves.plateau_s,
             c.diagram->burst_s, p4_Pa);
+    if (work.before == nullptr || !work.before->diagram)
+        readReturns(work, atWall_s, waves.plateau_s);
 }
 
 /// Plateau, x-t diagram, resonances and pressures read from the records.
@@ -118,6 +136,12 @@ Result<GasModel> driverModel(GasSettings settings, double T4_K)
     return gasModel(settings, {0.0, T4_K, 0.0, 0.0});
 }
 
+bool isDriverGasStated(const ShockWork &work)
+{
+    return work.settings.driverGas.substance != kAutoGas || work.set.tube.contains("driver_gas")
+        || work.set.tube.contains("gamma4");
+}
+
 void addDriver(ShockWork &work)
 {
     const auto T4_K = firstKnown(work.settings.T4_K, work.shot.environment.T4_K);
@@ -132,6 +156,10 @@ void addDriver(ShockWork &work)
         *work.conditions.states, work.conditions.drivenGas->constants, driver->constants, *T4_K);
     if (!p4_Pa) { // region 4 carries no result of the calibration
         const Error &error = p4_Pa.error();
+        if (error.findingId.empty() && isDriverGasStated(work)) {
+            judgeUnreachable(work, error);
+            return;
+        }
         work.findings.push_back({.id = error.findingId.empty() ? "SHK-006" : error.findingId,
             .severity = Severity::Caution,
             .shot = work.conditions.shot,
@@ -174,7 +202,8 @@ void addUncertainty(ShockWork &work, const SectionState &state, const VelocityEs
     const Environment &around = work.shot.environment;
     const GasWay &gas = work.gasWays.front();
     StepMeasurement measurement{gas.settings, state, estimate, {}, work.atEndWall(), around.u_p1_Pa,
-        around.u_T1_K, gas.humidity.u, gas.humidity.distribution};
+        around.u_T1_K, gas.humidity.u, gas.humidity.distribution, work.recorded,
+        c.stepTyped ? c.step_Pa : std::nullopt};
     if (estimate.fit && estimate.sightings.empty())
         measurement.counters = work.settings.counters;
     auto uncertainty = evaluateStep(measurement, work.request);
@@ -227,6 +256,7 @@ void addShockedStates(ShockWork &work, const VelocityEstimate &estimate, const S
         return;
     }
     work.conditions.states = *states;
+    judgeStates(work);
     judgeGas(work, state);
     if (!work.conditions.stepTyped)
         work.conditions.step_Pa = stepOf(*work.conditions.states, work.atEndWall());
@@ -240,7 +270,6 @@ void addShockedStates(ShockWork &work, const VelocityEstimate &estimate, const S
         reportPlateau(work); // its findings come before the driver's
         std::rotate(work.findings.begin() + before, work.findings.end() - 1, work.findings.end());
     }
-    judgeMeasured(work);
 }
 
 void readArrivals(ShockWork &work, const std::optional<DutArrival> &dutArrival)
@@ -250,6 +279,18 @@ void readArrivals(ShockWork &work, const std::optional<DutArrival> &dutArrival)
     else
         work.conditions.seen = seenArrivals(work.set, work.conditions.shot, work.settings,
             work.starts, dutArrival ? std::optional(dutArrival->time_s) : std::nullopt);
+}
+
+/// What the arrivals say where another velocity is used, to be compared with it.
+void recordBesides(
+    ShockWork &work, const std::optional<DutArrival> &dutArrival, const VelocityEstimate &used)
+{
+    if (!used.velocity_m_s || !used.sightings.empty())
+        return;
+    auto recorded = recordedVelocity(
+        work.set, work.conditions.shot, dutArrival, work.conditions.seen, work.settings);
+    if (recorded.fit)
+        work.recorded = std::move(recorded);
 }
 
 void addStates(ShockWork &work, const std::optional<DutArrival> &dutArrival)
@@ -262,13 +303,14 @@ void addStates(ShockWork &work, const std::optional<DutArrival> &dutArrival)
         readArrivals(work, dutArrival);
         estimate = estimateVelocity(
             work.set, work.conditions.shot, dutArrival, work.conditions.seen, work.settings);
+        recordBesides(work, dutArrival, estimate);
     }
     reportMissingPressureAndTemperature(work, p1_Pa.has_value(), T1_K.has_value());
     if (estimate.missing)
         work.reportMissing(*estimate.missing);
     work.conditions.arrival_s = estimate.arrival_s;
     work.conditions.distance_m = estimate.distance_m;
-    work.conditions.sightings = estimate.sightings;
+    work.conditions.sightings = work.recorded ? work.recorded->sightings : estimate.sightings;
     work.conditions.velocityFit = estimate.fit;
     if (estimate.problem) {
         work.reportProblem(*estimate.problem, estimate.correction);
@@ -292,6 +334,29 @@ void addStates(ShockWork &work, const std::optional<DutArrival> &dutArrival)
     addShockedStates(work, estimate, state, dutArrival);
 }
 
+Result<void> checkTyped(const ShockSettings &settings, std::size_t shots)
+{
+    const std::pair<const PerShot &, const char *> lists[]{
+        {settings.velocity_m_s, "shock.velocity_m_s"}, {settings.step_Pa, "shock.step_pa"}};
+    for (const auto &[typed, key] : lists) {
+        if (!typed.each.empty() && typed.each.size() != shots)
+            return fail(ErrorKind::Usage,
+                Message{
+                    DYNCAL_TEXT("core",
+                        "The recipe lists %1 values for %2 shots; give one number or null per shot (%3)."),
+                    {std::to_string(typed.each.size()), std::to_string(shots), key}});
+    }
+    for (std::size_t i = 0; i < shots; ++i) {
+        const auto step_Pa = settings.step_Pa.of(static_cast<Index>(i) + 1);
+        if (step_Pa && !(std::isfinite(*step_Pa) && *step_Pa != 0.0))
+            return fail(ErrorKind::Usage,
+                Message{DYNCAL_TEXT("core",
+                            "The typed pressure step is %1 Pa; it must be a number other than 0."),
+                    {numberText(*step_Pa)}});
+    }
+    return {};
+}
+
 Result<void> checkSettings(const ShockSettings &settings, std::size_t shots)
 {
     if (settings.dutPosition != kEndWall && settings.dutPosition != kSideWall)
@@ -299,11 +364,8 @@ Result<void> checkSettings(const ShockSettings &settings, std::size_t shots)
             Message{DYNCAL_TEXT("core",
                         "The DUT's position is '%1'; it must be 'end-wall' or 'side-wall'."),
                 {settings.dutPosition}});
-    if (settings.step_Pa && !(std::isfinite(*settings.step_Pa) && *settings.step_Pa != 0.0))
-        return fail(ErrorKind::Usage,
-            Message{DYNCAL_TEXT("core",
-                        "The typed pressure step is %1 Pa; it must be a number other than 0."),
-                {numberText(*settings.step_Pa)}});
+    if (auto checked = checkTyped(settings, shots); !checked)
+        return checked;
     for (const ArrivalSensor &sensor : settings.arrivalSensors) {
         if (!(sensor.distanceToEndWall_m > 0.0 && std::isfinite(sensor.distanceToEndWall_m)))
             return fail(ErrorKind::Usage,
@@ -374,9 +436,12 @@ Result<ShockConditionsSet> estimateShockConditions(const CaptureSet &set,
             set, shot, settings, request, known.starts ? *known.starts : found, before, {}, {}, {}};
         work.conditions.shot = i + 1;
         if (settings.enabled) {
-            work.conditions.step_Pa = settings.step_Pa;
-            work.conditions.stepTyped = settings.step_Pa.has_value();
+            work.conditions.step_Pa = settings.step_Pa.of(i + 1);
+            work.conditions.stepTyped = work.conditions.step_Pa.has_value();
             addStates(work, arrivalOf(arrivals, i + 1));
+            if (work.conditions.stepTyped && !work.conditions.uncertainty && request.evaluate)
+                work.conditions.uncertainty
+                    = uncertaintyOfTypedStep(*work.conditions.step_Pa, request);
         }
         if (!work.done)
             return tl::unexpected(work.done.error());
@@ -384,6 +449,7 @@ Result<ShockConditionsSet> estimateShockConditions(const CaptureSet &set,
         result.findings.insert(result.findings.end(), work.findings.begin(), work.findings.end());
     }
     result.findings = withoutRepetition(result.findings, std::ssize(result.shots));
+    judgeSharedNumbers(settings, std::ssize(result.shots), result.findings);
     return result;
 }
 

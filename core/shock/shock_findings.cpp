@@ -18,7 +18,6 @@ namespace {
 
 constexpr double kVelocityUncertaintyLimit = 0.002; ///< SHK-003, relative
 constexpr double kDriverPressureLimit = 0.10; ///< SHK-006, relative
-constexpr double kPlateauLimit = 0.05; ///< SHK-002, relative
 constexpr double kScatterProbability = 0.01; ///< SHK-010
 constexpr double kLowestAmbient_Pa = 87e3;
 constexpr double kHighestAmbient_Pa = 108e3;
@@ -48,6 +47,13 @@ bool leavesItsRange(const VelocityFit &fit)
         || *fit.seenAttenuation_per_m < range.begin - room;
 }
 
+/// What makes a shock look too fast.
+std::vector<FindingCause> beyondTheTube()
+{
+    return {
+        FindingCause::Rate, FindingCause::Distance, FindingCause::Gas, FindingCause::Temperature};
+}
+
 const char *gasText(const GasContradiction &found)
 {
     if (found.used.source == GasSource::RecordedConstants)
@@ -61,6 +67,28 @@ const char *gasText(const GasContradiction &found)
             "The chosen driven gas has a speed of sound of %1, the gas constants recorded in the capture give %2: with that the pressure step would be %3 % different. The chosen gas is used; check which one was in the tube.");
     return DYNCAL_TEXT("core",
         "The chosen driven gas has a speed of sound of %1, the gas named in the capture %2: with that the pressure step would be %3 % different. The chosen gas is used; check which one was in the tube.");
+}
+
+/// SHK-019: more than the tube can hold, or several times what was recorded.
+bool isBeyondTheTube(ShockWork &work, double computed_Pa, double recorded_Pa)
+{
+    constexpr double kLargestRatio = 3.0; // no opening of a diaphragm gains as much
+    const double largest_Pa = recorded_Pa > 0.0
+        ? std::min(kLargestRatio * recorded_Pa, work.settings.largestDriverPressure_Pa)
+        : work.settings.largestDriverPressure_Pa;
+    if (computed_Pa <= largest_Pa)
+        return false;
+    work.findings.push_back({.id = "SHK-019",
+        .severity = work.conditions.stepTyped ? Severity::Caution : Severity::Block,
+        .shot = work.conditions.shot,
+        .message
+        = {DYNCAL_TEXT("core",
+               "Such a shock needs a driver pressure of %1, more than the %2 that this tube can have had (three times the recorded one at most, and shock.largest_driver_pressure_pa): check sample rate, distances, gases and temperature."),
+            {numberWithUnit(computed_Pa, "Pa", 3), numberWithUnit(largest_Pa, "Pa", 3)}},
+        .value = computed_Pa,
+        .limit = largest_Pa,
+        .causes = beyondTheTube()});
+    return true;
 }
 
 } // namespace
@@ -150,35 +178,59 @@ void judgeFit(ShockWork &work, const VelocityEstimate &estimate)
     work.findings.push_back(std::move(finding));
 }
 
-void judgeMeasured(ShockWork &work)
+void judgeStates(ShockWork &work)
 {
-    // The DUT's own readings are judged by CAP-013; here only the side sensors check the reference.
-    const Channel *dut = work.shot.channelWithRole(ChannelRole::Dut);
-    for (const MeasuredPressure &m : work.conditions.measured) {
-        const bool judged
-            = (m.region == "p2" || m.region == "p5") && (dut == nullptr || dut->name != m.channel);
-        if (!judged || std::abs(m.deviation()) <= kPlateauLimit)
-            continue;
-        work.findings.push_back({.id = "SHK-002",
+    const double mach = work.conditions.states->mach;
+    if (mach <= work.settings.largestMach)
+        return;
+    work.findings.push_back({.id = "SHK-019",
+        .severity = work.conditions.stepTyped ? Severity::Caution : Severity::Block,
+        .shot = work.conditions.shot,
+        .message
+        = {DYNCAL_TEXT("core",
+               "The velocity is Mach %1; a shock in this tube reaches Mach %2 at most (shock.largest_mach): check sample rate, distances, gas and temperature."),
+            {numberText(mach, 3), numberText(work.settings.largestMach, 3)}},
+        .value = mach,
+        .limit = work.settings.largestMach,
+        .causes = beyondTheTube()});
+}
+
+void judgeSharedNumbers(const ShockSettings &settings, Index shots, Findings &findings)
+{
+    if (shots < 2)
+        return;
+    const auto report = [&](const char *text, double value, const char *unit) {
+        findings.push_back({.id = "SHK-018",
             .severity = Severity::Caution,
-            .shot = work.conditions.shot,
-            .channel = m.channel,
-            .message = {m.deviation() < 0.0
-                    ? DYNCAL_TEXT("core",
-                        "Measured %1 = %2 at '%5' is %3 % below the computed %4 (both absolute): check velocity, unit and sensitivity, and gauge or absolute.")
-                    : DYNCAL_TEXT("core",
-                        "Measured %1 = %2 at '%5' is %3 % above the computed %4 (both absolute): check velocity, unit and sensitivity, and gauge or absolute."),
-                {m.region, numberWithUnit(m.measured_Pa, "Pa", 3),
-                    numberText(100.0 * std::abs(m.deviation()), 2),
-                    numberWithUnit(m.predicted_Pa, "Pa", 3), m.channel}},
-            .value = m.deviation(),
-            .limit = kPlateauLimit});
-    }
+            .message = {text, {numberWithUnit(value, unit, 4), std::to_string(shots)}},
+            .causes = {FindingCause::Typed}});
+    };
+    if (settings.velocity_m_s.common)
+        report(
+            DYNCAL_TEXT("core",
+                "The velocity %1 is typed once and serves all %2 shots: type one for each shot, or none where it is measured."),
+            *settings.velocity_m_s.common, "m/s");
+    if (settings.step_Pa.common)
+        report(
+            DYNCAL_TEXT("core",
+                "The pressure step %1 is typed once and serves all %2 shots: type one for each shot, or none where it is computed."),
+            *settings.step_Pa.common, "Pa");
+}
+
+void judgeUnreachable(ShockWork &work, const Error &error)
+{
+    work.findings.push_back({.id = "SHK-019",
+        .severity = work.conditions.stepTyped ? Severity::Caution : Severity::Block,
+        .shot = work.conditions.shot,
+        .message = error.message,
+        .causes = beyondTheTube()});
 }
 
 void judgeDriverPressure(ShockWork &work, double computed_Pa)
 {
     const double recorded_Pa = work.settings.p4_Pa.value_or(work.shot.environment.p4_Pa);
+    if (isBeyondTheTube(work, computed_Pa, recorded_Pa))
+        return;
     const double relative = (recorded_Pa - computed_Pa) / computed_Pa;
     if (!std::isfinite(relative) || std::abs(relative) <= kDriverPressureLimit)
         return;

@@ -13,9 +13,13 @@ void judgeVelocity(ShockWork &work, double relativeFromDistance); ///< SHK-003
 void judgeFit(ShockWork &work, const VelocityEstimate &estimate); ///< SHK-008, SHK-010
 /// SHK-015; the first of `gasWays` made the states.
 void judgeGas(ShockWork &work, const SectionState &state);
-void judgeMeasured(ShockWork &work); ///< SHK-002
+void judgeStates(ShockWork &work); ///< SHK-019: a shock that this tube cannot hold
+/// SHK-019: no pressure of the driver's gas makes such a shock.
+void judgeUnreachable(ShockWork &work, const Error &error);
 void judgeDriverPressure(ShockWork &work, double computed_Pa); ///< SHK-006
 void judgeTypedPressure(ShockWork &work, double p1_Pa); ///< SHK-011
 void reportPlateau(ShockWork &work); ///< SHK-005
+/// SHK-018: one typed number serves `shots` shots.
+void judgeSharedNumbers(const ShockSettings &settings, Index shots, Findings &findings);
 
 } // namespace dyncal

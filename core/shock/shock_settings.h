@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/base/per_shot.h"
 #include "core/shock/counter_fit.h"
 
 #include <optional>
@@ -64,8 +65,8 @@ struct ShockSettings
     GasSettings drivenGas = recordedGas();
     GasSettings driverGas = recordedGas();
     std::optional<double> relativeHumidity;
-    std::optional<double> velocity_m_s;
-    std::optional<double> step_Pa; ///< typed pressure step: wins over a computed one
+    PerShot velocity_m_s; ///< typed: wins over a measured one
+    PerShot step_Pa; ///< typed pressure step: wins over a computed one
     std::vector<ArrivalSensor> arrivalSensors;
     std::optional<double> driverLength_m;
     std::optional<double> drivenLength_m;
@@ -86,6 +87,8 @@ struct ShockSettings
     std::optional<double> tubeLength_m = std::nullopt; ///< over all; else the sum of the sections
     double wallSoundSpeed_m_s = 5130.0; ///< thesis, eq 5.1
     double plateauGuard_s = 0.0; ///< taken off the usable plateau
+    double largestMach = 5.0; ///< of a shock in this tube; beyond, something is wrong (SHK-019)
+    double largestDriverPressure_Pa = 5e7; ///< that this tube can hold, absolute
 
     bool operator==(const ShockSettings &) const = default;
 };

@@ -8,9 +8,7 @@
 #include "core/base/progress.h"
 #include "core/base/propagation.h"
 #include "core/base/result.h"
-#include "core/shock/gas_model.h"
-#include "core/shock/shock_settings.h"
-#include "core/shock/shock_velocity.h"
+#include "core/shock/step_inputs.h"
 #include "core/shock/uncertainty_settings.h"
 
 #include <optional>
@@ -23,39 +21,13 @@ namespace dyncal {
 enum class StepResult : Index { Velocity, Mach, P2, P5, Step };
 inline constexpr Index kStepResults = 5;
 
-/// The input that stands for the range of the attenuation (shock.attenuation_per_m).
-inline constexpr const char *kAttenuation = "attenuation_per_m";
-
-/// An uncertainty that the operator states (recipe section "uncertainty", key "budget").
-struct StatedUncertainty
-{
-    std::string
-        quantity; ///< "p1_pa", "t1_k", "gamma", "molar_mass_kg_mol", "relative_humidity", ...
-    double u = 0.0;
-    Distribution distribution = Distribution::Normal;
-    std::optional<double> dof;
-};
-
-/// Everything that the step of one shot follows from.
-struct StepMeasurement
-{
-    GasSettings gas; ///< driven
-    SectionState state; ///< p1, T1 and what humid air needs
-    VelocityEstimate velocity;
-    std::vector<CounterReading> counters; ///< where the velocity comes from them
-    bool atEndWall = true;
-    double u_p1_Pa = 0.0; ///< as recorded; not above 0 = not stated
-    double u_T1_K = 0.0;
-    double u_relativeHumidity = 0.0; ///< where the budget states none
-    Distribution humidityDistribution = Distribution::Normal;
-};
-
 /// Uncertainty of one shot's velocity, Mach number, p2, p5 and step.
 struct StepUncertainty
 {
     GumBudget budget;
     std::optional<Message> velocityMissing; ///< input without stated u: no u(W)
-    std::optional<Message> stepMissing; ///< the same for all other results
+    std::optional<Message> stateMissing; ///< the same for Mach number, p2 and p5
+    std::optional<Message> stepMissing;
 
     std::optional<double> u(StepResult result) const;
     double contributionOf(const std::string &input, StepResult result) const; ///< 0 without it
@@ -82,6 +54,11 @@ const std::vector<std::string> &statedQuantities();
 /// (each sensor), and step_relative (what the relations leave out, of the step).
 Result<StepUncertainty> evaluateStep(
     const StepMeasurement &measurement, const UncertaintyRequest &request);
+
+/// Of a step that is typed where no velocity is known: its stated step_relative alone; empty where
+/// none is stated.
+std::optional<StepUncertainty> uncertaintyOfTypedStep(
+    double step_Pa, const UncertaintyRequest &request);
 
 /// The same by Monte Carlo.
 struct StepMonteCarlo

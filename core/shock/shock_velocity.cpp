@@ -227,6 +227,8 @@ std::vector<SeenArrival> seenArrivals(const CaptureSet &set, Index shot,
         const DetectedStart *start = starts.of(set, shot, channel);
         arrivals.push_back({sensor.channel,
             start != nullptr ? sideArrival(*channel, *start, reflectionFree_s) : std::nullopt});
+        if (auto &found = arrivals.back().found; found && reflectionFree_s)
+            found->back = returnPassage(*channel, *found, *reflectionFree_s);
     }
     return arrivals;
 }
@@ -236,13 +238,21 @@ VelocityEstimate estimateVelocity(const CaptureSet &set, Index shot,
     const ShockSettings &settings)
 {
     VelocityEstimate estimate;
-    if (settings.velocity_m_s) {
-        estimate.velocity_m_s = settings.velocity_m_s;
+    estimate.velocity_m_s = settings.velocity_m_s.of(shot);
+    if (estimate.velocity_m_s)
         return estimate;
-    }
-    const Attenuation attenuation = attenuationOf(settings.attenuation);
     if (!settings.counters.empty())
-        return withFit({}, fitCounters(settings.counters, attenuation, settings.attenuation_per_m));
+        return withFit({},
+            fitCounters(settings.counters, attenuationOf(settings.attenuation),
+                settings.attenuation_per_m));
+    return recordedVelocity(set, shot, dutArrival, seen, settings);
+}
+
+VelocityEstimate recordedVelocity(const CaptureSet &set, Index shot,
+    const std::optional<DutArrival> &dutArrival, const std::vector<SeenArrival> &seen,
+    const ShockSettings &settings)
+{
+    VelocityEstimate estimate;
     auto found = sightings(set, shot, dutArrival, seen, settings);
     if (!found)
         return missing(std::move(found.error()));
@@ -265,8 +275,9 @@ VelocityEstimate estimateVelocity(const CaptureSet &set, Index shot,
     }
     estimate.relativeDistanceUncertainty = relativeDistanceUncertainty(estimate.sightings);
     estimate.usesUncorrectedDut = dutArrival && nearest.isDut && !dutArrival->delayCorrected;
-    return withFit(
-        estimate, fitVelocity(estimate.sightings, attenuation, settings.attenuation_per_m));
+    return withFit(estimate,
+        fitVelocity(
+            estimate.sightings, attenuationOf(settings.attenuation), settings.attenuation_per_m));
 }
 
 } // namespace dyncal

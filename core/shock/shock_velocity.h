@@ -66,12 +66,16 @@ struct VelocityEstimate
     std::optional<Error> problem; ///< inputs that contradict each other
 };
 
-/// The typed velocity; else fitVelocity() through where and when the shock was seen: the
-/// arrivalSensors(), as far as `seen` has them, and a DUT in the end wall. Two places are needed.
-/// Counters of the recipe come before all arrivals. A sensor's typed delay is taken off its
-/// arrival; an unknown one lies anywhere between 0 and 0.85 of its rise time, so that the middle is
-/// taken off.
+/// The velocity typed for the shot; else that of the recipe's counters; else recordedVelocity().
 VelocityEstimate estimateVelocity(const CaptureSet &set, Index shot,
+    const std::optional<DutArrival> &dutArrival, const std::vector<SeenArrival> &seen,
+    const ShockSettings &settings);
+
+/// fitVelocity() through where and when the shock was seen: the arrivalSensors(), as far as `seen`
+/// has them, and a DUT in the end wall. Two places are needed. A sensor's typed delay is taken off
+/// its arrival; an unknown one lies anywhere between 0 and 0.85 of its rise time, so that the
+/// middle is taken off.
+VelocityEstimate recordedVelocity(const CaptureSet &set, Index shot,
     const std::optional<DutArrival> &dutArrival, const std::vector<SeenArrival> &seen,
     const ShockSettings &settings);
 

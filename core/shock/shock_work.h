@@ -29,6 +29,7 @@ struct ShockWork
     const ShockConditions *before; ///< null: the records have not been read yet
     ShockConditions conditions;
     Findings findings;
+    std::optional<VelocityEstimate> recorded{}; ///< of the arrivals, where another one is used
     std::vector<GasWay> gasWays{}; ///< to the driven gas; the first one is used
     Result<void> done{}; ///< an error that stops everything
 

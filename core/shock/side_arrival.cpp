@@ -32,6 +32,10 @@ std::optional<double> medianLevel(const Channel &channel, Index begin, Index end
     return *middle;
 }
 
+constexpr double kLeastHeightToNoise = 10.0; ///< else a spike may pass for the reflected shock
+constexpr double kBehindBegin = 0.05; ///< of the way back from the wall
+constexpr double kBehindEnd = 0.25;
+constexpr double kLeastLevelSamples = 20.0;
 constexpr double kRiseBegin = 0.1;
 constexpr double kRiseEnd = 0.9;
 
@@ -61,6 +65,45 @@ std::optional<double> medianBetween(const Channel &channel, double begin_s, doub
             static_cast<double>(channel.samples.size())));
     };
     return medianLevel(channel, sampleAt(begin_s), sampleAt(end_s));
+}
+
+std::optional<ReturnPassage> returnPassage(
+    const Channel &channel, const SideArrival &arrival, double wall_s)
+{
+    const double height = arrival.behind - arrival.before;
+    const auto from
+        = static_cast<Index>(std::max(0.0, (wall_s - channel.t0_s) * channel.sampleRate_Hz));
+    if (from >= channel.samples.size() || std::abs(height) < kLeastHeightToNoise * arrival.noiseSd)
+        return std::nullopt;
+    const auto first_s = crossingTime_s(channel, arrival.behind + kCrossing * height, from);
+    if (!first_s)
+        return std::nullopt;
+    const double way_s = *first_s - wall_s;
+    const auto level
+        = medianBetween(channel, *first_s + kBehindBegin * way_s, *first_s + kBehindEnd * way_s);
+    // The reflected step is never the smaller one: less is no reflected shock.
+    if (!level || (*level - arrival.behind) / height < 0.9)
+        return std::nullopt;
+    SideArrival second = arrival;
+    second.before = arrival.behind;
+    second.behind = *level;
+    const double half = arrival.behind + kCrossing * (*level - arrival.behind);
+    const auto time_s = crossingTime_s(channel, half, from);
+    if (!time_s)
+        return std::nullopt;
+    return ReturnPassage{*time_s, crossingUncertainty_s(channel, second, from)};
+}
+
+double levelBehindReturn(
+    const Channel &channel, const ReturnPassage &back, double wall_s, double end_s)
+{
+    const double way_s = back.time_s - wall_s;
+    const double begin_s = back.time_s + kBehindBegin * way_s;
+    const double last_s = std::min(back.time_s + kBehindEnd * way_s, end_s);
+    if (!((last_s - begin_s) * channel.sampleRate_Hz >= kLeastLevelSamples)
+        || last_s > channel.t0_s + channel.duration_s())
+        return kUnknown;
+    return medianBetween(channel, begin_s, last_s).value_or(kUnknown);
 }
 
 std::optional<SideArrival> sideArrival(const Channel &channel, const DetectedStart &start,

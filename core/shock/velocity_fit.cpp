@@ -211,17 +211,24 @@ Result<VelocityFit> fitVelocity(
         : fittedWithout(seen, sightings, first.velocity(), attenuation);
 }
 
-double refittedVelocity_m_s(const VelocityFit &fit, const Eigen::VectorXd &distance_m,
+RefittedWay refittedWay(const VelocityFit &fit, const Eigen::VectorXd &distance_m,
     const Eigen::VectorXd &time_s, double attenuation_per_m)
 {
     const Eigen::VectorXd since = time_s.array() - time_s[0];
-    if (!fit.attenuation)
-        return Line{fitPolynomial(distance_m, since, fit.weight, fit.attenuated ? 3 : 2)}
-            .velocity();
-    const double u = fit.attenuation->scale * fit.attenuation->u_per_m();
-    return Line{fitPolynomial(distance_m, since, fit.weight, 3,
-                    CoefficientPrior{fit.attenuation->scale * attenuation_per_m, 1.0 / (u * u)})}
-        .velocity();
+    std::optional<CoefficientPrior> prior;
+    if (fit.attenuation) {
+        const double u = fit.attenuation->scale * fit.attenuation->u_per_m();
+        prior = CoefficientPrior{fit.attenuation->scale * attenuation_per_m, 1.0 / (u * u)};
+    }
+    const Line line{
+        fitPolynomial(distance_m, since, fit.weight, prior || fit.attenuated ? 3 : 2, prior)};
+    return {line.velocity(), line.gradient() / line.velocity()};
+}
+
+double refittedVelocity_m_s(const VelocityFit &fit, const Eigen::VectorXd &distance_m,
+    const Eigen::VectorXd &time_s, double attenuation_per_m)
+{
+    return refittedWay(fit, distance_m, time_s, attenuation_per_m).velocity_m_s;
 }
 
 } // namespace dyncal

@@ -82,8 +82,19 @@ struct VelocityFit
 Result<VelocityFit> fitVelocity(const std::vector<Sighting> &sightings, Attenuation attenuation,
     const Interval &range_per_m = kUsualAttenuation_per_m);
 
-/// The velocity at the wall for other distances, times and another observed attenuation with the
-/// weights and the shape of `fit`; for propagating uncertainty.
+/// The shock's way for other inputs than those of a fit.
+struct RefittedWay
+{
+    double velocity_m_s = 0.0; ///< at the end wall
+    double attenuation_per_m = 0.0; ///< a in W(x) = W (1 + a x); 0 where none is fitted
+};
+
+/// The way for other distances, times and another observed attenuation with the weights and the
+/// shape of `fit`; for propagating uncertainty.
+RefittedWay refittedWay(const VelocityFit &fit, const Eigen::VectorXd &distance_m,
+    const Eigen::VectorXd &time_s, double attenuation_per_m);
+
+/// Its velocity.
 double refittedVelocity_m_s(const VelocityFit &fit, const Eigen::VectorXd &distance_m,
     const Eigen::VectorXd &time_s, double attenuation_per_m);
 

@@ -77,7 +77,7 @@ private:
 
     static void edit(WindowProcess &window, const char *customer)
     {
-        QCOMPARE(window.ask("key Alt+9"), QString("done"));
+        QCOMPARE(window.ask("key Alt+0"), QString("done"));
         QCOMPARE(window.ask(QString("type field_customer %1").arg(customer)), QString("done"));
         QVERIFY2(window.waitFor("title", "modified"), window.last());
     }

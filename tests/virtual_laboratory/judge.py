@@ -17,8 +17,9 @@ from . import readings
 NO_U = 0.02
 QUANTITIES = ("sensitivity", "step", "f0", "zeta")
 CLASSES = ("inside", "right", "other", "withheld", "silent")
-# What a relative deviation in the quantity of a check means for the step, about d ln step / d ln x.
-STEP_OF = {"velocity": 4.65, "arrival": 4.65, "mach": 4.65, "p2": 2.18, "p5": 1.24, "p4": 0.92,
+# What a relative deviation in the quantity of a check means for the step, about d ln step / d ln x;
+# of p2 and p5 it is the rise above p1.
+STEP_OF = {"velocity": 4.65, "arrival": 4.65, "mach": 4.65, "p2": 1.3, "p5": 1.0, "p4": 0.92,
            "sensitivity": 1.0, "static": 1.0, "nominal": 1.0}
 
 

@@ -24,9 +24,10 @@ enum class Page {
     ModelInput,
     Order,
     Model,
+    Checks,
     Certificate
 };
-inline constexpr int kPageCount = 9;
+inline constexpr int kPageCount = 10;
 
 /// The stages on a page, the one that it is opened for first.
 std::vector<StageId> stagesOf(Page page);

@@ -21,6 +21,7 @@
 #include "ui/shell/work_status.h"
 #include "ui/stages/captures_page.h"
 #include "ui/stages/certificate_page.h"
+#include "ui/stages/checks_page.h"
 #include "ui/stages/components_page.h"
 #include "ui/stages/model/model_page.h"
 #include "ui/stages/model_input_page.h"
@@ -299,7 +300,7 @@ void MainWindow::buildPages()
         certificate, &CertificatePage::exportRequested, m_files, &FileActions::exportCertificate);
     m_pages = {captures, new ShockPage(m_session), new WindowPage(m_session),
         new SpectrumPage(m_session), new ComponentsPage(m_session), new ModelInputPage(m_session),
-        new OrderPage(m_session), new ModelPage(m_session), certificate};
+        new OrderPage(m_session), new ModelPage(m_session), new ChecksPage(m_session), certificate};
 
     m_stageList = new StageList(m_stagesDock);
     m_stagesDock->setWidget(m_stageList);

@@ -59,7 +59,7 @@ inline Recipe fullRecipe()
         .driverGas = {1.667, 0.004, "he", "variable"},
         .relativeHumidity = 0.4,
         .velocity_m_s = 512.8,
-        .step_Pa = 4.3e5,
+        .step_Pa = PerShot({4.3e5, std::nullopt}),
         .arrivalSensors = {{"side", 0.8, 0.0002, 1e-3, 1e-7, 4e-7, 2e-7, {}},
             {"far", 0.9, 0.0, {}, 0.0, {}, 0.0, {1e-3, std::nullopt}}},
         .driverLength_m = 0.97,
@@ -80,7 +80,9 @@ inline Recipe fullRecipe()
         .dutDiameter_m = 5.5e-3,
         .tubeLength_m = 2.0,
         .wallSoundSpeed_m_s = 5900.0,
-        .plateauGuard_s = 2e-5};
+        .plateauGuard_s = 2e-5,
+        .largestMach = 4.0,
+        .largestDriverPressure_Pa = 2e7};
     r.window.start_s = {0.001, 0.0021};
     r.window.baseline_s = Interval{-2e-4, -1e-5};
     r.window.end_s = 1.5e-3;

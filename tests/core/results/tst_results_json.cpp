@@ -252,7 +252,7 @@ const QHash<QString, QStringList> &contract()
 
 const QStringList kTopLevel{"schema", "software", "created_utc", "recipe", "inputs", "shots",
     "shock", "spectrum", "pca", "input", "realization", "model", "response", "bands", "budget",
-    "gum_validated_by_monte_carlo", "findings", "sensitivity", "drift"};
+    "gum_validated_by_monte_carlo", "findings", "sensitivity", "drift", "checks"};
 
 QJsonObject written(const PipelineOutcome &outcome, const Recipe &recipe = {})
 {

@@ -207,46 +207,6 @@ private slots:
         QCOMPARE(find(list, "p2", "side")->predicted_Pa, other.shocked.pressure_Pa);
         QCOMPARE(find(list, "p5", "side")->predicted_Pa, other.reflected.pressure_Pa);
     }
-
-    void shk002_onlyBeyondFivePercent_data()
-    {
-        QTest::addColumn<double>("factor");
-        QTest::addColumn<bool>("said");
-        QTest::newRow("right") << 1.0 << false;
-        QTest::newRow("4.9 % low") << 0.951 << false;
-        QTest::newRow("7.1 % low") << 0.929 << true;
-        QTest::newRow("6 % high") << 1.06 << true;
-    }
-
-    void shk002_onlyBeyondFivePercent()
-    {
-        QFETCH(double, factor);
-        QFETCH(bool, said);
-        CaptureSet set;
-        Shot shot;
-        shot.environment.p1_Pa = kP1_Pa;
-        shot.environment.T1_K = 294.15;
-        shot.channels = {side(1.0, "Pa", factor)};
-        set.shots = {shot};
-        set.tube["driven_length_m"] = "0.97";
-        ShockSettings settings;
-        settings.drivenGas = GasSettings();
-        settings.arrivalSensors = {{"side", kDistance_m, 2e-4, side_s(), 1e-7, 0.0, 0.0}};
-        const auto result
-            = estimateShockConditions(set, {{1, kAtWall_s, 1e-8, true}}, settings).value();
-        const auto found = std::find_if(result.findings.begin(), result.findings.end(),
-            [](const Finding &f) { return f.id == "SHK-002"; });
-        QCOMPARE(found != result.findings.end(), said);
-        if (!said)
-            return;
-        QCOMPARE(found->severity, Severity::Caution);
-        QCOMPARE(found->channel, std::string("side"));
-        QCOMPARE(found->shot, Index(1));
-        QVERIFY(std::abs(*found->value - (factor - 1.0)) < 1e-3);
-        QCOMPARE(
-            english(found->message).find(factor < 1.0 ? "below" : "above") != std::string::npos,
-            true);
-    }
 };
 
 DYNCAL_TEST(TestMeasuredPressures)

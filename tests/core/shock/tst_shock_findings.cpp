@@ -94,6 +94,10 @@ private slots:
     void guard_isTakenOff();
     void tube_diagramAndCandidatesAreThere();
     void typedStep_hasNoUncertaintyOfTheStep();
+    void typedStep_hasTheUStated();
+    void oneNumberForSeveralShots_isSaid();
+    void listOfTheWrongLength_isRefused();
+    void beyondTheTube_blocks();
 };
 
 void TestShockFindings::celsius_offersKelvin()
@@ -334,6 +338,76 @@ void TestShockFindings::typedStep_hasNoUncertaintyOfTheStep()
     settings.step_Pa = 4e5;
     const auto c = estimated(thesisSet(), settings, {}, budget()).shots[0];
     QVERIFY(c.stepTyped && !c.uncertainty);
+}
+
+void TestShockFindings::typedStep_hasTheUStated()
+{
+    UncertaintyRequest request = budget();
+    request.stated = {{"step_relative", 0.004, Distribution::Normal, {}}};
+    for (const bool knowsVelocity : {false, true}) {
+        ShockSettings settings;
+        settings.drivenGas = settings.driverGas = GasSettings();
+        settings.step_Pa = 4e5;
+        if (knowsVelocity)
+            settings.velocity_m_s = kVelocity_m_s;
+        const auto c = estimated(thesisSet(), settings, {}, request).shots[0];
+        QVERIFY(c.uncertainty);
+        QVERIFY(std::abs(*c.uncertainty->u(StepResult::Step) - 1600.0) < 1e-6);
+        QVERIFY(!c.uncertainty->u(StepResult::Velocity)); // its u is not stated
+    }
+}
+
+void TestShockFindings::oneNumberForSeveralShots_isSaid()
+{
+    CaptureSet set = thesisSet();
+    QVERIFY(!findingWithId(estimated(set, typedVelocity()), "SHK-018")); // one shot
+    set.shots.push_back(set.shots.front());
+    const auto common = estimated(set, typedVelocity());
+    const Finding *said = findingWithId(common, "SHK-018");
+    QVERIFY(said && said->severity == Severity::Caution && said->shot == 0);
+    QCOMPARE(said->causes, std::vector<FindingCause>{FindingCause::Typed});
+    ShockSettings listed = typedVelocity();
+    listed.velocity_m_s = PerShot({kVelocity_m_s, 450.0});
+    const auto each = estimated(set, listed);
+    QVERIFY(!findingWithId(each, "SHK-018"));
+    QCOMPARE(each.shots[0].states->velocity_m_s, kVelocity_m_s);
+    QCOMPARE(each.shots[1].states->velocity_m_s, 450.0);
+    listed.step_Pa = PerShot({std::nullopt, 3e5});
+    const auto mixed = estimated(set, listed);
+    QVERIFY(!mixed.shots[0].stepTyped && mixed.shots[1].stepTyped);
+    QCOMPARE(*mixed.shots[1].step_Pa, 3e5);
+}
+
+void TestShockFindings::listOfTheWrongLength_isRefused()
+{
+    ShockSettings settings = typedVelocity();
+    settings.velocity_m_s = PerShot({500.0, 510.0});
+    const auto refused = estimateShockConditions(thesisSet(), {}, settings);
+    QVERIFY(!refused && refused.error().kind == ErrorKind::Usage);
+    QVERIFY(english(refused.error().message).find("shock.velocity_m_s") != std::string::npos);
+}
+
+void TestShockFindings::beyondTheTube_blocks()
+{
+    CaptureSet set = thesisSet();
+    ShockSettings settings = typedVelocity();
+    QVERIFY(!findingWithId(estimated(set, settings), "SHK-019"));
+    settings.largestMach = 1.4; // the shock has Mach 1.49
+    const auto fast = estimated(set, settings);
+    const Finding *mach = findingWithId(fast, "SHK-019");
+    QVERIFY(mach && mach->severity == Severity::Block);
+    QVERIFY(std::abs(*mach->value - 1.4904) < 1e-3);
+    settings = typedVelocity();
+    set.shots[0].environment.p4_Pa = 2e5; // the shock needs 0.685 MPa
+    const auto strong = estimated(set, settings);
+    QVERIFY(findingWithId(strong, "SHK-019") && !findingWithId(strong, "SHK-006"));
+    settings.step_Pa = 4e5; // stands without a velocity
+    const auto typed = estimated(set, settings);
+    QCOMPARE(findingWithId(typed, "SHK-019")->severity, Severity::Caution);
+    settings = typedVelocity();
+    set.shots[0].environment.p4_Pa = 6.8e5;
+    settings.largestDriverPressure_Pa = 6e5;
+    QVERIFY(findingWithId(estimated(set, settings), "SHK-019"));
 }
 
 DYNCAL_TEST(TestShockFindings)

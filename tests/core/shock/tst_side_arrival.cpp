@@ -166,6 +166,49 @@ private slots:
         QVERIFY(!sideArrival(testing::doubleChannel(Eigen::VectorXd(0), kRate_Hz), {}, {}));
     }
 
+    void reflectedShock_crossesHalfOfItsOwnStep()
+    {
+        // p1 1, p2 3, p5 9: the front of the reflected shock is one sample, from 3 to 9.
+        for (const double factor : {1.0, -1.0, 1e-6}) {
+            SideRecord record;
+            record.factor = factor;
+            record.reflected_s = 7e-4;
+            const double wall_s = 4e-4;
+            const Channel channel = record.channel();
+            auto found = sideArrival(channel, record.start(), wall_s);
+            const auto back = returnPassage(channel, *found, wall_s);
+            QVERIFY(back.has_value());
+            QVERIFY(std::abs(back->time_s - (record.reflected_s - 0.5 / kRate_Hz)) < kRounding);
+            QVERIFY(back->u_time_s > 0.28 / kRate_Hz && back->u_time_s < 0.5 / kRate_Hz);
+            QVERIFY(std::isnan(back->level)); // not read yet
+            QVERIFY(std::abs(levelBehindReturn(channel, *back, wall_s, 1.0) - 9.0 * factor)
+                < kRounding);
+            // Its plateau ends before the level can be read.
+            QVERIFY(std::isnan(levelBehindReturn(channel, *back, wall_s, record.reflected_s)));
+        }
+    }
+
+    void noReflectedShock_noReturn()
+    {
+        SideRecord record;
+        record.reflected_s = 1.0; // behind the record
+        const auto found = sideArrival(record.channel(), record.start(), 4e-4);
+        QVERIFY(!returnPassage(record.channel(), *found, 4e-4));
+        QVERIFY(!returnPassage(record.channel(), *found, 1.0));
+    }
+
+    void noise_hidesTheReturn_ratherThanMakesOne()
+    {
+        SideRecord record;
+        record.noiseSd = 0.3; // a step of 2: below ten of the noise
+        record.reflected_s = 7e-4;
+        const auto found = sideArrival(record.channel(), record.start(), 4e-4);
+        QVERIFY(found && !returnPassage(record.channel(), *found, 4e-4));
+        record.noiseSd = 0.05;
+        const auto clear = sideArrival(record.channel(), record.start(), 4e-4);
+        QVERIFY(returnPassage(record.channel(), *clear, 4e-4).has_value());
+    }
+
     void medianBetween_ofTheTimesAsked()
     {
         Eigen::VectorXd values(101);

@@ -28,7 +28,7 @@ using namespace dyncal;
 namespace {
 
 constexpr int kRestarts = 10;
-constexpr int kCertificateRow = 8;
+constexpr int kCertificateRow = static_cast<int>(Page::Certificate);
 constexpr const char *kDocks[]{"stagesDock", "inspectorDock", "findingsDock"};
 
 struct Bench : test::WindowBench
@@ -350,7 +350,8 @@ void TestWindowFrame::sheet_isMadeOfTheActions()
         return std::ranges::find(rows, std::pair(keys, what)) != rows.end();
     };
     QVERIFY(has("Ctrl+S", "Save"));
-    QVERIFY(has("Alt+9", "Certificate"));
+    QVERIFY(has("Alt+9", "Checks"));
+    QVERIFY(has("Alt+0", "Certificate"));
     QVERIFY(has("F6", "Findings"));
     QVERIFY(has("Alt+Right", "Next stage"));
     for (const QMenu *menu : bench.window->menuBar()->findChildren<QMenu *>())

@@ -17,7 +17,7 @@ using namespace dyncal;
 namespace {
 
 constexpr int kPatience_ms = 120'000;
-constexpr int kCertificateRow = 8;
+constexpr int kCertificateRow = static_cast<int>(Page::Certificate);
 constexpr int kModelRow = 7;
 
 struct Bench : test::WindowBench

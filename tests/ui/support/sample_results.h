@@ -274,6 +274,7 @@ inline PipelineOutcome samplePipeline(const std::shared_ptr<const CaptureSet> &c
     results.expected = std::make_shared<ExpectedShock>(ExpectedShock{*results.shock, {}});
     results.monteCarlo = std::make_shared<StepMonteCarloSet>();
     results.response = sampleResponseResult(*results.shock);
+    results.checks = std::make_shared<ConsistencyResult>();
     return {results, std::nullopt, StageId::Captures};
 }
 

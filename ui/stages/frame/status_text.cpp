@@ -28,6 +28,7 @@ constexpr std::array<std::pair<const char *, const char *>, kPageCount> kTitles{
     {"dyncal::ModelInputPage", "Model input"},
     {"dyncal::OrderPage", "Order"},
     {"dyncal::ModelPage", "Model"},
+    {"dyncal::ChecksPage", "Checks"},
     {"dyncal::CertificatePage", "Certificate"},
 }};
 

@@ -98,12 +98,26 @@ void ShockPage::buildReferenceControls()
     connect(m_enabled, &QCheckBox::clicked, this, [this](bool on) {
         change(tr("Compute the step from the shock"), [&](Recipe &r) { r.shock.enabled = on; });
     });
-    m_step = addShockNumber(session(), *form, tr("Pressure step, typed"), "stepPressure",
+    m_step = addTyped(tr("Pressure step, typed"), "stepPressure",
         new OptionalEdit({"kPa", 1e3}, 1e-3, 1e12), &ShockSettings::step_Pa);
-    m_velocity = addShockNumber(session(), *form, tr("Velocity, typed"), "shockVelocity",
+    m_velocity = addTyped(tr("Velocity, typed"), "shockVelocity",
         new OptionalEdit({"m/s", 1.0}, 1.0, 1e5), &ShockSettings::velocity_m_s);
     m_step->setEmptyText(tr("computed"));
     m_velocity->setEmptyText(tr("measured"));
+}
+
+/// What is typed belongs to the shot on show: every shot has a step of its own.
+OptionalEdit *ShockPage::addTyped(const QString &label, const QString &objectName,
+    OptionalEdit *control, PerShot ShockSettings::*member)
+{
+    inspector()->add(label, objectName, control);
+    connect(control, &OptionalEdit::edited, this, [=, this](const std::optional<double> &value) {
+        const auto shots = std::ssize(session().state().captures->shots);
+        const Index shot = std::max<Index>(shownNumber(), 1);
+        change(tr("Change %1 of shot %2").arg(label).arg(shot),
+            [&](Recipe &r) { r.shock.*member = (r.shock.*member).with(shot, shots, value); });
+    });
+    return control;
 }
 
 Index ShockPage::shownNumber() const
@@ -129,8 +143,8 @@ void ShockPage::showRecipe()
     m_arrivalPanel->showSensors();
     const ShockSettings &settings = recipe().shock;
     m_enabled->setChecked(settings.enabled);
-    m_step->set(settings.step_Pa);
-    m_velocity->set(settings.velocity_m_s);
+    m_step->set(settings.step_Pa.of(shownNumber()));
+    m_velocity->set(settings.velocity_m_s.of(shownNumber()));
     const auto &shots = session().state().captures->shots;
     const auto at = static_cast<std::size_t>(std::max<Index>(shownNumber() - 1, 0));
     m_conditions->show(at < shots.size() ? &shots[at] : nullptr, shownShot());

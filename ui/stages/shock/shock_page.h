@@ -35,6 +35,8 @@ private:
     void buildPlots();
     ValueTable *addTable(const QString &title, const QString &objectName);
     void buildReferenceControls();
+    OptionalEdit *addTyped(const QString &label, const QString &objectName, OptionalEdit *control,
+        PerShot ShockSettings::*member);
 
     /// The shot on show, and its number (0 = none).
     const ShockConditions *shownShot() const;

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/consistency/consistency_findings.h"
+
+#include "core/base/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
+namespace dyncal {
+namespace {
+
+constexpr int kDigits = 4;
+
+/// Where nothing explains the contradiction: all that acts on the quantity.
+std::vector<FindingCause> everythingOn(Compared of)
+{
+    using C = FindingCause;
+    switch (of) {
+    case Compared::Mach:
+        return {C::Rate, C::Distance, C::Gas, C::Temperature};
+    case Compared::P2Rise:
+    case Compared::P5Rise:
+        return {C::Pressure, C::Scale, C::Distance};
+    case Compared::Sensitivity:
+        return {C::Scale, C::Pressure};
+    case Compared::Velocity:
+    case Compared::Step:
+        return {C::Typed};
+    default:
+        return {C::Order};
+    }
+}
+
+/// The explanations that move this comparison at all.
+std::vector<FindingCause> causesOf(const WayComparison &check, const ComparedShots &shots,
+    const std::vector<ExplainedBy> &explained)
+{
+    std::vector<FindingCause> causes;
+    for (const ExplainedBy &cause : explained) {
+        for (std::size_t row = 0; row < shots.rows().size(); ++row) {
+            const auto [shot, way] = shots.rows()[row];
+            const WayComparison &head = shots.ways()[shot]->made()[way];
+            if (cause.moves[row] && head.of == check.of && head.shot == check.shot
+                && head.channel == check.channel && head.a == check.a
+                && std::ranges::find(causes, cause.cause) == causes.end())
+                causes.push_back(cause.cause);
+        }
+    }
+    return causes.empty() ? everythingOn(check.of) : causes;
+}
+
+const char *textOf(const WayComparison &check)
+{
+    switch (check.of) {
+    case Compared::Velocity:
+        return DYNCAL_TEXT("core",
+            "The velocity stated for this shot is %1, the arrivals give %2: they differ by %3 times their combined uncertainty. Check what was typed, the distances and the sample rate.");
+    case Compared::Mach:
+        if (check.a == Way::StepRatio)
+            return DYNCAL_TEXT("core",
+                "The ratio of the reflected to the incident step at '%4' belongs to Mach %1, the velocity over the speed of sound is Mach %2: they differ by %3 times their combined uncertainty. The ratio needs no clock and no sensitivity; check sample rate, distances, gas and temperature.");
+        return DYNCAL_TEXT("core",
+            "The ratio of the velocities of the incident and the reflected shock at '%4' belongs to Mach %1, the velocity over the speed of sound is Mach %2: they differ by %3 times their combined uncertainty. The ratio needs no clock; check sample rate, distances, gas and temperature.");
+    case Compared::P2Rise:
+        return DYNCAL_TEXT("core",
+            "The pressure behind the shock rises by %1 at '%4' and should by %2: they differ by %3 times their combined uncertainty. Check p1, the velocity, and unit and sensitivity of the sensor.");
+    case Compared::P5Rise:
+        return DYNCAL_TEXT("core",
+            "The pressure behind the reflected shock is %1 above p1 at '%4' and should be %2: they differ by %3 times their combined uncertainty. Check p1, the velocity, and unit and sensitivity of the sensor.");
+    case Compared::Step:
+        return DYNCAL_TEXT("core",
+            "The typed pressure step of this shot is %1, the velocity gives %2: they differ by %3 times their combined uncertainty. Check what was typed.");
+    default:
+        return DYNCAL_TEXT("core",
+            "The sensitivity of this shot is %1, the card of the sensor states %2: they differ by %3 times their combined uncertainty. Check scale and unit of the recording, p1 and the card.");
+    }
+}
+
+const char *idOf(Compared of)
+{
+    switch (of) {
+    case Compared::Mach:
+        return "CHK-001";
+    case Compared::Velocity:
+    case Compared::Step:
+        return "CHK-002";
+    case Compared::P2Rise:
+    case Compared::P5Rise:
+        return "SHK-002";
+    default:
+        return "CHK-003";
+    }
+}
+
+bool isSaidHere(Compared of)
+{
+    return of != Compared::Arrival && of != Compared::Shots && of != Compared::P4
+        && of != Compared::Levels;
+}
+
+/// One number typed for several shots, which the records contradict, is no number of this shot.
+Severity severityOf(const WayComparison &check, const ShockSettings &settings, std::size_t shots)
+{
+    const bool typedOnce
+        = (check.of == Compared::Velocity && check.a == Way::Typed && settings.velocity_m_s.common)
+        || (check.of == Compared::Step && settings.step_Pa.common);
+    return typedOnce && shots > 1 ? Severity::Block : Severity::Caution;
+}
+
+Finding findingOf(const WayComparison &check, const ComparedShots &shots,
+    const std::vector<ExplainedBy> &explained, const ShockSettings &settings)
+{
+    return {.id = idOf(check.of),
+        .severity = severityOf(check, settings, shots.ways().size()),
+        .shot = check.shot,
+        .channel = check.channel,
+        .message = {textOf(check),
+            {numberWithUnit(check.value_a, check.unit, kDigits),
+                numberWithUnit(check.value_b, check.unit, kDigits),
+                numberText(std::abs(check.difference() / check.u), 2), check.channel}},
+        .value = check.difference() / check.u,
+        .limit = kContradiction,
+        .causes = causesOf(check, shots, explained)};
+}
+
+/// The farthest off of every quantity and shot.
+std::vector<const WayComparison *> worstOfEach(const std::vector<WayComparison> &checks)
+{
+    std::vector<const WayComparison *> worst;
+    for (const WayComparison &check : checks) {
+        if (check.agrees() || !isSaidHere(check.of))
+            continue;
+        const auto same = std::ranges::find_if(worst, [&](const WayComparison *other) {
+            return std::string_view(idOf(other->of)) == idOf(check.of) && other->shot == check.shot;
+        });
+        if (same == worst.end())
+            worst.push_back(&check);
+        else if (std::abs((*same)->e_n()) < std::abs(check.e_n()))
+            *same = &check;
+    }
+    return worst;
+}
+
+Finding wrongOrder()
+{
+    return {.id = "CHK-004",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "The levels named for the shots are not in the order of their pressure steps: check which recording belongs to which shot (import.levels)."),
+            {}},
+        .causes = {FindingCause::Order}};
+}
+
+} // namespace
+
+Findings judgeConsistency(const ComparedShots &shots, const std::vector<WayComparison> &checks,
+    const ShockSettings &settings)
+{
+    Findings findings;
+    const auto worst = worstOfEach(checks);
+    const std::vector<ExplainedBy> explained
+        = worst.empty() ? std::vector<ExplainedBy>() : explanations(shots);
+    for (const WayComparison *check : worst)
+        findings.push_back(findingOf(*check, shots, explained, settings));
+    if (std::ranges::any_of(checks, [](const WayComparison &check) {
+            return check.of == Compared::Levels && !check.agrees();
+        }))
+        findings.push_back(wrongOrder());
+    return findings;
+}
+
+} // namespace dyncal

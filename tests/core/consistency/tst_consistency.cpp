@@ -1,0 +1,162 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/consistency/consistency.h"
+#include "core/consistency/way_words.h"
+#include "tests/support/made_evidence.h"
+#include "tests/support/test_program.h"
+
+#include <QtTest>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+using namespace dyncal;
+using namespace dyncal::testing;
+
+namespace {
+
+/// Shots of these levels and velocities, without any record.
+struct Bench
+{
+    CaptureSet set;
+    ShockConditionsSet shock;
+    ResponseResult response;
+
+    void add(ShotLevel level, double velocity_m_s)
+    {
+        const ShotEvidence made = madeEvidence({.velocity_m_s = velocity_m_s});
+        Shot shot;
+        shot.level = level;
+        set.shots.push_back(shot);
+        ShockConditions c;
+        c.shot = std::ssize(set.shots);
+        c.measurement = made.measurement;
+        c.step_Pa = made.step_Pa;
+        shock.shots.push_back(c);
+    }
+
+    ConsistencyResult compared(const ShockSettings &settings = {}) const
+    {
+        return compareWays(set, settings, shock, response, {});
+    }
+};
+
+const WayComparison &checkOf(const ConsistencyResult &result, Compared of)
+{
+    return *std::ranges::find(result.checks, of, &WayComparison::of);
+}
+
+} // namespace
+
+class TestConsistency : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void levels_inOrder_data();
+    void levels_inOrder();
+    void oneLevel_cannotBeCompared();
+    void farthestShot_isAComparison();
+    void disabled_comparesNothing();
+    void limits_followFromU();
+    void everyWord_isItsOwn();
+};
+
+void TestConsistency::levels_inOrder_data()
+{
+    QTest::addColumn<double>("low");
+    QTest::addColumn<double>("high");
+    QTest::addColumn<bool>("agree");
+    QTest::newRow("as named") << 420.0 << 512.8 << true;
+    QTest::newRow("exchanged") << 512.8 << 420.0 << false;
+}
+
+void TestConsistency::levels_inOrder()
+{
+    QFETCH(double, low);
+    QFETCH(double, high);
+    QFETCH(bool, agree);
+    Bench bench;
+    bench.add(ShotLevel::Low, low);
+    bench.add(ShotLevel::Medium, 470.0);
+    bench.add(ShotLevel::High, high);
+    const ConsistencyResult result = bench.compared();
+    QVERIFY(checkOf(result, Compared::Levels).isMade());
+    QCOMPARE(checkOf(result, Compared::Levels).agrees(), agree);
+    const auto said = std::ranges::find(result.findings, std::string("CHK-004"), &Finding::id);
+    QCOMPARE(said != result.findings.end(), !agree);
+    if (!agree)
+        QCOMPARE(said->causes, std::vector<FindingCause>{FindingCause::Order});
+}
+
+void TestConsistency::oneLevel_cannotBeCompared()
+{
+    Bench bench;
+    bench.add(ShotLevel::Low, 420.0);
+    bench.add(ShotLevel::None, 512.8);
+    const ConsistencyResult result = bench.compared();
+    QVERIFY(!checkOf(result, Compared::Levels).isMade());
+    QVERIFY(checkOf(result, Compared::Levels).agrees());
+    QVERIFY(!checkOf(result, Compared::Shots).isMade());
+    QVERIFY(result.findings.empty());
+}
+
+void TestConsistency::farthestShot_isAComparison()
+{
+    Bench bench;
+    bench.add(ShotLevel::None, 500.0);
+    bench.add(ShotLevel::None, 505.0);
+    bench.response.summary.farthest = FarthestShot{2, 12.8e-9, 12.5e-9, 1e-10};
+    const ConsistencyResult result = bench.compared();
+    const WayComparison &check = checkOf(result, Compared::Shots);
+    QCOMPARE(check.shot, Index(2));
+    QVERIFY(std::abs(check.e_n() - 1.5) < 1e-9 && check.agrees()); // 3 u
+    bench.response.summary.farthest->value = 12.9e-9;
+    QVERIFY(!checkOf(bench.compared(), Compared::Shots).agrees()); // 4 u
+    QVERIFY(bench.compared().findings.empty()); // RSP-002 says it
+}
+
+void TestConsistency::disabled_comparesNothing()
+{
+    Bench bench;
+    bench.add(ShotLevel::Low, 420.0);
+    ShockSettings off;
+    off.enabled = false;
+    QVERIFY(bench.compared(off).checks.empty());
+}
+
+void TestConsistency::limits_followFromU()
+{
+    WayComparison check{.value_a = 103.6, .value_b = 100.0, .u = 1.0};
+    QVERIFY(std::abs(check.e_n() - 1.8) < 1e-12);
+    QVERIFY(std::abs(check.smallestDetectable() - 4.8816) < 1e-12);
+    QVERIFY(!WayComparison({.value_a = 103.7, .value_b = 100.0, .u = 1.0}).agrees());
+    QVERIFY(WayComparison({.value_a = 96.5, .value_b = 100.0, .u = 1.0}).agrees());
+    check.missing = Message{"no reading", {}};
+    QVERIFY(!check.isMade() && check.agrees());
+}
+
+void TestConsistency::everyWord_isItsOwn()
+{
+    std::set<std::string> words, names;
+    for (int i = 0; i <= static_cast<int>(Compared::Levels); ++i) {
+        words.insert(english(comparedText(static_cast<Compared>(i))));
+        names.insert(comparedName(static_cast<Compared>(i)));
+    }
+    QCOMPARE(words.size(), std::size_t(10));
+    QCOMPARE(names.size(), std::size_t(10));
+    words.clear();
+    names.clear();
+    for (int i = 0; i <= static_cast<int>(Way::Steps); ++i) {
+        words.insert(english(wayText(static_cast<Way>(i))));
+        names.insert(wayName(static_cast<Way>(i)));
+    }
+    QCOMPARE(words.size(), std::size_t(17));
+    QCOMPARE(names.size(), std::size_t(17));
+    QVERIFY(!words.contains("") && !names.contains(""));
+}
+
+DYNCAL_TEST(TestConsistency)
+#include "tst_consistency.moc"

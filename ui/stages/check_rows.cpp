@@ -1,0 +1,96 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/stages/check_rows.h"
+
+#include "core/consistency/way_words.h"
+#include "ui/text/core_text.h"
+#include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+namespace {
+
+struct CheckRows
+{
+    Q_DECLARE_TR_FUNCTIONS(CheckRows)
+};
+
+const QString kNone = QStringLiteral("–");
+
+QString shotText(Index shot)
+{
+    return shot > 0 ? QString::number(shot) : CheckRows::tr("all");
+}
+
+QString verdict(const WayComparison &check)
+{
+    if (!check.isMade())
+        return CheckRows::tr("not made: %1").arg(translated(*check.missing));
+    return check.agrees() ? CheckRows::tr("agree") : CheckRows::tr("contradict each other");
+}
+
+QString waysText(const WayComparison &check)
+{
+    return CheckRows::tr("%1 / %2").arg(translated(wayText(check.a)), translated(wayText(check.b)));
+}
+
+QStringList rowOf(const WayComparison &check)
+{
+    QStringList row{translated(comparedText(check.of)), shotText(check.shot),
+        check.channel.empty() ? kNone : shownText(check.channel), waysText(check)};
+    const QString unit = QString::fromStdString(check.unit);
+    if (!check.isMade() || !std::isfinite(check.u)) {
+        row << kNone << kNone << kNone << kNone << kNone;
+    } else {
+        row << shownResult(check.value_a, check.u, unit).value
+            << shownResult(check.value_b, check.u, unit).value
+            << shownWithU(check.difference(), check.u, unit)
+            << shownNumber(check.difference() / check.u, 2)
+            << shownQuantity(check.smallestDetectable(), unit, 2);
+    }
+    return row << verdict(check);
+}
+
+} // namespace
+
+QStringList checkHeaders()
+{
+    return {CheckRows::tr("Quantity"), CheckRows::tr("Shot"), CheckRows::tr("Place"),
+        CheckRows::tr("Two ways"), CheckRows::tr("First"), CheckRows::tr("Second"),
+        CheckRows::tr("Difference"), CheckRows::tr("in u"), CheckRows::tr("Smallest fault seen"),
+        CheckRows::tr("Verdict")};
+}
+
+QVector<QStringList> checkRows(const std::vector<WayComparison> &checks)
+{
+    // What contradicts comes first, what could not be made last.
+    std::vector<const WayComparison *> sorted;
+    for (const WayComparison &check : checks)
+        sorted.push_back(&check);
+    std::ranges::stable_sort(sorted, {}, [](const WayComparison *check) {
+        return !check->isMade() ? 2 : check->agrees() ? 1 : 0;
+    });
+    QVector<QStringList> rows;
+    for (const WayComparison *check : sorted)
+        rows << rowOf(*check);
+    return rows;
+}
+
+QString checkSummary(const std::vector<WayComparison> &checks)
+{
+    const auto made = std::ranges::count_if(checks, &WayComparison::isMade);
+    const auto against
+        = std::ranges::count_if(checks, [](const WayComparison &check) { return !check.agrees(); });
+    return CheckRows::tr("Comparisons made: %1; contradicting: %2; not possible: %3.")
+        .arg(made)
+        .arg(against)
+        .arg(std::ssize(checks) - made);
+}
+
+} // namespace dyncal
