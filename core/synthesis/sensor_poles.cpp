@@ -25,4 +25,16 @@ std::vector<std::complex<double>> modePoles(const SensorMode &mode)
     return {{-fast, 0.0}, {-omega0 * omega0 / fast, 0.0}};
 }
 
+std::vector<double> sharedRealPoles_per_s(const SensorSpec &sensor)
+{
+    std::vector<double> poles_per_s;
+    if (sensor.realPole_Hz)
+        poles_per_s.push_back(kTwoPi * *sensor.realPole_Hz);
+    if (sensor.acCoupling_s)
+        poles_per_s.push_back(1.0 / *sensor.acCoupling_s);
+    if (sensor.heat)
+        poles_per_s.push_back(1.0 / sensor.heat->tau_s);
+    return poles_per_s;
+}
+
 } // namespace dyncal

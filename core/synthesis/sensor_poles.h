@@ -15,4 +15,7 @@ namespace dyncal {
 /// poles stay distinct (the response changes by less than 1e-8).
 std::vector<std::complex<double>> modePoles(const SensorMode &mode);
 
+/// Distances from 0 of the real poles that all modes share, in rad/s: real pole, AC coupling, heat.
+std::vector<double> sharedRealPoles_per_s(const SensorSpec &sensor);
+
 } // namespace dyncal

@@ -28,6 +28,7 @@ constexpr Range kDamping{1e-4, 10.0};
 constexpr Range kSensitivity_V_Pa{1e-9, 1e-2};
 constexpr Range kWeight{-10.0, 10.0};
 constexpr Range kTimeConstant_s{1e-6, 1e3};
+constexpr Range kHeatShare{-0.5, 0.5};
 
 std::string presetNames()
 {
@@ -73,21 +74,10 @@ Result<void> checkModes(const SensorSpec &sensor)
     return {};
 }
 
-/// Distances from 0 of the real poles that all modes share.
-std::vector<double> realPoles(const SensorSpec &sensor)
-{
-    std::vector<double> poles_per_s;
-    if (sensor.realPole_Hz)
-        poles_per_s.push_back(kTwoPi * *sensor.realPole_Hz);
-    if (sensor.acCoupling_s)
-        poles_per_s.push_back(1.0 / *sensor.acCoupling_s);
-    return poles_per_s;
-}
-
 /// Fails if real poles coincide: they have no residues of their own.
 Result<void> checkRealPoles(const SensorSpec &sensor)
 {
-    std::vector<double> shared = realPoles(sensor);
+    std::vector<double> shared = sharedRealPoles_per_s(sensor);
     for (const SensorMode &mode : sensor.modes) {
         std::vector<double> all = shared;
         for (const std::complex<double> &pole : modePoles(mode)) {
@@ -142,6 +132,10 @@ Result<void> checkSensor(const SensorSpec &sensor)
         return outOfRange("realPole_Hz", sensor, *sensor.realPole_Hz, kFrequency_Hz);
     if (sensor.acCoupling_s && !kTimeConstant_s.contains(*sensor.acCoupling_s))
         return outOfRange("acCoupling_s", sensor, *sensor.acCoupling_s, kTimeConstant_s);
+    if (sensor.heat && !kHeatShare.contains(sensor.heat->share))
+        return outOfRange("heat.share", sensor, sensor.heat->share, kHeatShare);
+    if (sensor.heat && !kTimeConstant_s.contains(sensor.heat->tau_s))
+        return outOfRange("heat.tau_s", sensor, sensor.heat->tau_s, kTimeConstant_s);
     return checkRealPoles(sensor);
 }
 

@@ -17,7 +17,15 @@ struct SensorMode
     double weight = 1.0; ///< weights of a sensor sum to 1
 };
 
-/// G(s) = S0 * sum of modes, optionally times 1/(1 + s/w1), optionally times s/(s + 1/tau).
+/// 1 - share/(1 + s tau): heat of the shocked gas makes the output sag by its share.
+struct HeatSag
+{
+    double share = 0.0;
+    double tau_s = 0.0;
+};
+
+/// G(s) = S0 * sum of modes, optionally times 1/(1 + s/w1), s/(s + 1/tau) and the sag by heat. S0
+/// is the sensitivity at the onset.
 struct SensorSpec
 {
     std::string name;
@@ -25,6 +33,7 @@ struct SensorSpec
     std::vector<SensorMode> modes;
     std::optional<double> realPole_Hz; ///< w1/2pi: third order
     std::optional<double> acCoupling_s; ///< tau
+    std::optional<HeatSag> heat = {};
 };
 
 } // namespace dyncal

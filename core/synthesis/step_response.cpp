@@ -10,26 +10,45 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 namespace dyncal {
 namespace {
 
 constexpr Index kAnchorDistance = 1024;
 constexpr double kVanished = 60.0; ///< decay times after which a term is below 1e-26
+constexpr double kApart = 1e-5; ///< relative distance of real poles that would coincide
+
+/// The relaxation, moved away from a real pole of the sensor that it would fall on.
+double distinctRelaxation_s(const SensorSpec &sensor, double relaxation_s)
+{
+    std::vector<double> poles_per_s = sharedRealPoles_per_s(sensor);
+    for (const SensorMode &mode : sensor.modes) {
+        for (const std::complex<double> &pole : modePoles(mode)) {
+            if (pole.imag() == 0.0)
+                poles_per_s.push_back(-pole.real());
+        }
+    }
+    const bool falls = std::any_of(poles_per_s.begin(), poles_per_s.end(), [&](double pole_per_s) {
+        return std::abs(pole_per_s * relaxation_s - 1.0) < 0.5 * kApart;
+    });
+    return falls ? relaxation_s * (1.0 + kApart) : relaxation_s;
+}
 
 } // namespace
 
 StepResponse::StepResponse(const SensorSpec &sensor, double relaxation_s)
 {
+    const double distinct_s = relaxation_s > 0.0 ? distinctRelaxation_s(sensor, relaxation_s) : 0.0;
     for (const SensorMode &mode : sensor.modes) {
         Fraction fraction = modeOf(sensor, mode);
         if (relaxation_s > 0.0) {
-            fraction.poles.emplace_back(-1.0 / relaxation_s, 0.0);
-            fraction.gain /= relaxation_s;
+            fraction.poles.emplace_back(-1.0 / distinct_s, 0.0);
+            fraction.gain /= distinct_s;
         }
         // The step's pole at 0, or AC coupling's: its zero at 0 cancels that of the step.
         fraction.poles.emplace_back(sensor.acCoupling_s ? -1.0 / *sensor.acCoupling_s : 0.0, 0.0);
-        addTerms(fraction);
+        addHeated(std::move(fraction), sensor);
     }
 }
 
@@ -42,12 +61,12 @@ StepResponse::StepResponse(const SensorSpec &sensor, const Oscillation &oscillat
     for (const SensorMode &mode : sensor.modes) {
         Fraction fraction = modeOf(sensor, mode);
         fraction.poles.insert(fraction.poles.end(), pair.begin(), pair.end());
-        fraction.numerator = {constant, phase.cosine, 0.0};
+        fraction.numerator = {constant, phase.cosine};
         if (sensor.acCoupling_s) {
             fraction.poles.emplace_back(-1.0 / *sensor.acCoupling_s, 0.0);
             fraction.numerator = {0.0, constant, phase.cosine};
         }
-        addTerms(fraction);
+        addHeated(std::move(fraction), sensor);
     }
 }
 
@@ -64,6 +83,22 @@ StepResponse::Fraction StepResponse::modeOf(const SensorSpec &sensor, const Sens
     return fraction;
 }
 
+/// Times 1 - share/(1 + s tau) = (s + (1 - share)/tau)/(s + 1/tau), where the sensor is heated.
+void StepResponse::addHeated(Fraction fraction, const SensorSpec &sensor)
+{
+    if (sensor.heat) {
+        const double rate_per_s = 1.0 / sensor.heat->tau_s;
+        std::vector<double> product(fraction.numerator.size() + 1, 0.0);
+        for (std::size_t n = 0; n < fraction.numerator.size(); ++n) {
+            product[n] += (1.0 - sensor.heat->share) * rate_per_s * fraction.numerator[n];
+            product[n + 1] += fraction.numerator[n];
+        }
+        fraction.numerator = std::move(product);
+        fraction.poles.emplace_back(-rate_per_s, 0.0);
+    }
+    addTerms(fraction);
+}
+
 void StepResponse::addTerms(const Fraction &fraction)
 {
     const std::vector<std::complex<double>> &poles = fraction.poles;
@@ -75,9 +110,10 @@ void StepResponse::addTerms(const Fraction &fraction)
             if (j != i)
                 product *= poles[i] - poles[j];
         }
-        const auto &[n0, n1, n2] = fraction.numerator;
-        const std::complex<double> residue
-            = std::conj(product) * (n0 + poles[i] * (n1 + poles[i] * n2));
+        std::complex<double> numerator(0.0, 0.0);
+        for (auto n = fraction.numerator.rbegin(); n != fraction.numerator.rend(); ++n)
+            numerator = *n + poles[i] * numerator;
+        const std::complex<double> residue = std::conj(product) * numerator;
         const double scale
             = (poles[i].imag() > 0.0 ? 2.0 : 1.0) * fraction.gain / std::norm(product);
         const Term term{
@@ -87,6 +123,28 @@ void StepResponse::addTerms(const Fraction &fraction)
         else
             m_terms.push_back(term);
     }
+}
+
+StepResponse StepResponse::weighted(const PoleWeight &weight) const
+{
+    StepResponse result;
+    result.m_constant = m_constant * weight({0.0, 0.0}).real();
+    for (const Term &term : m_terms) {
+        const std::complex<double> amplitude = std::complex<double>(term.re, term.im)
+            * weight({-term.decay_per_s, term.omega_rad_s});
+        result.m_terms.push_back(
+            {term.decay_per_s, term.omega_rad_s, amplitude.real(), amplitude.imag()});
+    }
+    return result;
+}
+
+double StepResponse::fastestPole_rad_s() const
+{
+    double fastest = 0.0;
+    for (const Term &term : m_terms)
+        fastest = std::max(fastest,
+            std::sqrt(term.decay_per_s * term.decay_per_s + term.omega_rad_s * term.omega_rad_s));
+    return fastest;
 }
 
 double StepResponse::at(double time_s) const

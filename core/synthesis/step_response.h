@@ -5,8 +5,8 @@
 
 #include "core/synthesis/sensor_spec.h"
 
-#include <array>
 #include <complex>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -28,7 +28,8 @@ struct Oscillation
 class StepResponse
 {
 public:
-    /// The sensor must pass checkSensor, and no real pole of it may be at -1/relaxation_s.
+    /// The sensor must pass checkSensor. A relaxation whose pole coincides with a real pole of the
+    /// sensor is moved by 1e-5 of itself (the response changes by less than 1e-5).
     explicit StepResponse(const SensorSpec &sensor, double relaxation_s = 0.0);
 
     /// Response to an oscillation instead of the step. Sensor and oscillation must not have a pole
@@ -43,7 +44,17 @@ public:
     void addTo(
         std::span<double> values, double firstTime_s, double sampleRate_Hz, double scale) const;
 
+    /// Every exponential times the weight of its pole, the constant times that of 0. The weight of
+    /// the conjugate pole must be the conjugate weight; asked for where the imaginary part is >= 0.
+    using PoleWeight = std::function<std::complex<double>(std::complex<double> pole_per_s)>;
+    StepResponse weighted(const PoleWeight &weight) const;
+
+    /// Largest magnitude of a pole, in rad/s.
+    double fastestPole_rad_s() const;
+
 private:
+    StepResponse() = default;
+
     /// Real part of (re + j im) exp((-decay + j omega) t).
     struct Term
     {
@@ -53,16 +64,16 @@ private:
         double im = 0.0;
     };
 
-    /// Laplace transform: gain (numerator[0] + numerator[1] s + numerator[2] s^2) / product of
-    /// (s - pole).
+    /// Laplace transform: gain (numerator[0] + numerator[1] s + ...) / product of (s - pole).
     struct Fraction
     {
         double gain = 1.0;
-        std::array<double, 3> numerator{1.0, 0.0, 0.0};
+        std::vector<double> numerator{1.0};
         std::vector<std::complex<double>> poles;
     };
 
     static Fraction modeOf(const SensorSpec &sensor, const SensorMode &mode);
+    void addHeated(Fraction fraction, const SensorSpec &sensor);
     void addTerms(const Fraction &fraction);
 
     double m_constant = 0.0;
