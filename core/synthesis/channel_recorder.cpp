@@ -27,9 +27,10 @@ public:
         , m_axis(axis)
     {
         for (const PressureEvent &event : plan.events)
-            m_responses.push_back(event.oscillation
+            m_responses.emplace_back(event.oscillation
                     ? StepResponse(plan.sensor, *event.oscillation)
-                    : StepResponse(plan.sensor, event.relaxation_s));
+                    : StepResponse(plan.sensor, event.relaxation_s),
+                event.front);
     }
 
     void evaluate(std::span<double> volts, Index firstSample) const
@@ -51,15 +52,15 @@ public:
 private:
     const SignalPlan &m_plan;
     const RecordAxis &m_axis;
-    std::vector<StepResponse> m_responses;
+    std::vector<FrontResponse> m_responses;
 };
 
 template <typename Count>
 Result<RawSamples> record(const SignalPlan &plan, const RecordAxis &axis,
-    const Digitizer &digitizer, RandomStream &random, const JobControl &control)
+    const Digitizer &digitizer, RandomStream random, const JobControl &control)
 {
     const CleanSignal clean(plan, axis);
-    const double step_V = digitizer.step_V();
+    NoiseSource noise(plan.noise, axis.count, random);
     const double lowest = digitizer.lowestCount();
     const double highest = digitizer.highestCount();
     std::vector<Count> counts(static_cast<std::size_t>(axis.count));
@@ -71,16 +72,25 @@ Result<RawSamples> record(const SignalPlan &plan, const RecordAxis &axis,
         const std::span<double> block(volts.data(), static_cast<std::size_t>(length));
         clean.evaluate(block, begin);
         if (plan.noise_V > 0.0)
-            random.addNormal(block, plan.noise_V);
+            noise.addTo(block, plan.noise_V);
         for (std::size_t i = 0; i < block.size(); ++i)
             counts[static_cast<std::size_t>(begin) + i] = static_cast<Count>(
-                roundHalfToEven(std::clamp(block[i] / step_V, lowest, highest)));
+                roundHalfToEven(std::clamp(digitizer.position(block[i]), lowest, highest)));
         control.report(static_cast<double>(begin + length) / static_cast<double>(axis.count));
     }
     return RawSamples(std::move(counts));
 }
 
 } // namespace
+
+double Digitizer::position(double volts) const
+{
+    const double counts = volts / step_V();
+    if (bow_codes == 0.0)
+        return counts;
+    const double x = std::clamp(volts / range_V, -1.0, 1.0);
+    return counts + bow_codes * (1.0 - x * x);
+}
 
 Result<Channel> recordChannel(const SignalPlan &plan, const RecordAxis &axis,
     const Digitizer &digitizer, RandomStream random, const JobControl &control)
@@ -92,8 +102,8 @@ Result<Channel> recordChannel(const SignalPlan &plan, const RecordAxis &axis,
         return tl::unexpected(samples.error());
     Channel channel;
     channel.samples = std::move(*samples);
-    channel.sampleRate_Hz = axis.sampleRate_Hz;
-    channel.t0_s = axis.t0_s;
+    channel.sampleRate_Hz = axis.statedRate_Hz.value_or(axis.sampleRate_Hz);
+    channel.t0_s = axis.statedTime_s(axis.t0_s);
     channel.polynomial = {0.0, digitizer.step_V()};
     channel.quantity = std::string("voltage");
     channel.adcMin = digitizer.lowestCount();

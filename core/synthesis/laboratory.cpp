@@ -4,7 +4,8 @@
 #include "core/synthesis/laboratory.h"
 
 #include "core/base/number_text.h"
-#include "core/synthesis/shot_scene.h"
+#include "core/synthesis/defects.h"
+#include "core/synthesis/recorded_conditions.h"
 
 #include <array>
 #include <cmath>
@@ -35,12 +36,20 @@ Attributes sensorCard(const SensorSpec &sensor, ChannelRole role)
         {"sensitivity_unit", "V/Pa"}, {"role", channelRoleName(role)}};
 }
 
-Attributes tubeDescription()
+/// To the micrometre, so that the sum of both is what somebody would have written.
+double notedDistance_m(const SimulationSettings &settings)
+{
+    constexpr double kPerMetre = 1e6;
+    const double error_m = defectSize(settings, DefectKind::Distance, 1, 0.0);
+    return std::round((Recorded::distance_m + error_m) * kPerMetre) / kPerMetre;
+}
+
+Attributes tubeDescription(const SimulationSettings &settings)
 {
     return {{"driver_length_m", numberText(Recorded::driverLength_m)},
         {"driven_length_m", numberText(Recorded::drivenLength_m)},
         {"inner_diameter_m", numberText(Recorded::innerDiameter_m)},
-        {"endflange_to_sensor2_m", numberText(Recorded::distance_m)},
+        {"endflange_to_sensor2_m", numberText(notedDistance_m(settings))},
         {"u_endflange_to_sensor2_m", numberText(Recorded::u_distance_m)}, {"driver_gas", "air"},
         {"driven_gas", "air"}, {"diaphragm", "cellophane"},
         {"gamma1", numberText(Recorded::gas.gamma)}, {"gamma4", numberText(Recorded::gas.gamma)},
@@ -66,7 +75,7 @@ CaptureSet laboratorySet(const SimulationSettings &settings)
 {
     CaptureSet set;
     set.inputs.push_back({"simulated", "simulated", "", "dyncal-simulation"});
-    set.tube = tubeDescription();
+    set.tube = tubeDescription(settings);
     set.sensors["dut"] = sensorCard(settings.sensor, ChannelRole::Dut);
     set.sensors["side"] = sensorCard(sideSensor(), ChannelRole::DrivenSide);
     set.sensors["driver"] = sensorCard(driverSensor(), ChannelRole::Driver);
@@ -75,18 +84,19 @@ CaptureSet laboratorySet(const SimulationSettings &settings)
     return set;
 }
 
-Environment recordedEnvironment(double p4_Pa)
+Environment recordedEnvironment(const SimulationSettings &settings, Index shot, double p4_Pa)
 {
     Environment environment;
-    environment.p1_Pa = Recorded::p1_Pa;
+    environment.p1_Pa
+        = Recorded::p1_Pa * (1.0 + defectSize(settings, DefectKind::Pressure, shot, 0.0));
     environment.u_p1_Pa = Recorded::u_p1_Pa;
-    environment.T1_K = Recorded::T1_K;
+    environment.T1_K = Recorded::T1_K + defectSize(settings, DefectKind::Temperature, shot, 0.0);
     environment.u_T1_K = Recorded::u_T1_K;
     environment.p4_Pa = p4_Pa;
     environment.T4_K = Recorded::T4_K;
-    environment.ambientPressure_Pa = Recorded::p1_Pa;
-    environment.ambientT_K = Recorded::T1_K;
-    environment.relativeHumidity = 0.0; // the gas is dry
+    environment.ambientPressure_Pa = environment.p1_Pa; // read once: the tube is open to the room
+    environment.ambientT_K = environment.T1_K;
+    environment.relativeHumidity = 0.0; // the gas is dry, or taken for dry
     return environment;
 }
 

@@ -18,8 +18,8 @@ const SensorSpec &driverSensor();
 /// A capture without shots: tube, sensors and instruments as a laboratory would describe them.
 CaptureSet laboratorySet(const SimulationSettings &settings);
 
-/// What the laboratory wrote down of one shot.
-Environment recordedEnvironment(double p4_Pa);
+/// What the laboratory wrote down of shot `shot` (from 1), defects of the notes included.
+Environment recordedEnvironment(const SimulationSettings &settings, Index shot, double p4_Pa);
 
 /// "Low", "Medium", "High".
 std::string levelLabel(ShotLevel level);

@@ -4,6 +4,8 @@
 #include "core/synthesis/shot_scene.h"
 
 #include "core/base/portable_random.h"
+#include "core/synthesis/defects.h"
+#include "core/synthesis/gas_defects.h"
 
 #include <cmath>
 
@@ -46,31 +48,49 @@ TrueConditions drawConditions(std::uint64_t seed)
     return {distance_m, T1_K, p1_Pa};
 }
 
-Result<ShotScene> drawScene(
-    const TrueConditions &conditions, std::uint64_t seed, Index shot, ShotLevel level)
+/// When shock and wave pass, from the moment at which the shock passes the side sensor.
+void addTimes(ShotScene &scene, double sideArrival_s)
 {
-    RandomStream random(seed, shot, kSceneStream);
+    const double velocity_m_s = scene.states.velocity_m_s;
+    const double attenuation_per_m = scene.attenuation_per_m;
+    scene.plateau_s = plateauTime_s(scene.states, Recorded::drivenLength_m);
+    scene.sideArrival_s = sideArrival_s;
+    scene.wallArrival_s
+        = sideArrival_s + travelTime_s(velocity_m_s, attenuation_per_m, scene.distance_m);
+    scene.reflectionAtSide_s
+        = scene.wallArrival_s + scene.distance_m / scene.states.reflectedVelocity_m_s;
+    scene.burst_s = scene.wallArrival_s
+        - travelTime_s(velocity_m_s, attenuation_per_m, Recorded::drivenLength_m);
+}
+
+Result<ShotScene> drawScene(
+    const TrueConditions &conditions, const SimulationSettings &settings, Index shot)
+{
+    RandomStream random(settings.seed, shot, kSceneStream);
+    const ShotLevel level = settings.shots[static_cast<std::size_t>(shot - 1)];
     const double velocity_m_s
         = nominalVelocity_m_s(level) * (1.0 + kVelocitySpread * random.nextNormal());
     const double jitter_s = kTriggerJitter_s * (2.0 * random.nextUniform() - 1.0);
-    auto states = shockStates(Recorded::gas, conditions.p1_Pa, conditions.T1_K, velocity_m_s);
+    ShotScene scene;
+    scene.gas = drivenGasOf(settings, shot, conditions.p1_Pa, conditions.T1_K);
+    scene.distance_m = conditions.distance_m;
+    scene.attenuation_per_m = defectSize(settings, DefectKind::Attenuation, shot, 0.0);
+    const auto states = shockStates(scene.gas, conditions.p1_Pa, conditions.T1_K, velocity_m_s);
     if (!states)
         return tl::unexpected(states.error());
-    const auto p4_Pa = driverPressure_Pa(*states, Recorded::gas, Recorded::gas, Recorded::T4_K);
+    scene.states = *states;
+    const double sideVelocity_m_s
+        = velocity_m_s * (1.0 + scene.attenuation_per_m * scene.distance_m);
+    const auto atSide = shockStates(scene.gas, conditions.p1_Pa, conditions.T1_K, sideVelocity_m_s);
+    if (!atSide)
+        return tl::unexpected(atSide.error());
+    scene.pressureBehindShockAtSide_Pa = atSide->shocked.pressure_Pa;
+    const auto p4_Pa = driverPressure_Pa(*states, scene.gas, Recorded::gas, Recorded::T4_K);
     if (!p4_Pa)
         return tl::unexpected(p4_Pa.error());
-
-    ShotScene scene;
-    scene.states = *states;
-    scene.distance_m = conditions.distance_m;
     // Rounding to steps also removes differences of the C library's pow() between machines.
     scene.driverPressure_Pa = kPressureSteps_Pa * std::round(*p4_Pa / kPressureSteps_Pa);
-    scene.plateau_s = plateauTime_s(*states, Recorded::drivenLength_m);
-    scene.sideArrival_s = jitter_s; // the side sensor triggers
-    scene.wallArrival_s = jitter_s + scene.distance_m / velocity_m_s;
-    scene.reflectionAtSide_s
-        = scene.wallArrival_s + scene.distance_m / states->reflectedVelocity_m_s;
-    scene.burst_s = scene.wallArrival_s - Recorded::drivenLength_m / velocity_m_s;
+    addTimes(scene, jitter_s); // the side sensor triggers
     return scene;
 }
 
@@ -81,8 +101,7 @@ Result<std::vector<ShotScene>> drawScenes(const SimulationSettings &settings)
     const TrueConditions conditions = drawConditions(settings.seed);
     std::vector<ShotScene> scenes;
     for (Index i = 0; i < std::ssize(settings.shots); ++i) {
-        auto scene = drawScene(
-            conditions, settings.seed, i + 1, settings.shots[static_cast<std::size_t>(i)]);
+        auto scene = drawScene(conditions, settings, i + 1);
         if (!scene)
             return tl::unexpected(scene.error());
         scenes.push_back(*scene);

@@ -5,32 +5,20 @@
 
 #include "core/base/result.h"
 #include "core/shock/shock_relations.h"
+#include "core/synthesis/recorded_conditions.h"
 #include "core/synthesis/simulation_settings.h"
 
 #include <vector>
 
 namespace dyncal {
 
-/// What a laboratory would have written down about the simulated tube and day.
-struct RecordedConditions
-{
-    static constexpr double driverLength_m = 0.97; ///< thesis, appendix A
-    static constexpr double drivenLength_m = 0.97;
-    static constexpr double innerDiameter_m = 0.10;
-    static constexpr double distance_m = 0.80; ///< side sensor to end wall
-    static constexpr double u_distance_m = 0.2e-3;
-    static constexpr double p1_Pa = 101100.0; ///< thesis, table 4.1
-    static constexpr double u_p1_Pa = 30.0;
-    static constexpr double T1_K = 294.15;
-    static constexpr double u_T1_K = 0.3;
-    static constexpr double T4_K = 295.35;
-    static constexpr Gas gas{}; ///< in both sections
-};
-
 /// What really happens in one simulated shot; times on the record's axis.
 struct ShotScene
 {
-    ShockStates states;
+    Gas gas; ///< true, in the driven section
+    ShockStates states; ///< of the shock as it reaches the end wall
+    double attenuation_per_m = 0.0; ///< a of W(x) = W (1 + a x), x m from the end wall
+    double pressureBehindShockAtSide_Pa = 0.0; ///< absolute
     double distance_m = 0.0; ///< true, side sensor to end wall
     double driverPressure_Pa = 0.0; ///< absolute, in steps of 100 Pa
     double plateau_s = 0.0;

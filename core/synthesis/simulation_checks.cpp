@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/synthesis/defects.h"
+#include "core/synthesis/sensor_defects.h"
 #include "core/synthesis/sensor_simulator.h"
 
 #include <algorithm>
@@ -66,6 +67,18 @@ Result<void> checkResolved(const SimulationSettings &settings)
     return {};
 }
 
+/// Time constants and gains of defects must suit the sensor, whatever its mount does to its modes.
+Result<void> checkSensorsOfShots(const SimulationSettings &settings)
+{
+    for (Index shot = 1; shot <= std::ssize(settings.shots); ++shot) {
+        SensorSpec sensor = sensorOfShot(settings, shot);
+        sensor.modes = settings.sensor.modes;
+        if (auto checked = checkSensor(sensor); !checked)
+            return checked;
+    }
+    return {};
+}
+
 } // namespace
 
 Result<void> checkSimulation(const SimulationSettings &settings)
@@ -86,7 +99,9 @@ Result<void> checkSimulation(const SimulationSettings &settings)
         return checked;
     if (auto checked = checkResolved(settings); !checked)
         return checked;
-    return checkDefects(settings);
+    if (auto checked = checkDefects(settings); !checked)
+        return checked;
+    return checkSensorsOfShots(settings);
 }
 
 } // namespace dyncal

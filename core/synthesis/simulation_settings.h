@@ -8,17 +8,52 @@
 #include "core/synthesis/sensor_spec.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace dyncal {
 
-enum class DefectKind { Clip, Nan, Swap, NoStep, Short, Fs50, Drift, Psi, RingVar, TubeMode };
+enum class DefectKind {
+    Clip,
+    Nan,
+    Swap,
+    NoStep,
+    Short,
+    Fs50,
+    Drift,
+    Psi,
+    RingVar,
+    TubeMode,
+    Heat,
+    AcCoupling,
+    Echo,
+    Gain,
+    Scatter,
+    Attenuation,
+    SideDelay,
+    Distance,
+    Temperature,
+    Pressure,
+    OtherGas,
+    Humidity,
+    Rate,
+    Scale,
+    Levels,
+    Front,
+    Tilt,
+    Clock,
+    Bow,
+    Autoregressive,
+    Flicker
+};
 
 /// A fault put into a simulated shot on purpose.
 struct Defect
 {
     DefectKind kind = DefectKind::Clip;
     Index shot = 0; ///< number from 1; 0 = all shots
+    std::optional<double> size = {}; ///< empty = the kind's own (defect_kinds.h)
+    std::optional<double> time_s = {}; ///< of kinds that take one, likewise
 };
 
 /// All settings of `dyncal simulate`; defaults are documented in docs/simulator.md.

@@ -6,6 +6,7 @@
 
 #include "core/base/content_hash.h"
 #include "core/synthesis/defects.h"
+#include "core/synthesis/sensor_defects.h"
 #include "core/synthesis/sensor_simulator.h"
 
 #include <QtTest>
