@@ -10,6 +10,7 @@
 #include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/capture/formats/hdf5/hdf5_capture_writer.h"
+#include "core/synthesis/defect_kinds.h"
 #include "core/synthesis/defects.h"
 #include "core/synthesis/sensor_simulator.h"
 #include "core/synthesis/shot_generator.h"
@@ -20,6 +21,7 @@
 #include <iostream>
 #include <limits>
 #include <memory>
+#include <sstream>
 #include <system_error>
 
 namespace dyncal {
@@ -96,6 +98,35 @@ std::string faultOfSeed(const std::string &text)
         return {};
     return '"' + text + "\" is no seed, which is a whole number from 0 to "
         + std::to_string(std::numeric_limits<std::uint64_t>::max());
+}
+
+/// The table of kinds as `--defect help` prints it.
+std::string defectHelp()
+{
+    std::ostringstream table;
+    table << "KIND[=SIZE[:TIME]][@SHOT]; without a shot number all shots, or the middle one where"
+             " one shot is meant.\n";
+    for (const DefectDescription &description : defectDescriptions()) {
+        std::string typed = description.name;
+        if (description.size)
+            typed += '=' + numberText(description.size->standard);
+        if (description.time_s)
+            typed += ':' + numberText(description.time_s->standard);
+        table << '\n' << std::left << std::setw(20) << typed << description.meaning;
+        if (description.size)
+            table << " (" << numberText(description.size->lowest) << " to "
+                  << numberText(description.size->highest) << ')';
+    }
+    return table.str();
+}
+
+/// Answers "help" with the table, before anything else is asked for: the parser prints what such an
+/// exception holds and ends with exit code 0, as for --version.
+std::string answerHelp(const std::string &text)
+{
+    if (text == "help")
+        throw CLI::CallForVersion(defectHelp(), 0);
+    return {};
 }
 
 /// One value of the truth, or a dash where the simulator states none.
@@ -180,11 +211,13 @@ void addSimulate(CLI::App &program, VerbAction &action)
         ->check(faultOfSeed)
         ->capture_default_str();
     verb->add_option("--defect", options->defects,
-            "A fault put in on purpose, e.g. clip or clip@2 (shot 2); may be repeated")
+            "A fault put in on purpose, e.g. clip, clip@2 (shot 2) or heat=0.05; may be repeated; help lists all kinds")
         ->allow_extra_args(false)
-        ->type_name("KIND[@SHOT]");
+        ->check(answerHelp, "")
+        ->type_name("KIND[=SIZE[:TIME]][@SHOT]");
     verb->footer("Example:\n  dyncal simulate -o example.h5 --preset optic3 --seed 7\n"
-                 "  dyncal simulate -o clipped.h5 --defect clip@2");
+                 "  dyncal simulate -o clipped.h5 --defect clip@2\n"
+                 "  dyncal simulate -o heated.h5 --preset piezo --defect heat=0.05:1e-4");
     verb->callback([options, &action] { action = [options] { return simulate(*options); }; });
 }
 

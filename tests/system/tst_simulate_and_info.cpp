@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/capture/formats/hdf5/hdf5_capture_reader.h"
+#include "core/synthesis/defect_kinds.h"
 #include "tests/support/test_program.h"
 #include "tests/system/dyncal_process.h"
 
@@ -11,6 +13,9 @@
 #include <QTest>
 
 #include <csignal>
+
+using dyncal::DefectDescription;
+using dyncal::defectDescriptions;
 
 /// Files written by `simulate`, and what `info` says of them.
 class TestSimulateAndInfo : public QObject
@@ -62,6 +67,61 @@ private slots:
                                                                  << "0.05");
         QCOMPARE(answer.exitCode, 0);
         QVERIFY2(answer.out.contains("123 kHz") && answer.out.contains("0.05"), answer.out);
+    }
+
+    void simulate_defectHelp_namesAllKindsWithTheirSizes()
+    {
+        const Answer answer = runDyncal({"simulate", "--defect", "help"});
+        QCOMPARE(answer.exitCode, 0);
+        QCOMPARE(answer.err, QByteArray());
+        for (const DefectDescription &description : defectDescriptions())
+            QVERIFY2(answer.out.contains("\n" + QByteArray(description.name)), description.name);
+        QVERIFY2(answer.out.contains("\nheat=0.02:5e-04 "), answer.out);
+    }
+
+    void simulate_wrongDefect_isWrongUsageInOneSentence()
+    {
+        const QString file = path("wrong.h5");
+        for (const char *defect : {"heats", "heat=x", "heat=2", "clip=1", "distance@2", "gain@9"}) {
+            const Answer answer = runDyncal(small(file) << "--defect" << defect);
+            QCOMPARE(answer.exitCode, 4);
+            QCOMPARE(answer.out, QByteArray());
+            QCOMPARE(answer.complaints().size(), 1);
+            QVERIFY(!QFile::exists(file));
+        }
+        const Answer unknown = runDyncal(small(file) << "--defect"
+                                                     << "heats");
+        for (const DefectDescription &description : defectDescriptions())
+            QVERIFY2(unknown.err.contains(description.name), description.name);
+    }
+
+    void simulate_everyDefect_isReadByInfo()
+    {
+        for (const DefectDescription &description : defectDescriptions()) {
+            const QString file = path(description.name) + ".h5";
+            const Answer written = runDyncal(small(file) << "--defect" << description.name);
+            QVERIFY2(written.exitCode == 0, description.name + written.err);
+            QCOMPARE(written.err, QByteArray());
+            const Answer info = runDyncal({"info", "--json", file});
+            QVERIFY2(info.exitCode <= 2, description.name + info.err);
+            const QJsonObject read = info.json();
+            QCOMPARE(read["shots"].toArray().size(), 3);
+            QCOMPARE(read["shots"][1]["channels"].toArray().size(), 3);
+            QVERIFY2(read["shots"][1]["channels"][0]["samples"].toInt() > 10000, description.name);
+        }
+    }
+
+    void simulate_recordsGasAndHumidity()
+    {
+        const QString file = path("noted.h5");
+        QCOMPARE(runDyncal(small(file)).exitCode, 0);
+        const auto set = dyncal::readHdf5Capture(file.toStdString(), {}, {});
+        QVERIFY(set.has_value());
+        QCOMPARE(set->tube.at("driven_gas"), std::string("air"));
+        QCOMPARE(set->tubeNumber("gamma1").value(), 1.402);
+        QCOMPARE(set->tubeNumber("M1").value(), 0.028966);
+        for (const dyncal::Shot &shot : set->shots)
+            QCOMPARE(shot.environment.relativeHumidity, 0.0);
     }
 
     void simulate_intoAMissingFolder_isRefusedAndLeavesNothing()
