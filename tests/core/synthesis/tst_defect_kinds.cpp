@@ -4,6 +4,7 @@
 #include "core/synthesis/defect_kinds.h"
 #include "tests/support/test_program.h"
 
+#include "core/base/content_hash.h"
 #include "core/base/number_text.h"
 #include "tests/core/synthesis/simulated_defect.h"
 
@@ -31,6 +32,7 @@ private slots:
     void simulate_sizeOutOfRange_usage();
     void nullSizes_countsOfACleanRun_data();
     void nullSizes_countsOfACleanRun();
+    void counts_goldenHash_sameOnEveryMachine();
     void kinds_inTheDocument();
 };
 
@@ -194,6 +196,21 @@ void TestDefectKinds::nullSizes_countsOfACleanRun()
         QCOMPARE(channelOf(with, s, 0).t0_s, channelOf(clean, s, 0).t0_s);
         QCOMPARE(channelOf(with, s, 0).polynomial, channelOf(clean, s, 0).polynomial);
     }
+}
+
+void TestDefectKinds::counts_goldenHash_sameOnEveryMachine()
+{
+    // The counts are a promise, as those of a clean run are.
+    const SimulatedCapture capture = simulated(
+        withDefects({"heat", "ac@2", "echo", "gain=0.9", "scatter", "attenuation", "delay",
+            "gas=0.3", "humidity", "front@1", "tilt@3", "clock", "bow", "ar@1", "flicker@3"}));
+    std::string text;
+    for (std::size_t s = 0; s < 3; ++s) {
+        for (std::size_t c = 0; c < 3; ++c)
+            text += channelOf(capture, s, c).sha256;
+    }
+    QCOMPARE(QString::fromStdString(sha256Hex(text)),
+        QString("82716a748813b5f069e97413f598d66935b718568b3fb1c3bb6c29889f9b8f65"));
 }
 
 void TestDefectKinds::kinds_inTheDocument()

@@ -69,6 +69,7 @@ private slots:
     void ramp_slopeIsTheDifferenceOfTwoSteps();
     void tilt_isTheConvolutionWithTheDisc();
     void tilt_ofASlowSensor_lastsAsItsSecondMomentSays();
+    void tilt_settled_besselFunction();
     void fronts_short_areSteps();
     void withoutFront_theResponseItself();
     void addTo_agreesWithAt();
@@ -147,6 +148,29 @@ void TestFrontResponse::tilt_ofASlowSensor_lastsAsItsSecondMomentSays()
             / (apart_s * apart_s);
         const double expected = step.at(t_s) + duration_s * duration_s / 32.0 * second;
         QVERIFY(std::abs(tilt.at(t_s) - expected) < 0.01 * std::pow(omega * duration_s, 2) / 32.0);
+    }
+}
+
+void TestFrontResponse::tilt_settled_besselFunction()
+{
+    // The transform of the semicircle is 2 I1(x)/x with x = s T/2, real for a real pole. What is
+    // left of a real pole far below the mode is 1 - g e^(-w t), g = the mode's gain at -w.
+    for (const double corner_Hz : {1e3, 250e3}) {
+        const SensorSpec lag{"lag", 1e-6, {{1e8, 0.7, 1.0}}, corner_Hz, {}};
+        const double w = kTwoPi * corner_Hz;
+        const double ratio = corner_Hz / 1e8;
+        const double gain = 1.0 / (1.0 - 1.4 * ratio + ratio * ratio);
+        for (const double duration_s : {190e-9, 2e-6, 10e-6}) {
+            const FrontResponse tilt(StepResponse{lag}, Front{Front::Kind::Tilt, duration_s});
+            const double x = 0.5 * w * duration_s;
+            const double transform = 2.0 * std::cyl_bessel_i(1.0, x) / x;
+            for (double after_s = 0.1e-6; after_s < 5e-6; after_s *= 2.0) {
+                const double t_s = 0.5 * duration_s + after_s;
+                const double expected = 1.0 - gain * transform * std::exp(-w * t_s);
+                QVERIFY2(std::abs(tilt.at(t_s) - expected) < 1e-12,
+                    qPrintable(QString::number(tilt.at(t_s) - expected)));
+            }
+        }
     }
 }
 
