@@ -13,6 +13,7 @@ namespace dyncal {
 namespace {
 
 constexpr int kDigits = 4;
+constexpr double kLeastChanceTogether = 1e-4; ///< of all differences, where nothing is wrong
 
 /// Where nothing explains the contradiction: all that acts on the quantity.
 std::vector<FindingCause> everythingOn(Compared of)
@@ -144,6 +145,24 @@ std::vector<const WayComparison *> worstOfEach(const std::vector<WayComparison> 
     return worst;
 }
 
+/// None contradicts alone, and still all together are unlikely: a small fault in many shots.
+Finding together(const ComparedShots &shots, const std::vector<ExplainedBy> &explained)
+{
+    std::vector<FindingCause> causes;
+    for (const ExplainedBy &cause : explained)
+        causes.push_back(cause.cause);
+    return {.id = "CHK-005",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "No comparison contradicts alone, but all %1 together leave a chi-square of %2, which happens by chance in %3 % of calibrations: look at the largest differences, and at the causes named."),
+            {std::to_string(shots.rows().size()), numberText(shots.chiSquare(), 3),
+                numberText(100.0 * shots.chance(), 1)}},
+        .value = shots.chance(),
+        .limit = kLeastChanceTogether,
+        .causes = causes};
+}
+
 Finding wrongOrder()
 {
     return {.id = "CHK-004",
@@ -162,10 +181,13 @@ Findings judgeConsistency(const ComparedShots &shots, const std::vector<WayCompa
 {
     Findings findings;
     const auto worst = worstOfEach(checks);
+    const bool unlikely = shots.chance() < kLeastChanceTogether;
     const std::vector<ExplainedBy> explained
-        = worst.empty() ? std::vector<ExplainedBy>() : explanations(shots);
+        = worst.empty() && !unlikely ? std::vector<ExplainedBy>() : explanations(shots);
     for (const WayComparison *check : worst)
         findings.push_back(findingOf(*check, shots, explained, settings));
+    if (worst.empty() && unlikely && !explained.empty())
+        findings.push_back(together(shots, explained));
     if (std::ranges::any_of(checks, [](const WayComparison &check) {
             return check.of == Compared::Levels && !check.agrees();
         }))

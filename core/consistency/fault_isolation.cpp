@@ -4,12 +4,12 @@
 #include "core/consistency/fault_isolation.h"
 
 #include "core/base/distributions.h"
+#include "core/consistency/faults.h"
 
 #include <Eigen/Cholesky>
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <optional>
 
 namespace dyncal {
@@ -17,99 +17,6 @@ namespace {
 
 constexpr double kLeastChance = 1e-3;
 constexpr double kShareLeft = 0.02;
-/// Relative: what no budget holds, so that no difference counts as exact.
-constexpr double kLeftOut = 5e-4;
-
-/// A fault as something to take back from one shot's point; false where it cannot be.
-struct Fault
-{
-    FindingCause cause;
-    double usual; ///< size that is not surprising, in its own unit
-    double largest; ///< beyond, it is not believed
-    bool perShot;
-    std::function<bool(const ShotEvidence &, double, CheckPoint &)> takeBack;
-};
-
-bool changeMolarMass(const ShotEvidence &evidence, double size, CheckPoint &point)
-{
-    point.step.molarMassShift_kg_mol += evidence.molarMass_kg_mol * (std::exp(-2.0 * size) - 1.0);
-    return std::isfinite(evidence.molarMass_kg_mol);
-}
-
-bool changeHumidity(const ShotEvidence &evidence, double size, CheckPoint &point)
-{
-    if (!evidence.measurement)
-        return false;
-    const std::string &gas = evidence.measurement->gas.substance;
-    const double humidity = point.step.state.relativeHumidity + size;
-    if ((gas != "humid-air" && gas != kMoistAir) || humidity < 0.0 || humidity > 1.0)
-        return false;
-    point.step.state.relativeHumidity = humidity;
-    return true;
-}
-
-/// A typed step is used as it is, a typed velocity makes the states.
-bool changeTyped(const ShotEvidence &evidence, double size, CheckPoint &point)
-{
-    const bool velocity = evidence.measurement && !evidence.measurement->velocity.fit;
-    if (evidence.typedStep_Pa)
-        point.step.stepFactor *= std::exp(size);
-    else if (velocity)
-        point.step.velocityShift_m_s
-            += *evidence.measurement->velocity.velocity_m_s * (std::exp(size) - 1.0);
-    return evidence.typedStep_Pa || velocity;
-}
-
-bool changeDelays(const ShotEvidence &evidence, double size_s, CheckPoint &point)
-{
-    for (Index i = 0; i < point.step.delay_s.size(); ++i)
-        if (!evidence.readings[static_cast<std::size_t>(i)].isDut)
-            point.step.delay_s[i] += size_s;
-    return point.step.delay_s.size() > 0;
-}
-
-Fault distanceOf(Index place)
-{
-    return {FindingCause::Distance, 0.02, 0.5, false,
-        [place](const ShotEvidence &evidence, double size_m, CheckPoint &point) {
-            if (place >= point.step.distance_m.size()
-                || evidence.readings[static_cast<std::size_t>(place)].isDut)
-                return false;
-            point.step.distance_m[place] += size_m;
-            return point.step.distance_m[place] > 0.0;
-        }};
-}
-
-std::vector<Fault> faults(Index places)
-{
-    using C = FindingCause;
-    const auto plain = [](const std::function<void(double, CheckPoint &)> &change) {
-        return [change](const ShotEvidence &, double size, CheckPoint &point) {
-            change(size, point);
-            return true;
-        };
-    };
-    std::vector<Fault> list{
-        {C::Typed, 1.0, 4.0, true, changeTyped},
-        {C::Rate, 1.0, 7.0, false,
-            plain([](double s, CheckPoint &p) { p.timeFactor *= std::exp(s); })},
-        {C::Gas, 0.3, 2.0, false, changeMolarMass},
-        {C::Temperature, 10.0, 60.0, false,
-            plain([](double s, CheckPoint &p) { p.step.state.temperature_K += s; })},
-        {C::Humidity, 0.5, 1.0, false, changeHumidity},
-        {C::Pressure, 0.1, 4.0, false,
-            plain([](double s, CheckPoint &p) { p.step.state.pressure_Pa *= std::exp(s); })},
-        {C::Scale, 1.0, 12.0, false,
-            plain([](double s, CheckPoint &p) { p.level *= std::exp(s); })},
-        {C::Scale, 0.1, 12.0, false, plain([](double s, CheckPoint &p) { p.gain *= std::exp(s); })},
-        {C::Attenuation, 0.005, 0.05, false,
-            plain([](double s, CheckPoint &p) { p.step.attenuation_per_m += s; })},
-        {C::Delay, 2e-6, 2e-5, false, changeDelays},
-    };
-    for (Index i = 0; i < places; ++i)
-        list.push_back(distanceOf(i));
-    return list;
-}
 
 /// Least squares over the sizes of one fault.
 class Isolation
@@ -246,116 +153,17 @@ void keepBest(std::vector<ExplainedBy> &list)
 
 } // namespace
 
-ComparedShots::ComparedShots(const std::vector<std::unique_ptr<ShotWays>> &shots)
-{
-    for (const auto &shot : shots)
-        addShot(*shot);
-    finish();
-}
-
-void ComparedShots::addShot(const ShotWays &shot)
-{
-    const auto value = shot.values(shot.nominal());
-    std::vector<Index> known;
-    for (Index way = 0; value && way < value->size() / 2; ++way)
-        if (std::isfinite((*value)[2 * way]) && std::isfinite((*value)[2 * way + 1]))
-            known.push_back(way);
-    const auto measurement = [&](const Eigen::VectorXd &x) -> Result<Eigen::VectorXd> {
-        const auto all = shot.values(shot.at(x));
-        if (!all)
-            return all;
-        Eigen::VectorXd some(2 * std::ssize(known));
-        for (Index i = 0; i < std::ssize(known); ++i)
-            some.segment<2>(2 * i) = all->segment<2>(2 * known[static_cast<std::size_t>(i)]);
-        return some;
-    };
-    const auto budget = value ? propagateGum(shot.inputs(), measurement)
-                              : Result<GumBudget>(tl::unexpected(value.error()));
-    if (budget && !known.empty())
-        m_ways.push_back(&shot);
-    const Message none{DYNCAL_TEXT("core", "One of the two ways gives no value here."), {}};
-    for (std::size_t way = 0; way < shot.made().size(); ++way) {
-        const auto found = std::ranges::find(known, static_cast<Index>(way));
-        if (budget && found != known.end()) {
-            addWay(shot, way, *value, *budget, found - known.begin());
-            continue;
-        }
-        m_comparisons.push_back(shot.made()[way]);
-        m_comparisons.back().missing = budget ? none : budget.error().message;
-    }
-    m_comparisons.insert(m_comparisons.end(), shot.missing().begin(), shot.missing().end());
-}
-
-void ComparedShots::addWay(const ShotWays &shot, std::size_t way, const Eigen::VectorXd &value,
-    const GumBudget &budget, Index at)
-{
-    WayComparison comparison = shot.made()[way];
-    comparison.value_a = value[static_cast<Index>(2 * way)];
-    comparison.value_b = value[static_cast<Index>(2 * way + 1)];
-    const double ratio = comparison.value_a / comparison.value_b;
-    double variance = 0.0;
-    for (const BudgetLine &line : budget.lines) {
-        const double of_a = line.contribution[2 * at];
-        const double of_b = line.contribution[2 * at + 1];
-        variance += (of_a - of_b) * (of_a - of_b);
-        const std::string name = line.input.common
-            ? line.input.quantity
-            : line.input.quantity + "#" + std::to_string(comparison.shot);
-        if (ratio > 0.0)
-            m_contributions[name].emplace_back(
-                std::ssize(m_rows), of_a / comparison.value_a - of_b / comparison.value_b);
-    }
-    comparison.u = std::sqrt(variance);
-    m_comparisons.push_back(std::move(comparison));
-    if (!(ratio > 0.0))
-        return;
-    m_list.push_back(std::log(ratio));
-    m_rows.push_back({m_ways.size() - 1, way});
-}
-
-void ComparedShots::finish()
-{
-    const Index count = std::ssize(m_rows);
-    m_differences = Eigen::Map<const Eigen::VectorXd>(m_list.data(), count);
-    m_covariance = Eigen::MatrixXd::Identity(count, count) * (kLeftOut * kLeftOut);
-    for (const auto &[name, moved] : m_contributions)
-        for (const auto &[row, by] : moved)
-            for (const auto &[other, byOther] : moved)
-                m_covariance(row, other) += by * byOther;
-}
-
-Eigen::VectorXd ComparedShots::differencesAt(const std::vector<CheckPoint> &points) const
-{
-    Eigen::VectorXd differences(std::ssize(m_rows));
-    std::vector<Eigen::VectorXd> values;
-    for (std::size_t i = 0; i < m_ways.size(); ++i) {
-        auto there = m_ways[i]->values(points[i]);
-        if (!there)
-            return {};
-        values.push_back(std::move(*there));
-    }
-    for (Index row = 0; row < differences.size(); ++row) {
-        const auto [shot, way] = m_rows[static_cast<std::size_t>(row)];
-        const auto at = static_cast<Index>(2 * way);
-        const double ratio = values[shot][at] / values[shot][at + 1];
-        if (!(ratio > 0.0 && std::isfinite(ratio)))
-            return {};
-        differences[row] = std::log(ratio);
-    }
-    return differences;
-}
-
 std::vector<ExplainedBy> explanations(const ComparedShots &shots)
 {
     std::vector<ExplainedBy> likely, others;
     const Eigen::VectorXd &d = shots.differences();
     if (d.size() == 0)
         return likely;
-    const double whole = d.dot(shots.covariance().ldlt().solve(d));
+    const double whole = shots.chiSquare();
     Index places = 0;
     for (const ShotWays *ways : shots.ways())
         places = std::max(places, static_cast<Index>(ways->evidence().readings.size()));
-    for (const Fault &fault : faults(places)) {
+    for (const Fault &fault : possibleFaults(places)) {
         auto found = Isolation(shots, fault).find();
         if (!found || found->chiSquare > 0.9 * whole)
             continue;

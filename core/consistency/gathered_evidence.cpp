@@ -92,7 +92,7 @@ ShotEvidence gatherEvidence(const CaptureSet &set, const ShockSettings &settings
     evidence.shot = conditions.shot;
     evidence.measurement = conditions.measurement;
     if (conditions.drivenGas)
-        evidence.molarMass_kg_mol = conditions.drivenGas->constants.molarMass_kg_mol;
+        evidence.gas = conditions.drivenGas->constants;
     if (evidence.measurement && evidence.measurement->arrivals() != nullptr)
         for (const Sighting &sighting : evidence.measurement->arrivals()->sightings)
             evidence.readings.push_back(readingOf(set, shot, sighting, conditions.seen));

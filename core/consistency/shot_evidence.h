@@ -45,7 +45,7 @@ struct ShotEvidence
 {
     Index shot = 0;
     std::optional<StepMeasurement> measurement; ///< empty without a velocity
-    double molarMass_kg_mol = kUnknown; ///< of the driven gas as used
+    Gas gas; ///< constants of the driven gas as used
     std::vector<SideReading> readings;
     std::optional<DriverEvidence> driver;
     std::optional<double> typedStep_Pa;

@@ -12,13 +12,27 @@
 
 namespace dyncal {
 
+namespace {
+
+/// What makes a shock look too slow, or run backwards.
+std::vector<FindingCause> causesOf(const std::string &id)
+{
+    using C = FindingCause;
+    if (id.empty() || id == "SHK-001")
+        return {C::Rate, C::Distance, C::Gas, C::Temperature};
+    return {};
+}
+
+} // namespace
+
 void ShockWork::reportProblem(const Error &error, std::optional<Correction> correction)
 {
     findings.push_back({.id = error.findingId.empty() ? "SHK-001" : error.findingId,
         .severity = conditions.stepTyped ? Severity::Caution : Severity::Block,
         .shot = conditions.shot,
         .message = error.message,
-        .correction = std::move(correction)});
+        .correction = std::move(correction),
+        .causes = causesOf(error.findingId)});
 }
 
 void ShockWork::reportMissing(Message message)

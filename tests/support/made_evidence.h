@@ -75,7 +75,6 @@ inline ShotEvidence madeEvidence(const MadeShot &made, Index shot = 1)
     } else {
         m.velocity = arrivals;
     }
-    evidence.molarMass_kg_mol = Gas{}.molarMass_kg_mol;
     const double step_Pa = states.reflected.pressure_Pa - made.trueP1_Pa;
     const auto used = shockStates(Gas{}, kMadeP1_Pa, kMadeT1_K, *m.velocity.velocity_m_s).value();
     evidence.step_Pa = used.reflected.pressure_Pa - kMadeP1_Pa;

@@ -58,16 +58,25 @@ def limit(item):
     return float(student.ppf(0.99995, item["dof"])) / item["k"]
 
 
-def smallest_visible(results):
-    """Relative, of the step: four combined u of the best check; None without checks."""
+# Which checks an operator's mistake moves at all: others cannot see it, however good they are.
+SEEN_BY = {"typed": ("velocity", "mach", "p2", "p5", "sensitivity"),
+           "distance": ("velocity", "arrival", "mach", "p2", "p5", "sensitivity"),
+           "pressure": ("p2", "p5", "sensitivity"), "scale": ("sensitivity",),
+           **{cause: ("mach", "p2", "p5", "sensitivity")
+              for cause in ("rate", "gas", "temperature", "humidity")}}
+
+
+def smallest_visible(results, causes):
+    """Relative, of the step: four combined u of the best check that the mistake moves; None without one."""
+    words = {word for cause in causes for word in SEEN_BY.get(cause, ())}
     sizes = [STEP_OF[word] * abs(c["u"] / c["value_b"]) for c in results.get("checks") or []
-             if c.get("u") and c.get("value_b") for word in STEP_OF if word in str(c.get("of"))]
+             if c.get("u") and c.get("value_b") for word in words if word in str(c.get("of"))]
     return 4 * min(sizes) if sizes else None
 
 
 def exempt(item, results, truth):
     """An operator's mistake that no check of this run could see."""
-    smallest = smallest_visible(results) if truth["operator"] and item else None
+    smallest = smallest_visible(results, truth["causes"]) if truth["operator"] and item else None
     return smallest is not None and abs(item["value"] / item["true"] - 1) < smallest
 
 

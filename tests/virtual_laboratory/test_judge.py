@@ -65,7 +65,7 @@ class Judge(unittest.TestCase):
     def test_exempt_below_what_the_best_check_sees(self):
         check = {"of": "p2", "value_a": 2e5, "value_b": 2e5, "u": 2e3, "e_n": 0.2}
         seen = judge.judge({**results(), "checks": [check]}, TRUTH)["quantities"]["sensitivity"]
-        self.assertTrue(seen["exempt"])  # 1 % off, 4 x 1 % x 2.18 could be seen
+        self.assertTrue(seen["exempt"])  # 1 % off, 4 x 1 % x 1.3 could be seen
         fine = judge.judge({**results(), "checks": [{**check, "u": 20.0}]}, TRUTH)
         self.assertNotIn("exempt", fine["quantities"]["sensitivity"])
         self.assertEqual(power.combined({"checks": [check]}), {"p2": 0.01})

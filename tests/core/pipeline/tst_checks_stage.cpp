@@ -87,11 +87,13 @@ void TestChecksStage::example_everythingAgrees()
 
 void TestChecksStage::everyComparison_hasUOrAReason()
 {
-    for (const WayComparison &check : resultsOf().checks->checks) {
+    const CalibrationResults results = resultsOf();
+    for (const WayComparison &check : results.checks->checks) {
         if (!check.isMade())
             QVERIFY(!english(*check.missing).empty());
         else if (check.of != Compared::Levels)
-            QVERIFY(check.u > 0.0 && std::isfinite(check.u) && std::isfinite(check.difference()));
+            QVERIFY2(check.u > 0.0 && std::isfinite(check.u) && std::isfinite(check.difference()),
+                comparedName(check.of));
     }
 }
 

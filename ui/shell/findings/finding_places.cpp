@@ -57,6 +57,7 @@ constexpr std::pair<std::string_view, FindingPlace> kPlaces[]{
     {"CHK-002", {Checks, "checkTable"}},
     {"CHK-003", {Checks, "checkTable"}},
     {"CHK-004", {Captures, "shotTable"}},
+    {"CHK-005", {Checks, "checkTable"}},
     {"WIN-001", {Window, "windowEnd"}},
     {"WIN-002", {Window, "baseline"}},
     {"WIN-003", {Window, "settle"}},

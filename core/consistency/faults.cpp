@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/consistency/faults.h"
+
+#include "core/shock/gas_model.h"
+
+#include <cmath>
+
+namespace dyncal {
+namespace {
+
+bool changeMolarMass(const ShotEvidence &evidence, double size, CheckPoint &point)
+{
+    point.step.molarMassShift_kg_mol
+        += evidence.gas.molarMass_kg_mol * (std::exp(-2.0 * size) - 1.0);
+    return true;
+}
+
+/// A mole fraction of another gas among the one that was used: molar masses and heat capacities
+/// add.
+Fault mixtureWith(const NamedGas &other)
+{
+    return {FindingCause::Gas, 1.0, 1.0, false,
+        [&other](const ShotEvidence &evidence, double share, CheckPoint &point) {
+            if (share < 0.0 || share > 1.0)
+                return false;
+            const auto cp_R = [](double gamma) { return gamma / (gamma - 1.0); };
+            const Gas &used = evidence.gas;
+            const double cp = (1.0 - share) * cp_R(used.gamma) + share * cp_R(other.gamma);
+            point.step.gammaShift += cp / (cp - 1.0) - used.gamma;
+            point.step.molarMassShift_kg_mol
+                += share * (other.molarMass_kg_mol - used.molarMass_kg_mol);
+            return true;
+        }};
+}
+
+bool changeHumidity(const ShotEvidence &evidence, double size, CheckPoint &point)
+{
+    if (!evidence.measurement)
+        return false;
+    const std::string &gas = evidence.measurement->gas.substance;
+    const double humidity = point.step.state.relativeHumidity + size;
+    if ((gas != "humid-air" && gas != kMoistAir) || humidity < 0.0 || humidity > 1.0)
+        return false;
+    point.step.state.relativeHumidity = humidity;
+    return true;
+}
+
+/// A typed step is used as it is, a typed velocity makes the states.
+bool changeTyped(const ShotEvidence &evidence, double size, CheckPoint &point)
+{
+    const bool velocity = evidence.measurement && !evidence.measurement->velocity.fit;
+    if (evidence.typedStep_Pa)
+        point.step.stepFactor *= std::exp(size);
+    else if (velocity)
+        point.step.velocityShift_m_s
+            += *evidence.measurement->velocity.velocity_m_s * (std::exp(size) - 1.0);
+    return evidence.typedStep_Pa || velocity;
+}
+
+bool changeDelays(const ShotEvidence &evidence, double size_s, CheckPoint &point)
+{
+    for (Index i = 0; i < point.step.delay_s.size(); ++i)
+        if (!evidence.readings[static_cast<std::size_t>(i)].isDut)
+            point.step.delay_s[i] += size_s;
+    return point.step.delay_s.size() > 0;
+}
+
+Fault distanceOf(Index place)
+{
+    return {FindingCause::Distance, 0.02, 0.5, false,
+        [place](const ShotEvidence &evidence, double size_m, CheckPoint &point) {
+            if (place >= point.step.distance_m.size()
+                || evidence.readings[static_cast<std::size_t>(place)].isDut)
+                return false;
+            point.step.distance_m[place] += size_m;
+            return point.step.distance_m[place] > 0.0;
+        }};
+}
+
+} // namespace
+
+std::vector<Fault> possibleFaults(Index places)
+{
+    using C = FindingCause;
+    const auto plain = [](const std::function<void(double, CheckPoint &)> &change) {
+        return [change](const ShotEvidence &, double size, CheckPoint &point) {
+            change(size, point);
+            return true;
+        };
+    };
+    std::vector<Fault> list{
+        {C::Typed, 1.0, 4.0, true, changeTyped},
+        {C::Rate, 1.0, 7.0, false,
+            plain([](double s, CheckPoint &p) { p.timeFactor *= std::exp(s); })},
+        {C::Gas, 0.3, 2.0, false, changeMolarMass},
+        {C::Temperature, 10.0, 60.0, false,
+            plain([](double s, CheckPoint &p) { p.step.state.temperature_K += s; })},
+        {C::Humidity, 0.5, 1.0, false, changeHumidity},
+        {C::Pressure, 0.1, 4.0, false,
+            plain([](double s, CheckPoint &p) { p.step.state.pressure_Pa *= std::exp(s); })},
+        {C::Scale, 1.0, 12.0, false,
+            plain([](double s, CheckPoint &p) { p.level *= std::exp(s); })},
+        {C::Scale, 0.1, 12.0, false, plain([](double s, CheckPoint &p) { p.gain *= std::exp(s); })},
+        {C::Attenuation, 0.005, 0.05, false,
+            plain([](double s, CheckPoint &p) { p.step.attenuation_per_m += s; })},
+        {C::Delay, 2e-6, 2e-5, false, changeDelays},
+    };
+    for (const NamedGas &gas : knownGases())
+        list.push_back(mixtureWith(gas));
+    for (Index i = 0; i < places; ++i)
+        list.push_back(distanceOf(i));
+    return list;
+}
+
+} // namespace dyncal
