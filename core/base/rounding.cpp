@@ -97,6 +97,26 @@ std::string withUnit(const std::string &number, const std::string &unit)
     return unit.empty() ? number : number + " " + unit;
 }
 
+/// A finite value to so many significant digits, without an uncertainty.
+RoundedValue toDigits(double value, int digits, std::string_view unit)
+{
+    value = value == 0.0 ? 0.0 : roundedTo(value, digits);
+    const int place = value == 0.0 ? 0 : exponentOf(std::abs(value)) - digits + 1;
+    const Scale scale = chooseScale(std::abs(value), unit);
+    return {fixedText(scaled(value, scale.exponent), value == 0.0 ? 0 : scale.exponent - place), {},
+        scale.symbol + std::string(unit)};
+}
+
+/// The fewest significant digits, up to `most`, that `value` rounded to `most` has.
+int digitsNeeded(double value, int most)
+{
+    const double target = roundedTo(value, most);
+    int digits = 1;
+    while (digits < most && roundedTo(value, digits) != target)
+        ++digits;
+    return digits;
+}
+
 } // namespace
 
 std::string fixedText(double value, int decimals)
@@ -119,36 +139,55 @@ std::string fixedText(double value, int decimals)
     return text;
 }
 
-RoundedValue roundedValue(double value, double u, std::string_view unit)
+RoundedValue roundedValue(double value, double u, std::string_view unit, int digits)
 {
     if (!std::isfinite(value))
         return {"\xE2\x80\x93", {}, {}};
     // Rounded first, in the unit given: scaling first could change the direction in which a tie is
     // rounded, and 999.99 could become 1000 after the prefix was chosen.
     const bool known = std::isfinite(u) && u > kFinestUncertainty * std::abs(value);
-    u = known ? roundedTo(u, kUncertaintyDigits) : 0.0;
-    int place = 0;
-    if (known) {
-        place = exponentOf(u) - kUncertaintyDigits + 1;
-        value = roundedToPlace(value, place);
-    } else if (value != 0.0) {
-        value = roundedTo(value, kDigitsWithoutUncertainty);
-        place = exponentOf(std::abs(value)) - kDigitsWithoutUncertainty + 1;
-    }
+    if (!known)
+        return toDigits(value, digits, unit);
+    u = roundedTo(u, kUncertaintyDigits);
+    const int place = exponentOf(u) - kUncertaintyDigits + 1;
+    value = roundedToPlace(value, place);
     const Scale scale = chooseScale(std::max(std::abs(value), u), unit);
-    const int decimals = known || value != 0.0 ? scale.exponent - place : 0;
+    const int decimals = scale.exponent - place;
 
     RoundedValue result;
     result.unit = scale.symbol + std::string(unit);
     result.value = fixedText(scaled(value, scale.exponent), decimals);
-    if (known)
-        result.u = fixedText(scaled(u, scale.exponent), decimals);
+    result.u = fixedText(scaled(u, scale.exponent), decimals);
     return result;
 }
 
 std::string roundedText(double value, double u, std::string_view unit)
 {
     const RoundedValue rounded = roundedValue(value, u, unit);
+    return withUnit(rounded.value, rounded.unit);
+}
+
+std::string settingText(double value, std::string_view unit, int mostDigits)
+{
+    if (!std::isfinite(value) || value == 0.0)
+        return roundedText(value, 0.0, unit);
+    const RoundedValue rounded = toDigits(value, digitsNeeded(value, mostDigits), unit);
+    return withUnit(rounded.value, rounded.unit);
+}
+
+std::string boundText(double value, Bound bound, std::string_view unit)
+{
+    constexpr double kRounding = 1e-9; // of the last digit: 4e6 is itself, whatever its last bit
+    if (!std::isfinite(value) || value == 0.0)
+        return roundedText(value, 0.0, unit);
+    const double grain
+        = std::pow(10.0, exponentOf(std::abs(value)) - kDigitsWithoutUncertainty + 1);
+    const double count = value / grain;
+    const double whole
+        = bound == Bound::Lower ? std::floor(count + kRounding) : std::ceil(count - kRounding);
+    if (!std::isfinite(whole * grain)) // at the ends of what a double holds
+        return roundedText(value, 0.0, unit);
+    const RoundedValue rounded = toDigits(whole * grain, kDigitsWithoutUncertainty, unit);
     return withUnit(rounded.value, rounded.unit);
 }
 

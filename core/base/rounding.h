@@ -8,8 +8,11 @@
 
 namespace dyncal {
 
-/// Significant digits of a value whose uncertainty is not known.
-inline constexpr int kDigitsWithoutUncertainty = 5;
+/// Significant digits of a value whose uncertainty is not known: more would claim to know it better
+/// than 0.5 %.
+inline constexpr int kDigitsWithoutUncertainty = 3;
+/// Most significant digits of a setting or a reading, which is quoted and not claimed.
+inline constexpr int kDigitsOfSettings = 4;
 
 /// A value and its uncertainty as printed: the same unit, the same number of decimals.
 struct RoundedValue
@@ -21,14 +24,27 @@ struct RoundedValue
 
 /// Rounds for print (GUM 7.2.6): u to two significant digits, the value to the decimal of the last
 /// of them. Without a known u (not finite, not positive, or below 1e-12 of the value, where only
-/// rounding errors are left) five significant digits. Units that take SI prefixes get the one that
+/// rounding errors are left) three significant digits. Units that take SI prefixes get the one that
 /// brings the larger of |value| and u into 1..1000; outside 1e-18..1e18, and for other units
 /// outside 1e-4..1e6, a power of ten stands before the unit. A value that is not finite is a dash
 /// without unit.
-RoundedValue roundedValue(double value, double u, std::string_view unit);
+/// A page where numbers are worked with may ask for more `digits`; a certificate never does.
+RoundedValue roundedValue(double value, double u, std::string_view unit,
+    int digits = kDigitsWithoutUncertainty);
 
 /// "2.3301 MHz".
 std::string roundedText(double value, double u, std::string_view unit);
+
+/// A setting, a count or a reading, which has no uncertainty of its own: no more digits than it
+/// has, at most `mostDigits`: "10 MHz", "101.1 kPa". Unit as in roundedText().
+std::string settingText(double value, std::string_view unit, int mostDigits = kDigitsOfSettings);
+
+/// Of which side of a bound the value lies: "above" a lower one.
+enum class Bound { Lower, Upper };
+
+/// A bound to three significant digits, rounded so that it stays true: a lower one down, an upper
+/// one up. Unit as in roundedText().
+std::string boundText(double value, Bound bound, std::string_view unit);
 
 /// "2.3301 MHz (u = 0.0012 MHz)"; without a known u as roundedText.
 std::string roundedTextWithU(double value, double u, std::string_view unit);

@@ -109,7 +109,7 @@ std::vector<ShownResult> shownColumn(const std::vector<Estimate> &values, const 
     std::optional<int> highest;
     std::string shownUnit = base;
     for (const Estimate &one : values) {
-        rounded.push_back(roundedValue(one.value, one.u, base));
+        rounded.push_back(roundedValue(one.value, one.u, base, kDigitsOnPages));
         const std::optional<int> exponent = prefixExponent(rounded.back().unit, base);
         if (std::isfinite(one.value) && one.value != 0.0 && exponent
             && (!highest || *exponent > *highest)) {

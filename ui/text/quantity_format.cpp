@@ -76,12 +76,12 @@ QString shownQuantity(const std::optional<double> &value, const QString &unit, i
     return value ? shownQuantity(*value, unit, digits) : nothing();
 }
 
-ShownResult shownResult(double value, double u, const QString &unit)
+ShownResult shownResult(double value, double u, const QString &unit, int digits)
 {
     if (!std::isfinite(value))
         return {nothing(), nothing()};
-    const RoundedValue rounded
-        = roundedValue(value, u, unit == "1" ? std::string() : presentable(unit.toStdString()));
+    const RoundedValue rounded = roundedValue(
+        value, u, unit == "1" ? std::string() : presentable(unit.toStdString()), digits);
     const auto shown = [&rounded](const std::string &number) {
         const QString text = inLanguage(number);
         return rounded.unit.empty()
@@ -91,9 +91,9 @@ ShownResult shownResult(double value, double u, const QString &unit)
     return {shown(rounded.value), rounded.u.empty() ? nothing() : shown(rounded.u)};
 }
 
-QString shownWithU(double value, double u, const QString &unit)
+QString shownWithU(double value, double u, const QString &unit, int digits)
 {
-    const ShownResult shown = shownResult(value, u, unit);
+    const ShownResult shown = shownResult(value, u, unit, digits);
     return shown.u == nothing() ? shown.value : shown.value + QStringLiteral(" ± ") + shown.u;
 }
 

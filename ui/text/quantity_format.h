@@ -21,16 +21,18 @@ QString shownQuantity(const std::optional<double> &value, const QString &unit, i
 QString shownQuantityBeside(double value, double beside, const QString &unit, int digits);
 
 /// A value to the digits of its standard uncertainty, and that uncertainty in the same unit (GUM
-/// 7.2.6, core/base/rounding.h): {"2.329980 MHz", "0.000012 MHz"}. Without a known u five digits
-/// and "–".
+/// 7.2.6, core/base/rounding.h): {"2.329980 MHz", "0.000012 MHz"}. Without a known u `digits`
+/// and "–": a page is where numbers are worked with, also before their uncertainty is computed;
+/// what is a result has three (kDigitsWithoutUncertainty).
 struct ShownResult
 {
     QString value;
     QString u;
 };
-ShownResult shownResult(double value, double u, const QString &unit);
+inline constexpr int kDigitsOnPages = 5;
+ShownResult shownResult(double value, double u, const QString &unit, int digits = kDigitsOnPages);
 /// "2.329980 MHz ± 0.000012 MHz"; without a known u the value alone.
-QString shownWithU(double value, double u, const QString &unit);
+QString shownWithU(double value, double u, const QString &unit, int digits = kDigitsOnPages);
 
 /// A number, a quantity or a range of them as core writes it ("1.5 ms", "0.1 to 2e-3", "99.9 %"),
 /// in the decimal mark of the language; any other text as it is.

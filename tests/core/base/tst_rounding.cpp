@@ -11,11 +11,14 @@
 #include <limits>
 #include <random>
 
+using dyncal::Bound;
+using dyncal::boundText;
 using dyncal::fixedText;
 using dyncal::roundedText;
 using dyncal::roundedTextWithU;
 using dyncal::RoundedValue;
 using dyncal::roundedValue;
+using dyncal::settingText;
 
 namespace {
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
@@ -28,8 +31,12 @@ class TestRounding : public QObject
 private slots:
     void rounded_knownUncertainty_twoDigitsOfIt_data();
     void rounded_knownUncertainty_twoDigitsOfIt();
-    void rounded_noUncertainty_fiveDigits_data();
-    void rounded_noUncertainty_fiveDigits();
+    void rounded_noUncertainty_threeDigits_data();
+    void rounded_noUncertainty_threeDigits();
+    void workingView_mayAskForMoreDigits();
+    void setting_hasTheDigitsOfItself_data();
+    void setting_hasTheDigitsOfItself();
+    void bound_staysTrueWhenRounded();
     void textWithU_bothInOneUnitWithEqualDecimals();
     void rounded_randomValues_isWithinHalfOfLastDigit();
     void fixed_negativeZero_hasNoSign();
@@ -78,7 +85,7 @@ void TestRounding::rounded_knownUncertainty_twoDigitsOfIt()
     QTEST(QString::fromStdString(rounded.unit), "shownUnit");
 }
 
-void TestRounding::rounded_noUncertainty_fiveDigits_data()
+void TestRounding::rounded_noUncertainty_threeDigits_data()
 {
     QTest::addColumn<double>("value");
     QTest::addColumn<QString>("unit");
@@ -86,26 +93,26 @@ void TestRounding::rounded_noUncertainty_fiveDigits_data()
     const auto row = [](const char *name, double value, const char *unit, const char *text) {
         QTest::newRow(name) << value << QString::fromUtf8(unit) << QString::fromUtf8(text);
     };
-    row("prefix", 434498.068, "Pa", "434.50 kPa");
-    row("trailing zeros stay", 2.0, "V", "2.0000 V");
+    row("prefix", 434498.068, "Pa", "434 kPa");
+    row("trailing zeros stay", 2.0, "V", "2.00 V");
     row("zero", 0.0, "Hz", "0 Hz");
-    row("no unit", 1.49044774, "", "1.4904");
-    row("carry", 99.9999, "%", "100.00 %");
-    row("carry into prefix", 999.999, "Hz", "1.0000 kHz");
-    row("micro", 1.63e-3, "s", "1.6300 ms");
-    row("milli edge", 1.0e-3, "s", "1.0000 ms");
-    row("below milli", 0.999e-3, "s", "999.00 \xC2\xB5s");
-    row("kelvin takes none", 294.15, "K", "294.15 K");
+    row("no unit", 1.49044774, "", "1.49");
+    row("carry", 99.9999, "%", "100 %");
+    row("carry into prefix", 999.999, "Hz", "1.00 kHz");
+    row("micro", 1.63e-3, "s", "1.63 ms");
+    row("milli edge", 1.0e-3, "s", "1.00 ms");
+    row("below milli", 0.999e-3, "s", "999 \xC2\xB5s");
+    row("kelvin takes none", 294.15, "K", "294 K");
     row("tiny without prefix", 1.23456789e-7, "",
-        "1.2346 \xC3\x97"
+        "1.23 \xC3\x97"
         "10^-7");
     row("huge without prefix", 4.5e8, "K",
-        "4.5000 \xC3\x97"
+        "4.50 \xC3\x97"
         "10^8 K");
     row("beyond giga", 5e13, "Hz", "50000 GHz");
 }
 
-void TestRounding::rounded_noUncertainty_fiveDigits()
+void TestRounding::rounded_noUncertainty_threeDigits()
 {
     QFETCH(double, value);
     QFETCH(QString, unit);
@@ -113,11 +120,78 @@ void TestRounding::rounded_noUncertainty_fiveDigits()
         QTEST(QString::fromStdString(roundedText(value, none, unit.toStdString())), "text");
 }
 
+void TestRounding::workingView_mayAskForMoreDigits()
+{
+    QCOMPARE(roundedValue(434498.068, kNan, "Pa", 5).value, "434.50");
+    QCOMPARE(roundedValue(434498.068, 260.0, "Pa", 5).value, "434.50"); // u decides where known
+}
+
+void TestRounding::setting_hasTheDigitsOfItself_data()
+{
+    QTest::addColumn<double>("value");
+    QTest::addColumn<QString>("unit");
+    QTest::addColumn<QString>("text");
+    const auto row = [](const char *name, double value, const char *unit, const char *text) {
+        QTest::newRow(name) << value << QString(unit) << QString::fromUtf8(text);
+    };
+    row("round", 10e6, "Hz", "10 MHz");
+    row("tens", 250e6, "Hz", "250 MHz");
+    row("hundreds", 100e6, "Hz", "100 MHz");
+    row("two digits", 1.25e6, "Hz", "1.25 MHz");
+    row("four digits", 101100.0, "Pa", "101.1 kPa");
+    row("rounded to four", 294.18, "K", "294.2 K");
+    row("carry", 999.96, "K", "1000 K");
+    row("third octave", 125892.54, "Hz", "125.9 kHz");
+    row("small", 1.5e-6, "s", "1.5 \xC2\xB5s");
+    row("negative", -0.25, "V", "-250 mV");
+    row("no unit", 0.5, "", "0.5");
+    row("zero", 0.0, "s", "0 s");
+    row("none", kNan, "s", "\xE2\x80\x93");
+}
+
+void TestRounding::setting_hasTheDigitsOfItself()
+{
+    QFETCH(double, value);
+    QFETCH(QString, unit);
+    QTEST(QString::fromStdString(settingText(value, unit.toStdString())), "text");
+}
+
+void TestRounding::bound_staysTrueWhenRounded()
+{
+    QCOMPARE(boundText(1.9953e6, Bound::Lower, "Hz"), "1.99 MHz");
+    QCOMPARE(boundText(1.9953e6, Bound::Upper, "Hz"), "2.00 MHz");
+    // A bound of three digits is itself, whatever the last bit of the double says.
+    for (const double bound : {4e6, 0.4 * 1e7, 0.4 * 12.5e6, 1e6 * (1.0 - 1e-15), 3.0 * 0.1e6}) {
+        QCOMPARE(boundText(bound, Bound::Lower, "Hz"), roundedText(bound, kNan, "Hz"));
+        QCOMPARE(boundText(bound, Bound::Upper, "Hz"), roundedText(bound, kNan, "Hz"));
+    }
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> decade(-8.0, 8.0);
+    for (int i = 0; i < 5000; ++i) {
+        const double bound = std::pow(10.0, decade(random));
+        const double grain = std::pow(10.0, std::floor(std::log10(bound)) - 2.0);
+        const auto read = [](const std::string &text) {
+            const auto blank = text.find("\xC3\x97"
+                                         "10^");
+            const double scale = blank == std::string::npos
+                ? 1.0
+                : std::pow(10.0, std::stoi(text.substr(blank + 5)));
+            return *dyncal::parseNumber(text.substr(0, text.find(' '))) * scale;
+        };
+        const double low = read(boundText(bound, Bound::Lower, "K"));
+        const double high = read(boundText(bound, Bound::Upper, "K"));
+        QVERIFY(low <= bound * (1.0 + 1e-11) && low > bound - grain * (1.0 + 1e-6));
+        QVERIFY(high >= bound * (1.0 - 1e-11) && high < bound + grain * (1.0 + 1e-6));
+    }
+    QCOMPARE(boundText(0.0, Bound::Lower, "Hz"), "0 Hz");
+    QCOMPARE(boundText(kNan, Bound::Upper, "Hz"), "\xE2\x80\x93");
+}
+
 void TestRounding::textWithU_bothInOneUnitWithEqualDecimals()
 {
     QCOMPARE(roundedTextWithU(2329980.4, 12.04, "Hz"), "2.329980 MHz (u = 0.000012 MHz)");
     QCOMPARE(roundedTextWithU(0.02, 5e-6, ""), "0.0200000 (u = 0.0000050)");
-    QCOMPARE(roundedTextWithU(0.02, kNan, ""), "0.020000");
+    QCOMPARE(roundedTextWithU(0.02, kNan, ""), "0.0200");
 }
 
 void TestRounding::rounded_randomValues_isWithinHalfOfLastDigit()

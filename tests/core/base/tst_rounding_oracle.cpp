@@ -65,11 +65,11 @@ for line in open(sys.argv[1], encoding='utf-8'):
         if utext:
             problems.append('u from nowhere')
         if value != 0:
-            place = Decimal(10) ** (value.adjusted() - 4)
+            place = Decimal(10) ** (value.adjusted() - 2)
             if abs(Decimal(text) * scale - value) > place * Decimal('0.5000000001'):
                 problems.append('value')
             digits = text.replace('.', '').lstrip('-0')
-            if len(digits) != 5 and '.' in text:
+            if len(digits) != 3 and '.' in text:
                 problems.append('digits')
         larger = abs(Decimal(text))
     if text.startswith('-0') and not text.strip('-0.'):
