@@ -129,6 +129,7 @@ public:
             result.riseTime_s = *m_t90 - *m_t10;
         result.settlingTime_s = m_settled;
         result.overshoot_percent = std::max(0.0, 100.0 * (top() - 1.0));
+        result.top_s = m_topTime_s;
     }
 
 private:

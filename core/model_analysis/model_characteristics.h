@@ -10,7 +10,8 @@
 
 namespace dyncal {
 
-/// Characteristics of the model's step response and bands, all from the parametric model.
+/// Characteristics of the model's step response and bands, all from the parametric model, wherever
+/// they lie: what of them may be stated is statedCharacteristics().
 struct StepCharacteristics
 {
     std::optional<double> riseTime_s;
@@ -19,8 +20,11 @@ struct StepCharacteristics
     std::optional<double> within5percent_Hz;
     std::optional<double> within10percent_Hz;
     std::optional<double> minus3dB_Hz;
+    std::optional<double> top_s = std::nullopt; ///< where the response is highest, after the onset
 };
 
+/// Closed: of the continuous model, so that neither rate nor window limits them
+/// (docs/method/response.md). Empty for a free decay and where a pole does not decay.
 StepCharacteristics stepCharacteristics(const SensorModel &model, ResponseTreatment treatment);
 
 } // namespace dyncal

@@ -25,6 +25,7 @@ constexpr double kHighestOfRate = 0.4;
 constexpr double kPeriodsKept
     = 20.0; ///< of the frequency asked, at least, where the window has them
 constexpr Index kCurvePoints = 600;
+constexpr double kRoundingOfLimit = 1e-9;
 
 /// One shot's contribution: its response, its series of the model input, its scale.
 struct ShotView
@@ -203,6 +204,32 @@ double upperLimit_Hz(
     return kHighestOfRate * rate_Hz;
 }
 
+CharacteristicsGap gapOf(const SensorModel &model, bool isStep)
+{
+    if (!isStep)
+        return CharacteristicsGap::FreeDecay;
+    if (model.diverges)
+        return CharacteristicsGap::Diverges;
+    return isLevelKnown(model) ? CharacteristicsGap::None : CharacteristicsGap::LevelUnknown;
+}
+
+/// Where the answers end. The refinement fits the records at their own rate, but the poles that it
+/// starts from are those that the model's rate can hold.
+void setLimits(const std::vector<WindowedResponse> &responses, const ModelInput &input,
+    const SensorModel &model, ResponseResult &result)
+{
+    const double rate_Hz = lowestRate_Hz(responses);
+    const bool isStep = isStepTreatment(input.treatment);
+    result.window_s = shortestWindow_s(responses);
+    result.modelLimit_Hz = 0.5 * input.sampleRate_Hz;
+    result.resolution_s = 1.0 / (model.refined ? rate_Hz : input.sampleRate_Hz);
+    result.fLow_Hz = 1.0 / result.window_s;
+    result.fHigh_Hz = kHighestOfRate * rate_Hz;
+    if (!isStep)
+        result.fHigh_Hz = std::min(result.fHigh_Hz, result.modelLimit_Hz);
+    result.gap = gapOf(model, isStep);
+}
+
 /// No values above 0.4 of the slowest record's rate: S(f) of samples repeats itself there.
 void measure(
     const std::vector<ShotView> &shots, double span_s, double rate_Hz, ResponseResult &result)
@@ -212,7 +239,7 @@ void measure(
         {&result.magnitude, &result.u_magnitude, &result.phase_rad, &result.u_phase_rad})
         values->setConstant(count, kUnknown);
     for (Index k = 0; k < count; ++k) {
-        if (!(result.frequency_Hz[k] <= (1.0 + 1e-9) * kHighestOfRate * rate_Hz))
+        if (!(result.frequency_Hz[k] <= (1.0 + kRoundingOfLimit) * kHighestOfRate * rate_Hz))
             continue;
         const Point point = measuredAt(shots, span_s, result.frequency_Hz[k]);
         result.magnitude[k] = std::abs(point.S);
@@ -258,15 +285,21 @@ void describeModel(
     const Index count = result.frequency_Hz.size();
     result.modelMagnitude.resize(count);
     result.modelPhase_rad.resize(count);
-    const double top_Hz
-        = std::max(count ? result.frequency_Hz.maxCoeff() : result.fHigh_Hz, result.fHigh_Hz);
-    result.modelCurve = modelCurve(model, treatment, result.fLow_Hz, 1.25 * top_Hz, kCurvePoints);
+    const bool isStep = isStepTreatment(treatment);
+    const double top_Hz = isStep
+        ? 1.25 * std::max(count ? result.frequency_Hz.maxCoeff() : result.fHigh_Hz, result.fHigh_Hz)
+        : result.fHigh_Hz; // nothing measured stands beside the model there
+    result.modelCurve = modelCurve(model, treatment, result.fLow_Hz, top_Hz, kCurvePoints);
     const double turn_rad = turnOf_rad(model, scale);
     result.modelCurve.magnitude *= std::abs(scale);
     result.modelCurve.phase_rad.array() += turn_rad;
     UnwrappedPhase phase(model, treatment);
     for (Index k = 0; k < count; ++k) {
         const double f_Hz = result.frequency_Hz[k];
+        if (!isStep && !(f_Hz <= (1.0 + kRoundingOfLimit) * result.modelLimit_Hz)) {
+            result.modelMagnitude[k] = result.modelPhase_rad[k] = kUnknown;
+            continue;
+        }
         result.modelMagnitude[k] = std::abs(scale * modelResponse(model, treatment, f_Hz));
         result.modelPhase_rad[k] = phase.at(f_Hz) + turn_rad;
     }
@@ -368,8 +401,7 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
     const bool isStep = isStepTreatment(input.treatment);
     const double span_s = inputSpan_s(input);
     const double rate_Hz = lowestRate_Hz(responses);
-    result.fLow_Hz = 1.0 / shortestWindow_s(responses);
-    result.fHigh_Hz = kHighestOfRate * rate_Hz;
+    setLimits(responses, input, model, result);
     if (isLevelKnown(model))
         result.characteristics = stepCharacteristics(model, input.treatment);
 

@@ -18,11 +18,15 @@
 
 #include <Eigen/Core>
 
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace dyncal {
+
+/// Why a model has no characteristics.
+enum class CharacteristicsGap { None, FreeDecay, Diverges, LevelUnknown };
 
 struct ResponseResult
 {
@@ -34,9 +38,15 @@ struct ResponseResult
     Eigen::VectorXd modelMagnitude;
     Eigen::VectorXd modelPhase_rad;
     double fLow_Hz = 0.0; ///< 1 / shortest window
-    double fHigh_Hz = 0.0; ///< where the noise exceeds 10 % of the magnitude, or 0.4 rate
+    /// Where the noise exceeds 10 % of the magnitude, at most 0.4 of the record's rate; of a free
+    /// decay, which has the model's answer only, also at most half the model's rate.
+    double fHigh_Hz = 0.0;
     std::string unit; ///< "V/Pa" with a pressure step, "1" without
-    StepCharacteristics characteristics;
+    StepCharacteristics characteristics; ///< what may be stated: stated_characteristics.h
+    CharacteristicsGap gap = CharacteristicsGap::None;
+    double modelLimit_Hz = std::numeric_limits<double>::infinity(); ///< half the model's rate
+    double window_s = std::numeric_limits<double>::infinity(); ///< the shortest
+    double resolution_s = 0.0; ///< between the samples that the model was fitted to, the longest
     std::vector<ShotSensitivity> shots;
     std::optional<double> sensitivity; ///< mean over the shots
     std::string sensitivityUnit;

@@ -453,6 +453,52 @@ private slots:
         QCOMPARE(result.modelMagnitude.size(), Index(6));
     }
 
+    void freeDecay_endsAtHalfTheRateOfTheModel()
+    {
+        // Nothing measured stands beside the model, and above half its rate it says nothing.
+        Calibration calibration = secondOrder();
+        calibration.input.treatment = ResponseTreatment::Impulse;
+        calibration.input.sampleRate_Hz = 1e6;
+        const ResponseResult listed = calibration.run();
+        QVERIFY(std::abs(listed.fHigh_Hz / 5e5 - 1.0) < kRounding);
+        QVERIFY(std::isfinite(listed.modelMagnitude[4]) && std::isfinite(listed.modelPhase_rad[4]));
+        QVERIFY(std::isnan(listed.modelMagnitude[5]) && std::isnan(listed.modelPhase_rad[5]));
+        QVERIFY(listed.modelCurve.frequency_Hz.maxCoeff() <= 5e5 * (1.0 + kRounding));
+        for (const char *grid : {"third-octave", "linear"}) {
+            calibration.settings.grid = grid;
+            const ResponseResult result = calibration.run();
+            QVERIFY(result.frequency_Hz.size() > 5);
+            QVERIFY(result.frequency_Hz.maxCoeff() <= 5e5 * (1.0 + kRounding));
+            QVERIFY(result.modelMagnitude.allFinite());
+        }
+    }
+
+    void limitsOfTheAnswers_areThoseOfRecordsAndModel()
+    {
+        Calibration calibration = secondOrder();
+        calibration.input.sampleRate_Hz = 0.25 * kRate_Hz;
+        ResponseResult result = calibration.run();
+        QVERIFY(std::abs(result.modelLimit_Hz / (0.125 * kRate_Hz) - 1.0) < kRounding);
+        QVERIFY(std::abs(result.fHigh_Hz / (0.4 * kRate_Hz) - 1.0) < kRounding); // of the records
+        QVERIFY(std::abs(result.resolution_s * 0.25 * kRate_Hz - 1.0) < kRounding);
+        QVERIFY(std::abs(result.window_s * result.fLow_Hz - 1.0) < kRounding);
+        calibration.model.refined = true; // on the records themselves
+        result = calibration.run();
+        QVERIFY(std::abs(result.resolution_s * kRate_Hz - 1.0) < kRounding);
+    }
+
+    void gap_saysWhyThereAreNoCharacteristics()
+    {
+        Calibration calibration = secondOrder();
+        QCOMPARE(int(calibration.run().gap), int(CharacteristicsGap::None));
+        calibration.model.series[0].u_plateauGain = 0.2;
+        QCOMPARE(int(calibration.run().gap), int(CharacteristicsGap::LevelUnknown));
+        calibration.model.diverges = true;
+        QCOMPARE(int(calibration.run().gap), int(CharacteristicsGap::Diverges));
+        calibration.input.treatment = ResponseTreatment::Impulse;
+        QCOMPARE(int(calibration.run().gap), int(CharacteristicsGap::FreeDecay));
+    }
+
     void divergingModel_givesNoResponse()
     {
         Calibration calibration = secondOrder();
