@@ -3,9 +3,12 @@
 
 #include "core/certificate/certificate.h"
 
+#include "core/certificate/certificate_conditions_section.h"
+#include "core/certificate/certificate_frequency_section.h"
 #include "core/certificate/certificate_header_sections.h"
 #include "core/certificate/certificate_method_sections.h"
 #include "core/certificate/certificate_result_sections.h"
+#include "core/certificate/certificate_templates.h"
 #include "core/certificate/certificate_words.h"
 
 #include <map>
@@ -24,12 +27,13 @@ CertificateData makeCertificate(
     if (const auto number = fields.find("certificate_number");
         number != fields.end() && !isBlank(number->second))
         data.number = number->second;
-    data.title = {DYNCAL_TEXT("core", "Certificate of dynamic calibration"), {}};
+    data.title = certificateTitle(calibrationKind(results, recipe));
     data.sections = {administrativeSection(recipe), itemSection(results, recipe),
-        methodSection(results, recipe), conditionsSection(results, recipe), resultsSection(results),
-        shotsSection(results), modelSection(results, recipe), frequencyResponseSection(results),
+        methodSection(results, recipe), conditionsSection(results, recipe),
+        resultsSection(results, recipe), shotsSection(results, recipe),
+        modelSection(results, recipe), frequencyResponseSection(results, recipe),
         remarksSection(results, recipe), recordsSection(results, createdUtc), statementsSection(),
-        figuresSection(results)};
+        figuresSection(results, recipe)};
     return data;
 }
 

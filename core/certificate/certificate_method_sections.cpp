@@ -6,6 +6,7 @@
 #include "core/base/constants.h"
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
+#include "core/certificate/certificate_templates.h"
 #include "core/certificate/certificate_words.h"
 #include "core/realization/order/order_spread.h"
 
@@ -47,85 +48,6 @@ CertificateField methodField(const Recipe &recipe)
     return {"method_id", {DYNCAL_TEXT("core", "Method"), {}},
         there ? verbatim(typed->second) : Message{DYNCAL_TEXT("core", "to be filled in"), {}},
         !there};
-}
-
-/// Range of one recorded environmental quantity over the included shots.
-Message environmentRange(
-    const CalibrationResults &results, double Environment::*quantity, std::string_view unit)
-{
-    std::optional<double> lowest;
-    std::optional<double> highest;
-    if (results.captures)
-        for (const Shot &shot : results.captures->set.shots) {
-            const double value = shot.environment.*quantity;
-            if (!shot.included || !std::isfinite(value))
-                continue;
-            lowest = std::min(lowest.value_or(value), value);
-            highest = std::max(highest.value_or(value), value);
-        }
-    if (!lowest)
-        return {DYNCAL_TEXT("core", "not determined (not recorded)"), {}};
-    const std::string low = roundedText(*lowest, kUnknown, unit);
-    const std::string high = roundedText(*highest, kUnknown, unit);
-    return verbatim(low == high ? low : low + " \xE2\x80\xA6 " + high);
-}
-
-ShotLevel levelOf(const CalibrationResults &results, Index shot)
-{
-    const auto position = static_cast<std::size_t>(shot - 1);
-    if (!results.captures || shot < 1 || position >= results.captures->set.shots.size())
-        return ShotLevel::None;
-    return results.captures->set.shots[position].level;
-}
-
-/// The step, its U and the coverage factor k of U.
-struct StepCells
-{
-    Message step;
-    Message expanded{DYNCAL_TEXT("core", "not determined"), {}};
-    Message k = dash();
-};
-
-std::optional<double> stepUncertainty_Pa(const ShockConditions &shot)
-{
-    const bool computed = shot.uncertainty && shot.step_Pa && !shot.stepTyped;
-    return computed ? shot.uncertainty->u(StepResult::Step) : std::nullopt;
-}
-
-StepCells stepCells(const ShockConditions &shot, double coverage)
-{
-    StepCells cells{printed(shot.step_Pa, "Pa", {DYNCAL_TEXT("core", "not determined"), {}})};
-    const auto u_Pa = stepUncertainty_Pa(shot);
-    if (!u_Pa)
-        return cells;
-    const double k = coverageFactor(
-        shot.uncertainty->budget.dof[static_cast<Index>(StepResult::Step)], coverage);
-    const RoundedValue rounded = roundedValue(*shot.step_Pa, k * *u_Pa, "Pa");
-    if (rounded.u.empty()) // u is zero or not known
-        return cells;
-    cells.step = verbatim(rounded.value + " " + rounded.unit);
-    cells.expanded = verbatim(rounded.u + " " + rounded.unit);
-    cells.k = verbatim(factorText(k));
-    return cells;
-}
-
-std::vector<Message> conditionsRow(
-    const CalibrationResults &results, const ShockConditions &shot, double coverage)
-{
-    const StepCells cells = stepCells(shot, coverage);
-    const bool known = shot.states.has_value();
-    const auto ofStates = [&](auto pick) {
-        return known ? std::optional<double>(pick(*shot.states)) : std::nullopt;
-    };
-    return {verbatim(std::to_string(shot.shot)), levelWord(levelOf(results, shot.shot)),
-        printed(ofStates([](const ShockStates &s) { return s.driven.pressure_Pa; }), "Pa", dash()),
-        printed(ofStates([](const ShockStates &s) { return s.driven.temperature_K; }), "K", dash()),
-        printed(ofStates([](const ShockStates &s) { return s.velocity_m_s; }), "m/s", dash()),
-        printed(ofStates([](const ShockStates &s) { return s.mach; }), "", dash()), cells.step,
-        shot.step_Pa ? (shot.stepTyped ? Message{DYNCAL_TEXT("core", "stated"), {}}
-                                       : Message{DYNCAL_TEXT("core", "computed"), {}})
-                     : dash(),
-        cells.expanded, cells.k, printed(shot.plateau_s, "s", dash())};
 }
 
 /// How much the sensor's resonance depends on the choice of the order.
@@ -171,14 +93,15 @@ CertificateSection methodSection(const CalibrationResults &results, const Recipe
     section.id = "method";
     section.title = {DYNCAL_TEXT("core", "Method"), {}};
     section.fields.push_back(methodField(recipe));
-    section.paragraphs.push_back(
-        {DYNCAL_TEXT("core",
-             "The sensitivity S(f) is the complex ratio of the item's output to the change of pressure at the sensor's face in the end-wall plane of a shock tube; phase of output over input, lag negative, relative to the sensor's own onset."),
-            {}});
+    const CalibrationKind kind = calibrationKind(results, recipe);
+    section.paragraphs.push_back(measurandSentence(kind, recipe.shock.dutPosition));
+    if (results.input)
+        section.paragraphs.push_back(treatmentSentence(results.input->treatment));
+    for (const Message &sentence : stepSentences(kind))
+        section.paragraphs.push_back(sentence);
     if (!results.input)
         return section;
     const ModelInput &input = *results.input;
-    section.paragraphs.push_back(treatmentSentence(input.treatment));
     section.fields.push_back({"series", {DYNCAL_TEXT("core", "Shots combined"), {}},
         input.combine == CombineMethod::Stacked
             ? Message{DYNCAL_TEXT("core", "stacked, each with its own amplitude (%1 series)"),
@@ -188,60 +111,13 @@ CertificateSection methodSection(const CalibrationResults &results, const Recipe
                 {}},
         false});
     section.fields.push_back({"model_rate", {DYNCAL_TEXT("core", "Sample rate of the model"), {}},
-        verbatim(roundedText(input.sampleRate_Hz, kUnknown, "Hz")), false});
+        verbatim(settingText(input.sampleRate_Hz, "Hz")), false});
     section.fields.push_back({"model_samples", {DYNCAL_TEXT("core", "Samples per series"), {}},
         verbatim(std::to_string(input.samples)), false});
     section.fields.push_back(
         {"model_offset", {DYNCAL_TEXT("core", "Start of the model input after the onset"), {}},
-            verbatim(roundedText(input.offset_s, kUnknown, "s")), false});
+            verbatim(settingText(input.offset_s, "s")), false});
     addChoiceOfOrder(results, recipe, section);
-    return section;
-}
-
-CertificateSection conditionsSection(const CalibrationResults &results, const Recipe &recipe)
-{
-    CertificateSection section;
-    section.id = "conditions";
-    section.title = {DYNCAL_TEXT("core", "Conditions"), {}};
-    section.fields = {{"ambient_temperature", {DYNCAL_TEXT("core", "Ambient temperature"), {}},
-                          environmentRange(results, &Environment::ambientT_K, "K"), false},
-        {"ambient_pressure", {DYNCAL_TEXT("core", "Ambient pressure"), {}},
-            environmentRange(results, &Environment::ambientPressure_Pa, "Pa"), false},
-        {"relative_humidity", {DYNCAL_TEXT("core", "Relative humidity (ratio)"), {}},
-            environmentRange(results, &Environment::relativeHumidity, ""), false}};
-    CertificateTable table;
-    table.id = "shock";
-    table.caption = {DYNCAL_TEXT("core", "Pressure steps"), {}};
-    table.columns
-        = {{{DYNCAL_TEXT("core", "Shot"), {}}, true}, {{DYNCAL_TEXT("core", "Level"), {}}, false},
-            {{DYNCAL_TEXT("core", "Initial pressure"), {}}, true},
-            {{DYNCAL_TEXT("core", "Initial temperature"), {}}, true},
-            {{DYNCAL_TEXT("core", "Shock velocity"), {}}, true},
-            {{DYNCAL_TEXT("core", "Mach number"), {}}, true},
-            {{DYNCAL_TEXT("core", "Pressure step"), {}}, true},
-            {{DYNCAL_TEXT("core", "Step is"), {}}, false},
-            {{DYNCAL_TEXT("core", "U of the step"), {}}, true},
-            {{DYNCAL_TEXT("core", "k"), {}}, true}, {{DYNCAL_TEXT("core", "Plateau"), {}}, true}};
-    bool stepMissing = !results.shock || results.shock->shots.empty();
-    bool stepUncertain = false;
-    if (results.shock)
-        for (const ShockConditions &shot : results.shock->shots) {
-            table.rows.push_back(conditionsRow(results, shot, recipe.uncertainty.coverage));
-            stepMissing = stepMissing || !shot.step_Pa;
-            stepUncertain = stepUncertain || stepUncertainty_Pa(shot);
-        }
-    if (!table.rows.empty())
-        section.tables.push_back(std::move(table));
-    if (stepUncertain)
-        section.notes.push_back(
-            {DYNCAL_TEXT("core",
-                 "U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is contained in the uncertainty of the sensitivity, not in those of the frequency response."),
-                {numberText(100.0 * recipe.uncertainty.coverage, 4)}});
-    if (stepMissing)
-        section.notes.push_back(
-            {DYNCAL_TEXT("core",
-                 "The pressure step is not determined for every shot: neither a step nor a shock velocity with initial pressure and temperature was given. A sensitivity in the unit of pressure cannot be stated for those shots."),
-                {}});
     return section;
 }
 

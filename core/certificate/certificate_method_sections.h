@@ -9,8 +9,7 @@
 
 namespace dyncal {
 
-/// How and under which conditions the sensor was calibrated.
+/// How the sensor was calibrated; the sentences follow from the kind (calibration_kind.h).
 CertificateSection methodSection(const CalibrationResults &results, const Recipe &recipe);
-CertificateSection conditionsSection(const CalibrationResults &results, const Recipe &recipe);
 
 } // namespace dyncal

@@ -20,14 +20,18 @@ Message ofPlateau(double part, double plateau)
     return verbatim(roundedText(100.0 * part / std::abs(plateau), kUnknown, "%"));
 }
 
-std::vector<Message> modeRow(const NuisanceMode &mode, const NuisanceOfShot &shot, double plateau)
+std::vector<Message> modeRow(const NuisanceMode &mode, const NuisanceOfShot &shot, bool hasPlateau)
 {
     const Message kind = mode.isTube ? Message{DYNCAL_TEXT("core", "gas in the tube"), {}}
                                      : Message{DYNCAL_TEXT("core", "other"), {}};
-    return {mode.label.empty() ? kind : verbatim(mode.label), verbatim(std::to_string(shot.shot)),
+    std::vector<Message> row{mode.label.empty() ? kind : verbatim(mode.label),
+        verbatim(std::to_string(shot.shot)),
         printedWithUncertainty(shot.term.frequency_Hz(), shot.u_frequency_Hz, "Hz"),
-        printedWithUncertainty(shot.term.dampingRatio(), shot.u_dampingRatio, ""),
-        plateau == 0.0 ? dash() : ofPlateau(shot.relativeAmplitude, 1.0), verbatim(mode.reason)};
+        printedWithUncertainty(shot.term.dampingRatio(), shot.u_dampingRatio, "")};
+    if (hasPlateau)
+        row.push_back(ofPlateau(shot.relativeAmplitude, 1.0));
+    row.push_back(verbatim(mode.reason));
+    return row;
 }
 
 CertificateTable modeTable(const SensorModel &model)
@@ -39,41 +43,52 @@ CertificateTable modeTable(const SensorModel &model)
     table.columns
         = {{{DYNCAL_TEXT("core", "Mode"), {}}, false}, {{DYNCAL_TEXT("core", "Shot"), {}}, true},
             {{DYNCAL_TEXT("core", "Undamped frequency"), {}}, true},
-            {{DYNCAL_TEXT("core", "Damping ratio"), {}}, true},
-            {{DYNCAL_TEXT("core", "Size, of the plateau"), {}}, true},
-            {{DYNCAL_TEXT("core", "Reason"), {}}, false}};
+            {{DYNCAL_TEXT("core", "Damping ratio"), {}}, true}};
+    const bool hasPlateau = model.plateauGain != 0.0; // a free decay has none
+    if (hasPlateau)
+        table.columns.push_back({{DYNCAL_TEXT("core", "Size, of the plateau"), {}}, true});
+    table.columns.push_back({{DYNCAL_TEXT("core", "Reason"), {}}, false});
     for (const NuisanceResult &mode : model.nuisance) {
         for (const NuisanceOfShot &shot : mode.perShot)
-            table.rows.push_back(modeRow(mode.mode, shot, model.plateauGain));
+            table.rows.push_back(modeRow(mode.mode, shot, hasPlateau));
     }
     return table;
 }
 
 std::vector<Message> sideRow(
-    Message name, const NuisanceEffect::Side &side, const std::string &gainUnit)
+    Message name, const NuisanceEffect::Side &side, const std::string &gainUnit, bool hasPlateau)
 {
-    return {std::move(name), ofPlateau(side.residualRms, side.plateauGain),
+    std::vector<Message> row{std::move(name),
         std::abs(side.fit_percent) < kMostPercent ? verbatim(fixedText(side.fit_percent, 2) + " %")
                                                   : dash(),
         printedWithUncertainty(side.f0_Hz, side.u_f0_Hz, "Hz"),
-        printedWithUncertainty(side.zeta, side.u_zeta, ""),
-        printed(side.plateauGain, gainUnit == "1" ? "" : gainUnit, dash())};
+        printedWithUncertainty(side.zeta, side.u_zeta, "")};
+    if (!hasPlateau)
+        return row;
+    row.insert(row.begin() + 1, ofPlateau(side.residualRms, side.plateauGain));
+    row.push_back(printed(side.plateauGain, gainUnit == "1" ? "" : gainUnit, dash()));
+    return row;
 }
 
-CertificateTable effectTable(const NuisanceEffect &effect, const std::string &gainUnit)
+CertificateTable effectTable(
+    const NuisanceEffect &effect, const std::string &gainUnit, bool hasPlateau)
 {
     CertificateTable table;
     table.id = "nuisance-effect";
     table.caption
         = {DYNCAL_TEXT("core", "What leaving them out has changed, at the same order"), {}};
     table.columns = {{{DYNCAL_TEXT("core", "Oscillations"), {}}, false},
-        {{DYNCAL_TEXT("core", "Residual, rms of the plateau"), {}}, true},
         {{DYNCAL_TEXT("core", "Fit"), {}}, true},
         {{DYNCAL_TEXT("core", "Undamped frequency"), {}}, true},
-        {{DYNCAL_TEXT("core", "Damping ratio"), {}}, true},
-        {{DYNCAL_TEXT("core", "Plateau gain"), {}}, true}};
-    table.rows = {sideRow({DYNCAL_TEXT("core", "left in"), {}}, effect.before, gainUnit),
-        sideRow({DYNCAL_TEXT("core", "left out"), {}}, effect.after, gainUnit)};
+        {{DYNCAL_TEXT("core", "Damping ratio"), {}}, true}};
+    if (hasPlateau) {
+        table.columns.insert(table.columns.begin() + 1,
+            {{DYNCAL_TEXT("core", "Residual, rms of the plateau"), {}}, true});
+        table.columns.push_back({{DYNCAL_TEXT("core", "Plateau gain"), {}}, true});
+    }
+    table.rows
+        = {sideRow({DYNCAL_TEXT("core", "left in"), {}}, effect.before, gainUnit, hasPlateau),
+            sideRow({DYNCAL_TEXT("core", "left out"), {}}, effect.after, gainUnit, hasPlateau)};
     return table;
 }
 
@@ -88,10 +103,11 @@ void addNuisance(const SensorModel &model, const ModelAssessment *assessment,
     section.tables.push_back(std::move(modes));
     section.notes.push_back(
         {DYNCAL_TEXT("core",
-             "The oscillations above were fitted in each shot together with the sensor. Poles, sensitivity and frequency response are those of the sensor without them; the fit counts them."),
+             "The oscillations above were fitted in each shot together with the sensor. Poles and all results are those of the sensor without them; the fit counts them."),
             {}});
     if (assessment && assessment->nuisanceEffect)
-        section.tables.push_back(effectTable(*assessment->nuisanceEffect, gainUnit));
+        section.tables.push_back(
+            effectTable(*assessment->nuisanceEffect, gainUnit, model.plateauGain != 0.0));
 }
 
 void addLeftOut(const ModelInput &input, CertificateSection &section)
@@ -105,9 +121,8 @@ void addLeftOut(const ModelInput &input, CertificateSection &section)
         = {{{DYNCAL_TEXT("core", "Shot"), {}}, true}, {{DYNCAL_TEXT("core", "From"), {}}, true},
             {{DYNCAL_TEXT("core", "To"), {}}, true}, {{DYNCAL_TEXT("core", "Reason"), {}}, false}};
     for (const ExcludedStretch &stretch : input.leftOut)
-        table.rows.push_back({verbatim(std::to_string(stretch.shot)),
-            verbatim(roundedText(stretch.from_s, kUnknown, "s")),
-            verbatim(roundedText(stretch.to_s, kUnknown, "s")), verbatim(stretch.reason)});
+        table.rows.push_back({verbatim(std::to_string(stretch.shot)), setting(stretch.from_s, "s"),
+            setting(stretch.to_s, "s"), verbatim(stretch.reason)});
     section.tables.push_back(std::move(table));
     section.notes.push_back(
         {DYNCAL_TEXT("core",

@@ -9,11 +9,11 @@
 
 namespace dyncal {
 
-/// The results; a section without results says so.
-CertificateSection resultsSection(const CalibrationResults &results);
-CertificateSection shotsSection(const CalibrationResults &results);
+/// The results; a section without results says so. What a calibration of the kind does not
+/// determine (calibration_kind.h) has no line and no column.
+CertificateSection resultsSection(const CalibrationResults &results, const Recipe &recipe);
+CertificateSection shotsSection(const CalibrationResults &results, const Recipe &recipe);
 CertificateSection modelSection(const CalibrationResults &results, const Recipe &recipe);
-CertificateSection frequencyResponseSection(const CalibrationResults &results);
-CertificateSection figuresSection(const CalibrationResults &results);
+CertificateSection figuresSection(const CalibrationResults &results, const Recipe &recipe);
 
 } // namespace dyncal

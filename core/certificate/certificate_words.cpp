@@ -27,6 +27,11 @@ Message dash()
     return verbatim("\xE2\x80\x93");
 }
 
+Message setting(double value, std::string_view unit)
+{
+    return verbatim(settingText(value, unit));
+}
+
 Message printed(const std::optional<double> &value, std::string_view unit, Message otherwise)
 {
     if (!value || !std::isfinite(*value))
@@ -54,6 +59,20 @@ Message printedWithUncertainty(double value, double u, std::string_view unit, do
     if (rounded.u.empty())
         return verbatim(rounded.value + tail);
     return verbatim(rounded.value + tail + " \xC2\xB1 " + rounded.u + tail + coverageText(k));
+}
+
+Message expandedCell(double value, double u, std::string_view unit, double k)
+{
+    const RoundedValue rounded = roundedValue(value, k * u, unit);
+    if (rounded.u.empty())
+        return dash();
+    return verbatim(rounded.u + (rounded.unit.empty() ? "" : " " + rounded.unit)
+        + (k == kCoverageFactor ? "" : coverageText(k)));
+}
+
+Message valueCell(double value, double u, std::string_view unit, double k)
+{
+    return verbatim(roundedText(value, k * u, unit));
 }
 
 Message levelWord(ShotLevel level)

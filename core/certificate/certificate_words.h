@@ -23,7 +23,10 @@ bool isBlank(std::string_view text);
 Message verbatim(std::string text);
 /// A table cell without a value.
 Message dash();
-/// Value and unit with five digits, or `otherwise` if there is none.
+/// A setting or a reading, at most four digits (core/base/rounding.h); a dash if it is no number.
+Message setting(double value, std::string_view unit);
+/// Value and unit with three digits, as its uncertainty is not known, or `otherwise` if there is
+/// none.
 Message printed(const std::optional<double> &value, std::string_view unit, Message otherwise);
 /// "4.30".
 std::string factorText(double k);
@@ -32,6 +35,11 @@ std::string coverageText(double k);
 /// "2.3301 MHz ± 0.0024 MHz (k = 2)" from a standard uncertainty; without one as printed().
 Message printedWithUncertainty(
     double value, double u, std::string_view unit, double k = kCoverageFactor);
+/// The half width alone, k u: "0.0024 MHz". A k other than 2, which its column names, is printed
+/// beside it; a dash where u is not known.
+Message expandedCell(double value, double u, std::string_view unit, double k = kCoverageFactor);
+/// The value alone, to the digits of k u; without a known u three.
+Message valueCell(double value, double u, std::string_view unit, double k = kCoverageFactor);
 /// Name of a level as a word that is translated; a dash for none.
 Message levelWord(ShotLevel level);
 

@@ -1,0 +1,114 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/certificate/certificate_templates.h"
+
+namespace dyncal {
+
+using enum CalibrationKind;
+
+Message certificateTitle(CalibrationKind kind)
+{
+    switch (kind) {
+    case ComputedStep:
+    case TypedStep:
+        return {DYNCAL_TEXT("core", "Certificate of dynamic calibration"), {}};
+    case UnknownStep:
+        return {DYNCAL_TEXT("core", "Certificate of the normalised dynamic response"), {}};
+    case FreeDecay:
+        break;
+    }
+    return {DYNCAL_TEXT("core", "Certificate of natural frequency and damping"), {}};
+}
+
+Message measurandSentence(CalibrationKind kind, const std::string &dutPosition)
+{
+    switch (kind) {
+    case ComputedStep:
+        return dutPosition == "side-wall"
+            ? Message{DYNCAL_TEXT("core",
+                          "The sensitivity S(f) is the complex ratio of the item's output to the change of pressure at the sensor's face in the side wall of a shock tube; phase of output over input, lag negative, relative to the sensor's own onset."),
+                {}}
+            : Message{
+                DYNCAL_TEXT("core",
+                    "The sensitivity S(f) is the complex ratio of the item's output to the change of pressure at the sensor's face in the end-wall plane of a shock tube; phase of output over input, lag negative, relative to the sensor's own onset."),
+                {}};
+    case TypedStep:
+        return {
+            DYNCAL_TEXT("core",
+                "The sensitivity S(f) is the complex ratio of the item's output to the change of pressure at the sensor's face; phase of output over input, lag negative, relative to the sensor's own onset."),
+            {}};
+    case UnknownStep:
+        return {
+            DYNCAL_TEXT("core",
+                "The normalised response N(f) is the complex ratio of the item's output to a step, relative to the level at the onset of that step; phase of output over input, lag negative, relative to the sensor's own onset."),
+            {}};
+    case FreeDecay:
+        break;
+    }
+    return {
+        DYNCAL_TEXT("core",
+            "The item decayed freely after an excitation that was not measured. Its undamped natural frequencies and damping ratios are determined; the ratio of its output to what excited it is not."),
+        {}};
+}
+
+std::vector<Message> stepSentences(CalibrationKind kind)
+{
+    switch (kind) {
+    case ComputedStep:
+        return {
+            {DYNCAL_TEXT("core",
+                 "The pressure step of each shot follows from the shock wave and the initial state of the gas, unless the section \"Conditions\" says that it was stated."),
+                {}}};
+    case TypedStep:
+        return {
+            {DYNCAL_TEXT("core",
+                 "The pressure step of each shot was stated by the operator. It was not computed, and its uncertainty is not known."),
+                {}}};
+    case UnknownStep:
+        return {
+            {DYNCAL_TEXT("core",
+                 "The size of the step is not known: no sensitivity is stated, and all magnitudes are relative."),
+                {}}};
+    case FreeDecay:
+        break;
+    }
+    return {};
+}
+
+Message uncertaintyNote(CalibrationKind kind)
+{
+    switch (kind) {
+    case ComputedStep:
+    case TypedStep:
+        return {
+            DYNCAL_TEXT("core",
+                "Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes, not the uncertainty of the pressure step; that of the sensitivity alone contains both. A complete uncertainty budget was not evaluated. A result without an uncertainty beside it has none that is known, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach."),
+            {}};
+    case UnknownStep:
+        return {
+            DYNCAL_TEXT("core",
+                "Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes. A complete uncertainty budget was not evaluated. A result without an uncertainty beside it has none that is known, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach."),
+            {}};
+    case FreeDecay:
+        break;
+    }
+    return {
+        DYNCAL_TEXT("core",
+            "Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes. A complete uncertainty budget was not evaluated. A result without an uncertainty beside it has none that is known, and is rounded to three significant digits; settings and readings are quoted with four at most."),
+        {}};
+}
+
+Message shotsNote(CalibrationKind kind)
+{
+    return kind == FreeDecay
+        ? Message{DYNCAL_TEXT("core",
+                      "Signal to noise is the largest deflection over the standard deviation of the noise before it. No uncertainty is known of the deflection: it has three significant digits."),
+            {}}
+        : Message{
+            DYNCAL_TEXT("core",
+                "Signal to noise is the output step over the standard deviation of the noise before it. Rise time 10 % to 90 %; settling to within 5 % of the step. Values without an uncertainty have none that is known: they have three significant digits."),
+            {}};
+}
+
+} // namespace dyncal
