@@ -3,9 +3,12 @@
 
 #include "app/cli/run_summary.h"
 
+#include "core/base/constants.h"
 #include "core/base/foreign_text.h"
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
+#include "core/model_analysis/stated_characteristics.h"
+#include "core/pipeline/calibration_kind.h"
 #include "core/results/publication.h"
 #include "core/results/results_json.h"
 
@@ -74,12 +77,15 @@ void addSensitivity(
         return;
     }
     // The prefix belongs to the numerator, so "V/Pa" becomes "uV/Pa".
+    const std::optional<double> u = response.summary.mean ? response.summary.mean->u : std::nullopt;
     addLine(text, "Sensitivity",
-        numberWithUnit(*response.sensitivity, presentable(response.sensitivityUnit), 5));
+        roundedTextWithU(
+            *response.sensitivity, u.value_or(kUnknown), presentable(response.sensitivityUnit)));
     for (const ShotSensitivity &shot : response.shots) {
         if (shot.sensitivity)
             addLine(text, "  shot " + std::to_string(shot.shot),
-                numberWithUnit(*shot.sensitivity, presentable(shot.unit), 5));
+                roundedTextWithU(
+                    *shot.sensitivity, shot.u.value_or(kUnknown), presentable(shot.unit)));
     }
 }
 
@@ -108,10 +114,16 @@ void addOrder(std::string &text, const SensorModel &model, const CalibrationResu
     addLine(text, "Order", order);
 }
 
-void addBand(std::string &text, const char *label, const std::optional<double> &limit_Hz)
+/// "508 kHz", "above 4.00 MHz (...)": what the certificate says.
+void addBands(std::string &text, const ResponseResult &response)
 {
-    if (limit_Hz)
-        addLine(text, label, "up to " + numberWithUnit(*limit_Hz, "Hz"));
+    const StatedCharacteristics found = statedCharacteristics(response);
+    const auto add = [&text](const char *label, const StatedValue &edge) {
+        addLine(text, label, (edge.value ? "up to " : "") + english(edge.words));
+    };
+    add("Within 5 %", found.within5percent_Hz);
+    add("Within 10 %", found.within10percent_Hz);
+    add("-3 dB", found.minus3dB_Hz);
 }
 
 void addFindings(std::string &text, const PipelineOutcome &outcome)
@@ -136,22 +148,21 @@ void addFindings(std::string &text, const PipelineOutcome &outcome)
 std::string runSummary(const PipelineOutcome &outcome, const Recipe &recipe)
 {
     const CalibrationResults &results = outcome.results;
+    const bool isDecay = calibrationKind(results, recipe) == CalibrationKind::FreeDecay;
     std::string text;
     addShots(text, results);
     if (results.model)
         addModel(text, results);
-    if (results.response)
+    if (isDecay && results.response)
+        addLine(text, "Sensitivity", "none: a free decay gives frequencies and damping only");
+    else if (results.response)
         addSensitivity(text, *results.response, results);
     if (results.model) {
         addFit(text, *results.model);
         addOrder(text, *results.model, results, recipe);
     }
-    if (results.response) {
-        const StepCharacteristics &found = results.response->characteristics;
-        addBand(text, "Within 5 %", found.within5percent_Hz);
-        addBand(text, "Within 10 %", found.within10percent_Hz);
-        addBand(text, "-3 dB", found.minus3dB_Hz);
-    }
+    if (results.response && !isDecay)
+        addBands(text, *results.response);
     addFindings(text, outcome);
     return text;
 }

@@ -5,6 +5,7 @@
 
 #include "core/base/json_text.h"
 #include "core/base/version.h"
+#include "core/pipeline/calibration_kind.h"
 #include "core/pipeline/stage_table.h"
 #include "core/results/results_analysis_json.h"
 #include "core/results/results_checks_json.h"
@@ -139,6 +140,7 @@ std::string resultsJson(
     root.set("software", software());
     root.set("created_utc", createdUtc);
     root.set("recipe", Json::parse(recipeJson(recipe)));
+    root.set("kind", calibrationKindName(calibrationKind(context.results(), recipe)));
     addInputs(root, context);
     addShots(root, context);
     addDrift(root, context);

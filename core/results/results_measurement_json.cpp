@@ -3,6 +3,7 @@
 
 #include "core/results/results_measurement_json.h"
 
+#include "core/model_analysis/stated_characteristics.h"
 #include "core/results/results_sensitivity_json.h"
 
 namespace dyncal {
@@ -45,7 +46,12 @@ void addLevels(JsonRecord &record, const WindowedResponse &r)
     record.number("noise_sd", r.noiseSd, "There is no record before the start.");
     record.number("snr_db", r.snr_dB, "There is no noise before the start to compare with.");
     record.number("start_s", r.start_s, "The start could not be found.");
-    record.number("rise_time_s", r.riseTime_s, "The response does not rise from 10 % to 90 %.");
+    const StatedValue rise = statedRise(r);
+    record.number("rise_time_s", rise.value,
+        rise.below ? "It is " + english(rise.words) + "."
+                   : "The response does not rise from 10 % to 90 %.");
+    record.number("rise_time_below_s", rise.below,
+        rise.value ? "The value is stated." : "The response does not rise from 10 % to 90 %.");
     record.number(
         "overshoot_percent", r.overshoot_percent, "The response has no step to overshoot.");
     record.number("settling_time_s", r.settlingTime_s,
@@ -78,7 +84,7 @@ Json shotJson(Index number, const Shot &shot, const ResultsContext &context)
         addLevels(record, *response);
     } else {
         for (const char *key : {"baseline", "step", "noise_sd", "snr_db", "start_s", "rise_time_s",
-                 "overshoot_percent", "settling_time_s"})
+                 "rise_time_below_s", "overshoot_percent", "settling_time_s"})
             record.missing(key, reason);
     }
     const bool modelled = response && context.results().model;

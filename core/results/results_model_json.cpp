@@ -4,6 +4,7 @@
 #include "core/results/results_model_json.h"
 
 #include "core/base/constants.h"
+#include "core/model_analysis/stated_characteristics.h"
 #include "core/realization/model/pole_classes.h"
 #include "core/results/results_shot_poles_json.h"
 
@@ -120,7 +121,8 @@ void addCurves(JsonRecord &section, const ResponseResult &response)
     const char *none = response.magnitude.size() == 0
         ? "This treatment of the response gives no frequency response of a step."
         : "The records do not hold frequencies above 0.4 of the lowest sample rate.";
-    const char *noModel = "The model gives no response here.";
+    const char *noModel
+        = "The model gives no response here: it diverges, or of a free decay the frequency is above half the model's rate.";
     section.numbers("frequency_hz", response.frequency_Hz,
         "None of the frequencies asked for lies in the usable band.");
     section.numbers("magnitude", response.magnitude, none);
@@ -132,6 +134,16 @@ void addCurves(JsonRecord &section, const ResponseResult &response)
     section.missing("k_phase", kNoUncertainty);
     section.numbers("model_magnitude", response.modelMagnitude, noModel);
     section.numbers("model_phase_rad", response.modelPhase_rad, noModel);
+}
+
+/// The edge, or the end of the band of the response that it lies beyond.
+void addBand(JsonRecord &section, const std::string &name, const StatedValue &edge)
+{
+    const std::string reason = english(edge.words);
+    const std::string noBound = edge.value ? "The value is stated." : reason;
+    section.number(name + "_hz", edge.value, reason);
+    section.number(name + "_above_hz", edge.above, noBound);
+    section.number(name + "_below_hz", edge.below, noBound);
 }
 
 } // namespace
@@ -196,12 +208,12 @@ void addBands(JsonRecord &root, const ResultsContext &context)
         root.missing("bands", context.whyMissing());
         return;
     }
-    const StepCharacteristics &found = response->characteristics;
-    const char *reason = "The model's response does not leave this band below its own limit.";
+    const StatedCharacteristics found = statedCharacteristics(*response);
     JsonRecord section;
-    section.number("within_5_percent_hz", found.within5percent_Hz, reason);
-    section.number("within_10_percent_hz", found.within10percent_Hz, reason);
-    section.number("minus_3_db_hz", found.minus3dB_Hz, reason);
+    addBand(section, "within_5_percent", found.within5percent_Hz);
+    addBand(section, "within_10_percent", found.within10percent_Hz);
+    addBand(section, "minus_3_db", found.minus3dB_Hz);
+    section.number("limit_hz", answersEnd_Hz(*response), "Not determined.");
     section.set("source", "model");
     root.set("bands", section.take());
 }

@@ -4,6 +4,8 @@
 #include "ui/shell/key_results.h"
 
 #include "core/base/constants.h"
+#include "core/base/rounding.h"
+#include "core/pipeline/calibration_kind.h"
 #include "ui/text/quantity_format.h"
 #include "ui/text/shown_text.h"
 
@@ -24,7 +26,7 @@ struct Key
 KeyResult entry(
     const char *name, const QString &symbol, double value, double u, const QString &unit)
 {
-    return {name, symbol + " " + shownWithU(value, u, unit), {}};
+    return {name, symbol + " " + shownWithU(value, u, unit, kDigitsWithoutUncertainty), {}};
 }
 
 KeyResult sensitivityOf(const CalibrationResults &results)
@@ -68,7 +70,7 @@ KeyResult stepOf(const CalibrationResults &results)
 
 } // namespace
 
-std::vector<KeyResult> keyResults(const CalibrationResults &results)
+std::vector<KeyResult> keyResults(const CalibrationResults &results, const Recipe &recipe)
 {
     const Pole *pole = results.model ? mainPole(*results.model, results.assessment.get()) : nullptr;
     KeyResult frequency
@@ -80,6 +82,8 @@ std::vector<KeyResult> keyResults(const CalibrationResults &results)
         pole ? pole->dampingRatio : kUnknown, pole ? pole->u_dampingRatio : kUnknown, {});
     damping.meaning
         = Key::tr("Damping ratio of the sensor; ± is the standard uncertainty u (k = 1).");
+    if (calibrationKind(results, recipe) == CalibrationKind::FreeDecay)
+        return {frequency, damping};
     return {sensitivityOf(results), frequency, damping, stepOf(results)};
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/pipeline/calibration_results.h"
+#include "core/project/recipe.h"
 
 #include <QString>
 
@@ -20,7 +21,7 @@ struct KeyResult
 };
 
 /// Sensitivity, natural frequency, damping ratio and pressure step, each with its standard
-/// uncertainty where that is known.
-std::vector<KeyResult> keyResults(const CalibrationResults &results);
+/// uncertainty where that is known. Of a free decay frequency and damping alone: it has no others.
+std::vector<KeyResult> keyResults(const CalibrationResults &results, const Recipe &recipe);
 
 } // namespace dyncal

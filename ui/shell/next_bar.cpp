@@ -74,7 +74,7 @@ void NextBar::showWork(const WorkState &work, const Session &session)
     if (isOpen) // before that there is one thing to do
         steps = nextSteps(work);
     showSteps(steps, isOpen);
-    showResults(keyResults(session.results()), session.isUpToDate());
+    showResults(keyResults(session.results(), session.recipe()), session.isUpToDate());
 }
 
 void NextBar::showSteps(const std::vector<NextStep> &steps, bool isOpen)
@@ -97,12 +97,14 @@ void NextBar::showSteps(const std::vector<NextStep> &steps, bool isOpen)
 
 void NextBar::showResults(const std::vector<KeyResult> &results, bool areCurrent)
 {
+    bool isSame = m_results.size() == results.size();
     while (m_results.size() < results.size()) {
         m_results.push_back(new QLabel(this));
         m_results.back()->setTextInteractionFlags(Qt::TextSelectableByMouse);
         m_results.back()->show();
     }
-    bool isSame = true;
+    for (; m_results.size() > results.size(); m_results.pop_back())
+        delete m_results.back();
     for (std::size_t i = 0; i < results.size(); ++i) {
         QLabel *label = m_results[i];
         isSame = isSame && label->text() == results[i].text;

@@ -216,7 +216,8 @@ const QHash<QString, QStringList> &contract()
         {"shots",
             {"shot", "label", "level", "included", "sample_rate_hz", "samples", "unit", "baseline",
                 "step", "noise_sd", "snr_db", "start_s", "onset_s", "u_onset_s", "rise_time_s",
-                "overshoot_percent", "settling_time_s", "sensitivity", "sensitivity_unit"}},
+                "rise_time_below_s", "overshoot_percent", "settling_time_s", "sensitivity",
+                "sensitivity_unit"}},
         {"shock",
             {"shot", "velocity_m_s", "u_velocity_m_s", "mach", "p1_pa", "p2_pa", "p4_pa", "p5_pa",
                 "step_pa", "u_step_pa", "t1_k", "t2_k", "t4_k", "t5_k", "rho1_kg_m3", "rho2_kg_m3",
@@ -243,16 +244,21 @@ const QHash<QString, QStringList> &contract()
             {"frequency_hz", "magnitude", "u_magnitude", "k_magnitude", "u_contains_step",
                 "phase_rad", "u_phase_rad", "k_phase", "model_magnitude", "model_phase_rad",
                 "f_low_hz", "f_high_hz", "unit"}},
-        {"bands", {"within_5_percent_hz", "within_10_percent_hz", "minus_3_db_hz", "source"}},
+        {"bands",
+            {"within_5_percent_hz", "within_5_percent_above_hz", "within_5_percent_below_hz",
+                "within_10_percent_hz", "within_10_percent_above_hz", "within_10_percent_below_hz",
+                "minus_3_db_hz", "minus_3_db_above_hz", "minus_3_db_below_hz", "limit_hz",
+                "source"}},
         {"findings",
             {"id", "severity", "shot", "channel", "time_s", "message", "value", "limit", "cause"}},
     };
     return keys;
 }
 
-const QStringList kTopLevel{"schema", "software", "created_utc", "recipe", "inputs", "shots",
-    "shock", "spectrum", "pca", "input", "realization", "model", "response", "bands", "budget",
-    "gum_validated_by_monte_carlo", "findings", "sensitivity", "drift", "checks"};
+const QStringList kTopLevel{"schema", "software", "created_utc", "recipe", "kind", "inputs",
+    "shots", "shock", "spectrum", "pca", "input", "realization", "model", "response", "bands",
+    "budget", "gum_validated_by_monte_carlo", "findings", "sensitivity", "drift",
+    "checks"};
 
 QJsonObject written(const PipelineOutcome &outcome, const Recipe &recipe = {})
 {
@@ -333,6 +339,51 @@ private slots:
         QCOMPARE(root["bands"]["minus_3_db_hz"].toDouble(), 3.5e6);
         QCOMPARE(
             root["findings"][0]["message"].toString(), QStringLiteral("One shot: PCA is skipped"));
+    }
+
+    void bands_beyondTheAnswer_areBounds()
+    {
+        PipelineOutcome outcome = complete();
+        ResponseResult response = *outcome.results.response;
+        response.characteristics.within5percent_Hz = 500.0;
+        response.characteristics.within10percent_Hz = 1e6;
+        response.characteristics.minus3dB_Hz = 3.5e6;
+        response.modelLimit_Hz = 2e6;
+        outcome.results.response = std::make_shared<const ResponseResult>(response);
+        const QJsonObject bands = written(outcome)["bands"].toObject();
+        QVERIFY(bands["within_5_percent_hz"].isNull());
+        QCOMPARE(bands["within_5_percent_below_hz"].toDouble(), 625.0);
+        QCOMPARE(bands["within_5_percent_hz_reason"].toString(),
+            QStringLiteral("below 625 Hz (the band of the response begins there)"));
+        QCOMPARE(bands["within_10_percent_hz"].toDouble(), 1e6);
+        QVERIFY(bands["within_10_percent_above_hz"].isNull());
+        QVERIFY(!bands["within_10_percent_above_hz_reason"].toString().isEmpty());
+        QVERIFY(bands["minus_3_db_hz"].isNull());
+        QCOMPARE(bands["minus_3_db_above_hz"].toDouble(), 2e6);
+        QCOMPARE(bands["limit_hz"].toDouble(), 2e6);
+    }
+
+    void riseWithinTwoSamples_isABound()
+    {
+        PipelineOutcome outcome = complete();
+        WindowResult window = *outcome.results.window;
+        window.responses[0].sampleRate_Hz = 5e6; // rises within 200 ns
+        outcome.results.window = std::make_shared<const WindowResult>(window);
+        const QJsonObject shot = written(outcome)["shots"].toArray()[0].toObject();
+        QVERIFY(shot["rise_time_s"].isNull());
+        QCOMPARE(shot["rise_time_below_s"].toDouble(), 4e-7);
+        QCOMPARE(shot["rise_time_s_reason"].toString(),
+            QString::fromUtf8("It is below 400 ns (two samples)."));
+    }
+
+    void kind_isWritten()
+    {
+        PipelineOutcome outcome = complete();
+        QCOMPARE(written(outcome)["kind"].toString(), QStringLiteral("computed-step"));
+        ModelInput input = *outcome.results.input;
+        input.treatment = ResponseTreatment::Impulse;
+        outcome.results.input = std::make_shared<const ModelInput>(input);
+        QCOMPARE(written(outcome)["kind"].toString(), QStringLiteral("free-decay"));
     }
 
     void evidence_isWrittenOrExplained()

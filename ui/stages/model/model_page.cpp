@@ -3,6 +3,7 @@
 
 #include "ui/stages/model/model_page.h"
 
+#include "core/model_analysis/stated_characteristics.h"
 #include "ui/plot/curves/model_curves.h"
 #include "ui/plot/curves/model_residual_curves.h"
 #include "ui/session/order_candidates.h"
@@ -11,6 +12,7 @@
 #include "ui/stages/frame/tube_mode_choice.h"
 #include "ui/stages/frame/value_table.h"
 #include "ui/stages/model/model_text.h"
+#include "ui/text/core_text.h"
 #include "ui/text/quantity_format.h"
 
 #include <QCheckBox>
@@ -254,14 +256,17 @@ void ModelPage::showAssessment()
 void ModelPage::showCharacteristics()
 {
     const auto &response = results().response;
-    const StepCharacteristics none;
-    const StepCharacteristics &c = response ? response->characteristics : none;
-    m_rise->setText(shownQuantity(c.riseTime_s, "s", 3));
-    m_overshoot->setText(c.overshoot_percent ? shownNumber(*c.overshoot_percent, 3) + " %" : "–");
-    m_settling->setText(shownQuantity(c.settlingTime_s, "s", 3));
-    m_within5->setText(shownQuantity(c.within5percent_Hz, "Hz", 3));
-    m_within10->setText(shownQuantity(c.within10percent_Hz, "Hz", 3));
-    m_minus3->setText(shownQuantity(c.minus3dB_Hz, "Hz", 3));
+    const StatedCharacteristics found
+        = response ? statedCharacteristics(*response) : StatedCharacteristics();
+    const auto show = [&](QLabel *label, const StatedValue &value) {
+        label->setText(response ? translated(value.words) : "–");
+    };
+    show(m_rise, found.riseTime_s);
+    show(m_overshoot, found.overshoot_percent);
+    show(m_settling, found.settlingTime_s);
+    show(m_within5, found.within5percent_Hz);
+    show(m_within10, found.within10percent_Hz);
+    show(m_minus3, found.minus3dB_Hz);
     m_band->setText(response ? tr("%1 to %2")
                                    .arg(shownQuantity(response->fLow_Hz, "Hz", 3),
                                        shownQuantity(response->fHigh_Hz, "Hz", 3))
