@@ -87,7 +87,7 @@ std::vector<Message> shotRow(
     if (kind == CalibrationKind::FreeDecay)
         return row;
     row.push_back(riseCell(response));
-    row.push_back(printed(response.overshoot_percent, "%", dash()));
+    row.push_back(printed(statedOvershoot_percent(response), "%", dash()));
     row.push_back(printed(response.settlingTime_s, "s", dash()));
     if (kind != CalibrationKind::UnknownStep)
         row.push_back(shotSensitivityText(results, response.shot));

@@ -144,4 +144,9 @@ StatedValue statedRise(const WindowedResponse &response)
         *response.riseTime_s, response.sampleRate_Hz > 0.0 ? 1.0 / response.sampleRate_Hz : 0.0);
 }
 
+std::optional<double> statedOvershoot_percent(const WindowedResponse &response)
+{
+    return statedRise(response).below ? std::nullopt : response.overshoot_percent;
+}
+
 } // namespace dyncal

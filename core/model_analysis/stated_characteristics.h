@@ -46,4 +46,8 @@ StatedCharacteristics statedCharacteristics(const ResponseResult &response);
 /// words where there is neither.
 StatedValue statedRise(const WindowedResponse &response);
 
+/// Overshoot of one shot's record: none where it rises within two samples, because then the top
+/// lies between samples (read 2 % low at six samples per period, worse below).
+std::optional<double> statedOvershoot_percent(const WindowedResponse &response);
+
 } // namespace dyncal

@@ -52,8 +52,9 @@ void addLevels(JsonRecord &record, const WindowedResponse &r)
                    : "The response does not rise from 10 % to 90 %.");
     record.number("rise_time_below_s", rise.below,
         rise.value ? "The value is stated." : "The response does not rise from 10 % to 90 %.");
-    record.number(
-        "overshoot_percent", r.overshoot_percent, "The response has no step to overshoot.");
+    record.number("overshoot_percent", statedOvershoot_percent(r),
+        rise.below ? "The response rises within two samples: its top lies between them."
+                   : "The response has no step to overshoot.");
     record.number("settling_time_s", r.settlingTime_s,
         "The response does not stay within 5 % of the plateau before the window ends.");
 }

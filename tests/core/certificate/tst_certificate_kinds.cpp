@@ -319,6 +319,7 @@ private slots:
         writable(results.window).responses[0].riseTime_s = 1.5 / 50e6;
         const CertificateTable table = *tableOf(certificateOf(results), "shots");
         QCOMPARE(english(table.rows[0][5]), std::string("below 40.0 ns (two samples)"));
+        QCOMPARE(english(table.rows[0][6]), std::string("\xE2\x80\x93")); // the overshoot
     }
 
     void velocity_hasItsU()

@@ -221,6 +221,11 @@ private slots:
         QVERIFY(isBelow(statedRise(record), 2e-6));
         QCOMPARE(
             english(statedRise(record).words), std::string("below 2.00 \xC2\xB5s (two samples)"));
+        record.overshoot_percent = 40.0;
+        QVERIFY(!statedOvershoot_percent(record)); // the top lies between samples
+        record.riseTime_s = 2.1e-6;
+        QCOMPARE(statedOvershoot_percent(record).value(), 40.0);
+        record.riseTime_s = 1.9e-6;
         record.sampleRate_Hz = 0.0; // not known: nothing speaks against the reading
         QVERIFY(isValue(statedRise(record), 1.9e-6));
     }

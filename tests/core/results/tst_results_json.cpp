@@ -522,7 +522,7 @@ private slots:
     void layout_isSortedIndentedAndEndsWithOneLineFeed()
     {
         const std::string json = resultsJson(complete(), {}, "t");
-        QVERIFY(json.starts_with("{\n  \"bands\": {\n    \"minus_3_db_hz\": 3500000.0,"));
+        QVERIFY(json.starts_with("{\n  \"bands\": {\n    \"limit_hz\": 4000000.0,"));
         QVERIFY(json.ends_with("\n}\n"));
         QVERIFY(json.find('\r') == std::string::npos);
     }
