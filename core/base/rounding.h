@@ -29,8 +29,8 @@ struct RoundedValue
 /// outside 1e-4..1e6, a power of ten stands before the unit. A value that is not finite is a dash
 /// without unit.
 /// A page where numbers are worked with may ask for more `digits`; a certificate never does.
-RoundedValue roundedValue(double value, double u, std::string_view unit,
-    int digits = kDigitsWithoutUncertainty);
+RoundedValue roundedValue(
+    double value, double u, std::string_view unit, int digits = kDigitsWithoutUncertainty);
 
 /// "2.3301 MHz".
 std::string roundedText(double value, double u, std::string_view unit);
