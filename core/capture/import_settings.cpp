@@ -40,6 +40,7 @@ ImportSettings settingsOfFile(const ImportSettings &settings, const std::string 
     replace(merged.format, own.format);
     if (!own.columns.empty())
         merged.columns = own.columns;
+    replace(merged.columnsAre, own.columnsAre);
     for (const auto &[name, role] : own.channels)
         merged.channels[name] = role;
     for (const auto &[name, details] : own.channelDetails)

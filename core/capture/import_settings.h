@@ -15,6 +15,13 @@ namespace dyncal {
 /// ImportSettings::channelFiles: files of one recording become one shot.
 inline constexpr const char *kJoinChannelFiles = "join";
 
+/// ImportSettings::columnsAre: the columns of a text table are channels of one shot, or shots of
+/// one sensor.
+inline constexpr const char *kColumnsAreChannels = "channels";
+inline constexpr const char *kColumnsAreShots = "shots";
+/// The only channel of a shot that is a column: the recipe speaks of the sensor by this name.
+inline constexpr const char *kShotColumnChannel = "DUT";
+
 /// Default of ImportSettings::maxExpansion.
 inline constexpr double kUsualExpansion = 20.0;
 
@@ -46,6 +53,7 @@ struct FileImport
 {
     std::optional<std::string> format;
     std::map<std::string, Index> columns; ///< if any, they replace all columns stated for all files
+    std::string columnsAre; ///< "" as for all files
     std::map<std::string, std::string> channels; ///< win name by name
     std::map<std::string, ChannelImport> channelDetails; ///< win name by name
     std::string decimal; ///< "" as for all files
@@ -68,6 +76,7 @@ struct ImportSettings
     std::string format = "auto"; ///< "auto" or a reader's id
     std::map<std::string, Index>
         columns; ///< text files: role ("time", "dut", ...) -> column from 0
+    std::string columnsAre = kColumnsAreChannels; ///< or "shots": see shot_columns.h
     std::map<std::string, std::string> channels; ///< channel name -> role
     std::map<std::string, ChannelImport> channelDetails; ///< channel name -> further settings
     std::string decimal = "auto"; ///< "auto", "." or ","

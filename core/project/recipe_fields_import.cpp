@@ -209,6 +209,7 @@ Codec<FileImport> fileImport()
     Codec<FileImport> codec = object<F>({
         field("format", &F::format, orNull(nonEmptyText())),
         field("columns", &F::columns, columns()),
+        field("columns_are", &F::columnsAre, oneOf({"", kColumnsAreChannels, kColumnsAreShots})),
         channels<F>(),
         field("decimal", &F::decimal, oneOf({"", "auto", ".", ","})),
         field("separator", &F::separator, oneOf({"", "auto", ",", ";", "tab", "space", "|"})),
@@ -233,6 +234,8 @@ Codec<ImportSettings> importCodec()
         field("format", DYNCAL_TEXT("RecipeLabel", "file format"), &S::format, nonEmptyText()),
         field("columns", DYNCAL_TEXT("RecipeLabel", "columns of the text file"), &S::columns,
             columns()),
+        field("columns_are", DYNCAL_TEXT("RecipeLabel", "what the columns are"), &S::columnsAre,
+            oneOf({kColumnsAreChannels, kColumnsAreShots})),
         channels<S>(),
         field("decimal", DYNCAL_TEXT("RecipeLabel", "decimal mark"), &S::decimal,
             oneOf({"auto", ".", ","})),

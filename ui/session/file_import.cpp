@@ -46,6 +46,7 @@ ImportSettings withOwnSettings(
     FileImport own;
     own.format = ownValue(settings.format, wanted.format);
     own.columns = wanted.columns == settings.columns ? own.columns : wanted.columns;
+    own.columnsAre = ownWord(settings.columnsAre, wanted.columnsAre);
     own.channels = ownEntries(settings.channels, wanted.channels);
     own.channelDetails = ownEntries(settings.channelDetails, wanted.channelDetails);
     own.decimal = ownWord(settings.decimal, wanted.decimal);

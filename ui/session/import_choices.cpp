@@ -32,6 +32,14 @@ void nameSampleColumns(ImportSettings &settings, const ImportView &view)
         settings.columns.emplace(channelRoleName(ChannelRole::Other), *first->column);
 }
 
+/// Where each column is a shot, another role leaves the column of times out. It is not known where
+/// it contradicts the header; then it is the first.
+void nameTimesOther(ImportSettings &settings, const ImportView &view)
+{
+    if (view.text->timeColumn || view.problem)
+        settings.columns[channelRoleName(ChannelRole::Other)] = view.text->timeColumn.value_or(0);
+}
+
 } // namespace
 
 bool leavesTimesOut(const ImportSettings &settings)
@@ -42,10 +50,22 @@ bool leavesTimesOut(const ImportSettings &settings)
 void chooseTimes(ImportSettings &settings, const ImportView &view, int choice)
 {
     settings.columns.clear();
-    if (choice == TimeNone)
+    if (choice == TimeNone && view.isShotPerColumn())
+        nameTimesOther(settings, view);
+    else if (choice == TimeNone)
         nameSampleColumns(settings, view);
     else if (choice >= TimeFirstColumn)
         settings.columns["time"] = choice - TimeFirstColumn;
+}
+
+void chooseShotColumns(ImportSettings &settings, const ImportView &view, bool each)
+{
+    settings.columnsAre = each ? kColumnsAreShots : kColumnsAreChannels;
+    std::erase_if(settings.columns, [](const auto &entry) { return entry.first != "time"; });
+    for (const ImportChannel &channel : view.channels) {
+        settings.channels.erase(channel.name);
+        settings.channelDetails.erase(channel.name);
+    }
 }
 
 bool chooseRole(

@@ -22,6 +22,10 @@ bool leavesTimesOut(const ImportSettings &settings);
 
 void chooseTimes(ImportSettings &settings, const ImportView &view, int choice);
 
+/// Whether each column of a text table is a shot of one sensor. What was said of the columns or
+/// channels of the other kind is forgotten, the column of times not.
+void chooseShotColumns(ImportSettings &settings, const ImportView &view, bool each);
+
 /// There is one DUT only: another one loses its role. True if the file must be read again.
 bool chooseRole(
     ImportSettings &settings, ImportView &view, const std::string &channel, ChannelRole role);

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <fstream>
+#include <utility>
 
 namespace dyncal {
 
@@ -42,6 +43,8 @@ std::string recognisedFormat(const std::string &path, const ImportSettings &sett
 
 ChannelRole roleOf(const ImportChannel &channel, const ImportSettings &settings)
 {
+    if (channel.shot > 0)
+        return ChannelRole::Dut;
     for (const auto &[role, column] : settings.columns)
         if (channel.column == column)
             return channelRoleFromName(role);
@@ -67,14 +70,34 @@ void giveRoles(std::vector<ImportChannel> &channels, const ImportSettings &setti
         channels.front().role = ChannelRole::Dut;
 }
 
+ImportChannel textChannel(const TextPreview &text, std::size_t column)
+{
+    return {text.columnTitles[column], text.units[column], ChannelRole::Other, ChannelRole::Other,
+        static_cast<Index>(column), 0,
+        column < text.glances.size() ? text.glances[column] : ChannelGlance()};
+}
+
 void addTextChannels(ImportView &view)
 {
     const TextPreview &text = *view.text;
     for (std::size_t i = 0; i < text.columnTitles.size(); ++i)
         if (text.timeColumn != static_cast<Index>(i))
-            view.channels.push_back({text.columnTitles[i], text.units[i], ChannelRole::Other,
-                ChannelRole::Other, static_cast<Index>(i), 0,
-                i < text.glances.size() ? text.glances[i] : ChannelGlance()});
+            view.channels.push_back(textChannel(text, i));
+}
+
+/// One row per shot; what is said of one is said of the sensor.
+void addShotColumns(ImportView &view)
+{
+    const TextPreview &text = *view.text;
+    for (std::size_t i = 0; i < text.shots.size(); ++i) {
+        if (text.shots[i] == 0)
+            continue;
+        ImportChannel channel = textChannel(text, i);
+        channel.title = std::exchange(channel.name, kShotColumnChannel);
+        channel.fileRole = channel.role = ChannelRole::Dut;
+        channel.shot = text.shots[i];
+        view.channels.push_back(std::move(channel));
+    }
 }
 
 void addChannels(ImportView &view, const CaptureSet &set)
@@ -139,7 +162,10 @@ void lookAtText(ImportView &view, const std::string &path, const ImportSettings 
     if (view.problem)
         noteContradiction(view);
     view.sampleRate_Hz = text->sampleRate_Hz;
-    addTextChannels(view);
+    if (view.isShotPerColumn())
+        addShotColumns(view);
+    else
+        addTextChannels(view);
 }
 
 /// Opens also files beside it that hold other channels of the same recording: roles are given to
@@ -191,7 +217,8 @@ bool ImportView::isComplete(const ImportSettings &settings) const
     const bool ambiguous = text
         && (text->unreadableCells > 0 || (text->decimalAmbiguous && settings.decimal == "auto"));
     const auto duts = std::ranges::count(channels, ChannelRole::Dut, &ImportChannel::role);
-    return !problem && !ambiguous && duts == 1
+    const auto needed = isShotPerColumn() ? std::max<std::ptrdiff_t>(std::ssize(channels), 1) : 1;
+    return !problem && !ambiguous && duts == needed
         && (sampleRate_Hz > 0.0 || settings.sampleRate_Hz.has_value());
 }
 
@@ -208,7 +235,8 @@ ImportView lookAtFile(
             isExample ? exampleCaptures(control) : openWithOtherChannels(path, settings, control));
         lookAtDatasets(view, path, control);
     }
-    proposeRoles(view);
+    if (!view.isShotPerColumn()) // there the roles are known
+        proposeRoles(view);
     applyRoles(view, settings);
     return view;
 }

@@ -25,6 +25,8 @@ struct ImportChannel
     Index samples = 0; ///< 0 = not counted
     ChannelGlance glance{}; ///< of the record, or of the rows of a text that were looked at
     ChannelRole proposed = ChannelRole::Other; ///< by the records alone; nothing takes it unasked
+    Index shot = 0; ///< which shot a column is, from 1; 0 = a channel of all shots
+    std::string title{}; ///< of the column that is a shot: all these have one name
     bool operator==(const ImportChannel &) const = default;
 };
 
@@ -40,11 +42,14 @@ struct ImportView
     /// Where header and column of times contradict each other (CAP-003): what each of them says.
     std::optional<double> headerRate_Hz, timesRate_Hz;
 
+    /// Whether each column of a text table is a shot of one sensor.
+    bool isShotPerColumn() const { return text && !text->shots.empty(); }
+
     /// Whether a proposal gives a DUT where there is none yet.
     bool hasProposal() const;
 
     /// Whether the file can be imported with these settings: it reads without an error, its numbers
-    /// can be taken in one way only, the rate is known and one channel is the DUT.
+    /// can be taken in one way only, the rate is known and one channel (or each column) is the DUT.
     bool isComplete(const ImportSettings &settings) const;
 };
 

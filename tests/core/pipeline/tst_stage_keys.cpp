@@ -100,6 +100,7 @@ void TestStageKeys::recipeChange_movesTheStageThatReadsItAndAllLater_data()
     const auto import = StageId::Captures;
     row("import.format", import, [](Recipe &r) { r.import.format = "lvm"; });
     row("import.columns", import, [](Recipe &r) { r.import.columns["dut"] = 1; });
+    row("import.columns_are", import, [](Recipe &r) { r.import.columnsAre = "shots"; });
     row("import.channels", import, [](Recipe &r) { r.import.channels["DUT"] = "other"; });
     row("import.decimal", import, [](Recipe &r) { r.import.decimal = ","; });
     row("import.separator", import, [](Recipe &r) { r.import.separator = "tab"; });

@@ -13,6 +13,7 @@ inline Recipe fullRecipe()
     Recipe r;
     r.import = {.format = "text",
         .columns = {{"time", 0}, {"dut", 2}},
+        .columnsAre = "shots",
         .channels = {{"Acceleration_1", "dut"}},
         .channelDetails = {{"Acceleration_1", {"mV", 2.0, 10.0, 5e-6, -1, "gauge"}}},
         .decimal = ",",
@@ -32,6 +33,7 @@ inline Recipe fullRecipe()
         .files = {{"low.csv",
             {.format = "text",
                 .columns = {{"dut", 1}},
+                .columnsAre = "channels",
                 .channels = {{"x", "driver"}},
                 .channelDetails = {{"x", {"bar", 3.0, 4.0, 6e-6, -1, "absolute"}}},
                 .decimal = ".",

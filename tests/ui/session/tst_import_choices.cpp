@@ -42,6 +42,8 @@ private slots:
     void times_none_namesTheColumnsOfSamples();
     void times_none_withoutADut_namesOneColumn();
     void times_automatic_forgetsTheChoice();
+    void shotColumns_forgetRolesAndKeepTheTimes();
+    void shotColumns_timesNone_leavesTheirColumnOut();
     void role_secondDut_takesItFromTheFirst();
     void role_withTimesLeftOut_namesItsColumnAndReadsAgain();
     void role_ofADataset_namesAllThatAreRead();
@@ -82,6 +84,44 @@ void TestImportChoices::times_automatic_forgetsTheChoice()
     ImportSettings settings;
     chooseTimes(settings, table(), TimeNone);
     chooseTimes(settings, table(), TimeAuto);
+    QVERIFY(settings.columns.empty());
+}
+
+void TestImportChoices::shotColumns_forgetRolesAndKeepTheTimes()
+{
+    ImportSettings settings;
+    settings.columns = {{"time", 0}, {"dut", 1}};
+    settings.channels = {{"side", "driven_side"}, {"elsewhere", "dut"}};
+    settings.channelDetails["p"].gain = 10.0;
+    chooseShotColumns(settings, table(), true);
+    QCOMPARE(settings.columnsAre, std::string("shots"));
+    QCOMPARE(settings.columns, (std::map<std::string, Index>{{"time", 0}}));
+    // A channel that this table no longer has would stop the import.
+    QCOMPARE(settings.channels, (std::map<std::string, std::string>{{"elsewhere", "dut"}}));
+    QVERIFY(settings.channelDetails.empty());
+
+    ImportView shots;
+    shots.channels = {{"DUT", "V", ChannelRole::Dut, ChannelRole::Dut, 1, 100}};
+    settings.channelDetails["DUT"].gain = 10.0;
+    chooseShotColumns(settings, shots, false);
+    QCOMPARE(settings.columnsAre, std::string("channels"));
+    QVERIFY(settings.channelDetails.empty());
+}
+
+void TestImportChoices::shotColumns_timesNone_leavesTheirColumnOut()
+{
+    ImportView view = table();
+    view.text = TextPreview();
+    view.text->shots = {0, 1, 2};
+    view.text->timeColumn = 0;
+    ImportSettings settings;
+    chooseShotColumns(settings, view, true);
+    chooseTimes(settings, view, TimeNone);
+    QVERIFY(leavesTimesOut(settings));
+    QCOMPARE(settings.columns, (std::map<std::string, Index>{{"other", 0}}));
+    view.text->timeColumn.reset(); // there are none to be left out
+    view.text->shots = {1, 2, 3};
+    chooseTimes(settings, view, TimeNone);
     QVERIFY(settings.columns.empty());
 }
 

@@ -66,6 +66,12 @@ QString looksText(const ImportChannel &channel, const ChannelImport &details)
     return lines.join(QStringLiteral("; "));
 }
 
+/// What the row is called: shots that are columns of one sensor share the channel's name.
+const std::string &titleOf(const ImportChannel &channel)
+{
+    return channel.shot > 0 ? channel.title : channel.name;
+}
+
 } // namespace
 
 ImportChannelTable::ImportChannelTable(QWidget *parent)
@@ -87,19 +93,19 @@ ImportChannelTable::ImportChannelTable(QWidget *parent)
 void ImportChannelTable::setChannels(
     const std::vector<ImportChannel> &channels, const std::map<std::string, ChannelImport> &details)
 {
-    std::vector<std::string> names;
+    std::vector<std::pair<std::string, bool>> rows;
     m_details.clear();
     for (const ImportChannel &channel : channels) {
-        names.push_back(channel.name);
+        rows.emplace_back(titleOf(channel), channel.shot > 0);
         const auto known = details.find(channel.name);
         m_details.push_back(known == details.end() ? ChannelImport{} : known->second);
     }
-    if (names != m_names) { // only then: what is being typed stays
+    if (rows != m_rows) { // only then: what is being typed stays
         setRowCount(0);
         setRowCount(static_cast<int>(channels.size()));
         for (int row = 0; row < rowCount(); ++row)
             makeRow(row, channels[static_cast<std::size_t>(row)]);
-        m_names = names;
+        m_rows = std::move(rows);
     }
     resizeRowsToContents();
     bool counted = false;
@@ -124,15 +130,17 @@ void ImportChannelTable::put(
 
 void ImportChannelTable::makeRow(int row, const ImportChannel &channel)
 {
-    const QString name = shownText(channel.name);
+    const QString name = shownText(titleOf(channel));
     put(row, Trace, new TraceCell(this), "importTrace", tr("Trace of channel %1").arg(name));
-    auto *role = new QComboBox(this);
-    for (const ChannelRole choice : kRoles)
-        role->addItem(roleText(choice));
-    connect(role, &QComboBox::activated, this, [this, row](int choice) {
-        emit roleChosen(row, kRoles[static_cast<std::size_t>(choice)]);
-    });
-    put(row, Role, role, "importRole", tr("Role of channel %1").arg(name));
+    if (channel.shot == 0) {
+        auto *role = new QComboBox(this);
+        for (const ChannelRole choice : kRoles)
+            role->addItem(roleText(choice));
+        connect(role, &QComboBox::activated, this, [this, row](int choice) {
+            emit roleChosen(row, kRoles[static_cast<std::size_t>(choice)]);
+        });
+        put(row, Role, role, "importRole", tr("Role of channel %1").arg(name));
+    }
 
     auto *unit = new QLineEdit(this);
     unit->setMaximumWidth(70);
@@ -191,13 +199,17 @@ void ImportChannelTable::makeSense(int row, const QString &name)
 void ImportChannelTable::fillRow(int row, const ImportChannel &channel)
 {
     const ChannelImport &details = m_details[static_cast<std::size_t>(row)];
-    setItem(row, Name, fixedItem(shownText(channel.name)));
+    setItem(row, Name, fixedItem(shownText(titleOf(channel))));
     static_cast<TraceCell *>(cellWidget(row, Trace))->setGlance(channel.glance);
     setItem(row, Looks, fixedItem(looksText(channel, details)));
     setItem(row, Samples,
         fixedItem(channel.samples > 0 ? QString::number(channel.samples) : QString()));
-    static_cast<QComboBox *>(cellWidget(row, Role))
-        ->setCurrentIndex(positionIn(kRoles, channel.role));
+    if (channel.shot > 0)
+        setItem(
+            row, Role, fixedItem(tr("%1, shot %2").arg(roleText(channel.role)).arg(channel.shot)));
+    else
+        static_cast<QComboBox *>(cellWidget(row, Role))
+            ->setCurrentIndex(positionIn(kRoles, channel.role));
     auto *unit = static_cast<QLineEdit *>(cellWidget(row, Unit));
     const bool stated = isStated(channel.unit);
     unit->setPlaceholderText(stated ? shownText(channel.unit) : tr("not stated"));

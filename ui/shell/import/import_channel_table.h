@@ -10,7 +10,8 @@
 
 namespace dyncal {
 
-/// The channels of a file: the role of each, and what its values are.
+/// The channels of a file: the role of each, and what its values are. Columns that are shots of one
+/// sensor have a row each; what is said of one is said of all.
 class ImportChannelTable : public QTableWidget
 {
     Q_OBJECT
@@ -33,7 +34,7 @@ private:
     void fillRow(int row, const ImportChannel &channel);
     void change(int row, const std::function<void(ChannelImport &)> &edit);
 
-    std::vector<std::string> m_names; ///< of the rows made
+    std::vector<std::pair<std::string, bool>> m_rows; ///< made: title, and whether it is a shot
     std::vector<ChannelImport> m_details; ///< one per row
 };
 

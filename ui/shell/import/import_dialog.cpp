@@ -129,6 +129,10 @@ ImportTextBox *ImportDialog::buildText()
         look();
     });
     connect(m_text, &ImportTextBox::timesChosen, this, &ImportDialog::chooseTime);
+    connect(m_text, &ImportTextBox::shotColumnsChosen, this, [this](bool each) {
+        chooseShotColumns(m_settings, m_view, each);
+        look();
+    });
     return m_text;
 }
 

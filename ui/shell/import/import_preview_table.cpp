@@ -56,7 +56,12 @@ void ImportPreviewTable::setPreview(const TextPreview &preview)
         QString title = shownText(preview.columnTitles[at]);
         if (!unit.isEmpty())
             title += QStringLiteral(" [%1]").arg(unit);
-        titles << (preview.timeColumn == Index(c) ? tr("%1 (time)").arg(title) : title);
+        if (preview.timeColumn == Index(c))
+            title = tr("%1 (time)").arg(title);
+        else if (at < preview.shots.size())
+            title = preview.shots[at] > 0 ? tr("%1 (shot %2)").arg(title).arg(preview.shots[at])
+                                          : tr("%1 (left out)").arg(title);
+        titles << title;
     }
     setHorizontalHeaderLabels(titles);
     setRowCount(static_cast<int>(preview.rows.size()));

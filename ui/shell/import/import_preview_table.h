@@ -10,7 +10,7 @@
 namespace dyncal {
 
 /// The first rows of a text table as they are read: cells that are no numbers are marked, the
-/// column of times is grey.
+/// column of times is grey. The head of a column says what it is: times, or which shot.
 class ImportPreviewTable : public QTableWidget
 {
     Q_OBJECT

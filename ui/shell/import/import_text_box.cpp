@@ -9,6 +9,7 @@
 #include "ui/stages/frame/position_in.h"
 #include "ui/text/shown_text.h"
 
+#include <QCheckBox>
 #include <QComboBox>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -52,6 +53,8 @@ ImportTextBox::ImportTextBox(QWidget *parent)
     , m_decimal(named(new QComboBox(this), "importDecimal", tr("Decimal mark")))
     , m_header(named(new QSpinBox(this), "importHeader", tr("Header rows")))
     , m_time(named(new QComboBox(this), "importTime", tr("Time from")))
+    , m_shots(named(new QCheckBox(tr("Each column is a shot of one sensor"), this),
+          "importShotColumns", tr("Each column is a shot of one sensor")))
     , m_preview(new ImportPreviewTable(this))
     , m_counts(new QLabel(this))
 {
@@ -68,6 +71,9 @@ ImportTextBox::ImportTextBox(QWidget *parent)
         emit headerChosen(rows == kAutomatic ? std::nullopt : std::optional<Index>(rows));
     });
     connect(m_time, &QComboBox::activated, this, &ImportTextBox::timesChosen);
+    m_shots->setToolTip(tr(
+        "The columns are records of the same sensor, shot after shot; else they are channels that were recorded together"));
+    connect(m_shots, &QCheckBox::clicked, this, &ImportTextBox::shotColumnsChosen);
     m_counts->setObjectName("importCounts");
 
     auto *row = new QHBoxLayout;
@@ -78,6 +84,7 @@ ImportTextBox::ImportTextBox(QWidget *parent)
     }
     auto *column = new QVBoxLayout(this);
     column->addLayout(row);
+    column->addWidget(m_shots, 0, Qt::AlignLeft);
     column->addWidget(m_preview);
     column->addWidget(m_counts);
 }
@@ -86,6 +93,7 @@ void ImportTextBox::showSettings(const ImportSettings &settings)
 {
     m_separator->setCurrentIndex(positionIn(kSeparators, settings.separator));
     m_decimal->setCurrentIndex(positionIn(kDecimals, settings.decimal));
+    m_shots->setChecked(settings.columnsAre == kColumnsAreShots);
     const QSignalBlocker quiet(m_header);
     m_header->setValue(static_cast<int>(settings.skipRows.value_or(kAutomatic)));
 }

@@ -11,6 +11,7 @@
 #include <optional>
 #include <string>
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QSpinBox;
@@ -19,8 +20,8 @@ namespace dyncal {
 
 class ImportPreviewTable;
 
-/// How a text table is split into cells, and its first rows read that way. "automatic" says what it
-/// found.
+/// How a text table is split into cells, what its columns are, and its first rows read that way.
+/// "automatic" says what it found.
 class ImportTextBox : public QGroupBox
 {
     Q_OBJECT
@@ -36,6 +37,7 @@ signals:
     void decimalChosen(const std::string &decimal);
     void headerChosen(std::optional<dyncal::Index> rows); ///< none = automatic
     void timesChosen(int choice); ///< TimeChoice
+    void shotColumnsChosen(bool each); ///< whether each column is a shot
 
 private:
     void showTimes(const TextPreview &text, const ImportSettings &settings);
@@ -44,6 +46,7 @@ private:
     QComboBox *m_decimal;
     QSpinBox *m_header;
     QComboBox *m_time;
+    QCheckBox *m_shots; ///< each column is one
     ImportPreviewTable *m_preview;
     QLabel *m_counts;
 };

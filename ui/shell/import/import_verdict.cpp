@@ -48,9 +48,14 @@ QString missingAnswer(const ImportView &view, const ImportSettings &settings, bo
     if (needsRateReason(settings, view) && settings.sampleRateReason.empty())
         return VerdictText::tr(
             "The rate typed differs from that of the file: say why the file is wrong. The results record it.");
+    if (view.isShotPerColumn() && duts == 0)
+        return VerdictText::tr("The table has no column of samples.");
+    if (view.text && duts == 0 && view.channels.size() > 1)
+        return VerdictText::tr(
+            "Choose which channel is the sensor under test (DUT), or tick that each column is a shot of it.");
     if (duts == 0)
         return VerdictText::tr("Choose which channel is the sensor under test (DUT).");
-    if (duts > 1)
+    if (duts > 1 && !view.isShotPerColumn())
         return VerdictText::tr("Only one channel can be the sensor under test (DUT).");
     if (lacksName)
         return VerdictText::tr("Give the profile a name that a file can have.");

@@ -6,6 +6,7 @@
 #include "core/base/text_encoding.h"
 #include "core/capture/formats/lvm/lvm.h"
 #include "core/capture/formats/text/column_titles.h"
+#include "core/capture/formats/text/shot_columns.h"
 #include "core/capture/formats/text/table_import.h"
 #include "core/capture/formats/text/text_bytes.h"
 #include "core/capture/formats/text/text_dialect.h"
@@ -128,6 +129,8 @@ Result<TextPreview> previewText(const std::string &path, const ImportSettings &s
     } else {
         preview.problem = table.error();
     }
+    if (areColumnsShots(settings))
+        preview.shots = shotsOfColumns(settings, dialect->columns, preview.timeColumn);
     preview.remark = questionOf(path, table, settings);
     preview.question = english(preview.remark);
     PreviewRows(*dialect, preview.headerLines, preview).read(head->text);

@@ -29,6 +29,7 @@ struct TextPreview
     std::string encoding; ///< "UTF-8", "UTF-16" or "Windows-1252"
     bool decimalAmbiguous = false; ///< numbers can be read in two ways (CAP-019)
     std::optional<Index> timeColumn; ///< holds times or row numbers, no samples
+    std::vector<Index> shots; ///< where each column is one: its number from 1, 0 = no shot
     double sampleRate_Hz = 0.0; ///< 0 = must be stated
     std::optional<Error> problem; ///< what would stop the import under these settings
     Message remark; ///< the question, to be translated; no text if all is certain

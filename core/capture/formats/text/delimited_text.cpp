@@ -5,6 +5,7 @@
 
 #include "core/base/ascii_text.h"
 #include "core/capture/file_kind.h"
+#include "core/capture/formats/text/shot_columns.h"
 #include "core/capture/formats/text/table_import.h"
 #include "core/capture/formats/text/text_bytes.h"
 #include "core/capture/formats/text/text_dialect.h"
@@ -38,31 +39,64 @@ std::vector<std::optional<ChannelRole>> rolesOf(
     return roles;
 }
 
-Channel channelOf(const ColumnTitle &title, ChannelRole role, std::vector<double> values)
+std::string stemOf(const std::string &path)
+{
+    return std::filesystem::path(path).stem().string();
+}
+
+/// Takes the samples of column i.
+Channel channelOf(ImportedTable &table, std::size_t i, ChannelRole role)
 {
     Channel channel;
-    channel.name = title.name;
+    channel.name = table.titles[i].name;
     channel.role = role;
-    channel.unit = title.unit.empty() ? "1" : title.unit;
-    channel.samples = RawSamples(std::move(values));
+    channel.unit = table.titles[i].unit.empty() ? "1" : table.titles[i].unit;
+    channel.samples = RawSamples(std::move(table.columns[i]));
+    channel.sampleRate_Hz = table.time.sampleRate_Hz;
+    channel.t0_s = table.time.first_s;
     return channel;
 }
 
 Shot shotOf(const std::string &path, const ImportSettings &settings, ImportedTable &table)
 {
     Shot shot;
-    shot.label = std::filesystem::path(path).stem().string();
+    shot.label = stemOf(path);
     const auto columns = static_cast<Index>(table.columns.size());
     const auto roles = rolesOf(settings, columns, table.time.column);
-    for (std::size_t i = 0; i < roles.size(); ++i) {
-        if (!roles[i])
-            continue;
-        Channel channel = channelOf(table.titles[i], *roles[i], std::move(table.columns[i]));
-        channel.sampleRate_Hz = table.time.sampleRate_Hz;
-        channel.t0_s = table.time.first_s;
-        shot.channels.push_back(std::move(channel));
-    }
+    for (std::size_t i = 0; i < roles.size(); ++i)
+        if (roles[i])
+            shot.channels.push_back(channelOf(table, i, *roles[i]));
     return shot;
+}
+
+/// One shot for each of these columns. The channel has the same name in all of them, so that what
+/// is said of the sensor is said once.
+std::vector<Shot> shotsOf(
+    const std::string &path, const std::vector<Index> &shotOfColumn, ImportedTable &table)
+{
+    std::vector<Shot> shots;
+    for (std::size_t i = 0; i < shotOfColumn.size(); ++i) {
+        if (shotOfColumn[i] == 0)
+            continue;
+        Shot shot;
+        shot.label = stemOf(path) + ", " + table.titles[i].name;
+        shot.channels.push_back(channelOf(table, i, ChannelRole::Dut));
+        shot.channels.front().name = kShotColumnChannel;
+        shots.push_back(std::move(shot));
+    }
+    return shots;
+}
+
+/// The shots with at least one column of samples.
+std::vector<Shot> shotsOf(
+    const std::string &path, const ImportSettings &settings, ImportedTable &table)
+{
+    if (areColumnsShots(settings))
+        return shotsOf(path,
+            shotsOfColumns(settings, static_cast<Index>(table.columns.size()), table.time.column),
+            table);
+    Shot shot = shotOf(path, settings, table);
+    return shot.channels.empty() ? std::vector<Shot>() : std::vector<Shot>{std::move(shot)};
 }
 
 } // namespace
@@ -102,8 +136,8 @@ Result<CaptureSet> readDelimitedText(
         return tl::unexpected(table.error());
     CaptureSet set;
     set.findings = std::move(table->findings);
-    set.shots.push_back(shotOf(path, settings, *table));
-    if (set.shots.back().channels.empty())
+    set.shots = shotsOf(path, settings, *table);
+    if (set.shots.empty())
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core", "%1 has a column of times but no column of samples."), {path}},
             "CAP-018");

@@ -6,6 +6,7 @@
 #include "core/base/number_text.h"
 #include "core/capture/formats/bytes/counted_header.h"
 #include "core/capture/formats/text/column_titles.h"
+#include "core/capture/formats/text/shot_columns.h"
 #include "core/capture/formats/text/table_parser.h"
 #include "core/capture/formats/text/text_dialect.h"
 #include "core/capture/formats/text/text_source.h"
@@ -152,6 +153,8 @@ Result<void> checkBefore(const std::string &path, const ImportSettings &settings
     const TextDialect &dialect, std::string_view text)
 {
     if (const auto checked = checkColumns(path, settings, dialect.columns); !checked)
+        return checked;
+    if (const auto checked = checkShotColumns(path, settings); !checked)
         return checked;
     if (settings.skipRows)
         return {};

@@ -39,6 +39,8 @@ private slots:
     void headerAgainstTimes_offersBoth();
     void unreadableCells_areMarkedAndBlock();
     void timeColumn_chosen_isInTheSettings();
+    void eachColumnAShot_importsOneShotPerColumn();
+    void eachColumnAShot_headerAgainstTimes_leavesTheTimesOut();
     void profile_kept_isOfferedForTheNextFile();
     void profile_badName_isRefused();
     void dialog_ofTheExample_listsItsChannels();
@@ -298,6 +300,71 @@ void TestImportDialog::timeColumn_chosen_isInTheSettings()
     choose(&dialog, "importTime", 0);
     QTRY_VERIFY(!dialog.isLooking());
     QVERIFY(dialog.settings().columns.empty());
+}
+
+void TestImportDialog::eachColumnAShot_importsOneShotPerColumn()
+{
+    const ImportBench bench;
+    bench.drop({bench.write(
+        "series.csv", tableText({.header = "time [s],a [V],b [V],c [V]\n", .columns = 3}))});
+    ImportDialog *dialog = bench.waitDialog();
+    QVERIFY(dialog);
+    QVERIFY2(verdict(dialog).contains("each column is a shot"), qPrintable(verdict(dialog)));
+    QVERIFY(!importButton(dialog)->isEnabled());
+    auto *each = dialog->findChild<QCheckBox *>("importShotColumns");
+    QVERIFY(each && each->isVisible() && !each->toolTip().isEmpty());
+    QTest::mouseClick(each, Qt::LeftButton, {}, QPoint(8, each->height() / 2));
+    QTRY_VERIFY(!dialog->isLooking());
+    QVERIFY2(importButton(dialog)->isEnabled(), qPrintable(verdict(dialog)));
+    auto *table = dialog->findChild<ImportChannelTable *>("importChannels");
+    QCOMPARE(table->rowCount(), 3);
+    QCOMPARE(table->item(0, 0)->text(), QString("a"));
+    QCOMPARE(table->item(2, 3)->text(), QString("DUT, shot 3"));
+    QVERIFY(table->cellWidget(2, 1)); // each has its trace
+    auto *preview = dialog->findChild<ImportPreviewTable *>("importPreview");
+    QCOMPARE(preview->horizontalHeaderItem(0)->text(), QString("time [s] (time)"));
+    QCOMPARE(preview->horizontalHeaderItem(2)->text(), QString("b [V] (shot 2)"));
+
+    auto *gain = dialog->findChild<QLineEdit *>("importGain2Value"); // said of one, meant for all
+    QTest::keyClicks(gain, "10");
+    QTest::keyClick(gain, Qt::Key_Tab);
+    QCOMPARE(dialog->findChild<QLineEdit *>("importGain3Value")->text(), QString("10"));
+    QTest::mouseClick(each, Qt::LeftButton, {}, QPoint(8, each->height() / 2)); // and back
+    QTRY_VERIFY(!dialog->isLooking());
+    QVERIFY(dialog->findChild<QComboBox *>("importRole1"));
+    QVERIFY(!importButton(dialog)->isEnabled());
+    QVERIFY(dialog->settings().channelDetails.empty());
+    QTest::mouseClick(each, Qt::LeftButton, {}, QPoint(8, each->height() / 2));
+    QTRY_VERIFY(!dialog->isLooking() && importButton(dialog)->isEnabled());
+    QTest::mouseClick(importButton(dialog), Qt::LeftButton);
+    QTRY_COMPARE(bench.shots(), std::size_t(3));
+    QCOMPARE(bench.import().columnsAre, std::string("shots"));
+    const CaptureSet &set = *bench.window->session().state().captures;
+    for (const Shot &shot : set.shots) {
+        QCOMPARE(shot.channels.size(), std::size_t(1));
+        QCOMPARE(shot.channels[0].role, ChannelRole::Dut);
+    }
+    // The same recipe reads the same in the command line's way.
+    const auto again = readCaptures({set.inputs[0].path}, bench.import());
+    QVERIFY(again.has_value());
+    QCOMPARE(again->shots.size(), std::size_t(3));
+}
+
+void TestImportDialog::eachColumnAShot_headerAgainstTimes_leavesTheTimesOut()
+{
+    const ImportBench bench;
+    bench.drop({bench.write("a.csv",
+        tableText({.header = "Sample rate: 10 MHz\ntime [s],p [V],q [V]\n", .columns = 2}))});
+    ImportDialog *dialog = bench.waitDialog();
+    QVERIFY(dialog);
+    dialog->findChild<QCheckBox *>("importShotColumns")->click();
+    QTRY_VERIFY(!dialog->isLooking());
+    dialog->findChild<QPushButton *>("useHeader")->click();
+    QTRY_VERIFY2(
+        !dialog->isLooking() && importButton(dialog)->isEnabled(), qPrintable(verdict(dialog)));
+    importButton(dialog)->click();
+    QTRY_COMPARE(bench.shots(), std::size_t(2));
+    QCOMPARE(bench.import().sampleRate_Hz, std::optional<double>(10e6));
 }
 
 void TestImportDialog::profile_kept_isOfferedForTheNextFile()
