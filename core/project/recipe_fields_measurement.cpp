@@ -66,21 +66,35 @@ Field<WindowSettings> baseline()
         }};
 }
 
-/// "plateau" or a time after the start; two members share the key.
+/// "plateau", a time after the start, or a list of one per shot; three members share the key.
 Field<WindowSettings> windowEnd()
 {
-    const auto codec = valueOr(Json("plateau"), orAuto(positiveNumber()));
+    Codec<std::optional<Auto<double>>> common = valueOr(Json("plateau"), orAuto(positiveNumber()));
+    common.needs += ", or a list with one of the last two per shot";
+    const Codec<std::vector<Auto<double>>> own = list(orAuto(positiveNumber()), 1);
     return {"end_s", DYNCAL_TEXT("RecipeLabel", "end of the window"),
-        [codec](const JsonAt &at, WindowSettings &window) -> Result<void> {
-            const Result<std::optional<Auto<double>>> value = codec.read(at);
+        [=](const JsonAt &at, WindowSettings &window) -> Result<void> {
+            window.end_s = {};
+            window.ownEnds_s.clear();
+            window.endAtPlateau = false;
+            if (at.value.is_array()) {
+                Result<std::vector<Auto<double>>> values = own.read(at);
+                if (!values)
+                    return tl::unexpected<Error>(values.error());
+                window.ownEnds_s = std::move(*values);
+                return {};
+            }
+            const Result<std::optional<Auto<double>>> value = common.read(at);
             if (!value)
-                return tl::unexpected<Error>(value.error());
+                return mismatch(at, common.needs);
             window.endAtPlateau = !value->has_value();
             window.end_s = value->value_or(Auto<double>());
             return {};
         },
-        [codec](const WindowSettings &window) {
-            return codec.write(window.endAtPlateau ? std::nullopt : std::optional(window.end_s));
+        [=](const WindowSettings &window) {
+            if (!window.endAtPlateau && !window.ownEnds_s.empty())
+                return own.write(window.ownEnds_s);
+            return common.write(window.endAtPlateau ? std::nullopt : std::optional(window.end_s));
         }};
 }
 

@@ -20,4 +20,12 @@ const char *responseTreatmentName(ResponseTreatment treatment)
     return "";
 }
 
+Auto<double> WindowSettings::endOfShot_s(Index shot) const
+{
+    if (ownEnds_s.empty())
+        return end_s;
+    const auto at = static_cast<std::size_t>(shot - 1);
+    return shot >= 1 && at < ownEnds_s.size() ? ownEnds_s[at] : Auto<double>();
+}
+
 } // namespace dyncal

@@ -41,11 +41,15 @@ struct WindowSettings
     std::vector<double> start_s;
     bool subtractBaseline = true; ///< false = recipe's "baseline_s": null
     Auto<Interval> baseline_s;
-    Auto<double> end_s; ///< relative to the start
+    Auto<double> end_s; ///< relative to the start; common to all shots
+    std::vector<Auto<double>> ownEnds_s; ///< not empty: one per shot, in place of the common end
     bool endAtPlateau = false; ///< recipe's "end_s": "plateau"
     Auto<Interval> settle_s;
     std::vector<ExcludedStretch> excludeStretches;
 
+    /// The end that is set for a shot (from 1): its own, or the common one. A shot that ownEnds_s
+    /// does not reach has an automatic end; the window stage refuses such settings.
+    Auto<double> endOfShot_s(Index shot) const;
     bool operator==(const WindowSettings &) const = default;
 };
 

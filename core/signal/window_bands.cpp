@@ -96,14 +96,15 @@ private:
                     {std::to_string(m_shot)}},
                 {}, m_shot};
         const Index limit = size() - m_start;
+        const Auto<double> end_s = m_settings.endOfShot_s(m_shot);
         Index length = 0;
         if (m_settings.endAtPlateau)
             length = std::min(sampleAt(*plateau_s) - m_start, limit);
-        else if (m_settings.end_s.isAuto())
+        else if (end_s.isAuto())
             length = plateau_s ? std::min(automaticLength(), sampleAt(*plateau_s) - m_start)
                                : automaticLength();
         else
-            length = sampleAt(*m_settings.end_s.value) - m_start;
+            length = sampleAt(*end_s.value) - m_start;
         if (length > limit)
             return beyondRecord(length);
         if (length < kLeastWindow)

@@ -114,7 +114,29 @@ void addStepFindings(const WindowedResponse &response, Findings &findings)
     }
 }
 
-Finding behindPlateau(const WindowedResponse &response, double plateau_s)
+/// The common end moved to `end_s`, or that of this shot alone where each has its own.
+Correction movedEnd(const WindowedResponse &response, const WindowSettings &settings, double end_s)
+{
+    const std::string time = numberWithUnit(end_s, "s", 4);
+    if (settings.ownEnds_s.empty())
+        return {.label = {DYNCAL_TEXT("core", "Move the end to %1"), {time}},
+            .key = "window.end_s",
+            .value = numberText(end_s)};
+    std::string list;
+    for (std::size_t i = 0; i < settings.ownEnds_s.size(); ++i) {
+        const Auto<double> own = static_cast<Index>(i) + 1 == response.shot ? Auto<double>(end_s)
+                                                                            : settings.ownEnds_s[i];
+        list.append(list.empty() ? "[" : ", ")
+            .append(own.isAuto() ? std::string("\"auto\"") : numberText(*own.value));
+    }
+    return {
+        .label = {DYNCAL_TEXT("core", "Move the end of shot %1 to %2"), {shotText(response), time}},
+        .key = "window.end_s",
+        .value = list + "]"};
+}
+
+Finding behindPlateau(
+    const WindowedResponse &response, const WindowSettings &settings, double plateau_s)
 {
     Finding overrun{.id = "WIN-001",
         .severity = Severity::Caution,
@@ -128,10 +150,7 @@ Finding behindPlateau(const WindowedResponse &response, double plateau_s)
         .value = response.end_s,
         .limit = plateau_s};
     if (plateau_s > 0.0)
-        overrun.correction = Correction{.label
-            = {DYNCAL_TEXT("core", "Move the end to %1"), {numberWithUnit(plateau_s, "s", 4)}},
-            .key = "window.end_s",
-            .value = numberText(plateau_s)};
+        overrun.correction = movedEnd(response, settings, plateau_s);
     return overrun;
 }
 
@@ -242,7 +261,7 @@ std::optional<SaturatedRun> runAtExtreme(const Eigen::Ref<const Eigen::VectorXd>
 }
 
 Findings windowFindings(const Channel &channel, const WindowedResponse &response,
-    const WindowContext &context, std::optional<double> plateau_s)
+    const WindowSettings &settings, const WindowContext &context, std::optional<double> plateau_s)
 {
     Findings findings;
     const double code = response.resolution;
@@ -267,7 +286,7 @@ Findings windowFindings(const Channel &channel, const WindowedResponse &response
             .limit = context.checks.leastCodes});
     // Ends lie on samples, so one sample beyond the plateau's end is no overrun.
     if (plateau_s && response.end_s > *plateau_s + 1.0 / response.sampleRate_Hz)
-        findings.push_back(behindPlateau(response, *plateau_s));
+        findings.push_back(behindPlateau(response, settings, *plateau_s));
     const char *text = DYNCAL_TEXT(
         "core", "Shot %1: the baseline drifts %2 % of the step per ms, +-%3 % over the band.");
     if (auto drift = driftFinding("WIN-004", text, response, response.baselineSlope_per_s,

@@ -39,6 +39,6 @@ std::optional<SaturatedRun> runAtExtreme(const Eigen::Ref<const Eigen::VectorXd>
 
 /// CAP-007 (caution), CAP-012, CAP-014, WIN-001, WIN-003, WIN-004, WIN-006 of one response.
 Findings windowFindings(const Channel &channel, const WindowedResponse &response,
-    const WindowContext &context, std::optional<double> plateau_s);
+    const WindowSettings &settings, const WindowContext &context, std::optional<double> plateau_s);
 
 } // namespace dyncal

@@ -47,8 +47,15 @@ std::optional<Error> checkSettings(const CaptureSet &set, const WindowSettings &
                     {numberWithUnit(band.value->begin, "s"),
                         numberWithUnit(band.value->end, "s")}});
     }
-    if (!settings.end_s.isAuto())
-        finite = finite && std::isfinite(*settings.end_s.value);
+    const auto ends = static_cast<Index>(settings.ownEnds_s.size());
+    if (ends > 0 && ends != shots && !settings.endAtPlateau)
+        return usage({DYNCAL_TEXT("core",
+                          "window.end_s lists %1 ends for %2 shots; give one end or one per shot."),
+            {std::to_string(ends), std::to_string(shots)}});
+    std::vector<Auto<double>> allEnds_s = settings.ownEnds_s;
+    allEnds_s.push_back(settings.end_s);
+    for (const Auto<double> &end_s : allEnds_s)
+        finite = finite && (end_s.isAuto() || std::isfinite(*end_s.value));
     if (!finite)
         return usage(
             {DYNCAL_TEXT("core", "A time in the window settings is not a finite number."), {}});
@@ -101,7 +108,8 @@ public:
         measureCharacteristics();
         if (still)
             result.findings.push_back(standstillBehind(*m_channel, m_response.shot, *still));
-        const Findings findings = windowFindings(*m_channel, m_response, m_context, plateau_s());
+        const Findings findings
+            = windowFindings(*m_channel, m_response, m_settings, m_context, plateau_s());
         result.findings.insert(result.findings.end(), findings.begin(), findings.end());
         result.responses.push_back(std::move(m_response));
         return std::nullopt;
@@ -112,7 +120,8 @@ private:
 
     bool endIsSearched() const
     {
-        return isStep() && !m_settings.endAtPlateau && m_settings.end_s.isAuto();
+        return isStep() && !m_settings.endAtPlateau
+            && m_settings.endOfShot_s(m_response.shot).isAuto();
     }
 
     std::optional<double> plateau_s() const

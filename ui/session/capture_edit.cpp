@@ -158,6 +158,7 @@ ProjectState withoutShot(const ProjectState &state, Index number)
     removeNumbered(next.recipe.import.exclude, number);
     removeNumbered(next.recipe.acknowledge, number);
     removeOfEach(next.recipe.window.start_s, position);
+    removePosition(next.recipe.window.ownEnds_s, position);
     removeNumbered(next.recipe.window.excludeStretches, number);
     removeShotOfModes(next.recipe.realization.nuisanceModes, number);
     for (ArrivalSensor &sensor : next.recipe.shock.arrivalSensors)

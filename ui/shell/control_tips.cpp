@@ -108,6 +108,9 @@ constexpr Tip kTips[]{
         QT_TRANSLATE_NOOP(
             "ControlTips", "Stretch before the step that gives level 0 and the noise")},
     {"windowEnd", QT_TRANSLATE_NOOP("ControlTips", "Where the response ends, after the start")},
+    {"windowEndFor",
+        QT_TRANSLATE_NOOP("ControlTips",
+            "Whether an end that is typed or dragged holds for all shots, or for the shot alone whose values are shown")},
     {"endAtPlateau",
         QT_TRANSLATE_NOOP("ControlTips", "End every shot where its own computed plateau ends")},
     {"settle",

@@ -124,6 +124,7 @@ void TestStageKeys::recipeChange_movesTheStageThatReadsItAndAllLater_data()
     row("window.baseline off", window, [](Recipe &r) { r.window.subtractBaseline = false; });
     row("window.baseline", window, [](Recipe &r) { r.window.baseline_s = Interval{-2e-3, -1e-3}; });
     row("window.end", window, [](Recipe &r) { r.window.end_s = 1e-3; });
+    row("window.ends", window, [](Recipe &r) { r.window.ownEnds_s = {1e-3, 2e-3, 1e-3}; });
     row("window.plateau", window, [](Recipe &r) { r.window.endAtPlateau = true; });
     row("window.settle", window, [](Recipe &r) { r.window.settle_s = Interval{5e-4, 1e-3}; });
     row("remap", window, [](Recipe &r) { r.remap = false; });

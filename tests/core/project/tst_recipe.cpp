@@ -71,7 +71,7 @@ private slots:
 
     void roundTrip_ofEveryAlternative_isIdentical()
     {
-        std::vector<Recipe> recipes(12);
+        std::vector<Recipe> recipes(13);
         recipes[0].window.start_s = {0.0125};
         recipes[1].window.subtractBaseline = false;
         recipes[2].window.endAtPlateau = true;
@@ -86,6 +86,7 @@ private slots:
         recipes[9].import.levels = {"low", "", "high"};
         recipes[10].import.polarity = -1;
         recipes[11].input.combine = CombineMethod::Stacked;
+        recipes[12].window.ownEnds_s = {1e-3, Auto<double>(), 2e-3};
         for (const Recipe &recipe : recipes)
             QVERIFY2(parsed(recipeJson(recipe)) == recipe, recipeJson(recipe).c_str());
     }
@@ -295,7 +296,11 @@ private slots:
         row("schema", R"({"schema": "dyncal-recipe/2"})",
             "Recipe key schema is \"dyncal-recipe/2\"; it needs \"dyncal-recipe/1\".");
         row("end", R"({"window": {"end_s": "later"}})",
-            "Recipe key window.end_s is \"later\"; it needs \"plateau\" or \"auto\" or a number above 0.");
+            "Recipe key window.end_s is \"later\"; it needs \"plateau\" or \"auto\" or a number above 0, or a list with one of the last two per shot.");
+        row("end of a shot", R"({"window": {"end_s": [1e-3, "plateau"]}})",
+            "Recipe key window.end_s[1] is \"plateau\"; it needs \"auto\" or a number above 0.");
+        row("no ends", R"({"window": {"end_s": []}})",
+            "Recipe key window.end_s is []; it needs a list that is not empty, each value \"auto\" or a number above 0.");
         row("linear", R"({"response": {"frequencies_hz": "linear:1"}})",
             "Recipe key response.frequencies_hz is \"linear:1\"; it needs \"third-octave\", \"linear:N\" with N between 2 and 100000 or a list of frequencies in hertz.");
         row("list element", R"({"response": {"frequencies_hz": [100, -5]}})",

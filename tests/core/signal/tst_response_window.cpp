@@ -33,6 +33,7 @@ private slots:
     void end_decay_isWhereNoiseBegins();
     void end_lateBaseline_limitsTheWindow();
     void end_typedBeyondRecord_namesTheLargest();
+    void end_ofEachShot_isItsOwn();
     void end_plateau_isTakenFromShockData();
     void settle_typed_mustLieInside();
     void start_typed_oneOrPerShot();
@@ -295,6 +296,29 @@ void TestResponseWindow::end_typedBeyondRecord_namesTheLargest()
     compareError(cut(stepChannel(), settings), "", "needs at least 16");
     settings.end_s = 1e300;
     compareError(cut(stepChannel(), settings), "", "3.6 ms at most");
+}
+
+void TestResponseWindow::end_ofEachShot_isItsOwn()
+{
+    CaptureSet set = captureSetOf({stepChannel(), stepChannel(), stepChannel()});
+    WindowSettings settings;
+    settings.start_s = {0.0};
+    settings.end_s = 1e-3; // the common one: without effect
+    settings.ownEnds_s = {1.2e-3, Auto<double>(), 2e-3};
+    const auto result = cutWindows(set, settings, {});
+    QVERIFY(result.has_value());
+    WindowSettings automatic;
+    automatic.start_s = {0.0};
+    const Index usual = only(cut(stepChannel(), automatic)).length;
+    QCOMPARE(result->responses[0].length, Index(12000));
+    QCOMPARE(result->responses[1].length, usual);
+    QCOMPARE(result->responses[2].length, Index(20000));
+    set.shots[1].included = false; // the others keep theirs
+    const auto fewer = cutWindows(set, settings, {});
+    QVERIFY(fewer.has_value());
+    QCOMPARE(fewer->responses[1].length, Index(20000));
+    settings.ownEnds_s[2] = 3.7e-3; // beyond that shot's record
+    compareError(cutWindows(set, settings, {}), "", "Shot 3 ends");
 }
 
 void TestResponseWindow::end_plateau_isTakenFromShockData()

@@ -34,6 +34,7 @@ private slots:
     void findings_driftingLevels();
     void findings_lowSnr_namesTheAttainableFit();
     void findings_windowBehindPlateau();
+    void findings_windowBehindPlateau_ofOneShot();
     void restlessBaseline_leavesTheShotOut();
     void noStep_isBlockedWithItsShot();
     void everyBadShot_isToldAtOnce();
@@ -62,6 +63,11 @@ void TestWindowFaults::settings_nonsense_isUsage()
     QCOMPARE(cut(stepChannel(), settings).error().kind, ErrorKind::Usage);
     settings = {};
     settings.end_s = std::numeric_limits<double>::infinity();
+    QCOMPARE(cut(stepChannel(), settings).error().kind, ErrorKind::Usage);
+    settings = {};
+    settings.ownEnds_s = {1e-3, 2e-3}; // of one shot
+    QCOMPARE(cut(stepChannel(), settings).error().kind, ErrorKind::Usage);
+    settings.ownEnds_s = {kNan};
     QCOMPARE(cut(stepChannel(), settings).error().kind, ErrorKind::Usage);
     QCOMPARE(cutWindows({}, {}, {}).error().kind, ErrorKind::Usage);
 }
@@ -238,6 +244,27 @@ void TestWindowFaults::findings_windowBehindPlateau()
     QVERIFY(!findingOf(cut(stepChannel(), settings, context), "WIN-001"));
     settings.end_s = 1.6e-3;
     QVERIFY(!findingOf(cut(stepChannel(), settings, context), "WIN-001"));
+}
+
+/// The correction moves the end of the shot that it is about, where each has its own.
+void TestWindowFaults::findings_windowBehindPlateau_ofOneShot()
+{
+    const CaptureSet set = captureSetOf({stepChannel(), stepChannel(), stepChannel()});
+    WindowSettings settings;
+    settings.ownEnds_s = {Auto<double>(), 2e-3, 1.5e-3};
+    WindowContext context;
+    context.plateau_s = {1.63e-3, 1.63e-3, 1.63e-3};
+    const auto result = cutWindows(set, settings, context);
+    QVERIFY(result.has_value());
+    QCOMPARE(std::ranges::count(result->findings, std::string("WIN-001"), &Finding::id), 1);
+    const Finding *finding = findingOf(result, "WIN-001");
+    QVERIFY(finding && finding->correction);
+    QCOMPARE(finding->shot, Index(2));
+    QCOMPARE(english(finding->correction->label), std::string("Move the end of shot 2 to 1.63 ms"));
+    QCOMPARE(finding->correction->key, std::string("window.end_s"));
+    QCOMPARE(finding->correction->value, std::string("[\"auto\", 0.00163, 0.0015]"));
+    settings.ownEnds_s[1] = 1.63e-3; // as the correction has it
+    QVERIFY(!findingOf(cutWindows(set, settings, context), "WIN-001"));
 }
 
 void TestWindowFaults::restlessBaseline_leavesTheShotOut()

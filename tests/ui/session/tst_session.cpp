@@ -426,7 +426,9 @@ void TestSession::removeShot_movesStretchesAndModes()
     state.recipe.realization.nuisanceModes
         = {mode({1e4}, 0, true), mode({2e4}, 1, true), mode({3e4}, 2, true), mode({4e4}, 2, false),
             mode({5e4}, 3, true), mode({1e3, 2e3, 3e3}, 0, true)};
+    state.recipe.window.ownEnds_s = {1e-3, 2e-3, Auto<double>()};
     const Recipe recipe = withoutShot(state, 2).recipe;
+    QVERIFY(recipe.window.ownEnds_s == (std::vector<Auto<double>>{1e-3, Auto<double>()}));
     QVERIFY(recipe.window.excludeStretches
         == (std::vector<ExcludedStretch>{{1, 0.1, 0.2, "a"}, {2, 0.5, 0.6, "c"}}));
     QVERIFY(recipe.realization.nuisanceModes

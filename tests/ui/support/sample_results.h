@@ -68,7 +68,7 @@ inline WindowedResponse sampleResponse(Index shot, const WindowSettings &setting
     r.sampleRate_Hz = kRate_Hz;
     r.baseline_s = settings.baseline_s.value.value_or(Interval{-5e-5, -5e-6});
     r.settle_s = settings.settle_s.value.value_or(Interval{8e-5, 1.4e-4});
-    r.end_s = settings.end_s.value.value_or(1.5e-4);
+    r.end_s = settings.endOfShot_s(shot).value.value_or(1.5e-4);
     r.step = 2.0 * static_cast<double>(shot);
     r.settled = r.step;
     r.valueScale = r.step;

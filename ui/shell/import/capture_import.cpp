@@ -192,6 +192,8 @@ void CaptureImport::addToJob(const Request &request, const Outcome &outcome)
     forgetMissingNames(next.recipe.import, *next.captures);
     if (!next.recipe.import.levels.empty()) // one for each shot
         next.recipe.import.levels.resize(next.captures->shots.size());
+    if (!next.recipe.window.ownEnds_s.empty())
+        next.recipe.window.ownEnds_s.resize(next.captures->shots.size());
     m_session.applyState(next, request.step);
 }
 

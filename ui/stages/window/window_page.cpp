@@ -7,6 +7,7 @@
 #include "ui/stages/frame/value_table.h"
 #include "ui/stages/window/interval_edit.h"
 #include "ui/stages/window/stretch_marking.h"
+#include "ui/stages/window/window_ends.h"
 #include "ui/stages/window/window_starts.h"
 #include "ui/text/level_text.h"
 #include "ui/text/quantity_column.h"
@@ -78,21 +79,7 @@ void WindowPage::buildInspector()
         change(tr("Change the baseline"), [&](Recipe &r) { r.window.baseline_s = band; });
     });
 
-    form->addSection(tr("Window, after the start"));
-    m_end = form->add(tr("End"), "windowEnd", new AutoEdit(kMicroseconds, 1e-10, kLongest_s, 4));
-    connect(m_end, &AutoEdit::edited, this, [this](const Auto<double> &end_s) {
-        change(tr("Change the window's end"), [&](Recipe &r) {
-            r.window.end_s = end_s;
-            r.window.endAtPlateau = false;
-        });
-    });
-    m_common = form->addNote("windowEndCommon");
-    m_plateau = new WrappedCheckBox(tr("End with the computed plateau"));
-    m_plateau->setObjectName("endAtPlateau");
-    form->addWide(m_plateau);
-    connect(m_plateau, &QCheckBox::clicked, this, [this](bool on) {
-        change(tr("End with the plateau"), [&](Recipe &r) { r.window.endAtPlateau = on; });
-    });
+    buildEndControls();
     m_settle = form->add(tr("Settle"), "settle", new IntervalEdit(kMicroseconds, 0.0, kLongest_s));
     connect(m_settle, &IntervalEdit::edited, this, [this](const Auto<Interval> &band) {
         change(tr("Change the settle band"), [&](Recipe &r) { r.window.settle_s = band; });
@@ -109,6 +96,39 @@ void WindowPage::buildInspector()
     auto *stretches = new StretchList;
     form->addWide(stretches);
     m_stretches = new StretchMarking(session(), *stretches, {m_plot, m_detail}, this);
+}
+
+void WindowPage::buildEndControls()
+{
+    InspectorForm *form = inspector();
+    form->addSection(tr("Window, after the start"));
+    m_endFor = form->addChoice(
+        tr("End of"), "windowEndFor", {tr("all shots"), tr("each shot by itself")});
+    connect(m_endFor, &QComboBox::activated, this, [this](int own) { chooseEnds(own == 1); });
+    m_end = form->add(tr("End"), "windowEnd", new AutoEdit(kMicroseconds, 1e-10, kLongest_s, 4));
+    connect(m_end, &AutoEdit::edited, this, [this](const Auto<double> &end_s) {
+        change(tr("Change the window's end"),
+            [&](Recipe &r) { typeEnd(r.window, chosenShot(), end_s); });
+    });
+    m_common = form->addNote("windowEndCommon");
+    m_plateau = new WrappedCheckBox(tr("End with the computed plateau"));
+    m_plateau->setObjectName("endAtPlateau");
+    form->addWide(m_plateau);
+    connect(m_plateau, &QCheckBox::clicked, this, [this](bool on) {
+        change(tr("End with the plateau"), [&](Recipe &r) { r.window.endAtPlateau = on; });
+    });
+}
+
+void WindowPage::chooseEnds(bool own)
+{
+    if (own == hasOwnEnds(recipe().window))
+        return;
+    if (own)
+        change(tr("Give each shot an end of its own"),
+            [&](Recipe &r) { giveOwnEnds(r.window, session().state().captures->shots.size()); });
+    else
+        change(tr("Give all shots one end"),
+            [&](Recipe &r) { giveCommonEnd(r.window, chosenShot()); });
 }
 
 void WindowPage::buildStartControls()
@@ -151,12 +171,11 @@ void WindowPage::moveLine(const QString &id, double time_s, bool finished)
     if (id == kStart && finished)
         shiftStarts(time_s);
     if (id == kEnd && time_s > 0.0) {
-        const std::optional<RecordEnd> last = firstRecordEnd();
+        const std::optional<RecordEnd> last = lastEnd(recipe().window, results(), chosenShot());
         change(
             tr("Move the window's end"),
             [&](Recipe &r) {
-                r.window.end_s = last ? std::min(time_s, last->end_s) : time_s;
-                r.window.endAtPlateau = false;
+                typeEnd(r.window, chosenShot(), last ? std::min(time_s, last->end_s) : time_s);
             },
             id);
     }
@@ -165,25 +184,6 @@ void WindowPage::moveLine(const QString &id, double time_s, bool finished)
         // The line goes back to where the records allow it, once it is let go.
         QMetaObject::invokeMethod(this, &WindowPage::showHandles, Qt::QueuedConnection);
     }
-}
-
-std::optional<WindowPage::RecordEnd> WindowPage::firstRecordEnd() const
-{
-    std::optional<RecordEnd> first;
-    if (!firstResponse() || !results().captures)
-        return first;
-    for (const WindowedResponse &response : results().window->responses) {
-        const auto at = static_cast<std::size_t>(response.shot - 1);
-        const Channel *dut = results().captures->set.shots[at].channelWithRole(ChannelRole::Dut);
-        if (!dut)
-            continue;
-        const double end_s = dut->t0_s + dut->duration_s() - response.start_s;
-        // A sample less: what is after it is rounded to whole samples.
-        const double last_s = end_s - 1.0 / dut->sampleRate_Hz;
-        if (!first || last_s < first->end_s)
-            first = RecordEnd{last_s, response.shot};
-    }
-    return first;
 }
 
 namespace {
@@ -248,6 +248,12 @@ const WindowedResponse *WindowPage::responseOfChosenShot() const
     return position < responses.size() ? &responses[position] : &responses.front();
 }
 
+Index WindowPage::chosenShot() const
+{
+    const WindowedResponse *chosen = responseOfChosenShot();
+    return chosen ? chosen->shot : 1;
+}
+
 void WindowPage::showRecipe()
 {
     const WindowSettings &settings = recipe().window;
@@ -261,9 +267,12 @@ void WindowPage::showRecipe()
     m_subtract->setChecked(settings.subtractBaseline);
     m_baseline->setEnabled(settings.subtractBaseline);
     m_baseline->set(settings.baseline_s, used(chosen, &WindowedResponse::baseline_s));
-    m_end->set(settings.end_s, used(chosen, &WindowedResponse::end_s));
+    const std::size_t shots = session().state().captures->shots.size();
+    m_endFor->setCurrentIndex(hasOwnEnds(settings) ? 1 : 0);
+    m_endFor->setEnabled(!settings.endAtPlateau && (shots > 1 || hasOwnEnds(settings)));
+    m_end->set(settings.endOfShot_s(chosenShot()), used(chosen, &WindowedResponse::end_s));
     m_end->setEnabled(!settings.endAtPlateau);
-    m_common->setText(endText());
+    m_common->setText(endText(settings, results(), chosenShot()));
     m_plateau->setChecked(settings.endAtPlateau);
     m_settle->set(settings.settle_s, used(chosen, &WindowedResponse::settle_s));
     m_remap->setChecked(recipe().remap);
@@ -271,36 +280,8 @@ void WindowPage::showRecipe()
     m_remap->setEnabled(step);
     m_settle->setEnabled(step);
     showHandles();
-    m_stretches->setShot(chosen ? chosen->shot : 1);
+    m_stretches->setShot(chosenShot());
     m_stretches->show();
-}
-
-/// For whom the end holds, and whose plateau is over before it.
-QString WindowPage::endText() const
-{
-    const WindowSettings &settings = recipe().window;
-    if (settings.endAtPlateau)
-        return tr("Each shot ends with its own plateau.");
-    if (settings.end_s.isAuto())
-        return tr("Automatic: each shot has an end of its own.");
-    QStringList said{tr("One end, common to all shots.")};
-    if (const QStringList early = endedPlateaus(); !early.isEmpty())
-        said << tr("The plateau is over before it in: %1.").arg(early.join(QStringLiteral(", ")));
-    const std::optional<RecordEnd> last = firstRecordEnd();
-    if (last && *settings.end_s.value >= last->end_s)
-        said << tr("The record of shot %1 ends here.").arg(last->shot);
-    return said.join(QLatin1Char(' '));
-}
-
-QStringList WindowPage::endedPlateaus() const
-{
-    const auto &expected = results().expected;
-    QStringList early;
-    for (const ShockConditions &shot :
-        expected ? expected->conditions.shots : std::vector<ShockConditions>())
-        if (shot.plateau_s && *shot.plateau_s < *recipe().window.end_s.value)
-            early << tr("%1 (%2)").arg(shot.shot).arg(shownQuantity(*shot.plateau_s, "s", 3));
-    return early;
 }
 
 void WindowPage::showHandles()
@@ -327,8 +308,10 @@ void WindowPage::showHandles()
         m_plot->removeBand(kSettle);
     showGuard(*chosen);
     m_plot->setLine(kStart, tr("start"), 0.0);
-    m_plot->setLine(kEnd, tr("end"),
-        settings.endAtPlateau ? chosen->end_s : settings.end_s.value.value_or(chosen->end_s));
+    const bool own = hasOwnEnds(settings) && !settings.endAtPlateau;
+    m_plot->setLine(kEnd, own ? tr("end of shot %1").arg(chosen->shot) : tr("end"),
+        settings.endAtPlateau ? chosen->end_s
+                              : settings.endOfShot_s(chosen->shot).value.value_or(chosen->end_s));
 }
 
 /// After the computed end of the plateau, less the guard, the record is no longer the response to
@@ -405,15 +388,16 @@ void WindowPage::showTable()
         };
         for (const R &r : window->responses)
             rows.push_back({QString("%1 %2").arg(r.shot).arg(levelText(r.level))});
-        for (const QStringList &cells :
-            {column(&R::start_s, "s", 8), levels(&R::baseline), levels(&R::settled),
-                levels(&R::step), column(&R::snr_dB, "dB", 3), column(&R::riseTime_s, "s", 3),
-                column(&R::overshoot_percent, "%", 3), column(&R::settlingTime_s, "s", 3)})
+        for (const QStringList &cells : {column(&R::start_s, "s", 8), column(&R::end_s, "s", 4),
+                 levels(&R::baseline), levels(&R::settled), levels(&R::step),
+                 column(&R::snr_dB, "dB", 3), column(&R::riseTime_s, "s", 3),
+                 column(&R::overshoot_percent, "%", 3), column(&R::settlingTime_s, "s", 3)})
             for (qsizetype row = 0; row < rows.size(); ++row)
                 rows[row] << cells[row];
     }
-    m_table->setValues({tr("Shot"), tr("Start"), tr("Baseline"), tr("Settled"), tr("Step"),
-                           tr("SNR"), tr("Rise 10–90 %"), tr("Overshoot"), tr("Settling ±5 %")},
+    m_table->setValues(
+        {tr("Shot"), tr("Start"), tr("End"), tr("Baseline"), tr("Settled"), tr("Step"), tr("SNR"),
+            tr("Rise 10–90 %"), tr("Overshoot"), tr("Settling ±5 %")},
         rows);
 }
 

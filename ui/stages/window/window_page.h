@@ -36,20 +36,13 @@ private:
     void moveLine(const QString &id, double time_s, bool finished);
     void shiftStarts(double by_s);
     void setStart(const Auto<double> &start_s);
-    QString endText() const;
-    /// The shots whose plateau is over before the common end, each with when.
-    QStringList endedPlateaus() const;
+    void buildEndControls();
+    void chooseEnds(bool own);
+    Index chosenShot() const;
     void showHandles();
     void showGuard(const WindowedResponse &response);
     void showLength();
     void showTable();
-    /// Where the first of the records is over, after its own start.
-    struct RecordEnd
-    {
-        double end_s;
-        Index shot;
-    };
-    std::optional<RecordEnd> firstRecordEnd() const;
     const WindowedResponse *firstResponse() const;
     const WindowedResponse *responseOfChosenShot() const;
 
@@ -62,6 +55,7 @@ private:
     AutoEdit *m_start;
     QCheckBox *m_subtract;
     IntervalEdit *m_baseline;
+    QComboBox *m_endFor; ///< all shots, or each by itself
     AutoEdit *m_end;
     QLabel *m_common; ///< whose end it is
     QCheckBox *m_plateau;

@@ -83,6 +83,9 @@ private slots:
     void initTestCase() { m_set = testing::simulatedExample(1e7, 0.004); }
     void end_dragged_isOneStep_andTheReadoutsAgree();
     void end_behindThePlateauOfOthers_namesThem();
+    void end_ofEachShot_draggedByMouse_movesThatShotAlone();
+    void end_ofEachShot_goesNoFurtherThanItsOwnRecord();
+    void end_ofEachShot_andBack_toOneForAll();
     void end_draggedBeforeTheStart_isNotTaken();
     void end_typedWhileAtPlateau_leavesThePlateau();
     void start_dragged_movesEveryShotByTheSame_onReleaseOnly();
@@ -194,6 +197,103 @@ void TestWindowPage::end_behindThePlateauOfOthers_namesThem()
             = QString("%1 (%2)").arg(shot.shot).arg(shownQuantity(*shot.plateau_s, "s", 3));
         QCOMPARE(said.contains(named), *shot.plateau_s < end_s);
     }
+}
+
+void TestWindowPage::end_ofEachShot_draggedByMouse_movesThatShotAlone()
+{
+    Bench &bench = fresh();
+    const auto ends = [&] {
+        std::vector<double> ends_s;
+        for (std::size_t i = 0; i < 3; ++i)
+            ends_s.push_back(responseAt(bench, i).end_s);
+        return ends_s;
+    };
+    const std::vector<double> before_s = ends();
+    auto *whose = bench.control<QComboBox>("windowEndFor");
+    QCOMPARE(whose->currentText(), QString("all shots"));
+    whose->setFocus();
+    QTest::keyClick(whose, Qt::Key_Down);
+    waitComputed(bench.session);
+    QCOMPARE(whose->currentText(), QString("each shot by itself"));
+    QCOMPARE(ends(), before_s); // nothing has moved yet
+    // Behind the plateaus of the others, whose end stays before theirs.
+    double longest_s = 0.0;
+    for (const ShockConditions &shot : bench.session.results().expected->conditions.shots)
+        longest_s = std::max(longest_s, shot.plateau_s.value());
+    const double target_s = 1.02 * longest_s;
+    auto *plot = bench.control<PlotWidget>("windowPlot");
+    plot->setXRange({-1e-4, 1.2 * target_s});
+    const double y = 0.5 * (plot->yRange().begin + plot->yRange().end);
+    const auto line = [&] {
+        const auto end = std::ranges::find(plot->handles(), QString("end"), &HandleState::id);
+        return end->x.begin;
+    };
+    QTest::mousePress(plot, Qt::LeftButton, {}, plot->pixelOf(line(), y));
+    QTest::mouseMove(plot, plot->pixelOf(0.5 * (line() + target_s), y));
+    QTest::mouseMove(plot, plot->pixelOf(target_s, y));
+    QTest::mouseRelease(plot, Qt::LeftButton, {}, plot->pixelOf(target_s, y));
+    waitComputed(bench.session);
+    QVERIFY(std::abs(ends()[0] - target_s) < 0.02 * target_s);
+    QCOMPARE(ends()[1], before_s[1]);
+    QCOMPARE(ends()[2], before_s[2]);
+    QCOMPARE(bench.recipe().window.ownEnds_s.size(), std::size_t(3));
+    QVERIFY(bench.recipe().window.ownEnds_s[1].isAuto());
+    QVERIFY(bench.recipe().window.end_s.isAuto());
+    std::vector<Index> late; // of which shots WIN-001 is told
+    for (const Finding &finding : bench.session.results().window->findings)
+        if (finding.id == "WIN-001")
+            late.push_back(finding.shot);
+    QCOMPARE(late, std::vector<Index>{1});
+    const QString said = bench.control<QLabel>("windowEndCommon")->text();
+    QVERIFY2(said.contains("the end of shot 1 alone"), qPrintable(said));
+    bench.choose("startShot", 2);
+    QVERIFY(bench.control<QCheckBox>("windowEndAuto")->isChecked());
+    QVERIFY(std::abs(bench.control<QuantityEdit>("windowEndValue")->si() - before_s[2]) < 1e-9);
+    QCOMPARE(bench.session.undoStack().count(), 2);
+    undo(bench);
+    QCOMPARE(ends(), before_s);
+    undo(bench);
+    QCOMPARE(whose->currentText(), QString("all shots"));
+}
+
+void TestWindowPage::end_ofEachShot_goesNoFurtherThanItsOwnRecord()
+{
+    Bench &bench = fresh();
+    bench.choose("windowEndFor", 1);
+    bench.choose("startShot", 1);
+    drag(bench, "end", {1.0}); // far behind every record
+    QVERIFY2(!bench.session.error(), "the end left the record");
+    const auto at = static_cast<std::size_t>(responseAt(bench, 1).shot - 1);
+    const Channel *dut
+        = bench.session.results().captures->set.shots[at].channelWithRole(ChannelRole::Dut);
+    const double last_s = dut->t0_s + dut->duration_s() - responseAt(bench, 1).start_s;
+    QVERIFY(std::abs(responseAt(bench, 1).end_s - last_s) < 2.0 * kSample_s);
+    const QString said = bench.control<QLabel>("windowEndCommon")->text();
+    QVERIFY2(said.contains("The record of shot 2 ends here"), qPrintable(said));
+}
+
+void TestWindowPage::end_ofEachShot_andBack_toOneForAll()
+{
+    Bench &bench = fresh();
+    bench.type("windowEndValue", "200");
+    bench.choose("windowEndFor", 1);
+    waitComputed(bench.session);
+    for (const Auto<double> &end_s : bench.recipe().window.ownEnds_s)
+        QCOMPARE(*end_s.value, 2e-4); // what held goes on to hold
+    bench.choose("startShot", 1);
+    bench.type("windowEndValue", "300");
+    waitComputed(bench.session);
+    QVERIFY(std::abs(responseAt(bench, 0).end_s - 2e-4) < 2.0 * kSample_s);
+    QVERIFY(std::abs(responseAt(bench, 1).end_s - 3e-4) < 2.0 * kSample_s);
+    bench.choose("windowEndFor", 0);
+    waitComputed(bench.session);
+    QVERIFY(bench.recipe().window.ownEnds_s.empty());
+    QCOMPARE(*bench.recipe().window.end_s.value, 3e-4); // that of the shot on show
+    for (std::size_t i = 0; i < 3; ++i)
+        QVERIFY(std::abs(responseAt(bench, i).end_s - 3e-4) < 2.0 * kSample_s);
+    bench.control<QCheckBox>("endAtPlateau")->click();
+    waitComputed(bench.session);
+    QVERIFY(!bench.control<QComboBox>("windowEndFor")->isEnabled());
 }
 
 void TestWindowPage::end_draggedBeforeTheStart_isNotTaken()
@@ -371,7 +471,7 @@ void TestWindowPage::table_stepIsSettledLessBaseline()
         const WindowedResponse &response = responseAt(bench, static_cast<std::size_t>(row));
         QVERIFY(std::abs(response.settled - response.baseline - response.step)
             < 1e-12 * std::abs(response.step));
-        QVERIFY(std::abs(number(row, 5) - response.snr_dB) < 0.5);
+        QVERIFY(std::abs(number(row, 6) - response.snr_dB) < 0.5);
     }
     exclude(bench, 2);
     QCOMPARE(table->rowCount(), 2);
