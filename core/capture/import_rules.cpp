@@ -71,6 +71,31 @@ Result<void> checkChannels(const std::string &key, const std::set<std::string> &
     return {};
 }
 
+/// Whether every shot with roles of its own exists once, and has the channels.
+Result<void> checkShots(const CaptureSet &set, const std::vector<ShotImport> &list)
+{
+    std::set<Index> seen;
+    for (const ShotImport &own : list) {
+        const std::string number = std::to_string(own.shot);
+        if (own.shot < 1 || own.shot > std::ssize(set.shots))
+            return fail(ErrorKind::Usage,
+                Message{DYNCAL_TEXT(
+                            "core", "Recipe import.shots names shot %1; the shots are 1 to %2."),
+                    {number, std::to_string(set.shots.size())}});
+        if (!seen.insert(own.shot).second)
+            return fail(ErrorKind::Usage,
+                Message{DYNCAL_TEXT("core", "Recipe import.shots names shot %1 twice."), {number}});
+        std::set<std::string> existing;
+        for (const Channel &channel : set.shots[static_cast<std::size_t>(own.shot - 1)].channels)
+            existing.insert(channel.name);
+        if (const auto known = checkChannels(
+                "import.shots[" + number + "].channels", namedChannels(own.channels, {}), existing);
+            !known)
+            return known;
+    }
+    return {};
+}
+
 /// Whether everything that the settings name exists.
 Result<void> checkNames(const CaptureSet &set, const ImportSettings &settings)
 {
@@ -93,15 +118,19 @@ Result<void> checkNames(const CaptureSet &set, const ImportSettings &settings)
             !known)
             return known;
     }
-    return {};
+    return checkShots(set, settings.shots);
 }
 
 /// The settings for each channel's file.
 using OwnSettings = std::function<const ImportSettings &(const Channel &)>;
 
-void assignRoles(Shot &shot, const OwnSettings &own)
+/// `ofShot`: the roles for this shot alone, or null.
+void assignRoles(
+    Shot &shot, const OwnSettings &own, const std::map<std::string, std::string> *ofShot)
 {
     const auto roleOf = [&](const Channel &channel) -> const std::string * {
+        if (ofShot && ofShot->contains(channel.name))
+            return &ofShot->at(channel.name);
         const std::map<std::string, std::string> &roles = own(channel).channels;
         const auto role = roles.find(channel.name);
         return role != roles.end() ? &role->second : nullptr;
@@ -111,11 +140,15 @@ void assignRoles(Shot &shot, const OwnSettings &own)
               const std::string *role = roleOf(channel);
               return role != nullptr && *role == "dut";
           });
+    const bool hasOwnDut = ofShot
+        && std::ranges::any_of(*ofShot, [](const auto &entry) { return entry.second == "dut"; });
     for (Channel &channel : shot.channels) {
         if (const std::string *role = roleOf(channel))
             channel.role = channelRoleFromName(*role);
         else if (namesDutHere && channel.role == ChannelRole::Dut)
             channel.role = ChannelRole::Other; // the recipe's DUT replaces the file's
+        if (hasOwnDut && channel.role == ChannelRole::Dut && !ofShot->contains(channel.name))
+            channel.role = ChannelRole::Other; // and the shot's that of all
     }
     if (shot.channelWithRole(ChannelRole::Dut) == nullptr && shot.channels.size() == 1)
         shot.channels.front().role = ChannelRole::Dut;
@@ -161,7 +194,7 @@ Result<void> applyToShots(
             const auto input = static_cast<std::size_t>(inputOf(shot, channel));
             return input < ofInputs.size() ? ofInputs[input] : settings;
         };
-        assignRoles(shot, own);
+        assignRoles(shot, own, rolesOfShot(settings, number));
         for (Channel &channel : shot.channels) {
             const auto done = rate(set, number, shot, channel, own(channel), checks).and_then([&] {
                 return shapeChannel(channel, number, own(channel), set.findings);

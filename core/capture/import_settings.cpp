@@ -3,6 +3,7 @@
 
 #include "core/capture/import_settings.h"
 
+#include <algorithm>
 #include <filesystem>
 
 namespace dyncal {
@@ -57,6 +58,12 @@ ImportSettings settingsOfFile(const ImportSettings &settings, const std::string 
     replace(merged.interpolateInvalid, own.interpolateInvalid);
     replace(merged.maxExpansion, own.maxExpansion);
     return merged;
+}
+
+const std::map<std::string, std::string> *rolesOfShot(const ImportSettings &settings, Index shot)
+{
+    const auto found = std::ranges::find(settings.shots, shot, &ShotImport::shot);
+    return found == settings.shots.end() ? nullptr : &found->channels;
 }
 
 } // namespace dyncal

@@ -34,6 +34,15 @@ struct ExcludedShot
     bool operator==(const ExcludedShot &) const = default;
 };
 
+/// Roles of channels in one shot, by its number from 1: they win over those for its file and for
+/// all.
+struct ShotImport
+{
+    Index shot = 0;
+    std::map<std::string, std::string> channels; ///< channel name -> role
+    bool operator==(const ShotImport &) const = default;
+};
+
 /// The recipe's settings for one channel, besides its role; whatever is left out stays unchanged.
 /// Values become polarity * scale * value / gain in `unit`; with a sensitivity they are divided by
 /// it and become pressures in Pa.
@@ -93,6 +102,7 @@ struct ImportSettings
     std::string channelFiles = kJoinChannelFiles; ///< or "apart": see channel_files.h
     std::vector<std::string> levels; ///< one per shot: "low", "medium", "high" or ""
     std::vector<ExcludedShot> exclude;
+    std::vector<ShotImport> shots; ///< at most one entry per shot
     std::map<std::string, FileImport> files; ///< base name -> settings for that file
 
     bool operator==(const ImportSettings &) const = default;
@@ -101,5 +111,8 @@ struct ImportSettings
 /// The settings for one file: those for all files, overridden by its own. `path` may have folders
 /// before the base name.
 ImportSettings settingsOfFile(const ImportSettings &settings, const std::string &path);
+
+/// What is set for the channels of one shot alone (from 1), or null.
+const std::map<std::string, std::string> *rolesOfShot(const ImportSettings &settings, Index shot);
 
 } // namespace dyncal

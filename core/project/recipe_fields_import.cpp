@@ -79,6 +79,16 @@ Codec<ExcludedShot> excludedShot()
     });
 }
 
+Codec<ShotImport> shotImport()
+{
+    return object<ShotImport>({
+        field("shot", DYNCAL_TEXT("RecipeLabel", "shot with roles of its own"), &ShotImport::shot,
+            whole(1, kMostShots), true),
+        field("channels", DYNCAL_TEXT("RecipeLabel", "channel roles of one shot"),
+            &ShotImport::channels, dictionary(oneOf(roleWords(false)), "a channel's name"), true),
+    });
+}
+
 /// A text whose absence is written as null.
 Codec<std::string> textOrNull()
 {
@@ -265,6 +275,8 @@ Codec<ImportSettings> importCodec()
             listOrNull(oneOf({"low", "medium", "high", ""}))),
         field("exclude", DYNCAL_TEXT("RecipeLabel", "excluded shots"), &S::exclude,
             list(excludedShot())),
+        field("shots", DYNCAL_TEXT("RecipeLabel", "settings of single shots"), &S::shots,
+            list(shotImport())),
         field("files", DYNCAL_TEXT("RecipeLabel", "import settings of single files"), &S::files,
             dictionary(fileImport(), "a file's name")),
     });

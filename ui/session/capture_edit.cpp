@@ -122,6 +122,14 @@ void forgetMissingNames(ImportSettings &settings, const CaptureSet &set)
     };
     std::erase_if(settings.channels, missing);
     std::erase_if(settings.channelDetails, missing);
+    std::erase_if(settings.shots,
+        [&](const ShotImport &own) { return own.shot < 1 || own.shot > std::ssize(set.shots); });
+    for (ShotImport &own : settings.shots)
+        std::erase_if(own.channels, [&](const auto &entry) {
+            const auto &channels = set.shots[static_cast<std::size_t>(own.shot - 1)].channels;
+            return std::ranges::find(channels, entry.first, &Channel::name) == channels.end();
+        });
+    std::erase_if(settings.shots, [](const ShotImport &own) { return own.channels.empty(); });
 }
 
 CaptureSet withoutShots(CaptureSet set, const std::function<bool(const Shot &)> &isOut)
@@ -153,6 +161,7 @@ ProjectState withoutShot(const ProjectState &state, Index number)
     ProjectState next{std::make_shared<const CaptureSet>(withoutShots(*state.captures,
                           [&, at = Index(0)](const Shot &) mutable { return ++at == number; })),
         state.recipe};
+    removeNumbered(next.recipe.import.shots, number); // before names are looked up by number
     forgetMissingNames(next.recipe.import, *next.captures);
     removePosition(next.recipe.import.levels, position);
     removeNumbered(next.recipe.import.exclude, number);

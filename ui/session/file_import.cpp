@@ -76,6 +76,7 @@ ImportSettings withSettingsForAll(
     ImportSettings next = wanted;
     next.levels = settings.levels;
     next.exclude = settings.exclude;
+    next.shots = settings.shots;
     next.files = settings.files;
     next.files.erase(baseName(path));
     return next;

@@ -55,6 +55,7 @@ Result<void> ImportProfiles::save(const QString &name, ImportSettings settings) 
                 {name.toStdString()}});
     settings.levels.clear();
     settings.exclude.clear();
+    settings.shots.clear();
     settings.files.clear();
     Recipe recipe;
     recipe.import = std::move(settings);

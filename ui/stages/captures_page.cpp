@@ -8,6 +8,7 @@
 #include "ui/plot/widget/overview_strip.h"
 #include "ui/session/capture_edit.h"
 #include "ui/session/capture_reading.h"
+#include "ui/stages/channel_roles.h"
 #include "ui/stages/frame/optional_edit.h"
 #include "ui/stages/frame/position_in.h"
 #include "ui/stages/frame/prompts.h"
@@ -134,6 +135,7 @@ void CapturesPage::buildInspector()
     new QFormLayout(m_channels);
     m_channels->layout()->setContentsMargins(0, 0, 0, 0);
     form->addWide(m_channels);
+    m_otherRoles = form->addNote("otherRoles");
 
     form->addSection(tr("Sensor under test"));
     m_unit = form->add(tr("Unit"), "dutUnit", new QLineEdit);
@@ -300,8 +302,11 @@ void CapturesPage::showChannels()
         for (const Channel &channel : shot.channels) {
             const auto at = m_channelNames.indexOf(rawText(channel.name));
             m_roles[static_cast<std::size_t>(at)]->setCurrentIndex(
-                positionIn(kRoles, channel.role));
+                positionIn(kRoles, usualRole(shownSet().shots, channel.name)));
         }
+    const QString others = otherRoles(shownSet().shots);
+    m_otherRoles->setText(others);
+    m_otherRoles->setVisible(!others.isEmpty());
 }
 
 void CapturesPage::setRole(const QString &channel, ChannelRole role)
@@ -312,6 +317,9 @@ void CapturesPage::setRole(const QString &channel, ChannelRole role)
                 for (const Channel &other : shot.channels)
                     r.import.channels.emplace(other.name, channelRoleName(other.role));
         r.import.channels[channel.toStdString()] = channelRoleName(role);
+        for (ShotImport &own : r.import.shots) // it is chosen for all shots
+            own.channels.erase(channel.toStdString());
+        std::erase_if(r.import.shots, [](const ShotImport &own) { return own.channels.empty(); });
     });
 }
 

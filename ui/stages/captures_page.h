@@ -65,6 +65,7 @@ private:
     int m_shownPlots = 0;
     QTableWidget *m_table;
     QWidget *m_channels;
+    QLabel *m_otherRoles; ///< in single shots
     QStringList m_channelNames;
     std::vector<QComboBox *> m_roles;
     QLineEdit *m_unit;

@@ -77,6 +77,40 @@ private slots:
         QVERIFY(find(checkCaptures(*done), "CAP-002"));
     }
 
+    void roleOfOneShot_winsThereAlone()
+    {
+        const auto pair = [] {
+            return std::vector<Channel>{channel("x", ramp(9)), channel("y", ramp(9))};
+        };
+        const CaptureSet shots = set({pair(), pair(), pair()});
+        ImportSettings settings;
+        settings.channels = {{"x", "dut"}, {"y", "driven_side"}};
+        settings.polarity = -1; // of the DUT, whichever channel that is
+        settings.shots = {{2, {{"x", "driven_side"}, {"y", "dut"}}}};
+        const auto done = applyImportSettings(shots, settings);
+        QVERIFY(done.has_value());
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::string dut = i == 1 ? "y" : "x";
+            QCOMPARE(done->shots[i].channelWithRole(ChannelRole::Dut)->name, dut);
+            QCOMPARE(done->shots[i].channelWithRole(ChannelRole::DrivenSide)->name,
+                std::string(i == 1 ? "x" : "y"));
+            QCOMPARE(done->shots[i].channelWithRole(ChannelRole::Dut)->polarity, -1.0);
+        }
+        settings.shots = {{2, {{"y", "dut"}}}}; // the DUT of all shots gives way there
+        const auto oneName = applyImportSettings(shots, settings);
+        QVERIFY(oneName.has_value());
+        QCOMPARE(oneName->shots[1].channelWithRole(ChannelRole::Dut)->name, std::string("y"));
+        const auto refused = [&](std::vector<ShotImport> list, const char *words) {
+            settings.shots = std::move(list);
+            const auto result = applyImportSettings(shots, settings);
+            return !result && result.error().kind == ErrorKind::Usage
+                && english(result.error().message).find(words) != std::string::npos;
+        };
+        QVERIFY(refused({{4, {{"x", "dut"}}}}, "the shots are 1 to 3"));
+        QVERIFY(refused({{1, {{"x", "dut"}}}, {1, {{"y", "dut"}}}}, "names shot 1 twice"));
+        QVERIFY(refused({{1, {{"z", "dut"}}}}, "import.shots[1].channels names a channel 'z'"));
+    }
+
     void recipeRole_replacesTheFiles()
     {
         CaptureSet s = set({{channel("x", ramp(9)), channel("y", ramp(9))}});

@@ -102,6 +102,7 @@ void TestStageKeys::recipeChange_movesTheStageThatReadsItAndAllLater_data()
     row("import.columns", import, [](Recipe &r) { r.import.columns["dut"] = 1; });
     row("import.columns_are", import, [](Recipe &r) { r.import.columnsAre = "shots"; });
     row("import.channels", import, [](Recipe &r) { r.import.channels["DUT"] = "other"; });
+    row("import.shots", import, [](Recipe &r) { r.import.shots = {{1, {{"DUT", "other"}}}}; });
     row("import.decimal", import, [](Recipe &r) { r.import.decimal = ","; });
     row("import.separator", import, [](Recipe &r) { r.import.separator = "tab"; });
     row("import.sample_rate", import, [](Recipe &r) { r.import.sampleRate_Hz = 1e7; });

@@ -30,6 +30,7 @@ inline Recipe fullRecipe()
         .channelFiles = "apart",
         .levels = {"low", "high"},
         .exclude = {{2, "diaphragm leaked"}},
+        .shots = {{3, {{"Acceleration_1", "other"}}}},
         .files = {{"low.csv",
             {.format = "text",
                 .columns = {{"dut", 1}},

@@ -32,6 +32,7 @@ class TestFaultyShots : public QObject
 
 private slots:
     void s08_channelsSwapped_areSwappedBackInThatShot();
+    void s08_oneShotOfAFileSwapped_isSwappedBackAlone();
     void s09_shotWithoutStep_isExcludedWithAReason();
     void s10_saturatedShot_isBlocked();
     void s10_saturatedBehindTheWindow_isACaution();
@@ -66,6 +67,24 @@ void TestFaultyShots::s08_channelsSwapped_areSwappedBackInThatShot()
     QVERIFY(bench.recipe() == asOpened);
     DYNCAL_SAYS(bench.finding("CAP-010"), "Shot 2");
     QCOMPARE(hashes(paths), before);
+}
+
+void TestFaultyShots::s08_oneShotOfAFileSwapped_isSwappedBackAlone()
+{
+    ScenarioBench bench;
+    bench.open({bench.record(threeShots({{DefectKind::Swap, 2}}))});
+    DYNCAL_SAYS(bench.finding("CAP-010"), "Shot 2");
+    const Recipe asOpened = bench.recipe();
+    bench.clickOffer("correction", "CAP-010", "Swap in shot 2");
+    QVERIFY2(bench.finding("CAP-010").isEmpty(), qPrintable(bench.findings().join('\n')));
+    QVERIFY(!bench.session().error());
+    QCOMPARE(bench.recipe().import.shots.size(), std::size_t(1));
+    QCOMPARE(bench.recipe().import.shots[0].shot, Index(2));
+    bench.show(Page::Captures);
+    DYNCAL_SAYS(bench.find<QLabel>("otherRoles")->text(), "In shot 2:");
+    bench.undo();
+    QVERIFY(bench.recipe() == asOpened);
+    DYNCAL_SAYS(bench.finding("CAP-010"), "Shot 2");
 }
 
 void TestFaultyShots::s09_shotWithoutStep_isExcludedWithAReason()

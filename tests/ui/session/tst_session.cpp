@@ -427,7 +427,15 @@ void TestSession::removeShot_movesStretchesAndModes()
         = {mode({1e4}, 0, true), mode({2e4}, 1, true), mode({3e4}, 2, true), mode({4e4}, 2, false),
             mode({5e4}, 3, true), mode({1e3, 2e3, 3e3}, 0, true)};
     state.recipe.window.ownEnds_s = {1e-3, 2e-3, Auto<double>()};
+    CaptureSet set = *state.captures;
+    for (Shot &shot : set.shots)
+        shot.channels.resize(1);
+    set.shots[2].channels[0].name = "p";
+    state.captures = std::make_shared<const CaptureSet>(set);
+    state.recipe.import.shots = {{1, {{"p", "dut"}}}, {2, {{"", "dut"}}}, {3, {{"p", "dut"}}}};
     const Recipe recipe = withoutShot(state, 2).recipe;
+    // That of shot 3, now the second; shot 1 has no such channel.
+    QVERIFY(recipe.import.shots == (std::vector<ShotImport>{{2, {{"p", "dut"}}}}));
     QVERIFY(recipe.window.ownEnds_s == (std::vector<Auto<double>>{1e-3, Auto<double>()}));
     QVERIFY(recipe.window.excludeStretches
         == (std::vector<ExcludedStretch>{{1, 0.1, 0.2, "a"}, {2, 0.5, 0.6, "c"}}));

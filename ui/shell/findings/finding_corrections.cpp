@@ -70,6 +70,14 @@ std::vector<OfferedCorrection> chooseDut(const Shot *shot)
     return corrections;
 }
 
+/// The roles for this shot alone; an entry is made where there is none.
+std::map<std::string, std::string> &ownRoles(ImportSettings &settings, Index shot)
+{
+    const auto found = std::ranges::find(settings.shots, shot, &ShotImport::shot);
+    return found != settings.shots.end() ? found->channels
+                                         : settings.shots.emplace_back(shot).channels;
+}
+
 /// Whether every shot that could be swapped is said to be.
 bool areAllSwapped(const CaptureSet &set, const Findings &all)
 {
@@ -86,8 +94,8 @@ bool areAllSwapped(const CaptureSet &set, const Findings &all)
     return true;
 }
 
-/// In the file of the shot, or in all where all are swapped: right shots are never offered to be
-/// made wrong. A file whose other shots are right has no such edit; its shot can be excluded.
+/// In the file of the shot, in this shot alone if its file has several, or in all where all are
+/// swapped: right shots are never offered to be made wrong.
 std::vector<OfferedCorrection> swapChannels(
     const Shot *shot, const CaptureSet &set, const Findings &all)
 {
@@ -103,12 +111,19 @@ std::vector<OfferedCorrection> swapChannels(
     std::vector<OfferedCorrection> corrections;
     const QString step = Corrections::tr("Swap DUT and driven side");
     const InputFile *file = fileOf(shot, set);
-    if (file && std::ranges::count(set.shots, shot->input, &Shot::input) == 1
-        && set.shots.size() > 1)
+    const bool isAlone = std::ranges::count(set.shots, shot->input, &Shot::input) == 1;
+    if (file && isAlone && set.shots.size() > 1)
         corrections.push_back(edit(Corrections::tr("Swap in %1").arg(shownText(file->file)), step,
             [swapIn, name = file->file](ImportSettings &settings, const std::string &) {
                 swapIn(settings.files[name].channels);
             }));
+    if (!isAlone) {
+        const Index number = shot - set.shots.data() + 1;
+        corrections.push_back(edit(Corrections::tr("Swap in shot %1").arg(number), step,
+            [swapIn, number](ImportSettings &settings, const std::string &) {
+                swapIn(ownRoles(settings, number));
+            }));
+    }
     if (!areAllSwapped(set, all))
         return corrections;
     corrections.push_back(edit(Corrections::tr("Swap in all shots"), step,
@@ -116,6 +131,7 @@ std::vector<OfferedCorrection> swapChannels(
             swapIn(settings.channels);
             for (auto &[name, own] : settings.files)
                 own.channels.clear();
+            settings.shots.clear();
         }));
     return corrections;
 }

@@ -71,7 +71,7 @@ private slots:
     void noDut_offersEveryChannel();
     void swapped_oneFile_swapsThatShotOnly();
     void swapped_all_swapsEveryShot();
-    void swapped_oneInput_offersAllOnly();
+    void swapped_oneInput_swapsThatShotOnly();
     void inverted_flipsWhatIsInForce();
     void unit_takesTheOneThatFits();
     void gaps_areInterpolatedOrTheShotExcluded();
@@ -135,14 +135,30 @@ void TestFindingCorrections::swapped_all_swapsEveryShot()
     }
 }
 
-void TestFindingCorrections::swapped_oneInput_offersAllOnly()
+/// Three shots in one file: the shot that is swapped is swapped back alone.
+void TestFindingCorrections::swapped_oneInput_swapsThatShotOnly()
 {
-    const CaptureSet set = test::sampleCaptures(); // three shots in one file
+    const CaptureSet set = test::sampleCaptures();
+    const std::string first = set.shots[0].channelWithRole(ChannelRole::Dut)->name;
     Findings all{finding("CAP-010", 2)};
-    QCOMPARE(labels(correctionsOf(all[0], set, all)), QStringList("Exclude shot 2..."));
+    std::vector<OfferedCorrection> corrections = correctionsOf(all[0], set, all);
+    QCOMPARE(labels(corrections), QStringList({"Swap in shot 2", "Exclude shot 2..."}));
+    const Result<CaptureSet> applied = applyImportSettings(set, corrected(corrections[0]));
+    QVERIFY(applied);
+    QCOMPARE(roleIn(*applied, 0, first.c_str()), ChannelRole::Dut);
+    QCOMPARE(roleIn(*applied, 1, first.c_str()), ChannelRole::DrivenSide);
+    QCOMPARE(roleIn(*applied, 2, first.c_str()), ChannelRole::Dut);
+
     all = {finding("CAP-010", 1), finding("CAP-010", 2), finding("CAP-010", 3)};
-    QCOMPARE(labels(correctionsOf(all[1], set, all)),
-        QStringList({"Swap in all shots", "Exclude shot 2..."}));
+    const ImportSettings one = corrected(corrections[0]);
+    corrections = correctionsOf(all[1], set, all);
+    QCOMPARE(labels(corrections),
+        QStringList({"Swap in shot 2", "Swap in all shots", "Exclude shot 2..."}));
+    const Result<CaptureSet> every
+        = applyImportSettings(set, corrected(corrections[1], one)); // also where one was before
+    QVERIFY(every);
+    for (std::size_t shot = 0; shot < 3; ++shot)
+        QCOMPARE(roleIn(*every, shot, first.c_str()), ChannelRole::DrivenSide);
 }
 
 void TestFindingCorrections::inverted_flipsWhatIsInForce()
