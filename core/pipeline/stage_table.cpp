@@ -253,7 +253,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         kept<&R::input, modelInput>(), of<&R::input>},
     {Decomposition, "decomposition", 1, 100, "ORD-", ModelInput, Decomposition, true,
         readDecomposition, kept<&R::decomposition, decomposition>(), saidElsewhere},
-    {Model, "model", 2, 10, "MOD-", Decomposition, Model, true, readModel, kept<&R::model, model>(),
+    {Model, "model", 3, 10, "MOD-", Decomposition, Model, true, readModel, kept<&R::model, model>(),
         ofModel},
     {Shock, "shock", 4, 1, "SHK-", Model, Shock, true, readShock, kept<&R::shock, shock>(),
         of<&R::shock>},

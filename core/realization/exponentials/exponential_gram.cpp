@@ -4,6 +4,7 @@
 #include "core/realization/exponentials/exponential_gram.h"
 
 #include <bit>
+#include <cmath>
 #include <cstdint>
 
 namespace dyncal {
@@ -11,13 +12,48 @@ namespace {
 
 using Complex = std::complex<double>;
 
+/// Whether e^(exponent k) hardly changes over `count` samples. Its rate is then felt in the last
+/// digits of the powers only, which squaring them from one another would lose.
+bool isSlow(Complex exponent, Index count)
+{
+    return exponent.imag() == 0.0 && exponent.real() != 0.0
+        && std::abs(exponent.real()) * static_cast<double>(count) <= 1.0;
+}
+
+/// powerSums() of q = e^exponent, every power by itself.
+std::array<Complex, 3> slowPowerSums(double exponent, Index count)
+{
+    double s0 = 0.0;
+    double s1 = 0.0;
+    double s2 = 0.0;
+    double n = 0.0;
+    const auto bits = static_cast<std::uint64_t>(count);
+    for (auto bit = static_cast<int>(std::bit_width(bits)) - 1; bit >= 0; --bit) {
+        const double power = std::exp(exponent * n);
+        s2 += power * (s2 + 2.0 * n * s1 + n * n * s0);
+        s1 += power * (s1 + n * s0);
+        s0 += power * s0;
+        n *= 2.0;
+        if ((bits >> bit) & 1U) {
+            const double next = std::exp(exponent * n);
+            s0 += next;
+            s1 += n * next;
+            s2 += n * n * next;
+            n += 1.0;
+        }
+    }
+    return {s0, s1, s2};
+}
+
 /// Sums of k^a e^(exponent k) over the samples of all ranges.
 std::array<Complex, 3> powerSumsOver(Complex exponent, const std::vector<SampleRange> &ranges)
 {
     std::array<Complex, 3> total{};
     for (const SampleRange &range : ranges) {
         const auto b = static_cast<double>(range.begin);
-        const auto [s0, s1, s2] = powerSums(std::exp(exponent), range.size());
+        const auto [s0, s1, s2] = isSlow(exponent, range.end)
+            ? slowPowerSums(exponent.real(), range.size())
+            : powerSums(std::exp(exponent), range.size());
         const Complex begin = std::exp(exponent * b);
         total[0] += begin * s0;
         total[1] += begin * (s1 + b * s0);

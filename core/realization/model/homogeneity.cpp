@@ -129,11 +129,9 @@ void describePlateau(const ModelInput &input, const PartFit &part, LevelPole &re
     double weights = 0.0;
     double sum = 0.0;
     for (std::size_t i = 0; i < part.series.size(); ++i) {
-        const Eigen::MatrixXd covariance
-            = recordCovariance(*part.refinement, static_cast<Index>(i));
         const double u_baseline = input.series[part.series[i]].u_baseline;
         const double variance
-            = covariance(covariance.rows() - 1, covariance.rows() - 1) + u_baseline * u_baseline;
+            = constantVariance(*part.refinement, static_cast<Index>(i)) + u_baseline * u_baseline;
         const double weight = variance > 0.0 ? 1.0 / variance : 1.0;
         weights += weight;
         sum += weight * part.refinement->records[i].constant;

@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/realization/hankel/hankel_gap.h"
+#include "core/realization/refinement/refinement_problem.h"
 #include "core/realization/refinement/series_simulation.h"
 #include "core/signal/spectrum_analysis.h"
 
@@ -299,6 +300,39 @@ void judgeDrift(const SensorModel &model, Findings &out)
     }
 }
 
+/// The slowest real pole that has not died out by the end of the model input; null if none has.
+const Pole *unsettledPole(const SensorModel &model, const ModelInput &input)
+{
+    const double length_s = static_cast<double>(input.samples) * sampleInterval_s(input);
+    const Pole *slowest = nullptr;
+    for (const Pole &pole : model.poles) {
+        const bool counts
+            = pole.poleClass == PoleClass::Sensor || pole.poleClass == PoleClass::Unstable;
+        if (counts && pole.s_rad_s.imag() == 0.0 && isRelaxing(pole.s_rad_s.real() * length_s)
+            && (!slowest || pole.frequency_Hz < slowest->frequency_Hz))
+            slowest = &pole;
+    }
+    return slowest;
+}
+
+/// Without the refinement nobody knows whether a slow part is a drift.
+void judgeUnrefinedDrift(const SensorModel &model, const ModelInput &input, Findings &out)
+{
+    if (model.refined || !isStepTreatment(input.treatment) || isThesisMode(input))
+        return;
+    const Pole *pole = unsettledPole(model, input);
+    if (!pole)
+        return;
+    out.push_back({.id = "MOD-016",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "A part of the response with a time constant of about %1 has not ended within the model input, and the model could not be refined, so that it is unknown whether it is a drift (heat of the gas, an AC coupling). The sensitivity is that of the level to which the model tends, an extrapolation. Choose another order, or let the model be refined."),
+            {timeConstant(*pole)}},
+        .value = -1.0 / pole->s_rad_s.real(),
+        .causes = {FindingCause::Drift, FindingCause::Order}});
+}
+
 } // namespace
 
 void flagPoles(const std::vector<std::complex<double>> &zeros, std::vector<Pole> &poles)
@@ -330,6 +364,7 @@ Findings judgeModel(const SensorModel &model, const ModelInput &input,
     judgeAgainstSpectrum(model, spectrum, findings);
     judgeOnset(model, input, findings);
     judgeDrift(model, findings);
+    judgeUnrefinedDrift(model, input, findings);
     return findings;
 }
 

@@ -120,7 +120,7 @@ struct SensorModel
     /// Noise that the uncertainties rest on: "white", "AR(p)", with " of the residual" where
     /// that exceeds the noise before the start; empty without refinement.
     std::string uncertaintyMethod;
-    Findings findings; ///< ORD-001, ORD-003, MOD-001..006, 008, 009, 012..015
+    Findings findings; ///< ORD-001, ORD-003, MOD-001..006, 008, 009, 012..016
 
     /// Of the step itself, at the onset: c0 without a drift.
     double level() const { return stepLevel.value_or(plateauGain); }

@@ -112,11 +112,10 @@ SeriesFit describeSeries(const ModelInput &input, const ModelDraft &draft, std::
     for (const LeftOut &part : series.leftOut)
         fit.leftOut.push_back(part.samples);
     if (draft.refinement && draft.refinement->withConstant) {
-        const Eigen::MatrixXd covariance
-            = recordCovariance(*draft.refinement, static_cast<Index>(r));
         // The uncertainty of the subtracted baseline adds to that of the plateau.
-        fit.u_plateauGain = std::hypot(
-            std::sqrt(covariance(covariance.rows() - 1, covariance.rows() - 1)), series.u_baseline);
+        fit.u_plateauGain
+            = std::hypot(std::sqrt(constantVariance(*draft.refinement, static_cast<Index>(r))),
+                series.u_baseline);
     }
     if (isStepTreatment(input.treatment)) {
         const Onset onset = locateOnset(draft, r, isSensor);

@@ -20,8 +20,9 @@ constexpr double kMayGrow = 3.0; ///< u: a drift within the window, which no rat
 using Poles = std::vector<std::size_t>;
 
 /// Of one series: the level, then for each slow part what it changes over the model input, then
-/// what its size exceeds that of a part of the step by; with the variance of each. A drift that is
-/// nearly a ramp has no well-known size, but a well-known change.
+/// what its slope at the onset exceeds that of a part of the step by, |h s| - 1.1 L |s|; with the
+/// variance of each. A drift that is nearly a ramp has no well-known size h, but a well-known
+/// change and slope. What grows is no part of a sensor: a negative number stands for it.
 struct Level
 {
     OnsetLevel onset;
@@ -56,8 +57,11 @@ Level answer(const ExponentialSum &sum, const Question &asked)
         if (!asked.isSlow[static_cast<std::size_t>(i)])
             continue;
         const double size = level.onset.slow[static_cast<std::size_t>(at)];
-        level.values[1 + at] = size * std::expm1(sum.poles_rad_s[i].real() * asked.end_s);
-        level.values[1 + parts + at] = std::abs(size) - kMostOfLevel * std::abs(level.onset.value);
+        const double rate = sum.poles_rad_s[i].real();
+        level.values[1 + at] = size * std::expm1(rate * asked.end_s);
+        const double slope = std::abs(size * rate);
+        level.values[1 + parts + at]
+            = rate < 0.0 ? slope + kMostOfLevel * std::abs(level.onset.value) * rate : -slope;
         ++at;
     }
     return level;
@@ -141,6 +145,17 @@ bool mayBelongToTheStep(const std::vector<Level> &levels, Index part, Index part
     return excess <= kSignificant * u;
 }
 
+/// Whether it most likely does, by the values alone: that the data do not exclude it is no reason
+/// for a doubt about a pole as fast as the sensor's others.
+bool likelyBelongsToTheStep(const std::vector<Level> &levels)
+{
+    const auto parts = static_cast<Index>(levels.front().onset.slow.size());
+    Eigen::VectorXd excess = Eigen::VectorXd::Zero(parts);
+    for (const Level &level : levels)
+        excess += level.values.tail(parts);
+    return excess.maxCoeff() <= 0.0;
+}
+
 bool completesTheStep(const std::vector<Level> &levels)
 {
     const auto parts = static_cast<Index>(levels.front().onset.slow.size());
@@ -212,6 +227,8 @@ void describeStepLevel(const ModelInput &input, const ModelDraft &draft,
             take(input, slow, levels, model);
             return;
         }
+        if (!likelyBelongsToTheStep(levels))
+            continue;
         model.doubtfulPole = static_cast<Index>(slow.back());
         double share = 0.0;
         for (std::size_t r = 0; r < levels.size(); ++r)

@@ -83,6 +83,20 @@ std::vector<Index> rowsOf(const Refinement &refinement, std::size_t record, Inde
     return rows;
 }
 
+/// noiseFilling() for the parameters of the covariance: J of slopes and levels is that of the
+/// amplitudes times the derivatives of these.
+Eigen::MatrixXd fillingOf(const std::vector<RefinementRecord> &records,
+    const std::vector<AutoregressiveModel> &models, const Refinement &refinement,
+    const Eigen::VectorXd &unit)
+{
+    if (refinement.relaxing.empty())
+        return noiseFilling(records, models, refinement, unit);
+    const Eigen::MatrixXd derivatives = amplitudesByParameters(refinement) * unit.asDiagonal();
+    const Eigen::MatrixXd filling
+        = noiseFilling(records, models, refinement, Eigen::VectorXd::Ones(unit.size()));
+    return derivatives.transpose() * filling * derivatives;
+}
+
 Eigen::MatrixXd sandwich(const std::vector<RefinementRecord> &records,
     const std::vector<AutoregressiveModel> &models, const Refinement &refinement)
 {
@@ -91,7 +105,7 @@ Eigen::MatrixXd sandwich(const std::vector<RefinementRecord> &records,
     const Eigen::VectorXd unit = bread.diagonal().cwiseMax(0.0).cwiseSqrt();
     const Eigen::VectorXd perUnit
         = unit.unaryExpr([](double u) { return u > 0.0 ? 1.0 / u : 0.0; });
-    const Eigen::MatrixXd filling = noiseFilling(records, models, refinement, unit);
+    const Eigen::MatrixXd filling = fillingOf(records, models, refinement, unit);
     const Eigen::MatrixXd scaled = perUnit.asDiagonal() * bread * perUnit.asDiagonal();
     return unit.asDiagonal() * (scaled * filling * scaled) * unit.asDiagonal();
 }

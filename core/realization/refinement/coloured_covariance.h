@@ -24,8 +24,8 @@ struct NoiseModels
 NoiseModels chooseNoiseModels(const std::vector<RefinementRecord> &records,
     const std::vector<NoiseCovariance> &noise, const Refinement &fit, Index parameters);
 
-/// Sum over the records of J^T W S W J for the parameters of Refinement::covariance, each counted
-/// in `unit`; S from the models.
+/// Sum over the records of J^T W S W J for poles, amplitudes, c0 and nuisance terms in the order of
+/// Refinement::covariance, each counted in `unit`; S from the models.
 Eigen::MatrixXd noiseFilling(const std::vector<RefinementRecord> &records,
     const std::vector<AutoregressiveModel> &models, const Refinement &fit,
     const Eigen::VectorXd &unit);

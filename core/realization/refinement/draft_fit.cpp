@@ -5,6 +5,7 @@
 
 #include "core/realization/exponentials/pole_mapping.h"
 #include "core/realization/input/left_out.h"
+#include "core/realization/refinement/aperiodic_start.h"
 #include "core/realization/refinement/coloured_covariance.h"
 #include "core/realization/refinement/pole_refinement.h"
 #include "core/realization/refinement/refinement_problem.h"
@@ -96,11 +97,12 @@ std::vector<RefinementRecord> refinementRecords(const ModelInput &input)
 
 void refineDraft(const ModelInput &input, ModelDraft &draft, const JobControl &control)
 {
-    if (!canRefine(input, discretePoles(draft.poles_rad_s, sampleInterval_s(input))))
-        return;
     const std::vector<RefinementRecord> records = refinementRecords(input);
-    draft.refinement
-        = refinePoles(records, draft.poles_rad_s, isStepTreatment(input.treatment), control);
+    if (canRefine(input, discretePoles(draft.poles_rad_s, sampleInterval_s(input))))
+        draft.refinement
+            = refinePoles(records, draft.poles_rad_s, isStepTreatment(input.treatment), control);
+    if (!draft.refinement)
+        draft.refinement = refineAperiodic(input, draft, records, control);
     if (!draft.refinement)
         return;
     std::vector<NoiseCovariance> noise;

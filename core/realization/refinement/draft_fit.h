@@ -27,8 +27,10 @@ ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<d
 std::vector<RefinementRecord> refinementRecords(const ModelInput &input);
 
 /// Refines poles and amplitudes on the records at their own rate from the start on, where no filter
-/// distorts the onset. Leaves the draft unchanged in thesis mode, beyond order 12, for poles that
-/// do not decay, and where the refinement does not converge.
+/// distorts the onset. Where that cannot begin at the realised poles, or does not converge, a
+/// response that does not ring has other starts (aperiodic_start.h), with poles fewer than the
+/// order. Else leaves the draft unchanged: in thesis mode, beyond order 12, for poles that do not
+/// decay, and where the refinement does not converge.
 void refineDraft(const ModelInput &input, ModelDraft &draft, const JobControl &control);
 
 } // namespace dyncal

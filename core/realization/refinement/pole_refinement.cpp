@@ -17,6 +17,7 @@ namespace {
 
 using Problem = RefinementProblem;
 
+/// `theta` with amplitudes.
 ExponentialSum recordSum(const Problem &problem, const Eigen::VectorXd &theta,
     const std::vector<std::complex<double>> &poles, std::size_t record)
 {
@@ -53,12 +54,14 @@ std::vector<NuisanceTerm> recordNuisance(
     return terms;
 }
 
-/// 1 / unit of time for poles, 1 for everything else.
+/// 1 / unit of time for poles and slopes, 1 for everything else.
 Eigen::VectorXd unitsOf(const Problem &problem)
 {
     Eigen::VectorXd units = Eigen::VectorXd::Ones(problem.parameters());
     units.head(problem.poles()).setConstant(1.0 / problem.unit_s());
     for (std::size_t r = 0; r < problem.records().size(); ++r) {
+        for (const Index i : problem.relaxing())
+            units[problem.offset(r) + i] = 1.0 / problem.unit_s();
         for (std::size_t i = 0; i < problem.records()[r].nuisance.size(); ++i)
             units.segment(problem.nuisanceOffset(r, i), 2).setConstant(1.0 / problem.unit_s());
     }
@@ -154,12 +157,7 @@ std::optional<RegressionEquations> descended(
     auto equations = descend(
         theta, {60, 1e-4}, [&](const Eigen::VectorXd &at) { return problem.equations(at); },
         [](const Eigen::VectorXd &at) { return at.allFinite(); }, control, RefinementEnd(problem),
-        [&](Eigen::VectorXd &next) {
-            // On the way through rate 0 the two amplitudes of a ramp pass infinity: they are solved
-            // for, so that only the rate is searched.
-            if (next.allFinite() && problem.leaveZero(next))
-                problem.solveAmplitudes(next);
-        });
+        [&](Eigen::VectorXd &next) { problem.leaveZero(next); });
     if (!theta.allFinite() || !problem.isNearStart(theta))
         return std::nullopt;
     return equations;
@@ -171,6 +169,8 @@ Refinement unpack(
     Refinement result;
     result.poleParameters = problem.poles();
     result.withConstant = problem.withConstant();
+    result.relaxing = problem.relaxing();
+    const Eigen::VectorXd amplitudes = problem.amplitudes(theta);
     Index at = 0;
     for (const bool pair : problem.isPair()) {
         const std::complex<double> s(
@@ -181,7 +181,7 @@ Refinement unpack(
         at += pair ? 2 : 1;
     }
     for (std::size_t r = 0; r < problem.records().size(); ++r) {
-        result.records.push_back(recordSum(problem, theta, result.poles_rad_s, r));
+        result.records.push_back(recordSum(problem, amplitudes, result.poles_rad_s, r));
         result.nuisance.push_back(recordNuisance(problem, theta, r));
         result.offsets.push_back(problem.offset(r));
     }
@@ -195,16 +195,17 @@ Refinement unpack(
 
 std::optional<Refinement> refinePoles(const std::vector<RefinementRecord> &records,
     const std::vector<std::complex<double>> &startPoles_rad_s, bool withConstant,
-    const JobControl &control)
+    const JobControl &control, RealPoles realPoles)
 {
-    const Problem problem(records, startPoles_rad_s, withConstant);
+    const bool anywhere = realPoles == RealPoles::Anywhere;
+    const Problem problem(records, startPoles_rad_s, withConstant, anywhere);
     if (!(problem.unit_s() > 0.0))
         return std::nullopt;
     Eigen::VectorXd theta = problem.start();
     const Index factor = samplesPerMean(problem);
     if (factor >= kWorthwhile) {
         const std::vector<RefinementRecord> means = averaged(records, factor);
-        if (!descended(Problem(means, startPoles_rad_s, withConstant), theta, control))
+        if (!descended(Problem(means, startPoles_rad_s, withConstant, anywhere), theta, control))
             return std::nullopt;
     }
     const auto equations = descended(problem, theta, control);

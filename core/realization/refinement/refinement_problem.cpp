@@ -16,9 +16,11 @@
 namespace dyncal {
 
 RefinementProblem::RefinementProblem(const std::vector<RefinementRecord> &records,
-    const std::vector<std::complex<double>> &startPoles_rad_s, bool withConstant)
+    const std::vector<std::complex<double>> &startPoles_rad_s, bool withConstant,
+    bool realPolesAnywhere)
     : m_records(records)
     , m_withConstant(withConstant)
+    , m_realPolesAnywhere(realPolesAnywhere)
 {
     double fastest = 0.0;
     for (const std::complex<double> &pole : startPoles_rad_s)
@@ -42,6 +44,25 @@ RefinementProblem::RefinementProblem(const std::vector<RefinementRecord> &record
         }
     }
     m_start = Eigen::Map<const Eigen::VectorXd>(start.data(), std::ssize(start));
+    Index at = 0;
+    for (const bool pair : m_isPair) {
+        if (!pair && m_withConstant && isRelaxing(m_start[at] * m_length))
+            m_relaxing.push_back(at);
+        at += pair ? 2 : 1;
+    }
+}
+
+Eigen::VectorXd RefinementProblem::amplitudes(const Eigen::VectorXd &theta) const
+{
+    Eigen::VectorXd result = theta;
+    for (std::size_t r = 0; r < m_records.size(); ++r) {
+        const Index begin = offset(r);
+        for (const Index i : m_relaxing) {
+            result[begin + i] /= theta[i];
+            result[begin + poles()] -= result[begin + i];
+        }
+    }
+    return result;
 }
 
 Index RefinementProblem::offset(std::size_t record) const
@@ -71,6 +92,7 @@ bool RefinementProblem::isWorthAThread() const
     return samples() * poles() > kWork;
 }
 
+/// `theta` with amplitudes().
 std::vector<RegressionMode> RefinementProblem::modes(
     const Eigen::VectorXd &theta, std::size_t record) const
 {
@@ -121,21 +143,43 @@ std::vector<Index> RefinementProblem::places(std::size_t record) const
     return list;
 }
 
+/// The chain rule for c = slope / s and c0 = level - sum c, on the equations of one record.
+void RefinementProblem::toSlopes(
+    const Eigen::VectorXd &amplitudes, std::size_t record, RegressionEquations &local) const
+{
+    const Index count = local.gradient.size();
+    const Index first = poles() + 2 * std::ssize(m_records[record].nuisance); // amplitude
+    Eigen::MatrixXd derivatives = Eigen::MatrixXd::Identity(count, count);
+    for (const Index i : m_relaxing) {
+        const double rate = amplitudes[i];
+        const double byRate = -amplitudes[offset(record) + i] / rate;
+        derivatives(first + i, first + i) = 1.0 / rate;
+        derivatives(first + i, i) = byRate;
+        derivatives(count - 1, first + i) = -1.0 / rate;
+        derivatives(count - 1, i) = -byRate;
+    }
+    local.matrix = derivatives.transpose() * local.matrix * derivatives;
+    local.gradient = derivatives.transpose() * local.gradient;
+}
+
 RegressionEquations RefinementProblem::equations(const Eigen::VectorXd &theta) const
 {
     const Index count = parameters();
+    const Eigen::VectorXd at = amplitudes(theta);
     RegressionEquations sum{Eigen::MatrixXd::Zero(count, count), Eigen::VectorXd::Zero(count), 0.0};
     std::vector<RegressionEquations> ofRecord(m_records.size());
     forEachPart(std::ssize(ofRecord), isWorthAThread(), [&](Index part) {
         const auto r = static_cast<std::size_t>(part);
-        ofRecord[r] = m_regressions[r].equations(modes(theta, r), step(r));
+        ofRecord[r] = m_regressions[r].equations(modes(at, r), step(r));
+        if (!m_relaxing.empty())
+            toSlopes(at, r, ofRecord[r]);
     });
     for (std::size_t r = 0; r < m_records.size(); ++r) {
         const RegressionEquations &local = ofRecord[r];
         const double weight = m_records[r].weight * m_records[r].weight;
-        const std::vector<Index> at = places(r);
-        sum.matrix(at, at) += weight * local.matrix;
-        sum.gradient(at) += weight * local.gradient;
+        const std::vector<Index> rows = places(r);
+        sum.matrix(rows, rows) += weight * local.matrix;
+        sum.gradient(rows) += weight * local.gradient;
         sum.cost += weight * local.cost;
     }
     return sum;
@@ -170,28 +214,28 @@ Eigen::VectorXd RefinementProblem::start() const
     return theta;
 }
 
-bool RefinementProblem::leaveZero(Eigen::VectorXd &theta) const
+void RefinementProblem::leaveZero(Eigen::VectorXd &theta) const
 {
     constexpr double kLeast = 2e-3; // time constants over the record
-    bool any = false;
-    Index at = 0;
-    for (const bool pair : m_isPair) {
-        if (!pair && isNearlyRamp(m_start[at] * m_length)) {
-            any = true;
-            if (std::abs(theta[at]) * m_length < kLeast)
-                theta[at] = std::copysign(kLeast / m_length, theta[at]);
-        }
-        at += pair ? 2 : 1;
-    }
-    return any;
+    for (const Index i : m_relaxing)
+        if (std::abs(theta[i]) * m_length < kLeast)
+            theta[i] = std::copysign(kLeast / m_length, theta[i]);
+}
+
+/// Whether the pole at this place started and still is unsettled at the record's end.
+bool RefinementProblem::isUnsettled(Index place, double rate) const
+{
+    const double timeConstants = rate * m_length;
+    return std::ranges::find(m_relaxing, place) != m_relaxing.end()
+        && (isNearlyRamp(timeConstants) || (timeConstants < 0.0 && isRelaxing(timeConstants)));
 }
 
 bool RefinementProblem::isNearStart(const Eigen::VectorXd &theta) const
 {
     Index at = 0;
     for (const bool pair : m_isPair) {
-        // A drift that is nearly a ramp over the record has no well-known rate, not even its sign.
-        if (!pair && isNearlyRamp(m_start[at] * m_length) && isNearlyRamp(theta[at] * m_length)) {
+        // What has not died out has no well-known rate; nearly a ramp, not even its sign.
+        if (!pair && isUnsettled(at, theta[at])) {
             ++at;
             continue;
         }
@@ -200,7 +244,7 @@ bool RefinementProblem::isNearStart(const Eigen::VectorXd &theta) const
         const double before
             = pair ? std::hypot(m_start[at], m_start[at + 1]) : std::abs(m_start[at]);
         const double now = pair ? std::hypot(theta[at], theta[at + 1]) : std::abs(theta[at]);
-        if (!isSameOscillation(before, now))
+        if (!isSameOscillation(before, now) && (pair || !m_realPolesAnywhere))
             return false;
         at += pair ? 2 : 1;
     }

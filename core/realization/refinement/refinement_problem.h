@@ -22,21 +22,34 @@ inline bool isNearlyRamp(double timeConstants)
     return std::abs(timeConstants) <= kMost;
 }
 
+/// Whether a real pole, for its number of time constants over the record, has not died out at its
+/// end: its rate is known from the curvature of a slope.
+inline bool isRelaxing(double timeConstants)
+{
+    constexpr double kMost = 3.0; // 5 % of its part is left
+    return std::abs(timeConstants) <= kMost;
+}
+
 /// The least squares of refinePoles() as a function of one vector of parameters: poles first, then
-/// per record n amplitudes, maybe c0, and per nuisance term Re and Im of pole and amplitude. Times
-/// are scaled by `unit_s`, so that all parameters of the sensor are of order one. Keeps a reference
-/// to the records.
+/// per record n amplitudes, maybe c0, and per nuisance term Re and Im of pole and amplitude; of
+/// relaxing poles the slope in place of the amplitude, and the level in place of c0
+/// (Refinement::relaxing), in which the problem stays regular where a rate passes 0. Times are
+/// scaled by `unit_s`, so that all parameters of the sensor are of order one. Keeps a reference to
+/// the records.
 class RefinementProblem
 {
 public:
     /// `startPoles_rad_s`: pairs together, the upper half first. Without any pole there is nothing
     /// to fit, and unit_s() is 0.
     RefinementProblem(const std::vector<RefinementRecord> &records,
-        const std::vector<std::complex<double>> &startPoles_rad_s, bool withConstant);
+        const std::vector<std::complex<double>> &startPoles_rad_s, bool withConstant,
+        bool realPolesAnywhere = false);
 
     const std::vector<RefinementRecord> &records() const { return m_records; }
     /// Per mode: conjugate pair, or one real pole.
     const std::vector<bool> &isPair() const { return m_isPair; }
+    /// Positions of the real poles that start unsettled; none without a constant.
+    const std::vector<Index> &relaxing() const { return m_relaxing; }
     bool withConstant() const { return m_withConstant; }
     double unit_s() const { return m_unit_s; }
 
@@ -53,25 +66,32 @@ public:
     RegressionEquations equations(const Eigen::VectorXd &theta) const;
     /// Best amplitudes for the poles of `theta`.
     void solveAmplitudes(Eigen::VectorXd &theta) const;
-    /// Moves real poles that are nearly ramps off rate 0, where c0 and their amplitude are the same
-    /// parameter; by so little that it cannot be seen. Returns whether there are any.
-    bool leaveZero(Eigen::VectorXd &theta) const;
+    /// The same with amplitudes and c0 in place of slopes and levels.
+    Eigen::VectorXd amplitudes(const Eigen::VectorXd &theta) const;
+    /// Moves relaxing poles off rate 0, where their amplitude is infinite, by so little that it
+    /// cannot be seen.
+    void leaveZero(Eigen::VectorXd &theta) const;
     /// Whether every pole decays, unless it is nearly a ramp, and every mode still describes the
-    /// oscillation it started from.
+    /// oscillation or relaxation it started from; of real poles only as asked for.
     bool isNearStart(const Eigen::VectorXd &theta) const;
 
 private:
     Index perRecord() const { return poles() + (m_withConstant ? 1 : 0); }
     double step(std::size_t record) const { return 1.0 / m_records[record].rate_Hz / m_unit_s; }
     bool isWorthAThread() const;
+    bool isUnsettled(Index place, double rate) const;
     std::vector<RegressionMode> modes(const Eigen::VectorXd &theta, std::size_t record) const;
+    void toSlopes(
+        const Eigen::VectorXd &amplitudes, std::size_t record, RegressionEquations &local) const;
     std::vector<Index> amplitudePlaces(std::size_t record) const;
     std::vector<Index> places(std::size_t record) const;
 
     const std::vector<RefinementRecord> &m_records;
     std::vector<ExponentialRegression> m_regressions; ///< one per record
     std::vector<bool> m_isPair;
+    std::vector<Index> m_relaxing;
     bool m_withConstant;
+    bool m_realPolesAnywhere;
     double m_unit_s = 0.0;
     double m_length = 0.0; ///< of the longest record, in that unit
     Eigen::VectorXd m_start; ///< of the poles

@@ -92,6 +92,7 @@ constexpr std::pair<std::string_view, FindingPlace> kPlaces[]{
     {"MOD-013", {ModelInput, "treatment"}},
     {"MOD-014", {Page::Model, "poleTable"}},
     {"MOD-015", {Page::Model, "poleTable"}},
+    {"MOD-016", {Page::Model, "poleTable"}},
     {"RSP-001", {Page::Model, "magnitudePlot"}},
     {"RSP-002", {Page::Shock, "sensitivityTable"}},
     {"PRJ-001", {Captures, "shotTable"}},

@@ -162,6 +162,34 @@ private slots:
             qPrintable(QString::number(largestDifference(fit->covariance, expected))));
     }
 
+    void slopesAndLevels_areThoseOfTheDenseMatrices_data()
+    {
+        QTest::addColumn<double>("timeConstants");
+        QTest::newRow("unsettled") << 2.0;
+        QTest::newRow("nearly a ramp") << 0.2;
+        QTest::newRow("hardly to be told from a ramp") << 0.02;
+    }
+    void slopesAndLevels_areThoseOfTheDenseMatrices()
+    {
+        QFETCH(double, timeConstants);
+        // A slope of 0.1 over the record, of which the rate is the curvature.
+        const double rate = -timeConstants * kRate_Hz / 300.0;
+        std::vector<RefinementRecord> records{record(200, false), record(300, true)};
+        for (RefinementRecord &one : records)
+            for (Index k = 0; k < one.y.size(); ++k)
+                one.y[k] += 0.1 / timeConstants
+                    * std::expm1(rate * static_cast<double>(k) / one.rate_Hz);
+        std::vector<std::complex<double>> rates = kRates;
+        rates.insert(rates.begin(), rate);
+        auto fit = refinePoles(records, rates, true);
+        QVERIFY(fit.has_value());
+        QCOMPARE(fit->relaxing, std::vector<Index>{0});
+        const Eigen::MatrixXd expected = denseSandwich(records, *fit, 0.9);
+        allowForColour(records, {firstOrder(0.9), firstOrder(0.9)}, *fit);
+        QVERIFY2(largestDifference(fit->covariance, expected) < 2e-4,
+            qPrintable(QString::number(largestDifference(fit->covariance, expected))));
+    }
+
     void whiteNoise_leavesTheRefinementAlone()
     {
         RefinementRecord data = record(400, false);

@@ -245,6 +245,136 @@ private slots:
         QVERIFY(widened > 0.85 && widened < 1.15);
     }
 
+    /// Level 1 and a slope of `change` over 3 ms, of a part with so many time constants in them.
+    static ExponentialSum slowSum(double timeConstants, double change)
+    {
+        ExponentialSum sum = pairSum(kPair, kAmplitude, 0.0);
+        sum.poles_rad_s.conservativeResize(3);
+        sum.amplitudes.conservativeResize(3);
+        sum.poles_rad_s[2] = -timeConstants / 3e-3;
+        sum.amplitudes[2] = change / timeConstants;
+        sum.constant = 1.0 - change / timeConstants;
+        return sum;
+    }
+    static std::vector<std::complex<double>> startOf(double timeConstants)
+    {
+        return {{-timeConstants / 3e-3, 0.0}, kPair, std::conj(kPair)};
+    }
+    static double levelOf(const Refinement &fit)
+    {
+        return fit.records[0].constant + fit.records[0].amplitudes[0].real();
+    }
+
+    void slowPart_isFoundFromEveryStart_data()
+    {
+        QTest::addColumn<double>("timeConstants");
+        QTest::addColumn<double>("change");
+        QTest::newRow("AC coupling, hardly begun") << 0.02 << 0.02;
+        QTest::newRow("AC coupling") << 0.09 << 0.09;
+        QTest::newRow("heat") << 0.9 << 0.018;
+        QTest::newRow("a ramp in all but name") << 1e-4 << 0.05;
+        QTest::newRow("a ramp that grows") << -0.05 << 0.02;
+    }
+    void slowPart_isFoundFromEveryStart()
+    {
+        QFETCH(double, timeConstants);
+        QFETCH(double, change);
+        for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {
+            const auto record = recordOf(slowSum(timeConstants, change), 3000, 0.01, seed);
+            std::optional<Refinement> first;
+            for (const double start : {0.45, 0.03, 0.004, -0.1, 1.3, 2.0}) {
+                const auto fit = refinePoles({record}, startOf(start), true);
+                QVERIFY2(fit.has_value(), qPrintable(QString("start %1").arg(start)));
+                QCOMPARE(fit->relaxing, std::vector<Index>{0});
+                const double u = std::sqrt(fit->covariance(6, 6));
+                QVERIFY(u > 3e-4 && u < 2e-3); // 0.01/sqrt(3000) for a mean, 3 to 6 times for
+                                               // the end of a straight line or a parabola
+                QVERIFY(std::abs(levelOf(*fit) - 1.0) < 4.0 * u);
+                if (!first)
+                    first = fit;
+                QVERIFY(std::abs(levelOf(*first) - levelOf(*fit)) < 5e-3 * u);
+            }
+        }
+    }
+
+    void slowPart_withoutNoise_isExact()
+    {
+        for (const double timeConstants : {1.4, 0.3, 0.02, -0.2}) {
+            const auto record = recordOf(slowSum(timeConstants, 0.05), 3000);
+            const auto fit = refinePoles({record}, startOf(0.4), true);
+            QVERIFY(fit.has_value());
+            QVERIFY(std::abs(levelOf(*fit) - 1.0) < 1e-8);
+            QVERIFY(std::abs(fit->poles_rad_s[0].real() * 3e-3 + timeConstants) < 1e-5);
+        }
+    }
+
+    void slopeAndLevel_scatterByTheirUncertainty()
+    {
+        constexpr int kTrials = 200;
+        constexpr double kScatter = 0.4; // as above
+        Eigen::Vector2d squares = Eigen::Vector2d::Zero();
+        for (int trial = 0; trial < kTrials; ++trial) {
+            const auto record
+                = recordOf(slowSum(0.09, 0.09), 3000, 0.01, static_cast<std::uint64_t>(trial + 10));
+            const auto fit = refinePoles({record}, startOf(0.3), true);
+            QVERIFY(fit.has_value());
+            const double slope
+                = fit->records[0].amplitudes[0].real() * fit->poles_rad_s[0].real() * 3e-3;
+            const Eigen::Vector2d error(levelOf(*fit) - 1.0, (slope + 0.09) / 3e-3);
+            const Eigen::Vector2d variance(fit->covariance(6, 6), fit->covariance(3, 3));
+            squares += error.cwiseAbs2().cwiseQuotient(variance) / kTrials;
+        }
+        QVERIFY2((squares.array() - 1.0).abs().maxCoeff() < kScatter,
+            qPrintable(QString("%1 %2").arg(squares[0]).arg(squares[1])));
+    }
+
+    void perturbed_ofASlowPart_movesRateSlopeAndLevel()
+    {
+        const auto fit
+            = refinePoles({recordOf(slowSum(0.3, 0.05), 3000, 0.001)}, startOf(0.3), true);
+        QVERIFY(fit.has_value());
+        const double rate = fit->poles_rad_s[0].real();
+        const double slope = fit->records[0].amplitudes[0].real() * rate;
+        const auto levelAndSlope = [](const ExponentialSum &sum) {
+            return Eigen::Vector2d(sum.constant + sum.amplitudes[0].real(),
+                sum.amplitudes[0].real() * sum.poles_rad_s[0].real());
+        };
+        const Eigen::Vector2d before(levelOf(*fit), slope);
+        // Half the rate away, on the other side of 0, and to 0 itself.
+        for (const double delta : {0.5 * rate, -1.5 * rate, -rate}) {
+            const ExponentialSum sum = perturbed(*fit, 0, 0, delta);
+            QVERIFY(std::abs(sum.poles_rad_s[0] - rate - delta) < 1e-5 * std::abs(rate));
+            QVERIFY((levelAndSlope(sum) - before).cwiseAbs().maxCoeff() < 1e-7 * std::abs(slope));
+        }
+        const ExponentialSum steeper = perturbed(*fit, 0, 3, 0.5);
+        QVERIFY(std::abs(levelAndSlope(steeper)[1] - slope - 0.5) < 1e-9 * std::abs(slope));
+        QVERIFY(std::abs(levelAndSlope(steeper)[0] - before[0]) < 1e-12);
+        QVERIFY(
+            std::abs(perturbed(*fit, 0, 6, 0.5).constant - fit->records[0].constant - 0.5) < 1e-12);
+        // c0 and its variance: J from differences of the amplitudes, in which all is natural.
+        const double u = std::sqrt(constantVariance(*fit, 0));
+        Eigen::MatrixXd J(3000, 7);
+        const Eigen::VectorXd size
+            = (Eigen::VectorXd(7) << 1e-1, 1e1, 1e1, 1e-4, 1e-4, 1e-4, 1e-4).finished();
+        for (Index i = 0; i < 7; ++i) {
+            const auto moved = [&](double delta) {
+                ExponentialSum sum = fit->records[0];
+                if (i == 0)
+                    sum.poles_rad_s[0] += delta;
+                else if (i == 3)
+                    sum.amplitudes[0] += delta;
+                else
+                    sum = perturbed(*fit, 0, i, delta);
+                return sampled(sum, 3000);
+            };
+            J.col(i) = (moved(size[i]) - moved(-size[i])) / 2.0;
+        }
+        const Eigen::MatrixXd covariance = (J.transpose() * J).inverse() * 1e-6;
+        const double expected = size[6] * std::sqrt(covariance(6, 6));
+        QVERIFY2(std::abs(u / expected / std::max(1.0, fit->residualToNoise) - 1.0) < 1e-3,
+            qPrintable(QString("%1 %2").arg(u).arg(expected)));
+    }
+
     void growingPole_isGivenUp()
     {
         const auto growing = recordOf(pairSum({2e3, 2e5}, kAmplitude, 1.0), 800);

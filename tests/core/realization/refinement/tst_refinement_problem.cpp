@@ -131,7 +131,7 @@ private slots:
 
     void nearStart_isDecayingAndTheSameOscillation()
     {
-        const std::vector<RefinementRecord> records{noisyRecord(50, 1, true)};
+        const std::vector<RefinementRecord> records{noisyRecord(200, 1, true)};
         const RefinementProblem problem(records, kRates, true);
         const Eigen::VectorXd start = problem.start();
         QVERIFY(problem.isNearStart(start));
@@ -146,6 +146,71 @@ private slots:
         QVERIFY(moved(2, 1.4) && !moved(2, 1.6) && !moved(2, -1.0));
         const Index tube = problem.nuisanceOffset(0, 0) + 1;
         QVERIFY(moved(tube, 1.4) && !moved(tube, 1.6) && !moved(tube, -1.0));
+    }
+
+    void slopesAndLevel_standForWhatHasNotEnded()
+    {
+        // Over 50 samples the real pole has two time constants, over 200 eight.
+        const std::vector<RefinementRecord> records{noisyRecord(50, 1, true)};
+        const RefinementProblem problem(records, kRates, true);
+        QCOMPARE(problem.relaxing(), std::vector<Index>{2});
+        QVERIFY(RefinementProblem(records, kRates, false).relaxing().empty());
+        const std::vector<RefinementRecord> longer{noisyRecord(200, 1, true)};
+        QVERIFY(RefinementProblem(longer, kRates, true).relaxing().empty());
+
+        Eigen::VectorXd theta = somewhere(problem);
+        const Eigen::VectorXd amplitudes = problem.amplitudes(theta);
+        QCOMPARE(amplitudes[5] * theta[2], theta[5]);
+        QVERIFY(std::abs(amplitudes[5] + amplitudes[6] - theta[6]) < 1e-12);
+
+        // Its rate is free as long as it has not ended, and may pass 0 where it is nearly a ramp.
+        const auto isNear = [&](double timeConstants) {
+            theta = problem.start();
+            theta[2] *= timeConstants / 2.0;
+            return problem.isNearStart(theta);
+        };
+        QVERIFY(isNear(0.01) && isNear(-0.4) && isNear(2.9));
+        QVERIFY(!isNear(-0.6) && !isNear(3.2));
+        theta[2] = 0.0;
+        problem.leaveZero(theta);
+        QVERIFY(theta[2] != 0.0 && std::abs(theta[2]) < 2e-3 * std::abs(problem.start()[2]));
+    }
+
+    void gradient_isThatOfTheCost_throughRateZero_data()
+    {
+        QTest::addColumn<double>("timeConstants");
+        QTest::newRow("unsettled") << 1.5;
+        QTest::newRow("nearly a ramp") << 0.1;
+        QTest::newRow("hardly to be told from a ramp") << 0.004;
+        QTest::newRow("a ramp that grows") << -0.05;
+    }
+    void gradient_isThatOfTheCost_throughRateZero()
+    {
+        QFETCH(double, timeConstants);
+        std::vector<RefinementRecord> records{
+            noisyRecord(300, 1, true), noisyRecord(200, 2, false)};
+        records[1].used = {{0, 90}, {120, 200}};
+        std::vector<Complex> rates = kRates;
+        rates[2] = -timeConstants * kRate_Hz / 300.0;
+        const RefinementProblem problem(records, rates, true);
+        Eigen::VectorXd theta = problem.start();
+        problem.solveAmplitudes(theta);
+        for (Index i = 3; i < theta.size(); ++i)
+            theta[i] += 0.01 * std::abs(theta[i]) * std::cos(static_cast<double>(3 * i));
+        const RegressionEquations equations = problem.equations(theta);
+        for (Index i = 0; i < theta.size(); ++i) {
+            // A thousandth of the way over which the cost changes by one.
+            const double step = 1e-3 / std::sqrt(equations.matrix(i, i));
+            Eigen::VectorXd up = theta;
+            Eigen::VectorXd down = theta;
+            up[i] += step;
+            down[i] -= step;
+            const double slope
+                = (problem.equations(up).cost - problem.equations(down).cost) / (2.0 * step);
+            QVERIFY2(std::abs(slope + 2.0 * equations.gradient[i])
+                    < 1e-4 * (std::abs(slope) + 1e-2 / step),
+                qPrintable(QString("%1: %2 %3").arg(i).arg(slope).arg(equations.gradient[i])));
+        }
     }
 
     void nothingToFit_hasNoUnit()

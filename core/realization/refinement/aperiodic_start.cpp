@@ -1,0 +1,119 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/realization/refinement/aperiodic_start.h"
+
+#include "core/realization/refinement/pole_refinement.h"
+#include "core/realization/refinement/refinement_problem.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace dyncal {
+namespace {
+
+using Complex = std::complex<double>;
+using Poles = std::vector<Complex>;
+
+constexpr double kCritical = 0.9; ///< damping ratio: from here on a pair may be two real poles
+constexpr double kApart = 1.6; ///< |s| of two poles over the slower one, half a factor of 2.5
+
+/// What the draft says of a response without ringing.
+struct Aperiodic
+{
+    Poles unsettled;
+    double slowest_rad_s = 0.0; ///< rate of the slowest settled pole
+};
+
+/// A pole of the sampled plane without a continuous partner, or next to it.
+bool isAtNyquist(Complex s, double dt_s)
+{
+    return std::abs(s.imag()) * dt_s > 0.95 * std::numbers::pi;
+}
+
+/// Empty where the response rings or where no settled pole stands out.
+std::optional<Aperiodic> aperiodicPart(const ModelInput &input, const ModelDraft &draft)
+{
+    const std::vector<bool> standsOut = standingOut(input, draft);
+    const double dt_s = sampleInterval_s(input);
+    const double length_s = static_cast<double>(input.samples) * dt_s;
+    Aperiodic part{{}, HUGE_VAL};
+    for (std::size_t i = 0; i < standsOut.size(); ++i) {
+        const Complex s = draft.poles_rad_s[i];
+        if (!standsOut[i] || isAtNyquist(s, dt_s))
+            continue;
+        if (s.imag() == 0.0 && isRelaxing(s.real() * length_s))
+            part.unsettled.push_back(s);
+        else if (s.imag() == 0.0)
+            part.slowest_rad_s = std::min(part.slowest_rad_s, std::abs(s));
+        else if (-s.real() > kCritical * std::abs(s))
+            part.slowest_rad_s = std::min(part.slowest_rad_s, std::abs(s) / kApart);
+        else
+            return std::nullopt;
+    }
+    return std::isfinite(part.slowest_rad_s) ? std::optional(part) : std::nullopt;
+}
+
+/// Two settled poles, the slower one at the rate given: real and near, real and far apart, a pair.
+std::vector<Poles> startsOfTwo(double slow_rad_s)
+{
+    constexpr double kFarApart = 8.0;
+    const double ring = std::sqrt(1.0 - kCritical * kCritical);
+    const Complex pair = kApart * slow_rad_s * Complex(-kCritical, ring);
+    return {{-slow_rad_s, -kApart * kApart * slow_rad_s}, {-slow_rad_s, -kFarApart * slow_rad_s},
+        {pair, std::conj(pair)}};
+}
+
+/// Whether all poles are in order of |s|, and the records can hold the fastest.
+bool isPlausible(const Poles &poles, const std::vector<RefinementRecord> &records)
+{
+    double rate_Hz = HUGE_VAL;
+    for (const RefinementRecord &record : records)
+        rate_Hz = std::min(rate_Hz, record.rate_Hz);
+    return std::ranges::is_sorted(poles, {}, [](Complex s) { return std::abs(s); })
+        && std::abs(poles.back()) < std::numbers::pi * rate_Hz;
+}
+
+double bicOf(const Refinement &fit, Index samples)
+{
+    const auto count = static_cast<double>(samples);
+    const auto parameters = static_cast<double>(fit.covariance.rows());
+    const double chiSquare = fit.residualToNoise * fit.residualToNoise;
+    return count * std::log(chiSquare * (1.0 - parameters / count)) + parameters * std::log(count);
+}
+
+} // namespace
+
+std::optional<Refinement> refineAperiodic(const ModelInput &input, const ModelDraft &draft,
+    const std::vector<RefinementRecord> &records, const JobControl &control)
+{
+    constexpr double kDescribes = 1.2; // residual over noise
+    const auto part = isStepTreatment(input.treatment) && !isThesisMode(input)
+        ? aperiodicPart(input, draft)
+        : std::nullopt;
+    if (!part)
+        return std::nullopt;
+    Index samples = 0;
+    for (const RefinementRecord &record : records)
+        samples += record.y.size();
+    const auto fitFrom = [&](Poles start) {
+        start.insert(start.begin(), part->unsettled.begin(), part->unsettled.end());
+        return refinePoles(records, start, true, control, RealPoles::Anywhere);
+    };
+    // One pole alone converges from afar, and lies near the slower of two.
+    std::optional<Refinement> best = fitFrom({-part->slowest_rad_s});
+    const double slow_rad_s = best ? std::abs(best->poles_rad_s.back()) : part->slowest_rad_s;
+    const auto isBetter = [&](const Refinement &fit) {
+        return isPlausible(fit.poles_rad_s, records)
+            && (!best || bicOf(fit, samples) < bicOf(*best, samples));
+    };
+    for (const Poles &start : startsOfTwo(slow_rad_s))
+        if (auto fit = fitFrom(start); fit && isBetter(*fit))
+            best = std::move(fit);
+    return best && best->residualToNoise < kDescribes && isPlausible(best->poles_rad_s, records)
+        ? std::move(best)
+        : std::nullopt;
+}
+
+} // namespace dyncal
