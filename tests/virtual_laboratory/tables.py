@@ -73,6 +73,14 @@ def conditions_table(records, rows=True):
     return "\n".join(lines)
 
 
+def short_table(records):
+    """Sensitivity and step of a few conditions."""
+    lines = [HEAD, RULE]
+    for condition, group in by_condition(records).items():
+        lines += [line(condition, q, *summary(group, q)) for q in ("sensitivity", "step")]
+    return "\n".join(lines)
+
+
 def cautions_table(records):
     """How often the right cause is named at all, whether or not the numbers suffer."""
     lines = ["| condition | runs | right cause named | another cause | cautions without cause | none "
