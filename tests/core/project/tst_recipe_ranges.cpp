@@ -25,6 +25,7 @@ namespace {
 /// The keys without which an element is refused, so that one key can be tried beside them.
 const std::map<std::string, const char *> kElements{
     {"import.exclude", R"({"shot": 1, "reason": "x"})"},
+    {"import.shots", R"({"shot": 1, "channels": {}})"},
     {"shock.arrival_sensors", R"({"channel": "a", "distance_to_end_wall_m": 1})"},
     {"shock.counters", R"({"far_m": 1, "near_m": 0, "time_s": 1})"},
     {"window.exclude_stretches", R"({"shot": 1, "from_s": 0, "to_s": 1, "reason": "x"})"},

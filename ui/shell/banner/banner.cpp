@@ -82,8 +82,12 @@ void Banner::showWords()
 void Banner::resizeEvent(QResizeEvent *event)
 {
     QFrame::resizeEvent(event);
-    m_layout->setDirection(
-        width() < kNarrow_px ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    standFor(width());
+}
+
+void Banner::standFor(int width)
+{
+    m_layout->setDirection(width < kNarrow_px ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
 }
 
 void Banner::paintEvent(QPaintEvent *event)
@@ -99,7 +103,13 @@ void Banner::present(const QString &sentence, const std::vector<BannerAction> &a
     setAccessibleName(sentence);
     for (const auto &[action, button] : m_buttons)
         button->setVisible(std::ranges::find(actions, action) != actions.end());
+    // What is hidden has no width yet, so that it would come up as high as for another one, and all
+    // below it would jump: it is laid out before it is first seen.
+    if (parentWidget() && isHidden())
+        standFor(parentWidget()->width());
     show();
+    if (parentWidget() && parentWidget()->layout())
+        parentWidget()->layout()->activate();
     QAccessibleEvent alert(this, QAccessible::Alert);
     QAccessible::updateAccessibility(&alert);
 }

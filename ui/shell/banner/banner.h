@@ -38,6 +38,7 @@ protected:
     void paintEvent(QPaintEvent *event) override; ///< follows the palette (light, dark)
 
 private:
+    void standFor(int width); ///< buttons beside the sentence, or under it
     QBoxLayout *m_layout;
     QLabel *m_sentence;
     std::map<BannerAction, QPushButton *> m_buttons;

@@ -74,8 +74,10 @@ std::vector<OfferedCorrection> chooseDut(const Shot *shot)
 std::map<std::string, std::string> &ownRoles(ImportSettings &settings, Index shot)
 {
     const auto found = std::ranges::find(settings.shots, shot, &ShotImport::shot);
-    return found != settings.shots.end() ? found->channels
-                                         : settings.shots.emplace_back(shot).channels;
+    if (found != settings.shots.end())
+        return found->channels;
+    settings.shots.push_back({shot, {}});
+    return settings.shots.back().channels;
 }
 
 /// Whether every shot that could be swapped is said to be.

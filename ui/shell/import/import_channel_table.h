@@ -8,6 +8,10 @@
 
 #include <QTableWidget>
 
+#include <string>
+#include <utility>
+#include <vector>
+
 namespace dyncal {
 
 /// The channels of a file: the role of each, and what its values are. Columns that are shots of one

@@ -31,7 +31,6 @@ constexpr int kPatience_ms = 60'000;
 constexpr int kSeen_ms = 2000; ///< so soon a change is known
 constexpr double kDuration_s = 0.004;
 constexpr int kHarms = 4;
-constexpr int kLayout_ms = 100;
 
 } // namespace
 
@@ -176,7 +175,6 @@ void TestChangedSources::everyPage_everyHarm_isSaidAndNothingIsExported()
         const WorkState work = workStateOf(session());
         QCOMPARE(standingOf(Page::Captures, work).status, StageStatus::Blocked);
         QCOMPARE(standingOf(Page::Certificate, work).status, StageStatus::Blocked);
-        QTest::qWait(kLayout_ms);
         const QStringList faults = test::LayoutFaults(*m_bench.window).found();
         QVERIFY2(faults.isEmpty(), qPrintable(faults.join("\n")));
         const StagePage *page = m_bench.window->pages()[static_cast<std::size_t>(

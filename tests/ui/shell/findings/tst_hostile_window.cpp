@@ -220,16 +220,30 @@ QString shownIn(const QWidget *top)
     return texts.join('\n');
 }
 
+/// The text is the shots' label, so that a run knows it from what it is given.
+PipelineOutcome pipelineOfCaptures(const std::shared_ptr<const CaptureSet> &captures,
+    const Recipe &recipe, ResultCache &cache, StageId until, const JobControl &control)
+{
+    return hostilePipeline(captures->shots.front().label, captures, recipe, cache, until, control);
+}
+
+/// One window for all texts, one after the other: a job's texts must not outlive it either.
 struct Bench : WindowBench
 {
-    explicit Bench(const std::string &text)
-        : WindowBench([text](const auto &captures, const Recipe &recipe, ResultCache &cache,
-                          StageId until, const JobControl &control) {
-            return hostilePipeline(text, captures, recipe, cache, until, control);
-        })
+    Bench()
+        : WindowBench(pipelineOfCaptures)
     {
         window->resize(1400, 900);
         window->show();
+    }
+    explicit Bench(const std::string &text)
+        : Bench()
+    {
+        open(text);
+    }
+
+    void open(const std::string &text) const
+    {
         window->session().reset(
             {std::make_shared<const CaptureSet>(hostileCaptures(text)), hostileRecipe(text)});
         QTRY_VERIFY(!window->session().isComputing());
@@ -252,6 +266,7 @@ class TestHostileWindow : public QObject
 
 private:
     QTemporaryDir m_folder;
+    std::unique_ptr<Bench> m_bench; ///< of the tests that open all texts
     QString bait() const { return m_folder.filePath("bait.png"); }
     std::vector<std::string> texts() const { return hostileTexts(bait().toStdString()); }
 
@@ -264,12 +279,16 @@ private:
     }
 
 private slots:
+    void initTestCase() { m_bench = std::make_unique<Bench>(); }
+    void cleanupTestCase() { m_bench.reset(); }
+
     void everyPage_showsTextAsText_data() { addRows(); }
     void everyPage_showsTextAsText()
     {
         QFETCH(QByteArray, text);
         const Bait watched(bait());
-        Bench bench(text.toStdString());
+        const Bench &bench = *m_bench;
+        bench.open(text.toStdString());
         bench.window->files().openPaths({m_folder.filePath("no <b>file</b>&such")});
         QTRY_VERIFY(!bench.window->files().isBusy());
         for (std::size_t row = 0; row < bench.window->pages().size(); ++row) {
@@ -362,8 +381,9 @@ private slots:
 
     void clipboard_ofFindingsAndProblems_isText()
     {
+        const Bench &bench = *m_bench;
         for (const std::string &text : texts()) {
-            Bench bench(text);
+            bench.open(text);
             auto *findings = bench.find<FindingsPanel>("findingsPanel");
             findings->clearSelection();
             QTest::keySequence(findings, QKeySequence::Copy);

@@ -326,6 +326,7 @@ void TestImportDialog::eachColumnAShot_importsOneShotPerColumn()
     QCOMPARE(preview->horizontalHeaderItem(2)->text(), QString("b [V] (shot 2)"));
 
     auto *gain = dialog->findChild<QLineEdit *>("importGain2Value"); // said of one, meant for all
+    gain->setFocus();
     QTest::keyClicks(gain, "10");
     QTest::keyClick(gain, Qt::Key_Tab);
     QCOMPARE(dialog->findChild<QLineEdit *>("importGain3Value")->text(), QString("10"));

@@ -162,9 +162,9 @@ private slots:
         QVERIFY(!set);
         QCOMPARE(set.error().kind, ErrorKind::Usage);
         QVERIFY2(contains(sentence(set), "import.columns_are"), sentence(set).c_str());
-        // The last one standing is refused too: nothing is left that could be a shot.
-        QCOMPARE(findingId(
-                     readDelimitedText(file("time [s]\n0\n1e-6\n2e-6\n3e-6\n"), shotColumns(), {})),
+        // Where nothing is left that could be a shot, that is said.
+        QCOMPARE(findingId(readDelimitedText(file(threeColumns()),
+                     shotColumns({{"time", 0}, {"trigger", 1}, {"driver", 2}, {"other", 3}}), {})),
             std::string("CAP-018"));
     }
 
