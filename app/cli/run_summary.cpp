@@ -77,10 +77,9 @@ void addSensitivity(
         return;
     }
     // The prefix belongs to the numerator, so "V/Pa" becomes "uV/Pa".
-    const std::optional<double> u = response.summary.mean ? response.summary.mean->u : std::nullopt;
+    const double u = response.summary.mean ? response.summary.mean->u.value_or(kUnknown) : kUnknown;
     addLine(text, "Sensitivity",
-        roundedTextWithU(
-            *response.sensitivity, u.value_or(kUnknown), presentable(response.sensitivityUnit)));
+        roundedTextWithU(*response.sensitivity, u, presentable(response.sensitivityUnit)));
     for (const ShotSensitivity &shot : response.shots) {
         if (shot.sensitivity)
             addLine(text, "  shot " + std::to_string(shot.shot),
