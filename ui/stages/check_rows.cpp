@@ -40,19 +40,25 @@ QString waysText(const WayComparison &check)
     return CheckRows::tr("%1 / %2").arg(translated(wayText(check.a)), translated(wayText(check.b)));
 }
 
+/// To the digits of u, with the prefix of the second way: a row is read across.
+ShownResult inRowsUnit(double value, const WayComparison &check)
+{
+    return shownResultBeside(value, check.u, check.value_b, shownText(check.unit));
+}
+
 QStringList rowOf(const WayComparison &check)
 {
     QStringList row{translated(comparedText(check.of)), shotText(check.shot),
         check.channel.empty() ? kNone : shownText(check.channel), waysText(check)};
-    const QString unit = QString::fromStdString(check.unit);
     if (!check.isMade() || !std::isfinite(check.u)) {
         row << kNone << kNone << kNone << kNone << kNone;
     } else {
-        row << shownResult(check.value_a, check.u, unit).value
-            << shownResult(check.value_b, check.u, unit).value
-            << shownWithU(check.difference(), check.u, unit)
+        const ShownResult difference = inRowsUnit(check.difference(), check);
+        row << inRowsUnit(check.value_a, check).value << inRowsUnit(check.value_b, check).value
+            << difference.value + QStringLiteral(" ± ") + difference.u
             << shownNumber(check.difference() / check.u, 2)
-            << shownQuantity(check.smallestDetectable(), unit, 2);
+            << shownQuantityBeside(
+                   check.smallestDetectable(), check.value_b, shownText(check.unit), 2);
     }
     return row << verdict(check);
 }

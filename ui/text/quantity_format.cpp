@@ -40,6 +40,25 @@ const QString &nothing()
     return text;
 }
 
+/// The unit with the prefix in which `beside` is shown, and that prefix as a factor.
+struct PrefixedUnit
+{
+    double factor = 1.0;
+    QString unit; ///< with the blank before it; empty for a plain number
+};
+
+PrefixedUnit prefixedUnit(double beside, const QString &unit)
+{
+    constexpr int kAllDigits = 17;
+    if (unit.isEmpty() || unit == "1" || !std::isfinite(beside) || beside == 0.0)
+        return {};
+    const std::string other = numberWithUnit(beside, presentable(unit.toStdString()), kAllDigits);
+    const auto blank = other.find(' ');
+    const double number = parseNumber(other.substr(0, blank)).value_or(beside);
+    return {std::pow(10.0, std::round(std::log10(beside / number))),
+        QString::fromStdString(other.substr(blank))};
+}
+
 } // namespace
 
 QString shownQuantity(double value, const QString &unit, int digits)
@@ -56,14 +75,10 @@ QString shownQuantity(double value, const QString &unit, int digits)
 
 QString shownQuantityBeside(double value, double beside, const QString &unit, int digits)
 {
-    if (!std::isfinite(value) || !std::isfinite(beside) || unit.isEmpty() || beside == 0.0)
+    const PrefixedUnit prefixed = prefixedUnit(beside, unit);
+    if (!std::isfinite(value) || prefixed.unit.isEmpty())
         return shownQuantity(value, unit, digits);
-    constexpr int kAllDigits = 17;
-    const std::string other = numberWithUnit(beside, presentable(unit.toStdString()), kAllDigits);
-    const auto blank = other.find(' ');
-    const double number = parseNumber(other.substr(0, blank)).value_or(beside);
-    const double prefix = std::pow(10.0, std::round(std::log10(beside / number)));
-    return shownNumber(value / prefix, digits) + QString::fromStdString(other.substr(blank));
+    return shownNumber(value / prefixed.factor, digits) + prefixed.unit;
 }
 
 QString shownNumber(double value, int digits)
@@ -89,6 +104,18 @@ ShownResult shownResult(double value, double u, const QString &unit, int digits)
             : text + QLatin1Char(' ') + QString::fromStdString(rounded.unit);
     };
     return {shown(rounded.value), rounded.u.empty() ? nothing() : shown(rounded.u)};
+}
+
+ShownResult shownResultBeside(double value, double u, double beside, const QString &unit)
+{
+    const PrefixedUnit prefixed = prefixedUnit(beside, unit);
+    if (prefixed.unit.isEmpty())
+        return shownResult(value, u, unit);
+    const ShownResult shown = shownResult(value / prefixed.factor, u / prefixed.factor, {});
+    const auto withUnit = [&prefixed](const QString &number) {
+        return number == nothing() ? number : number + prefixed.unit;
+    };
+    return {withUnit(shown.value), withUnit(shown.u)};
 }
 
 QString shownWithU(double value, double u, const QString &unit, int digits)

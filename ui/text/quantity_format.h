@@ -31,6 +31,8 @@ struct ShownResult
 };
 inline constexpr int kDigitsOnPages = 5;
 ShownResult shownResult(double value, double u, const QString &unit, int digits = kDigitsOnPages);
+/// The same with the prefix that shownQuantity(beside, ...) has: rows that are read across.
+ShownResult shownResultBeside(double value, double u, double beside, const QString &unit);
 /// "2.329980 MHz ± 0.000012 MHz"; without a known u the value alone.
 QString shownWithU(double value, double u, const QString &unit, int digits = kDigitsOnPages);
 

@@ -45,6 +45,7 @@ ShockSettings typedVelocity()
 ShockSettings typedArrivals(const std::vector<double> &distances_m)
 {
     ShockSettings settings;
+    settings.attenuation = "none";
     for (const double x : distances_m)
         settings.arrivalSensors.push_back(
             {"toa " + std::to_string(x), x, 2e-4, kAtWall_s - x / kVelocity_m_s, 1e-7, 0.0, 0.0});
@@ -273,7 +274,6 @@ void TestShockFindings::typedArrivals_threeSensors_velocityAndBudget()
         = estimated(thesisSet(), typedArrivals({0.9, 0.5, 0.1}), {}, budget()).shots[0];
     QVERIFY(std::abs(result.states->velocity_m_s / kVelocity_m_s - 1.0) < 1e-10);
     QCOMPARE(result.sightings.size(), std::size_t(3));
-    QVERIFY(result.velocityFit->gradient_per_s.has_value());
     QVERIFY(std::abs(result.velocityFit->arrivalAtWall_s - kAtWall_s) < 1e-12);
     QVERIFY(result.uncertainty && result.uncertainty->u(StepResult::Step));
     QVERIFY(result.measurement.has_value());

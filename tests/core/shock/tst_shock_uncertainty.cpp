@@ -312,7 +312,10 @@ void TestShockUncertainty::counters_enterTheBudget()
     QVERIFY(std::abs(*found.u(StepResult::Velocity) / 512.8 - each / std::sqrt(2.0)) < 1e-8);
 }
 
-// The figure itself scatters by 1 % in 500 runs; the limits are those that are asked for.
+// The figure itself scatters by 1 % in 500 runs. Truths drawn from the prior must be held in 95 %
+// of runs. One fixed attenuation near the middle of its prior is held more often, because the
+// interval also has room for those at its ends: by linear theory in 99.8 % of runs at 0.2 %/m where
+// unknown delays of 0 to 2.6 us hide the curvature, in 98.2 % where there are none.
 void TestShockUncertainty::coverage_ofVelocityAndStep_data()
 {
     QTest::addColumn<CoverageCase>("which");
@@ -325,12 +328,18 @@ void TestShockUncertainty::coverage_ofVelocityAndStep_data()
         = [](const char *name, const CoverageCase &which, double least, double most,
               bool unbiased) { QTest::newRow(name) << which << least << most << unbiased; };
     row("one sensor", {{0.8, 0.0}, true, {}, kRise_s}, 93.0, 100.0, false);
-    row("three sensors", {three, true, {}, kRise_s}, 92.0, 98.0, true);
-    row("three sensors, no attenuation", {three, true, 0.0, kRise_s}, 92.0, 99.5, false);
-    row("three sensors, 0.2 %/m", {three, true, 0.002, kRise_s}, 92.0, 99.5, false);
-    row("three sensors, 0.4 %/m", {three, true, 0.004, kRise_s}, 92.0, 99.5, false);
-    row("three sensors, 0.8 %/m", {three, true, 0.008, kRise_s}, 92.0, 99.5, false);
-    row("two sensors, DUT elsewhere", {{0.9, 0.1}, true, {}}, 93.0, 97.0, true);
+    row("three sensors", {three, true, {}}, 92.0, 98.0, true);
+    row("three sensors, 0 %/m", {three, true, 0.0}, 92.0, 99.5, false);
+    row("three sensors, 0.2 %/m", {three, true, 0.002}, 92.0, 99.5, false);
+    row("three sensors, 0.4 %/m", {three, true, 0.004}, 92.0, 99.5, false);
+    row("three sensors, 0.8 %/m", {three, true, 0.008}, 92.0, 99.5, false);
+    row("late sensors", {three, true, {}, kRise_s}, 92.0, 98.0, true);
+    row("late sensors, 0 %/m", {three, true, 0.0, kRise_s}, 92.0, 100.0, false);
+    row("late sensors, 0.2 %/m", {three, true, 0.002, kRise_s}, 92.0, 100.0, false);
+    row("late sensors, 0.4 %/m", {three, true, 0.004, kRise_s}, 92.0, 100.0, false);
+    row("late sensors, 0.8 %/m", {three, true, 0.008, kRise_s}, 92.0, 100.0, false);
+    // Only the rectangle of the attenuation is left: 1.96 standard deviations hold all of it.
+    row("two sensors, DUT elsewhere", {{0.9, 0.1}, true, {}}, 93.0, 100.0, true);
     row("three sensors, DUT elsewhere", {{0.9, 0.5, 0.1}, true, {}}, 93.0, 97.0, true);
     row("five sensors, scatter estimated", {{0.9, 0.7, 0.5, 0.3, 0.1}, false, {}}, 92.0, 98.0,
         true);

@@ -47,7 +47,7 @@ ArrivalSensor sensorAt(const char *channel, double distance_m, double u_distance
     return sensor;
 }
 
-SeenArrival seenAt(const char *channel, double time_s, double u_s = 1e-7, double rise_s = 3e-6)
+SeenArrival seenAt(const char *channel, double time_s, double u_s = 1e-7, double rise_s = 0.0)
 {
     SideArrival arrival;
     arrival.time_s = time_s;
@@ -86,6 +86,7 @@ private slots:
     void sensorAndDut_distanceOverTime()
     {
         ShockSettings settings;
+        settings.attenuation = "none";
         settings.arrivalSensors = {sensorAt("near", 0.6)};
         const DutArrival dut{1, 2e-3, 2e-7, true};
         const auto estimate = estimateVelocity(
@@ -102,6 +103,7 @@ private slots:
     void countersWinOverArrivals()
     {
         ShockSettings settings;
+        settings.attenuation = "none";
         settings.arrivalSensors = {sensorAt("near", 0.6)};
         settings.counters = {{1.5, 0.5, 1.0 / 400.0, 0.0, 0.0}};
         const auto estimate = estimateVelocity(

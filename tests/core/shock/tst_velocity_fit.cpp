@@ -137,7 +137,8 @@ void TestVelocityFit::range_manyPlaces_arrivalsDecide()
     // Nearly exact arrivals: the range, although it does not hold the truth, hardly counts.
     const auto fit = fitVelocity(
         arrivals({1.0, 0.8, 0.6, 0.4, 0.2}, 512.8, 10.256, 1e-7, 1e-10), Attenuation::Automatic);
-    QVERIFY(std::abs(fit->velocity_m_s / 512.8 - 1.0) < 1e-4);
+    // What the parabola leaves of the logarithm grows with the square of the gradient: 4e-5 above.
+    QVERIFY(std::abs(fit->velocity_m_s / 512.8 - 1.0) < 4.0 * 4e-5);
     QVERIFY(std::abs(*fit->seenAttenuation_per_m / 0.02 - 1.0) < 0.03);
     QVERIFY(*fit->chiSquare > 10.0); // it contradicts the range
 }

@@ -70,7 +70,7 @@ void TestKeyboardOnly::cleanupTestCase()
 void TestKeyboardOnly::s27_everyStage_isReachedAndSettled()
 {
     for (int page = 0; page < kPageCount; ++page) {
-        press(Qt::Key_1 + page, Qt::AltModifier);
+        press(Qt::Key_0 + (page + 1) % 10, Qt::AltModifier); // the tenth is Alt+0
         QVERIFY2(m_bench->window->pages()[static_cast<std::size_t>(page)]->isVisible(),
             qPrintable(QString::number(page)));
     }

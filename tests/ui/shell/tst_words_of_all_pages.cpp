@@ -21,7 +21,7 @@ namespace {
 
 constexpr double kDuration_s = 0.006;
 constexpr int kPatience_ms = 120'000;
-constexpr int kPages = 9;
+constexpr int kPages = kPageCount;
 
 /// All that a page and its surroundings say.
 QStringList wordsOf(const QWidget &window)

@@ -59,6 +59,7 @@ private slots:
     void result_isNeverFurtherThanHalfADigit();
     void result_withoutAKnownU_hasADash();
     void beside_isInTheUnitOfTheValue();
+    void resultBeside_hasItsPrefixAndThePlaceOfU();
     void swedish_thousandsAreNotGrouped();
     void notFinite_isADash();
 };
@@ -192,6 +193,17 @@ void TestShownNumbers::beside_isInTheUnitOfTheValue()
                 std::abs(readBack(shown, "Pa") / (part * value) - 1.0) < 6e-3, qPrintable(shown));
         }
     }
+}
+
+void TestShownNumbers::resultBeside_hasItsPrefixAndThePlaceOfU()
+{
+    const ShownResult small = shownResultBeside(2.6e-6, 1.234e-6, 1.5e-3, "s");
+    QCOMPARE(small.value, QString("0.0026 ms"));
+    QCOMPARE(small.u, QString("0.0012 ms"));
+    const ShownResult plain = shownResultBeside(0.0123, 0.00456, 1.2, "1");
+    QCOMPARE(plain.value + ' ' + plain.u, QString("0.0123 0.0046"));
+    QCOMPARE(shownResultBeside(std::nan(""), 1.0, 1e3, "Pa").value, kDash);
+    QCOMPARE(shownResultBeside(1.0, 0.1, 0.0, "Pa").value, QString("1.00 Pa"));
 }
 
 void TestShownNumbers::swedish_thousandsAreNotGrouped()

@@ -108,6 +108,7 @@ void Banner::present(const QString &sentence, const std::vector<BannerAction> &a
     if (parentWidget() && isHidden())
         standFor(parentWidget()->width());
     show();
+    m_layout->activate();
     if (parentWidget() && parentWidget()->layout())
         parentWidget()->layout()->activate();
     QAccessibleEvent alert(this, QAccessible::Alert);

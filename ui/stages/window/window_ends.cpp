@@ -55,6 +55,7 @@ bool hasOwnEnds(const WindowSettings &settings)
 void giveOwnEnds(WindowSettings &settings, std::size_t shots)
 {
     settings.ownEnds_s.assign(shots, settings.end_s);
+    settings.end_s = {}; // the recipe has one of them
 }
 
 void giveCommonEnd(WindowSettings &settings, Index shot)

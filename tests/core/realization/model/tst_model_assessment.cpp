@@ -173,10 +173,10 @@ private slots:
         QVERIFY(!assessed);
         QCOMPARE(assessed.error().kind, ErrorKind::Cancelled);
 
-        // Stopped once the response is there: the next run finds nothing of it.
+        // Stopped once response and checks are there: the next run finds nothing of it.
         std::stop_source late;
         const JobControl control{late.get_token(), [&late](double done) {
-                                     if (done >= progressAfter(StageId::Response, kLastStage))
+                                     if (done >= progressAfter(StageId::Checks, kLastStage))
                                          late.request_stop();
                                  }};
         const PipelineOutcome outcome = runPipeline(captures(), {}, cache, kLastStage, control);

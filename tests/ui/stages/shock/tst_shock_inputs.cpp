@@ -119,12 +119,13 @@ void TestShockInputs::velocityTyped_givesTheMachNumber()
     Bench &bench = fresh();
     const double measured_m_s = shotOf(bench, 1).states->velocity_m_s;
     typeAndWait(bench, "shockVelocityValue", "450"); // of the shot on show, and of no other
-    const ShockStates &states = *shotOf(bench, 2).states;
+    const ShockStates &states = *shotOf(bench, 3).states;
     QCOMPARE(states.velocity_m_s, 450.0);
     QVERIFY(std::abs(states.mach - 450.0 / states.driven.soundSpeed_m_s) < 1e-12);
-    QCOMPARE(shotOf(bench, 1).states->velocity_m_s, measured_m_s);
+    // The model's delay is that of all shots: their windows, and so the last digits, are others.
+    QVERIFY(std::abs(shotOf(bench, 1).states->velocity_m_s / measured_m_s - 1.0) < 1e-8);
     QVERIFY(!bench.recipe().shock.velocity_m_s.common);
-    bench.choose("shockShot", 1);
+    bench.choose("shockShot", 0);
     QVERIFY(bench.control<QLineEdit>("shockVelocityValue")->text().isEmpty());
     bench.choose("shockShot", 2);
     typeAndWait(bench, "shockVelocityValue", "100"); // slower than sound: there is no such shock
@@ -133,7 +134,7 @@ void TestShockInputs::velocityTyped_givesTheMachNumber()
         return finding.severity != Severity::Info && finding.id.starts_with("SHK");
     }));
     undo(bench);
-    QCOMPARE(shotOf(bench, 2).states->velocity_m_s, 450.0);
+    QCOMPARE(shotOf(bench, 3).states->velocity_m_s, 450.0);
     typeAndWait(bench, "shockVelocityValue", " "); // measured again
     QVERIFY(!bench.recipe().shock.velocity_m_s.isTyped());
 }
@@ -141,13 +142,13 @@ void TestShockInputs::velocityTyped_givesTheMachNumber()
 void TestShockInputs::stepTyped_winsOverTheShock_andUndone()
 {
     Bench &bench = fresh();
-    const QString computed = cell(bench, "stateTable", "Pressure step", 2);
+    const QString computed = cell(bench, "stateTable", "Pressure step", 3);
     typeAndWait(bench, "stepPressureValue", "434.2");
-    QCOMPARE(*shotOf(bench, 2).step_Pa, 434.2e3);
-    QCOMPARE(cell(bench, "stateTable", "Pressure step", 2), QString("434.2 kPa (typed)"));
-    QVERIFY(!shotOf(bench, 3).stepTyped);
+    QCOMPARE(*shotOf(bench, 3).step_Pa, 434.2e3);
+    QCOMPARE(cell(bench, "stateTable", "Pressure step", 3), QString("434.2 kPa (typed)"));
+    QVERIFY(!shotOf(bench, 2).stepTyped);
     undo(bench);
-    QCOMPARE(cell(bench, "stateTable", "Pressure step", 2), computed);
+    QCOMPARE(cell(bench, "stateTable", "Pressure step", 3), computed);
     QVERIFY(bench.control<QLineEdit>("stepPressureValue")->text().isEmpty());
     QCOMPARE(bench.control<QLineEdit>("stepPressureValue")->placeholderText(), QString("computed"));
 }
@@ -185,7 +186,7 @@ void TestShockInputs::arrivalTyped_isOfTheShotOnShow()
 {
     Bench &bench = fresh();
     bench.choose("shockShot", 0);
-    const double found_s = *shotOf(bench, 1).arrival_s;
+    const double found_s = shotOf(bench, 1).seen.at(0).found->time_s; // of the record, delay and all
     bench.control<QCheckBox>("arrivalTimeAuto")->click();
     waitComputed(bench.session);
     const auto &typed = bench.recipe().shock.arrivalSensors.at(0).shotArrival_s;
@@ -266,8 +267,9 @@ void TestShockInputs::swedish_tablesAndTyping()
 {
     const test::InSwedish swedish;
     Bench bench(m_set);
+    bench.choose("shockShot", 0);
     typeAndWait(bench, "stepPressureValue", "434,25");
-    QCOMPARE(*bench.recipe().shock.step_Pa.of(1), 434250.0);
+    QCOMPARE(bench.recipe().shock.step_Pa.of(1).value_or(0.0), 434250.0);
     const auto *states = bench.control<ValueTable>("stateTable");
     QCOMPARE(states->horizontalHeaderItem(1)->text(), QString("Skott 1"));
     QVERIFY2(states->item(0, 1)->text().startsWith("434,25 kPa"),
