@@ -80,6 +80,84 @@
     </message>
 </context>
 <context>
+    <name>ChannelRoles</name>
+    <message>
+        <source>%1 is %2</source>
+        <translation>%1 är %2</translation>
+    </message>
+    <message>
+        <source>In shot %1: %2.</source>
+        <translation>I skott %1: %2.</translation>
+    </message>
+</context>
+<context>
+    <name>CheckRows</name>
+    <message>
+        <source>all</source>
+        <translation>alla</translation>
+    </message>
+    <message>
+        <source>not made: %1</source>
+        <translation>inte gjord: %1</translation>
+    </message>
+    <message>
+        <source>agree</source>
+        <translation>stämmer överens</translation>
+    </message>
+    <message>
+        <source>contradict each other</source>
+        <translation>motsäger varandra</translation>
+    </message>
+    <message>
+        <source>%1 / %2</source>
+        <translation>%1 / %2</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Storhet</translation>
+    </message>
+    <message>
+        <source>Shot</source>
+        <translation>Skott</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Plats</translation>
+    </message>
+    <message>
+        <source>Two ways</source>
+        <translation>Två vägar</translation>
+    </message>
+    <message>
+        <source>First</source>
+        <translation>Första</translation>
+    </message>
+    <message>
+        <source>Second</source>
+        <translation>Andra</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Skillnad</translation>
+    </message>
+    <message>
+        <source>in u</source>
+        <translation>i u</translation>
+    </message>
+    <message>
+        <source>Smallest fault seen</source>
+        <translation>Minsta synliga fel</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Utfall</translation>
+    </message>
+    <message>
+        <source>Comparisons made: %1; contradicting: %2; not possible: %3.</source>
+        <translation>Gjorda jämförelser: %1; motsägande: %2; inte möjliga: %3.</translation>
+    </message>
+</context>
+<context>
     <name>ControlTips</name>
     <message>
         <source>Open further recordings beside these</source>
@@ -489,6 +567,10 @@
         <source>Ticked, the program decides, and the field shows what it took</source>
         <translation>Ikryssad bestämmer programmet, och fältet visar vad det tog</translation>
     </message>
+    <message>
+        <source>Whether an end that is typed or dragged holds for all shots, or for the shot alone whose values are shown</source>
+        <translation>Om ett slut som skrivs in eller dras gäller för alla skott, eller bara för det skott vars värden visas</translation>
+    </message>
 </context>
 <context>
     <name>Corrections</name>
@@ -547,6 +629,10 @@
     <message>
         <source>Import settings...</source>
         <translation>Importinställningar...</translation>
+    </message>
+    <message>
+        <source>Swap in shot %1</source>
+        <translation>Byt plats i skott %1</translation>
     </message>
 </context>
 <context>
@@ -797,6 +883,14 @@
     <message>
         <source>The file can be imported.</source>
         <translation>Filen kan importeras.</translation>
+    </message>
+    <message>
+        <source>The table has no column of samples.</source>
+        <translation>Tabellen har ingen kolumn med sampel.</translation>
+    </message>
+    <message>
+        <source>Choose which channel is the sensor under test (DUT), or tick that each column is a shot of it.</source>
+        <translation>Välj vilken kanal som är givaren under provning (DUT), eller kryssa för att varje kolumn är ett skott med den.</translation>
     </message>
 </context>
 <context>
@@ -2282,6 +2376,34 @@
         <source>fields of the certificate</source>
         <translation>certifikatets fält</translation>
     </message>
+    <message>
+        <source>shot with roles of its own</source>
+        <translation>skott med egna roller</translation>
+    </message>
+    <message>
+        <source>channel roles of one shot</source>
+        <translation>kanalroller i ett skott</translation>
+    </message>
+    <message>
+        <source>what the columns are</source>
+        <translation>vad kolumnerna är</translation>
+    </message>
+    <message>
+        <source>settings of single shots</source>
+        <translation>inställningar för enskilda skott</translation>
+    </message>
+    <message>
+        <source>range of the attenuation along the tube</source>
+        <translation>område för dämpningen längs röret</translation>
+    </message>
+    <message>
+        <source>largest Mach number of the tube</source>
+        <translation>rörets största machtal</translation>
+    </message>
+    <message>
+        <source>largest driver pressure of the tube</source>
+        <translation>rörets största drivtryck</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -2427,6 +2549,10 @@
     <message>
         <source>u-shaped</source>
         <translation>U-formad</translation>
+    </message>
+    <message>
+        <source>Attenuation along the tube</source>
+        <translation>Dämpning längs röret</translation>
     </message>
 </context>
 <context>
@@ -2752,6 +2878,41 @@
     <message>
         <source>“%1” can be read as %2 or as %3. Write one of these.</source>
         <translation>”%1” kan läsas som %2 eller som %3. Skriv ett av dem.</translation>
+    </message>
+</context>
+<context>
+    <name>WindowEnds</name>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Each shot ends with its own plateau.</source>
+        <translation>Varje skott slutar med sin egen platå.</translation>
+    </message>
+    <message>
+        <source>Set for each shot; that of shot %1 is automatic.</source>
+        <translation>Ställs in för varje skott; det för skott %1 är automatiskt.</translation>
+    </message>
+    <message>
+        <source>Set for each shot; this is the end of shot %1 alone.</source>
+        <translation>Ställs in för varje skott; detta är slutet för skott %1 ensamt.</translation>
+    </message>
+    <message>
+        <source>Automatic: each shot has an end of its own.</source>
+        <translation>Automatiskt: varje skott har sitt eget slut.</translation>
+    </message>
+    <message>
+        <source>One end, common to all shots.</source>
+        <translation>Ett slut, gemensamt för alla skott.</translation>
+    </message>
+    <message>
+        <source>The plateau is over before it in: %1.</source>
+        <translation>Platån är slut före den i: %1.</translation>
+    </message>
+    <message>
+        <source>The record of shot %1 ends here.</source>
+        <translation>Registreringen av skott %1 slutar här.</translation>
     </message>
 </context>
 <context>
@@ -3145,10 +3306,6 @@
         <translation>varning</translation>
     </message>
     <message>
-        <source>The automatic checks of the data raised no caution.</source>
-        <translation>De automatiska kontrollerna av data gav ingen varning.</translation>
-    </message>
-    <message>
         <source>Records and software</source>
         <translation>Registreringar och programvara</translation>
     </message>
@@ -3453,10 +3610,6 @@
         <translation>Känslighet</translation>
     </message>
     <message>
-        <source>Signal to noise is the output step over the standard deviation of the noise before it. Rise time 10 % to 90 %; settling to within 5 % of the step.</source>
-        <translation>Signalbrusförhållandet är utsignalens steg dividerat med standardavvikelsen för bruset före steget. Stigtid 10 % till 90 %; insvängning till inom 5 % av steget.</translation>
-    </message>
-    <message>
         <source>Model of the sensor</source>
         <translation>Modell av givaren</translation>
     </message>
@@ -3531,14 +3684,6 @@
     <message>
         <source>Model, phase</source>
         <translation>Modell, fas</translation>
-    </message>
-    <message>
-        <source>The lower limit follows from the length of the window, the upper one from the noise. A dash means that the value was not determined.</source>
-        <translation>Den undre gränsen följer av fönstrets längd, den övre av bruset. Ett streck betyder att värdet inte bestämdes.</translation>
-    </message>
-    <message>
-        <source>Without a pressure step the magnitude is relative to the output step.</source>
-        <translation>Utan trycksteg är beloppet relativt utsignalens steg.</translation>
     </message>
     <message>
         <source>Figures</source>
@@ -4665,14 +4810,6 @@
         <translation>Ankomsterna sprider sig kring sin linje mer än de angivna osäkerheterna medger (chi-kvadrat %1, frihetsgrader %2): kontrollera avstånd, fördröjningar och ankomster, eller låt hastigheten ändras längs röret.</translation>
     </message>
     <message>
-        <source>Measured %1 = %2 at &apos;%5&apos; is %3 % below the computed %4 (both absolute): check velocity, unit and sensitivity, and gauge or absolute.</source>
-        <translation>Uppmätt %1 = %2 vid &apos;%5&apos; är %3 % under beräknat %4 (båda absoluta): kontrollera hastighet, enhet och känslighet samt övertryck eller absolut.</translation>
-    </message>
-    <message>
-        <source>Measured %1 = %2 at &apos;%5&apos; is %3 % above the computed %4 (both absolute): check velocity, unit and sensitivity, and gauge or absolute.</source>
-        <translation>Uppmätt %1 = %2 vid &apos;%5&apos; är %3 % över beräknat %4 (båda absoluta): kontrollera hastighet, enhet och känslighet samt övertryck eller absolut.</translation>
-    </message>
-    <message>
         <source>p1 = %1 Pa? Pressures are in pascals here: %1 %2 are %3 Pa, about ambient.</source>
         <translation>p1 = %1 Pa? Tryck anges här i pascal: %1 %2 är %3 Pa, ungefär omgivningens.</translation>
     </message>
@@ -4795,10 +4932,6 @@
     <message>
         <source>left out</source>
         <translation>utelämnade</translation>
-    </message>
-    <message>
-        <source>The oscillations above were fitted in each shot together with the sensor. Poles, sensitivity and frequency response are those of the sensor without them; the fit counts them.</source>
-        <translation>Svängningarna ovan anpassades i varje skott tillsammans med givaren. Poler, känslighet och frekvenssvar är givarens utan dem; anpassningsgraden räknar med dem.</translation>
     </message>
     <message>
         <source>There is no decomposition yet that orders could be taken from.</source>
@@ -5365,10 +5498,6 @@
         <translation>U för steget är dess utvidgade osäkerhet med täckningsfaktorn k på samma rad, för täckningssannolikheten %1 %. Den följer av osäkerheterna för stötvågens hastighet, begynnelsetrycket, begynnelsetemperaturen och gasen och gäller för ett idealt stötrör. Den ingår i osäkerheten för känsligheten men inte i osäkerheterna för frekvenssvaret.</translation>
     </message>
     <message>
-        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes, not the uncertainty of the pressure step; that of the sensitivity alone contains both. A complete uncertainty budget was not evaluated; where no uncertainty stands beside a value, none is stated. Rise time, overshoot, settling time and band edges are those of the model.</source>
-        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2 och innehåller bara bidraget från registreringarnas brus, inte tryckstegets osäkerhet; bara känslighetens innehåller båda. Någon fullständig osäkerhetsbudget har inte beräknats; där ingen osäkerhet står bredvid ett värde är ingen angiven. Stigtid, översläng, insvängningstid och bandgränser är modellens.</translation>
-    </message>
-    <message>
         <source>not determined (no level at the onset)</source>
         <translation>inte bestämd (ingen nivå vid stegets början)</translation>
     </message>
@@ -5419,6 +5548,422 @@
     <message>
         <source>The chosen driven gas has a speed of sound of %1, the gas named in the capture %2: with that the pressure step would be %3 % different. The chosen gas is used; check which one was in the tube.</source>
         <translation>Den valda drivna gasen har ljudhastigheten %1, gasen som namnges i registreringen %2: med den skulle trycksteget vara %3 % annorlunda. Den valda gasen används; kontrollera vilken som fanns i röret.</translation>
+    </message>
+    <message>
+        <source>%1: by import.columns_are each column is a shot of the DUT, so import.columns.dut cannot name one of them; leave it out.</source>
+        <translation>%1: enligt import.columns_are är varje kolumn ett skott med DUT, så import.columns.dut kan inte ange en av dem; utelämna den.</translation>
+    </message>
+    <message>
+        <source>Recipe import.shots names shot %1; the shots are 1 to %2.</source>
+        <translation>Receptets import.shots anger skott %1; skotten är 1 till %2.</translation>
+    </message>
+    <message>
+        <source>Recipe import.shots names shot %1 twice.</source>
+        <translation>Receptets import.shots anger skott %1 två gånger.</translation>
+    </message>
+    <message>
+        <source>agree</source>
+        <translation>stämmer överens</translation>
+    </message>
+    <message>
+        <source>%1 contradict each other</source>
+        <translation>%1 motsäger varandra</translation>
+    </message>
+    <message>
+        <source>No quantity was known in two independent ways.</source>
+        <translation>Ingen storhet var känd på två oberoende vägar.</translation>
+    </message>
+    <message>
+        <source>Independent ways to one quantity, compared within the combined uncertainty of their difference (contradiction from 3.6 u on)</source>
+        <translation>Oberoende vägar till en storhet, jämförda inom skillnadens sammanlagda osäkerhet (motsägelse från 3,6 u)</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Storhet</translation>
+    </message>
+    <message>
+        <source>One way</source>
+        <translation>En väg</translation>
+    </message>
+    <message>
+        <source>Other way</source>
+        <translation>Annan väg</translation>
+    </message>
+    <message>
+        <source>Made</source>
+        <translation>Gjorda</translation>
+    </message>
+    <message>
+        <source>Largest difference, u</source>
+        <translation>Största skillnad, u</translation>
+    </message>
+    <message>
+        <source>Fault seen in 90 %</source>
+        <translation>Fel som syns i 90 %</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Utfall</translation>
+    </message>
+    <message>
+        <source>No pressure step is determined: neither a step nor a shock velocity with initial pressure and temperature was given. No sensitivity in the unit of pressure can be stated.</source>
+        <translation>Inget trycksteg är bestämt: varken ett steg eller en stötvågshastighet med begynnelsetryck och begynnelsetemperatur har angivits. Ingen känslighet i tryckenhet kan anges.</translation>
+    </message>
+    <message>
+        <source>Normalised response over frequency: from the responses without a model, and from the model</source>
+        <translation>Normerat svar över frekvens: ur svaren utan modell och ur modellen</translation>
+    </message>
+    <message>
+        <source>The lower limit follows from the length of the window, the upper one from the noise and the sample rate. Frequencies are settings, without an uncertainty. No uncertainty is known of the model&apos;s values, which end at half the sample rate of the model. A dash means that the value was not determined.</source>
+        <translation>Den undre gränsen följer av fönstrets längd, den övre av bruset och samplingsfrekvensen. Frekvenserna är inställningar utan osäkerhet. För modellens värden är ingen osäkerhet känd; de slutar vid modellens halva samplingsfrekvens. Ett streck betyder att värdet inte bestämdes.</translation>
+    </message>
+    <message>
+        <source>Of the %1 frequencies asked for, %2 lie outside these limits and have no line.</source>
+        <translation>Av de %1 begärda frekvenserna ligger %2 utanför dessa gränser och har ingen rad.</translation>
+    </message>
+    <message>
+        <source>The magnitude is relative to the level at the onset of the step.</source>
+        <translation>Beloppet är relativt nivån vid stegets start.</translation>
+    </message>
+    <message>
+        <source>A free decay has no frequency response: what excited the item was not measured.</source>
+        <translation>En fri utsvängning har inget frekvenssvar: det som exciterade objektet mättes inte.</translation>
+    </message>
+    <message>
+        <source>The oscillations above were fitted in each shot together with the sensor. Poles and all results are those of the sensor without them; the fit counts them.</source>
+        <translation>Svängningarna ovan anpassades i varje skott tillsammans med givaren. Poler och alla resultat är givarens utan dem; anpassningsgraden räknar med dem.</translation>
+    </message>
+    <message>
+        <source>Largest deflection</source>
+        <translation>Största utslag</translation>
+    </message>
+    <message>
+        <source>Certificate of the normalised dynamic response</source>
+        <translation>Bevis över det normerade dynamiska svaret</translation>
+    </message>
+    <message>
+        <source>Certificate of natural frequency and damping</source>
+        <translation>Bevis över egenfrekvens och dämpning</translation>
+    </message>
+    <message>
+        <source>The sensitivity S(f) is the complex ratio of the item&apos;s output to the change of pressure at the sensor&apos;s face in the side wall of a shock tube; phase of output over input, lag negative, relative to the sensor&apos;s own onset.</source>
+        <translation>Känsligheten S(f) är det komplexa förhållandet mellan objektets utsignal och tryckändringen vid givarens yta i stötrörets sidovägg; fas för utsignal relativt insignal, eftersläpning negativ, räknat från givarens egen start.</translation>
+    </message>
+    <message>
+        <source>The sensitivity S(f) is the complex ratio of the item&apos;s output to the change of pressure at the sensor&apos;s face; phase of output over input, lag negative, relative to the sensor&apos;s own onset.</source>
+        <translation>Känsligheten S(f) är det komplexa förhållandet mellan objektets utsignal och tryckändringen vid givarens yta; fas för utsignal relativt insignal, eftersläpning negativ, räknat från givarens egen start.</translation>
+    </message>
+    <message>
+        <source>The normalised response N(f) is the complex ratio of the item&apos;s output to a step, relative to the level at the onset of that step; phase of output over input, lag negative, relative to the sensor&apos;s own onset.</source>
+        <translation>Det normerade svaret N(f) är det komplexa förhållandet mellan objektets utsignal och ett steg, relativt nivån vid stegets start; fas för utsignal relativt insignal, eftersläpning negativ, räknat från givarens egen start.</translation>
+    </message>
+    <message>
+        <source>The item decayed freely after an excitation that was not measured. Its undamped natural frequencies and damping ratios are determined; the ratio of its output to what excited it is not.</source>
+        <translation>Objektet svängde ut fritt efter en excitation som inte mättes. Dess odämpade egenfrekvenser och relativa dämpningar är bestämda; förhållandet mellan dess utsignal och det som exciterade det är det inte.</translation>
+    </message>
+    <message>
+        <source>The pressure step of each shot follows from the shock wave and the initial state of the gas, unless the section &quot;Conditions&quot; says that it was stated.</source>
+        <translation>Varje skotts trycksteg följer av stötvågen och gasens begynnelsetillstånd, om inte avsnittet ”Förhållanden” säger att det angavs.</translation>
+    </message>
+    <message>
+        <source>The pressure step of each shot was stated by the operator. It was not computed, and its uncertainty is not known.</source>
+        <translation>Varje skotts trycksteg angavs av operatören. Det beräknades inte, och dess osäkerhet är inte känd.</translation>
+    </message>
+    <message>
+        <source>The size of the step is not known: no sensitivity is stated, and all magnitudes are relative.</source>
+        <translation>Stegets storlek är inte känd: ingen känslighet anges, och alla belopp är relativa.</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes, not the uncertainty of the pressure step; that of the sensitivity alone contains both. A complete uncertainty budget was not evaluated. A result without an uncertainty beside it has none that is known, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
+        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2 och innehåller bara bidraget från registreringarnas brus, inte tryckstegets osäkerhet; bara känslighetens innehåller båda. Någon fullständig osäkerhetsbudget har inte beräknats. Ett resultat utan osäkerhet bredvid sig har ingen som är känd och är avrundat till tre värdesiffror; inställningar och avläsningar återges med högst fyra. Stigtid, översläng, insvängningstid och bandgränser är modellens, så långt registreringar och modell räcker.</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes. A complete uncertainty budget was not evaluated. A result without an uncertainty beside it has none that is known, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
+        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2 och innehåller bara bidraget från registreringarnas brus. Någon fullständig osäkerhetsbudget har inte beräknats. Ett resultat utan osäkerhet bredvid sig har ingen som är känd och är avrundat till tre värdesiffror; inställningar och avläsningar återges med högst fyra. Stigtid, översläng, insvängningstid och bandgränser är modellens, så långt registreringar och modell räcker.</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes. A complete uncertainty budget was not evaluated. A result without an uncertainty beside it has none that is known, and is rounded to three significant digits; settings and readings are quoted with four at most.</source>
+        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2 och innehåller bara bidraget från registreringarnas brus. Någon fullständig osäkerhetsbudget har inte beräknats. Ett resultat utan osäkerhet bredvid sig har ingen som är känd och är avrundat till tre värdesiffror; inställningar och avläsningar återges med högst fyra.</translation>
+    </message>
+    <message>
+        <source>Signal to noise is the largest deflection over the standard deviation of the noise before it. No uncertainty is known of the deflection: it has three significant digits.</source>
+        <translation>Signalbrusförhållandet är största utslaget dividerat med standardavvikelsen för bruset före det. För utslaget är ingen osäkerhet känd: det har tre värdesiffror.</translation>
+    </message>
+    <message>
+        <source>Signal to noise is the output step over the standard deviation of the noise before it. Rise time 10 % to 90 %; settling to within 5 % of the step. Values without an uncertainty have none that is known: they have three significant digits.</source>
+        <translation>Signalbrusförhållandet är utsignalens steg dividerat med standardavvikelsen för bruset före steget. Stigtid 10 % till 90 %; insvängning till inom 5 % av steget. Värden utan osäkerhet har ingen som är känd: de har tre värdesiffror.</translation>
+    </message>
+    <message>
+        <source>One of the two ways gives no value here.</source>
+        <translation>En av de två vägarna ger inget värde här.</translation>
+    </message>
+    <message>
+        <source>It needs two shots at least whose sensitivities are known.</source>
+        <translation>Det behövs minst två skott vars känsligheter är kända.</translation>
+    </message>
+    <message>
+        <source>It needs shots of two levels whose steps are known.</source>
+        <translation>Det behövs skott på två nivåer vars steg är kända.</translation>
+    </message>
+    <message>
+        <source>The velocity stated for this shot is %1, the arrivals give %2: they differ by %3 times their combined uncertainty. Check what was typed, the distances and the sample rate.</source>
+        <translation>Hastigheten som anges för detta skott är %1, ankomsterna ger %2: de skiljer sig med %3 gånger sin sammanlagda osäkerhet. Kontrollera det som skrevs in, avstånden och samplingsfrekvensen.</translation>
+    </message>
+    <message>
+        <source>The ratio of the reflected to the incident step at &apos;%4&apos; belongs to Mach %1, the velocity over the speed of sound is Mach %2: they differ by %3 times their combined uncertainty. The ratio needs no clock and no sensitivity; check sample rate, distances, gas and temperature.</source>
+        <translation>Kvoten mellan det reflekterade och det infallande steget vid &quot;%4&quot; hör till Mach %1, hastigheten genom ljudhastigheten är Mach %2: de skiljer sig med %3 gånger sin sammanlagda osäkerhet. Kvoten behöver varken klocka eller känslighet; kontrollera samplingsfrekvens, avstånd, gas och temperatur.</translation>
+    </message>
+    <message>
+        <source>The ratio of the velocities of the incident and the reflected shock at &apos;%4&apos; belongs to Mach %1, the velocity over the speed of sound is Mach %2: they differ by %3 times their combined uncertainty. The ratio needs no clock; check sample rate, distances, gas and temperature.</source>
+        <translation>Kvoten mellan den infallande och den reflekterade stötvågens hastigheter vid &quot;%4&quot; hör till Mach %1, hastigheten genom ljudhastigheten är Mach %2: de skiljer sig med %3 gånger sin sammanlagda osäkerhet. Kvoten behöver ingen klocka; kontrollera samplingsfrekvens, avstånd, gas och temperatur.</translation>
+    </message>
+    <message>
+        <source>The pressure behind the shock rises by %1 at &apos;%4&apos; and should by %2: they differ by %3 times their combined uncertainty. Check p1, the velocity, and unit and sensitivity of the sensor.</source>
+        <translation>Trycket bakom stötvågen stiger med %1 vid &quot;%4&quot; och borde stiga med %2: de skiljer sig med %3 gånger sin sammanlagda osäkerhet. Kontrollera p1, hastigheten samt givarens enhet och känslighet.</translation>
+    </message>
+    <message>
+        <source>The pressure behind the reflected shock is %1 above p1 at &apos;%4&apos; and should be %2: they differ by %3 times their combined uncertainty. Check p1, the velocity, and unit and sensitivity of the sensor.</source>
+        <translation>Trycket bakom den reflekterade stötvågen är %1 över p1 vid &quot;%4&quot; och borde vara %2: de skiljer sig med %3 gånger sin sammanlagda osäkerhet. Kontrollera p1, hastigheten samt givarens enhet och känslighet.</translation>
+    </message>
+    <message>
+        <source>The typed pressure step of this shot is %1, the velocity gives %2: they differ by %3 times their combined uncertainty. Check what was typed.</source>
+        <translation>Det inskrivna trycksteget för detta skott är %1, hastigheten ger %2: de skiljer sig med %3 gånger sin sammanlagda osäkerhet. Kontrollera det som skrevs in.</translation>
+    </message>
+    <message>
+        <source>The sensitivity of this shot is %1, the card of the sensor states %2: they differ by %3 times their combined uncertainty. Check scale and unit of the recording, p1 and the card.</source>
+        <translation>Känsligheten för detta skott är %1, givarkortet anger %2: de skiljer sig med %3 gånger sin sammanlagda osäkerhet. Kontrollera inspelningens skala och enhet, p1 och kortet.</translation>
+    </message>
+    <message>
+        <source>No comparison contradicts alone, but all %1 together leave a chi-square of %2, which happens by chance in %3 % of calibrations: look at the largest differences, and at the causes named.</source>
+        <translation>Ingen jämförelse motsäger ensam, men alla %1 tillsammans ger chi-två %2, vilket händer av en slump i %3 % av kalibreringarna: se på de största skillnaderna och de orsaker som nämns.</translation>
+    </message>
+    <message>
+        <source>The levels named for the shots are not in the order of their pressure steps: check which recording belongs to which shot (import.levels).</source>
+        <translation>Skottens namngivna nivåer följer inte ordningen på deras trycksteg: kontrollera vilken inspelning som hör till vilket skott (import.levels).</translation>
+    </message>
+    <message>
+        <source>No arrival sensor with a distance marks the shock.</source>
+        <translation>Ingen ankomstgivare med angivet avstånd markerar stötvågen.</translation>
+    </message>
+    <message>
+        <source>It needs three places; there are two.</source>
+        <translation>Det behövs tre platser; det finns två.</translation>
+    </message>
+    <message>
+        <source>The reflected shock is not seen to pass the sensor again.</source>
+        <translation>Den reflekterade stötvågen syns inte passera givaren igen.</translation>
+    </message>
+    <message>
+        <source>The plateau behind the reflected shock is too short at the sensor to be read.</source>
+        <translation>Platån bakom den reflekterade stötvågen är för kort vid givaren för att kunna läsas av.</translation>
+    </message>
+    <message>
+        <source>No sensor in the end wall marks the reflection.</source>
+        <translation>Ingen givare i ändväggen markerar reflexionen.</translation>
+    </message>
+    <message>
+        <source>The channel is no pressure: its unit or the sensor&apos;s sensitivity is not stated.</source>
+        <translation>Kanalen är inget tryck: dess enhet eller givarens känslighet är inte angiven.</translation>
+    </message>
+    <message>
+        <source>The driver pressure or its temperature is not recorded.</source>
+        <translation>Drivtrycket eller dess temperatur är inte registrerat.</translation>
+    </message>
+    <message>
+        <source>The velocity of the shock is not known.</source>
+        <translation>Stötvågens hastighet är inte känd.</translation>
+    </message>
+    <message>
+        <source>The sensitivity is not determined.</source>
+        <translation>Känsligheten är inte bestämd.</translation>
+    </message>
+    <message>
+        <source>The card of the sensor states no sensitivity in the unit of the calibration.</source>
+        <translation>Givarkortet anger ingen känslighet i kalibreringens enhet.</translation>
+    </message>
+    <message>
+        <source>Velocity</source>
+        <translation>Hastighet</translation>
+    </message>
+    <message>
+        <source>Travel time</source>
+        <translation>Gångtid</translation>
+    </message>
+    <message>
+        <source>p2 − p1</source>
+        <translation>p2 − p1</translation>
+    </message>
+    <message>
+        <source>p5 − p1</source>
+        <translation>p5 − p1</translation>
+    </message>
+    <message>
+        <source>Driver pressure</source>
+        <translation>Drivtryck</translation>
+    </message>
+    <message>
+        <source>Sensitivity, shot against shots</source>
+        <translation>Känslighet, skott mot skott</translation>
+    </message>
+    <message>
+        <source>Order of the levels</source>
+        <translation>Nivåernas ordning</translation>
+    </message>
+    <message>
+        <source>typed</source>
+        <translation>inskrivet</translation>
+    </message>
+    <message>
+        <source>counters</source>
+        <translation>räknare</translation>
+    </message>
+    <message>
+        <source>arrivals</source>
+        <translation>ankomster</translation>
+    </message>
+    <message>
+        <source>this arrival</source>
+        <translation>denna ankomst</translation>
+    </message>
+    <message>
+        <source>other arrivals</source>
+        <translation>övriga ankomster</translation>
+    </message>
+    <message>
+        <source>velocity over speed of sound</source>
+        <translation>hastighet genom ljudhastighet</translation>
+    </message>
+    <message>
+        <source>ratio of the steps</source>
+        <translation>stegens kvot</translation>
+    </message>
+    <message>
+        <source>ratio of the velocities</source>
+        <translation>hastigheternas kvot</translation>
+    </message>
+    <message>
+        <source>side sensor</source>
+        <translation>sidogivare</translation>
+    </message>
+    <message>
+        <source>recorded</source>
+        <translation>registrerat</translation>
+    </message>
+    <message>
+        <source>sensor card</source>
+        <translation>givarkort</translation>
+    </message>
+    <message>
+        <source>this calibration</source>
+        <translation>denna kalibrering</translation>
+    </message>
+    <message>
+        <source>this shot</source>
+        <translation>detta skott</translation>
+    </message>
+    <message>
+        <source>other shots</source>
+        <translation>övriga skott</translation>
+    </message>
+    <message>
+        <source>names</source>
+        <translation>namn</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>steg</translation>
+    </message>
+    <message>
+        <source>not determined (a free decay has no step)</source>
+        <translation>inte bestämt (en fri utsvängning har inget steg)</translation>
+    </message>
+    <message>
+        <source>not determined (the model diverges)</source>
+        <translation>inte bestämt (modellen divergerar)</translation>
+    </message>
+    <message>
+        <source>not determined (the level of the step is not known)</source>
+        <translation>inte bestämt (stegets nivå är inte känd)</translation>
+    </message>
+    <message>
+        <source>below %1 (two samples)</source>
+        <translation>under %1 (två sampel)</translation>
+    </message>
+    <message>
+        <source>above %1 (the window ends there)</source>
+        <translation>över %1 (fönstret slutar där)</translation>
+    </message>
+    <message>
+        <source>not determined (the window ends before the top)</source>
+        <translation>inte bestämt (fönstret slutar före toppen)</translation>
+    </message>
+    <message>
+        <source>above %1 (the band of the response ends there)</source>
+        <translation>över %1 (svarets band slutar där)</translation>
+    </message>
+    <message>
+        <source>below %1 (the band of the response begins there)</source>
+        <translation>under %1 (svarets band börjar där)</translation>
+    </message>
+    <message>
+        <source>A part of the response with a time constant of about %1 has not ended within the model input, and the model could not be refined, so that it is unknown whether it is a drift (heat of the gas, an AC coupling). The sensitivity is that of the level to which the model tends, an extrapolation. Choose another order, or let the model be refined.</source>
+        <translation>En del av svaret med tidskonstanten omkring %1 har inte avslutats inom modellens indata, och modellen kunde inte förfinas, så det är okänt om den är en drift (gasens värme, en AC-koppling). Känsligheten är den för nivån som modellen går mot, en extrapolation. Välj en annan ordning, eller låt modellen förfinas.</translation>
+    </message>
+    <message>
+        <source>The recipe lists %1 values for %2 shots; give one number or null per shot (%3).</source>
+        <translation>Receptet listar %1 värden för %2 skott; ange ett tal eller null per skott (%3).</translation>
+    </message>
+    <message>
+        <source>Such a shock needs a driver pressure of %1, more than the %2 that this tube can have had (three times the recorded one at most, and shock.largest_driver_pressure_pa): check sample rate, distances, gases and temperature.</source>
+        <translation>En sådan stötvåg kräver ett drivtryck på %1, mer än de %2 som detta rör kan ha haft (högst tre gånger det registrerade, och shock.largest_driver_pressure_pa): kontrollera samplingsfrekvens, avstånd, gaser och temperatur.</translation>
+    </message>
+    <message>
+        <source>The arrivals show a velocity that falls by %1 % per metre along the tube, outside the range of %2 to %3 % per metre that is assumed (shock.attenuation_per_m): widen the range if the tube does that, else check distances, delays and arrivals.</source>
+        <translation>Ankomsterna visar en hastighet som avtar med %1 % per meter längs röret, utanför det antagna området %2 till %3 % per meter (shock.attenuation_per_m): vidga området om röret gör så, kontrollera annars avstånd, fördröjningar och ankomster.</translation>
+    </message>
+    <message>
+        <source>The velocity is Mach %1; a shock in this tube reaches Mach %2 at most (shock.largest_mach): check sample rate, distances, gas and temperature.</source>
+        <translation>Hastigheten är Mach %1; en stötvåg i detta rör når högst Mach %2 (shock.largest_mach): kontrollera samplingsfrekvens, avstånd, gas och temperatur.</translation>
+    </message>
+    <message>
+        <source>The velocity %1 is typed once and serves all %2 shots: type one for each shot, or none where it is measured.</source>
+        <translation>Hastigheten %1 är inskriven en gång och gäller alla %2 skott: skriv in en för varje skott, eller ingen där den mäts.</translation>
+    </message>
+    <message>
+        <source>The pressure step %1 is typed once and serves all %2 shots: type one for each shot, or none where it is computed.</source>
+        <translation>Trycksteget %1 är inskrivet en gång och gäller alla %2 skott: skriv in ett för varje skott, eller inget där det beräknas.</translation>
+    </message>
+    <message>
+        <source>Move the end of shot %1 to %2</source>
+        <translation>Flytta slutet för skott %1 till %2</translation>
+    </message>
+    <message>
+        <source>window.end_s lists %1 ends for %2 shots; give one end or one per shot.</source>
+        <translation>window.end_s anger %1 slut för %2 skott; ange ett slut, eller ett för varje skott.</translation>
+    </message>
+    <message>
+        <source>Defect &apos;%1&apos;: this kind takes no number behind &apos;%2&apos;.</source>
+        <translation>Defekt &apos;%1&apos;: denna sort tar inget tal efter &apos;%2&apos;.</translation>
+    </message>
+    <message>
+        <source>Defect &apos;%1&apos;: what follows &apos;%2&apos; must be a number.</source>
+        <translation>Defekt &apos;%1&apos;: det som följer efter &apos;%2&apos; ska vara ett tal.</translation>
+    </message>
+    <message>
+        <source>Defect &apos;%1&apos; is asked for with %2; it must lie in %3 .. %4.</source>
+        <translation>Defekten &apos;%1&apos; begärs med %2; värdet ska ligga i %3 .. %4.</translation>
+    </message>
+    <message>
+        <source>Defect &apos;%1&apos; concerns the whole capture; it takes no number of a shot.</source>
+        <translation>Defekten &apos;%1&apos; gäller hela registreringen; den tar inget skottnummer.</translation>
+    </message>
+    <message>
+        <source>Defect &apos;%1&apos; needs shots of two levels; all shots are of one.</source>
+        <translation>Defekten &apos;%1&apos; kräver skott på två nivåer; alla skott är på en och samma.</translation>
+    </message>
+    <message>
+        <source>The uncertainty of the pressure step is not known.</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 <context>
@@ -5969,6 +6514,25 @@
     </message>
 </context>
 <context>
+    <name>dyncal::ChecksPage</name>
+    <message>
+        <source>Checks</source>
+        <translation>Kontroller</translation>
+    </message>
+    <message>
+        <source>What is known in two independent ways is compared, within its combined uncertainty.</source>
+        <translation>Det som är känt på två oberoende vägar jämförs, inom sin sammanlagda osäkerhet.</translation>
+    </message>
+    <message>
+        <source>Comparisons</source>
+        <translation>Jämförelser</translation>
+    </message>
+    <message>
+        <source>Two ways contradict each other from 3.6 combined standard uncertainties on. &quot;Smallest fault seen&quot; is found in nine of ten cases; what is smaller may pass unseen. A comparison that could not be made proves nothing.</source>
+        <translation>Två vägar motsäger varandra från 3,6 sammanlagda standardosäkerheter. &quot;Minsta synliga fel&quot; upptäcks i nio fall av tio; det som är mindre kan passera obemärkt. En jämförelse som inte kunde göras bevisar ingenting.</translation>
+    </message>
+</context>
+<context>
     <name>dyncal::ComponentsPage</name>
     <message>
         <source>PCA</source>
@@ -6152,6 +6716,18 @@
     <message>
         <source>Change the guard</source>
         <translation>Ändra marginalen</translation>
+    </message>
+    <message>
+        <source>Change the range of the attenuation</source>
+        <translation>Ändra dämpningens område</translation>
+    </message>
+    <message>
+        <source>Attenuation, at least</source>
+        <translation>Dämpning, minst</translation>
+    </message>
+    <message>
+        <source>Attenuation, at most</source>
+        <translation>Dämpning, högst</translation>
     </message>
 </context>
 <context>
@@ -6556,6 +7132,10 @@
         <source>not stated</source>
         <translation>ej angiven</translation>
     </message>
+    <message>
+        <source>%1, shot %2</source>
+        <translation>%1, skott %2</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ImportDatasetTree</name>
@@ -6680,6 +7260,14 @@
         <source>No number under these settings</source>
         <translation>Inget tal med dessa inställningar</translation>
     </message>
+    <message>
+        <source>%1 (shot %2)</source>
+        <translation>%1 (skott %2)</translation>
+    </message>
+    <message>
+        <source>%1 (left out)</source>
+        <translation>%1 (utelämnad)</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ImportRateRow</name>
@@ -6797,6 +7385,14 @@
     <message>
         <source>column %1: %2</source>
         <translation>kolumn %1: %2</translation>
+    </message>
+    <message>
+        <source>Each column is a shot of one sensor</source>
+        <translation>Varje kolumn är ett skott med samma givare</translation>
+    </message>
+    <message>
+        <source>The columns are records of the same sensor, shot after shot; else they are channels that were recorded together</source>
+        <translation>Kolumnerna är registreringar från samma givare, skott efter skott; annars är de kanaler som registrerades tillsammans</translation>
     </message>
 </context>
 <context>
@@ -7933,6 +8529,10 @@
         <source>Drift to the settle band</source>
         <translation>Drift till slutnivåns band</translation>
     </message>
+    <message>
+        <source>Change %1 of shot %2</source>
+        <translation>Ändra %1 för skott %2</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ShotChips</name>
@@ -8527,28 +9127,28 @@
         <translation>Utelämnat ur anpassningen, efter starten</translation>
     </message>
     <message>
-        <source>Each shot ends with its own plateau.</source>
-        <translation>Varje skott slutar med sin egen platå.</translation>
+        <source>End of</source>
+        <translation>Slut för</translation>
     </message>
     <message>
-        <source>Automatic: each shot has an end of its own.</source>
-        <translation>Automatiskt: varje skott har sitt eget slut.</translation>
+        <source>all shots</source>
+        <translation>alla skott</translation>
     </message>
     <message>
-        <source>%1 (%2)</source>
-        <translation>%1 (%2)</translation>
+        <source>each shot by itself</source>
+        <translation>varje skott för sig</translation>
     </message>
     <message>
-        <source>One end, common to all shots.</source>
-        <translation>Ett slut, gemensamt för alla skott.</translation>
+        <source>Give each shot an end of its own</source>
+        <translation>Ge varje skott ett eget slut</translation>
     </message>
     <message>
-        <source>The plateau is over before it in: %1.</source>
-        <translation>Platån är slut före den i: %1.</translation>
+        <source>Give all shots one end</source>
+        <translation>Ge alla skott ett gemensamt slut</translation>
     </message>
     <message>
-        <source>The record of shot %1 ends here.</source>
-        <translation>Registreringen av skott %1 slutar här.</translation>
+        <source>end of shot %1</source>
+        <translation>slut för skott %1</translation>
     </message>
 </context>
 <context>

@@ -48,8 +48,8 @@ std::vector<Group> groupsOf(const std::vector<WayComparison> &checks)
 
 Message verdictOf(const Group &group)
 {
-    if (group.made == 0)
-        return {DYNCAL_TEXT("core", "could not be made"), {}};
+    if (group.made == 0) // the reason is the verdict
+        return *group.first->missing;
     if (group.against == 0)
         return {DYNCAL_TEXT("core", "agree"), {}};
     return {DYNCAL_TEXT("core", "%1 contradict each other"), {std::to_string(group.against)}};

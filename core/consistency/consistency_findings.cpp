@@ -186,7 +186,7 @@ Findings judgeConsistency(const ComparedShots &shots, const std::vector<WayCompa
         = worst.empty() && !unlikely ? std::vector<ExplainedBy>() : explanations(shots);
     for (const WayComparison *check : worst)
         findings.push_back(findingOf(*check, shots, explained, settings));
-    if (worst.empty() && unlikely && !explained.empty())
+    if (worst.empty() && unlikely)
         findings.push_back(together(shots, explained));
     if (std::ranges::any_of(checks, [](const WayComparison &check) {
             return check.of == Compared::Levels && !check.agrees();

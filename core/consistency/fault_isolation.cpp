@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string>
 
 namespace dyncal {
 namespace {
@@ -140,6 +141,17 @@ double degreesLeft(const ComparedShots &shots, bool perShot)
     return static_cast<double>(std::max<Index>(shots.differences().size() - used, 1));
 }
 
+/// Of all shots, each once.
+std::vector<std::string> sideSensorsOf(const ComparedShots &shots)
+{
+    std::vector<std::string> sensors;
+    for (const ShotWays *ways : shots.ways())
+        for (const SideReading &reading : ways->evidence().readings)
+            if (!reading.isDut && std::ranges::find(sensors, reading.channel) == sensors.end())
+                sensors.push_back(reading.channel);
+    return sensors;
+}
+
 /// Several places or sensors may give the same cause: the one that leaves least stands for it.
 void keepBest(std::vector<ExplainedBy> &list)
 {
@@ -160,10 +172,7 @@ std::vector<ExplainedBy> explanations(const ComparedShots &shots)
     if (d.size() == 0)
         return likely;
     const double whole = shots.chiSquare();
-    Index places = 0;
-    for (const ShotWays *ways : shots.ways())
-        places = std::max(places, static_cast<Index>(ways->evidence().readings.size()));
-    for (const Fault &fault : possibleFaults(places)) {
+    for (const Fault &fault : possibleFaults(sideSensorsOf(shots))) {
         auto found = Isolation(shots, fault).find();
         if (!found || found->chiSquare > 0.9 * whole)
             continue;

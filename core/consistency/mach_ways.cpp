@@ -23,38 +23,65 @@ std::optional<ShockStates> statesOf(const GasBefore &before, double mach)
     return states ? std::optional(*states) : std::nullopt;
 }
 
-/// The root of a rising function by the Illinois rule; NaN values count as too large.
-std::optional<double> rootOf(const std::function<double(double)> &f)
+/// Where the function is not above 0, and where it is above it or has no value.
+struct Bracket
 {
     double low = kLowest;
     double high = kHighestTried;
-    double atLow = f(low);
-    double atHigh = f(high);
-    if (atHigh < 0.0)
-        atHigh = f(high = kHighest);
-    if (!(atLow <= 0.0) || !(atHigh >= 0.0))
+    double atLow = kUnknown;
+    double atHigh = kUnknown;
+};
+
+std::optional<Bracket> bracketOf(const std::function<double(double)> &f)
+{
+    Bracket b;
+    b.atLow = f(b.low);
+    b.atHigh = f(b.high);
+    if (b.atHigh < 0.0)
+        b.atHigh = f(b.high = kHighest);
+    // The ratio of steps of a shock that gains speed on its way falls with M before it rises: near
+    // the sensor the shock is no shock yet. The root on the rising part is that of the tube.
+    for (double excess = kHighestTried - 1.0; !(b.atLow <= 0.0) && excess > kLowest - 1.0;) {
+        excess *= 0.7;
+        b.low = 1.0 + excess;
+        b.atLow = f(b.low);
+        if (b.atLow > 0.0) {
+            b.high = b.low;
+            b.atHigh = b.atLow;
+        }
+    }
+    return b.atLow <= 0.0 && !(b.atHigh < 0.0) ? std::optional(b) : std::nullopt;
+}
+
+/// The root of a rising function by the Illinois rule; where it has no value it is too large, and
+/// the interval is halved.
+std::optional<double> rootOf(const std::function<double(double)> &f)
+{
+    auto bracket = bracketOf(f);
+    if (!bracket)
         return std::nullopt;
+    auto &[low, high, atLow, atHigh] = *bracket;
     int side = 0;
     for (int i = 0; i < 100 && high - low > 1e-13 * high; ++i) {
-        const double middle = (low * atHigh - high * atLow) / (atHigh - atLow);
+        const double middle = std::isfinite(atHigh)
+            ? (low * atHigh - high * atLow) / (atHigh - atLow)
+            : 0.5 * (low + high);
         const double value = f(middle);
-        if (!std::isfinite(value))
-            return std::nullopt;
         if (std::abs(value) < 1e-14)
             return middle;
-        if (value > 0.0) {
-            high = middle;
-            atHigh = value;
-            atLow *= side == 1 ? 0.5 : 1.0;
-            side = 1;
-        } else {
+        if (value < 0.0) {
             low = middle;
             atLow = value;
             atHigh *= side == -1 ? 0.5 : 1.0;
             side = -1;
+        } else {
+            high = middle;
+            atHigh = value;
+            atLow *= side == 1 ? 0.5 : 1.0;
+            side = std::isfinite(value) ? 1 : 0;
         }
     }
-    return 0.5 * (low + high);
+    return std::isfinite(atHigh) ? std::optional(0.5 * (low + high)) : std::nullopt;
 }
 
 } // namespace

@@ -20,7 +20,8 @@ struct GasBefore
 };
 
 /// M at the end wall from r = (p5 - p2)/(p2 - p1) at a side sensor, where the incident shock has
-/// `localFactor` times its velocity at the wall. r is 1 for M -> 1.
+/// `localFactor` times its velocity at the wall. r is 1 for M -> 1. Below a factor of 1 r falls
+/// first and then rises with M; the root on the rising part counts.
 std::optional<double> machOfStepRatio(const GasBefore &before, double ratio, double localFactor);
 
 /// M from W/W_R, incident over reflected velocity. 1 for M -> 1.

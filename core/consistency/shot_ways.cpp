@@ -411,6 +411,11 @@ void ShotWays::addSensitivity()
         cannot(head, {DYNCAL_TEXT("core", "The sensitivity is not determined."), {}});
         return;
     }
+    if (!m_stepInputs && !m_evidence.typedStep_Pa) {
+        cannot(
+            head, {DYNCAL_TEXT("core", "The uncertainty of the pressure step is not known."), {}});
+        return;
+    }
     if (!m_evidence.card) {
         cannot(head,
             {DYNCAL_TEXT("core",

@@ -161,7 +161,8 @@ void MainMenus::addStageMenu(const QStringList &stages)
     QMenu *menu = m_parts.window.menuBar()->addMenu(tr("&Stage"));
     for (int row = 0; row < static_cast<int>(stages.size()); ++row)
         addAction(menu, QString("stageAction%1").arg(row + 1), stages[row],
-            QKeySequence(QString("Alt+%1").arg((row + 1) % 10)), [this, row] { m_parts.showPage(row); });
+            QKeySequence(QString("Alt+%1").arg((row + 1) % 10)),
+            [this, row] { m_parts.showPage(row); });
     menu->addSeparator();
     addAction(menu, "previousStageAction", tr("&Previous stage"), QKeySequence("Alt+Left"),
         [this] { m_parts.turnPage(-1); });

@@ -17,18 +17,10 @@
 #include "ui/shell/recovery/work_recovery.h"
 #include "ui/shell/shot_chips.h"
 #include "ui/shell/stage_list.h"
+#include "ui/shell/stage_pages.h"
 #include "ui/shell/start_page.h"
 #include "ui/shell/work_status.h"
-#include "ui/stages/captures_page.h"
-#include "ui/stages/certificate_page.h"
-#include "ui/stages/checks_page.h"
-#include "ui/stages/components_page.h"
-#include "ui/stages/model/model_page.h"
-#include "ui/stages/model_input_page.h"
-#include "ui/stages/order/order_page.h"
-#include "ui/stages/shock/shock_page.h"
-#include "ui/stages/spectrum/spectrum_page.h"
-#include "ui/stages/window/window_page.h"
+#include "ui/stages/frame/stage_page.h"
 #include "ui/text/shown_text.h"
 
 #include <QCloseEvent>
@@ -291,16 +283,7 @@ void MainWindow::buildPages()
     connect(m_start, &StartPage::openExampleRequested, m_files, &FileActions::openExample);
     connect(m_start, &StartPage::openProjectRequested, m_files, &FileActions::openProject);
 
-    auto *captures = new CapturesPage(m_session, m_prompts);
-    connect(captures, &CapturesPage::addRequested, m_files, &FileActions::addCaptures);
-    connect(captures, &CapturesPage::importRequested, &m_files->captures(), &CaptureImport::edit);
-    connect(captures, &CapturesPage::importChanged, &m_files->captures(), &CaptureImport::change);
-    auto *certificate = new CertificatePage(m_session);
-    connect(
-        certificate, &CertificatePage::exportRequested, m_files, &FileActions::exportCertificate);
-    m_pages = {captures, new ShockPage(m_session), new WindowPage(m_session),
-        new SpectrumPage(m_session), new ComponentsPage(m_session), new ModelInputPage(m_session),
-        new OrderPage(m_session), new ModelPage(m_session), new ChecksPage(m_session), certificate};
+    m_pages = stagePages(m_session, m_prompts, *m_files);
 
     m_stageList = new StageList(m_stagesDock);
     m_stagesDock->setWidget(m_stageList);

@@ -39,7 +39,8 @@ private slots:
         QCOMPARE(PerShot(5.0).with(2, 3, 7.0), PerShot({5.0, 7.0, 5.0})); // as they were
         QCOMPARE(PerShot({1.0, 2.0, 3.0}).with(2, 3, {}), PerShot({1.0, std::nullopt, 3.0}));
         QCOMPARE(PerShot({std::nullopt, 2.0}).with(2, 2, {}), PerShot()); // nothing is left
-        QCOMPARE(PerShot(std::vector<std::optional<double>>{1.0}).with(3, 3, 2.0), PerShot({1.0, std::nullopt, 2.0}));
+        QCOMPARE(PerShot(std::vector<std::optional<double>>{1.0}).with(3, 3, 2.0),
+            PerShot({1.0, std::nullopt, 2.0}));
     }
 
     void singleShot_hasACommonValue()

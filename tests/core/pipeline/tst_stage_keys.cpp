@@ -154,8 +154,9 @@ void TestStageKeys::recipeChange_movesTheStageThatReadsItAndAllLater_data()
     row("shock.front", expected, [](Recipe &r) { r.shock.frontDuration_s = 1e-8; });
     row("shock.u front", expected, [](Recipe &r) { r.shock.u_frontDuration_s = 1e-8; });
 
-    row("shock.velocities", expected,
-        [](Recipe &r) { r.shock.velocity_m_s = PerShot({500.0, std::nullopt, 470.0}); });
+    row("shock.velocities", expected, [](Recipe &r) {
+        r.shock.velocity_m_s = PerShot({500.0, std::nullopt, 470.0});
+    });
     row("shock.largest mach", expected, [](Recipe &r) { r.shock.largestMach = 3.0; });
     row("shock.largest p4", expected, [](Recipe &r) { r.shock.largestDriverPressure_Pa = 1e7; });
 

@@ -186,7 +186,8 @@ void TestShockInputs::arrivalTyped_isOfTheShotOnShow()
 {
     Bench &bench = fresh();
     bench.choose("shockShot", 0);
-    const double found_s = shotOf(bench, 1).seen.at(0).found->time_s; // of the record, delay and all
+    const double found_s
+        = shotOf(bench, 1).seen.at(0).found->time_s; // of the record, delay and all
     bench.control<QCheckBox>("arrivalTimeAuto")->click();
     waitComputed(bench.session);
     const auto &typed = bench.recipe().shock.arrivalSensors.at(0).shotArrival_s;

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "ui/shell/stage_pages.h"
+
+#include "ui/shell/files/file_actions.h"
+#include "ui/shell/import/capture_import.h"
+#include "ui/stages/captures_page.h"
+#include "ui/stages/certificate_page.h"
+#include "ui/stages/checks_page.h"
+#include "ui/stages/components_page.h"
+#include "ui/stages/model/model_page.h"
+#include "ui/stages/model_input_page.h"
+#include "ui/stages/order/order_page.h"
+#include "ui/stages/shock/shock_page.h"
+#include "ui/stages/spectrum/spectrum_page.h"
+#include "ui/stages/window/window_page.h"
+
+namespace dyncal {
+
+std::vector<StagePage *> stagePages(Session &session, Prompts &prompts, FileActions &files)
+{
+    auto *captures = new CapturesPage(session, prompts);
+    QObject::connect(captures, &CapturesPage::addRequested, &files, &FileActions::addCaptures);
+    QObject::connect(
+        captures, &CapturesPage::importRequested, &files.captures(), &CaptureImport::edit);
+    QObject::connect(
+        captures, &CapturesPage::importChanged, &files.captures(), &CaptureImport::change);
+    auto *certificate = new CertificatePage(session);
+    QObject::connect(
+        certificate, &CertificatePage::exportRequested, &files, &FileActions::exportCertificate);
+    return {captures, new ShockPage(session), new WindowPage(session), new SpectrumPage(session),
+        new ComponentsPage(session), new ModelInputPage(session), new OrderPage(session),
+        new ModelPage(session), new ChecksPage(session), certificate};
+}
+
+} // namespace dyncal
