@@ -41,8 +41,9 @@ std::optional<Bracket> bracketOf(const std::function<double(double)> &f)
         b.atHigh = f(b.high = kHighest);
     // The ratio of steps of a shock that gains speed on its way falls with M before it rises: near
     // the sensor the shock is no shock yet. The root on the rising part is that of the tube.
-    for (double excess = kHighestTried - 1.0; !(b.atLow <= 0.0) && excess > kLowest - 1.0;) {
-        excess *= 0.7;
+    constexpr double kStep = 0.7;
+    for (double excess = kStep * (kHighestTried - 1.0);
+         !(b.atLow <= 0.0) && excess >= kLowest - 1.0; excess *= kStep) {
         b.low = 1.0 + excess;
         b.atLow = f(b.low);
         if (b.atLow > 0.0) {
