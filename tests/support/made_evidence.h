@@ -87,6 +87,19 @@ inline ShotEvidence madeEvidence(const MadeShot &made, Index shot = 1)
     return evidence;
 }
 
+/// A shot whose step is typed and whose velocity nobody knows: the card alone can be compared.
+inline ShotEvidence madeOfTypedStep(double sensitivity_V_Pa, Index shot = 1)
+{
+    ShotEvidence evidence;
+    evidence.shot = shot;
+    evidence.step_Pa = evidence.typedStep_Pa = 4e5;
+    evidence.sensitivity = sensitivity_V_Pa;
+    evidence.uLevel_relative = 5e-4;
+    evidence.sensitivityUnit = "V/Pa";
+    evidence.card = SensorCard{kMadeSensitivity_V_Pa, 0.005};
+    return evidence;
+}
+
 /// Owns everything that ComparedShots looks at.
 struct MadeComparison
 {
@@ -95,6 +108,20 @@ struct MadeComparison
         for (const MadeShot &shot : made)
             evidence.push_back(std::make_unique<ShotEvidence>(
                 madeEvidence(shot, static_cast<Index>(evidence.size()) + 1)));
+        compare();
+    }
+
+    explicit MadeComparison(
+        std::vector<ShotEvidence> made, std::vector<StatedUncertainty> statedBefore = {})
+        : stated(std::move(statedBefore))
+    {
+        for (ShotEvidence &shot : made)
+            evidence.push_back(std::make_unique<ShotEvidence>(std::move(shot)));
+        compare();
+    }
+
+    void compare()
+    {
         for (const auto &shot : evidence)
             ways.push_back(std::make_unique<ShotWays>(*shot, stated));
         compared = std::make_unique<ComparedShots>(ways);

@@ -43,6 +43,20 @@ bool has(const std::vector<C> &causes, C cause)
     return std::ranges::find(causes, cause) != causes.end();
 }
 
+void withoutFirstSensor(ShotEvidence &evidence)
+{
+    evidence.readings.erase(evidence.readings.begin());
+    VelocityEstimate &arrivals = evidence.measurement->velocity;
+    arrivals.sightings.erase(arrivals.sightings.begin());
+    arrivals.fit = fitVelocity(arrivals.sightings, Attenuation::None).value();
+    arrivals.velocity_m_s = arrivals.fit->velocity_m_s;
+    // As in madeEvidence(): what somebody makes of the DUT's level with that velocity.
+    const double before_Pa = *evidence.step_Pa;
+    const auto used = shockStates(Gas{}, kMadeP1_Pa, kMadeT1_K, *arrivals.velocity_m_s).value();
+    evidence.step_Pa = used.reflected.pressure_Pa - kMadeP1_Pa;
+    *evidence.sensitivity *= before_Pa / *evidence.step_Pa;
+}
+
 Findings findingsOf(const std::vector<MadeShot> &shots, const ShockSettings &settings = {})
 {
     const MadeComparison made(shots);
@@ -65,6 +79,11 @@ private slots:
     void distanceOfOneOfTwo_isNamed();
     void oneVelocityForAll_isTyped_andBlocks();
     void severalFindings_oneOfEachQuantityAndShot();
+    void typedInOneShotAlone_isNamed();
+    void distance_isNamed_whereOneShotMissesTheSensor();
+    void delay_isNamed_besideAShotWithoutArrivals();
+    void onlyWhatAFaultMoves_isMarked();
+    void nothingCompared_nothingExplains();
 };
 
 void TestFaultIsolation::nothingWrong_noFinding()
@@ -140,6 +159,73 @@ void TestFaultIsolation::severalFindings_oneOfEachQuantityAndShot()
         QVERIFY(!one.causes.empty() && one.shot > 0);
     }
     QCOMPARE(std::ranges::count(findings, std::string("CHK-001"), &Finding::id), 3);
+}
+
+void TestFaultIsolation::typedInOneShotAlone_isNamed()
+{
+    auto shots = shotsWith([](MadeShot &) {});
+    shots[1].typedVelocity_m_s = 1.08 * shots[1].velocity_m_s;
+    QCOMPARE(causesOf(shots).front(), C::Typed);
+}
+
+void TestFaultIsolation::distance_isNamed_whereOneShotMissesTheSensor()
+{
+    // In the third shot the sensor of the wrong distance saw nothing, so that the first place of
+    // that shot is another sensor.
+    auto shots = shotsWith([](MadeShot &shot) {
+        shot.places_m = {0.8, 0.5, 0.3};
+        shot.distanceShift_m = -0.015;
+    });
+    std::vector<ShotEvidence> evidence;
+    for (const MadeShot &shot : shots)
+        evidence.push_back(madeEvidence(shot, std::ssize(evidence) + 1));
+    withoutFirstSensor(evidence[2]);
+    const MadeComparison made(std::move(evidence));
+    const auto explained = explanations(*made.compared);
+    QCOMPARE(explained.front().cause, C::Distance);
+    QVERIFY(explained.front().chiSquare < 1.0); // 15 mm is usual, and nothing else is left
+}
+
+void TestFaultIsolation::delay_isNamed_besideAShotWithoutArrivals()
+{
+    auto shots = shotsWith([](MadeShot &) {});
+    std::vector<ShotEvidence> evidence;
+    for (const MadeShot &shot : shots)
+        evidence.push_back(madeEvidence(shot, std::ssize(evidence) + 1));
+    // The side sensors answer 15 us late, and their return passages with them.
+    for (std::size_t i = 0; i < 2; ++i) {
+        VelocityEstimate &arrivals = evidence[i].measurement->velocity;
+        for (std::size_t k = 0; k < 2; ++k) {
+            arrivals.sightings[k].time_s += 15e-6;
+            evidence[i].readings[k].found->back->time_s += 15e-6;
+        }
+        arrivals.fit = fitVelocity(arrivals.sightings, Attenuation::None).value();
+        arrivals.velocity_m_s = arrivals.fit->velocity_m_s;
+    }
+    evidence[2] = madeOfTypedStep(kMadeSensitivity_V_Pa, 3);
+    const MadeComparison made(std::move(evidence));
+    const auto explained = explanations(*made.compared);
+    QVERIFY(std::ranges::find(explained, C::Delay, &ExplainedBy::cause) != explained.end());
+}
+
+void TestFaultIsolation::onlyWhatAFaultMoves_isMarked()
+{
+    const MadeComparison made(shotsWith([](MadeShot &shot) { shot.dutGain = 1.5; }));
+    const auto explained = explanations(*made.compared);
+    QCOMPARE(explained.size(), std::size_t(1));
+    const ComparedShots &shots = *made.compared;
+    QCOMPARE(explained[0].moves.size(), shots.rows().size());
+    for (std::size_t row = 0; row < shots.rows().size(); ++row) {
+        const auto [shot, way] = shots.rows()[row];
+        QCOMPARE(bool(explained[0].moves[row]),
+            shots.ways()[shot]->made()[way].of == Compared::Sensitivity);
+    }
+}
+
+void TestFaultIsolation::nothingCompared_nothingExplains()
+{
+    const MadeComparison made(std::vector<ShotEvidence>{});
+    QVERIFY(explanations(*made.compared).empty());
 }
 
 DYNCAL_TEST(TestFaultIsolation)
