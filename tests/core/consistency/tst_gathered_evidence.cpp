@@ -163,6 +163,63 @@ private slots:
         QCOMPARE(*gatherEvidence(captures({}), {}, c, nullptr).typedStep_Pa, *c.step_Pa);
     }
 
+    void valuesThatAreNoNumbers_areNotTaken()
+    {
+        QVERIFY(!evidenceWith({{"sensitivity", "nan"}, {"sensitivity_unit", "V/Pa"}}).card);
+        QVERIFY(!evidenceWith({{"sensitivity", "inf"}, {"sensitivity_unit", "V/Pa"}}).card);
+        const ShotEvidence evidence = evidenceWith(
+            {{"sensitivity", "12.5e-9"}, {"u_sensitivity", "nan"}, {"sensitivity_unit", "V/Pa"}});
+        QCOMPARE(evidence.card->u_relative, kAssumedCard);
+        ShockConditions c = conditions();
+        c.driver = GasState{6.8e5, 295.0, 8.0, 344.0, 0.0};
+        c.driverGas = GasModel{};
+        CaptureSet set = captures({});
+        set.shots[0].environment.p4_Pa = kUnknown;
+        QVERIFY(!gatherEvidence(set, {}, c, nullptr).driver);
+        set.shots[0].environment.p4_Pa = 7e5;
+        c.driverGas.reset();
+        QVERIFY(!gatherEvidence(set, {}, c, nullptr).driver);
+    }
+
+    void channelThatIsGone_orNoPressure_readsNoPascals()
+    {
+        CaptureSet set = captures({});
+        set.shots[0].channels[1].unit = "V";
+        const ShotEvidence volts = gatherEvidence(set, {}, conditions(), nullptr);
+        QVERIFY(volts.readings[0].found && !volts.readings[0].pascals);
+        set.shots[0].channels.pop_back();
+        const ShotEvidence gone = gatherEvidence(set, {}, conditions(), nullptr);
+        QCOMPARE(gone.readings.size(), std::size_t(2));
+        QVERIFY(gone.readings[0].found && !gone.readings[0].pascals);
+    }
+
+    void withoutADut_orAVelocity_theRestIsGathered()
+    {
+        CaptureSet set = captures({{"sensitivity", "12.5e-9"}, {"sensitivity_unit", "V/Pa"}});
+        set.shots[0].channels.erase(set.shots[0].channels.begin());
+        const ShotSensitivity shot = sensitivity();
+        const ShotEvidence noDut = gatherEvidence(set, {}, conditions(), &shot);
+        QVERIFY(!noDut.sensitivity && !noDut.card && noDut.measurement && noDut.step_Pa);
+        ShockConditions c = conditions();
+        c.measurement.reset();
+        const ShotEvidence noVelocity = gatherEvidence(captures({}), {}, c, &shot);
+        QVERIFY(noVelocity.readings.empty() && noVelocity.sensitivity && noVelocity.step_Pa);
+    }
+
+    void everyShot_hasItsOwnCaptureAndNumber()
+    {
+        CaptureSet set = captures({});
+        set.shots.push_back(set.shots[0]);
+        set.shots[1].environment.p4_Pa = 9e5;
+        ShockConditions c = conditions();
+        c.shot = 2;
+        c.driver = GasState{6.8e5, 295.0, 8.0, 344.0, 0.0};
+        c.driverGas = GasModel{};
+        const ShotEvidence evidence = gatherEvidence(set, {}, c, nullptr);
+        QCOMPARE(evidence.shot, Index(2));
+        QCOMPARE(evidence.driver->recorded_Pa, 9e5);
+    }
+
     void sensorWithoutACard_hasTheAssumedGain()
     {
         CaptureSet set = captures({});
