@@ -145,17 +145,21 @@ std::vector<const WayComparison *> worstOfEach(const std::vector<WayComparison> 
     return worst;
 }
 
-/// None contradicts alone, and still all together are unlikely: a small fault in many shots.
+/// None contradicts alone, and still all together are unlikely: a small fault in many shots, or
+/// many that are too small for one comparison.
 Finding together(const ComparedShots &shots, const std::vector<ExplainedBy> &explained)
 {
     std::vector<FindingCause> causes;
     for (const ExplainedBy &cause : explained)
         causes.push_back(cause.cause);
+    const char *text = causes.empty()
+        ? DYNCAL_TEXT("core",
+            "No comparison contradicts alone, but all %1 together leave a chi-square of %2, which happens by chance in %3 % of calibrations, and no single fault explains it: look at the largest differences.")
+        : DYNCAL_TEXT("core",
+            "No comparison contradicts alone, but all %1 together leave a chi-square of %2, which happens by chance in %3 % of calibrations: look at the largest differences, and at the causes named.");
     return {.id = "CHK-005",
         .severity = Severity::Caution,
-        .message
-        = {DYNCAL_TEXT("core",
-               "No comparison contradicts alone, but all %1 together leave a chi-square of %2, which happens by chance in %3 % of calibrations: look at the largest differences, and at the causes named."),
+        .message = {text,
             {std::to_string(shots.rows().size()), numberText(shots.chiSquare(), 3),
                 numberText(100.0 * shots.chance(), 1)}},
         .value = shots.chance(),
