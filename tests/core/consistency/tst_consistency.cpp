@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/consistency/consistency.h"
-#include "core/consistency/way_words.h"
 #include "tests/support/made_evidence.h"
 #include "tests/support/test_program.h"
 
@@ -10,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 using namespace dyncal;
 using namespace dyncal::testing;
@@ -60,8 +58,6 @@ private slots:
     void oneLevel_cannotBeCompared();
     void farthestShot_isAComparison();
     void disabled_comparesNothing();
-    void limits_followFromU();
-    void everyWord_isItsOwn();
 };
 
 void TestConsistency::levels_inOrder_data()
@@ -125,37 +121,6 @@ void TestConsistency::disabled_comparesNothing()
     ShockSettings off;
     off.enabled = false;
     QVERIFY(bench.compared(off).checks.empty());
-}
-
-void TestConsistency::limits_followFromU()
-{
-    WayComparison check{.value_a = 103.6, .value_b = 100.0, .u = 1.0};
-    QVERIFY(std::abs(check.e_n() - 1.8) < 1e-12);
-    QVERIFY(std::abs(check.smallestDetectable() - 4.8816) < 1e-12);
-    QVERIFY(!WayComparison({.value_a = 103.7, .value_b = 100.0, .u = 1.0}).agrees());
-    QVERIFY(WayComparison({.value_a = 96.5, .value_b = 100.0, .u = 1.0}).agrees());
-    check.missing = Message{"no reading", {}};
-    QVERIFY(!check.isMade() && check.agrees());
-}
-
-void TestConsistency::everyWord_isItsOwn()
-{
-    std::set<std::string> words, names;
-    for (int i = 0; i <= static_cast<int>(Compared::Levels); ++i) {
-        words.insert(english(comparedText(static_cast<Compared>(i))));
-        names.insert(comparedName(static_cast<Compared>(i)));
-    }
-    QCOMPARE(words.size(), std::size_t(10));
-    QCOMPARE(names.size(), std::size_t(10));
-    words.clear();
-    names.clear();
-    for (int i = 0; i <= static_cast<int>(Way::Steps); ++i) {
-        words.insert(english(wayText(static_cast<Way>(i))));
-        names.insert(wayName(static_cast<Way>(i)));
-    }
-    QCOMPARE(words.size(), std::size_t(17));
-    QCOMPARE(names.size(), std::size_t(17));
-    QVERIFY(!words.contains("") && !names.contains(""));
 }
 
 DYNCAL_TEST(TestConsistency)
