@@ -259,7 +259,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         of<&R::shock>},
     {Response, "response", 5, 30, "RSP-", Shock, Model, true, readResponse,
         kept<&R::response, response>(), of<&R::response>},
-    {Checks, "checks", 1, 10, "CHK-", Response, Checks, true, readNothing,
+    {Checks, "checks", 2, 10, "CHK-", Response, Checks, true, readNothing,
         kept<&R::checks, checks>(), of<&R::checks>},
     {Assessment, "model assessment", 1, 10, "", Model, Model, true, readNothing,
         kept<&R::assessment, assessment>(), saidElsewhere},
