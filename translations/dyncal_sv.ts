@@ -97,10 +97,6 @@
         <translation>alla</translation>
     </message>
     <message>
-        <source>not made: %1</source>
-        <translation>inte gjord: %1</translation>
-    </message>
-    <message>
         <source>agree</source>
         <translation>stämmer överens</translation>
     </message>
@@ -155,6 +151,14 @@
     <message>
         <source>Comparisons made: %1; contradicting: %2; not possible: %3.</source>
         <translation>Gjorda jämförelser: %1; motsägande: %2; inte möjliga: %3.</translation>
+    </message>
+    <message>
+        <source>not made</source>
+        <translation>ej gjord</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
     </message>
 </context>
 <context>
@@ -5963,7 +5967,7 @@
     </message>
     <message>
         <source>The uncertainty of the pressure step is not known.</source>
-        <translation type="unfinished"></translation>
+        <translation>Tryckstegets osäkerhet är inte känd.</translation>
     </message>
 </context>
 <context>

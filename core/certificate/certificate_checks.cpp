@@ -14,6 +14,8 @@
 namespace dyncal {
 namespace {
 
+constexpr const char *kPercent = "\u00a0%"; ///< stays in the line of its number
+
 /// All comparisons of one quantity by the same two ways.
 struct Group
 {
@@ -61,7 +63,7 @@ std::vector<Message> rowOf(const Group &group)
     return {comparedText(group.first->of), wayText(group.first->a), wayText(group.first->b),
         verbatim(std::to_string(group.made)),
         hasNumbers ? verbatim(numberText(group.largest, 2)) : dash(),
-        hasNumbers ? verbatim(numberText(100.0 * group.detectable, 2) + " %") : dash(),
+        hasNumbers ? verbatim(numberText(100.0 * group.detectable, 2) + kPercent) : dash(),
         verdictOf(group)};
 }
 

@@ -31,13 +31,16 @@ QString shotText(Index shot)
 QString verdict(const WayComparison &check)
 {
     if (!check.isMade())
-        return CheckRows::tr("not made: %1").arg(translated(*check.missing));
+        return CheckRows::tr("not made");
     return check.agrees() ? CheckRows::tr("agree") : CheckRows::tr("contradict each other");
 }
 
+/// With the reason, where they could not be compared.
 QString waysText(const WayComparison &check)
 {
-    return CheckRows::tr("%1 / %2").arg(translated(wayText(check.a)), translated(wayText(check.b)));
+    const QString ways
+        = CheckRows::tr("%1 / %2").arg(translated(wayText(check.a)), translated(wayText(check.b)));
+    return check.isMade() ? ways : CheckRows::tr("%1: %2").arg(ways, translated(*check.missing));
 }
 
 /// To the digits of u, with the prefix of the second way: a row is read across.
@@ -48,29 +51,30 @@ ShownResult inRowsUnit(double value, const WayComparison &check)
 
 QStringList rowOf(const WayComparison &check)
 {
-    QStringList row{translated(comparedText(check.of)), shotText(check.shot),
-        check.channel.empty() ? kNone : shownText(check.channel), waysText(check)};
+    QStringList row{
+        translated(comparedText(check.of)), shotText(check.shot), verdict(check), waysText(check)};
     if (!check.isMade() || !std::isfinite(check.u)) {
         row << kNone << kNone << kNone << kNone << kNone;
     } else {
         const ShownResult difference = inRowsUnit(check.difference(), check);
         row << inRowsUnit(check.value_a, check).value << inRowsUnit(check.value_b, check).value
-            << difference.value + QStringLiteral(" ± ") + difference.u
             << shownNumber(check.difference() / check.u, 2)
             << shownQuantityBeside(
-                   check.smallestDetectable(), check.value_b, shownText(check.unit), 2);
+                   check.smallestDetectable(), check.value_b, shownText(check.unit), 2)
+            << difference.value + QStringLiteral(" ± ") + difference.u;
     }
-    return row << verdict(check);
+    return row << (check.channel.empty() ? kNone : shownText(check.channel));
 }
 
 } // namespace
 
+// What is read first stands first: a narrow window shows no more.
 QStringList checkHeaders()
 {
-    return {CheckRows::tr("Quantity"), CheckRows::tr("Shot"), CheckRows::tr("Place"),
+    return {CheckRows::tr("Quantity"), CheckRows::tr("Shot"), CheckRows::tr("Verdict"),
         CheckRows::tr("Two ways"), CheckRows::tr("First"), CheckRows::tr("Second"),
-        CheckRows::tr("Difference"), CheckRows::tr("in u"), CheckRows::tr("Smallest fault seen"),
-        CheckRows::tr("Verdict")};
+        CheckRows::tr("in u"), CheckRows::tr("Smallest fault seen"), CheckRows::tr("Difference"),
+        CheckRows::tr("Place")};
 }
 
 QVector<QStringList> checkRows(const std::vector<WayComparison> &checks)

@@ -54,7 +54,7 @@ private slots:
         QCOMPARE(cell(section, 0, 1), std::string("ratio of the steps"));
         QCOMPARE(cell(section, 0, 3), std::string("3"));
         QCOMPARE(cell(section, 0, 4), std::string("2"));
-        QCOMPARE(cell(section, 0, 5), std::string("6.5 %")); // 4.88 x 0.02/1.5
+        QCOMPARE(cell(section, 0, 5), std::string("6.5\u00a0%")); // 4.88 x 0.02/1.5
         QCOMPARE(cell(section, 0, 6), std::string("agree"));
     }
 
