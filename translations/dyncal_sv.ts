@@ -5969,6 +5969,10 @@
         <source>The uncertainty of the pressure step is not known.</source>
         <translation>Tryckstegets osäkerhet är inte känd.</translation>
     </message>
+    <message>
+        <source>No comparison contradicts alone, but all %1 together leave a chi-square of %2, which happens by chance in %3 % of calibrations, and no single fault explains it: look at the largest differences.</source>
+        <translation>Ingen jämförelse är ensam motsägande, men alla %1 tillsammans ger chi-kvadrat %2, vilket av en slump händer i %3 % av kalibreringarna, och inget enskilt fel förklarar det: se på de största skillnaderna.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
