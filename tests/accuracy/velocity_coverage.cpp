@@ -22,14 +22,19 @@ int main(int argc, char **argv)
     constexpr double kRise_s = 3e-6;
     const std::vector<double> three{0.8, 0.5, 0.2, 0.0};
     std::printf("| arrival sensors, truth | W inside | mean z | step inside | mean z |\n");
-    print("one, drawn from the range", {{0.8, 0.0}, true, {}, kRise_s});
-    print("three, drawn from the range", {three, true, {}, kRise_s});
-    print("three, 0 %/m", {three, true, 0.0, kRise_s});
-    print("three, 0.2 %/m", {three, true, 0.002, kRise_s});
-    print("three, 0.4 %/m", {three, true, 0.004, kRise_s});
-    print("three, 0.8 %/m", {three, true, 0.008, kRise_s});
+    print("one, late, drawn from the range", {{0.8, 0.0}, true, {}, kRise_s});
+    print("three, drawn from the range", {three, true, {}});
+    print("three, 0 %/m", {three, true, 0.0});
+    print("three, 0.2 %/m", {three, true, 0.002});
+    print("three, 0.4 %/m", {three, true, 0.004});
+    print("three, 0.8 %/m", {three, true, 0.008});
+    print("three, late, drawn from the range", {three, true, {}, kRise_s});
+    print("three, late, 0 %/m", {three, true, 0.0, kRise_s});
+    print("three, late, 0.2 %/m", {three, true, 0.002, kRise_s});
+    print("three, late, 0.4 %/m", {three, true, 0.004, kRise_s});
+    print("three, late, 0.8 %/m", {three, true, 0.008, kRise_s});
     print("three, scatter estimated (Student)", {three, false, {}, 0.0});
-    print("five, drawn from the range", {{0.9, 0.7, 0.5, 0.3, 0.1}, true, {}, kRise_s});
+    print("five, late, drawn from the range", {{0.9, 0.7, 0.5, 0.3, 0.1}, true, {}, kRise_s});
     print("five, scatter estimated (Student)", {{0.9, 0.7, 0.5, 0.3, 0.1}, false, {}, 0.0});
     return 0;
 }
