@@ -175,7 +175,7 @@ std::string settingText(double value, std::string_view unit, int mostDigits)
     return withUnit(rounded.value, rounded.unit);
 }
 
-std::string boundText(double value, Bound bound, std::string_view unit)
+std::string boundText(double value, BoundSide bound, std::string_view unit)
 {
     constexpr double kRounding = 1e-9; // of the last digit: 4e6 is itself, whatever its last bit
     if (!std::isfinite(value) || value == 0.0)
@@ -184,7 +184,7 @@ std::string boundText(double value, Bound bound, std::string_view unit)
         = std::pow(10.0, exponentOf(std::abs(value)) - kDigitsWithoutUncertainty + 1);
     const double count = value / grain;
     const double whole
-        = bound == Bound::Lower ? std::floor(count + kRounding) : std::ceil(count - kRounding);
+        = bound == BoundSide::Lower ? std::floor(count + kRounding) : std::ceil(count - kRounding);
     if (!std::isfinite(whole * grain)) // at the ends of what a double holds
         return roundedText(value, 0.0, unit);
     const RoundedValue rounded = toDigits(whole * grain, kDigitsWithoutUncertainty, unit);

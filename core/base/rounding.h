@@ -40,11 +40,11 @@ std::string roundedText(double value, double u, std::string_view unit);
 std::string settingText(double value, std::string_view unit, int mostDigits = kDigitsOfSettings);
 
 /// Of which side of a bound the value lies: "above" a lower one.
-enum class Bound { Lower, Upper };
+enum class BoundSide { Lower, Upper };
 
 /// A bound to three significant digits, rounded so that it stays true: a lower one down, an upper
 /// one up. Unit as in roundedText().
-std::string boundText(double value, Bound bound, std::string_view unit);
+std::string boundText(double value, BoundSide bound, std::string_view unit);
 
 /// "2.3301 MHz (u = 0.0012 MHz)"; without a known u as roundedText.
 std::string roundedTextWithU(double value, double u, std::string_view unit);

@@ -26,7 +26,7 @@ StatedValue atLeast(double bound, std::string_view unit, const char *words)
 {
     StatedValue result;
     result.above = bound;
-    result.words = {words, {boundText(bound, Bound::Lower, unit)}};
+    result.words = {words, {boundText(bound, BoundSide::Lower, unit)}};
     return result;
 }
 
@@ -34,7 +34,7 @@ StatedValue atMost(double bound, std::string_view unit, const char *words)
 {
     StatedValue result;
     result.below = bound;
-    result.words = {words, {boundText(bound, Bound::Upper, unit)}};
+    result.words = {words, {boundText(bound, BoundSide::Upper, unit)}};
     return result;
 }
 

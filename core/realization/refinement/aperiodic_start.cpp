@@ -75,6 +75,29 @@ bool isPlausible(const Poles &poles, const std::vector<RefinementRecord> &record
         && std::abs(poles.back()) < std::numbers::pi * rate_Hz;
 }
 
+/// Whether a record leaves so much beside one pole that it can only ring: two real poles, or a pair
+/// damped as here, leave less than a fifth of it.
+bool rings(const Refinement &onePole, const std::vector<RefinementRecord> &records)
+{
+    constexpr double kLeast = 0.3; ///< of the largest value
+    constexpr double kNoise = 6.0; ///< standard deviations
+    constexpr Index kLooks = 4000; ///< at a record, evenly spread
+    for (std::size_t r = 0; r < records.size(); ++r) {
+        const RefinementRecord &record = records[r];
+        const Index stride = std::max<Index>(1, record.y.size() / kLooks);
+        double largest = 0.0;
+        double beside = 0.0;
+        for (Index k = 0; k < record.y.size(); k += stride) {
+            const double t_s = static_cast<double>(k) / record.rate_Hz;
+            largest = std::max(largest, std::abs(record.y[k]));
+            beside = std::max(beside, std::abs(record.y[k] - onePole.records[r].value(t_s)));
+        }
+        if (beside > kLeast * largest + kNoise / record.weight)
+            return true;
+    }
+    return false;
+}
+
 double bicOf(const Refinement &fit, Index samples)
 {
     const auto count = static_cast<double>(samples);
@@ -103,6 +126,8 @@ std::optional<Refinement> refineAperiodic(const ModelInput &input, const ModelDr
     };
     // One pole alone converges from afar, and lies near the slower of two.
     std::optional<Refinement> best = fitFrom({-part->slowest_rad_s});
+    if (best && rings(*best, records)) // an order too low to show it; further starts are in vain
+        return std::nullopt;
     const double slow_rad_s = best ? std::abs(best->poles_rad_s.back()) : part->slowest_rad_s;
     const auto isBetter = [&](const Refinement &fit) {
         return isPlausible(fit.poles_rad_s, records)

@@ -11,7 +11,7 @@
 #include <limits>
 #include <random>
 
-using dyncal::Bound;
+using dyncal::BoundSide;
 using dyncal::boundText;
 using dyncal::fixedText;
 using dyncal::roundedText;
@@ -158,12 +158,12 @@ void TestRounding::setting_hasTheDigitsOfItself()
 
 void TestRounding::bound_staysTrueWhenRounded()
 {
-    QCOMPARE(boundText(1.9953e6, Bound::Lower, "Hz"), "1.99 MHz");
-    QCOMPARE(boundText(1.9953e6, Bound::Upper, "Hz"), "2.00 MHz");
+    QCOMPARE(boundText(1.9953e6, BoundSide::Lower, "Hz"), "1.99 MHz");
+    QCOMPARE(boundText(1.9953e6, BoundSide::Upper, "Hz"), "2.00 MHz");
     // A bound of three digits is itself, whatever the last bit of the double says.
     for (const double bound : {4e6, 0.4 * 1e7, 0.4 * 12.5e6, 1e6 * (1.0 - 1e-15), 3.0 * 0.1e6}) {
-        QCOMPARE(boundText(bound, Bound::Lower, "Hz"), roundedText(bound, kNan, "Hz"));
-        QCOMPARE(boundText(bound, Bound::Upper, "Hz"), roundedText(bound, kNan, "Hz"));
+        QCOMPARE(boundText(bound, BoundSide::Lower, "Hz"), roundedText(bound, kNan, "Hz"));
+        QCOMPARE(boundText(bound, BoundSide::Upper, "Hz"), roundedText(bound, kNan, "Hz"));
     }
     std::mt19937 random(11);
     std::uniform_real_distribution<double> decade(-8.0, 8.0);
@@ -178,13 +178,13 @@ void TestRounding::bound_staysTrueWhenRounded()
                 : std::pow(10.0, std::stoi(text.substr(blank + 5)));
             return *dyncal::parseNumber(text.substr(0, text.find(' '))) * scale;
         };
-        const double low = read(boundText(bound, Bound::Lower, "K"));
-        const double high = read(boundText(bound, Bound::Upper, "K"));
+        const double low = read(boundText(bound, BoundSide::Lower, "K"));
+        const double high = read(boundText(bound, BoundSide::Upper, "K"));
         QVERIFY(low <= bound * (1.0 + 1e-11) && low > bound - grain * (1.0 + 1e-6));
         QVERIFY(high >= bound * (1.0 - 1e-11) && high < bound + grain * (1.0 + 1e-6));
     }
-    QCOMPARE(boundText(0.0, Bound::Lower, "Hz"), "0 Hz");
-    QCOMPARE(boundText(kNan, Bound::Upper, "Hz"), "\xE2\x80\x93");
+    QCOMPARE(boundText(0.0, BoundSide::Lower, "Hz"), "0 Hz");
+    QCOMPARE(boundText(kNan, BoundSide::Upper, "Hz"), "\xE2\x80\x93");
 }
 
 void TestRounding::textWithU_bothInOneUnitWithEqualDecimals()
