@@ -56,12 +56,11 @@ QStringList rowOf(const WayComparison &check)
     if (!check.isMade() || !std::isfinite(check.u)) {
         row << kNone << kNone << kNone << kNone << kNone;
     } else {
-        const ShownResult difference = inRowsUnit(check.difference(), check);
         row << inRowsUnit(check.value_a, check).value << inRowsUnit(check.value_b, check).value
             << shownNumber(check.difference() / check.u, 2)
             << shownQuantityBeside(
                    check.smallestDetectable(), check.value_b, shownText(check.unit), 2)
-            << difference.value + QStringLiteral(" ± ") + difference.u;
+            << shownWithU(inRowsUnit(check.difference(), check));
     }
     return row << (check.channel.empty() ? kNone : shownText(check.channel));
 }

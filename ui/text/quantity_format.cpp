@@ -120,7 +120,11 @@ ShownResult shownResultBeside(double value, double u, double beside, const QStri
 
 QString shownWithU(double value, double u, const QString &unit, int digits)
 {
-    const ShownResult shown = shownResult(value, u, unit, digits);
+    return shownWithU(shownResult(value, u, unit, digits));
+}
+
+QString shownWithU(const ShownResult &shown)
+{
     return shown.u == nothing() ? shown.value : shown.value + QStringLiteral(" ± ") + shown.u;
 }
 

@@ -35,6 +35,7 @@ ShownResult shownResult(double value, double u, const QString &unit, int digits 
 ShownResult shownResultBeside(double value, double u, double beside, const QString &unit);
 /// "2.329980 MHz ± 0.000012 MHz"; without a known u the value alone.
 QString shownWithU(double value, double u, const QString &unit, int digits = kDigitsOnPages);
+QString shownWithU(const ShownResult &shown);
 
 /// A number, a quantity or a range of them as core writes it ("1.5 ms", "0.1 to 2e-3", "99.9 %"),
 /// in the decimal mark of the language; any other text as it is.

@@ -21,7 +21,6 @@ namespace {
 
 constexpr double kDuration_s = 0.006;
 constexpr int kPatience_ms = 120'000;
-constexpr int kPages = kPageCount;
 
 /// All that a page and its surroundings say.
 QStringList wordsOf(const QWidget &window)
@@ -109,7 +108,7 @@ void TestWordsOfAllPages::initTestCase()
     m_window->files().setExampleDuration(kDuration_s);
     m_window->files().openExample();
     QTRY_VERIFY_WITH_TIMEOUT(m_window->session().state().hasShots(), kPatience_ms);
-    for (int page = 0; page < kPages; ++page) {
+    for (int page = 0; page < kPageCount; ++page) {
         m_window->showPage(page);
         QTRY_VERIFY_WITH_TIMEOUT(!m_window->session().isComputing(), kPatience_ms);
         QVERIFY(!m_window->session().error());
@@ -122,7 +121,7 @@ void TestWordsOfAllPages::noDecimalPoint_onAnyPage()
 {
     static const QRegularExpression point("(?<![\\d.])-?\\d+\\.\\d+(?![\\d.])");
     static const QRegularExpression reference("(ekv\\.|eq\\.|avsnitt|tabell) ?\\d+\\.\\d+");
-    for (int page = 0; page < kPages; ++page)
+    for (int page = 0; page < kPageCount; ++page)
         for (QString words : std::as_const(m_words[page]))
             QVERIFY2(!words.remove(reference).contains(point),
                 qPrintable(QString("page %1: %2").arg(page).arg(words)));
@@ -132,7 +131,7 @@ void TestWordsOfAllPages::noProgrammersExponent_onAnyPage()
 {
     static const QRegularExpression exponent("\\d[eE][-+]?\\d");
     static const QRegularExpression hash("\\b[0-9a-f]{10,}\\b");
-    for (int page = 0; page < kPages; ++page)
+    for (int page = 0; page < kPageCount; ++page)
         for (QString words : std::as_const(m_words[page]))
             QVERIFY2(!words.remove(hash).contains(exponent),
                 qPrintable(QString("page %1: %2").arg(page).arg(words)));
