@@ -149,9 +149,8 @@ std::vector<const WayComparison *> worstOfEach(const std::vector<WayComparison> 
 /// many that are too small for one comparison.
 Finding together(const ComparedShots &shots, const std::vector<ExplainedBy> &explained)
 {
-    std::vector<FindingCause> causes;
-    for (const ExplainedBy &cause : explained)
-        causes.push_back(cause.cause);
+    std::vector<FindingCause> causes(explained.size());
+    std::ranges::transform(explained, causes.begin(), &ExplainedBy::cause);
     const char *text = causes.empty()
         ? DYNCAL_TEXT("core",
             "No comparison contradicts alone, but all %1 together leave a chi-square of %2, which happens by chance in %3 % of calibrations, and no single fault explains it: look at the largest differences.")

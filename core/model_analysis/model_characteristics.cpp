@@ -215,9 +215,8 @@ void describeBands(
         return std::abs(1.0 + (own.amplitudes.array() * jw / (jw - own.poles_rad_s.array())).sum());
     };
     const std::vector<double> grid_Hz = frequencyGrid_Hz(model);
-    std::vector<double> ratios;
-    for (const double f_Hz : grid_Hz)
-        ratios.push_back(ratioAt(f_Hz));
+    std::vector<double> ratios(grid_Hz.size());
+    std::ranges::transform(grid_Hz, ratios.begin(), ratioAt);
     /// Lowest frequency at which `leaves` of the relative magnitude turns positive.
     const auto firstExit
         = [&](const std::function<double(double)> &leaves) -> std::optional<double> {

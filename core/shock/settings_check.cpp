@@ -4,6 +4,7 @@
 #include "core/shock/settings_check.h"
 
 #include "core/base/number_text.h"
+#include "core/shock/shock_velocity.h"
 
 #include <cmath>
 #include <utility>

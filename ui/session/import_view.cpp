@@ -19,7 +19,7 @@ namespace dyncal {
 namespace {
 
 constexpr const char *kTextFormat = "text";
-constexpr std::size_t kHeadBytes = 64 * 1024;
+constexpr std::size_t kHeadBytes = std::size_t{64} * 1024;
 
 std::string recognisedFormat(const std::string &path, const ImportSettings &settings)
 {

@@ -79,9 +79,9 @@ QStringList checkHeaders()
 QVector<QStringList> checkRows(const std::vector<WayComparison> &checks)
 {
     // What contradicts comes first, what could not be made last.
-    std::vector<const WayComparison *> sorted;
-    for (const WayComparison &check : checks)
-        sorted.push_back(&check);
+    std::vector<const WayComparison *> sorted(checks.size());
+    std::ranges::transform(
+        checks, sorted.begin(), [](const WayComparison &check) { return &check; });
     std::ranges::stable_sort(sorted, {}, [](const WayComparison *check) {
         return !check->isMade() ? 2 : check->agrees() ? 1 : 0;
     });

@@ -116,6 +116,7 @@ std::vector<PartFit> fitLevels(
             levels[source.input.series[r].level].push_back(r);
     }
     std::vector<PartFit> fits;
+    fits.reserve(levels.size());
     for (const auto &[level, series] : levels)
         fits.push_back(
             series.size() == 1 ? shots[series.front()] : fitPart(source, series, control));

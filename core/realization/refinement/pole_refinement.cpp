@@ -141,8 +141,9 @@ Index samplesPerMean(const Problem &problem)
         double fastest_rad_s = 1.0 / problem.unit_s();
         for (const NuisanceTerm &term : record.nuisance)
             fastest_rad_s = std::max(fastest_rad_s, std::abs(term.pole_rad_s));
-        fewest = std::min({fewest, kRadians * record.rate_Hz / fastest_rad_s,
-            static_cast<double>(record.y.size() / kMeans)});
+        const Index whole = record.y.size() / kMeans;
+        fewest = std::min(
+            {fewest, kRadians * record.rate_Hz / fastest_rad_s, static_cast<double>(whole)});
     }
     return problem.records().empty() ? 0 : static_cast<Index>(fewest);
 }

@@ -17,7 +17,7 @@
 namespace dyncal {
 namespace {
 
-constexpr std::size_t kBytes = 1024 * 1024; ///< of the file that are looked at
+constexpr std::size_t kBytes = std::size_t{1024} * 1024; ///< of the file that are looked at
 constexpr std::size_t kRowsShown = 50;
 constexpr Index kCellsShown = 1000; ///< of a row
 constexpr std::size_t kCellBytes = 200;

@@ -22,6 +22,7 @@ std::vector<Index> shotsOfColumns(
     if (timeColumn && *timeColumn >= 0 && *timeColumn < columns)
         isShot[static_cast<std::size_t>(*timeColumn)] = false;
     std::vector<Index> shots;
+    shots.reserve(isShot.size());
     Index number = 0;
     for (const bool shot : isShot)
         shots.push_back(shot ? ++number : 0);
