@@ -8751,6 +8751,10 @@
         <source>As before the last change: %1</source>
         <translation>Som före den senaste ändringen: %1</translation>
     </message>
+    <message>
+        <source>These long curves are being drawn.</source>
+        <translation>De här långa kurvorna ritas just nu.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::StartPage</name>

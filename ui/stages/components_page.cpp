@@ -122,32 +122,39 @@ void ComponentsPage::showRecipe()
     m_confidence->setCurrentIndex(choice);
 }
 
-void ComponentsPage::showResults()
+void ComponentsPage::showOfShots()
 {
-    const auto &components = results().components;
-    const auto &window = results().window;
-    const auto show = [&](PlotWidget *plot, auto draw) {
-        plot->setContent(components && window ? draw(*components, *window) : nothingYet());
+    const auto components = results().components;
+    const auto window = results().window;
+    const auto show
+        = [&](PlotWidget *plot, auto curves, std::function<PlotContent(PlotContent)> finish = {}) {
+              if (components && window)
+                  draw(plot,
+                      {{components, window}, static_cast<Index>(components->responses.rows()),
+                          [=] { return curves(*components, *window); }, std::move(finish)});
+              else
+                  clear(plot);
+          };
+    const auto onRinging = [window](PlotContent content) {
+        content.xMin = 0.0; // the whole plateau is in the strip above
+        content.xMax = ringingEnd_s(*window);
+        return content;
     };
-    // The whole plateau is in the strip above.
-    const auto showRinging = [&](PlotWidget *plot, auto draw) {
-        show(plot, [&](const ComponentResult &result, const WindowResult &responses) {
-            PlotContent content = draw(result, responses);
-            content.xMin = 0.0;
-            content.xMax = ringingEnd_s(responses);
-            return content;
-        });
-    };
-    m_explained->setContent(components ? remainderCurves(*components) : nothingYet());
-    showRinging(m_reconstruction, reconstructionCurves);
-    showRinging(m_residual, residualCurves);
+    show(m_reconstruction, reconstructionCurves, onRinging);
+    show(m_residual, residualCurves, onRinging);
     show(m_autocovariance, [](const ComponentResult &result, const WindowResult &responses) {
         return autocovarianceCurves(result, responses);
     });
+    show(m_spectrum, residualSpectrumCurves,
+        [this](const PlotContent &made) { return m_tubeModes->with(made); });
+}
+
+void ComponentsPage::showResults()
+{
+    const auto &components = results().components;
+    m_explained->setContent(components ? remainderCurves(*components) : nothingYet());
     m_tubeModes->set(results());
-    show(m_spectrum, [this](const ComponentResult &result, const WindowResult &responses) {
-        return m_tubeModes->with(residualSpectrumCurves(result, responses));
-    });
+    showOfShots();
 
     QVector<QStringList> rows;
     for (std::size_t i = 0; components && i < components->residuals.size(); ++i) {

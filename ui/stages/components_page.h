@@ -27,6 +27,7 @@ protected:
 private:
     void buildPlots();
     void buildInspector();
+    void showOfShots(); ///< the plots that have a curve for each shot
 
     PlotWidget *m_explained;
     PlotWidget *m_reconstruction;

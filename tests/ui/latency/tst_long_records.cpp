@@ -11,6 +11,7 @@
 
 #include <QtTest>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <functional>
@@ -104,7 +105,8 @@ void TestLongRecords::initTestCase()
 void TestLongRecords::settle()
 {
     QTRY_VERIFY_WITH_TIMEOUT(!m_bench.window->files().isBusy() && !session().isComputing()
-            && !session().envelopes().isBusy(),
+            && !session().envelopes().isBusy()
+            && std::ranges::none_of(m_bench.window->pages(), &StagePage::isDrawing),
         kPatience_ms);
     QTest::qWait(200);
 }

@@ -181,6 +181,14 @@ PlotContent windowCurves(const WindowResult &window)
     return content;
 }
 
+Index longestResponse(const WindowResult &window)
+{
+    Index longest = 0;
+    for (const WindowedResponse &response : window.responses)
+        longest = std::max(longest, static_cast<Index>(response.values.size()));
+    return longest;
+}
+
 double ringingEnd_s(const WindowResult &window)
 {
     double end_s = 0.0;

@@ -7,6 +7,7 @@
 #include "core/base/writing/write_problem.h"
 #include "core/capture/opening/capture_open.h"
 #include "core/capture/source_check.h"
+#include "ui/session/capture_edit.h"
 #include "ui/session/session.h"
 #include "ui/shell/preferences/preferences.h"
 #include "ui/stages/frame/prompts.h"
@@ -24,6 +25,7 @@ namespace dyncal {
 
 namespace {
 
+constexpr int kPause_ms = 20; ///< while long curves are drawn
 constexpr QSize kSavedSize(960, 540); ///< of every plot of a set: pages never shown have no size
 
 /// "singularValuePlot" as "singular-value".
@@ -130,10 +132,14 @@ void PlotExportActions::writeNext()
             write(*plot);
     } else if (!m_pages.empty()) {
         const QPointer<StagePage> page = m_pages.back();
-        m_pages.pop_back();
         if (!page) // another language builds the pages anew
             return stopOnChange();
-        page->catchUp();
+        if (!page->isDrawing())
+            page->catchUp();
+        m_tick.setInterval(page->isDrawing() ? kPause_ms : 0);
+        if (page->isDrawing())
+            return; // the next tick asks again
+        m_pages.pop_back();
         for (const PlotWidget *plot : page->plots())
             if (isWritable(*plot))
                 m_waiting.emplace_back(plot);

@@ -210,10 +210,12 @@ void StagePage::showNotices()
         const bool isOld = !reason.isEmpty() && showsOld(shown.from);
         const bool isEmpty = m_session.status(shown.from) == StageStatus::Blocked
             && shown.plot->content().curves.empty();
+        const bool isWaiting = shown.filling->isBusy();
         shown.plot->setNotice(isOld ? tr("As before the last change: %1").arg(reason)
+                : isWaiting         ? tr("These long curves are being drawn.")
                 : isEmpty           ? reason
                                     : QString(),
-            isOld);
+            isOld || isWaiting);
     }
 }
 
@@ -236,11 +238,34 @@ PlotWidget *StagePage::makePlot(
     auto *plot = new PlotWidget(this);
     plot->setObjectName(objectName);
     plot->setAccessibleName(accessibleName);
-    m_shownPlots.push_back({plot, from.value_or(m_stages.front())});
+    auto *filling = new PlotFilling(plot);
+    m_shownPlots.push_back({plot, from.value_or(m_stages.front()), filling});
+    connect(filling, &PlotFilling::changed, this, &StagePage::showNotices);
     connect(plot, &PlotWidget::dragCancelled, this, &StagePage::takeBackDrag);
     connect(plot, &PlotWidget::exportRequested, this, [this, plot] { emit plotExport(plot); });
     m_plotTools->attach(plot);
     return plot;
+}
+
+PlotFilling &StagePage::fillingOf(const PlotWidget *plot)
+{
+    return *std::ranges::find(m_shownPlots, plot, &ShownPlot::plot)->filling;
+}
+
+void StagePage::draw(PlotWidget *plot, PlotMaking making)
+{
+    fillingOf(plot).show(std::move(making));
+}
+
+void StagePage::clear(PlotWidget *plot)
+{
+    fillingOf(plot).showNothing(nothingYet());
+}
+
+bool StagePage::isDrawing() const
+{
+    return std::ranges::any_of(
+        m_shownPlots, [](const ShownPlot &shown) { return shown.filling->isBusy(); });
 }
 
 void StagePage::shareCursors(CursorAxis axis, const std::vector<PlotWidget *> &plots)

@@ -7,6 +7,7 @@
 #include "ui/session/page_standing.h"
 #include "ui/session/session.h"
 #include "ui/stages/frame/inspector_form.h"
+#include "ui/stages/frame/plot_filling.h"
 #include "ui/stages/frame/plot_tools.h"
 
 #include <QVBoxLayout>
@@ -49,7 +50,9 @@ public:
     InspectorForm *inspector() { return m_inspector; }
     static PlotContent nothingYet(); ///< an empty plot that says so
     std::vector<PlotWidget *> plots() const;
-    void catchUp(); ///< draws what is on show, although the page is hidden
+    /// Draws what is on show, although the page is hidden; long curves take until isDrawing() ends.
+    void catchUp();
+    bool isDrawing() const; ///< long curves of a plot are under way
 
 signals:
     void plotExport(const dyncal::PlotWidget *plot); ///< the operator wants it as a file
@@ -72,6 +75,10 @@ protected:
     /// `from`: the stage whose result it shows; without, that of the page.
     PlotWidget *makePlot(
         const QString &objectName, const QString &accessibleName, std::optional<StageId> from = {});
+    /// Shows it as soon as it is made: at once, unless curves are long.
+    void draw(PlotWidget *plot, PlotMaking making);
+    /// Shows that there is nothing to show yet.
+    void clear(PlotWidget *plot);
     /// Cursors of these plots stand where those of all other plots with this axis stand.
     void shareCursors(CursorAxis axis, const std::vector<PlotWidget *> &plots);
 
@@ -103,7 +110,9 @@ private:
     {
         PlotWidget *plot;
         StageId from;
+        PlotFilling *filling;
     };
+    PlotFilling &fillingOf(const PlotWidget *plot);
     std::vector<ShownPlot> m_shownPlots;
     PlotTools *m_plotTools;
 };

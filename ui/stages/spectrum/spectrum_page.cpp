@@ -171,10 +171,15 @@ void SpectrumPage::showRecipe()
 
 void SpectrumPage::showPlot()
 {
-    const auto &spectrum = results().spectrum;
-    m_plot->setContent(spectrum && results().window
-            ? m_tubeModes->with(spectrumCurves(*spectrum, *results().window))
-            : nothingYet());
+    const auto spectrum = results().spectrum;
+    const auto window = results().window;
+    if (spectrum && window)
+        draw(m_plot,
+            {{spectrum, window}, longestResponse(*window),
+                [spectrum, window] { return spectrumCurves(*spectrum, *window); },
+                [this](const PlotContent &made) { return m_tubeModes->with(made); }});
+    else
+        clear(m_plot);
 }
 
 void SpectrumPage::showResults()

@@ -333,10 +333,16 @@ void WindowPage::showGuard(const WindowedResponse &response)
 
 void WindowPage::showResults()
 {
-    const auto &window = results().window;
+    const auto window = results().window;
     const WindowedResponse *first = firstResponse();
-    m_plot->setContent(first ? contentWithRoom(*window) : nothingYet());
-    m_detail->setContent(first ? startCurves(*window) : nothingYet());
+    if (first) {
+        const Index points = longestResponse(*window);
+        draw(m_plot, {{window}, points, [window] { return contentWithRoom(*window); }});
+        draw(m_detail, {{window}, points, [window] { return startCurves(*window); }});
+    } else {
+        clear(m_plot);
+        clear(m_detail);
+    }
     showTable();
     const QSignalBlocker quiet(m_startShot);
     const QVariant chosen = m_startShot->currentData();
