@@ -10,6 +10,7 @@
 #include "core/results/json_record.h"
 #include "core/results/mat_writer.h"
 #include "core/results/model_scripts.h"
+#include "core/results/pole_json.h"
 
 namespace dyncal {
 namespace {
@@ -75,10 +76,49 @@ Json complexList(const Eigen::VectorXcd &values)
     return list;
 }
 
+/// In the order of `s_rad_s`; the step's own pole, which is none of these, last.
+Json poleList(const CalibrationResults &results)
+{
+    Json list = Json::array();
+    for (const Pole &pole : polesOf(*results.model, results.assessment.get()))
+        list.push_back(poleJson(pole));
+    return list;
+}
+
+/// Where each series begins and what it tends to.
+Json seriesList(const std::vector<SeriesFit> &series)
+{
+    const char *unrefined = "The model was not refined.";
+    Json list = Json::array();
+    for (const SeriesFit &fit : series) {
+        JsonRecord record;
+        record.set("shot", fit.shot);
+        record.number("c0", fit.plateauGain, "The plateau could not be fitted.");
+        record.number("u_c0", fit.u_plateauGain, unrefined);
+        record.number("onset_level", fit.level(), "The level could not be fitted.");
+        record.number("u_onset_level", fit.u_level(), unrefined);
+        record.number("onset_s", fit.onset_s, "Not determined.");
+        record.number("u_onset_s", fit.u_onset_s, unrefined);
+        list.push_back(record.take());
+    }
+    return list;
+}
+
+void addSensitivity(JsonRecord &root, const ResponseResult *response)
+{
+    const char *noStep = "No pressure step is known.";
+    const bool known = response && response->sensitivity;
+    root.number("sensitivity", known ? response->sensitivity : std::nullopt, noStep);
+    root.text("sensitivity_unit", known ? response->sensitivityUnit : std::string(), noStep);
+    const std::optional<SensitivityMean> mean = known ? response->summary.mean : std::nullopt;
+    const std::string none = known ? "The uncertainty of a shot is not known." : noStep;
+    root.number("u_sensitivity", mean ? mean->u : std::nullopt, none);
+    root.number("k_sensitivity", mean && mean->u ? std::optional(mean->k) : std::nullopt, none);
+}
+
 std::string jsonFile(const SensorModel &model, const CalibrationResults &results)
 {
     const Exponentials sum = exponentialsOf(model);
-    const ResponseResult *response = results.response.get();
     JsonRecord root;
     root.set("schema", "dyncal-model/1");
     root.set("software", std::string("dyncal ") + versionText());
@@ -93,11 +133,9 @@ std::string jsonFile(const SensorModel &model, const CalibrationResults &results
     root.number("onset_level", model.level(), "The level could not be fitted.");
     root.set("c", complexList(sum.c));
     root.set("s_rad_s", complexList(sum.s));
-    root.number("sensitivity", response ? response->sensitivity : std::nullopt,
-        "No pressure step is known.");
-    root.text("sensitivity_unit",
-        response && response->sensitivity ? response->sensitivityUnit : "",
-        "No pressure step is known.");
+    root.set("poles", poleList(results));
+    root.set("series", seriesList(model.series));
+    addSensitivity(root, results.response.get());
     return jsonText(root.take());
 }
 

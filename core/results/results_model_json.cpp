@@ -6,6 +6,7 @@
 #include "core/base/constants.h"
 #include "core/model_analysis/stated_characteristics.h"
 #include "core/realization/model/pole_classes.h"
+#include "core/results/pole_json.h"
 #include "core/results/results_shot_poles_json.h"
 
 #include <algorithm>
@@ -14,23 +15,6 @@ namespace dyncal {
 namespace {
 
 using Json = JsonRecord::Json;
-
-Json poleJson(const Pole &pole)
-{
-    const char *noFrequency = "The pole has no counterpart in continuous time.";
-    JsonRecord record;
-    record.number("re", pole.z.real(), "Not determined.");
-    record.number("im", pole.z.imag(), "Not determined.");
-    record.set("class", poleClassName(pole.poleClass));
-    record.set("flags", pole.flags);
-    record.number("frequency_hz", pole.frequency_Hz, noFrequency);
-    record.number("u_frequency_hz", pole.u_frequency_Hz, kNoUncertainty);
-    record.number("damping_ratio", pole.dampingRatio, noFrequency);
-    record.number("u_damping_ratio", pole.u_dampingRatio, kNoUncertainty);
-    record.number("coverage_factor", pole.coverageFactor, kNoUncertainty);
-    record.number("amplitude", pole.amplitude, "The amplitude could not be fitted.");
-    return record.take();
-}
 
 void addStateSpace(JsonRecord &section, const StateSpaceModel &model)
 {

@@ -3,6 +3,7 @@
 
 #include "core/model_analysis/model_response.h"
 #include "core/results/model_export.h"
+#include "tests/core/results/exported_model.h"
 #include "tests/support/test_program.h"
 
 #include "core/results/mat_writer.h"
@@ -20,39 +21,24 @@
 #include <cmath>
 
 using namespace dyncal;
+using testing::calibratedModel;
+using testing::writeModelFiles;
 
 namespace {
 
 /// Sums of a few hundred terms of order one, by another program.
 constexpr double kSameResponse = 1e-9;
 
-CalibrationResults calibrated(ResponseTreatment treatment, Index order)
-{
-    SimulationSettings settings;
-    settings.sensor = *sensorPreset("optic3");
-    settings.duration_s = 0.004;
-    Recipe recipe;
-    recipe.input.treatment = treatment;
-    recipe.realization.order = order;
-    ResultCache cache;
-    return runPipeline(std::make_shared<const CaptureSet>(simulateShots(settings)->set), recipe,
-        cache, StageId::Response)
-        .results;
-}
-
-void writeAll(const std::vector<ModelFile> &files, const QTemporaryDir &folder)
-{
-    for (const ModelFile &file : files) {
-        QFile target(folder.filePath(QString::fromStdString(file.name)));
-        QVERIFY(target.open(QIODevice::WriteOnly));
-        target.write(QByteArray::fromStdString(file.bytes));
-    }
-}
-
 const ModelFile &named(const std::vector<ModelFile> &files, const char *name)
 {
     return *std::find_if(
         files.begin(), files.end(), [name](const ModelFile &file) { return file.name == name; });
+}
+
+QJsonObject jsonOf(const CalibrationResults &results)
+{
+    const std::string text = named(modelFiles(results), "model.json").bytes;
+    return QJsonDocument::fromJson(QByteArray::fromStdString(text)).object();
 }
 
 /// Reads what was written with numpy, scipy and json alone, and compares it in all three forms.
@@ -103,10 +89,10 @@ private slots:
         QFETCH(int, treatment);
         QFETCH(int, order);
         const CalibrationResults results
-            = calibrated(static_cast<ResponseTreatment>(treatment), order);
+            = calibratedModel(static_cast<ResponseTreatment>(treatment), order);
         QVERIFY(results.model && !results.model->diverges);
         const QTemporaryDir folder;
-        writeAll(modelFiles(results), folder);
+        writeModelFiles(modelFiles(results), folder.path());
         const testing::PythonAnswer forms = testing::python({"-c", kSameInAllForms, folder.path()});
         QVERIFY2(forms.ran, forms.err);
         const QList<QByteArray> numbers = forms.out.simplified().split(' ');
@@ -124,9 +110,9 @@ private slots:
     {
         if (!testing::hasNumericalPython())
             QSKIP("/usr/bin/python3 with numpy and scipy is missing: the script is not run.");
-        const CalibrationResults results = calibrated(ResponseTreatment::StepDeflated, 2);
+        const CalibrationResults results = calibratedModel(ResponseTreatment::StepDeflated, 2);
         const QTemporaryDir folder;
-        writeAll(modelFiles(results), folder);
+        writeModelFiles(modelFiles(results), folder.path());
         const testing::PythonAnswer answer = testing::python({"-c",
             "import sys; sys.path.insert(0, sys.argv[1]); import model\n"
             "g = model.frequency_response([1e5, 2.33e6])\n"
@@ -150,7 +136,7 @@ private slots:
     {
         const auto text = [](ResponseTreatment treatment, Index order) {
             return QByteArray::fromStdString(
-                named(modelFiles(calibrated(treatment, order)), "model.m").bytes);
+                named(modelFiles(calibratedModel(treatment, order)), "model.m").bytes);
         };
         const QByteArray step = text(ResponseTreatment::StepDeflated, 2);
         QVERIFY(step.contains("y(k) = m.C * x + m.D;") && step.contains("m.c0 + real("));
@@ -163,7 +149,7 @@ private slots:
     void divergingModel_orNone_isNotExported()
     {
         QVERIFY(modelFiles({}).empty());
-        CalibrationResults results = calibrated(ResponseTreatment::StepDeflated, 2);
+        CalibrationResults results = calibratedModel(ResponseTreatment::StepDeflated, 2);
         QCOMPARE(modelFiles(results).size(), modelFileNames().size());
         SensorModel model = *results.model;
         model.diverges = true;
@@ -177,7 +163,7 @@ private slots:
 
     void names_andFormats_areThoseListed()
     {
-        const auto files = modelFiles(calibrated(ResponseTreatment::StepDeflated, 2));
+        const auto files = modelFiles(calibratedModel(ResponseTreatment::StepDeflated, 2));
         QCOMPARE(files.size(), modelFileNames().size());
         for (std::size_t i = 0; i < files.size(); ++i) {
             QCOMPARE(files[i].name, modelFileNames()[i]);
@@ -188,14 +174,54 @@ private slots:
 
     void json_isExplainedWhereNothingIs()
     {
-        CalibrationResults results = calibrated(ResponseTreatment::StepDeflated, 2);
+        CalibrationResults results = calibratedModel(ResponseTreatment::StepDeflated, 2);
         results.response = nullptr;
-        const QJsonObject root = QJsonDocument::fromJson(
-            QByteArray::fromStdString(named(modelFiles(results), "model.json").bytes))
-                                     .object();
+        const QJsonObject root = jsonOf(results);
         QCOMPARE(root["schema"].toString(), QString("dyncal-model/1"));
         QVERIFY(root["sensitivity"].isNull());
         QVERIFY(root["sensitivity_reason"].toString().size() > 5);
+    }
+
+    void json_holdsTheUncertainties()
+    {
+        const CalibrationResults results
+            = calibratedModel(ResponseTreatment::StepDeflated, 2, StageId::Assessment);
+        const QJsonObject root = jsonOf(results);
+        const QJsonArray poles = root["poles"].toArray(), s = root["s_rad_s"].toArray();
+        QVERIFY(std::cmp_equal(poles.size(), results.assessment->poles.size()));
+        for (int i = 0; i < s.size(); ++i) { // in the same order
+            const double abs = std::hypot(s[i]["re"].toDouble(), s[i]["im"].toDouble());
+            QCOMPARE(poles[i]["frequency_hz"].toDouble() * 2.0 * M_PI, abs);
+            const Pole &assessed = results.assessment->poles[static_cast<std::size_t>(i)];
+            QVERIFY(assessed.u_frequency_Hz > 0.0);
+            QCOMPARE(poles[i]["u_frequency_hz"].toDouble(), assessed.u_frequency_Hz);
+            QCOMPARE(poles[i]["u_damping_ratio"].toDouble(), assessed.u_dampingRatio);
+            QCOMPARE(poles[i]["coverage_factor"].toDouble(), assessed.coverageFactor);
+        }
+        const auto &mean = results.response->summary.mean;
+        QVERIFY(mean && mean->u);
+        QCOMPARE(root["u_sensitivity"].toDouble(), *mean->u);
+        QCOMPARE(root["k_sensitivity"].toDouble(), mean->k);
+        const QJsonArray series = root["series"].toArray();
+        QVERIFY(std::cmp_equal(series.size(), results.model->series.size()));
+        for (int i = 0; i < series.size(); ++i) {
+            const SeriesFit &fit = results.model->series[static_cast<std::size_t>(i)];
+            QCOMPARE(series[i]["shot"].toInt(), int(fit.shot));
+            QCOMPARE(series[i]["u_c0"].toDouble(), fit.u_plateauGain);
+            QCOMPARE(series[i]["u_onset_level"].toDouble(), fit.u_level());
+            QCOMPARE(series[i]["u_onset_s"].toDouble(), fit.u_onset_s);
+        }
+    }
+
+    void json_unknownUncertainties_haveTheirReason()
+    {
+        const QJsonObject root = jsonOf(calibratedModel(ResponseTreatment::StepDeflated, 2));
+        const QJsonObject pole = root["poles"].toArray().first().toObject(); // not assessed
+        QVERIFY(pole["u_frequency_hz"].isNull());
+        QVERIFY(pole["u_frequency_hz_reason"].toString().size() > 5);
+        const QJsonObject decay = jsonOf(calibratedModel(ResponseTreatment::Impulse, 3));
+        QVERIFY(decay["u_sensitivity"].isNull() && decay["k_sensitivity"].isNull());
+        QVERIFY(decay["u_sensitivity_reason"].toString().size() > 5);
     }
 
     void matFile_isLaidOutAsTheFormatSays()
