@@ -6,6 +6,7 @@
 #include "ui/shell/drawn_icon.h"
 #include "ui/stages/frame/status_text.h"
 
+#include <QEvent>
 #include <QRegularExpression>
 #include <QScrollBar>
 

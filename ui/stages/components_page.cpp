@@ -130,7 +130,7 @@ void ComponentsPage::showOfShots()
         = [&](PlotWidget *plot, auto curves, std::function<PlotContent(PlotContent)> finish = {}) {
               if (components && window)
                   draw(plot,
-                      {{components, window}, static_cast<Index>(components->responses.rows()),
+                      {{components, window}, components->responses.size(),
                           [=] { return curves(*components, *window); }, std::move(finish)});
               else
                   clear(plot);

@@ -98,6 +98,7 @@ struct ScenarioBench : WindowBench
         while (calm < 3 && waited.elapsed() < kPatience_ms) {
             QTest::qWait(10);
             const bool busy = window->files().isBusy() || session().isComputing()
+                || std::ranges::any_of(window->pages(), &StagePage::isDrawing)
                 || (session().state().hasShots() && !session().isUpToDate() && !session().error());
             calm = busy ? 0 : calm + 1;
         }

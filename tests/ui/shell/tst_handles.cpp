@@ -52,6 +52,7 @@ private:
             kPatience_ms);
     }
     void setTreatment(ResponseTreatment treatment);
+    void showPage(std::size_t row);
     std::map<PlotWidget *, Seen> everyPage();
     void compare(const std::map<PlotWidget *, Seen> &before, const QString &after);
     /// Calls `drag` with each page's row, each visible plot and each grip of its handles.
@@ -81,12 +82,20 @@ void TestHandles::setTreatment(ResponseTreatment treatment)
     QVERIFY(!session().error());
 }
 
+/// Until its curves are those of the results: long ones come a moment later.
+void TestHandles::showPage(std::size_t row)
+{
+    m_bench->window->showPage(static_cast<int>(row));
+    const StagePage &page = *m_bench->window->pages()[row];
+    QTRY_VERIFY_WITH_TIMEOUT(!page.isDrawing(), kPatience_ms);
+}
+
 std::map<PlotWidget *, Seen> TestHandles::everyPage()
 {
     std::map<PlotWidget *, Seen> seen;
     const auto &pages = m_bench->window->pages();
     for (std::size_t row = 0; row < pages.size(); ++row) {
-        m_bench->window->showPage(static_cast<int>(row));
+        showPage(row);
         for (PlotWidget *plot : pages[row]->findChildren<PlotWidget *>()) {
             const PlotContent &content = plot->content();
             seen[plot] = {!content.curves.empty() && plot->isVisible(), content.xAxis.unit,
@@ -117,7 +126,7 @@ void TestHandles::forEveryGrip(const std::function<void(int, PlotWidget *, QPoin
     const auto &pages = m_bench->window->pages();
     int grips = 0;
     for (std::size_t row = 0; row < pages.size(); ++row) {
-        m_bench->window->showPage(static_cast<int>(row));
+        showPage(row);
         for (PlotWidget *plot : pages[row]->findChildren<PlotWidget *>()) {
             const std::vector<HandleState> handles
                 = plot->isVisible() ? plot->handles() : std::vector<HandleState>();

@@ -181,12 +181,12 @@ PlotContent windowCurves(const WindowResult &window)
     return content;
 }
 
-Index longestResponse(const WindowResult &window)
+Index pointsOf(const WindowResult &window)
 {
-    Index longest = 0;
+    Index points = 0;
     for (const WindowedResponse &response : window.responses)
-        longest = std::max(longest, static_cast<Index>(response.values.size()));
-    return longest;
+        points += response.values.size();
+    return points;
 }
 
 double ringingEnd_s(const WindowResult &window)

@@ -43,8 +43,8 @@ PlotContent rawCurves(const CaptureSet &set, ChannelRole role,
 /// Responses aligned at their starts, as the analysis uses them.
 PlotContent windowCurves(const WindowResult &window);
 
-/// Values of the longest response: about as many points has the longest curve made of them.
-Index longestResponse(const WindowResult &window);
+/// Values of all responses: about as many points have the curves made of them.
+Index pointsOf(const WindowResult &window);
 
 /// How long after the start the responses ring: what a first view of a long plateau shows large.
 double ringingEnd_s(const WindowResult &window);

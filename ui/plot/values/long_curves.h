@@ -8,8 +8,10 @@
 
 namespace dyncal {
 
-/// A curve of more points than this is not made while the window waits.
-inline constexpr Index kLongCurve = 200'000;
+/// A plot of more points than this is not made while the window waits.
+inline constexpr Index kManyPoints = 600'000;
+/// A curve of such a plot with more points than this is condensed.
+inline constexpr Index kLongCurve = 20'000;
 
 /// The same plot with each curve of more than `most` points behind a record of its own
 /// (PlotCurve::record), so that a view costs what its pixels cost: x and y then hold the extremes

@@ -20,7 +20,7 @@ PlotFilling::PlotFilling(PlotWidget *plot)
 void PlotFilling::show(PlotMaking making)
 {
     const bool isKnown = !making.from.empty() && making.from == m_making.from;
-    const bool isLong = making.points > kLongCurve;
+    const bool isLong = making.points > kManyPoints;
     m_making = std::move(making);
     if (isLong && isKnown) {
         if (!isBusy())

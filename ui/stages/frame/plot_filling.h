@@ -19,13 +19,13 @@ struct PlotMaking
 {
     /// The results that it is made from: while they are the same, so are the curves.
     std::vector<std::shared_ptr<const void>> from;
-    Index points = 0; ///< of its longest curve, about
+    Index points = 0; ///< of all its curves, about
     std::function<PlotContent()> make; ///< holds values only: it may run in a job
     /// What depends on more than the results; quick.
     std::function<PlotContent(PlotContent)> finish = {};
 };
 
-/// Fills one plot. Curves of at most kLongCurve points are made at once; longer ones in a job,
+/// Fills one plot. Curves of at most kManyPoints points are made at once; more in a job,
 /// while the plot goes on showing what it showed and the window answers.
 class PlotFilling : public QObject
 {

@@ -175,7 +175,7 @@ void SpectrumPage::showPlot()
     const auto window = results().window;
     if (spectrum && window)
         draw(m_plot,
-            {{spectrum, window}, longestResponse(*window),
+            {{spectrum, window}, pointsOf(*window),
                 [spectrum, window] { return spectrumCurves(*spectrum, *window); },
                 [this](const PlotContent &made) { return m_tubeModes->with(made); }});
     else

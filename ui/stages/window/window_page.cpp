@@ -336,7 +336,7 @@ void WindowPage::showResults()
     const auto window = results().window;
     const WindowedResponse *first = firstResponse();
     if (first) {
-        const Index points = longestResponse(*window);
+        const Index points = pointsOf(*window);
         draw(m_plot, {{window}, points, [window] { return contentWithRoom(*window); }});
         draw(m_detail, {{window}, points, [window] { return startCurves(*window); }});
     } else {

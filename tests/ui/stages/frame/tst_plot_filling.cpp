@@ -16,7 +16,7 @@ using namespace dyncal;
 
 namespace {
 
-constexpr Index kLong = kLongCurve + 1;
+constexpr Index kLong = kManyPoints + 1;
 
 /// A straight line of `points` points under a title.
 PlotContent line(const QString &title, Index points)
