@@ -5973,6 +5973,14 @@
         <source>No comparison contradicts alone, but all %1 together leave a chi-square of %2, which happens by chance in %3 % of calibrations, and no single fault explains it: look at the largest differences.</source>
         <translation>Ingen jämförelse är ensam motsägande, men alla %1 tillsammans ger chi-kvadrat %2, vilket av en slump händer i %3 % av kalibreringarna, och inget enskilt fel förklarar det: se på de största skillnaderna.</translation>
     </message>
+    <message>
+        <source>The state of the shock follows from the driver pressure.</source>
+        <translation>Stötvågens tillstånd följer av drivtrycket.</translation>
+    </message>
+    <message>
+        <source>The pressure %1 is typed once, and the state of all %2 shots follows from it: take the velocity, which is measured in each shot.</source>
+        <translation>Trycket %1 är angivet en enda gång, och tillståndet i alla %2 skott följer av det: ta hastigheten, som mäts i varje skott.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

@@ -102,11 +102,19 @@ bool isSaidHere(Compared of)
         && of != Compared::Levels;
 }
 
+/// The velocity of all shots is one typed number, or follows from one typed pressure.
+bool isVelocityTypedOnce(const ShockSettings &settings)
+{
+    if (settings.stateFrom == "velocity")
+        return settings.velocity_m_s.common.has_value();
+    return settings.stateFrom == "p2" || settings.p4_Pa.has_value();
+}
+
 /// One number typed for several shots, which the records contradict, is no number of this shot.
 Severity severityOf(const WayComparison &check, const ShockSettings &settings, std::size_t shots)
 {
     const bool typedOnce
-        = (check.of == Compared::Velocity && check.a == Way::Typed && settings.velocity_m_s.common)
+        = (check.of == Compared::Velocity && check.a == Way::Typed && isVelocityTypedOnce(settings))
         || (check.of == Compared::Step && settings.step_Pa.common);
     return typedOnce && shots > 1 ? Severity::Block : Severity::Caution;
 }

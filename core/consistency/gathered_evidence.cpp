@@ -96,7 +96,9 @@ ShotEvidence gatherEvidence(const CaptureSet &set, const ShockSettings &settings
     if (evidence.measurement && evidence.measurement->arrivals() != nullptr)
         for (const Sighting &sighting : evidence.measurement->arrivals()->sightings)
             evidence.readings.push_back(readingOf(set, shot, sighting, conditions.seen));
-    evidence.driver = driverOf(settings, shot, conditions);
+    evidence.stateFromDriver = settings.stateFrom == "p4";
+    if (!evidence.stateFromDriver)
+        evidence.driver = driverOf(settings, shot, conditions);
     evidence.step_Pa = conditions.step_Pa;
     if (conditions.stepTyped)
         evidence.typedStep_Pa = conditions.step_Pa;

@@ -48,6 +48,7 @@ struct ShotEvidence
     Gas gas; ///< constants of the driven gas as used
     std::vector<SideReading> readings;
     std::optional<DriverEvidence> driver;
+    bool stateFromDriver = false; ///< then p4 is no second way
     std::optional<double> typedStep_Pa;
     std::optional<double> step_Pa; ///< as used
     std::optional<double> sensitivity; ///< of this shot
@@ -61,7 +62,7 @@ inline constexpr double kAssumedGain = 0.02; ///< of a side sensor
 inline constexpr double kAssumedCard = 0.05;
 inline constexpr double kStepRatioModel = 0.01; ///< linearity, levels that are not flat
 inline constexpr double kVelocityRatioModel = 0.003; ///< reflected shock along the wall
-inline constexpr double kDriverModel = 0.1; ///< losses, opening of the diaphragm
+inline constexpr double kDriverModel = kAssumedRelativeDriver;
 // The part of these that is another one in every shot.
 inline constexpr double kStepRatioOfShot = 0.003;
 inline constexpr double kVelocityRatioOfShot = 0.001;

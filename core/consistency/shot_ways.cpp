@@ -372,6 +372,11 @@ void ShotWays::addDriver()
 {
     const WayComparison head{
         .of = Compared::P4, .a = Way::Recorded, .b = Way::Computed, .unit = "Pa"};
+    if (m_evidence.stateFromDriver) {
+        cannot(head,
+            {DYNCAL_TEXT("core", "The state of the shock follows from the driver pressure."), {}});
+        return;
+    }
     if (!m_evidence.driver) {
         cannot(head,
             {DYNCAL_TEXT("core", "The driver pressure or its temperature is not recorded."), {}});

@@ -40,7 +40,9 @@ struct ShockConditions
     std::vector<Sighting> sightings; ///< what the velocity was fitted to, farthest first
     std::optional<VelocityFit> velocityFit; ///< empty where the velocity was typed
     std::optional<StepUncertainty> uncertainty; ///< where it was asked for and can be computed
-    std::optional<StepMeasurement> measurement; ///< the inputs of `uncertainty`
+    /// The inputs of `uncertainty`; also where the state follows from a pressure, to compare the
+    /// velocity of that with what the records say.
+    std::optional<StepMeasurement> measurement;
     std::string uncertaintyMissing; ///< why there is none, in English
     std::vector<MeasuredPressure> measured; ///< read from the records, with predictions
     std::optional<PlateauEnd> plateauEnd; ///< what ends the plateau `plateau_s`

@@ -175,20 +175,34 @@ void addDriver(ShockWork &work)
     judgeDriverPressure(work, *p4_Pa);
 }
 
-/// The velocity where the state follows from a pressure (eqs 3.1 and 3.10 inverted).
-Result<double> velocityFromPressure(const ShockWork &work, double p1_Pa, double T1_K)
+/// The velocity where the state follows from a pressure (eqs 3.1 and 3.10 inverted): p2, of which
+/// the rise is `share` times what is typed, or so large a share of p4.
+Result<double> velocityFromPressure(
+    const ShockWork &work, double p1_Pa, double T1_K, double share = 1.0)
 {
     const ShockSettings &settings = work.settings;
     const Gas &gas = work.conditions.drivenGas->constants;
     if (settings.stateFrom == "p2")
-        return velocityOfShockedPressure_m_s(
-            *work.conditions.drivenGas, p1_Pa, T1_K, settings.p2_Pa.value_or(0.0));
+        return velocityOfShockedPressure_m_s(*work.conditions.drivenGas, p1_Pa, T1_K,
+            p1_Pa + share * (settings.p2_Pa.value_or(0.0) - p1_Pa));
     const double T4_K = firstKnown(settings.T4_K, work.shot.environment.T4_K).value_or(T1_K);
     const auto driver = driverModel(chosenDriverGas(settings, work.set), T4_K);
     if (!driver)
         return tl::unexpected(driver.error());
     return velocityOfDriverPressure_m_s(gas, p1_Pa, T1_K, driver->constants,
-        settings.p4_Pa.value_or(work.shot.environment.p4_Pa), T4_K);
+        share * settings.p4_Pa.value_or(work.shot.environment.p4_Pa), T4_K);
+}
+
+/// What a usual error of that pressure makes of the velocity, relative: no u of a result, but what
+/// the ways of the records are compared with.
+double assumedOfPressure(const ShockWork &work, const SectionState &state, double velocity_m_s)
+{
+    const double error
+        = work.settings.stateFrom == "p2" ? kAssumedRelativeRise : kAssumedRelativeDriver;
+    const auto other
+        = velocityFromPressure(work, state.pressure_Pa, state.temperature_K, 1.0 + error);
+    return std::max(kAssumedRelativeVelocity,
+        other ? std::abs(*other / velocity_m_s - 1.0) : kAssumedRelativeVelocity);
 }
 
 void addUncertainty(ShockWork &work, const SectionState &state, const VelocityEstimate &estimate)
@@ -196,10 +210,6 @@ void addUncertainty(ShockWork &work, const SectionState &state, const VelocityEs
     ShockConditions &c = work.conditions;
     if (!work.request.evaluate)
         return;
-    if (work.settings.stateFrom != "velocity") {
-        c.uncertaintyMissing = "Not evaluated where the state follows from a pressure.";
-        return;
-    }
     const Environment &around = work.shot.environment;
     const GasWay &gas = work.gasWays.front();
     StepMeasurement measurement{gas.settings, state, estimate, {}, work.atEndWall(), around.u_p1_Pa,
@@ -207,6 +217,13 @@ void addUncertainty(ShockWork &work, const SectionState &state, const VelocityEs
         c.stepTyped ? c.step_Pa : std::nullopt};
     if (estimate.fit && estimate.sightings.empty())
         measurement.counters = work.settings.counters;
+    if (work.settings.stateFrom != "velocity") {
+        c.uncertaintyMissing = "Not evaluated where the state follows from a pressure.";
+        measurement.uAssumedVelocity_relative
+            = assumedOfPressure(work, state, *estimate.velocity_m_s);
+        c.measurement = std::move(measurement);
+        return;
+    }
     auto uncertainty = evaluateStep(measurement, work.request);
     if (!uncertainty) {
         c.uncertaintyMissing = english(uncertainty.error().message);
@@ -283,11 +300,8 @@ void readArrivals(ShockWork &work, const std::optional<DutArrival> &dutArrival)
 }
 
 /// What the arrivals say where another velocity is used, to be compared with it.
-void recordBesides(
-    ShockWork &work, const std::optional<DutArrival> &dutArrival, const VelocityEstimate &used)
+void recordBesides(ShockWork &work, const std::optional<DutArrival> &dutArrival)
 {
-    if (!used.velocity_m_s || !used.sightings.empty())
-        return;
     auto recorded = recordedVelocity(
         work.set, work.conditions.shot, dutArrival, work.conditions.seen, work.settings);
     if (recorded.fit)
@@ -300,12 +314,12 @@ void addStates(ShockWork &work, const std::optional<DutArrival> &dutArrival)
     const auto T1_K = firstKnown(work.settings.T1_K, work.shot.environment.T1_K);
     const bool fromVelocity = work.settings.stateFrom == "velocity";
     VelocityEstimate estimate;
-    if (fromVelocity) {
-        readArrivals(work, dutArrival);
+    readArrivals(work, dutArrival);
+    if (fromVelocity)
         estimate = estimateVelocity(
             work.set, work.conditions.shot, dutArrival, work.conditions.seen, work.settings);
-        recordBesides(work, dutArrival, estimate);
-    }
+    if (!fromVelocity || (estimate.velocity_m_s && estimate.sightings.empty()))
+        recordBesides(work, dutArrival);
     reportMissingPressureAndTemperature(work, p1_Pa.has_value(), T1_K.has_value());
     if (estimate.missing)
         work.reportMissing(*estimate.missing);
@@ -400,8 +414,10 @@ Result<ShockConditionsSet> estimateShockConditions(const CaptureSet &set,
         result.findings.insert(result.findings.end(), work.findings.begin(), work.findings.end());
     }
     result.findings = withoutRepetition(result.findings, std::ssize(result.shots));
-    if (settings.enabled)
+    if (settings.enabled) {
         judgeSharedNumbers(settings, std::ssize(result.shots), result.findings);
+        judgeSharedPressure(settings, std::ssize(result.shots), result.findings);
+    }
     return result;
 }
 

@@ -217,6 +217,22 @@ void judgeSharedNumbers(const ShockSettings &settings, Index shots, Findings &fi
             *settings.step_Pa.common, "Pa");
 }
 
+/// A pressure that the state of every shot follows from is one number for all of them, too.
+void judgeSharedPressure(const ShockSettings &settings, Index shots, Findings &findings)
+{
+    const bool fromP2 = settings.stateFrom == "p2";
+    const auto &typed = fromP2 ? settings.p2_Pa : settings.p4_Pa;
+    if (shots < 2 || settings.stateFrom == "velocity" || !typed)
+        return;
+    findings.push_back({.id = "SHK-018",
+        .severity = Severity::Caution,
+        .message
+        = {DYNCAL_TEXT("core",
+               "The pressure %1 is typed once, and the state of all %2 shots follows from it: take the velocity, which is measured in each shot."),
+            {numberWithUnit(*typed, "Pa", 4), std::to_string(shots)}},
+        .causes = {FindingCause::Typed}});
+}
+
 void judgeUnreachable(ShockWork &work, const Error &error)
 {
     work.findings.push_back({.id = "SHK-019",

@@ -21,5 +21,7 @@ void judgeTypedPressure(ShockWork &work, double p1_Pa); ///< SHK-011
 void reportPlateau(ShockWork &work); ///< SHK-005
 /// SHK-018: one typed number serves `shots` shots.
 void judgeSharedNumbers(const ShockSettings &settings, Index shots, Findings &findings);
+/// SHK-018: so does one typed pressure that the state follows from.
+void judgeSharedPressure(const ShockSettings &settings, Index shots, Findings &findings);
 
 } // namespace dyncal

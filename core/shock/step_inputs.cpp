@@ -128,7 +128,8 @@ bool StepInputs::addKnown(const std::string &name, const std::string &quantity, 
 void StepInputs::addTypedVelocity(double velocity_m_s)
 {
     if (!addKnown("velocity_m_s", "velocity_m_s", velocity_m_s,
-            otherwise(kAssumedRelativeVelocity * velocity_m_s), Distribution::Normal, false,
+            otherwise(m_measurement.uAssumedVelocity_relative * velocity_m_s), Distribution::Normal,
+            false,
             [velocity_m_s](StepPoint &p, double x) { p.velocityShift_m_s += x - velocity_m_s; }))
         m_velocityMissing = notStated("the velocity", "velocity_m_s");
 }

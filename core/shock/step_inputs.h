@@ -32,6 +32,15 @@ struct StatedUncertainty
     std::optional<double> dof;
 };
 
+// Where nothing is stated: to compare with other ways (Unstated::IsAssumed); docs/method/checks.md.
+inline constexpr double kAssumedRelative_p1 = 0.005;
+inline constexpr double kAssumed_u_T1_K = 1.0;
+inline constexpr double kAssumed_u_distance_m = 0.001;
+inline constexpr double kAssumedRelativeVelocity = 0.002;
+inline constexpr double kAssumedRelativeStep = 0.005; ///< of a typed step
+inline constexpr double kAssumedRelativeRise = 0.02; ///< of a typed p2, of p2 - p1
+inline constexpr double kAssumedRelativeDriver = 0.1; ///< of p4: losses, opening of the diaphragm
+
 /// Everything that the step of one shot follows from.
 struct StepMeasurement
 {
@@ -47,6 +56,8 @@ struct StepMeasurement
     /// What the arrivals give where the velocity used is typed or of counters.
     std::optional<VelocityEstimate> recorded = std::nullopt;
     std::optional<double> typedStep_Pa = std::nullopt; ///< used in place of the computed one
+    /// Of a velocity that is typed or follows from a pressure, where nothing is stated.
+    double uAssumedVelocity_relative = kAssumedRelativeVelocity;
 
     /// The estimate made of arrivals, used or not; null where there is none.
     const VelocityEstimate *arrivals() const;
@@ -72,12 +83,6 @@ enum class Unstated {
     IsMissing, ///< nothing: the uncertainty of the result is not known
     IsAssumed, ///< kAssumed...: to compare with other ways, not to state a result
 };
-
-inline constexpr double kAssumedRelative_p1 = 0.005;
-inline constexpr double kAssumed_u_T1_K = 1.0;
-inline constexpr double kAssumed_u_distance_m = 0.001;
-inline constexpr double kAssumedRelativeVelocity = 0.002;
-inline constexpr double kAssumedRelativeStep = 0.005; ///< of a typed step
 
 /// The inputs of a shot's step with their uncertainties, each with the function that puts its value
 /// into a StepPoint. `m` and `stated` must outlive it.

@@ -60,6 +60,9 @@ private slots:
     void wrongTemperature_isFound();
     void wrongPressure_isFound();
     void typedVelocity_isComparedWithTheArrivals();
+    void stateFromAPressure_isComparedWithTheRecords_data();
+    void stateFromAPressure_isComparedWithTheRecords();
+    void stateFromAPressure_ofOneShot_isCautioned();
     void rateDoubled_isFoundOrBlocked();
     void scaleOfTheCard_isFound();
     void switchedOff_nothingIsCompared();
@@ -137,6 +140,54 @@ void TestChecksStage::typedVelocity_isComparedWithTheArrivals()
     QVERIFY(names(misread.checks->findings, C::Typed));
     for (const Finding &finding : misread.checks->findings)
         QVERIFY(finding.shot == 2 && finding.severity == Severity::Caution);
+}
+
+void TestChecksStage::stateFromAPressure_isComparedWithTheRecords_data()
+{
+    QTest::addColumn<bool>("fromP2");
+    QTest::newRow("p2") << true;
+    QTest::newRow("p4") << false;
+}
+
+/// One pressure for three shots of different strength: right for one of them at most.
+void TestChecksStage::stateFromAPressure_isComparedWithTheRecords()
+{
+    QFETCH(bool, fromP2);
+    const ShockConditions strongest = resultsOf().shock->shots[2];
+    Recipe recipe;
+    recipe.shock.stateFrom = fromP2 ? "p2" : "p4";
+    (fromP2 ? recipe.shock.p2_Pa : recipe.shock.p4_Pa)
+        = fromP2 ? strongest.states->shocked.pressure_Pa : strongest.driver->pressure_Pa;
+    const CalibrationResults results = resultsOf(recipe);
+    QCOMPARE(countOf(results, Compared::Velocity), 3);
+    QCOMPARE(countOf(results, Compared::P2Rise), 3);
+    QCOMPARE(countOf(results, Compared::Sensitivity), 3);
+    QCOMPARE(countOf(results, Compared::P4), fromP2 ? 3 : 0); // no second way to itself
+    QVERIFY(names(results.shock->findings, C::Typed)); // SHK-018
+    QVERIFY(names(results.checks->findings, C::Typed));
+    QCOMPARE(worstSeverity(results.checks->findings), Severity::Block);
+    for (const WayComparison &check : results.checks->checks)
+        if (check.of == Compared::Velocity)
+            QCOMPARE(check.agrees(), check.shot == 3); // the pressure was that of shot 3
+    for (const ShockConditions &shot : results.shock->shots)
+        QVERIFY(!shot.uncertainty && !shot.uncertaintyMissing.empty());
+}
+
+/// A gauge pressure where an absolute one is asked for.
+void TestChecksStage::stateFromAPressure_ofOneShot_isCautioned()
+{
+    const ShockConditions strongest = resultsOf().shock->shots[2];
+    Recipe recipe;
+    recipe.import.exclude = {{1, "other"}, {2, "other"}};
+    recipe.shock.stateFrom = "p2";
+    recipe.shock.p2_Pa = strongest.states->shocked.pressure_Pa;
+    const CalibrationResults right = resultsOf(recipe);
+    QVERIFY(right.checks->findings.empty());
+    QVERIFY(!names(right.shock->findings, C::Typed));
+    recipe.shock.p2_Pa = *recipe.shock.p2_Pa - 101100.0;
+    const CalibrationResults gauge = resultsOf(recipe);
+    QVERIFY(names(gauge.checks->findings, C::Typed));
+    QCOMPARE(worstSeverity(gauge.checks->findings), Severity::Caution);
 }
 
 void TestChecksStage::rateDoubled_isFoundOrBlocked()
