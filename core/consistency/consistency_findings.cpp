@@ -4,6 +4,7 @@
 #include "core/consistency/consistency_findings.h"
 
 #include "core/base/number_text.h"
+#include "core/shock/shock_findings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -105,9 +106,8 @@ bool isSaidHere(Compared of)
 /// The velocity of all shots is one typed number, or follows from one typed pressure.
 bool isVelocityTypedOnce(const ShockSettings &settings)
 {
-    if (settings.stateFrom == "velocity")
-        return settings.velocity_m_s.common.has_value();
-    return settings.stateFrom == "p2" || settings.p4_Pa.has_value();
+    return settings.stateFrom == "velocity" ? settings.velocity_m_s.common.has_value()
+                                            : typedStatePressure_Pa(settings).has_value();
 }
 
 /// One number typed for several shots, which the records contradict, is no number of this shot.

@@ -414,10 +414,8 @@ Result<ShockConditionsSet> estimateShockConditions(const CaptureSet &set,
         result.findings.insert(result.findings.end(), work.findings.begin(), work.findings.end());
     }
     result.findings = withoutRepetition(result.findings, std::ssize(result.shots));
-    if (settings.enabled) {
+    if (settings.enabled)
         judgeSharedNumbers(settings, std::ssize(result.shots), result.findings);
-        judgeSharedPressure(settings, std::ssize(result.shots), result.findings);
-    }
     return result;
 }
 

@@ -195,6 +195,13 @@ void judgeStates(ShockWork &work)
         .causes = beyondTheTube()});
 }
 
+std::optional<double> typedStatePressure_Pa(const ShockSettings &settings)
+{
+    if (settings.stateFrom == "velocity")
+        return std::nullopt;
+    return settings.stateFrom == "p2" ? settings.p2_Pa : settings.p4_Pa;
+}
+
 void judgeSharedNumbers(const ShockSettings &settings, Index shots, Findings &findings)
 {
     if (shots < 2)
@@ -215,22 +222,11 @@ void judgeSharedNumbers(const ShockSettings &settings, Index shots, Findings &fi
             DYNCAL_TEXT("core",
                 "The pressure step %1 is typed once and serves all %2 shots: type one for each shot, or none where it is computed."),
             *settings.step_Pa.common, "Pa");
-}
-
-/// A pressure that the state of every shot follows from is one number for all of them, too.
-void judgeSharedPressure(const ShockSettings &settings, Index shots, Findings &findings)
-{
-    const bool fromP2 = settings.stateFrom == "p2";
-    const auto &typed = fromP2 ? settings.p2_Pa : settings.p4_Pa;
-    if (shots < 2 || settings.stateFrom == "velocity" || !typed)
-        return;
-    findings.push_back({.id = "SHK-018",
-        .severity = Severity::Caution,
-        .message
-        = {DYNCAL_TEXT("core",
-               "The pressure %1 is typed once, and the state of all %2 shots follows from it: take the velocity, which is measured in each shot."),
-            {numberWithUnit(*typed, "Pa", 4), std::to_string(shots)}},
-        .causes = {FindingCause::Typed}});
+    if (const auto pressure_Pa = typedStatePressure_Pa(settings))
+        report(
+            DYNCAL_TEXT("core",
+                "The pressure %1 is typed once, and the state of all %2 shots follows from it: take the velocity, which is measured in each shot."),
+            *pressure_Pa, "Pa");
 }
 
 void judgeUnreachable(ShockWork &work, const Error &error)

@@ -6,6 +6,8 @@
 #include "core/shock/shock_velocity.h"
 #include "core/shock/shock_work.h"
 
+#include <optional>
+
 namespace dyncal {
 
 // What the operator must see of one shot; each may add a finding.
@@ -21,7 +23,8 @@ void judgeTypedPressure(ShockWork &work, double p1_Pa); ///< SHK-011
 void reportPlateau(ShockWork &work); ///< SHK-005
 /// SHK-018: one typed number serves `shots` shots.
 void judgeSharedNumbers(const ShockSettings &settings, Index shots, Findings &findings);
-/// SHK-018: so does one typed pressure that the state follows from.
-void judgeSharedPressure(const ShockSettings &settings, Index shots, Findings &findings);
+/// The one typed pressure that the state of every shot follows from; empty where it follows from a
+/// velocity, or from the pressure that each shot has recorded.
+std::optional<double> typedStatePressure_Pa(const ShockSettings &settings);
 
 } // namespace dyncal

@@ -10,6 +10,7 @@
 
 #include <QDir>
 #include <QFile>
+#include <QTest>
 
 namespace dyncal::testing {
 
@@ -33,8 +34,8 @@ inline void writeModelFiles(const std::vector<ModelFile> &files, const QString &
 {
     for (const ModelFile &file : files) {
         QFile target(QDir(folder).filePath(QString::fromStdString(file.name)));
-        if (target.open(QIODevice::WriteOnly))
-            target.write(QByteArray::fromStdString(file.bytes));
+        QVERIFY(target.open(QIODevice::WriteOnly));
+        target.write(QByteArray::fromStdString(file.bytes));
     }
 }
 

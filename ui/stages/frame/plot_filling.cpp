@@ -19,24 +19,20 @@ PlotFilling::PlotFilling(PlotWidget *plot)
 
 void PlotFilling::show(PlotMaking making)
 {
-    const bool isKnown = !making.from.empty() && making.from == m_making.from;
-    const bool isLong = making.points > kManyPoints;
-    m_making = std::move(making);
-    if (isLong && isKnown) {
-        if (!isBusy())
-            showMade();
-    } else if (isLong) {
-        start();
-    } else {
-        m_jobs.cancel();
-        m_made = m_making.make();
-        showMade();
-        m_making = {};
-        m_made = {};
+    if (making.points <= kManyPoints) {
+        PlotContent made = making.make();
+        showAtOnce(making.finish ? making.finish(std::move(made)) : made);
+        return;
     }
+    const bool isKnown = !making.from.empty() && making.from == m_making.from;
+    m_making = std::move(making);
+    if (!isKnown)
+        start();
+    else if (!isBusy())
+        showMade();
 }
 
-void PlotFilling::showNothing(const PlotContent &content)
+void PlotFilling::showAtOnce(const PlotContent &content)
 {
     m_jobs.cancel();
     m_making = {};
@@ -61,7 +57,7 @@ void PlotFilling::deliver(Result<PlotContent> made)
     } else {
         PlotContent problem;
         problem.title = translated(made.error().message);
-        showNothing(problem);
+        showAtOnce(problem);
     }
     emit changed();
 }

@@ -35,9 +35,8 @@ public:
     explicit PlotFilling(PlotWidget *plot);
 
     void show(PlotMaking making);
-    void showNothing(const PlotContent &content); ///< at once, whatever was to come
+    void showAtOnce(const PlotContent &content); ///< whatever was to come
     bool isBusy() const { return m_jobs.isRunning(); }
-    PlotWidget *plot() const { return m_plot; }
 
 signals:
     void changed(); ///< a job has begun or ended

@@ -259,7 +259,7 @@ void StagePage::draw(PlotWidget *plot, PlotMaking making)
 
 void StagePage::clear(PlotWidget *plot)
 {
-    fillingOf(plot).showNothing(nothingYet());
+    fillingOf(plot).showAtOnce(nothingYet());
 }
 
 bool StagePage::isDrawing() const

@@ -141,7 +141,7 @@ void TestPlotFilling::shortCurvesOrNothing_endWhatWasUnderWay()
         const Gated gate;
         filling.show(gate.making(result(), "long"));
         if (isNothing)
-            filling.showNothing(line("now", 0));
+            filling.showAtOnce(line("now", 0));
         else
             filling.show({{result()}, 10, [] { return line("now", 10); }});
         QVERIFY(!filling.isBusy());
