@@ -5981,6 +5981,38 @@
         <source>The pressure %1 is typed once, and the state of all %2 shots follows from it: take the velocity, which is measured in each shot.</source>
         <translation>Trycket %1 är angivet en enda gång, och tillståndet i alla %2 skott följer av det: ta hastigheten, som mäts i varje skott.</translation>
     </message>
+    <message>
+        <source>Channel &apos;%1&apos;: the recipe reads the numbers as %2, the file states %3, and no scale converts them: leave out the unit, or give the scale that belongs to it.</source>
+        <translation>Kanal ”%1”: receptet läser talen som %2, filen anger %3, och ingen skala räknar om dem: utelämna enheten, eller ange den skala som hör till den.</translation>
+    </message>
+    <message>
+        <source>Channel &apos;%1&apos;: the recipe reads the numbers as %2, with a factor of %4 in place of the file&apos;s %3.</source>
+        <translation>Kanal ”%1”: receptet läser talen som %2, med faktorn %4, i stället för filens %3.</translation>
+    </message>
+    <message>
+        <source>Channel &apos;%1&apos;: the recipe states a sensitivity of %2, the card of the sensor %3, which is %4 % different. The recipe&apos;s is used; correct it, or the card.</source>
+        <translation>Kanal ”%1”: receptet anger känsligheten %2, givarens kort %3, vilket skiljer %4 %. Receptets används; rätta den, eller kortet.</translation>
+    </message>
+    <message>
+        <source>Shot %1 is of the sensor %2, shot %3 of the sensor %4: a calibration is of one sensor. Take the shots of the other one out, or correct the captures.</source>
+        <translation>Skott %1 gäller givaren %2, skott %3 givaren %4: en kalibrering gäller en givare. Ta bort den andras skott, eller rätta inspelningarna.</translation>
+    </message>
+    <message>
+        <source>The card of the sensor states its sensitivity in %1, this calibration gives it in %2: one of the two units is wrong, and the values are not compared. Check import.unit and the card.</source>
+        <translation>Givarens kort anger känsligheten i %1, den här kalibreringen ger den i %2: en av enheterna är fel, och värdena jämförs inte. Kontrollera import.unit och kortet.</translation>
+    </message>
+    <message>
+        <source>Beside what other findings say, all %1 comparisons together leave a chi-square of %2, which happens by chance in %3 % of calibrations: look at the largest differences, and at the causes named.</source>
+        <translation>Utöver vad andra anmärkningar säger lämnar alla %1 jämförelser tillsammans chi-kvadrat %2, vilket slumpen ger i %3 % av kalibreringarna: se på de största skillnaderna och på de orsaker som nämns.</translation>
+    </message>
+    <message>
+        <source>With the humidity typed the driven gas has a speed of sound of %1, with the one recorded in the capture %2: with that the pressure step would be %3 % different. The typed one is used; correct it (shock.relative_humidity, 0 to 1), or leave it out.</source>
+        <translation>Med den inskrivna fuktigheten har den drivna gasen ljudhastigheten %1, med den som inspelningen anger %2: med den skulle trycksteget skilja %3 %. Den inskrivna används; rätta den (shock.relative_humidity, 0 till 1), eller utelämna den.</translation>
+    </message>
+    <message>
+        <source>One arrival time, %1, is typed for a sensor and serves all %2 shots: type one for each shot, or none where the record shows it.</source>
+        <translation>En ankomsttid, %1, är inskriven för en givare och gäller alla %2 skott: skriv en för varje skott, eller ingen där inspelningen visar den.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

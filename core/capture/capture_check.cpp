@@ -6,9 +6,11 @@
 #include "core/base/number_text.h"
 #include "core/capture/flat_top.h"
 #include "core/capture/record_survey.h"
+#include "core/capture/sensor_card.h"
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 namespace dyncal {
@@ -291,6 +293,7 @@ Findings checkCaptures(const CaptureSet &set, const CheckSettings &settings)
             ChannelChecks(findings, number, channel, settings).run();
     }
     checkTwins(set, findings);
+    std::ranges::move(checkOneSensor(set), std::back_inserter(findings));
     compareShots(set, findings);
     return findings;
 }

@@ -6,6 +6,7 @@
 #include "core/base/number_text.h"
 #include "core/capture/channel_units.h"
 #include "core/capture/gap_filling.h"
+#include "core/capture/sensor_card.h"
 
 #include <algorithm>
 #include <array>
@@ -89,6 +90,13 @@ Finding replacedRate(double stated_Hz, double typed_Hz, const std::string &reaso
         .limit = stated_Hz};
 }
 
+/// What is the same in every shot is said once.
+void addOnce(Findings &findings, Finding finding)
+{
+    if (std::find(findings.begin(), findings.end(), finding) == findings.end())
+        findings.push_back(std::move(finding));
+}
+
 /// The recipe's settings for this channel; for the DUT, completed by those for the DUT.
 ChannelImport detailsOf(const Channel &channel, const ImportSettings &settings)
 {
@@ -127,6 +135,38 @@ bool isSensorUnit(const std::string &unit)
 {
     static constexpr std::array<std::string_view, 6> kUnits{"V", "A", "C", "W", "1", ""};
     return std::find(kUnits.begin(), kUnits.end(), unit) != kUnits.end();
+}
+
+/// A unit that says what was measured, and how large: not the counts, volts per division or letters
+/// that only the recipe explains.
+bool isKnownUnit(const std::string &unit)
+{
+    return siUnitOf(unit) || (isSensorUnit(unit) && unit != "1" && !unit.empty());
+}
+
+/// CAP-030: the recipe's unit in place of the file's; with a factor it may be meant as a conversion.
+void reportReplacedUnit(
+    const Channel &channel, const ChannelImport &details, Findings &findings)
+{
+    const std::string &unit = *details.unit;
+    const SiUnit recorded = siUnitOf(channel.unit).value_or(SiUnit{channel.unit});
+    const SiUnit typed = siUnitOf(unit).value_or(SiUnit{unit});
+    if (!isKnownUnit(channel.unit)
+        || (recorded.unit == typed.unit && recorded.factor == typed.factor))
+        return;
+    const double factor = details.scale.value_or(1.0) / details.gain.value_or(1.0);
+    Finding finding{.id = "CAP-030",
+        .severity = factor == 1.0 ? Severity::Caution : Severity::Info,
+        .channel = channel.name,
+        .message = {factor == 1.0 ? DYNCAL_TEXT("core",
+                        "Channel '%1': the recipe reads the numbers as %2, the file states %3, and no scale converts them: leave out the unit, or give the scale that belongs to it.")
+                                  : DYNCAL_TEXT("core",
+                                      "Channel '%1': the recipe reads the numbers as %2, with a factor of %4 in place of the file's %3."),
+            {channel.name, unit, channel.unit, numberText(factor, 6)}},
+        .causes = {FindingCause::Scale}};
+    if (factor != 1.0)
+        finding.causes.clear();
+    addOnce(findings, std::move(finding));
 }
 
 Result<void> divideBySensitivity(Channel &channel, Index shot, double sensitivity)
@@ -185,24 +225,26 @@ Result<void> setSampleRate(Channel &channel, Index shot, const ImportSettings &s
     channel.sampleRate_Hz = rate_Hz;
     if (difference <= kSameRate)
         return {};
-    Finding replaced = replacedRate(stated_Hz, rate_Hz, settings.sampleRateReason, contradicts);
-    if (std::find(findings.begin(), findings.end(), replaced) == findings.end())
-        findings.push_back(std::move(replaced));
+    addOnce(findings, replacedRate(stated_Hz, rate_Hz, settings.sampleRateReason, contradicts));
     return {};
 }
 
-Result<void> shapeChannel(
-    Channel &channel, Index shot, const ImportSettings &settings, Findings &findings)
+Result<void> shapeChannel(Channel &channel, Index shot, const ImportSettings &settings,
+    const Attributes &card, Findings &findings)
 {
     const ChannelImport details = detailsOf(channel, settings);
-    if (details.unit)
+    if (details.unit) {
+        reportReplacedUnit(channel, details, findings);
         channel.unit = *details.unit;
+    }
     channel.userScale *= details.scale.value_or(1.0) / details.gain.value_or(1.0);
     channel.polarity *= details.polarity.value_or(1);
     if (!details.reference.empty())
         channel.reference = referenceFromName(details.reference);
     convertToSi(channel);
     if (details.sensitivity) {
+        if (auto contradiction = typedAgainstCard(card, channel, *details.sensitivity))
+            addOnce(findings, std::move(*contradiction));
         if (auto done = divideBySensitivity(channel, shot, *details.sensitivity); !done)
             return done;
     }

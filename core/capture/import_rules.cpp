@@ -5,6 +5,7 @@
 
 #include "core/base/number_text.h"
 #include "core/capture/channel_rules.h"
+#include "core/capture/sensor_card.h"
 
 #include <algorithm>
 #include <cmath>
@@ -197,7 +198,8 @@ Result<void> applyToShots(
         assignRoles(shot, own, rolesOfShot(settings, number));
         for (Channel &channel : shot.channels) {
             const auto done = rate(set, number, shot, channel, own(channel), checks).and_then([&] {
-                return shapeChannel(channel, number, own(channel), set.findings);
+                return shapeChannel(
+                    channel, number, own(channel), cardOf(set, channel), set.findings);
             });
             if (!done)
                 return done;

@@ -66,6 +66,24 @@ void addLevels(
     checks.push_back(std::move(head));
 }
 
+/// CHK-006, once for all shots.
+void addOtherUnit(
+    const std::vector<std::unique_ptr<ShotEvidence>> &evidence, Findings &findings)
+{
+    for (const auto &shot : evidence) {
+        if (shot->otherUnitOfCard.empty())
+            continue;
+        findings.push_back({.id = "CHK-006",
+            .severity = Severity::Caution,
+            .message
+            = {DYNCAL_TEXT("core",
+                   "The card of the sensor states its sensitivity in %1, this calibration gives it in %2: one of the two units is wrong, and the values are not compared. Check import.unit and the card."),
+                {shot->otherUnitOfCard, shot->sensitivityUnit}},
+            .causes = {FindingCause::Scale}});
+        return;
+    }
+}
+
 const ShotSensitivity *sensitivityOf(const ResponseResult &response, Index shot)
 {
     const auto found = std::ranges::find(response.shots, shot, &ShotSensitivity::shot);
@@ -92,7 +110,11 @@ ConsistencyResult compareWays(const CaptureSet &set, const ShockSettings &settin
     result.checks = compared.comparisons();
     addShots(response, result.checks);
     addLevels(set, shock, result.checks);
-    result.findings = judgeConsistency(compared, result.checks, settings);
+    const bool doShotsScatter = std::ranges::find(
+        response.summary.findings, std::string("RSP-002"), &Finding::id)
+        != response.summary.findings.end();
+    result.findings = judgeConsistency(compared, result.checks, settings, doShotsScatter);
+    addOtherUnit(evidence, result.findings);
     return result;
 }
 

@@ -153,13 +153,37 @@ std::vector<const WayComparison *> worstOfEach(const std::vector<WayComparison> 
     return worst;
 }
 
+bool contradicts(const std::vector<WayComparison> &checks, Compared of)
+{
+    return std::ranges::any_of(
+        checks, [&](const WayComparison &check) { return check.of == of && !check.agrees(); });
+}
+
+/// In percent; what is smaller than any list of causes can tell has no digits.
+std::string chanceText(double chance)
+{
+    constexpr double kLeastTold = 1e-8;
+    return chance < kLeastTold ? "< " + numberText(100.0 * kLeastTold, 1)
+                               : numberText(100.0 * chance, 1);
+}
+
 /// None contradicts alone, and still all together are unlikely: a small fault in many shots, or
 /// many that are too small for one comparison.
-Finding together(const ComparedShots &shots, const std::vector<ExplainedBy> &explained)
+Finding together(const ComparedShots &shots, const std::vector<ExplainedBy> &explained,
+    const std::vector<WayComparison> &checks, bool doShotsScatter)
 {
     std::vector<FindingCause> causes(explained.size());
     std::ranges::transform(explained, causes.begin(), &ExplainedBy::cause);
-    const char *text = causes.empty()
+    if (doShotsScatter)
+        causes.insert(causes.begin(), FindingCause::Shots);
+    const bool isAlone = !doShotsScatter
+        && std::ranges::all_of(checks, [](const WayComparison &check) {
+               return check.agrees() || check.of == Compared::Levels;
+           });
+    const char *text = !isAlone
+        ? DYNCAL_TEXT("core",
+            "Beside what other findings say, all %1 comparisons together leave a chi-square of %2, which happens by chance in %3 % of calibrations: look at the largest differences, and at the causes named.")
+        : causes.empty()
         ? DYNCAL_TEXT("core",
             "No comparison contradicts alone, but all %1 together leave a chi-square of %2, which happens by chance in %3 % of calibrations, and no single fault explains it: look at the largest differences.")
         : DYNCAL_TEXT("core",
@@ -168,7 +192,7 @@ Finding together(const ComparedShots &shots, const std::vector<ExplainedBy> &exp
         .severity = Severity::Caution,
         .message = {text,
             {std::to_string(shots.rows().size()), numberText(shots.chiSquare(), 3),
-                numberText(100.0 * shots.chance(), 1)}},
+                chanceText(shots.chance())}},
         .value = shots.chance(),
         .limit = kLeastChanceTogether,
         .causes = causes};
@@ -188,7 +212,7 @@ Finding wrongOrder()
 } // namespace
 
 Findings judgeConsistency(const ComparedShots &shots, const std::vector<WayComparison> &checks,
-    const ShockSettings &settings)
+    const ShockSettings &settings, bool doShotsScatter)
 {
     Findings findings;
     const auto worst = worstOfEach(checks);
@@ -198,10 +222,8 @@ Findings judgeConsistency(const ComparedShots &shots, const std::vector<WayCompa
     for (const WayComparison *check : worst)
         findings.push_back(findingOf(*check, shots, explained, settings));
     if (worst.empty() && unlikely)
-        findings.push_back(together(shots, explained));
-    if (std::ranges::any_of(checks, [](const WayComparison &check) {
-            return check.of == Compared::Levels && !check.agrees();
-        }))
+        findings.push_back(together(shots, explained, checks, doShotsScatter));
+    if (contradicts(checks, Compared::Levels))
         findings.push_back(wrongOrder());
     return findings;
 }

@@ -15,7 +15,8 @@ namespace dyncal {
 /// One finding per quantity and shot that contradicts itself (the worst place of it), with the
 /// causes that explain the contradictions and concern that quantity. What other stages say already
 /// (SHK-010 of the arrivals, RSP-002 of the shots, SHK-006 of the driver) is not said again.
+/// `doShotsScatter`: RSP-002 was raised, so that the shots are the first cause of CHK-005.
 Findings judgeConsistency(const ComparedShots &shots, const std::vector<WayComparison> &checks,
-    const ShockSettings &settings);
+    const ShockSettings &settings, bool doShotsScatter = false);
 
 } // namespace dyncal

@@ -49,10 +49,11 @@ bool changeHumidity(const ShotEvidence &evidence, double size, CheckPoint &point
     return true;
 }
 
-/// A typed step is used as it is, a typed velocity makes the states.
+/// A typed step is used as it is; a typed velocity, or that of typed counters, makes the states.
 bool changeTyped(const ShotEvidence &evidence, double size, CheckPoint &point)
 {
-    const bool velocity = evidence.measurement && !evidence.measurement->velocity.fit;
+    const bool velocity = evidence.measurement
+        && (!evidence.measurement->velocity.fit || !evidence.measurement->counters.empty());
     if (evidence.typedStep_Pa)
         point.step.stepFactor *= std::exp(size);
     else if (velocity)
@@ -61,12 +62,18 @@ bool changeTyped(const ShotEvidence &evidence, double size, CheckPoint &point)
     return true;
 }
 
-bool changeDelays(const ShotEvidence &evidence, double size_s, CheckPoint &point)
+/// Of all side sensors, or of those whose delay somebody typed.
+Fault delays(double usual_s, bool typedAlone)
 {
-    for (Index i = 0; i < point.step.delay_s.size(); ++i)
-        if (!evidence.readings[static_cast<std::size_t>(i)].isDut)
-            point.step.delay_s[i] += size_s;
-    return true;
+    return {FindingCause::Delay, usual_s, 2e-4, false,
+        [typedAlone](const ShotEvidence &evidence, double size_s, CheckPoint &point) {
+            for (Index i = 0; i < point.step.delay_s.size(); ++i) {
+                const SideReading &reading = evidence.readings[static_cast<std::size_t>(i)];
+                if (!reading.isDut && (!typedAlone || reading.isDelayTyped))
+                    point.step.delay_s[i] += size_s;
+            }
+            return true;
+        }};
 }
 
 /// By the sensor's name: its place in the list is another one where a shot missed a sensor.
@@ -97,7 +104,7 @@ std::vector<Fault> possibleFaults(const std::vector<std::string> &sensors)
         };
     };
     std::vector<Fault> list{
-        {C::Typed, 1.0, 4.0, true, changeTyped},
+        {C::Typed, 1.0, 12.0, true, changeTyped},
         {C::Rate, 1.0, 7.0, false,
             plain([](double s, CheckPoint &p) { p.timeFactor *= std::exp(s); })},
         {C::Gas, 0.3, 2.0, false, changeMolarMass},
@@ -109,9 +116,10 @@ std::vector<Fault> possibleFaults(const std::vector<std::string> &sensors)
         {C::Scale, 1.0, 12.0, false,
             plain([](double s, CheckPoint &p) { p.level *= std::exp(s); })},
         {C::Scale, 0.1, 12.0, false, plain([](double s, CheckPoint &p) { p.gain *= std::exp(s); })},
-        {C::Attenuation, 0.005, 0.05, false,
+        {C::Attenuation, 0.005, 0.2, false,
             plain([](double s, CheckPoint &p) { p.step.attenuation_per_m += s; })},
-        {C::Delay, 2e-6, 2e-5, false, changeDelays},
+        delays(2e-6, false),
+        delays(2e-5, true),
     };
     for (const NamedGas &gas : knownGases())
         list.push_back(mixtureWith(gas));

@@ -3,55 +3,41 @@
 
 #include "core/consistency/gathered_evidence.h"
 
-#include "core/base/number_text.h"
-#include "core/capture/channel_units.h"
+#include "core/capture/sensor_card.h"
 #include "core/shock/pressure_units.h"
 
+#include <algorithm>
 #include <cmath>
-#include <string_view>
 
 namespace dyncal {
 namespace {
 
-std::string attribute(const CaptureSet &set, const std::string &sensor, const char *name)
+constexpr const char *kReadsPressure = "Pa/Pa"; ///< the unit of a sensitivity
+
+/// The card's sensitivity in the unit of the calibration; a sensor that is recorded as a pressure
+/// should read what is there.
+std::optional<SensorCard> comparedCard(
+    const std::optional<CardSensitivity> &stated, const std::string &wanted)
 {
-    const auto card = set.sensors.find(sensor);
-    if (card == set.sensors.end())
-        return {};
-    const auto value = card->second.find(name);
-    return value != card->second.end() ? value->second : std::string();
+    const double u = stated && stated->u_relative ? *stated->u_relative : kAssumedCard;
+    if (wanted == kReadsPressure)
+        return SensorCard{1.0, u};
+    if (!stated || stated->unit != wanted)
+        return std::nullopt;
+    return SensorCard{std::abs(stated->value), u};
 }
 
-std::optional<double> positive(const std::string &text)
+/// A charge becomes a voltage in its amplifier, whose gain no card of the sensor knows.
+bool isCharge(const std::string &unit)
 {
-    const auto value = parseNumber(text);
-    return value && std::isfinite(*value) && *value != 0.0 ? value : std::nullopt;
+    return unit.ends_with("C/Pa");
 }
 
-/// "mV/kPa" -> 1e-6 in "V/Pa"; empty where it is no such ratio or ends in another unit.
-std::optional<double> factorTo(const std::string &unit, const std::string &wanted)
+bool isDelayTyped(const ShockSettings &settings, const std::string &channel)
 {
-    const auto stroke = unit.find('/');
-    if (stroke == std::string::npos)
-        return std::nullopt;
-    const std::string above = unit.substr(0, stroke);
-    const auto below = pascalsPer(unit.substr(stroke + 1));
-    if (!below)
-        return std::nullopt;
-    const auto si = siUnitOf(above);
-    const std::string base = si ? si->unit : above;
-    return base + "/Pa" == wanted ? std::optional((si ? si->factor : 1.0) / *below) : std::nullopt;
-}
-
-std::optional<SensorCard> cardOf(
-    const CaptureSet &set, const Channel &dut, const std::string &wanted)
-{
-    const auto stated = positive(attribute(set, dut.sensorId, "sensitivity"));
-    const auto factor = factorTo(attribute(set, dut.sensorId, "sensitivity_unit"), wanted);
-    if (!stated || !factor)
-        return std::nullopt;
-    const auto u = positive(attribute(set, dut.sensorId, "u_sensitivity"));
-    return SensorCard{std::abs(*stated * *factor), u ? std::abs(*u / *stated) : kAssumedCard};
+    return std::ranges::any_of(settings.arrivalSensors, [&](const ArrivalSensor &sensor) {
+        return sensor.channel == channel && sensor.delay_s;
+    });
 }
 
 SideReading readingOf(const CaptureSet &set, const Shot &shot, const Sighting &sighting,
@@ -67,9 +53,8 @@ SideReading readingOf(const CaptureSet &set, const Shot &shot, const Sighting &s
     if (channel == nullptr)
         return reading;
     reading.pascals = pascalsPer(channel->unit);
-    const auto stated = positive(attribute(set, channel->sensorId, "sensitivity"));
-    const auto u = positive(attribute(set, channel->sensorId, "u_sensitivity"));
-    reading.uGain_relative = stated && u ? std::abs(*u / *stated) : kAssumedGain;
+    reading.uGain_relative
+        = relativeUncertaintyOfCard(cardOf(set, *channel)).value_or(kAssumedGain);
     return reading;
 }
 
@@ -96,6 +81,8 @@ ShotEvidence gatherEvidence(const CaptureSet &set, const ShockSettings &settings
     if (evidence.measurement && evidence.measurement->arrivals() != nullptr)
         for (const Sighting &sighting : evidence.measurement->arrivals()->sightings)
             evidence.readings.push_back(readingOf(set, shot, sighting, conditions.seen));
+    for (SideReading &reading : evidence.readings)
+        reading.isDelayTyped = isDelayTyped(settings, reading.channel);
     evidence.stateFromDriver = settings.stateFrom == "p4";
     if (!evidence.stateFromDriver)
         evidence.driver = driverOf(settings, shot, conditions);
@@ -108,7 +95,10 @@ ShotEvidence gatherEvidence(const CaptureSet &set, const ShockSettings &settings
     evidence.sensitivity = std::abs(*sensitivity->sensitivity);
     evidence.uLevel_relative = sensitivity->uLevel_relative;
     evidence.sensitivityUnit = sensitivity->unit;
-    evidence.card = cardOf(set, *dut, sensitivity->unit);
+    const auto stated = sensitivityOfCard(cardOf(set, *dut));
+    evidence.card = comparedCard(stated, sensitivity->unit);
+    if (stated && !evidence.card && !isCharge(stated->unit))
+        evidence.otherUnitOfCard = stated->unit;
     return evidence;
 }
 

@@ -23,9 +23,11 @@ struct SideReading
     std::optional<SideArrival> found; ///< levels in the channel's unit
     std::optional<double> pascals; ///< per unit of the channel; empty: it reads no pressures
     double uGain_relative = kUnknown; ///< of that, as stated or assumed
+    bool isDelayTyped = false;
 };
 
-/// The static or nominal sensitivity on the DUT's card, in the unit of the calibration's.
+/// The static or nominal sensitivity on the DUT's card, in the unit of the calibration's; 1 where
+/// that is pressure over pressure.
 struct SensorCard
 {
     double sensitivity = 0.0;
@@ -55,6 +57,7 @@ struct ShotEvidence
     double uLevel_relative = kUnknown; ///< of the level that it is made of
     std::string sensitivityUnit;
     std::optional<SensorCard> card;
+    std::string otherUnitOfCard; ///< what the card's sensitivity is in, if that contradicts the unit
 };
 
 // Where nothing is stated; docs/method/checks.md.

@@ -237,7 +237,7 @@ using enum StageId;
 
 // Evidence serves every order: model and response do not count for it.
 constexpr std::array<Stage, kStageCount> kStages{{
-    {Captures, "captures", 4, 40, "CAP-", Captures, Captures, true, readCaptures,
+    {Captures, "captures", 5, 40, "CAP-", Captures, Captures, true, readCaptures,
         kept<&R::captures, captures>(), of<&R::captures>},
     {Arrivals, "arrivals", 1, 110, "", Captures, Captures, false, readArrivals,
         kept<&R::starts, arrivals>(), saidElsewhere},
@@ -255,11 +255,11 @@ constexpr std::array<Stage, kStageCount> kStages{{
         readDecomposition, kept<&R::decomposition, decomposition>(), saidElsewhere},
     {Model, "model", 3, 10, "MOD-", Decomposition, Model, true, readModel, kept<&R::model, model>(),
         ofModel},
-    {Shock, "shock", 5, 1, "SHK-", Model, Shock, true, readShock, kept<&R::shock, shock>(),
+    {Shock, "shock", 6, 1, "SHK-", Model, Shock, true, readShock, kept<&R::shock, shock>(),
         of<&R::shock>},
     {Response, "response", 5, 30, "RSP-", Shock, Model, true, readResponse,
         kept<&R::response, response>(), of<&R::response>},
-    {Checks, "checks", 3, 10, "CHK-", Response, Checks, true, readNothing,
+    {Checks, "checks", 4, 10, "CHK-", Response, Checks, true, readNothing,
         kept<&R::checks, checks>(), of<&R::checks>},
     {Assessment, "model assessment", 1, 10, "", Model, Model, true, readNothing,
         kept<&R::assessment, assessment>(), saidElsewhere},

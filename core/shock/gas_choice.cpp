@@ -115,6 +115,9 @@ std::vector<GasWay> waysToDrivenGas(
         ways.push_back({GasSource::RecordedName, named("air", asked), humidity});
     if (ways.empty())
         ways.push_back({GasSource::Assumed, named("air", asked), humidity});
+    if (settings.relativeHumidity && std::isfinite(around.relativeHumidity)) // typed over recorded
+        ways.push_back({GasSource::RecordedName, ways.front().settings,
+            humidityFor(around.relativeHumidity)});
     return ways;
 }
 
@@ -131,6 +134,18 @@ GasSettings chosenDriverGas(const ShockSettings &settings, const CaptureSet &set
         chosen = GasSettings{};
     return chosen;
 }
+
+namespace {
+
+/// Both are air, of two humidities or one of them dry.
+bool isAboutHumidity(const GasWay &used, const GasWay &other)
+{
+    return used.settings == other.settings
+        || (isAir(used.settings.substance) && isAir(other.settings.substance)
+            && used.source == GasSource::Recipe);
+}
+
+} // namespace
 
 std::optional<GasContradiction> gasContradiction(
     const std::vector<GasWay> &ways, const SectionState &state)
@@ -153,9 +168,13 @@ std::optional<GasContradiction> gasContradiction(
         const double a = speedOf(*used);
         const double b = speedOf(*other);
         if (std::abs(b / a - 1.0) > kLargest)
-            return GasContradiction{ways.front(), ways[i], a, b, *other,
-                isAir(ways.front().settings.substance) && isAir(ways[i].settings.substance)
-                    && ways.front().source == GasSource::Recipe};
+            return GasContradiction{.used = ways.front(),
+                .other = ways[i],
+                .usedSpeed_m_s = a,
+                .otherSpeed_m_s = b,
+                .otherModel = *other,
+                .isHumidity = isAboutHumidity(ways.front(), ways[i]),
+                .isTypedHumidity = ways.front().settings == ways[i].settings};
     }
     return std::nullopt;
 }

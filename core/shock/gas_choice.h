@@ -54,6 +54,7 @@ struct GasContradiction
     double otherSpeed_m_s = 0.0;
     GasModel otherModel;
     bool isHumidity = false; ///< both are air, so it is its humidity
+    bool isTypedHumidity = false; ///< and the recipe's differs from the recorded one
 };
 
 /// The first recorded way that contradicts the one used; only what was typed or recorded counts.

@@ -59,6 +59,9 @@ const char *gasText(const GasContradiction &found)
     if (found.used.source == GasSource::RecordedConstants)
         return DYNCAL_TEXT("core",
             "The gas constants recorded in the capture give a speed of sound of %1 in the driven gas, the gas that it names gives %2: with that the pressure step would be %3 % different. The constants are used; choose the driven gas.");
+    if (found.isTypedHumidity)
+        return DYNCAL_TEXT("core",
+            "With the humidity typed the driven gas has a speed of sound of %1, with the one recorded in the capture %2: with that the pressure step would be %3 % different. The typed one is used; correct it (shock.relative_humidity, 0 to 1), or leave it out.");
     if (found.isHumidity)
         return DYNCAL_TEXT("core",
             "The chosen driven gas has a speed of sound of %1, air of the known humidity %2: with that the pressure step would be %3 % different. The chosen gas is used; choose humid air or the recorded gas if that is what was in the tube.");
@@ -222,6 +225,12 @@ void judgeSharedNumbers(const ShockSettings &settings, Index shots, Findings &fi
             DYNCAL_TEXT("core",
                 "The pressure step %1 is typed once and serves all %2 shots: type one for each shot, or none where it is computed."),
             *settings.step_Pa.common, "Pa");
+    for (const ArrivalSensor &sensor : settings.arrivalSensors)
+        if (sensor.arrival_s && sensor.shotArrival_s.empty())
+            report(
+                DYNCAL_TEXT("core",
+                    "One arrival time, %1, is typed for a sensor and serves all %2 shots: type one for each shot, or none where the record shows it."),
+                *sensor.arrival_s, "s");
     if (const auto pressure_Pa = typedStatePressure_Pa(settings))
         report(
             DYNCAL_TEXT("core",
@@ -279,7 +288,8 @@ void judgeTypedPressure(ShockWork &work, double p1_Pa)
             .correction
             = Correction{.label = {DYNCAL_TEXT("core", "Use %1 Pa"), {numberText(fitting_Pa, 6)}},
                 .key = "shock.p1_pa",
-                .value = numberText(fitting_Pa)}});
+                .value = numberText(fitting_Pa)},
+            .causes = {FindingCause::Pressure, FindingCause::Typed}});
         return;
     }
 }

@@ -97,7 +97,7 @@ private slots:
         row("clip@2", {"CAP-007"}, {});
         row("nan@2", {"CAP-006"}, {});
         row("nostep@2", {"CAP-009"}, {});
-        row("swap@2", {"SHK-001"}, {"CAP-010"});
+        row("swap@2", {"SHK-001"}, {"CAP-031", "CAP-010"}); // the DUT is another sensor then
         row("fs50@3", {}, {"CAP-004"});
         row("drift@2", {}, {"WIN-003", "WIN-004"}); // the plateau drifts as the baseline does
         row("psi@2", {}, {"CAP-013"});
@@ -192,7 +192,8 @@ private slots:
         const QString capture = path("psi.h5");
         const Answer imported
             = runDyncal({"import", table, "--profile", path("laboratory.json"), "-o", capture});
-        QVERIFY2(imported.exitCode == 0, imported.err);
+        QVERIFY2(imported.exitCode == 1, imported.err); // the file says bar
+        QVERIFY2(imported.err.contains("CAP-030"), imported.err);
         const QJsonValue channel
             = runDyncal({"info", capture, "--json"}).json()["shots"][0]["channels"][0];
         QCOMPARE(channel["unit"].toString(), QString("Pa"));

@@ -9,28 +9,6 @@
 
 namespace dyncal {
 
-CaptureSet joinedCaptures(CaptureSet first, const CaptureSet &second)
-{
-    const auto inputs = static_cast<Index>(first.inputs.size());
-    const auto shots = static_cast<Index>(first.shots.size());
-    CaptureSet all = std::move(first);
-    all.inputs.insert(all.inputs.end(), second.inputs.begin(), second.inputs.end());
-    for (Shot shot : second.shots) {
-        moveInputs(shot, [&](Index input) { return input + inputs; });
-        all.shots.push_back(std::move(shot));
-    }
-    for (Finding finding : second.findings) {
-        if (finding.shot > 0)
-            finding.shot += shots;
-        all.findings.push_back(std::move(finding));
-    }
-    if (all.tube.empty()) // as on the command line: one description, never a mixture of two
-        all.tube = second.tube;
-    all.sensors.insert(second.sensors.begin(), second.sensors.end());
-    all.instruments.insert(second.instruments.begin(), second.instruments.end());
-    return all;
-}
-
 bool isRecordingOf(const CaptureSet &set, const std::string &path)
 {
     return std::ranges::any_of(set.inputs, [&](const InputFile &input) {

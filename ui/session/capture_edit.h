@@ -10,10 +10,6 @@
 
 namespace dyncal {
 
-/// The recordings of `first` followed by those of `second`; shot numbers in the findings of
-/// `second` are raised to match. Tube and sensor data of the first win.
-CaptureSet joinedCaptures(CaptureSet first, const CaptureSet &second);
-
 /// Whether `path` is one of the recordings: writing there would destroy measured data.
 bool isRecordingOf(const CaptureSet &set, const std::string &path);
 

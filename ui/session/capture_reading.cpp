@@ -3,6 +3,7 @@
 
 #include "ui/session/capture_reading.h"
 
+#include "core/capture/joined_captures.h"
 #include "core/capture/opening/capture_open.h"
 #include "core/capture/opening/channel_files.h"
 #include "ui/session/capture_edit.h"

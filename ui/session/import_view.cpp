@@ -4,10 +4,10 @@
 #include "ui/session/import_view.h"
 
 #include "core/base/number_text.h"
+#include "core/capture/joined_captures.h"
 #include "core/capture/opening/capture_open.h"
 #include "core/capture/opening/channel_files.h"
 #include "core/capture/opening/format_registry.h"
-#include "ui/session/capture_edit.h"
 #include "ui/session/example.h"
 
 #include <algorithm>

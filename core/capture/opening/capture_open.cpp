@@ -5,6 +5,7 @@
 
 #include "core/base/free_memory.h"
 #include "core/capture/capture_seal.h"
+#include "core/capture/joined_captures.h"
 #include "core/capture/natural_order.h"
 #include "core/capture/opening/channel_files.h"
 #include "core/capture/opening/format_registry.h"
@@ -58,23 +59,6 @@ Finding skippedFile(const Error &error)
         = {DYNCAL_TEXT("core", "A file of the folder was left out. %1"), {english(error.message)}}};
 }
 
-void append(CaptureSet &all, CaptureSet part)
-{
-    const Index offset = static_cast<Index>(all.inputs.size());
-    for (Shot &shot : part.shots)
-        moveInputs(shot, [&](Index input) { return input + offset; });
-    const Index shotOffset = static_cast<Index>(all.shots.size());
-    for (Finding &finding : part.findings)
-        finding.shot += finding.shot > 0 ? shotOffset : 0;
-    std::move(part.inputs.begin(), part.inputs.end(), std::back_inserter(all.inputs));
-    std::move(part.shots.begin(), part.shots.end(), std::back_inserter(all.shots));
-    std::move(part.findings.begin(), part.findings.end(), std::back_inserter(all.findings));
-    if (all.tube.empty())
-        all.tube = std::move(part.tube);
-    all.sensors.merge(part.sensors); // keeps existing entries: the first file counts
-    all.instruments.merge(part.instruments);
-}
-
 /// Joins files as they come and collects what went wrong with any of them.
 class CaptureJoiner
 {
@@ -82,7 +66,7 @@ public:
     void add(const Candidate &file, Result<CaptureSet> part)
     {
         if (part)
-            append(m_set, std::move(*part));
+            m_set = joinedCaptures(std::move(m_set), std::move(*part));
         else if (file.named || part.error().kind == ErrorKind::Internal) // no shot is lost silently
             addProblem(part.error());
         else

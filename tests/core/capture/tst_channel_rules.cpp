@@ -46,10 +46,10 @@ struct Shaped
     double first() const { return physicalValues(channel, 0, 1)[0]; }
 };
 
-Shaped shaped(Channel channel, const ImportSettings &settings)
+Shaped shaped(Channel channel, const ImportSettings &settings, const Attributes &card = {})
 {
     Shaped result{std::move(channel), {}, {}};
-    result.done = shapeChannel(result.channel, 3, settings, result.findings);
+    result.done = shapeChannel(result.channel, 3, settings, card, result.findings);
     return result;
 }
 
@@ -138,6 +138,74 @@ private slots:
             QCOMPARE(found.findings[0].value.value(), typed);
             QCOMPARE(found.findings[0].limit.value(), 1e6);
         }
+    }
+
+    void unitInPlaceOfTheFiles_isSaid_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("recipe");
+        QTest::addColumn<double>("scale");
+        QTest::addColumn<QString>("severity"); // "" = nothing said
+        QTest::newRow("another quantity") << "V" << "A" << 1.0 << "caution";
+        QTest::newRow("what nobody knows") << "V" << "foo" << 1.0 << "caution";
+        QTest::newRow("another size") << "V" << "mV" << 1.0 << "caution";
+        QTest::newRow("volts as bar") << "V" << "bar" << 1.0 << "caution";
+        QTest::newRow("volts as bar, by a factor") << "V" << "bar" << 20.0 << "info";
+        QTest::newRow("the same") << "V" << "V" << 1.0 << "";
+        QTest::newRow("the same, spelt out") << "V" << "Volts" << 1.0 << "";
+        QTest::newRow("pascal of the same size") << "hPa" << "mbar" << 1.0 << "";
+        QTest::newRow("file without a unit") << "1" << "V" << 1.0 << "";
+        QTest::newRow("empty in the file") << "" << "V" << 1.0 << "";
+        QTest::newRow("counts") << "counts" << "V" << 1.0 << "";
+    }
+    void unitInPlaceOfTheFiles_isSaid()
+    {
+        QFETCH(QString, file);
+        QFETCH(QString, recipe);
+        QFETCH(double, scale);
+        QFETCH(QString, severity);
+        ImportSettings settings;
+        settings.unit = recipe.toStdString();
+        settings.scale = scale;
+        Channel channel = channelOf(file.toUtf8().constData());
+        const Findings said = shaped(channel, settings).findings;
+        QCOMPARE(said.size(), std::size_t(!severity.isEmpty()));
+        if (!said.empty()) {
+            QCOMPARE(said[0].id, std::string("CAP-030"));
+            QCOMPARE(severityName(said[0].severity), severity.toStdString());
+            QCOMPARE(said[0].shot, Index(0)); // the same of all shots
+            const std::string text = english(said[0].message);
+            QVERIFY2(text.find("'ai0'") != std::string::npos, text.c_str());
+            QVERIFY2(text.find(recipe.toStdString()) != std::string::npos, text.c_str());
+        }
+        channel.role = ChannelRole::Other; // import.unit is the DUT's
+        QVERIFY(shaped(channel, settings).findings.empty());
+    }
+
+    void sameContradiction_isSaidOnce()
+    {
+        ImportSettings settings;
+        settings.unit = "A";
+        Findings findings;
+        for (Index shot = 1; shot <= 3; ++shot) {
+            Channel channel = channelOf("V");
+            QVERIFY(shapeChannel(channel, shot, settings, {}, findings));
+        }
+        QCOMPARE(findings.size(), std::size_t(1));
+    }
+
+    void sensitivityOfTheRecipe_isHeldAgainstTheCard()
+    {
+        ImportSettings settings;
+        settings.channelDetails["ai0"].sensitivity = 2e-5;
+        const Attributes card{{"sensitivity", "10"}, {"sensitivity_unit", "mV/kPa"}};
+        const Shaped other = shaped(channelOf("mV"), settings, card);
+        QCOMPARE(other.findings.size(), std::size_t(1));
+        QCOMPARE(other.findings[0].id, std::string("CAP-032"));
+        QVERIFY(std::abs(other.first() / (0.5e-3 / 2e-5) - 1.0) < 1e-12); // the recipe's is used
+        settings.channelDetails["ai0"].sensitivity = 1e-5;
+        QVERIFY(shaped(channelOf("mV"), settings, card).findings.empty());
+        QVERIFY(shaped(channelOf("mV"), settings).findings.empty());
     }
 
     void mismatch_limitIsTheLaboratorys()

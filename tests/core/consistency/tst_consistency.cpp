@@ -57,6 +57,7 @@ private slots:
     void levels_inOrder();
     void oneLevel_cannotBeCompared();
     void farthestShot_isAComparison();
+    void cardInAnotherUnit_isSaidOnce();
     void disabled_comparesNothing();
 };
 
@@ -97,6 +98,32 @@ void TestConsistency::oneLevel_cannotBeCompared()
     QVERIFY(checkOf(result, Compared::Levels).agrees());
     QVERIFY(!checkOf(result, Compared::Shots).isMade());
     QVERIFY(result.findings.empty());
+}
+
+void TestConsistency::cardInAnotherUnit_isSaidOnce()
+{
+    Bench bench;
+    Channel dut;
+    dut.role = ChannelRole::Dut;
+    dut.sensorId = "dut";
+    bench.set.sensors["dut"] = {{"sensitivity", "12.5e-9"}, {"sensitivity_unit", "V/Pa"}};
+    for (const double velocity : {470.0, 512.8}) {
+        bench.add(ShotLevel::None, velocity);
+        bench.set.shots.back().channels = {dut};
+        ShotSensitivity shot;
+        shot.shot = std::ssize(bench.set.shots);
+        shot.sensitivity = 12.5e-9;
+        shot.uLevel_relative = 1e-3;
+        shot.unit = "A/Pa";
+        bench.response.shots.push_back(shot);
+    }
+    const ConsistencyResult other = bench.compared();
+    QCOMPARE(std::ranges::count(other.findings, std::string("CHK-006"), &Finding::id), 1);
+    QVERIFY(english(other.findings.back().message).find("V/Pa") != std::string::npos);
+    QVERIFY(!checkOf(other, Compared::Sensitivity).isMade());
+    for (ShotSensitivity &shot : bench.response.shots)
+        shot.unit = "V/Pa";
+    QVERIFY(bench.compared().findings.empty());
 }
 
 void TestConsistency::farthestShot_isAComparison()

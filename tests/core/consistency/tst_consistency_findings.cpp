@@ -113,6 +113,8 @@ private slots:
     void wrongOrder_concernsNoSingleShot();
     void scatterWithoutAnyContradiction_isTold();
     void scatterOfWhatWasTyped_namesIt();
+    void scatterOfTheShots_isTheirs();
+    void chanceBeyondCounting_hasABound();
     void contradictionAlone_isNotToldTwice();
     void nothingWrong_nothingTold();
 };
@@ -339,6 +341,36 @@ void TestConsistencyFindings::scatterOfWhatWasTyped_namesIt()
     QCOMPARE(told[0].id, std::string("CHK-005"));
     QCOMPARE(told[0].causes, std::vector<C>{C::Typed});
     QVERIFY(english(told[0].message).find("causes named") != std::string::npos);
+}
+
+void TestConsistencyFindings::scatterOfTheShots_isTheirs()
+{
+    const MadeComparison made = scatteredShots();
+    const Findings told
+        = judgeConsistency(*made.compared, made.compared->comparisons(), {}, true); // RSP-002
+    QCOMPARE(told.size(), std::size_t(1));
+    QCOMPARE(told[0].id, std::string("CHK-005"));
+    QCOMPARE(told[0].causes, std::vector<C>{C::Shots});
+    QVERIFY(english(told[0].message).find("alone") == std::string::npos);
+    // Nor does none contradict alone where another finding tells of one that does.
+    auto checks = made.compared->comparisons();
+    checks.push_back({.of = Compared::Arrival, .shot = 1, .value_a = 2.0, .value_b = 1.0, .u = 0.1});
+    const Findings beside = judgeConsistency(*made.compared, checks, {});
+    QCOMPARE(beside.size(), std::size_t(1));
+    QVERIFY(english(beside[0].message).find("alone") == std::string::npos);
+}
+
+void TestConsistencyFindings::chanceBeyondCounting_hasABound()
+{
+    std::vector<ShotEvidence> evidence;
+    for (Index shot = 1; shot <= 40; ++shot)
+        evidence.push_back(
+            madeOfTypedStep(kMadeSensitivity_V_Pa * (shot % 2 == 0 ? 1.015 : 1.0 / 1.015), shot));
+    const MadeComparison made(std::move(evidence));
+    QVERIFY(made.compared->chance() < 1e-30);
+    const Findings told = judged(made);
+    QCOMPARE(told[0].id, std::string("CHK-005"));
+    QCOMPARE(told[0].message.arguments.at(2), std::string("< 1e-06"));
 }
 
 void TestConsistencyFindings::contradictionAlone_isNotToldTwice()

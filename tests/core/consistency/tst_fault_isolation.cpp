@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/consistency/consistency_findings.h"
+#include "core/shock/counter_fit.h"
 #include "tests/support/made_evidence.h"
 #include "tests/support/test_program.h"
 
@@ -80,6 +81,9 @@ private slots:
     void oneVelocityForAll_isTyped_andBlocks();
     void severalFindings_oneOfEachQuantityAndShot();
     void typedInOneShotAlone_isNamed();
+    void stepsTypedInAnotherUnit_areTyped();
+    void counterThatContradicts_isTyped();
+    void typedDelay_isTold_fromTheScales();
     void distance_isNamed_whereOneShotMissesTheSensor();
     void delay_isNamed_besideAShotWithoutArrivals();
     void onlyWhatAFaultMoves_isMarked();
@@ -166,6 +170,71 @@ void TestFaultIsolation::typedInOneShotAlone_isNamed()
     auto shots = shotsWith([](MadeShot &) {});
     shots[1].typedVelocity_m_s = 1.08 * shots[1].velocity_m_s;
     QCOMPARE(causesOf(shots).front(), C::Typed);
+}
+
+void TestFaultIsolation::stepsTypedInAnotherUnit_areTyped()
+{
+    std::vector<ShotEvidence> evidence;
+    for (const MadeShot &shot : shotsWith([](MadeShot &) {})) {
+        evidence.push_back(madeEvidence(shot, std::ssize(evidence) + 1));
+        ShotEvidence &made = evidence.back();
+        const double inKilopascals = 1e-3 * *made.step_Pa;
+        *made.sensitivity *= 1e3;
+        made.step_Pa = made.typedStep_Pa = made.measurement->typedStep_Pa = inKilopascals;
+    }
+    const MadeComparison made(std::move(evidence));
+    const auto explained = explanations(*made.compared);
+    QCOMPARE(explained.size(), std::size_t(1));
+    QCOMPARE(explained[0].cause, C::Typed);
+}
+
+void TestFaultIsolation::counterThatContradicts_isTyped()
+{
+    std::vector<ShotEvidence> evidence;
+    for (const MadeShot &shot : shotsWith([](MadeShot &s) { s.velocity_m_s = 500.0; })) {
+        evidence.push_back(madeEvidence(shot, std::ssize(evidence) + 1));
+        StepMeasurement &m = *evidence.back().measurement;
+        m.recorded = m.velocity;
+        m.counters = {{.far_m = 0.8, .near_m = 0.3, .time_s = 1.06 * 0.5 / 500.0,
+            .u_distance_m = 2e-4, .u_time_s = 1e-7}};
+        m.velocity = {};
+        m.velocity.fit = fitCounters(m.counters, Attenuation::None, {}).value();
+        m.velocity.velocity_m_s = m.velocity.fit->velocity_m_s;
+        const auto used
+            = shockStates(Gas{}, kMadeP1_Pa, kMadeT1_K, *m.velocity.velocity_m_s).value();
+        const double before_Pa = *evidence.back().step_Pa;
+        evidence.back().step_Pa = used.reflected.pressure_Pa - kMadeP1_Pa;
+        *evidence.back().sensitivity *= before_Pa / *evidence.back().step_Pa;
+    }
+    const MadeComparison made(std::move(evidence));
+    QCOMPARE(explanations(*made.compared).front().cause, C::Typed);
+}
+
+void TestFaultIsolation::typedDelay_isTold_fromTheScales()
+{
+    for (const bool isTyped : {false, true}) {
+        std::vector<ShotEvidence> evidence;
+        for (const MadeShot &shot : shotsWith([](MadeShot &s) { s.places_m = {0.8}; })) {
+            evidence.push_back(madeEvidence(shot, std::ssize(evidence) + 1));
+            VelocityEstimate &arrivals = evidence.back().measurement->velocity;
+            // 40 us too much is taken off, of the return passage too.
+            arrivals.sightings[0].time_s -= 40e-6;
+            evidence.back().readings[0].found->back->time_s -= 40e-6;
+            evidence.back().readings[0].isDelayTyped = isTyped;
+            arrivals.fit = fitVelocity(arrivals.sightings, Attenuation::None).value();
+            arrivals.velocity_m_s = arrivals.fit->velocity_m_s;
+            const double before_Pa = *evidence.back().step_Pa;
+            const auto used
+                = shockStates(Gas{}, kMadeP1_Pa, kMadeT1_K, *arrivals.velocity_m_s).value();
+            evidence.back().step_Pa = used.reflected.pressure_Pa - kMadeP1_Pa;
+            *evidence.back().sensitivity *= before_Pa / *evidence.back().step_Pa;
+        }
+        const MadeComparison made(std::move(evidence));
+        const auto explained = explanations(*made.compared);
+        QCOMPARE(explained.front().cause == C::Delay, isTyped);
+        if (isTyped)
+            QVERIFY(explained.front().chiSquare < 10.0); // 40 us are not usual, but possible
+    }
 }
 
 void TestFaultIsolation::distance_isNamed_whereOneShotMissesTheSensor()

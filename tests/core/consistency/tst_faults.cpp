@@ -122,6 +122,8 @@ private slots:
     void distance_movesItsSensorAlone();
     void distance_isAboveZero();
     void delays_areThoseOfTheSideSensors();
+    void typedDelays_areThoseThatWereTyped();
+    void counters_moveTheVelocity();
     void typedStep_goesBeforeTheTypedVelocity();
     void nothingToActOn_changesNothing();
     void humidity_staysBetweenDryAndSaturated();
@@ -277,6 +279,28 @@ void TestFaults::delays_areThoseOfTheSideSensors()
     QCOMPARE(delays[2], 0.0); // the DUT's onset has none
 }
 
+void TestFaults::typedDelays_areThoseThatWereTyped()
+{
+    ShotEvidence evidence = evidenceOfAll();
+    const Fault typed = faultOf(C::Delay, 1);
+    QVERIFY(taken(typed, evidence, 1e-5).changed().empty());
+    evidence.readings[1].isDelayTyped = true;
+    const Taken moved = taken(typed, evidence, 1e-5);
+    QCOMPARE(moved.changed(), Names{"delays"});
+    const Eigen::VectorXd by = moved.after.step.delay_s - moved.before.step.delay_s;
+    QCOMPARE(by[0], 0.0);
+    QVERIFY(isNear(by[1], 1e-5));
+}
+
+void TestFaults::counters_moveTheVelocity()
+{
+    ShotEvidence evidence = madeEvidence({});
+    const Fault typed = faultOf(C::Typed);
+    QVERIFY(taken(typed, evidence, 0.1).changed().empty()); // of arrivals: nothing typed
+    evidence.measurement->counters = {{.far_m = 0.8, .near_m = 0.3, .time_s = 1e-3}};
+    QCOMPARE(taken(typed, evidence, 0.1).changed(), Names{"velocity"});
+}
+
 void TestFaults::typedStep_goesBeforeTheTypedVelocity()
 {
     ShotEvidence evidence = evidenceOfAll();
@@ -324,9 +348,10 @@ void TestFaults::everyFault_isListedOnce()
         QCOMPARE(fault.perShot, fault.cause == C::Typed);
     }
     for (const C once :
-        {C::Typed, C::Rate, C::Temperature, C::Humidity, C::Pressure, C::Attenuation, C::Delay})
+        {C::Typed, C::Rate, C::Temperature, C::Humidity, C::Pressure, C::Attenuation})
         QCOMPARE(count[once], std::size_t(1));
     QCOMPARE(count[C::Scale], std::size_t(2));
+    QCOMPARE(count[C::Delay], std::size_t(2)); // of all side sensors, and of those typed
     QCOMPARE(count[C::Gas], 1 + knownGases().size());
     QCOMPARE(count[C::Distance], kSensors.size());
     QCOMPARE(possibleFaults({}).size(), possibleFaults(kSensors).size() - 2);

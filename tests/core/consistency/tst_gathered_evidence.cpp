@@ -123,6 +123,46 @@ private slots:
         QVERIFY(!evidenceWith({}).card);
     }
 
+    void card_inAUnitThatContradicts_isRemembered()
+    {
+        const Attributes amperes{{"sensitivity", "2"}, {"sensitivity_unit", "A/Pa"}};
+        QCOMPARE(evidenceWith(amperes).otherUnitOfCard, std::string("A/Pa"));
+        // The amplifier of a charge is between the two.
+        QVERIFY(evidenceWith({{"sensitivity", "20"}, {"sensitivity_unit", "pC/bar"}})
+                    .otherUnitOfCard.empty());
+        QVERIFY(evidenceWith({{"sensitivity", "20"}, {"sensitivity_unit", "V/bar"}})
+                    .otherUnitOfCard.empty());
+        QVERIFY(evidenceWith({}).otherUnitOfCard.empty());
+    }
+
+    void sensorRecordedAsPressure_shouldReadWhatIsThere()
+    {
+        ShotSensitivity shot = sensitivity(0.97);
+        shot.unit = "Pa/Pa";
+        const auto with = [&](const Attributes &card) {
+            return gatherEvidence(captures(card), {}, conditions(), &shot);
+        };
+        QCOMPARE(with({}).card->sensitivity, 1.0);
+        QCOMPARE(with({}).card->u_relative, kAssumedCard);
+        const ShotEvidence known = with({{"sensitivity", "12.5e-9"}, {"sensitivity_unit", "V/Pa"},
+            {"u_sensitivity", "1.25e-10"}});
+        QCOMPARE(known.card->sensitivity, 1.0);
+        QVERIFY(std::abs(known.card->u_relative - 0.01) < 1e-12); // of what it was scaled with
+        QVERIFY(known.otherUnitOfCard.empty());
+    }
+
+    void typedDelay_isMarked()
+    {
+        ShockSettings settings;
+        settings.arrivalSensors = {{.channel = "side 1", .distanceToEndWall_m = 0.8}};
+        QVERIFY(!gatherEvidence(captures({}), settings, conditions(), nullptr)
+                     .readings[0]
+                     .isDelayTyped);
+        settings.arrivalSensors[0].delay_s = 1e-6;
+        const ShotEvidence typed = gatherEvidence(captures({}), settings, conditions(), nullptr);
+        QVERIFY(typed.readings[0].isDelayTyped && !typed.readings[1].isDelayTyped);
+    }
+
     void statedUncertaintyOfTheCard_isTaken()
     {
         const ShotEvidence evidence = evidenceWith({{"sensitivity", "12.5e-9"},

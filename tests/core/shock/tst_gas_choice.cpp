@@ -127,6 +127,27 @@ private slots:
         QVERIFY(std::abs(soundSpeed_m_s(said.used(), 20e3, 320.0) / ideal - 1.0) < 1e-3);
     }
 
+    void typedHumidity_isHeldAgainstTheRecordedOne()
+    {
+        const SectionState state{1e5, 294.15, 0.0, kUsualCarbonDioxide};
+        Said said;
+        said.around.relativeHumidity = 0.1;
+        for (const double agrees : {0.1, 0.15, 0.2}) {
+            said.settings.relativeHumidity = agrees;
+            QVERIFY(!gasContradiction(said.ways(), state));
+        }
+        said.settings.relativeHumidity = 0.9;
+        const auto humid = gasContradiction(said.ways(), state);
+        QVERIFY(humid && humid->isHumidity && humid->isTypedHumidity);
+        QCOMPARE(humid->other.humidity.value, 0.1);
+        QVERIFY(humid->otherSpeed_m_s < humid->usedSpeed_m_s);
+        said.set.tube["driven_gas"] = "n2"; // has none
+        QVERIFY(!gasContradiction(said.ways(), state));
+        said.set.tube.clear();
+        said.around.relativeHumidity = std::numeric_limits<double>::quiet_NaN();
+        QVERIFY(!gasContradiction(said.ways(), state));
+    }
+
     void contradictions_areFoundAboveTheLimitOnly()
     {
         const SectionState state{1e5, 294.15, 0.0, kUsualCarbonDioxide};

@@ -97,6 +97,7 @@ private slots:
     void typedStep_hasNoUncertaintyOfTheStep();
     void typedStep_hasTheUStated();
     void oneNumberForSeveralShots_isSaid();
+    void oneArrivalForSeveralShots_isSaid();
     void listOfTheWrongLength_isRefused();
     void beyondTheTube_blocks();
 };
@@ -137,6 +138,7 @@ void TestShockFindings::psiForPascal_offersPascal()
         const Finding *finding = findingWithId(result, "SHK-011");
         QVERIFY(finding && finding->correction);
         QCOMPARE(finding->correction->key, std::string("shock.p1_pa"));
+        QCOMPARE(finding->causes.front(), FindingCause::Pressure);
         QVERIFY(std::abs(std::stod(finding->correction->value) / pascals - 1.0) < 1e-12);
     }
     for (const double fine : {101100.0, 454.0, 50e3}) {
@@ -376,6 +378,20 @@ void TestShockFindings::oneNumberForSeveralShots_isSaid()
     const auto mixed = estimated(set, listed);
     QVERIFY(!mixed.shots[0].stepTyped && mixed.shots[1].stepTyped);
     QCOMPARE(*mixed.shots[1].step_Pa, 3e5);
+}
+
+void TestShockFindings::oneArrivalForSeveralShots_isSaid()
+{
+    CaptureSet set = thesisSet();
+    set.shots.push_back(set.shots.front());
+    ShockSettings settings = typedVelocity();
+    settings.velocity_m_s = PerShot({kVelocity_m_s, kVelocity_m_s});
+    settings.arrivalSensors = {{.channel = "side", .distanceToEndWall_m = 0.8, .arrival_s = -1e-3}};
+    const auto once = estimated(set, settings);
+    const Finding *said = findingWithId(once, "SHK-018");
+    QVERIFY(said && english(said->message).find("-1 ms") != std::string::npos);
+    settings.arrivalSensors[0].shotArrival_s = {-1e-3, -1.1e-3};
+    QVERIFY(!findingWithId(estimated(set, settings), "SHK-018"));
 }
 
 void TestShockFindings::listOfTheWrongLength_isRefused()

@@ -35,6 +35,8 @@ void noteWarnings(QtMsgType type, const QMessageLogContext &, const QString &tex
 {
     static std::mutex mutex;
     const std::lock_guard lock(mutex);
+    if (type == QtFatalMsg) // the program ends here
+        std::fprintf(stderr, "%s\n", qPrintable(text));
     // Of the platform without a screen: it has no window manager to ask.
     const bool isOfPlatform = text.startsWith("This plugin does not support");
     if (type != QtDebugMsg && type != QtInfoMsg && !isOfPlatform && warnings().size() < 20)
@@ -137,6 +139,8 @@ void TestMonkey::randomActs_breakNothing()
     int acts = 0;
     for (int round = 0; round < rounds && faults.isEmpty(); ++round) {
         guard.pause(); // opening has a patience of its own
+        while (QPointer<QWidget> menu = QApplication::activePopupWidget())
+            menu->close(); // or its answer would act on what is opened next
         bench.window->session().reset({});
         bench.window->resize(1400, 900);
         bench.window->showPage(0);

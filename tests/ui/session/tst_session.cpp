@@ -104,7 +104,6 @@ private slots:
     void affected_shock_startsAtExpected();
     void removeShot_movesNumbersAndIsUndoable();
     void removeShot_movesStretchesAndModes();
-    void join_movesNumbersOfFindings();
     void findingIds_leadToStages();
 };
 
@@ -442,21 +441,6 @@ void TestSession::removeShot_movesStretchesAndModes()
     QVERIFY(recipe.realization.nuisanceModes
         == (std::vector<NuisanceMode>{mode({1e4}, 0, true), mode({2e4}, 1, true),
             mode({4e4}, 0, false), mode({5e4}, 2, true), mode({1e3, 3e3}, 0, true)}));
-}
-
-void TestSession::join_movesNumbersOfFindings()
-{
-    CaptureSet first = *threeShots().captures;
-    CaptureSet second = first;
-    Finding finding;
-    finding.shot = 2;
-    second.findings = {finding};
-    const CaptureSet all = joinedCaptures(first, second);
-    QCOMPARE(all.shots.size(), std::size_t(6));
-    QCOMPARE(all.inputs.size(), std::size_t(4));
-    QCOMPARE(all.shots[3].input, Index(2));
-    QCOMPARE(all.shots[5].input, Index(3));
-    QCOMPARE(all.findings[0].shot, Index(5));
 }
 
 void TestSession::findingIds_leadToStages()
