@@ -3,11 +3,13 @@
 
 #include "core/signal/automatic_length.h"
 
+#include "core/signal/fft.h"
 #include "core/signal/level_statistics.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace dyncal {
 namespace {
@@ -20,6 +22,12 @@ constexpr Index kLeastLasting = 3; ///< at the end of the record
 constexpr double kDepartureShare = 0.03; ///< of the step
 constexpr double kDepartureSigmas = 6.0;
 constexpr double kDecayed = 1.5; ///< rms of a block over the noise
+// Ringing in the blocks: a peak of the power spectrum of their differences, in which the end of a
+// plateau is flat and drift is small.
+constexpr Index kLeastPeriods = 4; ///< on record
+constexpr Index kPeriodsLookedAt = 3; ///< for its size
+constexpr double kOverMedian = 25.0; ///< of the power: noise alone reaches 15
+constexpr double kProminence = 10.0; ///< over the least power an octave below and above
 
 /// `reduce` of the finite samples of each block after `start`; NaN for blocks without any.
 template <typename Reduction>
@@ -38,11 +46,13 @@ Eigen::VectorXd blockValues(
 /// Whether the blocks from `first` on leave the level of the latter half of those before, for as
 /// long as the plateau has lasted so far or to the end. Half a period of slow ringing does not last
 /// that long. Ringing, or a slow rise or droop that goes on, does not leave the range of the blocks
-/// before.
-bool departs(const Eigen::VectorXd &levels, Index first, double baseline, double noise)
+/// before. The last `shared` of these hold samples of block `first`, and say nothing.
+bool departs(
+    const Eigen::VectorXd &levels, Index first, Index shared, double baseline, double noise)
 {
     const Index count = std::min(std::max(kLasting, first), levels.size() - first);
-    const Eigen::VectorXd before = finiteOnly(levels.segment(first / 2, first - first / 2));
+    const Eigen::VectorXd before
+        = finiteOnly(levels.segment(first / 2, std::max(first - first / 2 - shared, Index(0))));
     if (count < kLeastLasting || before.size() == 0)
         return false;
     const double plateau = median(before);
@@ -52,17 +62,66 @@ bool departs(const Eigen::VectorXd &levels, Index first, double baseline, double
     return (difference > distance).all() || (difference < -distance).all();
 }
 
+/// Mean of `count` blocks from each one on: ringing of that period is not seen in it.
+Eigen::VectorXd runningMean(const Eigen::VectorXd &levels, Index count)
+{
+    Eigen::VectorXd means(levels.size() - count + 1);
+    for (Index b = 0; b < means.size(); ++b)
+        means[b] = levels.segment(b, count).mean();
+    return means;
+}
+
+/// Whether ringing of that period is large enough to be taken for a departure.
+bool isLarge(const Eigen::VectorXd &levels, Index period, double baseline)
+{
+    const Index count = std::min(kPeriodsLookedAt * period, levels.size() - period + 1);
+    const Eigen::VectorXd mean = runningMean(levels.head(count + period - 1), period);
+    const double ringing
+        = std::sqrt((levels.segment(period / 2, count) - mean).squaredNorm()
+            / static_cast<double>(count));
+    return ringing > 0.5 * kDepartureShare * std::abs(median(levels) - baseline);
+}
+
 } // namespace
+
+Index slowestRinging_blocks(const Eigen::VectorXd &levels)
+{
+    if (levels.size() < 2 * kLeastPeriods + 2 || !levels.allFinite())
+        return 0;
+    const Index count = levels.size() - 1;
+    Eigen::VectorXd steps = levels.tail(count) - levels.head(count);
+    steps.array() -= steps.mean();
+    for (Index i = 0; i < count; ++i) {
+        const double turn = 2.0 * std::numbers::pi * (static_cast<double>(i) + 0.5);
+        steps[i] *= 0.5 - 0.5 * std::cos(turn / static_cast<double>(count));
+    }
+    const Eigen::VectorXd power = RealFft(count).forward(steps).cwiseAbs2();
+    const double floor = kOverMedian * median(power.tail(power.size() - 1));
+    for (Index k = kLeastPeriods; 2 * k < power.size(); ++k) {
+        const bool isPeak = power[k] > floor && power[k] >= power[k - 1] && power[k] >= power[k + 1]
+            && power[k] > kProminence * power.segment(k / 2, k - k / 2).minCoeff()
+            && power[k] > kProminence * power.segment(k + 1, k).minCoeff();
+        if (isPeak)
+            return (count + k - 1) / k;
+    }
+    return 0;
+}
 
 Index automaticStepLength(
     const Channel &channel, Index start, Index limit, double baseline, double noiseSd)
 {
     const Index block = std::max(limit / kBlocks, kLeastBlock);
-    const Eigen::VectorXd levels = blockValues(channel, start, limit, block,
+    Eigen::VectorXd levels = blockValues(channel, start, limit, block,
         [](const Eigen::VectorXd &samples) { return samples.mean(); });
     const double noise = kDepartureSigmas * noiseSd / std::sqrt(static_cast<double>(block));
-    for (Index b = kFirstBlocks; b < levels.size(); ++b) {
-        if (departs(levels, b, baseline, noise))
+    Index shared = 0;
+    const Index period = slowestRinging_blocks(levels);
+    if (period > 1 && isLarge(levels, period, baseline)) {
+        levels = runningMean(levels, period);
+        shared = period - 1;
+    }
+    for (Index b = std::max(kFirstBlocks, 4 * shared); b < levels.size(); ++b) {
+        if (departs(levels, b, shared, baseline, noise))
             return static_cast<Index>(kUsedShare * static_cast<double>(b * block));
     }
     return limit;

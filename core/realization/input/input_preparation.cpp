@@ -89,8 +89,8 @@ Result<void> chooseRate(const std::vector<Source> &list, const SensorTraits &tra
     if (!findings)
         return tl::unexpected(findings.error());
     input.findings = std::move(*findings);
-    if (traits.resonance_Hz)
-        input.samplesPerPeriod = input.sampleRate_Hz / *traits.resonance_Hz;
+    if (!traits.ringing.empty())
+        input.samplesPerPeriod = input.sampleRate_Hz / traits.ringing.front().frequency_Hz;
     return {};
 }
 

@@ -20,18 +20,38 @@ constexpr double kFewestPerRise = 10.0;
 constexpr double kLargestFilterPerRise = 0.5;
 constexpr double kRingTimes = 12.0; ///< e^-12: nothing of the ringing is left
 constexpr double kRiseTimes = 20.0;
+constexpr double kStandsOut_dB = 6.0; ///< below the most prominent
+constexpr double kHarmonic = 0.03; ///< from a whole multiple
 
 bool keepsResponse(double rate_Hz, Index factor, const SensorTraits &traits)
 {
     const double reduced_Hz = rate_Hz / static_cast<double>(factor);
     const double span_s = antiAliasSpan_s(static_cast<double>(factor), rate_Hz);
-    if (traits.resonance_Hz)
-        return reduced_Hz >= kFewestPerPeriod * *traits.resonance_Hz
-            && span_s <= traits.ringTime_s.value_or(0.0);
+    if (!traits.ringing.empty())
+        return std::ranges::all_of(traits.ringing, [&](const RingingTraits &one) {
+            return reduced_Hz >= kFewestPerPeriod * one.frequency_Hz
+                && span_s <= one.ringTime_s.value_or(0.0);
+        });
     if (traits.riseTime_s)
         return reduced_Hz >= kFewestPerRise / *traits.riseTime_s
             && span_s <= kLargestFilterPerRise * *traits.riseTime_s;
     return false;
+}
+
+/// The harmonics of a burst are no modes of their own.
+bool standsOut(const Resonance &one, const Resonance &main)
+{
+    const double ratio = one.frequency_Hz / main.frequency_Hz;
+    // A wide maximum says its own frequency to a quarter of its width only.
+    const double width = main.q > 0.0 ? 0.25 * std::round(ratio) / main.q : 0.0;
+    const bool isHarmonic
+        = ratio > 1.5 && std::abs(ratio - std::round(ratio)) < std::max(kHarmonic, width);
+    return !isHarmonic && one.prominence_dB >= main.prominence_dB - kStandsOut_dB;
+}
+
+Index samplesOf(double span_s, double rate_Hz)
+{
+    return static_cast<Index>(std::clamp(std::ceil(span_s * rate_Hz), 200.0, 1000.0));
 }
 
 } // namespace
@@ -40,11 +60,13 @@ SensorTraits sensorTraits(
     const std::vector<WindowedResponse> &responses, const SpectrumResult &spectrum)
 {
     SensorTraits traits;
-    if (!spectrum.resonances.empty()) {
-        const Resonance &main = spectrum.resonances.front();
-        traits.resonance_Hz = main.frequency_Hz;
-        if (main.q > 0.0)
-            traits.ringTime_s = main.q / (std::numbers::pi * main.frequency_Hz);
+    for (const Resonance &resonance : spectrum.resonances) {
+        if (!standsOut(resonance, spectrum.resonances.front()))
+            continue;
+        traits.ringing.push_back({resonance.frequency_Hz, std::nullopt});
+        if (resonance.q > 0.0)
+            traits.ringing.back().ringTime_s
+                = resonance.q / (std::numbers::pi * resonance.frequency_Hz);
     }
     double sum = 0.0;
     int count = 0;
@@ -77,22 +99,21 @@ Index chooseReduction(double rate_Hz, const SensorTraits &traits)
 
 Index chooseSamples(double rate_Hz, const SensorTraits &traits)
 {
-    double span_s = 0.0;
-    if (traits.ringTime_s)
-        span_s = kRingTimes * *traits.ringTime_s;
-    else if (traits.riseTime_s)
+    std::optional<double> span_s;
+    for (const RingingTraits &one : traits.ringing)
+        if (one.ringTime_s)
+            span_s = std::max(span_s.value_or(0.0), kRingTimes * *one.ringTime_s);
+    if (!span_s && traits.riseTime_s)
         span_s = kRiseTimes * *traits.riseTime_s;
-    else
-        return 1000;
-    return static_cast<Index>(std::clamp(std::ceil(span_s * rate_Hz), 200.0, 1000.0));
+    return span_s ? samplesOf(*span_s, rate_Hz) : 1000;
 }
 
 Result<Findings> judgeRate(double rate_Hz, const SensorTraits &traits)
 {
     Findings findings;
-    if (!traits.resonance_Hz)
+    if (traits.ringing.empty())
         return findings;
-    const double f_Hz = *traits.resonance_Hz;
+    const double f_Hz = traits.ringing.front().frequency_Hz;
     const double perPeriod = rate_Hz / f_Hz;
     if (perPeriod <= 2.0) {
         const double alias_Hz = std::abs(f_Hz - rate_Hz * std::round(f_Hz / rate_Hz));

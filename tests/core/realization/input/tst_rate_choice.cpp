@@ -33,8 +33,7 @@ SpectrumResult spectrumWith(double frequency_Hz, double q)
 SensorTraits ringing(double resonance_Hz, double ringTime_s)
 {
     SensorTraits traits;
-    traits.resonance_Hz = resonance_Hz;
-    traits.ringTime_s = ringTime_s;
+    traits.ringing = {{resonance_Hz, ringTime_s}};
     return traits;
 }
 
@@ -78,6 +77,29 @@ private slots:
         }
     }
 
+    void everyResonanceThatStandsOut_isKept()
+    {
+        // The most prominent one is the lowest; the highest decays first.
+        SpectrumResult spectrum;
+        spectrum.resonances = {{75e3, 25.0, 100.0, {}}, {318e3, 24.0, 25.0, {}},
+            {30e3, 19.1, 40.0, {}}, {3.01e6, 18.9, 5.0, {}}};
+        const SensorTraits traits = sensorTraits({}, spectrum);
+        QCOMPARE(traits.ringing.size(), std::size_t(3));
+        QCOMPARE(chooseReduction(10e6, traits), Index(5)); // 2 MHz: 6.3 per period of 318 kHz
+        QCOMPARE(chooseReduction(10e6, ringing(75e3, 4e-4)), Index(20)); // for that one alone
+        // A comb of harmonics belongs to one burst.
+        spectrum.resonances
+            = {{3.5e6, 14.0, 9.0, {}}, {6.99e6, 13.0, 17.0, {}}, {20.98e6, 12.0, 49.0, {}}};
+        QCOMPARE(sensorTraits({}, spectrum).ringing.size(), std::size_t(1));
+        spectrum.resonances[2].frequency_Hz = 5.05 * 3.5e6; // a wide maximum, read a little low
+        QCOMPARE(sensorTraits({}, spectrum).ringing.size(), std::size_t(1));
+        spectrum.resonances[2].frequency_Hz = 5.4 * 3.5e6;
+        QCOMPARE(sensorTraits({}, spectrum).ringing.size(), std::size_t(2));
+        const double longest_s = 100.0 / (std::numbers::pi * 75e3);
+        QCOMPARE(chooseSamples(100e3, traits),
+            static_cast<Index>(std::ceil(12.0 * longest_s * 100e3)));
+    }
+
     void reduction_isTheLargestThatKeepsTheRise()
     {
         std::mt19937_64 random(5);
@@ -106,7 +128,7 @@ private slots:
         QCOMPARE(chooseReduction(7.99e6, ringing(1e6, 1.0)), Index(1));
         // A resonance without a known Q says nothing of the ring time: no reduction.
         SensorTraits noQ;
-        noQ.resonance_Hz = 1e3;
+        noQ.ringing = {{1e3, std::nullopt}};
         noQ.riseTime_s = 1.0;
         QCOMPARE(chooseReduction(1e6, noQ), Index(1));
     }
@@ -147,7 +169,7 @@ private slots:
         QCOMPARE(chooseSamples(1e7, traits), Index(1000)); // 6000 too many
         traits.riseTime_s = 1e-5; // the ringing lasts longer, and is known
         QCOMPARE(chooseSamples(1e6, traits), Index(600));
-        traits.ringTime_s.reset();
+        traits.ringing[0].ringTime_s.reset();
         QCOMPARE(chooseSamples(2.5e6, traits), Index(500)); // 20 x 25
         QCOMPARE(chooseSamples(1e6, {}), Index(1000));
         // Part of a sample is a sample.
@@ -164,17 +186,18 @@ private slots:
     void traits_areOfTheMostProminentResonance_andTheMeanRise()
     {
         const SensorTraits traits = sensorTraits({}, spectrumWith(2e5, 25.0));
-        QCOMPARE(*traits.resonance_Hz, 2e5);
+        QCOMPARE(traits.ringing.size(), std::size_t(1)); // the other one is 20 dB below
+        QCOMPARE(traits.ringing[0].frequency_Hz, 2e5);
         // A decay e^(-pi f t / Q): Q/(pi f) is its time constant.
-        QVERIFY(std::abs(*traits.ringTime_s - 25.0 / (std::numbers::pi * 2e5)) < 1e-15);
+        QVERIFY(std::abs(*traits.ringing[0].ringTime_s - 25.0 / (std::numbers::pi * 2e5)) < 1e-15);
         QVERIFY(!traits.riseTime_s);
-        QVERIFY(!sensorTraits({}, spectrumWith(2e5, 0.0)).ringTime_s);
+        QVERIFY(!sensorTraits({}, spectrumWith(2e5, 0.0)).ringing[0].ringTime_s);
         std::vector<WindowedResponse> responses(3);
         responses[0].riseTime_s = 1e-6;
         responses[2].riseTime_s = 4e-6; // the second shows none
         const SensorTraits rise = sensorTraits(responses, {});
         QCOMPARE(*rise.riseTime_s, 2.5e-6);
-        QVERIFY(!rise.resonance_Hz && !rise.ringTime_s);
+        QVERIFY(rise.ringing.empty());
     }
 
     void rateThatCannotHoldTheResonance_namesWhereItWouldAppear_data()

@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/signal/automatic_length.h"
+#include "tests/support/signals.h"
+#include "tests/support/test_program.h"
+
+#include <QtTest>
+
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <random>
+
+using namespace dyncal;
+
+namespace {
+
+constexpr Index kSamples = 50000;
+constexpr double kNoise = 0.003;
+
+struct Mode
+{
+    double period; ///< samples
+    double zeta;
+    double share; ///< of the step
+};
+
+/// 1 - sum of the modes' ringing, from sample 0 on, plus `later`, with white noise.
+Eigen::VectorXd response(const std::vector<Mode> &modes,
+    const std::function<double(double)> &later = [](double) { return 0.0; }, unsigned seed = 1)
+{
+    std::mt19937 random(seed);
+    std::normal_distribution<double> noise(0.0, kNoise);
+    Eigen::VectorXd values(kSamples);
+    for (Index i = 0; i < kSamples; ++i) {
+        const double t = static_cast<double>(i) + 0.5;
+        values[i] = 1.0 + later(t) + noise(random);
+        for (const Mode &mode : modes) {
+            const double turn = 2.0 * std::numbers::pi * t / mode.period;
+            values[i] -= mode.share * std::exp(-mode.zeta * turn) * std::cos(turn);
+        }
+    }
+    return values;
+}
+
+Index lengthOf(const Eigen::VectorXd &values)
+{
+    return automaticStepLength(
+        testing::doubleChannel(values, 1e6), 0, values.size(), 0.0, kNoise);
+}
+
+/// Down to 0.4 from there on, as a wave from the driver makes it.
+std::function<double(double)> fallAt(double begin, double time)
+{
+    return [=](double t) { return t < begin ? 0.0 : -0.6 * (1.0 - std::exp(-(t - begin) / time)); };
+}
+
+/// Means as automaticStepLength() makes them of that record.
+Eigen::VectorXd levels(const Eigen::VectorXd &values)
+{
+    Eigen::VectorXd means(1000);
+    for (Index b = 0; b < means.size(); ++b)
+        means[b] = values.segment(50 * b, 50).mean();
+    return means;
+}
+
+} // namespace
+
+class TestAutomaticLength : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void slowRinging_isNoEndOfThePlateau_data()
+    {
+        QTest::addColumn<double>("zeta");
+        for (const double zeta : {0.0005, 0.002, 0.01, 0.02, 0.05})
+            QTest::addRow("zeta %g", zeta) << zeta;
+    }
+
+    void slowRinging_isNoEndOfThePlateau()
+    {
+        QFETCH(double, zeta);
+        for (double period = 200.0; period < 12000.0; period *= 1.07)
+            for (const double share : {1.0, 0.3}) {
+                const Index length = lengthOf(response({{period, zeta, share}}));
+                QVERIFY2(length == kSamples, qPrintable(QString::number(period)));
+            }
+    }
+
+    void severalModes_areNoEndEither()
+    {
+        std::mt19937 random(3);
+        std::uniform_real_distribution<double> between(0.0, 1.0);
+        for (unsigned i = 0; i < 60; ++i) {
+            std::vector<Mode> modes;
+            for (int k = 0; k < 3; ++k)
+                modes.push_back({400.0 + 3100.0 * between(random),
+                    0.001 + 0.03 * between(random), 0.2 + 0.3 * between(random)});
+            QCOMPARE(lengthOf(response(modes, fallAt(2.0 * kSamples, 1.0), i)), kSamples);
+        }
+    }
+
+    void endBehindSlowRinging_isFound_data()
+    {
+        QTest::addColumn<double>("period");
+        QTest::addColumn<double>("end");
+        QTest::addColumn<double>("fall");
+        for (const double period : {300.0, 500.0, 1500.0})
+            for (const double end : {12000.0, 20000.0, 35000.0})
+                for (const double fall : {50.0, 500.0})
+                    QTest::addRow("%g, %g, %g", period, end, fall) << period << end << fall;
+    }
+
+    void endBehindSlowRinging_isFound()
+    {
+        QFETCH(double, period);
+        QFETCH(double, end);
+        QFETCH(double, fall);
+        // What is kept ends before the fall, and lacks two periods or a fifth at most.
+        const auto length
+            = static_cast<double>(lengthOf(response({{period, 0.02, 1.0}}, fallAt(end, fall))));
+        QVERIFY2(length < end, qPrintable(QString::number(length)));
+        QVERIFY2(length > 0.9 * end - 2.0 * period, qPrintable(QString::number(length)));
+    }
+
+    void plateauWithoutRinging_endsWhereItDid()
+    {
+        for (const double end : {5000.0, 20000.0, 40000.0}) {
+            const Index length = lengthOf(response({}, fallAt(end, 50.0)));
+            QVERIFY(std::abs(static_cast<double>(length) / (0.9 * end) - 1.0) < 0.02);
+        }
+        QCOMPARE(lengthOf(response({})), kSamples);
+    }
+
+    void period_isFound()
+    {
+        for (const double period : {300.0, 777.0, 3000.0, 9000.0}) {
+            const Index found = slowestRinging_blocks(levels(response({{period, 0.005, 0.5}})));
+            // To a bin: the record has count/period of them.
+            const double bins = 50000.0 / period;
+            QVERIFY(std::abs(50.0 * static_cast<double>(found) / period - 1.0)
+                < 1.0 / bins + 50.0 / period);
+        }
+        const Index slowest = slowestRinging_blocks(
+            levels(response({{2000.0, 0.005, 0.2}, {500.0, 0.005, 0.8}})));
+        QVERIFY(std::abs(static_cast<double>(slowest) - 40.0) < 3.0);
+    }
+
+    void whatDoesNotRing_hasNoPeriod()
+    {
+        int found = 0;
+        for (unsigned seed = 0; seed < 200; ++seed)
+            found += slowestRinging_blocks(levels(response({}, fallAt(9e9, 1.0), seed))) > 0 ? 1 : 0;
+        QVERIFY2(found <= 2, qPrintable(QString::number(found)));
+        QCOMPARE(slowestRinging_blocks(levels(response({}, fallAt(2e4, 50.0)))), Index(0));
+        QCOMPARE(slowestRinging_blocks(levels(response({}, fallAt(2e4, 5000.0)))), Index(0));
+        QCOMPARE(
+            slowestRinging_blocks(levels(response({}, [](double t) { return 1e-5 * t; }))), Index(0));
+        Eigen::VectorXd gap = levels(response({{2000.0, 0.005, 0.5}}));
+        gap[7] = std::nan("");
+        QCOMPARE(slowestRinging_blocks(gap), Index(0));
+        QCOMPARE(slowestRinging_blocks(Eigen::VectorXd::Ones(9)), Index(0));
+    }
+};
+
+DYNCAL_TEST(TestAutomaticLength)
+#include "tst_automatic_length.moc"
