@@ -144,9 +144,9 @@ bool isKnownUnit(const std::string &unit)
     return siUnitOf(unit) || (isSensorUnit(unit) && unit != "1" && !unit.empty());
 }
 
-/// CAP-030: the recipe's unit in place of the file's; with a factor it may be meant as a conversion.
-void reportReplacedUnit(
-    const Channel &channel, const ChannelImport &details, Findings &findings)
+/// CAP-030: the recipe's unit in place of the file's; with a factor it may be meant as a
+/// conversion.
+void reportReplacedUnit(const Channel &channel, const ChannelImport &details, Findings &findings)
 {
     const std::string &unit = *details.unit;
     const SiUnit recorded = siUnitOf(channel.unit).value_or(SiUnit{channel.unit});
@@ -158,10 +158,11 @@ void reportReplacedUnit(
     Finding finding{.id = "CAP-030",
         .severity = factor == 1.0 ? Severity::Caution : Severity::Info,
         .channel = channel.name,
-        .message = {factor == 1.0 ? DYNCAL_TEXT("core",
-                        "Channel '%1': the recipe reads the numbers as %2, the file states %3, and no scale converts them: leave out the unit, or give the scale that belongs to it.")
-                                  : DYNCAL_TEXT("core",
-                                      "Channel '%1': the recipe reads the numbers as %2, with a factor of %4 in place of the file's %3."),
+        .message = {factor == 1.0
+                ? DYNCAL_TEXT("core",
+                    "Channel '%1': the recipe reads the numbers as %2, the file states %3, and no scale converts them: leave out the unit, or give the scale that belongs to it.")
+                : DYNCAL_TEXT("core",
+                    "Channel '%1': the recipe reads the numbers as %2, with a factor of %4 in place of the file's %3."),
             {channel.name, unit, channel.unit, numberText(factor, 6)}},
         .causes = {FindingCause::Scale}};
     if (factor != 1.0)

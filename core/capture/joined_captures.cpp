@@ -36,7 +36,8 @@ void addSensors(CaptureSet &all, CaptureSet &part)
 template <typename T>
 void moveBehind(std::vector<T> &all, std::vector<T> &part)
 {
-    all.insert(all.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
+    all.insert(
+        all.end(), std::make_move_iterator(part.begin()), std::make_move_iterator(part.end()));
 }
 
 } // namespace

@@ -67,8 +67,7 @@ void addLevels(
 }
 
 /// CHK-006, once for all shots.
-void addOtherUnit(
-    const std::vector<std::unique_ptr<ShotEvidence>> &evidence, Findings &findings)
+void addOtherUnit(const std::vector<std::unique_ptr<ShotEvidence>> &evidence, Findings &findings)
 {
     for (const auto &shot : evidence) {
         if (shot->otherUnitOfCard.empty())
@@ -110,8 +109,8 @@ ConsistencyResult compareWays(const CaptureSet &set, const ShockSettings &settin
     result.checks = compared.comparisons();
     addShots(response, result.checks);
     addLevels(set, shock, result.checks);
-    const bool doShotsScatter = std::ranges::find(
-        response.summary.findings, std::string("RSP-002"), &Finding::id)
+    const bool doShotsScatter
+        = std::ranges::find(response.summary.findings, std::string("RSP-002"), &Finding::id)
         != response.summary.findings.end();
     result.findings = judgeConsistency(compared, result.checks, settings, doShotsScatter);
     addOtherUnit(evidence, result.findings);

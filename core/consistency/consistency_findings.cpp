@@ -176,10 +176,10 @@ Finding together(const ComparedShots &shots, const std::vector<ExplainedBy> &exp
     std::ranges::transform(explained, causes.begin(), &ExplainedBy::cause);
     if (doShotsScatter)
         causes.insert(causes.begin(), FindingCause::Shots);
-    const bool isAlone = !doShotsScatter
-        && std::ranges::all_of(checks, [](const WayComparison &check) {
-               return check.agrees() || check.of == Compared::Levels;
-           });
+    const bool isAlone
+        = !doShotsScatter && std::ranges::all_of(checks, [](const WayComparison &check) {
+              return check.agrees() || check.of == Compared::Levels;
+          });
     const char *text = !isAlone
         ? DYNCAL_TEXT("core",
             "Beside what other findings say, all %1 comparisons together leave a chi-square of %2, which happens by chance in %3 % of calibrations: look at the largest differences, and at the causes named.")

@@ -35,9 +35,8 @@ bool isCharge(const std::string &unit)
 
 bool isDelayTyped(const ShockSettings &settings, const std::string &channel)
 {
-    return std::ranges::any_of(settings.arrivalSensors, [&](const ArrivalSensor &sensor) {
-        return sensor.channel == channel && sensor.delay_s;
-    });
+    return std::ranges::any_of(settings.arrivalSensors,
+        [&](const ArrivalSensor &sensor) { return sensor.channel == channel && sensor.delay_s; });
 }
 
 SideReading readingOf(const CaptureSet &set, const Shot &shot, const Sighting &sighting,

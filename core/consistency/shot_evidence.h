@@ -57,7 +57,8 @@ struct ShotEvidence
     double uLevel_relative = kUnknown; ///< of the level that it is made of
     std::string sensitivityUnit;
     std::optional<SensorCard> card;
-    std::string otherUnitOfCard; ///< what the card's sensitivity is in, if that contradicts the unit
+    std::string
+        otherUnitOfCard; ///< what the card's sensitivity is in, if that contradicts the unit
 };
 
 // Where nothing is stated; docs/method/checks.md.

@@ -116,8 +116,8 @@ std::vector<GasWay> waysToDrivenGas(
     if (ways.empty())
         ways.push_back({GasSource::Assumed, named("air", asked), humidity});
     if (settings.relativeHumidity && std::isfinite(around.relativeHumidity)) // typed over recorded
-        ways.push_back({GasSource::RecordedName, ways.front().settings,
-            humidityFor(around.relativeHumidity)});
+        ways.push_back(
+            {GasSource::RecordedName, ways.front().settings, humidityFor(around.relativeHumidity)});
     return ways;
 }
 

@@ -76,9 +76,8 @@ bool isLarge(const Eigen::VectorXd &levels, Index period, double baseline)
 {
     const Index count = std::min(kPeriodsLookedAt * period, levels.size() - period + 1);
     const Eigen::VectorXd mean = runningMean(levels.head(count + period - 1), period);
-    const double ringing
-        = std::sqrt((levels.segment(period / 2, count) - mean).squaredNorm()
-            / static_cast<double>(count));
+    const double ringing = std::sqrt(
+        (levels.segment(period / 2, count) - mean).squaredNorm() / static_cast<double>(count));
     return ringing > 0.5 * kDepartureShare * std::abs(median(levels) - baseline);
 }
 

@@ -37,7 +37,8 @@ SensorTraits sensorTraits(
 /// per rise time and a filter no longer than half of it; with neither, no reduction.
 Index chooseReduction(double rate_Hz, const SensorTraits &traits);
 
-/// Rule "auto" of input.samples: twelve of the longest ring times (twenty rise times), within 200..1000.
+/// Rule "auto" of input.samples: twelve of the longest ring times (twenty rise times), within
+/// 200..1000.
 Index chooseSamples(double rate_Hz, const SensorTraits &traits);
 
 /// MIN-001 as an error (the rate cannot represent the most prominent resonance), MIN-002 as a

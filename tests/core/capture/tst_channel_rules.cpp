@@ -146,17 +146,28 @@ private slots:
         QTest::addColumn<QString>("recipe");
         QTest::addColumn<double>("scale");
         QTest::addColumn<QString>("severity"); // "" = nothing said
-        QTest::newRow("another quantity") << "V" << "A" << 1.0 << "caution";
-        QTest::newRow("what nobody knows") << "V" << "foo" << 1.0 << "caution";
-        QTest::newRow("another size") << "V" << "mV" << 1.0 << "caution";
-        QTest::newRow("volts as bar") << "V" << "bar" << 1.0 << "caution";
-        QTest::newRow("volts as bar, by a factor") << "V" << "bar" << 20.0 << "info";
-        QTest::newRow("the same") << "V" << "V" << 1.0 << "";
-        QTest::newRow("the same, spelt out") << "V" << "Volts" << 1.0 << "";
-        QTest::newRow("pascal of the same size") << "hPa" << "mbar" << 1.0 << "";
-        QTest::newRow("file without a unit") << "1" << "V" << 1.0 << "";
-        QTest::newRow("empty in the file") << "" << "V" << 1.0 << "";
-        QTest::newRow("counts") << "counts" << "V" << 1.0 << "";
+        QTest::newRow("another quantity") << "V"
+                                          << "A" << 1.0 << "caution";
+        QTest::newRow("what nobody knows") << "V"
+                                           << "foo" << 1.0 << "caution";
+        QTest::newRow("another size") << "V"
+                                      << "mV" << 1.0 << "caution";
+        QTest::newRow("volts as bar") << "V"
+                                      << "bar" << 1.0 << "caution";
+        QTest::newRow("volts as bar, by a factor") << "V"
+                                                   << "bar" << 20.0 << "info";
+        QTest::newRow("the same") << "V"
+                                  << "V" << 1.0 << "";
+        QTest::newRow("the same, spelt out") << "V"
+                                             << "Volts" << 1.0 << "";
+        QTest::newRow("pascal of the same size") << "hPa"
+                                                 << "mbar" << 1.0 << "";
+        QTest::newRow("file without a unit") << "1"
+                                             << "V" << 1.0 << "";
+        QTest::newRow("empty in the file") << ""
+                                           << "V" << 1.0 << "";
+        QTest::newRow("counts") << "counts"
+                                << "V" << 1.0 << "";
     }
     void unitInPlaceOfTheFiles_isSaid()
     {

@@ -51,10 +51,14 @@ private slots:
         QTest::addColumn<QString>("unit");
         QTest::addColumn<double>("value");
         QTest::addColumn<QString>("si");
-        QTest::newRow("mV/bar") << "1.25" << "mV/bar" << 1.25e-8 << "V/Pa";
-        QTest::newRow("inverted") << "-2" << "V/MPa" << -2e-6 << "V/Pa";
-        QTest::newRow("charge") << "20" << "pC/bar" << 2e-4 << "pC/Pa";
-        QTest::newRow("reads pressure") << "1" << "kPa/bar" << 0.01 << "Pa/Pa";
+        QTest::newRow("mV/bar") << "1.25"
+                                << "mV/bar" << 1.25e-8 << "V/Pa";
+        QTest::newRow("inverted") << "-2"
+                                  << "V/MPa" << -2e-6 << "V/Pa";
+        QTest::newRow("charge") << "20"
+                                << "pC/bar" << 2e-4 << "pC/Pa";
+        QTest::newRow("reads pressure") << "1"
+                                        << "kPa/bar" << 0.01 << "Pa/Pa";
     }
 
     void sensitivity_isPerPascal()
@@ -63,8 +67,8 @@ private slots:
         QFETCH(QString, unit);
         QFETCH(double, value);
         QFETCH(QString, si);
-        const auto stated = sensitivityOfCard(
-            card(number.toLatin1().constData(), unit.toLatin1().constData()));
+        const auto stated
+            = sensitivityOfCard(card(number.toLatin1().constData(), unit.toLatin1().constData()));
         QVERIFY(stated && std::abs(stated->value / value - 1.0) < 1e-12);
         QCOMPARE(stated->unit, si.toStdString());
         QVERIFY(!stated->u_relative);
@@ -116,8 +120,8 @@ private slots:
         QCOMPARE(said.size(), std::size_t(1));
         QCOMPARE(said[0].id, std::string("CAP-031"));
         QCOMPARE(said[0].shot, Index(2));
-        QVERIFY(english(said[0].message).find("M 17, shot 2 of the sensor N 17")
-            != std::string::npos);
+        QVERIFY(
+            english(said[0].message).find("M 17, shot 2 of the sensor N 17") != std::string::npos);
         set.shots[1].included = false;
         QVERIFY(checkOneSensor(set).empty());
     }

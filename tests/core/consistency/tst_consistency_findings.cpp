@@ -354,7 +354,8 @@ void TestConsistencyFindings::scatterOfTheShots_isTheirs()
     QVERIFY(english(told[0].message).find("alone") == std::string::npos);
     // Nor does none contradict alone where another finding tells of one that does.
     auto checks = made.compared->comparisons();
-    checks.push_back({.of = Compared::Arrival, .shot = 1, .value_a = 2.0, .value_b = 1.0, .u = 0.1});
+    checks.push_back(
+        {.of = Compared::Arrival, .shot = 1, .value_a = 2.0, .value_b = 1.0, .u = 0.1});
     const Findings beside = judgeConsistency(*made.compared, checks, {});
     QCOMPARE(beside.size(), std::size_t(1));
     QVERIFY(english(beside[0].message).find("alone") == std::string::npos);

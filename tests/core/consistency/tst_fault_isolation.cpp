@@ -195,8 +195,11 @@ void TestFaultIsolation::counterThatContradicts_isTyped()
         evidence.push_back(madeEvidence(shot, std::ssize(evidence) + 1));
         StepMeasurement &m = *evidence.back().measurement;
         m.recorded = m.velocity;
-        m.counters = {{.far_m = 0.8, .near_m = 0.3, .time_s = 1.06 * 0.5 / 500.0,
-            .u_distance_m = 2e-4, .u_time_s = 1e-7}};
+        m.counters = {{.far_m = 0.8,
+            .near_m = 0.3,
+            .time_s = 1.06 * 0.5 / 500.0,
+            .u_distance_m = 2e-4,
+            .u_time_s = 1e-7}};
         m.velocity = {};
         m.velocity.fit = fitCounters(m.counters, Attenuation::None, {}).value();
         m.velocity.velocity_m_s = m.velocity.fit->velocity_m_s;

@@ -27,7 +27,8 @@ struct Mode
 };
 
 /// 1 - sum of the modes' ringing, from sample 0 on, plus `later`, with white noise.
-Eigen::VectorXd response(const std::vector<Mode> &modes,
+Eigen::VectorXd response(
+    const std::vector<Mode> &modes,
     const std::function<double(double)> &later = [](double) { return 0.0; }, unsigned seed = 1)
 {
     std::mt19937 random(seed);
@@ -46,8 +47,7 @@ Eigen::VectorXd response(const std::vector<Mode> &modes,
 
 Index lengthOf(const Eigen::VectorXd &values)
 {
-    return automaticStepLength(
-        testing::doubleChannel(values, 1e6), 0, values.size(), 0.0, kNoise);
+    return automaticStepLength(testing::doubleChannel(values, 1e6), 0, values.size(), 0.0, kNoise);
 }
 
 /// Down to 0.4 from there on, as a wave from the driver makes it.
@@ -96,8 +96,8 @@ private slots:
         for (unsigned i = 0; i < 60; ++i) {
             std::vector<Mode> modes;
             for (int k = 0; k < 3; ++k)
-                modes.push_back({400.0 + 3100.0 * between(random),
-                    0.001 + 0.03 * between(random), 0.2 + 0.3 * between(random)});
+                modes.push_back({400.0 + 3100.0 * between(random), 0.001 + 0.03 * between(random),
+                    0.2 + 0.3 * between(random)});
             QCOMPARE(lengthOf(response(modes, fallAt(2.0 * kSamples, 1.0), i)), kSamples);
         }
     }
@@ -143,8 +143,8 @@ private slots:
             QVERIFY(std::abs(50.0 * static_cast<double>(found) / period - 1.0)
                 < 1.0 / bins + 50.0 / period);
         }
-        const Index slowest = slowestRinging_blocks(
-            levels(response({{2000.0, 0.005, 0.2}, {500.0, 0.005, 0.8}})));
+        const Index slowest
+            = slowestRinging_blocks(levels(response({{2000.0, 0.005, 0.2}, {500.0, 0.005, 0.8}})));
         QVERIFY(std::abs(static_cast<double>(slowest) - 40.0) < 3.0);
     }
 
@@ -152,12 +152,13 @@ private slots:
     {
         int found = 0;
         for (unsigned seed = 0; seed < 200; ++seed)
-            found += slowestRinging_blocks(levels(response({}, fallAt(9e9, 1.0), seed))) > 0 ? 1 : 0;
+            found
+                += slowestRinging_blocks(levels(response({}, fallAt(9e9, 1.0), seed))) > 0 ? 1 : 0;
         QVERIFY2(found <= 2, qPrintable(QString::number(found)));
         QCOMPARE(slowestRinging_blocks(levels(response({}, fallAt(2e4, 50.0)))), Index(0));
         QCOMPARE(slowestRinging_blocks(levels(response({}, fallAt(2e4, 5000.0)))), Index(0));
-        QCOMPARE(
-            slowestRinging_blocks(levels(response({}, [](double t) { return 1e-5 * t; }))), Index(0));
+        QCOMPARE(slowestRinging_blocks(levels(response({}, [](double t) { return 1e-5 * t; }))),
+            Index(0));
         Eigen::VectorXd gap = levels(response({{2000.0, 0.005, 0.5}}));
         gap[7] = std::nan("");
         QCOMPARE(slowestRinging_blocks(gap), Index(0));

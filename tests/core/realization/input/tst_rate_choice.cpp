@@ -96,8 +96,8 @@ private slots:
         spectrum.resonances[2].frequency_Hz = 5.4 * 3.5e6;
         QCOMPARE(sensorTraits({}, spectrum).ringing.size(), std::size_t(2));
         const double longest_s = 100.0 / (std::numbers::pi * 75e3);
-        QCOMPARE(chooseSamples(100e3, traits),
-            static_cast<Index>(std::ceil(12.0 * longest_s * 100e3)));
+        QCOMPARE(
+            chooseSamples(100e3, traits), static_cast<Index>(std::ceil(12.0 * longest_s * 100e3)));
     }
 
     void reduction_isTheLargestThatKeepsTheRise()
