@@ -6013,6 +6013,14 @@
         <source>One arrival time, %1, is typed for a sensor and serves all %2 shots: type one for each shot, or none where the record shows it.</source>
         <translation>En ankomsttid, %1, är inskriven för en givare och gäller alla %2 skott: skriv en för varje skott, eller ingen där inspelningen visar den.</translation>
     </message>
+    <message>
+        <source>Sensitivity at the onset of the step</source>
+        <translation>Känslighet vid stegets början</translation>
+    </message>
+    <message>
+        <source>The uncertainty of &apos;%1&apos; in uncertainty.budget is used for nothing: what is known of the attenuation is the range shock.attenuation_per_m.</source>
+        <translation>Osäkerheten för ”%1” i uncertainty.budget används inte till något: det som är känt om dämpningen är området shock.attenuation_per_m.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace dyncal {
 
@@ -27,6 +28,12 @@ const char *severityName(Severity severity)
         return "block";
     }
     return "info";
+}
+
+void addOnce(Findings &findings, Finding finding)
+{
+    if (std::ranges::find(findings, finding) == findings.end())
+        findings.push_back(std::move(finding));
 }
 
 Severity worstSeverity(const Findings &findings)

@@ -71,6 +71,9 @@ const char *findingCauseName(FindingCause cause); ///< "drift", ...: the words o
 /// "info", "caution" or "block": the words of results.json.
 const char *severityName(Severity severity);
 
+/// Adds what is not in the list already: what is the same in every shot is said once.
+void addOnce(Findings &findings, Finding finding);
+
 /// The most severe entry; Info for an empty list.
 Severity worstSeverity(const Findings &findings);
 

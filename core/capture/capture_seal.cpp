@@ -218,12 +218,6 @@ Findings equalInputs(const CaptureSet &set)
     return findings;
 }
 
-void addOnce(Findings &findings, Finding finding)
-{
-    if (std::find(findings.begin(), findings.end(), finding) == findings.end())
-        findings.push_back(std::move(finding));
-}
-
 std::int64_t inNanoseconds(const timespec &time)
 {
     constexpr std::int64_t kNanoseconds = 1'000'000'000;

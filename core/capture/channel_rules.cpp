@@ -90,13 +90,6 @@ Finding replacedRate(double stated_Hz, double typed_Hz, const std::string &reaso
         .limit = stated_Hz};
 }
 
-/// What is the same in every shot is said once.
-void addOnce(Findings &findings, Finding finding)
-{
-    if (std::find(findings.begin(), findings.end(), finding) == findings.end())
-        findings.push_back(std::move(finding));
-}
-
 /// The recipe's settings for this channel; for the DUT, completed by those for the DUT.
 ChannelImport detailsOf(const Channel &channel, const ImportSettings &settings)
 {

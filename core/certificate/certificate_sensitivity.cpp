@@ -66,21 +66,23 @@ void addLevels(const ResponseResult &response, CertificateSection &section)
             {"sensitivity_level", levelLabel(level.level), textOf(level, response), false});
 }
 
+Message meanLabel(const ResponseResult *response)
+{
+    if (response && response->shots.size() == 1)
+        return {DYNCAL_TEXT("core", "Sensitivity at the onset of the step"), {}};
+    if (!response || response->summary.shotsAgree || isByLevel(response))
+        return {DYNCAL_TEXT("core", "Sensitivity at the onset of the step, mean of the shots"), {}};
+    return {DYNCAL_TEXT("core",
+                "Sensitivity at the onset of the step, mean of the shots, which do not agree"),
+        {}};
+}
+
 void addMean(const ResponseResult *response, CertificateSection &section)
 {
-    const bool agree = !response || response->summary.shotsAgree;
     const Message value = isByLevel(response)
         ? Message{DYNCAL_TEXT("core", "one value per level (the shots do not agree)"), {}}
         : meanText(response);
-    section.fields.push_back({"sensitivity",
-        agree || isByLevel(response)
-            ? Message{DYNCAL_TEXT(
-                          "core", "Sensitivity at the onset of the step, mean of the shots"),
-                {}}
-            : Message{DYNCAL_TEXT("core",
-                          "Sensitivity at the onset of the step, mean of the shots, which do not agree"),
-                {}},
-        value, false});
+    section.fields.push_back({"sensitivity", meanLabel(response), value, false});
 }
 
 void addTrend(const SensitivitySummary &summary, CertificateSection &section)

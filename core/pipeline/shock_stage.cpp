@@ -26,9 +26,11 @@ Findings unknownQuantities(const std::vector<BudgetEntry> &budget)
         if (std::ranges::find(statedQuantities(), entry.quantity) == statedQuantities().end())
             findings.push_back({.id = "SHK-013",
                 .severity = Severity::Caution,
-                .message
-                = {DYNCAL_TEXT("core",
-                       "The uncertainty of '%1' in uncertainty.budget is used for nothing; the nearest quantity that counts is '%2'."),
+                .message = {entry.quantity.starts_with("attenuation")
+                        ? DYNCAL_TEXT("core",
+                            "The uncertainty of '%1' in uncertainty.budget is used for nothing: what is known of the attenuation is the range shock.attenuation_per_m.")
+                        : DYNCAL_TEXT("core",
+                            "The uncertainty of '%1' in uncertainty.budget is used for nothing; the nearest quantity that counts is '%2'."),
                     {entry.quantity, nearestKey(entry.quantity, statedQuantities())}}});
     }
     return findings;

@@ -278,6 +278,18 @@ private slots:
         QVERIFY(says(data, "has none that is known, and is rounded to three significant digits"));
     }
 
+    void oneShot_isNoMean()
+    {
+        CalibrationResults results = resultsOf(ComputedStep);
+        ResponseResult &response = writable(results.response);
+        response.shots.resize(2);
+        QVERIFY(says(certificateOf(results), "mean of the shots"));
+        response.shots.resize(1);
+        const CertificateData data = certificateOf(results);
+        QVERIFY(says(data, "Sensitivity at the onset of the step"));
+        QVERIFY(!says(data, "mean of the shots"));
+    }
+
     /// A model's value is no better known than the measured one beside it, and has no U of its own.
     void modelValues_haveThreeDigitsAtMost()
     {

@@ -131,17 +131,19 @@ private slots:
         ResultCache cache;
         Recipe recipe;
         const auto plain = runPipeline(m_set, recipe, cache, StageId::Shock).results;
-        recipe.uncertainty.budget = {{"T1_k", 5.0, "normal", {}}, {"delay", 1e-6, "normal", {}}};
+        recipe.uncertainty.budget = {{"T1_k", 5.0, "normal", {}}, {"delay", 1e-6, "normal", {}},
+            {"attenuation_per_m", 1e-3, "normal", {}}};
         const auto misspelt = runPipeline(m_set, recipe, cache, StageId::Shock).results;
         QStringList sentences;
         for (const Finding &finding : misspelt.shock->findings) {
             if (finding.id == "SHK-013")
                 sentences << QString::fromStdString(english(finding.message));
         }
-        QCOMPARE(sentences.size(), qsizetype(2));
+        QCOMPARE(sentences.size(), qsizetype(3));
         QVERIFY2(sentences[0].contains("'T1_k'") && sentences[0].contains("'t1_k'"),
             qPrintable(sentences[0]));
         QVERIFY2(sentences[1].contains("'delay_s'"), qPrintable(sentences[1]));
+        QVERIFY2(sentences[2].contains("shock.attenuation_per_m"), qPrintable(sentences[2]));
         for (std::size_t shot = 0; shot < 3; ++shot)
             QCOMPARE(misspelt.shock->shots[shot].uncertainty->u(StepResult::Step),
                 plain.shock->shots[shot].uncertainty->u(StepResult::Step));
