@@ -4,6 +4,7 @@
 #include "core/certificate/certificate_header_sections.h"
 
 #include "core/base/version.h"
+#include "core/capture/sensor_card.h"
 #include "core/certificate/calendar_date.h"
 #include "core/certificate/certificate_checks.h"
 #include "core/certificate/certificate_words.h"
@@ -48,11 +49,9 @@ std::string cardEntry(const CalibrationResults &results, const std::string &attr
     const CaptureSet &captures = results.captures->set;
     for (const Shot &shot : captures.shots) {
         const Channel *dut = shot.channelWithRole(ChannelRole::Dut);
-        const auto card = dut ? captures.sensors.find(dut->sensorId) : captures.sensors.end();
-        if (card == captures.sensors.end())
-            continue;
-        const auto entry = card->second.find(attribute);
-        if (entry != card->second.end() && !isBlank(entry->second))
+        const Attributes card = dut ? cardOf(captures, *dut) : Attributes();
+        const auto entry = card.find(attribute);
+        if (entry != card.end() && !isBlank(entry->second))
             return entry->second;
     }
     return {};

@@ -109,10 +109,8 @@ ConsistencyResult compareWays(const CaptureSet &set, const ShockSettings &settin
     result.checks = compared.comparisons();
     addShots(response, result.checks);
     addLevels(set, shock, result.checks);
-    const bool doShotsScatter
-        = std::ranges::find(response.summary.findings, std::string("RSP-002"), &Finding::id)
-        != response.summary.findings.end();
-    result.findings = judgeConsistency(compared, result.checks, settings, doShotsScatter);
+    result.findings
+        = judgeConsistency(compared, result.checks, settings, !response.summary.shotsAgree);
     addOtherUnit(evidence, result.findings);
     return result;
 }
