@@ -128,6 +128,10 @@ void addNotes(const ResponseResult &response, std::size_t rows, CertificateSecti
         {DYNCAL_TEXT("core",
              "The lower limit follows from the length of the window, the upper one from the noise and the sample rate. Frequencies are settings, without an uncertainty. No uncertainty is known of the model's values, which end at half the sample rate of the model. A dash means that the value was not determined."),
             {}});
+    section.notes.push_back(
+        {DYNCAL_TEXT("core",
+             "The values without a model take nothing from it but the zero of time. Where what sampling or the end of the records may change exceeds both the uncertainty of the noise and 2 % of the magnitude, none is stated; for the sampling it is assumed that above half the sample rate the response is nowhere stronger than just below."),
+            {}});
     if (const auto asked = static_cast<std::size_t>(response.frequency_Hz.size()); rows < asked)
         section.notes.push_back(
             {DYNCAL_TEXT("core",

@@ -27,16 +27,22 @@ std::vector<NuisanceTerm> termsOfShot(const SensorModel &model, Index shot)
     return terms;
 }
 
-void takeOff(const NuisanceTerm &term, double rate_Hz, Eigen::VectorXd &values)
+/// A mode that the step sets off is in the record from the onset on, another in all of it.
+void takeOff(const NuisanceTerm &term, double onset_s, double rate_Hz, SensorRecord &record)
 {
+    const Index first = term.startsWithStep
+        ? std::max<Index>(0, record.early + static_cast<Index>(std::ceil(onset_s * rate_Hz)))
+        : 0;
+    const std::complex<double> amplitude = term.amplitude
+        * std::exp(term.pole_rad_s * (static_cast<double>(first - record.early) / rate_Hz));
     ExponentialSum sum{0.0, Eigen::VectorXcd(2), Eigen::VectorXcd(2)};
     sum.poles_rad_s << term.pole_rad_s, std::conj(term.pole_rad_s);
-    sum.amplitudes << 0.5 * term.amplitude, 0.5 * std::conj(term.amplitude);
+    sum.amplitudes << 0.5 * amplitude, 0.5 * std::conj(amplitude);
     const ExponentialSampler sampler(sum, 1.0 / rate_Hz);
     constexpr Index kBlock = ExponentialSampler::kBlock;
-    for (Index begin = 0; begin < values.size(); begin += kBlock) {
-        const Index count = std::min(kBlock, values.size() - begin);
-        values.segment(begin, count) -= sampler.block(begin / kBlock).head(count);
+    for (Index begin = first; begin < record.values.size(); begin += kBlock) {
+        const Index count = std::min(kBlock, record.values.size() - begin);
+        record.values.segment(begin, count) -= sampler.block((begin - first) / kBlock).head(count);
     }
 }
 
@@ -50,12 +56,13 @@ void bridgeOver(
         record.values[i + record.early] = fit.recorded.value(static_cast<double>(i) / rate_Hz);
 }
 
-/// Samples between onset and detected start, which is a little later; they are part of the
-/// response.
-Index samplesBetween(const WindowedResponse &response, double onset_s)
+/// The onset lies before the detected start: a little, or by as much as a slow sensor needs for the
+/// first part of its step.
+Index samplesBefore(const WindowedResponse &response)
 {
-    return std::clamp<Index>(
-        static_cast<Index>(std::floor(-onset_s * response.sampleRate_Hz)), 0, response.lead);
+    constexpr Index kFewest = 64;
+    constexpr Index kShare = 16; // of the window
+    return std::min(response.lead, std::max(kFewest, response.length / kShare));
 }
 
 /// jw/(jw - s) of Re(amplitude e^(s t)).
@@ -102,18 +109,14 @@ std::complex<double> SensorRecord::ofStep(std::complex<double> transform, double
 SensorRecord sensorRecord(const WindowedResponse &response, const SensorModel &model,
     const SeriesFit *fit, const DriftResult &drift)
 {
-    SensorRecord record{response.window(), 0, {}, {}};
+    const Index early = samplesBefore(response);
+    SensorRecord record{
+        response.values.segment(response.lead - early, response.length + early), early, {}, {}};
     if (!fit)
         return record;
-    record.early = samplesBetween(response, fit->onset_s);
-    record.values
-        = response.values.segment(response.lead - record.early, response.length + record.early);
     const std::vector<NuisanceTerm> terms = termsOfShot(model, response.shot);
-    for (NuisanceTerm term : terms) {
-        term.amplitude *= std::exp(
-            -term.pole_rad_s * (static_cast<double>(record.early) / response.sampleRate_Hz));
-        takeOff(term, response.sampleRate_Hz, record.values);
-    }
+    for (const NuisanceTerm &term : terms)
+        takeOff(term, fit->onset_s, response.sampleRate_Hz, record);
     for (const SampleRange &range : fit->leftOut)
         bridgeOver(range, *fit, response.sampleRate_Hz, record);
     Eigen::ArrayXcd poles(fit->amplitudes.size());

@@ -37,7 +37,7 @@ struct SensorRecord
                                ///< drift belongs to the sensor's chain
     };
 
-    Eigen::VectorXd values; ///< from the onset on, at least from the detected start
+    Eigen::VectorXd values; ///< the window, and what was recorded shortly before it
     Index early = 0; ///< of them, before the detected start
     std::vector<Driven> driven;
     std::vector<Slow> slow;

@@ -6,6 +6,7 @@
 #include "core/base/constants.h"
 #include "core/base/number_text.h"
 #include "core/model_analysis/model_response.h"
+#include "core/model_analysis/record_response.h"
 #include "core/model_analysis/sensor_record.h"
 #include "core/model_analysis/shot_levels.h"
 #include "core/model_analysis/step_transform.h"
@@ -22,53 +23,13 @@ namespace {
 
 constexpr double kLargestNoise = 0.1; ///< of the magnitude: with more, the data are useless
 constexpr double kHighestOfRate = 0.4;
-constexpr double kPeriodsKept
-    = 20.0; ///< of the frequency asked, at least, where the window has them
+constexpr double kLargestBound = 0.02; ///< of the magnitude: with more, a value is withheld
 constexpr Index kCurvePoints = 600;
 constexpr double kRoundingOfLimit = 1e-9;
-
-/// One shot's contribution: its response, its series of the model input, its scale.
-struct ShotView
-{
-    const WindowedResponse *response = nullptr;
-    const SeriesFit *fit = nullptr; ///< null with the averaged input
-    double plateau = 1.0; ///< c0 of this shot, in the unit of its values
-    double perPressure = 1.0; ///< physical units of a value, per pascal if known
-    SensorRecord record; ///< the window without the modes that are not the sensor's
-    ExponentialSum step; ///< the model's response of this shot, from the onset on
-
-    double onset_s() const ///< after the record's first value
-    {
-        return (fit ? fit->onset_s : 0.0)
-            + static_cast<double>(record.early) / response->sampleRate_Hz;
-    }
-};
 
 double inputSpan_s(const ModelInput &input)
 {
     return input.offset_s + static_cast<double>(input.samples) / input.sampleRate_Hz;
-}
-
-/// The model's step response of that shot, from the onset on: it ends at the shot's own c0.
-ExponentialSum modelStep(const SensorModel &model, const SeriesFit &fit, double plateau)
-{
-    const double share = fit.plateauGain != 0.0 ? plateau / fit.plateauGain : 1.0;
-    ExponentialSum step{plateau, Eigen::VectorXcd(fit.amplitudes.size()), share * fit.amplitudes};
-    for (Index i = 0; i < step.poles_rad_s.size(); ++i)
-        step.poles_rad_s[i] = model.poles[static_cast<std::size_t>(i)].s_rad_s;
-    return step;
-}
-
-/// The record was freed of its drift and stays at the level of the onset: so does what the model
-/// makes of it.
-void stopDrift(const SensorModel &model, ShotView &view)
-{
-    if (view.record.slow.empty())
-        return;
-    view.plateau = view.fit->level();
-    view.step.constant = view.plateau;
-    for (const Index i : model.slowPoles)
-        view.step.amplitudes[i] = 0.0;
 }
 
 /// Whether the response is in the DUT's unit per pascal: the recipe asks for it, all shots have one
@@ -83,74 +44,30 @@ bool isPerPressure(const std::vector<WindowedResponse> &responses, const ShockCo
            });
 }
 
-std::vector<ShotView> views(const std::vector<WindowedResponse> &responses,
-    const SensorModel &model, const ShockConditionsSet &shock, bool isAbsolute,
-    const DriftResult &drift)
+/// The step as the record has it: the mean of its last tenth.
+double levelOfRecord(const SensorRecord &record)
 {
-    std::vector<ShotView> list;
+    return recordEnds(record.values, 0).back().level;
+}
+
+/// What S(f) takes of the shots; relative to the pressure step or to each record's own.
+RecordResponse recordResponse(const std::vector<WindowedResponse> &responses,
+    const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,
+    bool isAbsolute, const DriftResult &drift)
+{
+    std::vector<RecordOfShot> shots;
     for (const WindowedResponse &response : responses) {
-        ShotView view{&response, fitOfShot(model, response.shot), 1.0, 1.0, {}, {}};
-        view.record = sensorRecord(response, model, view.fit, drift);
-        if (view.fit) {
-            view.plateau = plateauOf(*view.fit, response, responses);
-            view.step = modelStep(model, *view.fit, view.plateau);
-            stopDrift(model, view);
-        }
-        if (isAbsolute)
-            view.perPressure = response.valueScale / *shock.ofShot(response.shot)->step_Pa;
-        else if (view.fit && view.fit->level() != 0.0)
-            view.perPressure = 1.0 / levelOf(*view.fit, response, responses);
-        list.push_back(view);
+        const SeriesFit *fit = fitOfShot(model, response.shot);
+        RecordOfShot shot{&response, sensorRecord(response, model, fit, drift)};
+        shot.scale = isAbsolute ? response.valueScale / *shock.ofShot(response.shot)->step_Pa
+                                : 1.0 / levelOfRecord(shot.record);
+        if (fit)
+            shot.onset_s = fit->onset_s;
+        if (fit && std::isfinite(fit->u_onset_s))
+            shot.u_onset_s = fit->u_onset_s;
+        shots.push_back(std::move(shot));
     }
-    return list;
-}
-
-/// Long enough for the frequency and for the sensor to settle, but no longer, because noise grows
-/// with length.
-Index samplesUsed(const WindowedResponse &response, double span_s, double frequency_Hz)
-{
-    const double length_s = std::max(span_s, kPeriodsKept / frequency_Hz);
-    const double count = std::max(2.0, std::ceil(length_s * response.sampleRate_Hz));
-    return static_cast<Index>(std::min(count, static_cast<double>(response.length)));
-}
-
-/// u of the level that continues the shot after its last sample, including that of the baseline; 0
-/// without the refinement, where it is not known.
-double levelUncertainty(const ShotView &shot)
-{
-    const double u = shot.fit ? shot.fit->u_level() : 0.0;
-    return std::isfinite(u) ? u : 0.0;
-}
-
-struct Point
-{
-    std::complex<double> S;
-    double u = 0.0; ///< of Re and of Im
-};
-
-Point measuredAt(const std::vector<ShotView> &shots, double span_s, double frequency_Hz)
-{
-    Point mean;
-    double variance = 0.0;
-    for (const ShotView &shot : shots) {
-        const WindowedResponse &response = *shot.response;
-        const Index count = samplesUsed(response, span_s, frequency_Hz) + shot.record.early;
-        std::complex<double> transform = stepTransform(shot.record.values.head(count),
-            response.sampleRate_Hz, shot.plateau, shot.onset_s(), frequency_Hz);
-        if (shot.fit)
-            transform -= stepTransformError(
-                shot.step, count, response.sampleRate_Hz, shot.onset_s(), frequency_Hz);
-        mean.S += shot.perPressure * shot.record.ofStep(transform, frequency_Hz);
-        const double u = std::abs(shot.perPressure)
-            * std::hypot(stepTransformNoise(count, response.sampleRate_Hz,
-                             response.noiseSd / std::abs(response.valueScale), frequency_Hz),
-                levelUncertainty(shot));
-        variance += u * u;
-    }
-    const double n = static_cast<double>(shots.size());
-    mean.S /= n;
-    mean.u = std::sqrt(variance) / n;
-    return mean;
+    return {std::move(shots), inputSpan_s(input)};
 }
 
 Eigen::VectorXd frequencyGrid(const ResponseSettings &settings, double low_Hz, double high_Hz)
@@ -191,13 +108,12 @@ double shortestWindow_s(const std::vector<WindowedResponse> &responses)
 }
 
 /// Upper end of the band: the last third-octave point before the noise takes over.
-double upperLimit_Hz(
-    const std::vector<ShotView> &shots, double span_s, double low_Hz, double rate_Hz)
+double upperLimit_Hz(const RecordResponse &records, double low_Hz, double rate_Hz)
 {
     double limit_Hz = low_Hz;
     for (double f = low_Hz; f <= kHighestOfRate * rate_Hz; f *= std::pow(10.0, 0.1)) {
-        const Point point = measuredAt(shots, span_s, f);
-        if (point.u > kLargestNoise * std::abs(point.S))
+        const RecordResponse::Point point = records.at(f);
+        if (point.u_magnitude > kLargestNoise * point.magnitude)
             return limit_Hz;
         limit_Hz = f;
     }
@@ -230,26 +146,55 @@ void setLimits(const std::vector<WindowedResponse> &responses, const ModelInput 
     result.gap = gapOf(model, isStep);
 }
 
+/// The larger bound decides why a value is withheld; none where noise alone is larger.
+WithheldReason reasonOf(const RecordResponse::Point &point)
+{
+    if (!std::isfinite(point.magnitude)
+        || point.bound() <= std::max(point.u_magnitude, kLargestBound * point.magnitude))
+        return WithheldReason::None;
+    return point.boundEnd > point.boundAlias ? WithheldReason::End : WithheldReason::Alias;
+}
+
+/// A bound is taken for the half width of a rectangular distribution.
+double withBounds(const RecordResponse::Point &point)
+{
+    return std::hypot(
+        point.u_magnitude, point.boundEnd / std::sqrt(3.0), point.boundAlias / std::sqrt(3.0));
+}
+
+void state(const RecordResponse::Point &point, Index k, ResponseResult &result)
+{
+    result.boundEnd[k] = point.boundEnd;
+    result.boundAlias[k] = point.boundAlias;
+    result.withheld[static_cast<std::size_t>(k)] = reasonOf(point);
+    if (reasonOf(point) != WithheldReason::None)
+        return;
+    const double u_magnitude = withBounds(point);
+    result.magnitude[k] = point.magnitude;
+    result.u_noiseMagnitude[k] = point.u_magnitude;
+    result.u_magnitude[k] = u_magnitude;
+    result.dof[k] = point.dof;
+    // The branch nearest the model's unwrapped phase, because points may lie far apart.
+    const double reference = result.modelPhase_rad[k];
+    result.phase_rad[k] = reference + std::remainder(point.phase_rad - reference, kTwoPi);
+    result.u_noisePhase_rad[k] = point.u_phase_rad;
+    const double ofBounds = std::sqrt(
+        std::max(0.0, u_magnitude * u_magnitude - point.u_magnitude * point.u_magnitude));
+    result.u_phase_rad[k] = std::hypot(point.u_phase_rad, ofBounds / point.magnitude);
+}
+
 /// No values above 0.4 of the slowest record's rate: S(f) of samples repeats itself there.
-void measure(
-    const std::vector<ShotView> &shots, double span_s, double rate_Hz, ResponseResult &result)
+void measure(const RecordResponse &records, double rate_Hz, ResponseResult &result)
 {
     const Index count = result.frequency_Hz.size();
-    for (auto *values :
-        {&result.magnitude, &result.u_magnitude, &result.phase_rad, &result.u_phase_rad})
+    for (auto *values : {&result.magnitude, &result.u_magnitude, &result.u_noiseMagnitude,
+             &result.phase_rad, &result.u_phase_rad, &result.u_noisePhase_rad, &result.dof,
+             &result.boundEnd, &result.boundAlias})
         values->setConstant(count, kUnknown);
-    for (Index k = 0; k < count; ++k) {
-        if (!(result.frequency_Hz[k] <= (1.0 + kRoundingOfLimit) * kHighestOfRate * rate_Hz))
-            continue;
-        const Point point = measuredAt(shots, span_s, result.frequency_Hz[k]);
-        result.magnitude[k] = std::abs(point.S);
-        result.u_magnitude[k] = point.u;
-        // The branch nearest the model's unwrapped phase, because points may lie far apart.
-        const double reference = result.modelPhase_rad[k];
-        result.phase_rad[k]
-            = reference + std::remainder(std::arg(point.S) - reference, 2.0 * std::numbers::pi);
-        result.u_phase_rad[k] = point.u / std::abs(point.S);
-    }
+    result.withheld.assign(static_cast<std::size_t>(count), WithheldReason::AboveRate);
+    for (Index k = 0; k < count; ++k)
+        if (result.frequency_Hz[k] <= (1.0 + kRoundingOfLimit) * kHighestOfRate * rate_Hz)
+            state(records.at(result.frequency_Hz[k]), k, result);
 }
 
 /// A magnitude has no sign: an inverted sensor begins at half a turn. A model whose own gain is
@@ -314,8 +259,8 @@ void compareAnswers(ResponseResult &result)
     constexpr double kModelShare = 0.02; // allowed error of the model itself
     for (Index k = 0; k < result.magnitude.size(); ++k) {
         const double difference = std::abs(result.magnitude[k] - result.modelMagnitude[k]);
-        const double limit
-            = kCoverage * result.u_magnitude[k] + kModelShare * result.modelMagnitude[k];
+        const double limit = kCoverage * result.u_noiseMagnitude[k] + result.boundEnd[k]
+            + result.boundAlias[k] + kModelShare * result.modelMagnitude[k];
         if (difference > limit) {
             result.findings.push_back({.id = "RSP-001",
                 .severity = Severity::Caution,
@@ -329,6 +274,43 @@ void compareAnswers(ResponseResult &result)
             return;
         }
     }
+}
+
+/// Says once for each of the two bounds at which frequencies nothing is stated.
+void reportWithheld(
+    WithheldReason reason, const char *id, const char *words, ResponseResult &result)
+{
+    Index count = 0;
+    double lowest_Hz = std::numeric_limits<double>::infinity();
+    double highest_Hz = 0.0;
+    for (std::size_t k = 0; k < result.withheld.size(); ++k) {
+        if (result.withheld[k] != reason)
+            continue;
+        const double f_Hz = result.frequency_Hz[static_cast<Index>(k)];
+        lowest_Hz = std::min(lowest_Hz, f_Hz);
+        highest_Hz = std::max(highest_Hz, f_Hz);
+        ++count;
+    }
+    if (count == 0)
+        return;
+    result.findings.push_back({.id = id,
+        .severity = Severity::Info,
+        .message = {words,
+            {std::to_string(count), std::to_string(result.withheld.size()),
+                numberWithUnit(lowest_Hz, "Hz", 3), numberWithUnit(highest_Hz, "Hz", 3)}},
+        .value = static_cast<double>(count)});
+}
+
+void reportWithheld(ResponseResult &result)
+{
+    reportWithheld(WithheldReason::End, "RSP-003",
+        DYNCAL_TEXT("core",
+            "The response taken from the data is withheld at %1 of %2 frequencies, from %3 to %4: what the end of the record cuts off may change it there by more than its noise and 2 %. Use a longer window, or only what the model says there."),
+        result);
+    reportWithheld(WithheldReason::Alias, "RSP-004",
+        DYNCAL_TEXT("core",
+            "The response taken from the data is withheld at %1 of %2 frequencies, from %3 to %4: the sampling may change it there by more than its noise and 2 %. Record at a higher rate, or use only what the model says there."),
+        result);
 }
 
 /// A list is computed as given; below the band the values depend on the plateau by which the
@@ -399,7 +381,6 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
 {
     ResponseResult result;
     const bool isStep = isStepTreatment(input.treatment);
-    const double span_s = inputSpan_s(input);
     const double rate_Hz = lowestRate_Hz(responses);
     setLimits(responses, input, model, result);
     if (isLevelKnown(model))
@@ -407,11 +388,12 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
 
     const bool isAbsolute = isPerPressure(responses, shock, settings);
     if (isStep)
-        result.drift = findDrift(responses, model, span_s);
-    const std::vector<ShotView> shots = views(responses, model, shock, isAbsolute, result.drift);
+        result.drift = findDrift(responses, model, inputSpan_s(input));
+    std::optional<RecordResponse> records;
     if (isStep) {
         takeShots(describeShots(responses, model, shock), result);
-        result.fHigh_Hz = upperLimit_Hz(shots, span_s, result.fLow_Hz, rate_Hz);
+        records.emplace(recordResponse(responses, input, model, shock, isAbsolute, result.drift));
+        result.fHigh_Hz = upperLimit_Hz(*records, result.fLow_Hz, rate_Hz);
     }
     result.unit = isStep && isAbsolute ? result.sensitivityUnit : "1";
     result.frequency_Hz = frequencyGrid(settings, result.fLow_Hz, result.fHigh_Hz);
@@ -419,7 +401,8 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
     if (!model.diverges)
         describeModel(model, input.treatment, scaleOf(model, isStep, isAbsolute, result), result);
     if (isStep && !model.diverges) {
-        measure(shots, span_s, rate_Hz, result);
+        measure(*records, rate_Hz, result);
+        reportWithheld(result);
         compareAnswers(result);
     }
     return result;

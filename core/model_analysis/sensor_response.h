@@ -28,13 +28,23 @@ namespace dyncal {
 /// Why a model has no characteristics.
 enum class CharacteristicsGap { None, FreeDecay, Diverges, LevelUnknown };
 
+/// Why S(f) is not stated at a frequency: the bound of its error by the end of the records or by
+/// sampling exceeds both its u and 2 % of it, or the records do not hold the frequency.
+enum class WithheldReason { None, End, Alias, AboveRate };
+
 struct ResponseResult
 {
     Eigen::VectorXd frequency_Hz; ///< by the recipe; a grid lies inside the usable band
     Eigen::VectorXd magnitude; ///< non-parametric, docs/method/response.md; empty for impulse
-    Eigen::VectorXd u_magnitude;
+    Eigen::VectorXd u_magnitude; ///< noise and both bounds
+    Eigen::VectorXd u_noiseMagnitude;
     Eigen::VectorXd phase_rad;
-    Eigen::VectorXd u_phase_rad;
+    Eigen::VectorXd u_phase_rad; ///< the same, and the onset
+    Eigen::VectorXd u_noisePhase_rad; ///< with the onset, without the bounds
+    Eigen::VectorXd dof; ///< of the noise
+    Eigen::VectorXd boundEnd; ///< of the error by the end of the records; also where withheld
+    Eigen::VectorXd boundAlias; ///< of that by sampling
+    std::vector<WithheldReason> withheld; ///< of each frequency
     Eigen::VectorXd modelMagnitude;
     Eigen::VectorXd modelPhase_rad;
     double fLow_Hz = 0.0; ///< 1 / shortest window

@@ -3,9 +3,10 @@
 
 #include "core/model_analysis/step_transform.h"
 
+#include "core/base/constants.h"
+
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace dyncal {
 namespace {
@@ -46,58 +47,73 @@ private:
     Table m_sin = Table(kBlock);
 };
 
+RecordEnd endAfter(const Eigen::Ref<const Eigen::VectorXd> &y, Index samples)
+{
+    constexpr Index kPart = 10;
+    if (samples == 0)
+        return {};
+    const Index averaged = std::max<Index>(1, samples / kPart);
+    return {samples, averaged, y.segment(samples - averaged, averaged).mean()};
+}
+
 } // namespace
 
-std::complex<double> stepTransform(const Eigen::Ref<const Eigen::VectorXd> &y, double rate_Hz,
-    double endLevel, double onset_s, double frequency_Hz)
+std::vector<RecordEnd> recordEnds(const Eigen::Ref<const Eigen::VectorXd> &y, Index cuts)
 {
-    const double w = 2.0 * std::numbers::pi * frequency_Hz;
+    std::vector<RecordEnd> ends;
+    const Index third = y.size() / 3;
+    for (Index k = 0; k < cuts; ++k)
+        ends.push_back(endAfter(y, y.size() - third + k * third / cuts));
+    ends.push_back(endAfter(y, y.size()));
+    return ends;
+}
+
+std::vector<std::complex<double>> stepTransforms(const Eigen::Ref<const Eigen::VectorXd> &y,
+    double rate_Hz, const std::vector<RecordEnd> &ends, double onset_s, double frequency_Hz)
+{
+    const double w = kTwoPi * frequency_Hz;
     const double x = w / rate_Hz;
     const Rotation rotation(x);
+    const std::complex<double> toStep = sampledStepCorrection(x) * std::polar(1.0, w * onset_s);
+    const auto turned = [&](Index n) { return std::polar(1.0, -x * static_cast<double>(n)); };
     std::complex<double> D = y.size() > 0 ? y[0] : 0.0;
-    for (Index n = 1; n < y.size(); n += kBlock) {
-        const Index count = std::min(kBlock, y.size() - n);
-        D += rotation.sum(y.segment(n, count) - y.segment(n - 1, count))
-            * std::polar(1.0, -x * static_cast<double>(n));
+    std::vector<std::complex<double>> transforms;
+    Index n = 1;
+    for (const RecordEnd &end : ends) {
+        for (Index count = 0; n < end.samples; n += count) {
+            count = std::min(kBlock, end.samples - n);
+            D += rotation.sum(y.segment(n, count) - y.segment(n - 1, count)) * turned(n);
+        }
+        const double last = end.samples > 0 ? y[end.samples - 1] : 0.0;
+        transforms.push_back((D + (end.level - last) * turned(end.samples)) * toStep);
     }
-    const double previous = y.size() > 0 ? y[y.size() - 1] : 0.0;
-    D += (endLevel - previous) * std::polar(1.0, -x * static_cast<double>(y.size()));
-    return D * sampledStepCorrection(x) * std::polar(1.0, w * onset_s);
+    return transforms;
 }
 
-std::complex<double> stepTransformError(
-    const ExponentialSum &sum, Index samples, double rate_Hz, double onset_s, double frequency_Hz)
+double stepTransformVariance(
+    const RecordEnd &end, double rate_Hz, double density, double atZero, double frequency_Hz)
 {
-    if (frequency_Hz == 0.0)
-        return 0.0; // at frequency 0 stepTransform() gives the plateau exactly
-    const std::complex<double> jw(0.0, 2.0 * std::numbers::pi * frequency_Hz);
-    const double first
-        = std::clamp(std::ceil(onset_s * rate_Hz - 1e-9), 0.0, static_cast<double>(samples));
-    const double end = static_cast<double>(samples);
-    // Sum over the samples from the onset on of e^(s (t - onset)) e^(-jwt).
-    const auto spectrum = [&](std::complex<double> s) {
-        const std::complex<double> perSample = (s - jw) / rate_Hz;
-        return std::exp(-s * onset_s) * (std::exp(perSample * first) - std::exp(perSample * end))
-            / (1.0 - std::exp(perSample));
-    };
-    std::complex<double> Y = sum.constant * spectrum(0.0);
-    std::complex<double> G = sum.constant;
-    for (Index i = 0; i < sum.poles_rad_s.size(); ++i) {
-        const std::complex<double> s = sum.poles_rad_s[i];
-        Y += sum.amplitudes[i] * spectrum(s);
-        G += sum.amplitudes[i] * jw / (jw - s);
-    }
-    const double x = jw.imag() / rate_Hz;
-    const std::complex<double> D
-        = (1.0 - std::polar(1.0, -x)) * Y + sum.constant * std::polar(1.0, -x * end);
-    return D * sampledStepCorrection(x) * std::exp(jw * onset_s) - G;
+    const double x = kTwoPi * frequency_Hz / rate_Hz;
+    const double ofSamples = 0.5 * density * x * x * static_cast<double>(end.samples);
+    if (end.averaged == 0)
+        return ofSamples;
+    // The level and the samples that it is the mean of vary together.
+    const double m = static_cast<double>(end.averaged);
+    const double ofLevel = atZero * std::norm(sampledStepCorrection(x))
+        * std::max(0.0, 2.0 * std::cos(x * m) - 1.0) / m;
+    return ofSamples + ofLevel;
 }
 
-double stepTransformNoise(Index samples, double rate_Hz, double noiseSd, double frequency_Hz)
+double aliasShare(double rate_Hz, double frequency_Hz)
 {
-    const double x = 2.0 * std::numbers::pi * frequency_Hz / rate_Hz;
-    return noiseSd * std::abs(1.0 - std::polar(1.0, -x))
-        * std::sqrt(static_cast<double>(samples) / 2.0) * std::abs(sampledStepCorrection(x));
+    constexpr double kSmall = 1e-3; // below, the difference of the closed form loses its digits
+    constexpr double kPi = std::numbers::pi;
+    const double r = frequency_Hz / rate_Hz;
+    if (r < kSmall)
+        return 0.5 * r * kPi * kPi / 3.0;
+    // sum over all m of 1/(r + m)^2 is (pi/sin(pi r))^2.
+    const double all = kPi / std::sin(kPi * r);
+    return 0.5 * r * (all * all - 1.0 / (r * r));
 }
 
 } // namespace dyncal

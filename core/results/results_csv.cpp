@@ -158,6 +158,10 @@ void addFrequencyResponse(std::vector<CsvFile> &files, const ResponseResult &res
     table.add("u_phase_rad", response.u_phase_rad);
     table.add("model_magnitude", response.modelMagnitude);
     table.add("model_phase_rad", response.modelPhase_rad);
+    table.add("u_noise_magnitude", response.u_noiseMagnitude);
+    table.add("u_noise_phase_rad", response.u_noisePhase_rad);
+    table.add("bound_end", response.boundEnd);
+    table.add("bound_alias", response.boundAlias);
     files.push_back({"frequency_response.csv", table.text()});
     CsvTable curve;
     curve.add("frequency_hz", response.modelCurve.frequency_Hz);

@@ -11,6 +11,7 @@
 #include "core/results/results_checks_json.h"
 #include "core/results/results_measurement_json.h"
 #include "core/results/results_model_json.h"
+#include "core/results/results_response_json.h"
 #include "core/results/results_sensitivity_json.h"
 #include "core/results/results_shock_json.h"
 

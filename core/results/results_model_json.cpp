@@ -4,7 +4,6 @@
 #include "core/results/results_model_json.h"
 
 #include "core/base/constants.h"
-#include "core/model_analysis/stated_characteristics.h"
 #include "core/realization/model/pole_classes.h"
 #include "core/results/pole_json.h"
 #include "core/results/results_shot_poles_json.h"
@@ -100,36 +99,6 @@ std::string gainUnit(const ResultsContext &context)
     return window && !window->responses.empty() ? window->responses.front().unit : "";
 }
 
-void addCurves(JsonRecord &section, const ResponseResult &response)
-{
-    const char *none = response.magnitude.size() == 0
-        ? "This treatment of the response gives no frequency response of a step."
-        : "The records do not hold frequencies above 0.4 of the lowest sample rate.";
-    const char *noModel
-        = "The model gives no response here: it diverges, or of a free decay the frequency is above half the model's rate.";
-    section.numbers("frequency_hz", response.frequency_Hz,
-        "None of the frequencies asked for lies in the usable band.");
-    section.numbers("magnitude", response.magnitude, none);
-    section.numbers("u_magnitude", response.u_magnitude, none);
-    section.missing("k_magnitude", kNoUncertainty);
-    section.set("u_contains_step", false); // it contains the noise of the recordings only
-    section.numbers("phase_rad", response.phase_rad, none);
-    section.numbers("u_phase_rad", response.u_phase_rad, none);
-    section.missing("k_phase", kNoUncertainty);
-    section.numbers("model_magnitude", response.modelMagnitude, noModel);
-    section.numbers("model_phase_rad", response.modelPhase_rad, noModel);
-}
-
-/// The edge, or the end of the band of the response that it lies beyond.
-void addBand(JsonRecord &section, const std::string &name, const StatedValue &edge)
-{
-    const std::string reason = english(edge.words);
-    const std::string noBound = edge.value ? "The value is stated." : reason;
-    section.number(name + "_hz", edge.value, reason);
-    section.number(name + "_above_hz", edge.above, noBound);
-    section.number(name + "_below_hz", edge.below, noBound);
-}
-
 } // namespace
 
 void addModel(JsonRecord &root, const ResultsContext &context)
@@ -168,46 +137,6 @@ void addModel(JsonRecord &root, const ResultsContext &context)
             "No oscillation was left out, or the model without it could not be refined.");
     addShotPoles(section, context);
     root.set("model", section.take());
-}
-
-void addResponse(JsonRecord &root, const ResultsContext &context)
-{
-    const auto response = context.results().response;
-    if (!response) {
-        root.missing("response", context.whyMissing());
-        return;
-    }
-    JsonRecord section;
-    addCurves(section, *response);
-    section.number("f_low_hz", response->fLow_Hz, "Not determined.");
-    section.number("f_high_hz", response->fHigh_Hz, "Not determined.");
-    section.text("unit", response->unit, "The recordings state no unit.");
-    root.set("response", section.take());
-}
-
-void addBands(JsonRecord &root, const ResultsContext &context)
-{
-    const auto response = context.results().response;
-    if (!response) {
-        root.missing("bands", context.whyMissing());
-        return;
-    }
-    const StatedCharacteristics found = statedCharacteristics(*response);
-    JsonRecord section;
-    addBand(section, "within_5_percent", found.within5percent_Hz);
-    addBand(section, "within_10_percent", found.within10percent_Hz);
-    addBand(section, "minus_3_db", found.minus3dB_Hz);
-    section.number("limit_hz", answersEnd_Hz(*response), "Not determined.");
-    section.set("source", "model");
-    root.set("bands", section.take());
-}
-
-void addBudget(JsonRecord &root)
-{
-    root.missing("budget",
-        "Not evaluated for the frequency response; that of each pressure step is in shock.");
-    root.missing("gum_validated_by_monte_carlo",
-        "Not evaluated for the frequency response; that of each pressure step is in shock.");
 }
 
 } // namespace dyncal

@@ -7,10 +7,7 @@
 
 namespace dyncal {
 
-/// The sections "model", "response", "bands" and "budget" of results.json.
+/// The section "model" of results.json.
 void addModel(JsonRecord &root, const ResultsContext &context);
-void addResponse(JsonRecord &root, const ResultsContext &context);
-void addBands(JsonRecord &root, const ResultsContext &context);
-void addBudget(JsonRecord &root);
 
 } // namespace dyncal

@@ -131,7 +131,8 @@ def response_rows(results, truth):
     steps = [(get(results, "shock", i, "step_pa"), truth["shots"][i]) for i in shots]
     if not f or any(step is None for step, _ in steps):
         return None
-    ratio = np.mean([step / (true["step_pa"] * true["gain"]) for step, true in steps])
+    # S is the mean over the shots of what each has over its step.
+    ratio = 1 / np.mean([true["step_pa"] * true["gain"] / step for step, true in steps])
     def column(name):
         return np.array([np.nan if v is None else v for v in answer.get(name) or [None] * len(f)], float)
     true = true_response(truth, f)

@@ -4,14 +4,11 @@
 #include "core/model_analysis/model_characteristics.h"
 #include "core/model_analysis/model_curves.h"
 #include "core/model_analysis/model_response.h"
-#include "core/model_analysis/step_transform.h"
 #include "tests/support/model_inputs.h"
 #include "tests/support/second_order_model.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
-
-#include <random>
 
 #include <numbers>
 
@@ -100,122 +97,6 @@ private slots:
         QVERIFY(std::abs(curve.phase_rad[0]) < 1e-4);
         QVERIFY(std::abs(curve.phase_rad[799] + std::numbers::pi) < 1e-3);
         QVERIFY((curve.phase_rad.tail(799) - curve.phase_rad.head(799)).maxCoeff() <= 0.0);
-    }
-
-    void stepTransform_recoversTheSensor()
-    {
-        // metrology 1.4: at 10 MHz, f0 = 300 kHz, zeta = 0.02, onset half a sample before the
-        // first: the bracket leaves less than 1e-4 % at 100 kHz; a long record leaves no
-        // truncation.
-        const double rate_Hz = 10e6;
-        const SensorModel model = testing::secondOrderModel(300e3, 0.02);
-        const Eigen::VectorXd y = testing::sampledStep(300e3, 0.02, rate_Hz, 20000, 0.5);
-        for (const double f_Hz : {1e3, 3e4, 1e5, 2.5e5}) {
-            const std::complex<double> S = stepTransform(y, rate_Hz, 1.0, -0.5 / rate_Hz, f_Hz);
-            const std::complex<double> G = modelResponse(model, kStep, f_Hz);
-            // Aliasing grows with frequency; 1 % of (f / rate) bounds it here.
-            QVERIFY2(std::abs(S / G - 1.0) < 2e-6 + 1e-4 * f_Hz / 2.5e5,
-                qPrintable(QString::number(std::abs(S / G - 1.0))));
-        }
-    }
-
-    void stepTransform_equalsTheSumWrittenOut()
-    {
-        std::mt19937 random(3);
-        std::normal_distribution<double> normal;
-        for (const Index size :
-            {Index(1), Index(2), Index(256), Index(257), Index(258), Index(5000)}) {
-            const Eigen::VectorXd y
-                = Eigen::VectorXd::NullaryExpr(size, [&] { return normal(random); });
-            for (const double x : {1e-3, 0.7, 3.1}) {
-                const double rate_Hz = 1e6;
-                std::complex<double> D = 0.0;
-                for (Index n = 0; n <= size; ++n) {
-                    const double now = n < size ? y[n] : 0.4;
-                    D += (now - (n > 0 ? y[n - 1] : 0.0)) * std::polar(1.0, -x * double(n));
-                }
-                const std::complex<double> expected
-                    = D * std::complex<double>(0.0, x) / (1.0 - std::polar(1.0, -x));
-                const std::complex<double> found
-                    = stepTransform(y, rate_Hz, 0.4, 0.0, x * rate_Hz / (2.0 * std::numbers::pi));
-                QVERIFY(std::abs(found - expected) < 1e-12 * double(size + 10));
-            }
-        }
-    }
-
-    void stepTransformError_isThatOfTheSamples()
-    {
-        // Coarsely sampled (aliasing of 12 % at 400 kHz) and cut off before it has settled; the
-        // first sample at, before or behind the onset.
-        const double rate_Hz = 1e6;
-        const SensorModel model = testing::secondOrderModel(300e3, 0.02);
-        ExponentialSum sum{1.0, Eigen::VectorXcd(2), model.amplitudes};
-        sum.poles_rad_s << model.poles[0].s_rad_s, model.poles[1].s_rad_s;
-        for (const Index samples : {Index(30), Index(3000)}) {
-            for (const double first : {0.0, 0.3, 0.99, -2.4}) {
-                const Eigen::VectorXd y
-                    = testing::sampledStep(300e3, 0.02, rate_Hz, samples, first);
-                for (const double f_Hz : {0.0, 1e3, 1e5, 2.9e5, 4e5}) {
-                    const double onset_s = -first / rate_Hz;
-                    const std::complex<double> expected
-                        = stepTransform(y, rate_Hz, 1.0, onset_s, f_Hz)
-                        - modelResponse(model, kStep, f_Hz);
-                    const std::complex<double> found
-                        = stepTransformError(sum, samples, rate_Hz, onset_s, f_Hz);
-                    QVERIFY2(std::abs(found - expected) < 1e-10,
-                        qPrintable(QString::number(std::abs(found - expected))));
-                    if (f_Hz == 4e5 && samples > 1000)
-                        QVERIFY(std::abs(expected) > 0.05); // it is worth taking off
-                }
-            }
-        }
-    }
-
-    void stepTransformError_isPoissonsSum()
-    {
-        // m = +-1 .. +-400 of G(f + m fs) f/(f + m fs) e^(-2 pi j m fs onset): what docs/method
-        // say.
-        const double rate_Hz = 1e6, f_Hz = 1.7e5, onset_s = -0.3e-6;
-        const SensorModel model = testing::secondOrderModel(300e3, 0.02);
-        ExponentialSum sum{1.0, Eigen::VectorXcd(2), model.amplitudes};
-        sum.poles_rad_s << model.poles[0].s_rad_s, model.poles[1].s_rad_s;
-        std::complex<double> aliases = 0.0;
-        for (int m = -400; m <= 400; ++m) {
-            const double at_Hz = f_Hz + m * rate_Hz;
-            const std::complex<double> G = at_Hz > 0.0
-                ? modelResponse(model, kStep, at_Hz)
-                : std::conj(modelResponse(model, kStep, -at_Hz));
-            if (m != 0)
-                aliases += G * f_Hz / at_Hz
-                    * std::polar(1.0, -2.0 * std::numbers::pi * m * rate_Hz * onset_s);
-        }
-        const std::complex<double> found = stepTransformError(sum, 5000, rate_Hz, onset_s, f_Hz);
-        // Terms fall as 1/m^3.
-        QVERIFY2(std::abs(found - aliases) < 1e-6,
-            qPrintable(QString::number(std::abs(found - aliases))));
-    }
-
-    void stepTransform_atZeroFrequency_isThePlateau()
-    {
-        const Eigen::VectorXd y = testing::sampledStep(300e3, 0.02, 1e7, 500, 0.5);
-        QVERIFY(std::abs(stepTransform(y, 1e7, 1.25, 0.0, 0.0) - 1.25) < 1e-12);
-    }
-
-    void stepTransformNoise_matchesTheScatter()
-    {
-        constexpr Index kSamples = 1000;
-        constexpr int kTrials = 400;
-        testing::Noise noise(8);
-        double squares = 0.0;
-        for (int trial = 0; trial < kTrials; ++trial) {
-            const std::complex<double> S
-                = stepTransform(noise.series(kSamples, 0.01), 1e7, 0.0, 0.0, 4e5);
-            squares += std::norm(S) / 2.0 / kTrials;
-        }
-        const double stated = stepTransformNoise(kSamples, 1e7, 0.01, 4e5);
-        // sd of a mean of 400 squares of a complex Gaussian is 5 %; the end level adds a little
-        QVERIFY2(std::abs(std::sqrt(squares) / stated - 1.0) < 0.1,
-            qPrintable(QString::number(std::sqrt(squares) / stated)));
     }
 };
 

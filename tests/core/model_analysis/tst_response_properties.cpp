@@ -236,10 +236,11 @@ private slots:
         for (int trial = 0; trial < kTrials; ++trial) {
             const ResponseResult noisy
                 = Calibration(shots, true, static_cast<std::uint64_t>(trial + 1)).run();
-            magnitude += ((noisy.magnitude - clean.magnitude).array() / noisy.u_magnitude.array())
-                             .square()
+            magnitude
+                += ((noisy.magnitude - clean.magnitude).array() / noisy.u_noiseMagnitude.array())
+                       .square()
                 / kTrials;
-            phase += ((noisy.phase_rad - clean.phase_rad).array() / noisy.u_phase_rad.array())
+            phase += ((noisy.phase_rad - clean.phase_rad).array() / noisy.u_noisePhase_rad.array())
                          .square()
                 / kTrials;
         }

@@ -49,6 +49,13 @@ NuisanceTerm termOf(Complex pole_rad_s, Complex pressure, bool startsWithStep)
     return {0, startsWithStep, pole_rad_s, atOnset * std::exp(-pole_rad_s * kOnset_s)};
 }
 
+/// `i` counts from the detected start; nothing before the onset.
+double truth(Index i)
+{
+    const double t_s = static_cast<double>(i) / kRate_Hz - kOnset_s;
+    return t_s > 0.0 ? Sensor{}.step(t_s) : 0.0;
+}
+
 WindowedResponse responseOf(const std::vector<NuisanceTerm> &terms, Index size)
 {
     WindowedResponse response;
@@ -59,9 +66,10 @@ WindowedResponse responseOf(const std::vector<NuisanceTerm> &terms, Index size)
     response.values.resize(kLead + size + 10);
     for (Index i = 0; i < response.values.size(); ++i) {
         const double t_s = static_cast<double>(i - kLead) / kRate_Hz;
-        response.values[i] = Sensor{}.step(t_s - kOnset_s);
+        response.values[i] = truth(i - kLead);
         for (const NuisanceTerm &term : terms)
-            response.values[i] += term.value(t_s);
+            if (t_s > kOnset_s || !term.startsWithStep)
+                response.values[i] += term.value(t_s);
     }
     return response;
 }
@@ -102,11 +110,6 @@ SeriesFit fitOf()
     return fit;
 }
 
-double truth(Index i)
-{
-    return Sensor{}.step(static_cast<double>(i) / kRate_Hz - kOnset_s);
-}
-
 } // namespace
 
 class TestSensorRecord : public QObject
@@ -121,9 +124,10 @@ private slots:
         for (const Index size : {1, 255, 256, 257, 1000}) { // blocks of 256 inside
             const SeriesFit fit = fitOf();
             const SensorRecord record = sensorRecord(responseOf(terms, size), modelOf(terms), &fit);
-            QCOMPARE(record.values.size(), size);
-            for (Index i = 0; i < size; ++i)
-                QVERIFY(std::abs(record.values[i] - truth(i)) < kRounding);
+            QCOMPARE(record.early, kLead);
+            QCOMPARE(record.values.size(), kLead + size);
+            for (Index i = 0; i < kLead + size; ++i)
+                QVERIFY(std::abs(record.values[i] - truth(i - kLead)) < kRounding);
         }
     }
 
@@ -132,7 +136,8 @@ private slots:
         const std::vector<NuisanceTerm> terms{termOf({-300.0, 4e4}, 0.03, true)};
         const WindowedResponse response = responseOf(terms, 300);
         const SensorRecord record = sensorRecord(response, modelOf(terms), nullptr);
-        QCOMPARE(record.values, Eigen::VectorXd(response.window()));
+        QCOMPARE(record.values, Eigen::VectorXd(response.values.head(kLead + 300)));
+        QCOMPARE(record.early, kLead);
         QVERIFY(record.driven.empty());
         QCOMPARE(record.ofStep({1.5, -2.0}, 1e4), Complex(1.5, -2.0));
     }
@@ -147,7 +152,22 @@ private slots:
         fit.leftOut = {{50, 70}, {290, 400}}; // the second reaches beyond the window
         const SensorRecord record = sensorRecord(response, modelOf(terms), &fit);
         for (Index i = 0; i < 300; ++i)
-            QVERIFY(std::abs(record.values[i] - truth(i)) < kRounding);
+            QVERIFY(std::abs(record.values[kLead + i] - truth(i)) < kRounding);
+    }
+
+    void ofTheLead_asMuchIsTakenAsARiseNeeds()
+    {
+        WindowedResponse response = responseOf({}, 3200);
+        const Eigen::VectorXd before = Eigen::VectorXd::Zero(1000);
+        response.values
+            = (Eigen::VectorXd(1000 + response.values.size()) << before, response.values)
+                  .finished();
+        response.lead += 1000;
+        const SensorRecord record = sensorRecord(response, modelOf({}), nullptr);
+        QCOMPARE(record.early, Index(200)); // a sixteenth of the window
+        QCOMPARE(record.values.size(), Index(3400));
+        response.length = 160;
+        QCOMPARE(sensorRecord(response, modelOf({}), nullptr).early, Index(64));
     }
 
     void onlyModesThatTheStepSetOff_areInput()

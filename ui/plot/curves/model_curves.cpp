@@ -121,6 +121,19 @@ void addMeasured(PlotContent &content, const Eigen::VectorXd &frequency_Hz,
         toVector(scale * values), true});
 }
 
+/// What the plots leave out without a model; empty where nothing.
+QString withheldWords(const ResponseResult &response)
+{
+    const auto isWithheld = [](WithheldReason reason) { return reason != WithheldReason::None; };
+    const auto count = std::ranges::count_if(response.withheld, isWithheld);
+    if (count == 0)
+        return {};
+    return QStringLiteral(" ")
+        + Plots::tr("Non-parametric values withheld: %1 of %2; results and findings say why.")
+              .arg(count)
+              .arg(response.withheld.size());
+}
+
 /// Value of the model's step response at t >= 0.
 double stepResponse(const SensorModel &model, const std::vector<std::complex<double>> &rates,
     ResponseTreatment treatment, double t_s)
@@ -246,7 +259,8 @@ PlotContent bodeMagnitudeCurves(const ResponseResult &response)
     addResponseMarks(content, response);
     content.summary = Plots::tr("Magnitude of the frequency response; usable from %1 to %2.")
                           .arg(valueWithUnit(response.fLow_Hz, QStringLiteral("Hz"), 3),
-                              valueWithUnit(response.fHigh_Hz, QStringLiteral("Hz"), 3));
+                              valueWithUnit(response.fHigh_Hz, QStringLiteral("Hz"), 3))
+        + withheldWords(response);
     return content;
 }
 
@@ -264,7 +278,8 @@ PlotContent bodePhaseCurves(const ResponseResult &response)
         content, response.frequency_Hz, response.phase_rad, response.u_phase_rad, toDegrees);
     addResponseMarks(content, response);
     content.summary
-        = Plots::tr("Phase of the frequency response, output over input, lag negative.");
+        = Plots::tr("Phase of the frequency response, output over input, lag negative.")
+        + withheldWords(response);
     return content;
 }
 

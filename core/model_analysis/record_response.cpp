@@ -1,0 +1,275 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/model_analysis/record_response.h"
+
+#include "core/base/constants.h"
+#include "core/model_analysis/step_transform.h"
+#include "core/signal/fft.h"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <utility>
+
+namespace dyncal {
+namespace {
+
+constexpr double kPeriodsKept = 20.0; ///< of the frequency asked, where the window has them
+constexpr Index kCuts = 12;
+constexpr double kMarginOfEnd = 1.2; ///< over the largest change that a cut makes
+constexpr double kSigmas = 2.5; ///< a change up to here may be noise: it exceeds that in 0.2 %
+constexpr Index kFewestBefore = 64;
+constexpr Index kShareBefore = 16; ///< of the samples used, before the start
+
+/// The samples that S(f) is taken from: from before the onset on, so that the whole rise is among
+/// them wherever the onset lies, and so long behind the detected start, within the window.
+Eigen::Ref<const Eigen::VectorXd> samplesUsed(const RecordOfShot &shot, double length_s)
+{
+    const double asked = std::max(2.0, std::ceil(length_s * shot.response->sampleRate_Hz));
+    const Index there = shot.record.values.size() - shot.record.early;
+    const Index count = static_cast<Index>(std::min(asked, static_cast<double>(there)));
+    const Index before = std::min(shot.record.early, std::max(kFewestBefore, count / kShareBefore));
+    return shot.record.values.segment(shot.record.early - before, before + count);
+}
+
+/// Of the first of the samples used, relative to the onset, negated.
+double onsetIn(const RecordOfShot &shot, const Eigen::Ref<const Eigen::VectorXd> &used)
+{
+    const Index skipped = static_cast<Index>(used.data() - shot.record.values.data());
+    return shot.onset_s
+        + static_cast<double>(shot.record.early - skipped) / shot.response->sampleRate_Hz;
+}
+
+/// One shot's S at one frequency.
+struct ShotPoint
+{
+    std::complex<double> S;
+    double variance = 0.0; ///< of Re S and of Im S
+    double dof = 0.0;
+    Eigen::VectorXcd changes; ///< of S by each cut, along S and across it
+    Eigen::VectorXd variancesOfChanges;
+    double u_onset_s = 0.0;
+};
+
+/// Variance of Re S and of Im S where the record ends at `end`, of `samples` samples of it.
+double varianceOf(const NoiseDensity &noise, double rate_Hz, const RecordEnd &end, Index samples,
+    double frequency_Hz)
+{
+    return stepTransformVariance({samples, end.averaged, 0.0}, rate_Hz,
+        noise.at(frequency_Hz).variance,
+        noise.ofMean(end.averaged, 2 * end.samples) * static_cast<double>(end.averaged),
+        frequency_Hz);
+}
+
+ShotPoint pointOf(
+    const RecordOfShot &shot, const NoiseDensity &noise, double length_s, double frequency_Hz)
+{
+    const double rate_Hz = shot.response->sampleRate_Hz;
+    const double scale2 = shot.scale * shot.scale;
+    const auto y = samplesUsed(shot, length_s);
+    const std::vector<RecordEnd> ends = recordEnds(y, kCuts);
+    const RecordEnd &whole = ends.back();
+    const auto transforms = stepTransforms(y, rate_Hz, ends, onsetIn(shot, y), frequency_Hz);
+    const auto toS = [&](std::complex<double> transform) {
+        return shot.scale * shot.record.ofStep(transform, frequency_Hz);
+    };
+    ShotPoint point{toS(transforms.back()),
+        scale2
+            * (varianceOf(noise, rate_Hz, whole, whole.samples, frequency_Hz) + noise.ofBaseline()),
+        noise.at(frequency_Hz).dof, Eigen::VectorXcd(kCuts), Eigen::VectorXd(kCuts),
+        shot.u_onset_s};
+    const std::complex<double> turn = std::polar(1.0, -std::arg(point.S));
+    for (Index k = 0; k < kCuts; ++k) {
+        const RecordEnd &end = ends[static_cast<std::size_t>(k)];
+        point.changes[k] = (toS(transforms[static_cast<std::size_t>(k)]) - point.S) * turn;
+        // Noise of the part cut off, and of the two levels.
+        point.variancesOfChanges[k] = scale2
+            * (varianceOf(noise, rate_Hz, end, whole.samples - end.samples, frequency_Hz)
+                + varianceOf(noise, rate_Hz, whole, 0, frequency_Hz));
+    }
+    return point;
+}
+
+/// |S| of a noisy S is too large by u^2/2|S|.
+double meanMagnitude(const std::vector<ShotPoint> &shots)
+{
+    double sum = 0.0;
+    for (const ShotPoint &shot : shots) {
+        const double square = std::norm(shot.S) - shot.variance;
+        sum += square < 0.0 ? 0.0 : std::sqrt(square); // a sample that is no number stays none
+    }
+    return sum / static_cast<double>(shots.size());
+}
+
+double meanPhase_rad(const std::vector<ShotPoint> &shots)
+{
+    std::complex<double> together = 0.0;
+    for (const ShotPoint &shot : shots)
+        together += shot.S;
+    double sum = 0.0;
+    for (const ShotPoint &shot : shots)
+        sum += std::remainder(std::arg(shot.S) - std::arg(together), kTwoPi);
+    return std::remainder(std::arg(together) + sum / static_cast<double>(shots.size()), kTwoPi);
+}
+
+/// By the largest change of the mean that a cut makes beyond what noise does.
+double boundOfEnd(const std::vector<ShotPoint> &shots)
+{
+    const double n = static_cast<double>(shots.size());
+    Eigen::VectorXcd changes = Eigen::VectorXcd::Zero(kCuts);
+    Eigen::VectorXd ofNoise = Eigen::VectorXd::Zero(kCuts);
+    for (const ShotPoint &shot : shots) {
+        changes += shot.changes / n;
+        ofNoise += 2.0 * shot.variancesOfChanges / (n * n);
+    }
+    const double largest
+        = (changes.array().abs2() - kSigmas * kSigmas * ofNoise.array()).maxCoeff();
+    return kMarginOfEnd * std::sqrt(std::max(0.0, largest));
+}
+
+/// Of the mean, by Welch and Satterthwaite.
+double dofOf(const std::vector<ShotPoint> &shots)
+{
+    double sum = 0.0, squares = 0.0;
+    for (const ShotPoint &shot : shots) {
+        sum += shot.variance;
+        squares += shot.variance * shot.variance / shot.dof;
+    }
+    return squares > 0.0 ? sum * sum / squares : std::numeric_limits<double>::infinity();
+}
+
+/// The steps between the samples; in the last tenth the record goes over to its level by half a
+/// cosine, because a jump at the end would count at every frequency.
+Eigen::VectorXd smoothlyEndedSteps(const Eigen::Ref<const Eigen::VectorXd> &y, const RecordEnd &end)
+{
+    Eigen::VectorXd steps(y.size() + 1);
+    steps << y, end.level;
+    for (Index k = 0; k < end.averaged; ++k) {
+        const double share = static_cast<double>(k + 1) / static_cast<double>(end.averaged + 1);
+        double &value = steps[y.size() - end.averaged + k];
+        value = end.level + (value - end.level) * 0.5 * (1.0 + std::cos(std::numbers::pi * share));
+    }
+    for (Index k = y.size(); k > 0; --k)
+        steps[k] -= steps[k - 1];
+    return steps;
+}
+
+/// |S|^2 of the samples by bins of the rate, and what noise has of it.
+void addPower(const RecordOfShot &shot, const NoiseDensity &noise, double length_s,
+    const RealFft &fft, Eigen::ArrayXd &power, Eigen::ArrayXd &ofNoise)
+{
+    const double rate_Hz = shot.response->sampleRate_Hz;
+    const auto y = samplesUsed(shot, length_s);
+    const RecordEnd end = recordEnds(y, 0).back();
+    const Eigen::VectorXcd spectrum = fft.forward(smoothlyEndedSteps(y, end));
+    const Index first = spectrum.size() - power.size();
+    for (Index k = 0; k < power.size(); ++k) {
+        const double half
+            = std::numbers::pi * static_cast<double>(first + k) / static_cast<double>(fft.length());
+        const double toStep = shot.scale * half / std::sin(half);
+        const double f_Hz = rate_Hz * half / std::numbers::pi;
+        power[k] += toStep * toStep * std::norm(spectrum[first + k]);
+        ofNoise[k] += 2.0 * shot.scale * shot.scale
+            * stepTransformVariance(end, rate_Hz, noise.at(f_Hz).variance, 0.0, f_Hz);
+    }
+}
+
+/// Largest |S| of a mean over `shots` spectra, as far as it stands out of the noise: by a single
+/// bin, or by the mean of all (1.6: of a power that falls as 1/f^4 over the band).
+double largestBeyondNoise(const Eigen::ArrayXd &power, const Eigen::ArrayXd &ofNoise, double shots)
+{
+    constexpr double kLargestOverMean = 1.6;
+    // A mean of `shots` exponential variables exceeds 1 + sqrt(2 x) + x with less than e^(-shots
+    // x): here once in a thousand spectra.
+    constexpr double kLogOfRare = 7.0;
+    const double bins = static_cast<double>(power.size());
+    const double x = (std::log(bins) + kLogOfRare) / shots;
+    const double single = (power - ofNoise * (1.0 + std::sqrt(2.0 * x) + x)).maxCoeff();
+    const double spread = kSigmas / std::sqrt(bins * shots);
+    const double broad = (power - ofNoise * (1.0 + spread)).mean();
+    return std::sqrt(std::max({0.0, single, kLargestOverMean * broad}) / shots);
+}
+
+} // namespace
+
+RecordResponse::RecordResponse(std::vector<RecordOfShot> shots, double span_s)
+    : m_shots(std::move(shots))
+    , m_span_s(span_s)
+{
+    for (const RecordOfShot &shot : m_shots) {
+        const WindowedResponse &response = *shot.response;
+        m_noise.emplace_back(response);
+        m_longest_s
+            = std::max(m_longest_s, static_cast<double>(response.length) / response.sampleRate_Hz);
+    }
+    measureTops();
+}
+
+void RecordResponse::measureTops()
+{
+    Index longest = 0;
+    for (const RecordOfShot &shot : m_shots) {
+        const double rate_Hz = shot.response->sampleRate_Hz;
+        longest = std::max(longest, samplesUsed(shot, m_span_s).size());
+        if (std::ranges::find(m_tops, rate_Hz, &TopOfBand::rate_Hz) == m_tops.end())
+            m_tops.push_back({rate_Hz, 0.0, 0.0});
+    }
+    const RealFft fft(fastFftLength(longest + 1));
+    const Index half = fft.length() / 2 + 1;
+    const Index bins
+        = half - static_cast<Index>(std::ceil(0.4 * static_cast<double>(fft.length())));
+    for (TopOfBand &top : m_tops) {
+        Eigen::ArrayXd power = Eigen::ArrayXd::Zero(std::max<Index>(bins, 1));
+        Eigen::ArrayXd ofNoise = power;
+        for (std::size_t i = 0; i < m_shots.size(); ++i) {
+            if (m_shots[i].response->sampleRate_Hz != top.rate_Hz)
+                continue;
+            addPower(m_shots[i], m_noise[i], m_span_s, fft, power, ofNoise);
+            top.shots += 1.0;
+        }
+        top.largest = largestBeyondNoise(power, ofNoise, top.shots);
+    }
+}
+
+double RecordResponse::boundAlias(double frequency_Hz) const
+{
+    double sum = 0.0;
+    for (const TopOfBand &top : m_tops)
+        sum += top.shots * top.largest * aliasShare(top.rate_Hz, frequency_Hz);
+    return sum / static_cast<double>(m_shots.size());
+}
+
+RecordResponse::Point RecordResponse::at(double frequency_Hz) const
+{
+    // A sensor that rings on for longer needs more of the record, as far as noise lets it win.
+    double length_s = std::max(m_span_s, kPeriodsKept / frequency_Hz);
+    Point best = over(length_s, frequency_Hz);
+    for (Point last = best; last.boundEnd > last.u_magnitude && length_s < m_longest_s;) {
+        length_s *= 2.0;
+        last = over(length_s, frequency_Hz);
+        if (std::hypot(last.u_magnitude, last.boundEnd)
+            < std::hypot(best.u_magnitude, best.boundEnd))
+            best = last;
+    }
+    return best;
+}
+
+RecordResponse::Point RecordResponse::over(double length_s, double frequency_Hz) const
+{
+    std::vector<ShotPoint> shots;
+    double variance = 0.0, ofOnsets_s2 = 0.0;
+    for (std::size_t i = 0; i < m_shots.size(); ++i) {
+        shots.push_back(pointOf(m_shots[i], m_noise[i], length_s, frequency_Hz));
+        variance += shots.back().variance;
+        ofOnsets_s2 += shots.back().u_onset_s * shots.back().u_onset_s;
+    }
+    const double n = static_cast<double>(shots.size());
+    Point point{meanMagnitude(shots), meanPhase_rad(shots), std::sqrt(variance) / n, 0.0,
+        dofOf(shots), boundOfEnd(shots), boundAlias(frequency_Hz)};
+    point.u_phase_rad = std::hypot(
+        point.u_magnitude / point.magnitude, kTwoPi * frequency_Hz * std::sqrt(ofOnsets_s2) / n);
+    return point;
+}
+
+} // namespace dyncal

@@ -1,0 +1,135 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/results/results_response_json.h"
+
+#include "core/base/constants.h"
+#include "core/base/propagation.h"
+#include "core/model_analysis/stated_characteristics.h"
+
+namespace dyncal {
+namespace {
+
+using Json = JsonRecord::Json;
+
+const char *withheldReason(WithheldReason reason)
+{
+    switch (reason) {
+    case WithheldReason::None:
+        break;
+    case WithheldReason::End:
+        return "The error by the end of the record (bound_end) may exceed both the uncertainty and 2 % of the value.";
+    case WithheldReason::Alias:
+        return "The error by sampling (bound_alias) may exceed both the uncertainty and 2 % of the value.";
+    case WithheldReason::AboveRate:
+        return "The records do not hold frequencies above 0.4 of the lowest sample rate.";
+    }
+    return nullptr;
+}
+
+void addWithheld(JsonRecord &section, const ResponseResult &response)
+{
+    Json reasons = Json::array();
+    for (const WithheldReason reason : response.withheld) {
+        const char *words = withheldReason(reason);
+        reasons.push_back(words ? Json(words) : Json(nullptr));
+    }
+    section.set("withheld_reason", std::move(reasons));
+    section.set("withheld_reason_reason", "null where the value is stated.");
+}
+
+Eigen::VectorXd coverageFactors(const Eigen::VectorXd &dof)
+{
+    constexpr double kCoverage = 0.95;
+    return dof.unaryExpr([](double of) { return coverageFactor(of, kCoverage); });
+}
+
+/// The measured half: noise, the bounds of what sampling and the end of the records make, and why
+/// a value is withheld.
+void addMeasured(JsonRecord &section, const ResponseResult &response)
+{
+    const char *none = response.magnitude.size() == 0
+        ? "This treatment of the response gives no frequency response of a step."
+        : "Withheld, see withheld_reason.";
+    section.numbers("magnitude", response.magnitude, none);
+    section.numbers("u_magnitude", response.u_magnitude, none);
+    section.numbers("u_noise_magnitude", response.u_noiseMagnitude, none);
+    section.numbers("k_magnitude", coverageFactors(response.dof), none);
+    section.set("u_contains_step", false); // noise of the recordings and the bounds only
+    section.numbers("phase_rad", response.phase_rad, none);
+    section.numbers("u_phase_rad", response.u_phase_rad, none);
+    section.numbers("u_noise_phase_rad", response.u_noisePhase_rad, none);
+    section.numbers("k_phase", coverageFactors(response.dof), none);
+    section.numbers("dof", response.dof, "Withheld, or the noise is known without a record.");
+    const char *noBound = response.magnitude.size() == 0 ? none : "Above 0.4 of the lowest rate.";
+    section.numbers("bound_end", response.boundEnd, noBound);
+    section.numbers("bound_alias", response.boundAlias, noBound);
+    section.set("bound_alias_assumes",
+        "Above half the sample rate the response is nowhere stronger than its largest value between 0.4 and 0.5 of it.");
+    addWithheld(section, response);
+}
+
+void addCurves(JsonRecord &section, const ResponseResult &response)
+{
+    const char *noModel
+        = "The model gives no response here: it diverges, or of a free decay the frequency is above half the model's rate.";
+    section.numbers("frequency_hz", response.frequency_Hz,
+        "None of the frequencies asked for lies in the usable band.");
+    addMeasured(section, response);
+    section.numbers("model_magnitude", response.modelMagnitude, noModel);
+    section.numbers("model_phase_rad", response.modelPhase_rad, noModel);
+}
+
+/// The edge, or the end of the band of the response that it lies beyond.
+void addBand(JsonRecord &section, const std::string &name, const StatedValue &edge)
+{
+    const std::string reason = english(edge.words);
+    const std::string noBound = edge.value ? "The value is stated." : reason;
+    section.number(name + "_hz", edge.value, reason);
+    section.number(name + "_above_hz", edge.above, noBound);
+    section.number(name + "_below_hz", edge.below, noBound);
+}
+
+} // namespace
+
+void addResponse(JsonRecord &root, const ResultsContext &context)
+{
+    const auto response = context.results().response;
+    if (!response) {
+        root.missing("response", context.whyMissing());
+        return;
+    }
+    JsonRecord section;
+    addCurves(section, *response);
+    section.number("f_low_hz", response->fLow_Hz, "Not determined.");
+    section.number("f_high_hz", response->fHigh_Hz, "Not determined.");
+    section.text("unit", response->unit, "The recordings state no unit.");
+    root.set("response", section.take());
+}
+
+void addBands(JsonRecord &root, const ResultsContext &context)
+{
+    const auto response = context.results().response;
+    if (!response) {
+        root.missing("bands", context.whyMissing());
+        return;
+    }
+    const StatedCharacteristics found = statedCharacteristics(*response);
+    JsonRecord section;
+    addBand(section, "within_5_percent", found.within5percent_Hz);
+    addBand(section, "within_10_percent", found.within10percent_Hz);
+    addBand(section, "minus_3_db", found.minus3dB_Hz);
+    section.number("limit_hz", answersEnd_Hz(*response), "Not determined.");
+    section.set("source", "model");
+    root.set("bands", section.take());
+}
+
+void addBudget(JsonRecord &root)
+{
+    root.missing("budget",
+        "Not evaluated for the frequency response; that of each pressure step is in shock.");
+    root.missing("gum_validated_by_monte_carlo",
+        "Not evaluated for the frequency response; that of each pressure step is in shock.");
+}
+
+} // namespace dyncal
