@@ -132,6 +132,12 @@ void addNotes(const ResponseResult &response, std::size_t rows, CertificateSecti
         {DYNCAL_TEXT("core",
              "The values without a model take nothing from it but the zero of time. Where what sampling or the end of the records may change exceeds both the uncertainty of the noise and 2 % of the magnitude, none is stated; for the sampling it is assumed that above half the sample rate the response is nowhere stronger than just below."),
             {}});
+    if (response.front.duration_s > 0.0)
+        section.notes.push_back(
+            {DYNCAL_TEXT("core",
+                 "The pressure rises over %1 at the sensor, standard uncertainty %2. The values without a model are divided by what an even rise takes off; the model is that behind it."),
+                {numberWithUnit(response.front.duration_s, "s", 3),
+                    numberWithUnit(response.front.u_s, "s", 2)}});
     if (const auto asked = static_cast<std::size_t>(response.frequency_Hz.size()); rows < asked)
         section.notes.push_back(
             {DYNCAL_TEXT("core",

@@ -4,6 +4,7 @@
 #include "core/model_analysis/noise_density.h"
 
 #include "core/base/constants.h"
+#include "core/signal/fft.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,65 +14,134 @@
 namespace dyncal {
 namespace {
 
-constexpr Index kFactor = 8;
-constexpr Index kFewest = 100; ///< values of which a density is still made
-constexpr double kHighestOfRate = 0.1; ///< means of samples follow the noise up to there
-constexpr double kSigmasApart = 2.5; ///< by which a slower layer must differ to be believed
+constexpr Index kLongest = Index(1) << 18; ///< samples before the step of which octaves are made
+constexpr Index kFewest = 256;
+constexpr Index kFirstBin = 2; ///< the trend that was taken off took the first with it
+constexpr double kHighestOfRate = 0.2; ///< above, the autoregressive model resolves all
+constexpr double kSigmasApart = 2.0; ///< by which the octaves must differ to be believed
+constexpr double kReach = 1.75; ///< octaves to either side that make one value
 
-Eigen::VectorXd meansOf(const Eigen::VectorXd &values)
+/// Of a mean of neighbouring bins behind a Hann window, whose powers are correlated by 4/9 and
+/// 1/36.
+double dofOfBins(Index bins)
 {
-    const Index count = values.size() / kFactor;
-    return values.head(count * kFactor).reshaped(kFactor, count).colwise().mean();
+    const double n = static_cast<double>(bins);
+    return 2.0 * n / (1.0 + 0.94 * (1.0 - 1.0 / n));
+}
+
+/// Power by bins, 1 for white noise of variance 1.
+Eigen::ArrayXd periodogram(const Eigen::Ref<const Eigen::VectorXd> &noise)
+{
+    const Index n = noise.size();
+    const Eigen::ArrayXd phase = Eigen::ArrayXd::LinSpaced(n, 0.0, static_cast<double>(n - 1))
+        * kTwoPi / static_cast<double>(n);
+    const Eigen::ArrayXd window = 0.5 * (1.0 - phase.cos());
+    const Eigen::VectorXd tapered = (noise.array() - noise.mean()) * window;
+    return RealFft(n).forward(tapered).array().abs2() / window.square().sum();
 }
 
 } // namespace
 
 NoiseDensity::NoiseDensity(const WindowedResponse &response)
     : m_rate_Hz(response.sampleRate_Hz)
+    , m_count(response.noise.size())
 {
-    Eigen::VectorXd values = response.noise;
-    Layer layer{m_rate_Hz, 1.0, values.size(), {}};
-    double recorded = 0.0;
-    while (layer.count >= (m_layers.empty() ? 2 : kFewest)) {
-        const NoiseCovariance covariance = noiseCovariance(values, kLargestNoiseModelOrder);
-        if (m_layers.empty())
-            recorded = covariance.values[0];
-        layer.model = chooseAutoregressiveModels({covariance}, kLargestNoiseModelOrder).front();
-        m_layers.push_back(layer);
-        values = meansOf(values);
-        layer.rate_Hz /= static_cast<double>(kFactor);
-        layer.samples *= static_cast<double>(kFactor);
-        layer.count = values.size();
-    }
     const double noiseSd = response.noiseSd / std::abs(response.valueScale);
-    m_white = std::max(0.0, noiseSd * noiseSd - recorded);
-    if (!m_layers.empty())
-        m_ofBaseline = ofMean(response.noise.size(), response.noise.size())
-            + response.roundingSd * response.roundingSd;
+    m_white = noiseSd * noiseSd;
+    if (m_count < 2)
+        return;
+    const NoiseCovariance covariance = noiseCovariance(response.noise, kLargestNoiseModelOrder);
+    m_model = chooseAutoregressiveModels({covariance}, kLargestNoiseModelOrder).front();
+    m_white = std::max(0.0, m_white - covariance.values[0]);
+    findOctaves(response.noise);
+    m_ofBaseline = ofMean(m_count, m_count) + response.roundingSd * response.roundingSd;
 }
 
-double NoiseDensity::densityOf(const Layer &layer, double frequency_Hz)
+void NoiseDensity::findOctaves(const Eigen::VectorXd &noise)
 {
-    const double x = kTwoPi * frequency_Hz / layer.rate_Hz;
+    const Index n = std::min(kLongest, noise.size() / 2 * 2);
+    if (n < kFewest || !noise.allFinite())
+        return;
+    const Eigen::ArrayXd power = periodogram(noise.tail(n));
+    const double bin_Hz = m_rate_Hz / static_cast<double>(n);
+    for (Index k = kFirstBin; 2.0 * static_cast<double>(k) * bin_Hz < kHighestOfRate * m_rate_Hz;
+         k *= 2) {
+        const double mean = power.segment(k, k).mean();
+        if (!(mean > 0.0))
+            return;
+        const double dof = dofOfBins(k);
+        // The mean of the logarithm of a chi-square variable over its dof is about -1/dof.
+        m_octaves.push_back(
+            {bin_Hz * (1.5 * static_cast<double>(k) - 0.5), std::log(mean) + 1.0 / dof, dof});
+    }
+}
+
+double NoiseDensity::modelAt(double frequency_Hz) const
+{
+    const double x = kTwoPi * frequency_Hz / m_rate_Hz;
     std::complex<double> filter = 1.0;
-    for (Index i = 0; i < layer.model.order(); ++i)
-        filter += layer.model.coefficients[i] * std::polar(1.0, -x * static_cast<double>(i + 1));
-    return layer.samples * layer.model.innovationVariance / std::norm(filter);
+    for (Index i = 0; i < m_model.order(); ++i)
+        filter += m_model.coefficients[i] * std::polar(1.0, -x * static_cast<double>(i + 1));
+    return m_model.innovationVariance / std::norm(filter);
+}
+
+/// A line through the logarithms of the octaves about the frequency.
+NoiseDensity::Value NoiseDensity::octavesAt(double frequency_Hz) const
+{
+    const double low_Hz = std::max(frequency_Hz, m_octaves.front().centre_Hz);
+    double w = 0.0, wx = 0.0, wxx = 0.0, wy = 0.0, wxy = 0.0;
+    const auto forNear = [&](const auto &use) {
+        for (const Octave &octave : m_octaves) {
+            const double x = std::log2(octave.centre_Hz / low_Hz);
+            if (std::abs(x) < kReach)
+                use(octave, x, octave.dof * (1.0 - std::abs(x) / kReach));
+        }
+    };
+    forNear([&](const Octave &octave, double x, double weight) {
+        w += weight;
+        wx += weight * x;
+        wxx += weight * x * x;
+        wy += weight * octave.logDensity;
+        wxy += weight * x * octave.logDensity;
+    });
+    const double spread = w * wxx - wx * wx;
+    if (!(spread > 0.0))
+        return {std::exp(wy / w), w};
+    const double at0 = (wxx * wy - wx * wxy) / spread;
+    const double slope = (w * wxy - wx * wy) / spread;
+    double variance = 0.0;
+    forNear([&](const Octave &octave, double x, double weight) {
+        const double share = weight * (wxx - wx * x) / spread;
+        variance += share * share * 2.0 / octave.dof;
+    });
+    const double beyond = std::min(0.0, std::log2(frequency_Hz / low_Hz));
+    return {std::exp(at0 + slope * std::max(beyond, -1.0)), 2.0 / variance};
+}
+
+/// Whether the octaves about the frequency differ from the model: chi-square of their logarithms.
+bool NoiseDensity::differsFromModel(double frequency_Hz) const
+{
+    double chiSquare = 0.0, octaves = 0.0;
+    for (const Octave &octave : m_octaves) {
+        const double x = std::log2(octave.centre_Hz / frequency_Hz);
+        if (x > kReach || (x < -kReach && &octave != &m_octaves.front()))
+            continue;
+        const double change = octave.logDensity - std::log(modelAt(octave.centre_Hz));
+        chiSquare += 0.5 * octave.dof * change * change;
+        octaves += 1.0;
+    }
+    return chiSquare > octaves + kSigmasApart * std::sqrt(2.0 * octaves);
 }
 
 NoiseDensity::Value NoiseDensity::at(double frequency_Hz) const
 {
-    if (m_layers.empty())
+    if (m_count < 2)
         return {m_white, std::numeric_limits<double>::infinity()};
-    Value found{densityOf(m_layers.front(), frequency_Hz), m_layers.front().dof()};
-    for (const Layer &slower : m_layers) {
-        if (frequency_Hz > kHighestOfRate * slower.rate_Hz)
-            break;
-        const double density = densityOf(slower, frequency_Hz);
-        const double scatter = std::sqrt(2.0 / found.dof + 2.0 / slower.dof());
-        if (std::abs(std::log(density / found.variance)) > kSigmasApart * scatter)
-            found = {density, slower.dof()};
-    }
+    Value found{modelAt(frequency_Hz),
+        static_cast<double>(m_count) / static_cast<double>(m_model.order() + 1)};
+    if (!m_octaves.empty() && frequency_Hz < m_octaves.back().centre_Hz
+        && differsFromModel(frequency_Hz))
+        found = octavesAt(frequency_Hz);
     found.variance += m_white;
     return found;
 }

@@ -12,10 +12,10 @@
 namespace dyncal {
 
 /// Spectral density of a shot's noise, from its record before the step (docs/method/response.md):
-/// autoregressive models of the record, of its means of 8 samples, of 64, ... each for the
-/// frequencies that lie well inside its own rate, because a model of full rate cannot tell low
-/// frequencies apart. A slower one counts where it differs by more than both scatter. In the units
-/// of WindowedResponse::values, as the variance of the white noise that has the same density.
+/// that of an autoregressive model, which is precise, and at low frequencies, which such a model
+/// cannot tell apart, that of the periodogram by octaves where the two differ by more than both
+/// scatter. In the units of WindowedResponse::values, as the variance of the white noise that has
+/// the same density.
 class NoiseDensity
 {
 public:
@@ -37,25 +37,24 @@ public:
     double ofBaseline() const { return m_ofBaseline; }
 
 private:
-    struct Layer
+    struct Octave
     {
-        double rate_Hz = 0.0;
-        double samples = 1.0; ///< of the record to each of its values
-        Index count = 0;
-        AutoregressiveModel model;
-
-        double dof() const
-        {
-            return static_cast<double>(count) / static_cast<double>(model.order() + 1);
-        }
+        double centre_Hz = 0.0;
+        double logDensity = 0.0;
+        double dof = 0.0;
     };
 
-    static double densityOf(const Layer &layer, double frequency_Hz);
+    void findOctaves(const Eigen::VectorXd &noise);
+    double modelAt(double frequency_Hz) const;
+    Value octavesAt(double frequency_Hz) const;
+    bool differsFromModel(double frequency_Hz) const;
 
     double m_rate_Hz = 0.0;
     double m_white = 0.0;
     double m_ofBaseline = 0.0;
-    std::vector<Layer> m_layers; ///< the record's own rate first; empty without a noise record
+    Index m_count = 0; ///< of the noise record
+    AutoregressiveModel m_model;
+    std::vector<Octave> m_octaves; ///< from low frequencies on
 };
 
 } // namespace dyncal

@@ -52,14 +52,18 @@ struct ShotPoint
     double u_onset_s = 0.0;
 };
 
-/// Variance of Re S and of Im S where the record ends at `end`, of `samples` samples of it.
+/// Variance of Re S and of Im S where the record ends at `end`, of `samples` samples of it. What is
+/// slower than the mean that makes the level moves the level against the baseline.
 double varianceOf(const NoiseDensity &noise, double rate_Hz, const RecordEnd &end, Index samples,
     double frequency_Hz)
 {
-    return stepTransformVariance({samples, end.averaged, 0.0}, rate_Hz,
-        noise.at(frequency_Hz).variance,
-        noise.ofMean(end.averaged, 2 * end.samples) * static_cast<double>(end.averaged),
-        frequency_Hz);
+    const double averaged = static_cast<double>(end.averaged);
+    const double ofLevel = noise.at(0.5 * rate_Hz / averaged).variance;
+    const double slower
+        = std::max(0.0, noise.ofMean(end.averaged, 2 * end.samples) - ofLevel / averaged);
+    return slower
+        + stepTransformVariance({samples, end.averaged, 0.0}, rate_Hz,
+            noise.at(frequency_Hz).variance, ofLevel, frequency_Hz);
 }
 
 ShotPoint pointOf(
@@ -193,8 +197,10 @@ double largestBeyondNoise(const Eigen::ArrayXd &power, const Eigen::ArrayXd &ofN
 
 } // namespace
 
-RecordResponse::RecordResponse(std::vector<RecordOfShot> shots, double span_s)
+RecordResponse::RecordResponse(
+    std::vector<RecordOfShot> shots, double span_s, const FrontDuration &front)
     : m_shots(std::move(shots))
+    , m_front(front)
     , m_span_s(span_s)
 {
     for (const RecordOfShot &shot : m_shots) {
@@ -232,6 +238,12 @@ void RecordResponse::measureTops()
     }
 }
 
+/// Of a front that lasts longer by `change_s`.
+double RecordResponse::frontGain(double frequency_Hz, double change_s) const
+{
+    return std::abs(frontFactor(m_front.duration_s + change_s, {0.0, kTwoPi * frequency_Hz}));
+}
+
 double RecordResponse::boundAlias(double frequency_Hz) const
 {
     double sum = 0.0;
@@ -265,8 +277,12 @@ RecordResponse::Point RecordResponse::over(double length_s, double frequency_Hz)
         ofOnsets_s2 += shots.back().u_onset_s * shots.back().u_onset_s;
     }
     const double n = static_cast<double>(shots.size());
-    Point point{meanMagnitude(shots), meanPhase_rad(shots), std::sqrt(variance) / n, 0.0,
-        dofOf(shots), boundOfEnd(shots), boundAlias(frequency_Hz)};
+    const double front = frontGain(frequency_Hz, 0.0);
+    Point point{meanMagnitude(shots) / front, meanPhase_rad(shots), std::sqrt(variance) / n / front,
+        0.0, dofOf(shots), boundOfEnd(shots) / front, boundAlias(frequency_Hz) / front};
+    point.u_front = point.magnitude
+        * std::abs(frontGain(frequency_Hz, m_front.u_s) - frontGain(frequency_Hz, -m_front.u_s))
+        / (2.0 * front);
     point.u_phase_rad = std::hypot(
         point.u_magnitude / point.magnitude, kTwoPi * frequency_Hz * std::sqrt(ofOnsets_s2) / n);
     return point;

@@ -5,6 +5,7 @@
 
 #include "core/model_analysis/noise_density.h"
 #include "core/model_analysis/sensor_record.h"
+#include "core/realization/exponentials/front.h"
 #include "core/signal/response_window.h"
 
 #include <limits>
@@ -37,13 +38,15 @@ public:
         double boundEnd = 0.0; ///< of the error by the end of the records
         double boundAlias
             = 0.0; ///< of that by sampling, if nothing is stronger above half the rate
+        double u_front = 0.0; ///< of the magnitude, from that of the front's duration
 
         double bound() const { return boundEnd + boundAlias; }
     };
 
     /// At least one shot. Of every record `span_s` or 20 periods are used, because noise grows with
     /// the length; twice, four times ... as much while its end would change S by more than noise.
-    RecordResponse(std::vector<RecordOfShot> shots, double span_s);
+    /// What the front takes off is divided out (docs/method/front.md).
+    RecordResponse(std::vector<RecordOfShot> shots, double span_s, const FrontDuration &front = {});
 
     /// 0 < frequency_Hz <= 0.4 of every shot's rate.
     Point at(double frequency_Hz) const;
@@ -60,10 +63,12 @@ private:
     Point over(double length_s, double frequency_Hz) const;
     void measureTops();
     double boundAlias(double frequency_Hz) const;
+    double frontGain(double frequency_Hz, double change_s) const;
 
     std::vector<RecordOfShot> m_shots;
     std::vector<NoiseDensity> m_noise; ///< of each shot
     std::vector<TopOfBand> m_tops;
+    FrontDuration m_front;
     double m_span_s = 0.0;
     double m_longest_s = 0.0; ///< window
 };

@@ -67,7 +67,7 @@ RecordResponse recordResponse(const std::vector<WindowedResponse> &responses,
             shot.u_onset_s = fit->u_onset_s;
         shots.push_back(std::move(shot));
     }
-    return {std::move(shots), inputSpan_s(input)};
+    return {std::move(shots), inputSpan_s(input), input.front};
 }
 
 Eigen::VectorXd frequencyGrid(const ResponseSettings &settings, double low_Hz, double high_Hz)
@@ -113,7 +113,7 @@ double upperLimit_Hz(const RecordResponse &records, double low_Hz, double rate_H
     double limit_Hz = low_Hz;
     for (double f = low_Hz; f <= kHighestOfRate * rate_Hz; f *= std::pow(10.0, 0.1)) {
         const RecordResponse::Point point = records.at(f);
-        if (point.u_magnitude > kLargestNoise * point.magnitude)
+        if (std::hypot(point.u_magnitude, point.u_front) > kLargestNoise * point.magnitude)
             return limit_Hz;
         limit_Hz = f;
     }
@@ -155,11 +155,10 @@ WithheldReason reasonOf(const RecordResponse::Point &point)
     return point.boundEnd > point.boundAlias ? WithheldReason::End : WithheldReason::Alias;
 }
 
-/// A bound is taken for the half width of a rectangular distribution.
-double withBounds(const RecordResponse::Point &point)
+/// Of the bounds, each taken for the half width of a rectangular distribution.
+double ofBounds(const RecordResponse::Point &point)
 {
-    return std::hypot(
-        point.u_magnitude, point.boundEnd / std::sqrt(3.0), point.boundAlias / std::sqrt(3.0));
+    return std::hypot(point.boundEnd, point.boundAlias) / std::sqrt(3.0);
 }
 
 void state(const RecordResponse::Point &point, Index k, ResponseResult &result)
@@ -169,18 +168,15 @@ void state(const RecordResponse::Point &point, Index k, ResponseResult &result)
     result.withheld[static_cast<std::size_t>(k)] = reasonOf(point);
     if (reasonOf(point) != WithheldReason::None)
         return;
-    const double u_magnitude = withBounds(point);
     result.magnitude[k] = point.magnitude;
     result.u_noiseMagnitude[k] = point.u_magnitude;
-    result.u_magnitude[k] = u_magnitude;
+    result.u_magnitude[k] = std::hypot(point.u_magnitude, ofBounds(point), point.u_front);
     result.dof[k] = point.dof;
     // The branch nearest the model's unwrapped phase, because points may lie far apart.
     const double reference = result.modelPhase_rad[k];
     result.phase_rad[k] = reference + std::remainder(point.phase_rad - reference, kTwoPi);
     result.u_noisePhase_rad[k] = point.u_phase_rad;
-    const double ofBounds = std::sqrt(
-        std::max(0.0, u_magnitude * u_magnitude - point.u_magnitude * point.u_magnitude));
-    result.u_phase_rad[k] = std::hypot(point.u_phase_rad, ofBounds / point.magnitude);
+    result.u_phase_rad[k] = std::hypot(point.u_phase_rad, ofBounds(point) / point.magnitude);
 }
 
 /// No values above 0.4 of the slowest record's rate: S(f) of samples repeats itself there.
@@ -383,6 +379,7 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
     const bool isStep = isStepTreatment(input.treatment);
     const double rate_Hz = lowestRate_Hz(responses);
     setLimits(responses, input, model, result);
+    result.front = input.front;
     if (isLevelKnown(model))
         result.characteristics = stepCharacteristics(model, input.treatment);
 

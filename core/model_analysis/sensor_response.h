@@ -47,6 +47,7 @@ struct ResponseResult
     std::vector<WithheldReason> withheld; ///< of each frequency
     Eigen::VectorXd modelMagnitude;
     Eigen::VectorXd modelPhase_rad;
+    FrontDuration front; ///< divided out of S(f); its u is in u_magnitude
     double fLow_Hz = 0.0; ///< 1 / shortest window
     /// Where the noise exceeds 10 % of the magnitude, at most 0.4 of the record's rate; of a free
     /// decay, which has the model's answer only, also at most half the model's rate.

@@ -36,8 +36,8 @@ Result<ModelInput> separatedInput(
     const CalibrationResults &results, const Recipe &recipe, const JobControl &control)
 {
     const std::vector<WindowedResponse> &responses = results.window->responses;
-    auto input = prepareModelInput(
-        responses, sensorSpectrum(results, recipe), *results.components, recipe.input, control);
+    auto input = prepareModelInput(responses, sensorSpectrum(results, recipe), *results.components,
+        recipe.input, {recipe.shock.frontDuration_s, recipe.shock.u_frontDuration_s}, control);
     if (!input)
         return input;
     if (auto marked = leaveOut(*input, responses, recipe.window.excludeStretches); !marked)

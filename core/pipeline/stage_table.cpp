@@ -151,6 +151,8 @@ void readModelInput(const Recipe &recipe, Recipe &part)
     part.input = recipe.input;
     part.window.excludeStretches = recipe.window.excludeStretches;
     part.realization.nuisanceModes = recipe.realization.nuisanceModes;
+    part.shock.frontDuration_s = recipe.shock.frontDuration_s;
+    part.shock.u_frontDuration_s = recipe.shock.u_frontDuration_s;
 }
 
 Result<ModelInput> modelInput(const StageInputs &in)
@@ -249,11 +251,11 @@ constexpr std::array<Stage, kStageCount> kStages{{
         kept<&R::spectrum, spectrum>(), of<&R::spectrum>},
     {Components, "components", 1, 300, "PCA-", Spectrum, Components, true, readComponents,
         kept<&R::components, components>(), of<&R::components>},
-    {ModelInput, "model input", 2, 10, "MIN-", Components, ModelInput, true, readModelInput,
+    {ModelInput, "model input", 3, 10, "MIN-", Components, ModelInput, true, readModelInput,
         kept<&R::input, modelInput>(), of<&R::input>},
     {Decomposition, "decomposition", 1, 100, "ORD-", ModelInput, Decomposition, true,
         readDecomposition, kept<&R::decomposition, decomposition>(), saidElsewhere},
-    {Model, "model", 3, 10, "MOD-", Decomposition, Model, true, readModel, kept<&R::model, model>(),
+    {Model, "model", 4, 10, "MOD-", Decomposition, Model, true, readModel, kept<&R::model, model>(),
         ofModel},
     {Shock, "shock", 6, 1, "SHK-", Model, Shock, true, readShock, kept<&R::shock, shock>(),
         of<&R::shock>},

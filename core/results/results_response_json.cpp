@@ -103,6 +103,8 @@ void addResponse(JsonRecord &root, const ResultsContext &context)
     addCurves(section, *response);
     section.number("f_low_hz", response->fLow_Hz, "Not determined.");
     section.number("f_high_hz", response->fHigh_Hz, "Not determined.");
+    section.set("front_duration_s", response->front.duration_s);
+    section.set("u_front_duration_s", response->front.u_s);
     section.text("unit", response->unit, "The recordings state no unit.");
     root.set("response", section.take());
 }

@@ -41,8 +41,11 @@ def study(arguments, condition="slow_modes", orders=(1, 2, 3, 4, 6, 8, 10, 15, 2
     with tempfile.TemporaryDirectory() as name:
         folder, first = Path(name), None
         make.make(condition, arguments.first_seed, folder)
+        truth = json.loads((folder / "truth.json").read_text())
         for order in orders:
             recipe = json.loads((folder / "recipe.json").read_text())
+            # A velocity that rests on the DUT's own arrival moves with the onset, hence the step.
+            recipe.setdefault("shock", {})["step_pa"] = [shot["step_pa"] for shot in truth["shots"]]
             recipe["response"] = {"frequencies_hz": list(np.geomspace(1e3, 3e5, 25))}
             (folder / "recipe.json").write_text(json.dumps(recipe))
             code, results, _ = runner.calibrate(arguments.program, folder, ("--order", str(order)))

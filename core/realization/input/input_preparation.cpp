@@ -117,13 +117,31 @@ double longestHalf_s(const std::vector<AntiAliasFilter> &filters)
 }
 
 /// Time of the input's first sample after the start: half the filter's span, so that the whole
-/// centred filter lies after the start.
-double chooseOffset_s(const InputSettings &settings, double filterHalf_s, Findings &findings)
+/// centred filter lies after the start, and after the front.
+double chooseOffset_s(const InputSettings &settings, double earliest_s, Findings &findings)
 {
-    const double offset_s = settings.offset_s.value.value_or(filterHalf_s);
-    if (offset_s < filterHalf_s * (1.0 - 1e-9))
-        findings.push_back(insideFilterFinding(offset_s, filterHalf_s));
+    const double offset_s = settings.offset_s.value.value_or(earliest_s);
+    if (offset_s < earliest_s * (1.0 - 1e-9))
+        findings.push_back(insideFilterFinding(offset_s, earliest_s));
     return offset_s;
+}
+
+/// The front ends no later than so long behind the detected start, which lies within it.
+double longestFront_s(const FrontDuration &front)
+{
+    constexpr double kCoverage = 2.0;
+    return front.duration_s > 0.0 ? front.duration_s + kCoverage * front.u_s : 0.0;
+}
+
+void leaveFrontOut(const FrontDuration &front, ModelInput &input)
+{
+    input.front = front;
+    for (ModelSeries &series : input.series) {
+        const Index count = std::min(series.fullRate.size(),
+            static_cast<Index>(std::ceil(longestFront_s(front) * series.fullRate_Hz)));
+        if (count > 0)
+            series.leftOut.push_back({{0, count}, series.fullRate.head(count), true});
+    }
 }
 
 /// Position of the input's first sample in every source.
@@ -196,11 +214,12 @@ void nameLevels(const std::vector<WindowedResponse> &responses, std::vector<Mode
 
 Result<ModelInput> prepareModelInput(const std::vector<WindowedResponse> &responses,
     const SpectrumResult &spectrum, const ComponentResult &components,
-    const InputSettings &settings, const JobControl &control)
+    const InputSettings &settings, const FrontDuration &known, const JobControl &control)
 {
     ModelInput input;
     input.treatment = settings.treatment;
     input.combine = settings.effectiveCombine();
+    const FrontDuration front = isStepTreatment(settings.treatment) ? known : FrontDuration{};
     const std::vector<Source> list = seriesSources(responses, components, input.combine);
     const SensorTraits traits = sensorTraits(responses, spectrum);
     if (const auto rate = chooseRate(list, traits, settings, input); !rate)
@@ -208,7 +227,8 @@ Result<ModelInput> prepareModelInput(const std::vector<WindowedResponse> &respon
     const auto filters = designFilters(list, input.sampleRate_Hz);
     if (!filters)
         return tl::unexpected(filters.error());
-    const double offset_s = chooseOffset_s(settings, longestHalf_s(*filters), input.findings);
+    const double offset_s
+        = chooseOffset_s(settings, longestHalf_s(*filters) + longestFront_s(front), input.findings);
     const auto firsts = firstSamples(list, *filters, offset_s);
     if (!firsts)
         return tl::unexpected(firsts.error());
@@ -221,6 +241,7 @@ Result<ModelInput> prepareModelInput(const std::vector<WindowedResponse> &respon
             return fail(ErrorKind::Cancelled, {});
         input.series.push_back(makeSeries(list[i], (*filters)[i], (*firsts)[i], *samples));
     }
+    leaveFrontOut(front, input);
     nameLevels(responses, input.series);
     input.offset_s = input.series.front().first_s;
     input.samples = *samples;

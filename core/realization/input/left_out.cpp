@@ -100,7 +100,8 @@ Result<void> addStretch(
         static_cast<Index>(std::ceil(std::min(stretch.to_s, end_s) * rate_Hz)) + 1};
     range.end = std::min(range.end, response.values.size() - response.lead);
     std::erase_if(series.leftOut, [&](const LeftOut &other) {
-        const bool touches = other.samples.begin <= range.end && range.begin <= other.samples.end;
+        const bool touches = !other.isFront && other.samples.begin <= range.end
+            && range.begin <= other.samples.end;
         if (touches)
             range = {
                 std::min(range.begin, other.samples.begin), std::max(range.end, other.samples.end)};
@@ -157,7 +158,7 @@ Result<void> leaveOut(ModelInput &input, const std::vector<WindowedResponse> &re
         input.findings.push_back(leftOutFinding(stretch));
     }
     for (ModelSeries &series : input.series) {
-        if (series.leftOut.empty())
+        if (std::ranges::all_of(series.leftOut, &LeftOut::isFront))
             continue;
         if (auto enough = checkWhatIsLeft(series); !enough)
             return enough;

@@ -6,6 +6,7 @@
 #include "core/base/finding.h"
 #include "core/base/index.h"
 #include "core/capture/capture_set.h"
+#include "core/realization/exponentials/front.h"
 #include "core/realization/input/nuisance_term.h"
 #include "core/realization/input/realization_settings.h"
 #include "core/realization/input/whitening.h"
@@ -25,6 +26,7 @@ struct LeftOut
 {
     SampleRange samples;
     Eigen::VectorXd recorded;
+    bool isFront = false; ///< the rise of the pressure: recorded, but no free ringing
 };
 
 /// One series that goes into the Hankel matrix: one shot, or the average of the reconstructions.
@@ -64,6 +66,7 @@ struct ModelInput
     CombineMethod combine = CombineMethod::Stacked;
     double sampleRate_Hz = 0.0;
     double offset_s = 0.0; ///< begin of the input after the detected start
+    FrontDuration front;
     Index samples = 0;
     std::vector<ModelSeries> series;
     std::optional<double> samplesPerPeriod; ///< of the main resonance

@@ -4,6 +4,7 @@
 #include "core/realization/model/series_fit.h"
 
 #include "core/base/constants.h"
+#include "core/realization/exponentials/front.h"
 #include "core/realization/exponentials/onset.h"
 #include "core/realization/input/left_out.h"
 #include "core/realization/nuisance/nuisance_modes.h"
@@ -65,14 +66,17 @@ struct Onset
     double u_s = kUnknown;
 };
 
-Onset locateOnset(const ModelDraft &draft, std::size_t series, const std::vector<bool> &isSensor)
+/// The middle of the front, where the response to a sharp step would begin.
+Onset locateOnset(const ModelInput &input, const ModelDraft &draft, std::size_t series,
+    const std::vector<bool> &isSensor)
 {
     const ExponentialSum part = sensorPart(draft.series[series], isSensor);
     if (part.poles_rad_s.size() == 0)
         return {};
     const double search_s = onsetSearch_s(part);
     const auto onsetOf = [&](const ExponentialSum &sum) {
-        return findOnset_s(drivenPart(sum, isSensor, draft.nuisance[series]), search_s);
+        const ExponentialSum sharp = asIfSharp(sum, input.front.duration_s);
+        return findOnset_s(drivenPart(sharp, isSensor, draft.nuisance[series]), search_s);
     };
     const auto found = onsetOf(draft.series[series]);
     if (!found)
@@ -110,7 +114,8 @@ SeriesFit describeSeries(const ModelInput &input, const ModelDraft &draft, std::
     fit.plateauGain = sum.constant;
     fit.recorded = sum;
     for (const LeftOut &part : series.leftOut)
-        fit.leftOut.push_back(part.samples);
+        if (!part.isFront)
+            fit.leftOut.push_back(part.samples);
     if (draft.refinement && draft.refinement->withConstant) {
         // The uncertainty of the subtracted baseline adds to that of the plateau.
         fit.u_plateauGain
@@ -118,11 +123,12 @@ SeriesFit describeSeries(const ModelInput &input, const ModelDraft &draft, std::
                 series.u_baseline);
     }
     if (isStepTreatment(input.treatment)) {
-        const Onset onset = locateOnset(draft, r, isSensor);
+        const Onset onset = locateOnset(input, draft, r, isSensor);
         fit.onset_s = onset.time_s;
         fit.u_onset_s = onset.u_s;
     }
-    fit.amplitudes = sum.amplitudes.array() * (sum.poles_rad_s.array() * fit.onset_s).exp();
+    fit.amplitudes = asIfSharp(sum, input.front.duration_s).amplitudes.array()
+        * (sum.poles_rad_s.array() * fit.onset_s).exp();
     if (isStepTreatment(input.treatment))
         fit.amplitudes = amplitudesOfStep(
             sum.poles_rad_s, fit.amplitudes, sum.constant, termsAt(draft.nuisance[r], fit.onset_s));

@@ -36,6 +36,7 @@ struct Problem
     const std::vector<RefinementRecord> &records;
     std::vector<ExponentialRegression> regressions;
     double unit_s = 1.0;
+    double front_s = 0.0;
 
     static Index own(const RefinementRecord &record) { return 2 + 4 * std::ssize(record.nuisance); }
     Index offset(std::size_t r) const
@@ -57,6 +58,7 @@ struct Problem
     SecondOrderStep local(const Eigen::VectorXd &theta, std::size_t r) const
     {
         SecondOrderStep step;
+        step.front = front_s / unit_s;
         for (const NuisanceTerm &term : records[r].nuisance)
             step.modes.push_back({{}, {}, term.startsWithStep});
         step.setParameters(theta(places(r)));
@@ -146,6 +148,17 @@ std::optional<RegressionEquations> minimise(
         theta, {100, 1e-3}, [&](const Eigen::VectorXd &at) { return normalEquations(problem, at); },
         [&](const Eigen::VectorXd &at) { return isSensible(problem, at); }, control);
     return isSensible(problem, theta) ? equations : std::nullopt;
+}
+
+/// How the parameters move when the front lasts longer by its u.
+Eigen::VectorXd changeByFront(
+    Problem problem, const Eigen::VectorXd &theta, double u_s, const JobControl &control)
+{
+    Eigen::VectorXd moved = theta;
+    problem.front_s += u_s;
+    if (u_s > 0.0 && minimise(problem, moved, control))
+        return moved - theta;
+    return Eigen::VectorXd::Zero(theta.size());
 }
 
 /// The fit as sums of exponentials, in seconds.
@@ -261,7 +274,8 @@ std::optional<SecondOrderModel> fitSecondOrder(const ModelInput &input,
 {
     if (!(start.f0_Hz > 0.0) || !(start.zeta > 0.0))
         return std::nullopt;
-    Problem problem{records, {}, 1.0 / (2.0 * std::numbers::pi * start.f0_Hz)};
+    Problem problem{
+        records, {}, 1.0 / (2.0 * std::numbers::pi * start.f0_Hz), input.front.duration_s};
     Index samples = 0;
     std::vector<NoiseCovariance> noise;
     for (std::size_t r = 0; r < records.size(); ++r) {
@@ -281,9 +295,10 @@ std::optional<SecondOrderModel> fitSecondOrder(const ModelInput &input,
     const Eigen::MatrixXd covariance = covarianceOf(problem, theta, *last, chiSquare, models);
     SecondOrderModel model;
     model.f0_Hz = std::exp(theta[0]) * start.f0_Hz;
-    model.u_f0_Hz = model.f0_Hz * std::sqrt(covariance(0, 0));
+    const Eigen::VectorXd ofFront = changeByFront(problem, theta, input.front.u_s, control);
+    model.u_f0_Hz = model.f0_Hz * std::hypot(std::sqrt(covariance(0, 0)), ofFront[0]);
     model.zeta = problem.local(theta, 0).zeta();
-    model.u_zeta = model.zeta * std::sqrt(covariance(1, 1));
+    model.u_zeta = model.zeta * std::hypot(std::sqrt(covariance(1, 1)), ofFront[1]);
     model.coverageFactor = coverageFactor95(models.basis.dof);
     model.uncertaintyMethod = noiseName(models.basis);
     model.residualToNoise = std::sqrt(chiSquare);

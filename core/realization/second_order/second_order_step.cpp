@@ -3,6 +3,8 @@
 
 #include "core/realization/second_order/second_order_step.h"
 
+#include "core/realization/exponentials/front.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -49,10 +51,10 @@ double SecondOrderStep::zeta() const
     return free < 1.0 ? 1.0 - kCriticalDistance : 1.0 + kCriticalDistance;
 }
 
-Complex SecondOrderStep::factorOfModes(Complex s) const
+Complex SecondOrderStep::factorOfPressure(Complex s) const
 {
     const double omega = std::exp(logOmega);
-    Complex factor = 1.0;
+    Complex factor = frontFactor(front, s);
     for (const Mode &mode : modes) {
         if (!mode.startsWithStep)
             continue;
@@ -75,7 +77,7 @@ Eigen::VectorXd SecondOrderStep::exponentials() const
         const double root = std::sqrt((1.0 - damping) * (1.0 + damping));
         const Complex s(-damping * omega, root * omega);
         const Complex g
-            = -plateau * Complex(1.0, -damping / root) * std::exp(-s * onset) * factorOfModes(s);
+            = -plateau * Complex(1.0, -damping / root) * std::exp(-s * onset) * factorOfPressure(s);
         x.head(2) << s.real(), s.imag();
         x.segment(gains, 2) << g.real(), g.imag();
     } else {
@@ -84,8 +86,9 @@ Eigen::VectorXd SecondOrderStep::exponentials() const
         const double fast = -omega * (damping + root);
         const double unit = plateau / (fast - slow);
         x.head(2) << slow, fast;
-        x.segment(gains, 2) << -unit * fast * std::exp(-slow * onset) * factorOfModes(slow).real(),
-            unit * slow * std::exp(-fast * onset) * factorOfModes(fast).real();
+        x.segment(gains, 2) << -unit * fast * std::exp(-slow * onset)
+                * factorOfPressure(slow).real(),
+            unit * slow * std::exp(-fast * onset) * factorOfPressure(fast).real();
     }
     Index at = 2;
     for (const Mode &mode : modes) {

@@ -30,6 +30,7 @@ public:
     double logZeta = 0.0;
     double plateau = 0.0; ///< K
     double onset = 0.0;
+    double front = 0.0; ///< duration of the step's rise, about `onset`
     std::vector<Mode> modes;
 
     /// logOmega, logZeta, plateau, onset, then Re, Im of pole and of amplitude of each mode.
@@ -52,9 +53,9 @@ public:
     Eigen::MatrixXd derivatives() const;
 
 private:
-    /// Factor by which the tube's modes change the amplitude of e^(s t) that the step alone would
-    /// give.
-    std::complex<double> factorOfModes(std::complex<double> s) const;
+    /// Factor by which the front and the tube's modes change the amplitude of e^(s t) that a sharp
+    /// step alone would give.
+    std::complex<double> factorOfPressure(std::complex<double> s) const;
 };
 
 } // namespace dyncal

@@ -209,6 +209,25 @@ private slots:
         QVERIFY(std::abs(u / (kTwoPi * 2e5 * 1e-9 / std::sqrt(2.0)) - 1.0) < 1e-9);
     }
 
+    void front_isDividedOut_withItsUncertainty()
+    {
+        constexpr double duration_s = 310e-9;
+        Records sharp;
+        sharp.add(1e8, 60000, 0.5);
+        const RecordResponse known(sharp.shots, kSpan_s, {duration_s, 10e-9});
+        const RecordResponse none(sharp.shots, kSpan_s);
+        for (const double f_Hz : {1e4, 3e5, 1e6}) {
+            const double x = std::numbers::pi * f_Hz * duration_s;
+            const RecordResponse::Point a = known.at(f_Hz), b = none.at(f_Hz);
+            QVERIFY(std::abs(a.magnitude / b.magnitude * std::sin(x) / x - 1.0) < 1e-9);
+            QVERIFY(std::abs(a.phase_rad - b.phase_rad) < 1e-12);
+            // d ln sinc / dT, to first order.
+            const double slope = (x / std::tan(x) - 1.0) / duration_s;
+            QVERIFY(std::abs(a.u_front / (a.magnitude * std::abs(slope) * 10e-9) - 1.0) < 0.01);
+            QCOMPARE(b.u_front, 0.0);
+        }
+    }
+
     void scaleAndSign_arePartOfS()
     {
         Records records;
