@@ -5,6 +5,7 @@
 
 #include "core/base/constants.h"
 #include "core/base/number_text.h"
+#include "core/base/propagation.h"
 #include "core/base/rounding.h"
 #include "core/certificate/certificate_words.h"
 #include "core/pipeline/calibration_kind.h"
@@ -23,9 +24,9 @@ double valueAt(const Eigen::VectorXd &values, Index i)
     return i < values.size() ? values[i] : kUnknown;
 }
 
-Message cell(double value, double u, std::string_view unit)
+Message cell(double value, double u, std::string_view unit, double k = kCoverageFactor)
 {
-    return std::isfinite(value) ? valueCell(value, u, unit) : dash();
+    return std::isfinite(value) ? valueCell(value, u, unit, k) : dash();
 }
 
 /// A value of the model, whose own uncertainty is not known: three digits, fewer where that of the
@@ -78,6 +79,14 @@ std::string frequencyText(const std::vector<double> &sorted, double frequency_Hz
                                                 : settingText(frequency_Hz, "Hz");
 }
 
+/// k = 2, or a larger Student's k where few bins of the noise decide.
+double coverageOf(const ResponseResult &response, Index i)
+{
+    constexpr double kCoverage = 0.95;
+    const double dof = valueAt(response.dof, i);
+    return dof > 0.0 ? std::max(kCoverageFactor, coverageFactor(dof, kCoverage)) : kCoverageFactor;
+}
+
 std::vector<Message> frequencyRow(
     const ResponseResult &response, const std::vector<double> &sorted, Index i)
 {
@@ -88,10 +97,11 @@ std::vector<Message> frequencyRow(
     const double uPhase = kDegreesPerRadian * valueAt(response.u_phase_rad, i);
     const double f_Hz = response.frequency_Hz[i];
     const bool isModelled = !(f_Hz > (1.0 + kRoundingOfLimit) * response.modelLimit_Hz);
-    return {verbatim(frequencyText(sorted, f_Hz)), cell(magnitude, uMagnitude, unit),
-        std::isfinite(magnitude) ? expandedCell(magnitude, uMagnitude, unit) : dash(),
-        cell(phase, uPhase, "\xC2\xB0"),
-        std::isfinite(phase) ? expandedCell(phase, uPhase, "\xC2\xB0") : dash(),
+    const double k = coverageOf(response, i);
+    return {verbatim(frequencyText(sorted, f_Hz)), cell(magnitude, uMagnitude, unit, k),
+        std::isfinite(magnitude) ? expandedCell(magnitude, uMagnitude, unit, k) : dash(),
+        cell(phase, uPhase, "\xC2\xB0", k),
+        std::isfinite(phase) ? expandedCell(phase, uPhase, "\xC2\xB0", k) : dash(),
         isModelled ? modelCell(valueAt(response.modelMagnitude, i), uMagnitude, unit) : dash(),
         isModelled
             ? modelCell(kDegreesPerRadian * valueAt(response.modelPhase_rad, i), uPhase, "\xC2\xB0")

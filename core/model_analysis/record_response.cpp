@@ -19,26 +19,35 @@ constexpr double kPeriodsKept = 20.0; ///< of the frequency asked, where the win
 constexpr Index kCuts = 12;
 constexpr double kMarginOfEnd = 1.2; ///< over the largest change that a cut makes
 constexpr double kSigmas = 2.5; ///< a change up to here may be noise: it exceeds that in 0.2 %
-constexpr Index kFewestBefore = 64;
-constexpr Index kShareBefore = 16; ///< of the samples used, before the start
 
-/// The samples that S(f) is taken from: from before the onset on, so that the whole rise is among
-/// them wherever the onset lies, and so long behind the detected start, within the window.
-Eigen::Ref<const Eigen::VectorXd> samplesUsed(const RecordOfShot &shot, double length_s)
+/// A sixteenth of the time that the sensor needs to settle is left before the detected start, so
+/// that the whole rise is among the samples wherever the onset lies.
+void trimBefore(double span_s, RecordOfShot &shot)
 {
-    const double asked = std::max(2.0, std::ceil(length_s * shot.response->sampleRate_Hz));
-    const Index there = shot.record.values.size() - shot.record.early;
-    const Index count = static_cast<Index>(std::min(asked, static_cast<double>(there)));
-    const Index before = std::min(shot.record.early, std::max(kFewestBefore, count / kShareBefore));
-    return shot.record.values.segment(shot.record.early - before, before + count);
+    constexpr Index kFewestBefore = 64;
+    constexpr double kShare = 1.0 / 16.0;
+    const auto wanted = static_cast<Index>(kShare * span_s * shot.response->sampleRate_Hz);
+    const Index before = std::min(shot.record.early, std::max(kFewestBefore, wanted));
+    const Index kept = shot.record.values.size() - shot.record.early + before;
+    shot.record.values = shot.record.values.tail(kept).eval();
+    shot.record.early = before;
 }
 
-/// Of the first of the samples used, relative to the onset, negated.
-double onsetIn(const RecordOfShot &shot, const Eigen::Ref<const Eigen::VectorXd> &used)
+/// The samples that S(f) is taken from: so long behind the detected start, within the window.
+Eigen::Ref<const Eigen::VectorXd> samplesUsed(const RecordOfShot &shot, double length_s)
 {
-    const Index skipped = static_cast<Index>(used.data() - shot.record.values.data());
-    return shot.onset_s
-        + static_cast<double>(shot.record.early - skipped) / shot.response->sampleRate_Hz;
+    constexpr double kRounding = 1e-6; // of a whole number of samples
+    const double asked
+        = std::max(2.0, std::ceil(length_s * shot.response->sampleRate_Hz - kRounding));
+    const Index there = shot.record.values.size() - shot.record.early;
+    const Index count = static_cast<Index>(std::min(asked, static_cast<double>(there)));
+    return shot.record.values.head(shot.record.early + count);
+}
+
+/// Behind the first of the samples used.
+double onsetIn(const RecordOfShot &shot)
+{
+    return shot.onset_s + static_cast<double>(shot.record.early) / shot.response->sampleRate_Hz;
 }
 
 /// One shot's S at one frequency.
@@ -74,7 +83,7 @@ ShotPoint pointOf(
     const auto y = samplesUsed(shot, length_s);
     const std::vector<RecordEnd> ends = recordEnds(y, kCuts);
     const RecordEnd &whole = ends.back();
-    const auto transforms = stepTransforms(y, rate_Hz, ends, onsetIn(shot, y), frequency_Hz);
+    const auto transforms = stepTransforms(y, rate_Hz, ends, onsetIn(shot), frequency_Hz);
     const auto toS = [&](std::complex<double> transform) {
         return shot.scale * shot.record.ofStep(transform, frequency_Hz);
     };
@@ -203,7 +212,8 @@ RecordResponse::RecordResponse(
     , m_front(front)
     , m_span_s(span_s)
 {
-    for (const RecordOfShot &shot : m_shots) {
+    for (RecordOfShot &shot : m_shots) {
+        trimBefore(span_s, shot);
         const WindowedResponse &response = *shot.response;
         m_noise.emplace_back(response);
         m_longest_s
@@ -280,6 +290,7 @@ RecordResponse::Point RecordResponse::over(double length_s, double frequency_Hz)
     const double front = frontGain(frequency_Hz, 0.0);
     Point point{meanMagnitude(shots) / front, meanPhase_rad(shots), std::sqrt(variance) / n / front,
         0.0, dofOf(shots), boundOfEnd(shots) / front, boundAlias(frequency_Hz) / front};
+    point.length_s = std::min(length_s, m_longest_s);
     point.u_front = point.magnitude
         * std::abs(frontGain(frequency_Hz, m_front.u_s) - frontGain(frequency_Hz, -m_front.u_s))
         / (2.0 * front);

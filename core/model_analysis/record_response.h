@@ -38,6 +38,7 @@ public:
         double boundEnd = 0.0; ///< of the error by the end of the records
         double boundAlias
             = 0.0; ///< of that by sampling, if nothing is stronger above half the rate
+        double length_s = 0.0; ///< used behind the detected start, of a shot at most its window
         double u_front = 0.0; ///< of the magnitude, from that of the front's duration
 
         double bound() const { return boundEnd + boundAlias; }

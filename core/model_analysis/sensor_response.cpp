@@ -163,6 +163,7 @@ double ofBounds(const RecordResponse::Point &point)
 
 void state(const RecordResponse::Point &point, Index k, ResponseResult &result)
 {
+    result.length_s[k] = point.length_s;
     result.boundEnd[k] = point.boundEnd;
     result.boundAlias[k] = point.boundAlias;
     result.withheld[static_cast<std::size_t>(k)] = reasonOf(point);
@@ -171,7 +172,10 @@ void state(const RecordResponse::Point &point, Index k, ResponseResult &result)
     result.magnitude[k] = point.magnitude;
     result.u_noiseMagnitude[k] = point.u_magnitude;
     result.u_magnitude[k] = std::hypot(point.u_magnitude, ofBounds(point), point.u_front);
-    result.dof[k] = point.dof;
+    // Only that of the noise rests on a record (Welch-Satterthwaite).
+    const double u = result.u_magnitude[k];
+    const double noiseShare = u > 0.0 ? point.u_magnitude / u : 0.0;
+    result.dof[k] = point.dof / std::pow(noiseShare, 4);
     // The branch nearest the model's unwrapped phase, because points may lie far apart.
     const double reference = result.modelPhase_rad[k];
     result.phase_rad[k] = reference + std::remainder(point.phase_rad - reference, kTwoPi);
@@ -185,7 +189,7 @@ void measure(const RecordResponse &records, double rate_Hz, ResponseResult &resu
     const Index count = result.frequency_Hz.size();
     for (auto *values : {&result.magnitude, &result.u_magnitude, &result.u_noiseMagnitude,
              &result.phase_rad, &result.u_phase_rad, &result.u_noisePhase_rad, &result.dof,
-             &result.boundEnd, &result.boundAlias})
+             &result.boundEnd, &result.boundAlias, &result.length_s})
         values->setConstant(count, kUnknown);
     result.withheld.assign(static_cast<std::size_t>(count), WithheldReason::AboveRate);
     for (Index k = 0; k < count; ++k)

@@ -41,9 +41,10 @@ struct ResponseResult
     Eigen::VectorXd phase_rad;
     Eigen::VectorXd u_phase_rad; ///< the same, and the onset
     Eigen::VectorXd u_noisePhase_rad; ///< with the onset, without the bounds
-    Eigen::VectorXd dof; ///< of the noise
+    Eigen::VectorXd dof; ///< of u_magnitude, effective
     Eigen::VectorXd boundEnd; ///< of the error by the end of the records; also where withheld
     Eigen::VectorXd boundAlias; ///< of that by sampling
+    Eigen::VectorXd length_s; ///< used behind the detected start, of a shot at most its window
     std::vector<WithheldReason> withheld; ///< of each frequency
     Eigen::VectorXd modelMagnitude;
     Eigen::VectorXd modelPhase_rad;

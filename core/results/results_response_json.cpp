@@ -41,7 +41,8 @@ void addWithheld(JsonRecord &section, const ResponseResult &response)
 Eigen::VectorXd coverageFactors(const Eigen::VectorXd &dof)
 {
     constexpr double kCoverage = 0.95;
-    return dof.unaryExpr([](double of) { return coverageFactor(of, kCoverage); });
+    return dof.unaryExpr(
+        [](double of) { return of > 0.0 ? coverageFactor(of, kCoverage) : kUnknown; });
 }
 
 /// The measured half: noise, the bounds of what sampling and the end of the records make, and why
@@ -64,6 +65,7 @@ void addMeasured(JsonRecord &section, const ResponseResult &response)
     const char *noBound = response.magnitude.size() == 0 ? none : "Above 0.4 of the lowest rate.";
     section.numbers("bound_end", response.boundEnd, noBound);
     section.numbers("bound_alias", response.boundAlias, noBound);
+    section.numbers("length_s", response.length_s, noBound);
     section.set("bound_alias_assumes",
         "Above half the sample rate the response is nowhere stronger than its largest value between 0.4 and 0.5 of it.");
     addWithheld(section, response);

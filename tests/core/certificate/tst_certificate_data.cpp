@@ -105,6 +105,8 @@ private slots:
     void poles_pairOnce_realAndUnstableToo();
     void poles_ofScatteringShots_haveTheirOwnCoverageFactor();
     void frequency_withoutMeasuredValues_hasDashes();
+    void frequency_ofFewDegreesOfFreedom_hasItsOwnK();
+    void frequency_behindAFront_isSaid();
     void order_typed_isSaid();
     void tables_everyRow_hasAllCells();
     void text_never_containsNan();
@@ -285,7 +287,39 @@ void TestCertificateData::frequency_withoutMeasuredValues_hasDashes()
     for (const std::size_t column : {1U, 2U, 3U, 4U})
         QCOMPARE(cell(*frequency, 0, column), QString::fromUtf8("–"));
     QVERIFY(!cell(*frequency, 0, 5).contains("V/Pa"));
-    QCOMPARE(data.section("frequency-response")->notes.size(), std::size_t(2));
+    QCOMPARE(data.section("frequency-response")->notes.size(), std::size_t(3));
+}
+
+void TestCertificateData::frequency_ofFewDegreesOfFreedom_hasItsOwnK()
+{
+    CalibrationResults results = dyncal::example::calibration();
+    dyncal::ResponseResult &response = writable(results.response);
+    const CertificateData plain = certificateOf(results);
+    QVERIFY(!cell(*table(plain, "frequency-response"), 0, 2).contains("k ="));
+    response.dof.setConstant(response.frequency_Hz.size(), 1e4);
+    response.dof[0] = 8.0; // t is 2.306
+    const CertificateData data = certificateOf(results);
+    const CertificateTable *frequency = table(data, "frequency-response");
+    for (const std::size_t column : {2U, 4U}) {
+        QVERIFY(cell(*frequency, 0, column).endsWith("(k = 2.31)"));
+        QVERIFY(!cell(*frequency, 1, column).contains("k ="));
+    }
+}
+
+void TestCertificateData::frequency_behindAFront_isSaid()
+{
+    CalibrationResults results = dyncal::example::calibration();
+    const auto notes = [&] { return certificateOf(results).section("frequency-response")->notes; };
+    const std::size_t before = notes().size();
+    writable(results.response).front = {400e-9, 20e-9};
+    QCOMPARE(notes().size(), before + 1);
+    bool isSaid = false;
+    for (const dyncal::Message &note : notes())
+        isSaid = isSaid
+            || dyncal::english(note).find(
+                   "rises over 400 ns at the sensor, standard uncertainty 20 ns")
+                != std::string::npos;
+    QVERIFY(isSaid);
 }
 
 void TestCertificateData::order_typed_isSaid()

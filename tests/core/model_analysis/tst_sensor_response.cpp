@@ -487,7 +487,8 @@ private slots:
         calibration.responses[0].noiseSd = kNoise * kStep_V;
         const double limit_Hz = calibration.run().fHigh_Hz;
         const auto share = [&](double f_Hz) {
-            const double used = kRate_Hz * std::max(4000 / kRate_Hz, 20.0 / f_Hz) + kLead;
+            const double used = kRate_Hz * std::max(4000 / kRate_Hz, 20.0 / f_Hz)
+                + kLead; // all of it: 250 are asked for
             return kNoise * 2.0 * std::numbers::pi * f_Hz / kRate_Hz * std::sqrt(0.5 * used)
                 / std::abs(transferFunction(f_Hz));
         };

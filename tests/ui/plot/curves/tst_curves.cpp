@@ -95,6 +95,7 @@ private slots:
     void simulation_oneSeries_showsTwoCurves();
     void poleZero_classes_haveOwnMarkers();
     void bode_units_andBars();
+    void bode_saysWhatIsWithheld();
     void step_ofModel_followsClosedForm();
     void step_ofImpulseModel_isIntegral();
     void figures_ofAllResults_haveUniqueIdsAndTexts();
@@ -405,6 +406,22 @@ void TestCurves::bode_units_andBars()
     relative.u_magnitude.resize(0);
     QVERIFY(bodeMagnitudeCurves(relative).yAxis.unit.isEmpty());
     QCOMPARE(bodeMagnitudeCurves(relative).curves.size(), std::size_t(2));
+}
+
+void TestCurves::bode_saysWhatIsWithheld()
+{
+    dyncal::ResponseResult response = *m_results.response;
+    QVERIFY(!bodeMagnitudeCurves(response).summary.contains("withheld"));
+    response.withheld.assign(
+        static_cast<std::size_t>(response.frequency_Hz.size()), dyncal::WithheldReason::None);
+    QVERIFY(!bodePhaseCurves(response).summary.contains("withheld"));
+    response.withheld[0] = dyncal::WithheldReason::Alias;
+    response.withheld[1] = dyncal::WithheldReason::End;
+    response.magnitude.head(2).setConstant(std::nan(""));
+    const QString words
+        = QString("withheld: 2 of %1").arg(static_cast<int>(response.withheld.size()));
+    QVERIFY(bodeMagnitudeCurves(response).summary.contains(words));
+    QVERIFY(bodePhaseCurves(response).summary.contains(words));
 }
 
 void TestCurves::step_ofModel_followsClosedForm()
