@@ -14,12 +14,13 @@
 namespace dyncal {
 namespace {
 
-constexpr Index kLongest = Index(1) << 18; ///< samples before the step of which octaves are made
-constexpr Index kFewest = 256;
+constexpr Index kLongestNoise = Index(1)
+    << 18; ///< samples before the step of which octaves are made
+constexpr Index kFewestOfOctaves = 256;
 constexpr Index kFirstBin = 2; ///< the trend that was taken off took the first with it
-constexpr double kHighestOfRate = 0.2; ///< above, the autoregressive model resolves all
+constexpr double kTopOfOctaves = 0.2; ///< above, the autoregressive model resolves all
 constexpr double kSigmasApart = 2.0; ///< by which the octaves must differ to be believed
-constexpr double kReach = 1.75; ///< octaves to either side that make one value
+constexpr double kOctavesBeside = 1.75; ///< octaves to either side that make one value
 
 /// Of a mean of neighbouring bins behind a Hann window, whose powers are correlated by 4/9 and
 /// 1/36.
@@ -59,12 +60,12 @@ NoiseDensity::NoiseDensity(const WindowedResponse &response)
 
 void NoiseDensity::findOctaves(const Eigen::VectorXd &noise)
 {
-    const Index n = std::min(kLongest, noise.size() / 2 * 2);
-    if (n < kFewest || !noise.allFinite())
+    const Index n = std::min(kLongestNoise, noise.size() / 2 * 2);
+    if (n < kFewestOfOctaves || !noise.allFinite())
         return;
     const Eigen::ArrayXd power = periodogram(noise.tail(n));
     const double bin_Hz = m_rate_Hz / static_cast<double>(n);
-    for (Index k = kFirstBin; 2.0 * static_cast<double>(k) * bin_Hz < kHighestOfRate * m_rate_Hz;
+    for (Index k = kFirstBin; 2.0 * static_cast<double>(k) * bin_Hz < kTopOfOctaves * m_rate_Hz;
          k *= 2) {
         const double mean = power.segment(k, k).mean();
         if (!(mean > 0.0))
@@ -93,8 +94,8 @@ NoiseDensity::Value NoiseDensity::octavesAt(double frequency_Hz) const
     const auto forNear = [&](const auto &use) {
         for (const Octave &octave : m_octaves) {
             const double x = std::log2(octave.centre_Hz / low_Hz);
-            if (std::abs(x) < kReach)
-                use(octave, x, octave.dof * (1.0 - std::abs(x) / kReach));
+            if (std::abs(x) < kOctavesBeside)
+                use(octave, x, octave.dof * (1.0 - std::abs(x) / kOctavesBeside));
         }
     };
     forNear([&](const Octave &octave, double x, double weight) {
@@ -124,7 +125,7 @@ bool NoiseDensity::differsFromModel(double frequency_Hz) const
     double chiSquare = 0.0, octaves = 0.0;
     for (const Octave &octave : m_octaves) {
         const double x = std::log2(octave.centre_Hz / frequency_Hz);
-        if (x > kReach || (x < -kReach && &octave != &m_octaves.front()))
+        if (x > kOctavesBeside || (x < -kOctavesBeside && &octave != &m_octaves.front()))
             continue;
         const double change = octave.logDensity - std::log(modelAt(octave.centre_Hz));
         chiSquare += 0.5 * octave.dof * change * change;

@@ -18,7 +18,8 @@ namespace {
 constexpr double kPeriodsKept = 20.0; ///< of the frequency asked, where the window has them
 constexpr Index kCuts = 12;
 constexpr double kMarginOfEnd = 1.2; ///< over the largest change that a cut makes
-constexpr double kSigmas = 2.5; ///< a change up to here may be noise: it exceeds that in 0.2 %
+constexpr double kSigmasOfNoise
+    = 2.5; ///< a change up to here may be noise: it exceeds that in 0.2 %
 
 /// A sixteenth of the time that the sensor needs to settle is left before the detected start, so
 /// that the whole rise is among the samples wherever the onset lies.
@@ -137,7 +138,7 @@ double boundOfEnd(const std::vector<ShotPoint> &shots)
         ofNoise += 2.0 * shot.variancesOfChanges / (n * n);
     }
     const double largest
-        = (changes.array().abs2() - kSigmas * kSigmas * ofNoise.array()).maxCoeff();
+        = (changes.array().abs2() - kSigmasOfNoise * kSigmasOfNoise * ofNoise.array()).maxCoeff();
     return kMarginOfEnd * std::sqrt(std::max(0.0, largest));
 }
 
@@ -199,7 +200,7 @@ double largestBeyondNoise(const Eigen::ArrayXd &power, const Eigen::ArrayXd &ofN
     const double bins = static_cast<double>(power.size());
     const double x = (std::log(bins) + kLogOfRare) / shots;
     const double single = (power - ofNoise * (1.0 + std::sqrt(2.0 * x) + x)).maxCoeff();
-    const double spread = kSigmas / std::sqrt(bins * shots);
+    const double spread = kSigmasOfNoise / std::sqrt(bins * shots);
     const double broad = (power - ofNoise * (1.0 + spread)).mean();
     return std::sqrt(std::max({0.0, single, kLargestOverMean * broad}) / shots);
 }

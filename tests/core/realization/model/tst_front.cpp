@@ -87,35 +87,6 @@ class TestFront : public QObject
     Q_OBJECT
 
 private slots:
-    void factor_isSincOnTheFrequencyAxis_andOneWithoutAFront()
-    {
-        for (const double fT : {1e-6, 3e-4, 0.1, 0.5, 0.9}) {
-            const Complex factor = frontFactor(1e-6, {0.0, kTwoPi * fT / 1e-6});
-            QVERIFY(std::abs(factor - std::sin(M_PI * fT) / (M_PI * fT)) < 1e-12);
-        }
-        QCOMPARE(frontFactor(0.0, {-1e5, 2e6}), Complex(1.0));
-        const Complex below = frontFactor(1.0, 1.9999e-3), above = frontFactor(1.0, 2.0001e-3);
-        QVERIFY(std::abs(below - above) < 1e-9);
-    }
-
-    void behindTheFront_theSumIsTheRampsResponse()
-    {
-        const double w = kTwoPi * kF0_Hz;
-        const Complex s = w * Complex(-kZeta, std::sqrt(1.0 - kZeta * kZeta));
-        const Complex c = std::conj(s) / (s - std::conj(s));
-        ExponentialSum sharp{1.0, Eigen::VectorXcd(2), Eigen::VectorXcd(2)};
-        sharp.poles_rad_s << s, std::conj(s);
-        sharp.amplitudes << c, std::conj(c);
-        ExponentialSum recorded = sharp;
-        for (Index i = 0; i < 2; ++i)
-            recorded.amplitudes[i] *= frontFactor(kFront_s, sharp.poles_rad_s[i]);
-        for (double t_s = 0.5 * kFront_s; t_s < 5e-6; t_s += 37e-9)
-            QVERIFY(std::abs(recorded.value(t_s) - behindFront(t_s, kFront_s)) < 1e-8);
-        const ExponentialSum back = asIfSharp(recorded, kFront_s);
-        QVERIFY((back.amplitudes - sharp.amplitudes).norm() < 1e-12);
-        QCOMPARE(back.constant, 1.0);
-    }
-
     void input_beginsBehindTheFront_withItsDoubt()
     {
         const std::vector<WindowedResponse> responses{responseOf(1, 0.0, 1)};
