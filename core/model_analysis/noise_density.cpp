@@ -14,8 +14,8 @@
 namespace dyncal {
 namespace {
 
-constexpr Index kLongestNoise = Index(1)
-    << 18; ///< samples before the step of which octaves are made
+/// Values of noise that are looked at: of longer records the last ones, or means of several.
+constexpr Index kLongestNoise = 65536;
 constexpr Index kFewestOfOctaves = 256;
 constexpr Index kFirstBin = 2; ///< the trend that was taken off took the first with it
 constexpr double kTopOfOctaves = 0.2; ///< above, the autoregressive model resolves all
@@ -28,6 +28,15 @@ double dofOfBins(Index bins)
 {
     const double n = static_cast<double>(bins);
     return 2.0 * n / (1.0 + 0.94 * (1.0 - 1.0 / n));
+}
+
+/// Means of so many samples each, as many as an FFT takes fast.
+Eigen::VectorXd meansOf(const Eigen::VectorXd &noise, Index samples)
+{
+    Index count = noise.size() / samples;
+    while (count > 1 && fastFftLength(count) != count)
+        --count;
+    return noise.tail(count * samples).reshaped(samples, count).colwise().mean();
 }
 
 /// Power by bins, 1 for white noise of variance 1.
@@ -51,7 +60,8 @@ NoiseDensity::NoiseDensity(const WindowedResponse &response)
     m_white = noiseSd * noiseSd;
     if (m_count < 2)
         return;
-    const NoiseCovariance covariance = noiseCovariance(response.noise, kLargestNoiseModelOrder);
+    const NoiseCovariance covariance = noiseCovariance(
+        response.noise.tail(std::min(kLongestNoise, m_count)), kLargestNoiseModelOrder);
     m_model = chooseAutoregressiveModels({covariance}, kLargestNoiseModelOrder).front();
     m_white = std::max(0.0, m_white - covariance.values[0]);
     findOctaves(response.noise);
@@ -60,20 +70,24 @@ NoiseDensity::NoiseDensity(const WindowedResponse &response)
 
 void NoiseDensity::findOctaves(const Eigen::VectorXd &noise)
 {
-    const Index n = std::min(kLongestNoise, noise.size() / 2 * 2);
-    if (n < kFewestOfOctaves || !noise.allFinite())
+    if (noise.size() < kFewestOfOctaves || !noise.allFinite())
         return;
-    const Eigen::ArrayXd power = periodogram(noise.tail(n));
-    const double bin_Hz = m_rate_Hz / static_cast<double>(n);
-    for (Index k = kFirstBin; 2.0 * static_cast<double>(k) * bin_Hz < kTopOfOctaves * m_rate_Hz;
+    const Index samples = (noise.size() + kLongestNoise - 1) / kLongestNoise;
+    const Eigen::VectorXd values = meansOf(noise, samples);
+    const Eigen::ArrayXd power = static_cast<double>(samples) * periodogram(values);
+    const double rate_Hz = m_rate_Hz / static_cast<double>(samples);
+    const double bin_Hz = rate_Hz / static_cast<double>(values.size());
+    for (Index k = kFirstBin; 2.0 * static_cast<double>(k) * bin_Hz < kTopOfOctaves * rate_Hz;
          k *= 2) {
         const double mean = power.segment(k, k).mean();
         if (!(mean > 0.0))
             return;
         const double dof = dofOfBins(k);
         // The mean of the logarithm of a chi-square variable over its dof is about -1/dof.
+        const double centre_Hz = bin_Hz * (1.5 * static_cast<double>(k) - 0.5);
+        const double logDensity = std::log(mean) + 1.0 / dof;
         m_octaves.push_back(
-            {bin_Hz * (1.5 * static_cast<double>(k) - 0.5), std::log(mean) + 1.0 / dof, dof});
+            {centre_Hz, logDensity, dof, logDensity - std::log(modelAt(centre_Hz))});
     }
 }
 
@@ -127,8 +141,7 @@ bool NoiseDensity::differsFromModel(double frequency_Hz) const
         const double x = std::log2(octave.centre_Hz / frequency_Hz);
         if (x > kOctavesBeside || (x < -kOctavesBeside && &octave != &m_octaves.front()))
             continue;
-        const double change = octave.logDensity - std::log(modelAt(octave.centre_Hz));
-        chiSquare += 0.5 * octave.dof * change * change;
+        chiSquare += 0.5 * octave.dof * octave.aboveModel * octave.aboveModel;
         octaves += 1.0;
     }
     return chiSquare > octaves + kSigmasApart * std::sqrt(2.0 * octaves);
@@ -139,7 +152,8 @@ NoiseDensity::Value NoiseDensity::at(double frequency_Hz) const
     if (m_count < 2)
         return {m_white, std::numeric_limits<double>::infinity()};
     Value found{modelAt(frequency_Hz),
-        static_cast<double>(m_count) / static_cast<double>(m_model.order() + 1)};
+        static_cast<double>(std::min(kLongestNoise, m_count))
+            / static_cast<double>(m_model.order() + 1)};
     if (!m_octaves.empty() && frequency_Hz < m_octaves.back().centre_Hz
         && differsFromModel(frequency_Hz))
         found = octavesAt(frequency_Hz);

@@ -42,6 +42,7 @@ private:
         double centre_Hz = 0.0;
         double logDensity = 0.0;
         double dof = 0.0;
+        double aboveModel = 0.0; ///< logarithm of its density over the model's
     };
 
     void findOctaves(const Eigen::VectorXd &noise);

@@ -62,18 +62,33 @@ struct ShotPoint
     double u_onset_s = 0.0;
 };
 
-/// Variance of Re S and of Im S where the record ends at `end`, of `samples` samples of it. What is
-/// slower than the mean that makes the level moves the level against the baseline.
-double varianceOf(const NoiseDensity &noise, double rate_Hz, const RecordEnd &end, Index samples,
-    double frequency_Hz)
+/// The noise of one shot as it acts on S at one frequency.
+struct NoiseAt
 {
-    const double averaged = static_cast<double>(end.averaged);
-    const double ofLevel = noise.at(0.5 * rate_Hz / averaged).variance;
-    const double slower
-        = std::max(0.0, noise.ofMean(end.averaged, 2 * end.samples) - ofLevel / averaged);
-    return slower
-        + stepTransformVariance({samples, end.averaged, 0.0}, rate_Hz,
-            noise.at(frequency_Hz).variance, ofLevel, frequency_Hz);
+    double rate_Hz = 0.0;
+    double frequency_Hz = 0.0;
+    NoiseDensity::Value density; ///< at the frequency
+    double ofLevel = 0.0; ///< density that a mean of the record's last tenth has
+    double slower = 0.0; ///< variance of what is slower: it moves the level against the baseline
+
+    /// Of Re S and of Im S where the record ends at `end`, of `samples` samples of it.
+    double variance(const RecordEnd &end, Index samples) const
+    {
+        return slower
+            + stepTransformVariance(
+                {samples, end.averaged, 0.0}, rate_Hz, density.variance, ofLevel, frequency_Hz);
+    }
+};
+
+NoiseAt noiseAt(
+    const NoiseDensity &noise, double rate_Hz, const RecordEnd &whole, double frequency_Hz)
+{
+    const double averaged = static_cast<double>(whole.averaged);
+    NoiseAt at{rate_Hz, frequency_Hz, noise.at(frequency_Hz),
+        noise.at(0.5 * rate_Hz / averaged).variance, 0.0};
+    at.slower
+        = std::max(0.0, noise.ofMean(whole.averaged, 2 * whole.samples) - at.ofLevel / averaged);
+    return at;
 }
 
 ShotPoint pointOf(
@@ -84,23 +99,21 @@ ShotPoint pointOf(
     const auto y = samplesUsed(shot, length_s);
     const std::vector<RecordEnd> ends = recordEnds(y, kCuts);
     const RecordEnd &whole = ends.back();
+    const NoiseAt at = noiseAt(noise, rate_Hz, whole, frequency_Hz);
     const auto transforms = stepTransforms(y, rate_Hz, ends, onsetIn(shot), frequency_Hz);
     const auto toS = [&](std::complex<double> transform) {
         return shot.scale * shot.record.ofStep(transform, frequency_Hz);
     };
     ShotPoint point{toS(transforms.back()),
-        scale2
-            * (varianceOf(noise, rate_Hz, whole, whole.samples, frequency_Hz) + noise.ofBaseline()),
-        noise.at(frequency_Hz).dof, Eigen::VectorXcd(kCuts), Eigen::VectorXd(kCuts),
-        shot.u_onset_s};
+        scale2 * (at.variance(whole, whole.samples) + noise.ofBaseline()), at.density.dof,
+        Eigen::VectorXcd(kCuts), Eigen::VectorXd(kCuts), shot.u_onset_s};
     const std::complex<double> turn = std::polar(1.0, -std::arg(point.S));
     for (Index k = 0; k < kCuts; ++k) {
         const RecordEnd &end = ends[static_cast<std::size_t>(k)];
         point.changes[k] = (toS(transforms[static_cast<std::size_t>(k)]) - point.S) * turn;
         // Noise of the part cut off, and of the two levels.
-        point.variancesOfChanges[k] = scale2
-            * (varianceOf(noise, rate_Hz, end, whole.samples - end.samples, frequency_Hz)
-                + varianceOf(noise, rate_Hz, whole, 0, frequency_Hz));
+        point.variancesOfChanges[k]
+            = scale2 * (at.variance(end, whole.samples - end.samples) + at.variance(whole, 0));
     }
     return point;
 }
