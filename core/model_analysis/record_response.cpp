@@ -72,7 +72,7 @@ struct NoiseAt
     double slower = 0.0; ///< variance of what is slower: it moves the level against the baseline
 
     /// Of Re S and of Im S where the record ends at `end`, of `samples` samples of it.
-    double variance(const RecordEnd &end, Index samples) const
+    double variance(const TransformEnd &end, Index samples) const
     {
         return slower
             + stepTransformVariance(
@@ -81,7 +81,7 @@ struct NoiseAt
 };
 
 NoiseAt noiseAt(
-    const NoiseDensity &noise, double rate_Hz, const RecordEnd &whole, double frequency_Hz)
+    const NoiseDensity &noise, double rate_Hz, const TransformEnd &whole, double frequency_Hz)
 {
     const double averaged = static_cast<double>(whole.averaged);
     NoiseAt at{rate_Hz, frequency_Hz, noise.at(frequency_Hz),
@@ -97,8 +97,8 @@ ShotPoint pointOf(
     const double rate_Hz = shot.response->sampleRate_Hz;
     const double scale2 = shot.scale * shot.scale;
     const auto y = samplesUsed(shot, length_s);
-    const std::vector<RecordEnd> ends = recordEnds(y, kCuts);
-    const RecordEnd &whole = ends.back();
+    const std::vector<TransformEnd> ends = transformEnds(y, kCuts);
+    const TransformEnd &whole = ends.back();
     const NoiseAt at = noiseAt(noise, rate_Hz, whole, frequency_Hz);
     const auto transforms = stepTransforms(y, rate_Hz, ends, onsetIn(shot), frequency_Hz);
     const auto toS = [&](std::complex<double> transform) {
@@ -109,7 +109,7 @@ ShotPoint pointOf(
         Eigen::VectorXcd(kCuts), Eigen::VectorXd(kCuts), shot.u_onset_s};
     const std::complex<double> turn = std::polar(1.0, -std::arg(point.S));
     for (Index k = 0; k < kCuts; ++k) {
-        const RecordEnd &end = ends[static_cast<std::size_t>(k)];
+        const TransformEnd &end = ends[static_cast<std::size_t>(k)];
         point.changes[k] = (toS(transforms[static_cast<std::size_t>(k)]) - point.S) * turn;
         // Noise of the part cut off, and of the two levels.
         point.variancesOfChanges[k]
@@ -168,7 +168,8 @@ double dofOf(const std::vector<ShotPoint> &shots)
 
 /// The steps between the samples; in the last tenth the record goes over to its level by half a
 /// cosine, because a jump at the end would count at every frequency.
-Eigen::VectorXd smoothlyEndedSteps(const Eigen::Ref<const Eigen::VectorXd> &y, const RecordEnd &end)
+Eigen::VectorXd smoothlyEndedSteps(
+    const Eigen::Ref<const Eigen::VectorXd> &y, const TransformEnd &end)
 {
     Eigen::VectorXd steps(y.size() + 1);
     steps << y, end.level;
@@ -188,7 +189,7 @@ void addPower(const RecordOfShot &shot, const NoiseDensity &noise, double length
 {
     const double rate_Hz = shot.response->sampleRate_Hz;
     const auto y = samplesUsed(shot, length_s);
-    const RecordEnd end = recordEnds(y, 0).back();
+    const TransformEnd end = transformEnds(y, 0).back();
     const Eigen::VectorXcd spectrum = fft.forward(smoothlyEndedSteps(y, end));
     const Index first = spectrum.size() - power.size();
     for (Index k = 0; k < power.size(); ++k) {

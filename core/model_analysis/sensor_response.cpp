@@ -47,7 +47,7 @@ bool isPerPressure(const std::vector<WindowedResponse> &responses, const ShockCo
 /// The step as the record has it: the mean of its last tenth.
 double levelOfRecord(const SensorRecord &record)
 {
-    return recordEnds(record.values, 0).back().level;
+    return transformEnds(record.values, 0).back().level;
 }
 
 /// What S(f) takes of the shots; relative to the pressure step or to each record's own.

@@ -47,7 +47,7 @@ private:
     Table m_sin = Table(kBlock);
 };
 
-RecordEnd endAfter(const Eigen::Ref<const Eigen::VectorXd> &y, Index samples)
+TransformEnd endAfter(const Eigen::Ref<const Eigen::VectorXd> &y, Index samples)
 {
     constexpr Index kPart = 10;
     if (samples == 0)
@@ -58,9 +58,9 @@ RecordEnd endAfter(const Eigen::Ref<const Eigen::VectorXd> &y, Index samples)
 
 } // namespace
 
-std::vector<RecordEnd> recordEnds(const Eigen::Ref<const Eigen::VectorXd> &y, Index cuts)
+std::vector<TransformEnd> transformEnds(const Eigen::Ref<const Eigen::VectorXd> &y, Index cuts)
 {
-    std::vector<RecordEnd> ends;
+    std::vector<TransformEnd> ends;
     const Index third = y.size() / 3;
     for (Index k = 0; k < cuts; ++k)
         ends.push_back(endAfter(y, y.size() - third + k * third / cuts));
@@ -69,7 +69,7 @@ std::vector<RecordEnd> recordEnds(const Eigen::Ref<const Eigen::VectorXd> &y, In
 }
 
 std::vector<std::complex<double>> stepTransforms(const Eigen::Ref<const Eigen::VectorXd> &y,
-    double rate_Hz, const std::vector<RecordEnd> &ends, double onset_s, double frequency_Hz)
+    double rate_Hz, const std::vector<TransformEnd> &ends, double onset_s, double frequency_Hz)
 {
     const double w = kTwoPi * frequency_Hz;
     const double x = w / rate_Hz;
@@ -79,7 +79,7 @@ std::vector<std::complex<double>> stepTransforms(const Eigen::Ref<const Eigen::V
     std::complex<double> D = y.size() > 0 ? y[0] : 0.0;
     std::vector<std::complex<double>> transforms;
     Index n = 1;
-    for (const RecordEnd &end : ends) {
+    for (const TransformEnd &end : ends) {
         for (Index count = 0; n < end.samples; n += count) {
             count = std::min(kBlock, end.samples - n);
             D += rotation.sum(y.segment(n, count) - y.segment(n - 1, count)) * turned(n);
@@ -91,7 +91,7 @@ std::vector<std::complex<double>> stepTransforms(const Eigen::Ref<const Eigen::V
 }
 
 double stepTransformVariance(
-    const RecordEnd &end, double rate_Hz, double density, double atZero, double frequency_Hz)
+    const TransformEnd &end, double rate_Hz, double density, double atZero, double frequency_Hz)
 {
     const double x = kTwoPi * frequency_Hz / rate_Hz;
     const double ofSamples = 0.5 * density * x * x * static_cast<double>(end.samples);

@@ -14,7 +14,7 @@ namespace dyncal {
 
 /// Where a record of a step is taken to end: after so many samples it stays at the mean of its own
 /// last tenth.
-struct RecordEnd
+struct TransformEnd
 {
     Index samples = 0;
     Index averaged = 0; ///< of them, for the level
@@ -23,7 +23,7 @@ struct RecordEnd
 
 /// The record cut `cuts` times, evenly over its last third, and whole: the last one. Of an empty
 /// record nothing but its end at 0.
-std::vector<RecordEnd> recordEnds(const Eigen::Ref<const Eigen::VectorXd> &y, Index cuts);
+std::vector<TransformEnd> transformEnds(const Eigen::Ref<const Eigen::VectorXd> &y, Index cuts);
 
 /// Response at one frequency from a sampled step response, without any model
 /// (docs/method/response.md): S(f) = D(f) [jwTs / (1 - e^(-jwTs))] e^(jw onset), D(f) = sum (y_n -
@@ -31,13 +31,13 @@ std::vector<RecordEnd> recordEnds(const Eigen::Ref<const Eigen::VectorXd> &y, In
 /// the bracket turns the sampled unit step into the true one. Exact up to aliasing and truncation.
 /// One value for each of `ends`, which lie within y, in ascending order.
 std::vector<std::complex<double>> stepTransforms(const Eigen::Ref<const Eigen::VectorXd> &y,
-    double rate_Hz, const std::vector<RecordEnd> &ends, double onset_s, double frequency_Hz);
+    double rate_Hz, const std::vector<TransformEnd> &ends, double onset_s, double frequency_Hz);
 
 /// Variance of Re S and of Im S from noise in y: `density` is that of the noise at the frequency,
 /// `atZero` at low ones, both as the variance of white noise with that density. What the level
 /// adds has a direction of its own in the plane and is counted in full.
 double stepTransformVariance(
-    const RecordEnd &end, double rate_Hz, double density, double atZero, double frequency_Hz);
+    const TransformEnd &end, double rate_Hz, double density, double atZero, double frequency_Hz);
 
 /// Largest error that aliasing makes in S(f), relative to the largest |S| between 0.4 and 0.5 of
 /// the rate, if the response is nowhere stronger above half the rate and falls there as 1/f or

@@ -22,7 +22,7 @@ constexpr ResponseTreatment kStep = ResponseTreatment::StepDeflated;
 
 Complex whole(const Eigen::VectorXd &y, double rate_Hz, double onset_s, double f_Hz)
 {
-    return stepTransforms(y, rate_Hz, recordEnds(y, 0), onset_s, f_Hz).back();
+    return stepTransforms(y, rate_Hz, transformEnds(y, 0), onset_s, f_Hz).back();
 }
 
 Complex transformOf(const Eigen::VectorXd &y, double level, double x)
@@ -45,7 +45,7 @@ private slots:
     void ends_lieInTheLastThird_atTheMeanOfTheirOwnLastTenth()
     {
         const Eigen::VectorXd y = Eigen::VectorXd::LinSpaced(3000, 0.0, 2999.0);
-        const std::vector<RecordEnd> ends = recordEnds(y, 12);
+        const std::vector<TransformEnd> ends = transformEnds(y, 12);
         QCOMPARE(ends.size(), std::size_t(13));
         QCOMPARE(ends.front().samples, Index(2000));
         QCOMPARE(ends.back().samples, Index(3000));
@@ -56,8 +56,8 @@ private slots:
             if (k > 0)
                 QVERIFY(std::abs(double(ends[k].samples - ends[k - 1].samples) - 83.3) < 1.0);
         }
-        QCOMPARE(recordEnds(Eigen::VectorXd(), 12).back().samples, Index(0));
-        QCOMPARE(recordEnds(Eigen::VectorXd::Ones(1), 12).front().level, 1.0);
+        QCOMPARE(transformEnds(Eigen::VectorXd(), 12).back().samples, Index(0));
+        QCOMPARE(transformEnds(Eigen::VectorXd::Ones(1), 12).front().level, 1.0);
     }
 
     void transforms_areTheSumWrittenOut_atEveryEnd()
@@ -65,7 +65,7 @@ private slots:
         testing::Noise noise(3);
         for (const Index size : {Index(1), Index(2), Index(256), Index(257), Index(5000)}) {
             const Eigen::VectorXd y = noise.series(size, 1.0);
-            const std::vector<RecordEnd> ends = recordEnds(y, 5);
+            const std::vector<TransformEnd> ends = transformEnds(y, 5);
             for (const double x : {1e-3, 0.7, 3.1}) {
                 const auto found = stepTransforms(y, kRate_Hz, ends, 0.0, x * kRate_Hz / kTwoPi);
                 for (std::size_t k = 0; k < ends.size(); ++k) {
@@ -154,10 +154,10 @@ private slots:
         testing::Noise noise(8);
         for (const double f_Hz : {3e3, 4e4, 4e5}) {
             Eigen::ArrayXd squares = Eigen::ArrayXd::Zero(3);
-            std::vector<RecordEnd> ends;
+            std::vector<TransformEnd> ends;
             for (int trial = 0; trial < kTrials; ++trial) {
                 const Eigen::VectorXd y = noise.series(kSamples, 0.01);
-                ends = recordEnds(y, 2);
+                ends = transformEnds(y, 2);
                 const auto S = stepTransforms(y, kRate_Hz, ends, 0.0, f_Hz);
                 for (Index k = 0; k < 3; ++k)
                     squares[k] += std::norm(S[std::size_t(k)]) / 2.0 / kTrials;

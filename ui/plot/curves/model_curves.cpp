@@ -277,8 +277,7 @@ PlotContent bodePhaseCurves(const ResponseResult &response)
     addMeasured(
         content, response.frequency_Hz, response.phase_rad, response.u_phase_rad, toDegrees);
     addResponseMarks(content, response);
-    content.summary
-        = Plots::tr("Phase of the frequency response, output over input, lag negative.")
+    content.summary = Plots::tr("Phase of the frequency response, output over input, lag negative.")
         + withheldWords(response);
     return content;
 }
