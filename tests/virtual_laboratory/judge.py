@@ -116,7 +116,8 @@ def rows_of(error, u, k, warning):
 
 def rows_by_frequency(rows, lowest=1e3):
     """[[f, z, k], ...] of the magnitude, for coverage row by row."""
-    error, u, k = rows["magnitude"]
+    error, _, k = rows["magnitude"]
+    u = rows["noise"]
     use = np.isfinite(error) & (u > 0) & (rows["f"] >= lowest)
     return [[float(f), float(e / s), float(kk)] for f, e, s, kk
             in zip(rows["f"][use], error[use], u[use], k[use])]
@@ -124,7 +125,8 @@ def rows_by_frequency(rows, lowest=1e3):
 
 def bound_rows(rows):
     """How many rows the two bounds of the record hold, the noise aside: [held, all]; None without bounds."""
-    error, u, k = rows["magnitude"]
+    error, _, k = rows["magnitude"]
+    u = rows["noise"]
     use = np.isfinite(rows["bound"]) & np.isfinite(error)
     held = np.abs(error[use]) <= rows["bound"][use] + k[use] * np.nan_to_num(u[use])
     return [int(held.sum()), int(use.sum())] if use.any() else None

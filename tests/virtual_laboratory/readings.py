@@ -124,7 +124,7 @@ def true_response(truth, frequencies):
 
 
 def response_rows(results, truth):
-    """Arrays f, error, u, k of the magnitude (relative to the true step), and of the phase."""
+    """Arrays f, error, u, k of the magnitude (relative to the true step), and of the phase; u of the noise alone."""
     answer = results.get("response") or {}
     f = answer.get("frequency_hz") or []
     shots = [i for i, s in enumerate(results["shots"]) if s.get("included")]
@@ -138,11 +138,11 @@ def response_rows(results, truth):
     true = true_response(truth, f)
     magnitude, u = column("magnitude"), column("u_magnitude")
     common = answer.get("u_common_relative") or 0.0
+    part = np.sqrt(np.maximum(u**2 - (common * magnitude) ** 2, 0))
     noise = column("u_noise_magnitude")
-    part = np.where(np.isfinite(noise), noise, np.sqrt(np.maximum(u**2 - (common * magnitude) ** 2, 0)))
+    noise = np.where(np.isfinite(noise), noise, part)
     k, k_phase = (np.where(np.isfinite(column(n)), column(n), 2.0) for n in ("k_magnitude", "k_phase"))
-    noise_phase = column("u_noise_phase_rad")
-    u_phase = np.where(np.isfinite(noise_phase), noise_phase, column("u_phase_rad"))
+    u_phase = column("u_phase_rad")
     return {"f": np.array(f), "magnitude": (magnitude * ratio - abs(true), part * ratio, k),
             "phase": (np.angle(np.exp(1j * (column("phase_rad") - np.angle(true)))), u_phase, k_phase),
-            "bound": (column("bound_alias") + column("bound_end")) * ratio, "true": true}
+            "noise": noise * ratio, "bound": (column("bound_alias") + column("bound_end")) * ratio, "true": true}
