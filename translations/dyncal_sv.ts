@@ -6018,14 +6018,6 @@
         <translation>Osäkerheten för ”%1” i uncertainty.budget används inte till något: det som är känt om dämpningen är området shock.attenuation_per_m.</translation>
     </message>
     <message>
-        <source>The values without a model take nothing from it but the zero of time. Where what sampling or the end of the records may change exceeds both the uncertainty of the noise and 2 % of the magnitude, none is stated; for the sampling it is assumed that above half the sample rate the response is nowhere stronger than just below.</source>
-        <translation>Värdena utan modell tar inget från den utom tidens nollpunkt. Där det som sampling eller registreringarnas slut kan ändra överstiger både brusets osäkerhet och 2 % av beloppet anges inget; för samplingen antas att svaret över halva samplingsfrekvensen ingenstans är starkare än strax under.</translation>
-    </message>
-    <message>
-        <source>The pressure rises over %1 at the sensor, standard uncertainty %2. The values without a model are divided by what an even rise takes off; the model is that behind it.</source>
-        <translation>Trycket stiger under %1 vid givaren, standardosäkerhet %2. Värdena utan modell är delade med vad en jämn stigning tar bort; modellen är den bakom den.</translation>
-    </message>
-    <message>
         <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes, and those of the frequency response what sampling and the end of the records may change, not the uncertainty of the pressure step; that of the sensitivity alone contains both. A complete uncertainty budget was not evaluated. A result without an uncertainty beside it has none that is known, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
         <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2 och innehåller bara bidraget från registreringarnas brus, och frekvensgångens även vad sampling och registreringarnas slut kan ändra, inte tryckstegets osäkerhet; bara känslighetens innehåller båda. Någon fullständig osäkerhetsbudget har inte beräknats. Ett resultat utan osäkerhet bredvid sig har ingen som är känd och är avrundat till tre värdesiffror; inställningar och avläsningar återges med högst fyra. Stigtid, översläng, insvängningstid och bandgränser är modellens, så långt registreringar och modell räcker.</translation>
     </message>
@@ -6040,6 +6032,14 @@
     <message>
         <source>The response taken from the data is withheld at %1 of %2 frequencies, from %3 to %4: the sampling may change it there by more than its noise and 2 %. Record at a higher rate, or use only what the model says there.</source>
         <translation>Svaret taget direkt ur data anges inte vid %1 av %2 frekvenser, från %3 till %4: samplingen kan ändra det där med mer än dess brus och 2 %. Registrera med högre samplingsfrekvens, eller använd bara vad modellen säger där.</translation>
+    </message>
+    <message>
+        <source>The values without a model take nothing from it but the zero of time and, where there are any, the drift and what was taken out of the records. Where what sampling or the end of the records may change exceeds both the uncertainty of the noise and 2 % of the magnitude, none is stated; for the sampling it is assumed that above half the sample rate the response is nowhere stronger than just below.</source>
+        <translation>Värdena utan modell tar inget från den utom tidens nollpunkt och, där de finns, driften och det som togs ut ur registreringarna. Där det som sampling eller registreringarnas slut kan ändra överstiger både brusets osäkerhet och 2 % av beloppet anges inget; för samplingen antas att svaret över halva samplingsfrekvensen ingenstans är starkare än strax under.</translation>
+    </message>
+    <message>
+        <source>The pressure rises over %1 at the sensor, standard uncertainty %2. The values without a model are divided by what an even rise takes off, and its uncertainty is part of theirs; the model is that behind it.</source>
+        <translation>Trycket stiger under %1 vid givaren, standardosäkerhet %2. Värdena utan modell är delade med vad en jämn stigning tar bort, och dess osäkerhet ingår i deras; modellen är den bakom den.</translation>
     </message>
 </context>
 <context>

@@ -5,7 +5,6 @@
 
 #include "core/base/constants.h"
 #include "core/base/number_text.h"
-#include "core/base/propagation.h"
 #include "core/base/rounding.h"
 #include "core/certificate/certificate_words.h"
 #include "core/pipeline/calibration_kind.h"
@@ -79,14 +78,6 @@ std::string frequencyText(const std::vector<double> &sorted, double frequency_Hz
                                                 : settingText(frequency_Hz, "Hz");
 }
 
-/// k = 2, or a larger Student's k where few bins of the noise decide.
-double coverageOf(const ResponseResult &response, Index i)
-{
-    constexpr double kCoverage = 0.95;
-    const double dof = valueAt(response.dof, i);
-    return dof > 0.0 ? std::max(kCoverageFactor, coverageFactor(dof, kCoverage)) : kCoverageFactor;
-}
-
 std::vector<Message> frequencyRow(
     const ResponseResult &response, const std::vector<double> &sorted, Index i)
 {
@@ -97,7 +88,7 @@ std::vector<Message> frequencyRow(
     const double uPhase = kDegreesPerRadian * valueAt(response.u_phase_rad, i);
     const double f_Hz = response.frequency_Hz[i];
     const bool isModelled = !(f_Hz > (1.0 + kRoundingOfLimit) * response.modelLimit_Hz);
-    const double k = coverageOf(response, i);
+    const double k = printedCoverage(coverageFactorAt(response, i));
     return {verbatim(frequencyText(sorted, f_Hz)), cell(magnitude, uMagnitude, unit, k),
         std::isfinite(magnitude) ? expandedCell(magnitude, uMagnitude, unit, k) : dash(),
         cell(phase, uPhase, "\xC2\xB0", k),
@@ -140,12 +131,12 @@ void addNotes(const ResponseResult &response, std::size_t rows, CertificateSecti
             {}});
     section.notes.push_back(
         {DYNCAL_TEXT("core",
-             "The values without a model take nothing from it but the zero of time. Where what sampling or the end of the records may change exceeds both the uncertainty of the noise and 2 % of the magnitude, none is stated; for the sampling it is assumed that above half the sample rate the response is nowhere stronger than just below."),
+             "The values without a model take nothing from it but the zero of time and, where there are any, the drift and what was taken out of the records. Where what sampling or the end of the records may change exceeds both the uncertainty of the noise and 2 % of the magnitude, none is stated; for the sampling it is assumed that above half the sample rate the response is nowhere stronger than just below."),
             {}});
     if (response.front.duration_s > 0.0)
         section.notes.push_back(
             {DYNCAL_TEXT("core",
-                 "The pressure rises over %1 at the sensor, standard uncertainty %2. The values without a model are divided by what an even rise takes off; the model is that behind it."),
+                 "The pressure rises over %1 at the sensor, standard uncertainty %2. The values without a model are divided by what an even rise takes off, and its uncertainty is part of theirs; the model is that behind it."),
                 {numberWithUnit(response.front.duration_s, "s", 3),
                     numberWithUnit(response.front.u_s, "s", 2)}});
     if (const auto asked = static_cast<std::size_t>(response.frequency_Hz.size()); rows < asked)

@@ -25,13 +25,6 @@ Message noModel()
     return {DYNCAL_TEXT("core", "not determined (no model)"), {}};
 }
 
-/// k = 2, or a larger Student's k where the scatter of few shots decides, so that the interval has
-/// 95 % there too; a k other than 2 is printed.
-double coverageOf(const Pole &pole)
-{
-    return pole.coverageFactor > kCoverageFactor ? pole.coverageFactor : kCoverageFactor;
-}
-
 void addResonance(const CalibrationResults &results, CertificateSection &section)
 {
     const Pole *pole = results.model ? mainPole(*results.model, results.assessment.get()) : nullptr;
@@ -40,13 +33,13 @@ void addResonance(const CalibrationResults &results, CertificateSection &section
         : noModel();
     section.fields.push_back(
         {"natural_frequency", {DYNCAL_TEXT("core", "Undamped natural frequency"), {}},
-            pole ? printedWithUncertainty(
-                pole->frequency_Hz, pole->u_frequency_Hz, "Hz", coverageOf(*pole))
+            pole ? printedWithUncertainty(pole->frequency_Hz, pole->u_frequency_Hz, "Hz",
+                printedCoverage(pole->coverageFactor))
                  : none,
             false});
     section.fields.push_back({"damping_ratio", {DYNCAL_TEXT("core", "Damping ratio"), {}},
         pole ? printedWithUncertainty(
-            pole->dampingRatio, pole->u_dampingRatio, "", coverageOf(*pole))
+            pole->dampingRatio, pole->u_dampingRatio, "", printedCoverage(pole->coverageFactor))
              : none,
         false});
 }
@@ -141,7 +134,7 @@ double uncertaintyInZ(const Pole &pole)
 /// Both coordinates to the digits that frequency and damping ratio are known to.
 std::string complexText(const Pole &pole)
 {
-    const double expanded = coverageOf(pole) * uncertaintyInZ(pole);
+    const double expanded = printedCoverage(pole.coverageFactor) * uncertaintyInZ(pole);
     const bool pair = pole.z.imag() != 0.0;
     return roundedText(pole.z.real(), expanded, "")
         + (pair ? " \xC2\xB1 j" + roundedText(pole.z.imag(), expanded, "") : "");
@@ -169,7 +162,7 @@ CertificateTable poleTable(const std::vector<Pole> &poles)
     for (const Pole &pole : poles) {
         if (pole.z.imag() < 0.0)
             continue;
-        const double k = coverageOf(pole);
+        const double k = printedCoverage(pole.coverageFactor);
         table.rows.push_back({poleWord(pole.poleClass), verbatim(complexText(pole)),
             valueCell(pole.frequency_Hz, pole.u_frequency_Hz, "Hz", k),
             expandedCell(pole.frequency_Hz, pole.u_frequency_Hz, "Hz", k),

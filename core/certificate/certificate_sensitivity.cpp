@@ -12,12 +12,6 @@
 namespace dyncal {
 namespace {
 
-/// Never below 2, as everywhere on the certificate.
-double coverageOf(double k)
-{
-    return std::max(k, kCoverageFactor);
-}
-
 Message notDetermined(const ResponseResult *response)
 {
     const bool hasStep = response
@@ -32,7 +26,7 @@ Message textOf(const SensitivityMean &mean, const ResponseResult &response)
     if (!mean.u)
         return printed(mean.value, response.sensitivityUnit, notDetermined(&response));
     return printedWithUncertainty(
-        mean.value, *mean.u, response.sensitivityUnit, coverageOf(mean.k));
+        mean.value, *mean.u, response.sensitivityUnit, printedCoverage(mean.k));
 }
 
 Message meanText(const ResponseResult *response)
@@ -129,9 +123,9 @@ Message shotSensitivityText(const CalibrationResults &results, Index shot)
     const auto entry = std::ranges::find(results.response->shots, shot, &ShotSensitivity::shot);
     if (entry == results.response->shots.end() || !entry->sensitivity)
         return none;
-    return entry->u
-        ? printedWithUncertainty(*entry->sensitivity, *entry->u, entry->unit, coverageOf(entry->k))
-        : printed(entry->sensitivity, entry->unit, none);
+    return entry->u ? printedWithUncertainty(
+               *entry->sensitivity, *entry->u, entry->unit, printedCoverage(entry->k))
+                    : printed(entry->sensitivity, entry->unit, none);
 }
 
 } // namespace dyncal

@@ -39,6 +39,11 @@ Message printed(const std::optional<double> &value, std::string_view unit, Messa
     return verbatim(roundedText(*value, kUnknown, unit));
 }
 
+double printedCoverage(double k)
+{
+    return k > kCoverageFactor ? k : kCoverageFactor;
+}
+
 std::string factorText(double k)
 {
     constexpr double kMostOfUse = 1e4; // reached with a fraction of a degree of freedom

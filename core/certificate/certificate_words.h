@@ -28,6 +28,9 @@ Message setting(double value, std::string_view unit);
 /// Value and unit with three digits, as its uncertainty is not known, or `otherwise` if there is
 /// none.
 Message printed(const std::optional<double> &value, std::string_view unit, Message otherwise);
+/// k = 2, or a larger Student's k where few degrees of freedom decide, so that the interval has 95
+/// % there too; 2 where it is not known.
+double printedCoverage(double k);
 /// "4.30".
 std::string factorText(double k);
 /// " (k = 2)", " (k = 4.30)".

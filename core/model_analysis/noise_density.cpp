@@ -5,6 +5,7 @@
 
 #include "core/base/constants.h"
 #include "core/signal/fft.h"
+#include "core/signal/power_spectrum.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,17 +40,6 @@ Eigen::VectorXd meansOf(const Eigen::VectorXd &noise, Index samples)
     return noise.tail(count * samples).reshaped(samples, count).colwise().mean();
 }
 
-/// Power by bins, 1 for white noise of variance 1.
-Eigen::ArrayXd periodogram(const Eigen::Ref<const Eigen::VectorXd> &noise)
-{
-    const Index n = noise.size();
-    const Eigen::ArrayXd phase = Eigen::ArrayXd::LinSpaced(n, 0.0, static_cast<double>(n - 1))
-        * kTwoPi / static_cast<double>(n);
-    const Eigen::ArrayXd window = 0.5 * (1.0 - phase.cos());
-    const Eigen::VectorXd tapered = (noise.array() - noise.mean()) * window;
-    return RealFft(n).forward(tapered).array().abs2() / window.square().sum();
-}
-
 } // namespace
 
 NoiseDensity::NoiseDensity(const WindowedResponse &response)
@@ -70,13 +60,17 @@ NoiseDensity::NoiseDensity(const WindowedResponse &response)
 
 void NoiseDensity::findOctaves(const Eigen::VectorXd &noise)
 {
-    if (noise.size() < kFewestOfOctaves || !noise.allFinite())
+    if (noise.size() < kFewestOfOctaves)
         return;
     const Index samples = (noise.size() + kLongestNoise - 1) / kLongestNoise;
-    const Eigen::VectorXd values = meansOf(noise, samples);
-    const Eigen::ArrayXd power = static_cast<double>(samples) * periodogram(values);
     const double rate_Hz = m_rate_Hz / static_cast<double>(samples);
-    const double bin_Hz = rate_Hz / static_cast<double>(values.size());
+    SpectrumSettings settings;
+    settings.taper = Taper::Hann;
+    const auto spectrum = computePowerSpectrum(meansOf(noise, samples), rate_Hz, settings);
+    if (!spectrum)
+        return; // a sample that is no number
+    const Eigen::VectorXd power = 0.5 * m_rate_Hz * spectrum->psd; // 1 for white noise of 1
+    const double bin_Hz = spectrum->frequency_Hz[1];
     for (Index k = kFirstBin; 2.0 * static_cast<double>(k) * bin_Hz < kTopOfOctaves * rate_Hz;
          k *= 2) {
         const double mean = power.segment(k, k).mean();

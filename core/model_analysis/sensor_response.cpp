@@ -5,6 +5,7 @@
 
 #include "core/base/constants.h"
 #include "core/base/number_text.h"
+#include "core/base/propagation.h"
 #include "core/model_analysis/model_response.h"
 #include "core/model_analysis/record_response.h"
 #include "core/model_analysis/sensor_record.h"
@@ -166,8 +167,9 @@ void state(const RecordResponse::Point &point, Index k, ResponseResult &result)
     result.length_s[k] = point.length_s;
     result.boundEnd[k] = point.boundEnd;
     result.boundAlias[k] = point.boundAlias;
-    result.withheld[static_cast<std::size_t>(k)] = reasonOf(point);
-    if (reasonOf(point) != WithheldReason::None)
+    const WithheldReason reason = reasonOf(point);
+    result.withheld[static_cast<std::size_t>(k)] = reason;
+    if (reason != WithheldReason::None)
         return;
     result.magnitude[k] = point.magnitude;
     result.u_noiseMagnitude[k] = point.u_magnitude;
@@ -355,6 +357,13 @@ double scaleOf(
 }
 
 } // namespace
+
+double coverageFactorAt(const ResponseResult &response, Index row)
+{
+    constexpr double kCoverageOfRows = 0.95;
+    const double dof = row < response.dof.size() ? response.dof[row] : kUnknown;
+    return dof > 0.0 ? coverageFactor(dof, kCoverageOfRows) : kUnknown;
+}
 
 ResponseResult computeModelResponse(const std::vector<WindowedResponse> &responses,
     const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,

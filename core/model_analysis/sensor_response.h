@@ -68,6 +68,9 @@ struct ResponseResult
     Findings findings;
 };
 
+/// k of a row's 95 % interval, Student's for its degrees of freedom; not known where it has none.
+double coverageFactorAt(const ResponseResult &response, Index row);
+
 Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &responses,
     const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,
     const ResponseSettings &settings);

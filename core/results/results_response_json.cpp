@@ -4,7 +4,6 @@
 #include "core/results/results_response_json.h"
 
 #include "core/base/constants.h"
-#include "core/base/propagation.h"
 #include "core/model_analysis/stated_characteristics.h"
 
 namespace dyncal {
@@ -38,11 +37,10 @@ void addWithheld(JsonRecord &section, const ResponseResult &response)
     section.set("withheld_reason_reason", "null where the value is stated.");
 }
 
-Eigen::VectorXd coverageFactors(const Eigen::VectorXd &dof)
+Eigen::VectorXd coverageFactors(const ResponseResult &response)
 {
-    constexpr double kCoverage = 0.95;
-    return dof.unaryExpr(
-        [](double of) { return of > 0.0 ? coverageFactor(of, kCoverage) : kUnknown; });
+    return Eigen::VectorXd::NullaryExpr(
+        response.dof.size(), [&](Index row) { return coverageFactorAt(response, row); });
 }
 
 /// The measured half: noise, the bounds of what sampling and the end of the records make, and why
@@ -55,12 +53,12 @@ void addMeasured(JsonRecord &section, const ResponseResult &response)
     section.numbers("magnitude", response.magnitude, none);
     section.numbers("u_magnitude", response.u_magnitude, none);
     section.numbers("u_noise_magnitude", response.u_noiseMagnitude, none);
-    section.numbers("k_magnitude", coverageFactors(response.dof), none);
+    section.numbers("k_magnitude", coverageFactors(response), none);
     section.set("u_contains_step", false); // noise of the recordings and the bounds only
     section.numbers("phase_rad", response.phase_rad, none);
     section.numbers("u_phase_rad", response.u_phase_rad, none);
     section.numbers("u_noise_phase_rad", response.u_noisePhase_rad, none);
-    section.numbers("k_phase", coverageFactors(response.dof), none);
+    section.numbers("k_phase", coverageFactors(response), none);
     section.numbers("dof", response.dof, "Withheld, or the noise is known without a record.");
     const char *noBound = response.magnitude.size() == 0 ? none : "Above 0.4 of the lowest rate.";
     section.numbers("bound_end", response.boundEnd, noBound);

@@ -16,6 +16,7 @@ AutoSave::AutoSave(
     m_jobs.emplace(this);
     for (QTimer *timer : {&m_rest, &m_latest})
         timer->setSingleShot(true);
+    m_latest.setTimerType(Qt::PreciseTimer); // a coarse one may be early by a twentieth
     m_rest.setInterval(delays.rest);
     m_latest.setInterval(delays.latest);
     m_beat.setInterval(delays.beat);

@@ -4,7 +4,6 @@
 #include "core/realization/exponentials/front.h"
 
 #include <cmath>
-#include <utility>
 
 namespace dyncal {
 

@@ -3,7 +3,7 @@
 
 #include "core/base/constants.h"
 #include "core/realization/exponentials/front.h"
-#include "tests/support/model_inputs.h"
+#include "tests/support/ramp_response.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -18,21 +18,6 @@ namespace {
 constexpr double kF0_Hz = 400e3;
 constexpr double kZeta = 0.3;
 constexpr double kFront_s = 400e-9;
-
-/// Mean of the step response over the front: the response to a ramp, by Simpson's rule; `t_s` from
-/// the middle of the front on.
-double behindFront(double t_s)
-{
-    constexpr int kParts = 400;
-    double sum = 0.0;
-    for (int i = 0; i <= kParts; ++i) {
-        const double weight = i == 0 || i == kParts ? 1.0 : i % 2 ? 4.0 : 2.0;
-        sum += weight
-            * testing::secondOrderStep(
-                kF0_Hz, kZeta, t_s + kFront_s * (static_cast<double>(i) / kParts - 0.5));
-    }
-    return sum / (3.0 * kParts);
-}
 
 /// The response to a sharp step, as a sum.
 ExponentialSum sharpStep()
@@ -71,7 +56,9 @@ private slots:
         for (Index i = 0; i < 2; ++i)
             recorded.amplitudes[i] *= frontFactor(kFront_s, sharp.poles_rad_s[i]);
         for (double t_s = 0.5 * kFront_s; t_s < 5e-6; t_s += 37e-9)
-            QVERIFY(std::abs(recorded.value(t_s) - behindFront(t_s)) < 1e-8);
+            QVERIFY(
+                std::abs(recorded.value(t_s) - testing::rampResponse(kF0_Hz, kZeta, kFront_s, t_s))
+                < 1e-8);
         const ExponentialSum back = asIfSharp(recorded, kFront_s);
         QVERIFY((back.amplitudes - sharp.amplitudes).norm() < 1e-12);
         QCOMPARE(back.constant, 1.0);

@@ -10,6 +10,7 @@
 #include "core/realization/refinement/draft_fit.h"
 #include "core/realization/second_order/second_order_fit.h"
 #include "tests/support/model_inputs.h"
+#include "tests/support/ramp_response.h"
 #include "tests/support/realized_model.h"
 #include "tests/support/test_program.h"
 
@@ -27,20 +28,6 @@ constexpr double kF0_Hz = 400e3;
 constexpr double kZeta = 0.3;
 constexpr double kFront_s = 400e-9;
 
-/// Mean of the step response over the front: the response to a ramp, by Simpson's rule; `t_s` from
-/// the middle of the front on.
-double behindFront(double t_s, double front_s)
-{
-    constexpr int kParts = 200;
-    double sum = 0.0;
-    for (int i = 0; i <= kParts; ++i) {
-        const double weight = i == 0 || i == kParts ? 1.0 : i % 2 ? 4.0 : 2.0;
-        sum += weight
-            * testing::secondOrderStep(kF0_Hz, kZeta, t_s + front_s * (double(i) / kParts - 0.5));
-    }
-    return sum / (3.0 * kParts);
-}
-
 /// Middle of the front behind the detected start, which lies shortly after its begin.
 double middle_s(Index shot)
 {
@@ -57,8 +44,8 @@ WindowedResponse responseOf(Index shot, double noise, std::uint64_t seed)
     response.length = 3000;
     response.values = source.series(response.lead + response.length + 64, noise);
     for (Index k = 0; k < response.values.size(); ++k)
-        response.values[k]
-            += behindFront(double(k - response.lead) / kRate_Hz - middle_s(shot), kFront_s);
+        response.values[k] += testing::rampResponse(
+            kF0_Hz, kZeta, kFront_s, double(k - response.lead) / kRate_Hz - middle_s(shot));
     response.noise = source.series(5000, noise);
     response.noiseSd = noise;
     return response;
