@@ -1018,6 +1018,10 @@
         <source>The shots do not share the pole at %1 (p %2); the uncertainty is their scatter.</source>
         <translation>Skotten har inte polen vid %1 gemensam (p %2); osäkerheten är deras spridning.</translation>
     </message>
+    <message>
+        <source>2nd order (the model)</source>
+        <translation>2:a ordningen (modellen)</translation>
+    </message>
 </context>
 <context>
     <name>ModelText</name>
@@ -6040,6 +6044,22 @@
     <message>
         <source>The pressure rises over %1 at the sensor, standard uncertainty %2. The values without a model are divided by what an even rise takes off, and its uncertainty is part of theirs; the model is that behind it.</source>
         <translation>Trycket stiger under %1 vid givaren, standardosäkerhet %2. Värdena utan modell är delade med vad en jämn stigning tar bort, och dess osäkerhet ingår i deras; modellen är den bakom den.</translation>
+    </message>
+    <message>
+        <source>A copy of the step, %1 of it, follows after %2: an echo. The model and the response use the records up to %3 after the start; look for what reflects the shock.</source>
+        <translation>En kopia av steget, %1 av det, följer efter %2: ett eko. Modellen och responsen använder registreringarna fram till %3 efter starten; sök efter vad som reflekterar stötvågen.</translation>
+    </message>
+    <message>
+        <source>A copy of the step, %1 of it, follows after %2: an echo, and the end of the window that was set lies behind it. Poles, damping and response contain it; end the window before it.</source>
+        <translation>En kopia av steget, %1 av det, följer efter %2: ett eko, och fönstrets inställda slut ligger bakom det. Poler, dämpning och respons innehåller det; avsluta fönstret före det.</translation>
+    </message>
+    <message>
+        <source>Without the first %1 of the records the main resonance has %2 % of frequency and %3 % of damping more, beyond what noise allows: the pressure does not rise at once (state the duration of the front), or a faster part is missing in the model.</source>
+        <translation>Utan registreringarnas första %1 har huvudresonansen %2 % högre frekvens och %3 % högre dämpning, mer än bruset tillåter: trycket stiger inte på en gång (ange frontens varaktighet), eller så saknar modellen en snabbare del.</translation>
+    </message>
+    <message>
+        <source>A second-order sensor (damping ratio %1) describes the records better than order %2, by their BIC: of a response damped that much the realised poles tell little.</source>
+        <translation>En givare av andra ordningen (dämpkvot %1) beskriver registreringarna bättre än ordning %2, enligt deras BIC: om ett så dämpat svar säger de realiserade polerna föga.</translation>
     </message>
 </context>
 <context>

@@ -54,7 +54,7 @@ Row rowOf(const ComparedOrder &compared)
         return {std::to_string(compared.order), "not possible", none, none, none, none, none, none,
             bic};
     const SensorModel &model = *compared.model;
-    const Pole *main = model.diverges ? nullptr : mainPole(model, compared.assessment.get());
+    const auto main = sensorResonance(model.diverges ? nullptr : &model, compared.assessment.get());
     const auto percent
         = [&none](double value) { return std::isfinite(value) ? fixedText(value, 3) : none; };
     return {std::to_string(compared.order),

@@ -47,7 +47,7 @@ void addShots(std::string &text, const CalibrationResults &results)
 
 void addModel(std::string &text, const CalibrationResults &results)
 {
-    if (const Pole *pole = mainPole(*results.model, results.assessment.get())) {
+    if (const auto pole = sensorResonance(results.model.get(), results.assessment.get())) {
         addLine(text, "Natural frequency f0",
             roundedTextWithU(pole->frequency_Hz, pole->u_frequency_Hz, "Hz"));
         addLine(text, "Damping ratio zeta",

@@ -54,7 +54,7 @@ CertificateField methodField(const Recipe &recipe)
 std::optional<Message> orderSpread(const CalibrationResults &results)
 {
     const Pole *main = results.model ? mainPole(*results.model, results.assessment.get()) : nullptr;
-    if (!main || !results.evidence)
+    if (!main || !results.evidence || results.model->secondOrder) // no order has its poles
         return std::nullopt;
     const auto spread = spreadAround(*results.evidence, results.model->order, main->frequency_Hz);
     if (!spread || spread->fromOrder == spread->toOrder)

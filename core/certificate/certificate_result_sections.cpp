@@ -27,21 +27,21 @@ Message noModel()
 
 void addResonance(const CalibrationResults &results, CertificateSection &section)
 {
-    const Pole *pole = results.model ? mainPole(*results.model, results.assessment.get()) : nullptr;
+    const auto found = sensorResonance(results.model.get(), results.assessment.get());
+    const SensorResonance shown = found.value_or(SensorResonance());
     const Message none = results.model
         ? Message{DYNCAL_TEXT("core", "not determined (the model does not oscillate)"), {}}
         : noModel();
-    section.fields.push_back(
-        {"natural_frequency", {DYNCAL_TEXT("core", "Undamped natural frequency"), {}},
-            pole ? printedWithUncertainty(pole->frequency_Hz, pole->u_frequency_Hz, "Hz",
-                printedCoverage(pole->coverageFactor))
-                 : none,
+    const auto add = [&](const char *id, Message label, double value, double u, const char *unit) {
+        section.fields.push_back({id, std::move(label),
+            found ? printedWithUncertainty(value, u, unit, printedCoverage(shown.coverageFactor))
+                  : none,
             false});
-    section.fields.push_back({"damping_ratio", {DYNCAL_TEXT("core", "Damping ratio"), {}},
-        pole ? printedWithUncertainty(
-            pole->dampingRatio, pole->u_dampingRatio, "", printedCoverage(pole->coverageFactor))
-             : none,
-        false});
+    };
+    add("natural_frequency", {DYNCAL_TEXT("core", "Undamped natural frequency"), {}},
+        shown.frequency_Hz, shown.u_frequency_Hz, "Hz");
+    add("damping_ratio", {DYNCAL_TEXT("core", "Damping ratio"), {}}, shown.dampingRatio,
+        shown.u_dampingRatio, "");
 }
 
 void addCharacteristics(const CalibrationResults &results, CertificateSection &section)

@@ -5,6 +5,8 @@
 
 #include "core/capture/capture_check.h"
 #include "core/capture/import_rules.h"
+#include "core/realization/nuisance/nuisance_modes.h"
+#include "core/realization/second_order/second_order_choice.h"
 #include "core/signal/window_cutting.h"
 
 namespace dyncal {
@@ -44,10 +46,12 @@ Result<WindowResult> windowStage(
 Result<DecompositionResult> decompositionStage(
     const ModelInput &input, const RealizationSettings &settings, const JobControl &control)
 {
-    auto hankel = decomposeHankel(input, settings, control.part(0, 2));
+    const ModelInput sensor = sensorOnly(input);
+    auto hankel = decomposeHankel(sensor, settings, control.part(0, 2));
     if (!hankel)
         return tl::unexpected(hankel.error());
-    OrderSuggestion suggestion = suggestOrder(input, *hankel, control.part(1, 2));
+    OrderSuggestion suggestion = suggestOrder(sensor, *hankel, control.part(1, 2));
+    considerSecondOrder(input, *hankel, suggestion, control);
     return DecompositionResult{std::move(*hankel), std::move(suggestion)};
 }
 

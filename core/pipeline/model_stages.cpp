@@ -39,8 +39,8 @@ Result<ShockConditionsSet> shockOfModel(
 Result<ResponseResult> responseStage(const CalibrationResults &results, const Recipe &recipe,
     const SensorModel &model, const ShockConditionsSet &shock)
 {
-    return computeResponse(
-        results.window->responses, *results.input, model, shock, recipe.response);
+    return computeResponse(recordsBefore(results.input->echoes, results.window->responses),
+        *results.input, model, shock, recipe.response);
 }
 
 } // namespace dyncal

@@ -3,10 +3,13 @@
 
 #include "core/pipeline/nuisance_stage.h"
 
+#include "core/realization/input/echo_cut.h"
 #include "core/realization/input/input_preparation.h"
 #include "core/realization/input/left_out.h"
 #include "core/realization/nuisance/nuisance_modes.h"
 #include "core/realization/nuisance/nuisance_separation.h"
+
+#include <algorithm>
 
 namespace dyncal {
 namespace {
@@ -24,7 +27,47 @@ std::vector<std::optional<double>> soundSpeeds_m_s(const CalibrationResults &res
     return speeds;
 }
 
+/// An end that was set is the operator's answer to what lies behind it.
+bool endsAreAutomatic(const std::vector<WindowedResponse> &responses, const Recipe &recipe)
+{
+    return !recipe.input.samples.value && recipe.input.effectiveCombine() == CombineMethod::Stacked
+        && std::ranges::none_of(responses, [&](const WindowedResponse &response) {
+               return recipe.window.endOfShot_s(response.shot).value.has_value();
+           });
+}
+
+Echoes echoesIn(const std::vector<WindowedResponse> &responses, const SpectrumResult &spectrum,
+    const Recipe &recipe, const JobControl &control)
+{
+    if (recipe.input.treatment != ResponseTreatment::StepDeflated
+        && recipe.input.treatment != ResponseTreatment::Differenced)
+        return {};
+    return findEchoes(
+        responses, sensorTraits(responses, spectrum), endsAreAutomatic(responses, recipe), control);
+}
+
+Result<ModelInput> inputOf(const std::vector<WindowedResponse> &responses,
+    const SpectrumResult &spectrum, const CalibrationResults &results, const Recipe &recipe,
+    const JobControl &control)
+{
+    auto input = prepareModelInput(responses, spectrum, *results.components, recipe.input,
+        {recipe.shock.frontDuration_s, recipe.shock.u_frontDuration_s}, control);
+    if (!input)
+        return input;
+    if (auto marked = leaveOut(*input, responses, recipe.window.excludeStretches); !marked)
+        return tl::unexpected(marked.error());
+    separateNuisance(
+        *input, responses, recipe.realization.nuisanceModes, soundSpeeds_m_s(results), control);
+    return input;
+}
+
 } // namespace
+
+std::vector<WindowedResponse> recordsBefore(
+    const Echoes &echoes, const std::vector<WindowedResponse> &responses)
+{
+    return echoes.recordsEnd_s ? endingAt(responses, *echoes.recordsEnd_s) : responses;
+}
 
 SpectrumResult sensorSpectrum(const CalibrationResults &results, const Recipe &recipe)
 {
@@ -35,15 +78,15 @@ SpectrumResult sensorSpectrum(const CalibrationResults &results, const Recipe &r
 Result<ModelInput> separatedInput(
     const CalibrationResults &results, const Recipe &recipe, const JobControl &control)
 {
+    const SpectrumResult spectrum = sensorSpectrum(results, recipe);
     const std::vector<WindowedResponse> &responses = results.window->responses;
-    auto input = prepareModelInput(responses, sensorSpectrum(results, recipe), *results.components,
-        recipe.input, {recipe.shock.frontDuration_s, recipe.shock.u_frontDuration_s}, control);
+    const Echoes echoes = echoesIn(responses, spectrum, recipe, control);
+    auto input = inputOf(recordsBefore(echoes, responses), spectrum, results, recipe, control);
     if (!input)
         return input;
-    if (auto marked = leaveOut(*input, responses, recipe.window.excludeStretches); !marked)
-        return tl::unexpected(marked.error());
-    separateNuisance(
-        *input, responses, recipe.realization.nuisanceModes, soundSpeeds_m_s(results), control);
+    const Findings found = judgeEchoes(echoes);
+    input->findings.insert(input->findings.end(), found.begin(), found.end());
+    input->echoes = echoes;
     return input;
 }
 

@@ -13,8 +13,12 @@ namespace dyncal {
 /// Spectra and resonances without the recipe's nuisance modes. Needs window and spectrum.
 SpectrumResult sensorSpectrum(const CalibrationResults &results, const Recipe &recipe);
 
-/// The model input with the recipe's nuisance modes found in it. Needs captures, window, spectrum
-/// and components.
+/// The responses up to the first echo, where it ends them.
+std::vector<WindowedResponse> recordsBefore(
+    const Echoes &echoes, const std::vector<WindowedResponse> &responses);
+
+/// The model input, up to the first echo, with the recipe's nuisance modes found in it. Needs
+/// captures, window, spectrum and components.
 Result<ModelInput> separatedInput(
     const CalibrationResults &results, const Recipe &recipe, const JobControl &control);
 

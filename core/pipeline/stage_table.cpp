@@ -168,7 +168,7 @@ void readDecomposition(const Recipe &recipe, Recipe &part)
 
 Result<DecompositionResult> decomposition(const StageInputs &in)
 {
-    return decompositionStage(sensorOnly(*in.results.input), in.recipe.realization, in.control);
+    return decompositionStage(*in.results.input, in.recipe.realization, in.control);
 }
 
 void readModel(const Recipe &recipe, Recipe &part)
@@ -251,19 +251,19 @@ constexpr std::array<Stage, kStageCount> kStages{{
         kept<&R::spectrum, spectrum>(), of<&R::spectrum>},
     {Components, "components", 1, 300, "PCA-", Spectrum, Components, true, readComponents,
         kept<&R::components, components>(), of<&R::components>},
-    {ModelInput, "model input", 3, 10, "MIN-", Components, ModelInput, true, readModelInput,
+    {ModelInput, "model input", 4, 10, "MIN-", Components, ModelInput, true, readModelInput,
         kept<&R::input, modelInput>(), of<&R::input>},
-    {Decomposition, "decomposition", 1, 100, "ORD-", ModelInput, Decomposition, true,
+    {Decomposition, "decomposition", 2, 100, "ORD-", ModelInput, Decomposition, true,
         readDecomposition, kept<&R::decomposition, decomposition>(), saidElsewhere},
-    {Model, "model", 4, 10, "MOD-", Decomposition, Model, true, readModel, kept<&R::model, model>(),
+    {Model, "model", 5, 10, "MOD-", Decomposition, Model, true, readModel, kept<&R::model, model>(),
         ofModel},
     {Shock, "shock", 6, 1, "SHK-", Model, Shock, true, readShock, kept<&R::shock, shock>(),
         of<&R::shock>},
-    {Response, "response", 6, 30, "RSP-", Shock, Model, true, readResponse,
+    {Response, "response", 7, 30, "RSP-", Shock, Model, true, readResponse,
         kept<&R::response, response>(), of<&R::response>},
     {Checks, "checks", 4, 10, "CHK-", Response, Checks, true, readNothing,
         kept<&R::checks, checks>(), of<&R::checks>},
-    {Assessment, "model assessment", 1, 10, "", Model, Model, true, readNothing,
+    {Assessment, "model assessment", 2, 10, "", Model, Model, true, readNothing,
         kept<&R::assessment, assessment>(), saidElsewhere},
     {Evidence, "evidence", 1, 160, "", Decomposition, Decomposition, false, readEvidence,
         kept<&R::evidence, evidence>(), ofEvidence},

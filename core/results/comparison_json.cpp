@@ -19,22 +19,22 @@ void addModelNumbers(JsonRecord &record, const ComparedOrder &compared)
 {
     const SensorModel &model = *compared.model;
     const char *diverges = "The simulation of the model diverges.";
-    const Pole *main = model.diverges ? nullptr : mainPole(model, compared.assessment.get());
+    const auto main = sensorResonance(model.diverges ? nullptr : &model, compared.assessment.get());
     const char *noPole
         = model.diverges ? diverges : "The model has no oscillating pole of the sensor.";
     const char *noUncertainty = main ? "The poles of this order were not refined." : noPole;
-    const auto ofPole = [main](double Pole::*value) {
-        return main ? std::optional<double>(main->*value) : std::nullopt;
+    const auto ofPole = [&main](double SensorResonance::*value) {
+        return main ? std::optional<double>((*main).*value) : std::nullopt;
     };
     record.set("diverges", model.diverges);
     record.number("fit_percent",
         model.diverges ? std::nullopt : std::optional<double>(model.fit_percent), diverges);
     record.number("fit_attainable_percent", model.fitAttainable_percent,
         "There is too little record before the start to know the noise.");
-    record.number("frequency_hz", ofPole(&Pole::frequency_Hz), noPole);
-    record.number("u_frequency_hz", ofPole(&Pole::u_frequency_Hz), noUncertainty);
-    record.number("damping_ratio", ofPole(&Pole::dampingRatio), noPole);
-    record.number("u_damping_ratio", ofPole(&Pole::u_dampingRatio), noUncertainty);
+    record.number("frequency_hz", ofPole(&SensorResonance::frequency_Hz), noPole);
+    record.number("u_frequency_hz", ofPole(&SensorResonance::u_frequency_Hz), noUncertainty);
+    record.number("damping_ratio", ofPole(&SensorResonance::dampingRatio), noPole);
+    record.number("u_damping_ratio", ofPole(&SensorResonance::u_dampingRatio), noUncertainty);
     record.set("unstable_poles", countPoles(model, PoleClass::Unstable));
     record.set("nyquist_poles", countPoles(model, PoleClass::Nyquist));
     record.number("whiteness_p", compared.whiteness_p,

@@ -145,6 +145,7 @@ std::string resultsJson(
     addInputs(root, context);
     addShots(root, context);
     addDrift(root, context);
+    addEchoes(root, context);
     addSensitivitySummary(root, context);
     addShock(root, context);
     addChecks(root, context);

@@ -83,6 +83,28 @@ void addDrift(JsonRecord &root, const ResultsContext &context)
     root.set("drift", std::move(list));
 }
 
+void addEchoes(JsonRecord &root, const ResultsContext &context)
+{
+    const ModelInput *input = context.results().input.get();
+    if (!input) {
+        root.missing("echo", context.whyMissing());
+        return;
+    }
+    SensitivityJson list = SensitivityJson::array();
+    for (const Echo &echo : input->echoes.ofShots) {
+        JsonRecord record;
+        record.set("shot", echo.shot);
+        record.number("delay_s", echo.delay_s, "Not known.");
+        record.number("u_delay_s", echo.u_delay_s, "Not known.");
+        record.number("relative", echo.relative, "Not known.");
+        record.number("u", echo.u_relative, "Not known.");
+        record.number("records_end_s", input->echoes.recordsEnd_s,
+            "The end that was set for window or model input lies behind the echo.");
+        list.push_back(record.take());
+    }
+    root.set("echo", std::move(list));
+}
+
 void addShotSensitivity(JsonRecord &record, Index shot, const ResultsContext &context)
 {
     const char *undetermined

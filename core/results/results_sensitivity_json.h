@@ -14,6 +14,9 @@ void addSensitivitySummary(JsonRecord &root, const ResultsContext &context);
 /// Adds `drift`: per shot, from the level at the onset to the settle band; empty without one.
 void addDrift(JsonRecord &root, const ResultsContext &context);
 
+/// Top-level "echo": the echoes found, and where the records end because of them.
+void addEchoes(JsonRecord &root, const ResultsContext &context);
+
 /// Adds sensitivity, its u and k to the entry of a shot (number from 1).
 void addShotSensitivity(JsonRecord &record, Index shot, const ResultsContext &context);
 

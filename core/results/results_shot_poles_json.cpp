@@ -79,6 +79,7 @@ Json secondOrderJson(const SecondOrderModel &fit)
     record.number("fit_percent", fit.fit_percent, unknown);
     record.number("residual_to_noise", fit.residualToNoise, unknown);
     record.set("describes", fit.describes);
+    record.set("is_model", fit.isModel);
     Json shots = Json::array();
     for (const SecondOrderShot &shot : fit.shots) {
         JsonRecord one;

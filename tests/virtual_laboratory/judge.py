@@ -141,6 +141,8 @@ def judge(results, truth):
             record.update(item, ratio=ratio(item), limit=limit(item))
             if exempt(item, results, truth):
                 record["exempt"] = True
+        elif name == "zeta" and readings.single_pole(results, truth):
+            record["exempt"] = True
         quantities[name] = record
     out = {"quantities": quantities, "causes": causes(results), "size": truth["size"],
            "named": named(results, truth),

@@ -118,6 +118,12 @@ def poles(results, truth):
     return None, None
 
 
+def single_pole(results, truth):
+    """Whether one real pole stands for a sensor of several: then only it is held against the truth."""
+    main, real = main_poles(results)
+    return main is None and len(real) == 1 and slow_pole_hz(truth) is not None
+
+
 def true_response(truth, frequencies):
     dut = switches.Dut(modes=truth["modes"], lag_hz=truth["lag_hz"], ac_s=truth["ac_s"])
     return truth["sensitivity"] * laboratory.dut_system(dut).response(frequencies)

@@ -70,6 +70,15 @@ class Judge(unittest.TestCase):
         self.assertNotIn("exempt", fine["quantities"]["sensitivity"])
         self.assertEqual(power.combined({"checks": [check]}), {"p2": 0.01})
 
+    def test_one_real_pole_of_several_has_no_damping(self):
+        pole = {"class": "sensor", "im": 0.0, "re": -3.5e5, "frequency_hz": 5.6e4, "u_frequency_hz": 300.0,
+                "damping_ratio": 1.0, "u_damping_ratio": None, "coverage_factor": 2.0, "amplitude": 1.0}
+        r = copy.deepcopy(results())
+        r["model"]["poles"] = [pole]
+        truth = {**TRUTH, "f0_hz": 318e3, "zeta": 3.0, "lag_hz": None}
+        self.assertTrue(judge.judge(r, truth)["quantities"]["zeta"]["exempt"])
+        self.assertNotIn("exempt", judge.judge(r, {**truth, "zeta": 0.02})["quantities"]["zeta"])
+
     def test_voltage_without_the_step(self):
         r = copy.deepcopy(results())
         r["shots"][1]["u_sensitivity"] = 1.01e-8 * 2e-3

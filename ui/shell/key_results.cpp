@@ -72,7 +72,7 @@ KeyResult stepOf(const CalibrationResults &results)
 
 std::vector<KeyResult> keyResults(const CalibrationResults &results, const Recipe &recipe)
 {
-    const Pole *pole = results.model ? mainPole(*results.model, results.assessment.get()) : nullptr;
+    const auto pole = sensorResonance(results.model.get(), results.assessment.get());
     KeyResult frequency
         = entry("keyFrequency", QStringLiteral("f₀"), pole ? pole->frequency_Hz : kUnknown,
             pole ? pole->u_frequency_Hz : kUnknown, QStringLiteral("Hz"));

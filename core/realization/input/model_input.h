@@ -7,6 +7,7 @@
 #include "core/base/index.h"
 #include "core/capture/capture_set.h"
 #include "core/realization/exponentials/front.h"
+#include "core/realization/input/echo.h"
 #include "core/realization/input/nuisance_term.h"
 #include "core/realization/input/realization_settings.h"
 #include "core/realization/input/whitening.h"
@@ -75,7 +76,8 @@ struct ModelInput
     std::vector<ExcludedStretch> leftOut; ///< what was left out of the series
     std::vector<std::optional<double>> soundSpeeds_m_s; ///< of region 5, per shot of the set: what
                                                         ///< their frequencies were scaled by
-    Findings findings; ///< MIN-001..006, CAP-004, WIN-007..009, NUI-001..005
+    Echoes echoes;
+    Findings findings; ///< MIN-001..007, CAP-004, WIN-007..009, NUI-001..005
 };
 
 /// The thesis's own way: the step is one of the states.

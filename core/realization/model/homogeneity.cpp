@@ -6,6 +6,8 @@
 #include "core/base/constants.h"
 #include "core/base/distributions.h"
 #include "core/base/number_text.h"
+#include "core/realization/model/second_order_shots.h"
+#include "core/realization/model/shot_parts.h"
 #include "core/realization/refinement/coloured_covariance.h"
 #include "core/realization/refinement/draft_fit.h"
 #include "core/realization/refinement/noise_basis.h"
@@ -18,12 +20,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 namespace dyncal {
 namespace {
 
-constexpr double kSignificance = 0.01;
 constexpr double kSmallestP = 1e-4; ///< smaller ones are printed with "<"
 
 /// The poles of the model fitted to some of the shots alone: those that stand out there.
@@ -110,47 +110,16 @@ PartFit fitPart(
 std::vector<PartFit> fitLevels(
     const Source &source, const std::vector<PartFit> &shots, const JobControl &control)
 {
-    std::map<ShotLevel, std::vector<std::size_t>> levels;
-    for (std::size_t r = 0; r < source.input.series.size(); ++r) {
-        if (source.input.series[r].level != ShotLevel::None)
-            levels[source.input.series[r].level].push_back(r);
-    }
     std::vector<PartFit> fits;
-    fits.reserve(levels.size());
-    for (const auto &[level, series] : levels)
+    for (const std::vector<std::size_t> &series : seriesByLevel(source.input))
         fits.push_back(
             series.size() == 1 ? shots[series.front()] : fitPart(source, series, control));
     return fits;
 }
 
-/// Mean plateau over the shots of a part, weighted by their uncertainties, which include that of
-/// each baseline.
-void describePlateau(const ModelInput &input, const PartFit &part, LevelPole &result)
-{
-    double weights = 0.0;
-    double sum = 0.0;
-    for (std::size_t i = 0; i < part.series.size(); ++i) {
-        const double u_baseline = input.series[part.series[i]].u_baseline;
-        const double variance
-            = constantVariance(*part.refinement, static_cast<Index>(i)) + u_baseline * u_baseline;
-        const double weight = variance > 0.0 ? 1.0 / variance : 1.0;
-        weights += weight;
-        sum += weight * part.refinement->records[i].constant;
-    }
-    result.plateauGain = sum / weights;
-    result.u_plateauGain = 1.0 / std::sqrt(weights);
-}
-
 LevelPole describePart(const ModelInput &input, const PartFit &part, std::optional<Index> main)
 {
-    LevelPole result;
-    result.level = input.series[part.series.front()].level;
-    double step = 0.0;
-    for (const std::size_t r : part.series) {
-        result.shots.push_back(input.series[r].shot);
-        step += input.series[r].step / static_cast<double>(part.series.size());
-    }
-    result.step = step;
+    LevelPole result = partOfShots(input, part.series);
     if (!part.refinement)
         return result;
     if (main && part.has(*main)) {
@@ -161,8 +130,7 @@ LevelPole describePart(const ModelInput &input, const PartFit &part, std::option
         result.u_dampingRatio = figures.u_dampingRatio;
     }
     result.coverageFactor = coverageFactor95(part.noise.dof);
-    if (part.refinement->withConstant)
-        describePlateau(input, part, result);
+    addPlateau(input, part.series, *part.refinement, result);
     return result;
 }
 
@@ -203,25 +171,6 @@ double disagreement(const std::vector<PartFit> &fits, Index pole, Index size, In
     }
     *dof = std::max<Index>(0, (shots - 1) * size);
     return *dof == 0 ? 0.0 : squares - weighted.dot(information.ldlt().solve(weighted));
-}
-
-/// Standard uncertainty of the mean, weighted by 1/u^2, from the scatter over the shots.
-double betweenShots(const std::vector<double> &values, const std::vector<double> &u)
-{
-    const double count = static_cast<double>(values.size());
-    double mean = 0.0;
-    for (const double value : values)
-        mean += value / count;
-    double squares = 0.0;
-    double weights = 0.0;
-    double weightSquares = 0.0;
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        squares += (values[i] - mean) * (values[i] - mean);
-        const double weight = 1.0 / (u[i] * u[i]);
-        weights += weight;
-        weightSquares += weight * weight;
-    }
-    return std::sqrt(squares / (count - 1.0) * weightSquares) / weights;
 }
 
 /// Uncertainty of a pole that the shots do not share, from their scatter.
@@ -329,9 +278,9 @@ void judgeShared(const ModelInput &input, const ModelDraft &draft, const std::ve
         [](const PoleTest &a, const PoleTest &b) { return a.probability < b.probability; });
     const double probability = std::min(1.0, share * worst.probability);
     assessment.homogeneity = Homogeneity{assessment.poles[worst.pole].frequency_Hz, worst.statistic,
-        worst.dof, probability, probability >= kSignificance};
+        worst.dof, probability, probability >= kSharedAtLeast};
     for (const PoleTest &test : tests) {
-        if (share * test.probability >= kSignificance)
+        if (share * test.probability >= kSharedAtLeast)
             continue;
         Pole &upper = assessment.poles[test.pole];
         useScatter(fits, static_cast<Index>(test.pole), upper);
@@ -353,6 +302,8 @@ void compareShots(const ModelInput &input, const SensorModel &model, ModelAssess
     const ModelDraft &draft = model.draft;
     if (!draft.refinement || input.series.front().shot == 0)
         return;
+    if (model.secondOrder)
+        return compareSecondOrderShots(input, model, assessment, control);
     const Source source{input, draft, refinementRecords(input), mainPlace(model)};
     std::vector<PartFit> shots;
     for (std::size_t r = 0; r < input.series.size(); ++r)
@@ -394,7 +345,7 @@ Findings judgeShots(const ModelAssessment &assessment)
         .severity = Severity::Caution,
         .message = std::move(message),
         .value = assessment.homogeneity->probability,
-        .limit = kSignificance}};
+        .limit = kSharedAtLeast}};
 }
 
 } // namespace dyncal

@@ -4,6 +4,7 @@
 #include "core/realization/model/model_assessing.h"
 
 #include "core/realization/exponentials/pole_mapping.h"
+#include "core/realization/model/early_samples.h"
 #include "core/realization/model/homogeneity.h"
 #include "core/realization/model/model_description.h"
 #include "core/realization/model/model_findings.h"
@@ -52,16 +53,19 @@ Result<ModelAssessment> assessModel(const ModelInput &input, const SensorModel &
     ModelAssessment assessment;
     assessment.poles = fitted.poles;
     addUncertainties(fitted.draft, assessment.poles);
+    assessment.secondOrder = fitted.secondOrder;
     compareShots(input, fitted, assessment, control);
     flagAgain(fitted, assessment.poles);
     if (fitted.refined && hasNuisance(input))
         assessment.nuisanceEffect = effectOfNuisance(input, fitted, assessment.poles, control);
-    if (settings.refine)
+    if (settings.refine && !assessment.secondOrder)
         assessment.secondOrder = fitSecondOrderBeside(input, fitted, control);
+    const Findings early = judgeEarlySamples(input, fitted, assessment.poles, control);
     // A cancelled fit must not look like "nothing found".
     if (control.stopRequested())
         return fail(ErrorKind::Cancelled, {});
     assessment.findings = judgeShots(assessment);
+    assessment.findings.insert(assessment.findings.end(), early.begin(), early.end());
     if (assessment.secondOrder) {
         const Findings found = judgeSecondOrder(*assessment.secondOrder, fitted.fit_percent);
         assessment.findings.insert(assessment.findings.end(), found.begin(), found.end());

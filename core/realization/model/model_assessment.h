@@ -72,7 +72,7 @@ struct ModelAssessment
     std::optional<Homogeneity> homogeneity; ///< empty with fewer than two shots, or where no
                                             ///< pole of them could be compared
     std::optional<SecondOrderModel> secondOrder; ///< the 2nd-order sensor fitted beside the model
-    Findings findings; ///< MOD-010, MOD-011; listed after the model's
+    Findings findings; ///< MOD-010, MOD-011, MOD-017; listed after the model's
 };
 
 /// The poles as assessed; if `assessment` is null as fitted, with unknown uncertainties.
@@ -80,5 +80,21 @@ const std::vector<Pole> &polesOf(const SensorModel &model, const ModelAssessment
 
 /// The main resonance among them.
 const Pole *mainPole(const SensorModel &model, const ModelAssessment *assessment);
+
+/// Undamped natural frequency and damping ratio of the sensor. A sensor of damping ratio 1 and more
+/// has them too, but no pole that rings.
+struct SensorResonance
+{
+    double frequency_Hz = kUnknown;
+    double u_frequency_Hz = kUnknown;
+    double dampingRatio = kUnknown;
+    double u_dampingRatio = kUnknown;
+    double coverageFactor = kUnknown; ///< k: value +- k u is a 95 % interval of both
+};
+
+/// Of the second-order sensor where that is the model, else of the main resonance; empty where
+/// there is neither, or `model` is null. If `assessment` is null its uncertainties are unknown.
+std::optional<SensorResonance> sensorResonance(
+    const SensorModel *model, const ModelAssessment *assessment);
 
 } // namespace dyncal

@@ -37,7 +37,7 @@ void judgeSplit(const SensorModel &model, const HankelDecomposition &decompositi
 {
     const Index n = model.order;
     const Eigen::VectorXd &sigma = decomposition.singularValues;
-    if (!splitsPair(decomposition, n))
+    if (model.secondOrder || !splitsPair(decomposition, n))
         return;
     out.push_back({.id = "ORD-001",
         .severity = Severity::Caution,
@@ -56,7 +56,8 @@ void judgeNoiseStates(
     const Index n = model.order;
     const Eigen::VectorXd &sigma = decomposition.singularValues;
     const double floor = decomposition.noiseFloor_p95;
-    if (n > sigma.size() || !(floor > 0.0) || sigma[n - 1] >= floor)
+    // The second-order sensor was not read off the singular values.
+    if (model.secondOrder || n > sigma.size() || !(floor > 0.0) || sigma[n - 1] >= floor)
         return;
     const Index above = (sigma.array() > floor).count();
     out.push_back({.id = "ORD-003",

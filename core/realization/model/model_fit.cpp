@@ -13,6 +13,7 @@
 #include "core/realization/refinement/model_draft.h"
 #include "core/realization/refinement/noise_basis.h"
 #include "core/realization/refinement/series_simulation.h"
+#include "core/realization/second_order/second_order_choice.h"
 #include "core/signal/spectrum_analysis.h"
 
 #include <algorithm>
@@ -73,6 +74,20 @@ std::optional<std::complex<double>> takeStepPole(
     return pole;
 }
 
+/// Lets the second-order sensor take the draft's place, if it is better.
+std::optional<SecondOrderModel> competeSecondOrder(
+    const ModelInput &input, ModelDraft &draft, const JobControl &control)
+{
+    auto choice = betterSecondOrder(input, draft, control);
+    if (!choice)
+        return std::nullopt;
+    takeSecondOrder(choice->fit, draft);
+    SecondOrderModel sensor = std::move(choice->fit.sensor);
+    sensor.describes = true;
+    sensor.isModel = true;
+    return sensor;
+}
+
 } // namespace
 
 Result<SensorModel> fitModel(const ModelInput &input, const HankelDecomposition &decomposition,
@@ -98,8 +113,12 @@ Result<SensorModel> fitModel(const ModelInput &input, const HankelDecomposition 
     const auto stepPole = takeStepPole(input, poles);
     poles = withoutNuisancePoles(input, poles);
     ModelDraft draft = linearDraft(input, poles);
-    if (settings.refine)
+    std::optional<SecondOrderModel> secondOrder;
+    if (settings.refine) {
         refineDraft(input, draft, control);
+        if (order > 1 && order <= kLargestRefined)
+            secondOrder = competeSecondOrder(input, draft, control);
+    }
     if (control.stopRequested())
         return fail(ErrorKind::Cancelled, {});
 
@@ -109,6 +128,7 @@ Result<SensorModel> fitModel(const ModelInput &input, const HankelDecomposition 
     if (isThesisMode(input))
         model.stateSpace = thesisRealization(decomposition, order, sampleInterval_s(input));
     describeModel(input, draft, stepPole, model);
+    model.secondOrder = std::move(secondOrder);
     if (model.refined)
         model.uncertaintyMethod = noiseName(draft.noise);
     if (isThesisMode(input))

@@ -14,6 +14,8 @@
 namespace dyncal {
 namespace {
 
+constexpr double kFitMargin_points = 2.0;
+
 struct Start
 {
     double f0_Hz = 0.0;
@@ -40,15 +42,6 @@ Start resonanceOf(const SensorModel &model)
     return {omega / (2.0 * std::numbers::pi), (slow + fast) / (2.0 * omega)};
 }
 
-/// The records at their own rate, with the model's nuisance terms.
-std::vector<RefinementRecord> recordsOf(const ModelInput &input, const ModelDraft &draft)
-{
-    std::vector<RefinementRecord> records = refinementRecords(input);
-    for (std::size_t r = 0; r < records.size(); ++r)
-        records[r].nuisance = draft.nuisance[r];
-    return records;
-}
-
 } // namespace
 
 std::optional<SecondOrderModel> fitSecondOrderBeside(
@@ -62,7 +55,11 @@ std::optional<SecondOrderModel> fitSecondOrderBeside(
         start.plateau.push_back(series.plateauGain);
         start.onset_s.push_back(series.onset_s);
     }
-    return fitSecondOrder(input, recordsOf(input, model.draft), start, model.fit_percent, control);
+    auto fit = fitSecondOrder(input, refinementRecords(input, model.draft), {start}, control);
+    if (!fit)
+        return std::nullopt;
+    fit->sensor.describes = fit->sensor.fit_percent >= model.fit_percent - kFitMargin_points;
+    return std::move(fit->sensor);
 }
 
 } // namespace dyncal

@@ -11,6 +11,7 @@
 #include "core/realization/input/nuisance_term.h"
 #include "core/realization/input/realization_settings.h"
 #include "core/realization/refinement/model_draft.h"
+#include "core/realization/second_order/second_order_model.h"
 #include "core/signal/window_bands.h"
 
 #include <Eigen/Core>
@@ -116,6 +117,8 @@ struct SensorModel
     bool diverges = false; ///< with a pole outside the unit circle the simulation diverges
     bool refined = false;
     ModelDraft draft; ///< input of the assessment
+    /// Where it has the smaller BIC: poles, amplitudes and onsets above are this sensor's.
+    std::optional<SecondOrderModel> secondOrder;
     std::vector<NuisanceResult> nuisance; ///< not part of the above, except of `simulated`
     /// Noise that the uncertainties rest on: "white", "AR(p)", with " of the residual" where
     /// that exceeds the noise before the start; empty without refinement.

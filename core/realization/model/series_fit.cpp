@@ -60,19 +60,13 @@ double onsetSearch_s(const ExponentialSum &part)
     return 0.6 * 2.0 * std::numbers::pi / fastest;
 }
 
-struct Onset
-{
-    double time_s = 0.0;
-    double u_s = kUnknown;
-};
-
 /// The middle of the front, where the response to a sharp step would begin.
-Onset locateOnset(const ModelInput &input, const ModelDraft &draft, std::size_t series,
+FittedOnset locateOnset(const ModelInput &input, const ModelDraft &draft, std::size_t series,
     const std::vector<bool> &isSensor)
 {
     const ExponentialSum part = sensorPart(draft.series[series], isSensor);
     if (part.poles_rad_s.size() == 0)
-        return {};
+        return {0.0, kUnknown};
     const double search_s = onsetSearch_s(part);
     const auto onsetOf = [&](const ExponentialSum &sum) {
         const ExponentialSum sharp = asIfSharp(sum, input.front.duration_s);
@@ -80,8 +74,8 @@ Onset locateOnset(const ModelInput &input, const ModelDraft &draft, std::size_t 
     };
     const auto found = onsetOf(draft.series[series]);
     if (!found)
-        return {};
-    Onset onset{*found, kUnknown};
+        return {0.0, kUnknown};
+    FittedOnset onset{*found, kUnknown};
     if (!draft.refinement)
         return onset;
 
@@ -123,7 +117,8 @@ SeriesFit describeSeries(const ModelInput &input, const ModelDraft &draft, std::
                 series.u_baseline);
     }
     if (isStepTreatment(input.treatment)) {
-        const Onset onset = locateOnset(input, draft, r, isSensor);
+        const FittedOnset onset
+            = draft.onsets.empty() ? locateOnset(input, draft, r, isSensor) : draft.onsets[r];
         fit.onset_s = onset.time_s;
         fit.u_onset_s = onset.u_s;
     }

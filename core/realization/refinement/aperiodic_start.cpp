@@ -65,16 +65,6 @@ std::vector<Poles> startsOfTwo(double slow_rad_s)
         {pair, std::conj(pair)}};
 }
 
-/// Whether all poles are in order of |s|, and the records can hold the fastest.
-bool isPlausible(const Poles &poles, const std::vector<RefinementRecord> &records)
-{
-    double rate_Hz = HUGE_VAL;
-    for (const RefinementRecord &record : records)
-        rate_Hz = std::min(rate_Hz, record.rate_Hz);
-    return std::ranges::is_sorted(poles, {}, [](Complex s) { return std::abs(s); })
-        && std::abs(poles.back()) < std::numbers::pi * rate_Hz;
-}
-
 /// Whether a record leaves so much beside one pole that it can only ring: two real poles, or a pair
 /// damped as here, leave less than a fifth of it.
 bool rings(const Refinement &onePole, const std::vector<RefinementRecord> &records)
@@ -108,6 +98,15 @@ double bicOf(const Refinement &fit, Index samples)
 
 } // namespace
 
+bool areWithin(const std::vector<RefinementRecord> &records, const Poles &poles)
+{
+    double rate_Hz = HUGE_VAL;
+    for (const RefinementRecord &record : records)
+        rate_Hz = std::min(rate_Hz, record.rate_Hz);
+    return std::ranges::is_sorted(poles, {}, [](Complex s) { return std::abs(s); })
+        && std::abs(poles.back()) < std::numbers::pi * rate_Hz;
+}
+
 std::optional<Refinement> refineAperiodic(const ModelInput &input, const ModelDraft &draft,
     const std::vector<RefinementRecord> &records, const JobControl &control)
 {
@@ -130,13 +129,13 @@ std::optional<Refinement> refineAperiodic(const ModelInput &input, const ModelDr
         return std::nullopt;
     const double slow_rad_s = best ? std::abs(best->poles_rad_s.back()) : part->slowest_rad_s;
     const auto isBetter = [&](const Refinement &fit) {
-        return isPlausible(fit.poles_rad_s, records)
+        return areWithin(records, fit.poles_rad_s)
             && (!best || bicOf(fit, samples) < bicOf(*best, samples));
     };
     for (const Poles &start : startsOfTwo(slow_rad_s))
         if (auto fit = fitFrom(start); fit && isBetter(*fit))
             best = std::move(fit);
-    return best && best->residualToNoise < kDescribes && isPlausible(best->poles_rad_s, records)
+    return best && best->residualToNoise < kDescribes && areWithin(records, best->poles_rad_s)
         ? std::move(best)
         : std::nullopt;
 }

@@ -8,10 +8,15 @@
 #include "core/realization/refinement/model_draft.h"
 #include "core/realization/refinement/refinement.h"
 
+#include <complex>
 #include <optional>
 #include <vector>
 
 namespace dyncal {
+
+/// Whether all poles are in order of |s|, and the records can hold the fastest.
+bool areWithin(const std::vector<RefinementRecord> &records,
+    const std::vector<std::complex<double>> &poles_rad_s);
 
 /// Second starts of the refinement for a sensor that does not ring, where that from the realised
 /// poles has failed (docs/method/model.md). Realised poles of such a response may lie beyond any

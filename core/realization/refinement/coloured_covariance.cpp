@@ -5,8 +5,8 @@
 
 #include "core/base/distributions.h"
 #include "core/base/parallel.h"
+#include "core/realization/refinement/fit_residual.h"
 #include "core/realization/refinement/noise_product.h"
-#include "core/signal/window_bands.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,38 +25,6 @@ bool isLong(const std::vector<RefinementRecord> &records)
     for (const RefinementRecord &record : records)
         samples += record.y.size();
     return samples >= kSamples;
-}
-
-std::vector<SampleRange> usedRanges(const RefinementRecord &record)
-{
-    return record.used.empty() ? std::vector<SampleRange>{{0, record.y.size()}} : record.used;
-}
-
-/// Residuals of the samples that took part, one stretch after the other.
-Eigen::VectorXd residualOf(const RefinementRecord &record, const ExponentialSum &sum,
-    const std::vector<NuisanceTerm> &terms)
-{
-    ExponentialSum whole = sum;
-    for (const NuisanceTerm &term : terms) {
-        const Index n = whole.poles_rad_s.size();
-        whole.poles_rad_s.conservativeResize(n + 1);
-        whole.amplitudes.conservativeResize(n + 1);
-        whole.poles_rad_s[n] = term.pole_rad_s; // its real part alone is sampled
-        whole.amplitudes[n] = term.amplitude;
-    }
-    const ExponentialSampler sampler(whole, 1.0 / record.rate_Hz);
-    Eigen::VectorXd residual = record.y;
-    for (Index begin = 0; begin < residual.size(); begin += ExponentialSampler::kBlock) {
-        const Index size = std::min(ExponentialSampler::kBlock, residual.size() - begin);
-        residual.segment(begin, size)
-            -= sampler.block(begin / ExponentialSampler::kBlock).head(size);
-    }
-    Index kept = 0;
-    for (const SampleRange &range : usedRanges(record)) {
-        residual.segment(kept, range.size()) = residual.segment(range.begin, range.size()).eval();
-        kept += range.size();
-    }
-    return residual.head(kept);
 }
 
 /// Whether the residual exceeds the noise, by the innovations of both under the noise's model.
@@ -123,7 +91,7 @@ NoiseModels chooseNoiseModels(const std::vector<RefinementRecord> &records,
     std::vector<int> fromResidual(records.size());
     forEachPart(std::ssize(records), isLong(records), [&](Index part) {
         const auto r = static_cast<std::size_t>(part);
-        const Eigen::VectorXd residual = residualOf(records[r], fit.records[r], fit.nuisance[r]);
+        const Eigen::VectorXd residual = fitResidual(records[r], fit.records[r], fit.nuisance[r]);
         if (exceedsNoise(residual, noise[r], before[r], lost)) {
             const double count = static_cast<double>(residual.size());
             used[r] = noiseCovariance(residual, kLargestNoiseModelOrder);

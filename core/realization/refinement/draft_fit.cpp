@@ -16,8 +16,6 @@
 namespace dyncal {
 namespace {
 
-constexpr Index kLargestRefined = 12; ///< beyond, spurious poles make the fit ill-posed
-
 /// Pairs stay together: both have the same |s|, the upper half comes first.
 void sortByFrequency(std::vector<std::complex<double>> &poles)
 {
@@ -92,6 +90,14 @@ std::vector<RefinementRecord> refinementRecords(const ModelInput &input)
         records.push_back({series.fullRate, series.fullRate_Hz, 1.0 / noise, series.nuisance,
             usedSamples(series)});
     }
+    return records;
+}
+
+std::vector<RefinementRecord> refinementRecords(const ModelInput &input, const ModelDraft &draft)
+{
+    std::vector<RefinementRecord> records = refinementRecords(input);
+    for (std::size_t r = 0; r < records.size(); ++r)
+        records[r].nuisance = draft.nuisance[r];
     return records;
 }
 

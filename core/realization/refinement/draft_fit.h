@@ -14,6 +14,9 @@
 
 namespace dyncal {
 
+/// Poles that are refined at most: beyond, spurious ones make the fit ill-posed.
+inline constexpr Index kLargestRefined = 12;
+
 /// A fit of a series' samples, extrapolated to time 0, with the filter's gain divided out.
 ExponentialSum atStart(const ModelSeries &series,
     const std::vector<std::complex<double>> &poles_rad_s, const AmplitudeFit &fit);
@@ -25,6 +28,9 @@ ModelDraft linearDraft(const ModelInput &input, const std::vector<std::complex<d
 /// What the refinement fits: the series at their own rate, weighted by their noise, with their
 /// nuisance terms.
 std::vector<RefinementRecord> refinementRecords(const ModelInput &input);
+
+/// The same, with the nuisance terms as the draft has them.
+std::vector<RefinementRecord> refinementRecords(const ModelInput &input, const ModelDraft &draft);
 
 /// Refines poles and amplitudes on the records at their own rate from the start on, where no filter
 /// distorts the onset. Where that cannot begin at the realised poles, or does not converge, a

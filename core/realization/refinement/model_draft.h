@@ -15,6 +15,13 @@
 
 namespace dyncal {
 
+/// Where the step of a record arrives, relative to the detected start.
+struct FittedOnset
+{
+    double time_s = 0.0;
+    double u_s = 0.0;
+};
+
 /// Poles and, per series, the response they give, while the model is being built.
 struct ModelDraft
 {
@@ -24,6 +31,8 @@ struct ModelDraft
     std::vector<std::vector<NuisanceTerm>> nuisance; ///< per series, beside them
     std::optional<Refinement> refinement;
     NoiseBasis noise; ///< what the refinement's covariance rests on
+    std::vector<FittedOnset>
+        onsets; ///< per series where the fit has them as parameters, else empty
 };
 
 /// Energy of the part of pole `i` over the input, 2 sum |c p^k|^2, over the variance of the noise.

@@ -6,8 +6,11 @@
 #include "core/base/finding.h"
 #include "core/base/progress.h"
 #include "core/realization/input/model_input.h"
+#include "core/realization/refinement/noise_basis.h"
 #include "core/realization/refinement/refinement.h"
 #include "core/realization/second_order/second_order_model.h"
+
+#include <Eigen/Core>
 
 #include <optional>
 #include <vector>
@@ -23,17 +26,27 @@ struct SecondOrderStart
     std::vector<double> onset_s; ///< per record, relative to the detected start
 };
 
+/// The fitted sensor, and the same as poles with the amplitudes of every record.
+struct SecondOrderFit
+{
+    SecondOrderModel sensor; ///< `describes` and `isModel` are left false
+    Refinement refinement; ///< gains tied to c0; its covariance has the rank of `parameters`
+    Index parameters = 0; ///< w0, zeta, and of each record K, onset and nuisance terms
+    NoiseBasis noise;
+    Eigen::Matrix2d shape; ///< covariance of ln w0 and ln zeta
+};
+
 /// Nonlinear least squares (Levenberg-Marquardt) of the step responses
 ///     y(t) = K (1 - e^(-zeta w0 t') (cos wd t' + zeta w0/wd sin wd t')),   t' = t - onset
 /// (thesis eqs 3.11-3.17; for zeta > 1 its two real poles) to the records at their own rate, with
-/// common w0 and zeta, K and onset of each its own; the covariance as in allowForColour(). The
-/// records' nuisance terms start from those of the free model and are fitted too; those of the tube
-/// are part of the pressure from the onset on, so the sensor responds to them too. FIT over the
-/// model inputs; `describes` is true if it is at most two points below `fitToReach_percent`. Empty
-/// where it does not converge.
-std::optional<SecondOrderModel> fitSecondOrder(const ModelInput &input,
-    const std::vector<RefinementRecord> &records, const SecondOrderStart &start,
-    double fitToReach_percent, const JobControl &control = {});
+/// common w0 and zeta, K and onset of each its own; the covariance as in allowForColour(), with
+/// what u of the front's duration adds. The records' nuisance terms start from those given and are
+/// fitted too; those of the tube are part of the pressure from the onset on, so the sensor responds
+/// to them too. Of several starts the one that ends lowest counts. FIT over the model inputs;
+/// `records` are those of input.series, in order. Empty where none converges.
+std::optional<SecondOrderFit> fitSecondOrder(const ModelInput &input,
+    const std::vector<RefinementRecord> &records, const std::vector<SecondOrderStart> &starts,
+    const JobControl &control = {});
 
 /// MOD-011: a second-order sensor does not describe the data.
 Findings judgeSecondOrder(const SecondOrderModel &fit, double modelFit_percent);

@@ -35,6 +35,7 @@ struct SecondOrderModel
     double fit_percent = 0.0; ///< pooled, over the model inputs
     double residualToNoise = 0.0; ///< rms over the records at their own rate; 1 = noise explains it
     bool describes = false; ///< its FIT comes within two points of the free model's
+    bool isModel = false; ///< it has the smaller BIC, and its poles are the model's
 };
 
 } // namespace dyncal

@@ -259,7 +259,7 @@ const QHash<QString, QStringList> &contract()
 
 const QStringList kTopLevel{"schema", "software", "created_utc", "recipe", "kind", "inputs",
     "shots", "shock", "spectrum", "pca", "input", "realization", "model", "response", "bands",
-    "budget", "gum_validated_by_monte_carlo", "findings", "sensitivity", "drift", "checks"};
+    "budget", "gum_validated_by_monte_carlo", "findings", "sensitivity", "drift", "echo", "checks"};
 
 QJsonObject written(const PipelineOutcome &outcome, const Recipe &recipe = {})
 {

@@ -55,7 +55,7 @@ void describe(const SensorModel &model, const ModelAssessment *assessment, Candi
         row.fit_percent = model.fit_percent;
     if (std::isfinite(model.fitAttainable_percent))
         row.attainable_percent = model.fitAttainable_percent;
-    if (const Pole *pole = mainPole(model, assessment)) {
+    if (const auto pole = sensorResonance(&model, assessment)) {
         row.f0_Hz = pole->frequency_Hz;
         row.u_f0_Hz = pole->u_frequency_Hz;
         row.zeta = pole->dampingRatio;

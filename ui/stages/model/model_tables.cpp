@@ -108,7 +108,11 @@ ShownTable nuisanceTable(const SensorModel *model, const ModelAssessment *assess
 
 ShownTable secondOrderTable(const ModelAssessment *assessment)
 {
-    ShownTable table{{ModelTables::tr("2nd order"), ModelTables::tr("Value ± u")}, {}};
+    const bool isModel = assessment && assessment->secondOrder && assessment->secondOrder->isModel;
+    ShownTable table{
+        {isModel ? ModelTables::tr("2nd order (the model)") : ModelTables::tr("2nd order"),
+            ModelTables::tr("Value ± u")},
+        {}};
     if (!assessment || !assessment->secondOrder)
         return table;
     const SecondOrderModel &fit = *assessment->secondOrder;

@@ -196,7 +196,7 @@ void OrderInspector::showModel(const CalibrationResults &results, const SensorMo
 {
     m_of->setText(model ? QString::number(model->order) : "–");
     m_score->setText(model ? fitText(*model) : "–");
-    const Pole *pole = model ? mainPole(*model, results.assessment.get()) : nullptr;
+    const auto pole = sensorResonance(model, results.assessment.get());
     // A sensor that is damped well has a natural frequency and no resonance: the spectrum says so.
     const bool hasNoPeak = results.spectrum && results.spectrum->resonances.empty();
     const QString words = hasNoPeak ? tr("%1, damping %2; no resonance") : tr("%1, damping %2");
@@ -219,7 +219,8 @@ void OrderInspector::showModel(const CalibrationResults &results, const SensorMo
     }
     m_gap->setText(gap);
     std::optional<OrderSpread> spread;
-    if (results.evidence && pole)
+    if (results.evidence && model && pole
+        && !model->secondOrder) // no order has that sensor's poles
         spread = spreadAround(*results.evidence, model->order, pole->frequency_Hz);
     m_spread->setText(spread
             ? tr("%1, ζ %2 (orders %3 to %4)")

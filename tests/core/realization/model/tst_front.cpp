@@ -121,8 +121,9 @@ private slots:
             responseOf(1, 1e-3, 3), responseOf(2, 1e-3, 4)};
         const auto fitted = [&](const FrontDuration &front) {
             const ModelInput input = inputOf(responses, front);
-            return *fitSecondOrder(input, refinementRecords(input),
-                {kF0_Hz * 1.02, kZeta, {1.0, 1.0}, {middle_s(1), middle_s(2)}}, 0.0);
+            return fitSecondOrder(input, refinementRecords(input),
+                {{kF0_Hz * 1.02, kZeta, {1.0, 1.0}, {middle_s(1), middle_s(2)}}})
+                ->sensor;
         };
         const SecondOrderModel known = fitted({kFront_s, 0.0});
         QVERIFY(std::abs(known.f0_Hz - kF0_Hz) < 4.0 * known.u_f0_Hz);
