@@ -22,7 +22,7 @@ constexpr double kQuietRiseTimes
 constexpr Index kFewest = 20; ///< points on each side of an echo
 constexpr Index kReach = 200; ///< points on each side that are looked at
 constexpr Index kStride = 8; ///< points from one look to the next
-constexpr Index kFewestNoise = 100;
+constexpr Index kFewestNoisePoints = 100;
 constexpr double kGone = 1e-4; ///< of the ringing
 constexpr double kCandidate = 12.0; ///< chi square
 constexpr double kLeftOver = 0.1; ///< of what an echo explains: the rest of another shape is more
@@ -142,7 +142,7 @@ private:
     {
         const Eigen::VectorXd sums = runningSums(noise);
         const Index count = noise.size() / m_samples;
-        if (count < kFewestNoise)
+        if (count < kFewestNoisePoints)
             return;
         Eigen::VectorXd means(count);
         for (Index j = 0; j < count; ++j)
