@@ -97,6 +97,38 @@ private slots:
         QVERIFY2(words.find("end the window before it") != std::string::npos, words.c_str());
     }
 
+    /// Size with its u, delay and the new end stand in the sentence, and the size as the value.
+    void theSentence_hasItsNumbers()
+    {
+        Echoes echoes{{{2, 100e-6, 1e-7, 0.031, 0.001}}, 98e-6};
+        const Finding shortened = judgeEchoes(echoes).front();
+        const std::string words = english(shortened.message);
+        for (const char *part : {"3.10 %", "u = 0.10 %", "100 ", "98 "})
+            QVERIFY2(words.find(part) != std::string::npos, words.c_str());
+        QCOMPARE(*shortened.value, 0.031);
+        QCOMPARE(shortened.shot, Index(2));
+        echoes.recordsEnd_s.reset();
+        QVERIFY(english(judgeEchoes(echoes).front().message) != words);
+        QVERIFY(judgeEchoes({}).empty());
+    }
+
+    /// The end is a time: records of any rate end there, each at its last sample before.
+    void recordsOfOtherRates_endAtTheSameTime()
+    {
+        std::vector<WindowedResponse> list = shots({0.0, 0.0, 0.0}, {0.0, 0.0, 0.0});
+        list[1].sampleRate_Hz = 5e6;
+        list[2].sampleRate_Hz = 3.3e6;
+        const std::vector<WindowedResponse> ended = endingAt(list, 90.05e-6);
+        QCOMPARE(ended[0].length, Index(900));
+        QCOMPARE(ended[1].length, Index(450));
+        QCOMPARE(ended[2].length, Index(297));
+        for (const WindowedResponse &response : ended) {
+            QCOMPARE(response.end_s, 90.05e-6);
+            QCOMPARE(response.values.size(), response.lead + response.length);
+            QVERIFY(static_cast<double>(response.length) / response.sampleRate_Hz <= 90.05e-6);
+        }
+    }
+
     void endingAt_leavesNothingBehind()
     {
         std::vector<WindowedResponse> list = shots({0.0}, {0.0});
