@@ -87,6 +87,17 @@ std::optional<Homogeneity> testShape(const std::vector<SensorOfShots> &shots, do
     return Homogeneity{f0_Hz, statistic, dof, probability, probability >= kSharedAtLeast};
 }
 
+/// u of the weighted mean by the scatter, weighted too: near critical damping a shot of few digits
+/// lies anywhere.
+double weightedScatter(const std::vector<double> &values, const std::vector<double> &u)
+{
+    const auto count = static_cast<Index>(values.size());
+    const Eigen::ArrayXd w = Eigen::Map<const Eigen::ArrayXd>(u.data(), count).square().inverse();
+    const auto x = Eigen::Map<const Eigen::ArrayXd>(values.data(), count);
+    const double mean = (w * x).sum() / w.sum();
+    return std::sqrt((w * (x - mean).square()).sum() / (static_cast<double>(count - 1) * w.sum()));
+}
+
 /// The scatter between the shots in place of the noise, never narrower than the noise alone.
 void useScatter(const std::vector<SensorOfShots> &shots, SecondOrderModel &sensor)
 {
@@ -101,8 +112,8 @@ void useScatter(const std::vector<SensorOfShots> &shots, SecondOrderModel &senso
     }
     const double k = coverageFactor95(static_cast<double>(f0.size() - 1));
     const double noise = sensor.coverageFactor / k;
-    sensor.u_f0_Hz = std::max(noise * sensor.u_f0_Hz, betweenShots(f0, u_f0));
-    sensor.u_zeta = std::max(noise * sensor.u_zeta, betweenShots(zeta, u_zeta));
+    sensor.u_f0_Hz = std::max(noise * sensor.u_f0_Hz, weightedScatter(f0, u_f0));
+    sensor.u_zeta = std::max(noise * sensor.u_zeta, weightedScatter(zeta, u_zeta));
     sensor.coverageFactor = k;
 }
 

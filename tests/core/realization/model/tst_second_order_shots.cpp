@@ -117,8 +117,17 @@ private slots:
             QVERIFY(std::ranges::any_of(assessment.findings,
                 [](const Finding &finding) { return finding.id == "MOD-010"; }));
             const SecondOrderModel &sensor = *assessment.secondOrder;
-            const double scatter_Hz = 0.05 * kF0_Hz / std::sqrt(3.0);
-            QVERIFY(std::abs(sensor.u_f0_Hz / scatter_Hz - 1.0) < 0.05);
+            // By definition, over the shots as stated: sum w (x - m)^2 / ((n - 1) sum w).
+            double weights = 0.0, sum = 0.0, squares = 0.0;
+            for (const LevelPole &shot : assessment.perShot) {
+                const double w = 1.0 / (shot.u_frequency_Hz * shot.u_frequency_Hz);
+                weights += w;
+                sum += w * shot.frequency_Hz;
+                squares += w * shot.frequency_Hz * shot.frequency_Hz;
+            }
+            const double scatter_Hz = std::sqrt((squares - sum * sum / weights) / (2.0 * weights));
+            QVERIFY(std::abs(sensor.u_f0_Hz / scatter_Hz - 1.0) < 1e-6);
+            QVERIFY(std::abs(scatter_Hz / (0.05 * kF0_Hz / std::sqrt(3.0)) - 1.0) < 0.2);
             QVERIFY(std::abs(sensor.coverageFactor - 4.30265) < 1e-4); // t of 2 degrees of freedom
             for (const Pole &pole : assessment.poles) {
                 QVERIFY(isFlagged(pole));
