@@ -39,8 +39,10 @@ Result<ShockConditionsSet> shockOfModel(
 Result<ResponseResult> responseStage(const CalibrationResults &results, const Recipe &recipe,
     const SensorModel &model, const ShockConditionsSet &shock)
 {
-    return computeResponse(recordsBefore(results.input->echoes, results.window->responses),
-        *results.input, model, shock, recipe.response);
+    const std::vector<WindowedResponse> &responses = results.window->responses;
+    const auto ended = recordsBefore(results.input->echoes, responses);
+    return computeResponse(
+        ended ? *ended : responses, *results.input, model, shock, recipe.response);
 }
 
 } // namespace dyncal

@@ -63,10 +63,12 @@ Result<ModelInput> inputOf(const std::vector<WindowedResponse> &responses,
 
 } // namespace
 
-std::vector<WindowedResponse> recordsBefore(
+std::optional<std::vector<WindowedResponse>> recordsBefore(
     const Echoes &echoes, const std::vector<WindowedResponse> &responses)
 {
-    return echoes.recordsEnd_s ? endingAt(responses, *echoes.recordsEnd_s) : responses;
+    if (!echoes.recordsEnd_s)
+        return std::nullopt;
+    return endingAt(responses, *echoes.recordsEnd_s);
 }
 
 SpectrumResult sensorSpectrum(const CalibrationResults &results, const Recipe &recipe)
@@ -81,7 +83,8 @@ Result<ModelInput> separatedInput(
     const SpectrumResult spectrum = sensorSpectrum(results, recipe);
     const std::vector<WindowedResponse> &responses = results.window->responses;
     const Echoes echoes = echoesIn(responses, spectrum, recipe, control);
-    auto input = inputOf(recordsBefore(echoes, responses), spectrum, results, recipe, control);
+    const auto ended = recordsBefore(echoes, responses);
+    auto input = inputOf(ended ? *ended : responses, spectrum, results, recipe, control);
     if (!input)
         return input;
     const Findings found = judgeEchoes(echoes);

@@ -13,8 +13,8 @@ namespace dyncal {
 /// Spectra and resonances without the recipe's nuisance modes. Needs window and spectrum.
 SpectrumResult sensorSpectrum(const CalibrationResults &results, const Recipe &recipe);
 
-/// The responses up to the first echo, where it ends them.
-std::vector<WindowedResponse> recordsBefore(
+/// The responses up to the first echo; empty where none ends them, so that they are not copied.
+std::optional<std::vector<WindowedResponse>> recordsBefore(
     const Echoes &echoes, const std::vector<WindowedResponse> &responses);
 
 /// The model input, up to the first echo, with the recipe's nuisance modes found in it. Needs

@@ -90,15 +90,16 @@ Echoes findEchoes(const std::vector<WindowedResponse> &responses, const SensorTr
     bool mayShorten, const JobControl &control)
 {
     Echoes echoes;
-    std::vector<WindowedResponse> left = responses;
+    std::vector<WindowedResponse> left; // copied where an echo ends them
     while (!control.stopRequested()) {
-        const std::vector<Echo> found = confirmedOf(candidatesIn(left, traits, control));
+        const std::vector<WindowedResponse> &searched = left.empty() ? responses : left;
+        const std::vector<Echo> found = confirmedOf(candidatesIn(searched, traits, control));
         if (found.empty())
             break;
         for (const Echo &echo : found)
             take(echo, echoes.ofShots);
         const double end_s = kBefore * std::ranges::min(found, {}, &Echo::delay_s).delay_s;
-        left = endingAt(left, end_s);
+        left = endingAt(searched, end_s);
         if (mayShorten)
             echoes.recordsEnd_s = end_s;
     }

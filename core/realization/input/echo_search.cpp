@@ -225,25 +225,43 @@ private:
         return y;
     }
 
-    /// Both sides whitened; the background keeps its span under the filter.
-    Remainder compare(Index begin, Index end, const Eigen::MatrixXd &templates) const
+    /// Points from `begin` to `end`, their background, and the record without it; both sides are
+    /// whitened, under which the background keeps its span.
+    struct Stretch
     {
-        const Index lost = m_noise.order();
-        const Eigen::MatrixXd basis = background(begin + lost, end);
-        Eigen::MatrixXd both(end - begin - lost, templates.cols() + 1);
-        both.col(0) = whitened(record(begin, end, 0.0), m_noise.coefficients);
+        Index begin = 0;
+        Index end = 0;
+        Eigen::HouseholderQR<Eigen::MatrixXd> background;
+        Eigen::VectorXd rest = {};
+    };
+
+    Stretch stretch(Index begin, Index end) const
+    {
+        Stretch made{begin, end,
+            Eigen::HouseholderQR<Eigen::MatrixXd>(background(begin + m_noise.order(), end))};
+        made.rest = without(made, record(begin, end, 0.0));
+        return made;
+    }
+
+    /// What the background leaves of values, whitened.
+    Eigen::VectorXd without(const Stretch &stretch, const Eigen::VectorXd &values) const
+    {
+        Eigen::VectorXd rest = whitened(values, m_noise.coefficients);
+        rest.applyOnTheLeft(stretch.background.householderQ().adjoint());
+        return rest.tail(rest.size() - stretch.background.cols());
+    }
+
+    Remainder compare(const Stretch &stretch, const Eigen::MatrixXd &templates) const
+    {
+        Eigen::MatrixXd h(stretch.rest.size(), templates.cols());
         for (Index i = 0; i < templates.cols(); ++i)
-            both.col(i + 1) = whitened(templates.col(i), m_noise.coefficients);
-        const Eigen::HouseholderQR<Eigen::MatrixXd> qr(basis);
-        both.applyOnTheLeft(qr.householderQ().adjoint());
-        const Eigen::MatrixXd rest = both.bottomRows(both.rows() - basis.cols());
-        const Eigen::MatrixXd h = rest.rightCols(templates.cols());
-        const Eigen::VectorXd inner = h.transpose() * rest.col(0);
+            h.col(i) = without(stretch, templates.col(i));
+        const Eigen::VectorXd inner = h.transpose() * stretch.rest;
         const Eigen::MatrixXd gram = h.transpose() * h;
         const Eigen::VectorXd size = gram.ldlt().solve(inner);
         const double v = m_noise.innovationVariance;
-        return {
-            rest.col(0).squaredNorm() / v, inner.dot(size) / v, size[0], std::sqrt(v / gram(0, 0))};
+        return {stretch.rest.squaredNorm() / v, inner.dot(size) / v, size[0],
+            std::sqrt(v / gram(0, 0))};
     }
 
     /// A level and resonances of any phase from point `at` on.
@@ -255,7 +273,7 @@ private:
         templates.col(0).tail(to - at).setOnes();
         Index column = 1;
         addRinging(templates, column, at, at, false, from);
-        return compare(from, to, templates);
+        return compare(stretch(from, to), templates);
     }
 
     double freedom(Index count) const
@@ -280,14 +298,15 @@ private:
         constexpr double kFine = 0.1; // points
         constexpr Index kNear = 2 * kStride;
         const Index from = begin(place);
-        const Index to = end(std::max(m_first, place - kNear)); // one stretch for all delays
+        const Index to = end(std::max(m_first, place - kNear));
+        const Stretch one = stretch(from, to); // for all delays
         std::vector<double> delays;
         std::vector<Remainder> found;
         const auto last = static_cast<double>(std::min(to - kFewest / 2, place + kNear));
         for (auto delay = static_cast<double>(std::max(m_first, place - kNear)); delay <= last;
              delay += kFine) {
             delays.push_back(delay);
-            found.push_back(compare(from, to, record(from, to, delay)));
+            found.push_back(compare(one, record(from, to, delay)));
         }
         const auto best = std::ranges::max_element(found, {}, &Remainder::gain);
         if (best == found.end() || !explains(*best, to - from))

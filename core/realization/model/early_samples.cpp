@@ -26,16 +26,14 @@ std::optional<Refinement> fitBehind(
     const ModelInput &input, const SensorModel &model, double skipped_s, const JobControl &control)
 {
     std::vector<RefinementRecord> records = refinementRecords(input, model.draft);
-    std::vector<NoiseCovariance> noise;
-    for (std::size_t r = 0; r < records.size(); ++r) {
-        records[r].used = usedBehind(records[r], skipped_s);
-        if (records[r].used.empty())
+    for (RefinementRecord &record : records) {
+        record.used = usedBehind(record, skipped_s);
+        if (record.used.empty())
             return std::nullopt;
-        noise.push_back(input.series[r].fullRateNoise);
     }
     auto fit = refinePoles(records, model.draft.poles_rad_s, true, control);
     if (fit)
-        allowForColour(records, noise, *fit);
+        allowForColour(records, noiseBeforeStart(input), *fit);
     return fit;
 }
 

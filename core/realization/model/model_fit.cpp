@@ -78,11 +78,11 @@ std::optional<std::complex<double>> takeStepPole(
 std::optional<SecondOrderModel> competeSecondOrder(
     const ModelInput &input, ModelDraft &draft, const JobControl &control)
 {
-    auto choice = betterSecondOrder(input, draft, control);
-    if (!choice)
+    auto better = betterSecondOrder(input, draft, control);
+    if (!better)
         return std::nullopt;
-    takeSecondOrder(choice->fit, draft);
-    SecondOrderModel sensor = std::move(choice->fit.sensor);
+    takeSecondOrder(*better, draft);
+    SecondOrderModel sensor = std::move(better->sensor);
     sensor.describes = true;
     sensor.isModel = true;
     return sensor;

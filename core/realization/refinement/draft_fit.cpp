@@ -101,6 +101,14 @@ std::vector<RefinementRecord> refinementRecords(const ModelInput &input, const M
     return records;
 }
 
+std::vector<NoiseCovariance> noiseBeforeStart(const ModelInput &input)
+{
+    std::vector<NoiseCovariance> noise;
+    for (const ModelSeries &series : input.series)
+        noise.push_back(series.fullRateNoise);
+    return noise;
+}
+
 void refineDraft(const ModelInput &input, ModelDraft &draft, const JobControl &control)
 {
     const std::vector<RefinementRecord> records = refinementRecords(input);
@@ -111,10 +119,7 @@ void refineDraft(const ModelInput &input, ModelDraft &draft, const JobControl &c
         draft.refinement = refineAperiodic(input, draft, records, control);
     if (!draft.refinement)
         return;
-    std::vector<NoiseCovariance> noise;
-    for (const ModelSeries &series : input.series)
-        noise.push_back(series.fullRateNoise);
-    draft.noise = allowForColour(records, noise, *draft.refinement);
+    draft.noise = allowForColour(records, noiseBeforeStart(input), *draft.refinement);
     draft.poles_rad_s = draft.refinement->poles_rad_s;
     draft.series = draft.refinement->records;
     draft.nuisance = draft.refinement->nuisance;

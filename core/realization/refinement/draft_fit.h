@@ -32,6 +32,9 @@ std::vector<RefinementRecord> refinementRecords(const ModelInput &input);
 /// The same, with the nuisance terms as the draft has them.
 std::vector<RefinementRecord> refinementRecords(const ModelInput &input, const ModelDraft &draft);
 
+/// The noise of every series before its start, at its own rate.
+std::vector<NoiseCovariance> noiseBeforeStart(const ModelInput &input);
+
 /// Refines poles and amplitudes on the records at their own rate from the start on, where no filter
 /// distorts the onset. Where that cannot begin at the realised poles, or does not converge, a
 /// response that does not ring has other starts (aperiodic_start.h), with poles fewer than the

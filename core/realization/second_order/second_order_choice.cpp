@@ -116,14 +116,6 @@ double whitenedBic(const ModelInput &input, const std::vector<RefinementRecord> 
     return bic + static_cast<double>(description.parameters) * std::log(samples);
 }
 
-std::vector<AutoregressiveModel> noiseBefore(const ModelInput &input)
-{
-    std::vector<NoiseCovariance> noise;
-    for (const ModelSeries &series : input.series)
-        noise.push_back(series.fullRateNoise);
-    return chooseAutoregressiveModels(noise, kLargestNoiseModel);
-}
-
 /// Whether the fit may stand for these records at all.
 bool isEligible(const SecondOrderFit &fit, const ModelDraft &draft,
     const std::vector<RefinementRecord> &records)
@@ -135,7 +127,7 @@ bool isEligible(const SecondOrderFit &fit, const ModelDraft &draft,
 
 } // namespace
 
-std::optional<SecondOrderChoice> betterSecondOrder(
+std::optional<SecondOrderFit> betterSecondOrder(
     const ModelInput &input, const ModelDraft &draft, const JobControl &control)
 {
     if (!isStepTreatment(input.treatment) || isThesisMode(input))
@@ -144,11 +136,12 @@ std::optional<SecondOrderChoice> betterSecondOrder(
     auto fit = fitSecondOrder(input, records, startsFor(records), control);
     if (!fit || !isEligible(*fit, draft, records))
         return std::nullopt;
-    const std::vector<AutoregressiveModel> noise = noiseBefore(input);
+    const std::vector<AutoregressiveModel> noise
+        = chooseAutoregressiveModels(noiseBeforeStart(input), kLargestNoiseModel);
     const double lead = whitenedBic(input, records, noise, descriptionOf(draft))
         - whitenedBic(input, records, noise,
             {fit->refinement.records, fit->refinement.nuisance, fit->parameters});
-    return lead > 0.0 ? std::optional(SecondOrderChoice{std::move(*fit), lead}) : std::nullopt;
+    return lead > 0.0 ? std::move(fit) : std::nullopt;
 }
 
 void takeSecondOrder(const SecondOrderFit &fit, ModelDraft &draft)
@@ -175,13 +168,13 @@ void considerSecondOrder(const ModelInput &input, const HankelDecomposition &dec
     if (!isStepTreatment(input.treatment) || startsFor(refinementRecords(input)).empty())
         return;
     refineDraft(input, draft, control);
-    const auto choice = betterSecondOrder(input, draft, control);
-    if (!choice)
+    const auto better = betterSecondOrder(input, draft, control);
+    if (!better)
         return;
     suggestion.reason = {
         DYNCAL_TEXT("core",
             "A second-order sensor (damping ratio %1) describes the records better than order %2, by their BIC: of a response damped that much the realised poles tell little."),
-        {numberText(choice->fit.sensor.zeta, 3), std::to_string(suggestion.order)}};
+        {numberText(better->sensor.zeta, 3), std::to_string(suggestion.order)}};
     suggestion.order = kOrder;
 }
 

@@ -14,20 +14,13 @@
 
 namespace dyncal {
 
-/// The second-order sensor in place of a draft.
-struct SecondOrderChoice
-{
-    SecondOrderFit fit;
-    double lead = 0.0; ///< by which its BIC is smaller than the draft's
-};
-
 /// Of a response that does not ring (no overshoot beyond 5 %) two poles are known badly and their
 /// amplitudes worse, while level and slope at the onset are known to be 0. So the second-order
 /// sensor competes with the draft by the BIC of the pre-whitened records (docs/method/model.md).
 /// Against a draft that could not be refined it must also leave at most 1.2 times the noise. Empty
 /// where the draft's BIC is smaller, where the sensor's damping ratio is below 0.75, for records
 /// that are no step response with a plateau, and in thesis mode.
-std::optional<SecondOrderChoice> betterSecondOrder(
+std::optional<SecondOrderFit> betterSecondOrder(
     const ModelInput &input, const ModelDraft &draft, const JobControl &control = {});
 
 /// The draft with the sensor's poles, amplitudes and onsets.

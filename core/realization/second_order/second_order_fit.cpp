@@ -6,6 +6,7 @@
 #include "core/base/number_text.h"
 #include "core/realization/input/left_out.h"
 #include "core/realization/refinement/coloured_covariance.h"
+#include "core/realization/refinement/draft_fit.h"
 #include "core/realization/refinement/levenberg_marquardt.h"
 #include "core/realization/refinement/pole_uncertainty.h"
 #include "core/realization/refinement/series_simulation.h"
@@ -139,14 +140,6 @@ void describeShots(const ModelInput &input, const SecondOrderProblem &problem,
         spread += about;
     }
     fit.sensor.fit_percent = fitPercent(error, spread);
-}
-
-std::vector<NoiseCovariance> noiseBeforeStart(const ModelInput &input)
-{
-    std::vector<NoiseCovariance> noise;
-    for (const ModelSeries &series : input.series)
-        noise.push_back(series.fullRateNoise);
-    return noise;
 }
 
 } // namespace

@@ -3,8 +3,6 @@
 
 #include "core/realization/second_order/second_order_problem.h"
 
-#include "core/realization/input/left_out.h"
-
 #include <numeric>
 #include <utility>
 

@@ -173,7 +173,7 @@ private slots:
         unrefined.refine = false;
         QVERIFY(!fitModel(input, *hankel, 2, unrefined, {})->secondOrder);
         ModelDraft draft = linearDraft(input, {std::complex<double>(0.9)});
-        QVERIFY(betterSecondOrder(input, draft));
+        QVERIFY(betterSecondOrder(input, draft).has_value());
         input.treatment = ResponseTreatment::Impulse;
         QVERIFY(!betterSecondOrder(input, draft));
         input.treatment = ResponseTreatment::StepAsImpulse;
