@@ -64,7 +64,7 @@ RecordResponse recordResponse(const std::vector<WindowedResponse> &responses,
                                 : 1.0 / levelOfRecord(shot.record);
         if (fit)
             shot.onset_s = fit->onset_s;
-        if (fit && std::isfinite(fit->u_onset_s))
+        if (fit)
             shot.u_onset_s = fit->u_onset_s;
         shots.push_back(std::move(shot));
     }

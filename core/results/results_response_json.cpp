@@ -56,8 +56,11 @@ void addMeasured(JsonRecord &section, const ResponseResult &response)
     section.numbers("k_magnitude", coverageFactors(response), none);
     section.set("u_contains_step", false); // noise of the recordings and the bounds only
     section.numbers("phase_rad", response.phase_rad, none);
-    section.numbers("u_phase_rad", response.u_phase_rad, none);
-    section.numbers("u_noise_phase_rad", response.u_noisePhase_rad, none);
+    const char *noPhase = response.magnitude.size() == 0
+        ? none
+        : "Withheld, or the uncertainty of the onset is not known.";
+    section.numbers("u_phase_rad", response.u_phase_rad, noPhase);
+    section.numbers("u_noise_phase_rad", response.u_noisePhase_rad, noPhase);
     section.numbers("k_phase", coverageFactors(response), none);
     section.numbers("dof", response.dof, "Withheld, or the noise is known without a record.");
     const char *noBound = response.magnitude.size() == 0 ? none : "Above 0.4 of the lowest rate.";

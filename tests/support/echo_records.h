@@ -26,26 +26,27 @@ struct EchoRecord
     double secondMode = 0.0; ///< share of another mode of 510 kHz
     std::uint64_t seed = 1;
     Index shot = 1;
+    Index samples = 3000;
 };
 
-/// 300 us at 10 MS/s, arriving a third of a sample before the first one; 3000 values of noise.
+/// Record at 10 MS/s (300 us), arriving a third of a sample before the first one; 3000 values of
+/// noise.
 inline WindowedResponse echoRecord(const EchoRecord &made)
 {
     constexpr double kRate_Hz = 10e6;
-    constexpr Index kLength = 3000;
     RandomStream random(made.seed, made.shot, 17);
     WindowedResponse response;
     response.shot = made.shot;
     response.sampleRate_Hz = kRate_Hz;
     response.noise = simulatedNoise(random, 3000, made.noise, 0.0);
-    response.values = simulatedNoise(random, kLength, made.noise, 0.0);
-    response.length = kLength;
-    response.end_s = kLength / kRate_Hz;
+    response.values = simulatedNoise(random, made.samples, made.noise, 0.0);
+    response.length = made.samples;
+    response.end_s = static_cast<double>(made.samples) / kRate_Hz;
     const auto answer = [&](double t_s) {
         return (1.0 - made.secondMode) * dampedStep(made.f0_Hz, made.zeta, t_s)
             + made.secondMode * dampedStep(510e3, 0.01, t_s);
     };
-    for (Index k = 0; k < kLength; ++k) {
+    for (Index k = 0; k < made.samples; ++k) {
         const double t_s = (static_cast<double>(k) + 1.0 / 3.0) / kRate_Hz;
         response.values[k] += answer(t_s) + made.relative * answer(t_s - made.delay_s)
             + made.slope_per_s * t_s - made.drift * std::expm1(-t_s / 1e-4);

@@ -52,11 +52,21 @@ double largest(const ExponentialSum &response, int k, double search_s)
     return top;
 }
 
+/// A first-order lag, alone or with a drift.
+bool isLag(const ExponentialSum &response)
+{
+    const auto &s = response.poles_rad_s;
+    if (s.size() != 2 || s[0].imag() != 0.0)
+        return s.size() < 2;
+    const Index slower = std::abs(s[0]) < std::abs(s[1]) ? 0 : 1;
+    return std::abs(response.amplitudes[slower]) < std::abs(response.amplitudes[1 - slower]);
+}
+
 } // namespace
 
 std::optional<double> findOnset_s(const ExponentialSum &response, double search_s)
 {
-    if (response.poles_rad_s.size() < 2)
+    if (isLag(response))
         return nearestRoot(response, 0, search_s);
     if (response.poles_rad_s.size() % 2 == 1) {
         // Degree three: slope and curvature vanish together. Noise turns the double root of the

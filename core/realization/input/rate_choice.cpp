@@ -4,6 +4,7 @@
 #include "core/realization/input/rate_choice.h"
 
 #include "core/base/number_text.h"
+#include "core/realization/input/plateau_drift.h"
 #include "core/signal/resampler.h"
 #include "core/signal/spectrum_analysis.h"
 
@@ -20,6 +21,7 @@ constexpr double kFewestPerRise = 10.0;
 constexpr double kLargestFilterPerRise = 0.5;
 constexpr double kRingTimes = 12.0; ///< e^-12: nothing of the ringing is left
 constexpr double kRiseTimes = 20.0;
+constexpr Index kSamplesOfDrift = 2000;
 constexpr double kStandsOut_dB = 6.0; ///< below the most prominent
 constexpr double kHarmonic = 0.03; ///< from a whole multiple
 
@@ -78,6 +80,8 @@ SensorTraits sensorTraits(
     }
     if (count > 0)
         traits.riseTime_s = sum / count;
+    traits.drifts = traits.ringing.empty() && traits.riseTime_s
+        && levelsDriftBehind(responses, kRiseTimes * *traits.riseTime_s);
     return traits;
 }
 
@@ -99,6 +103,8 @@ Index chooseReduction(double rate_Hz, const SensorTraits &traits)
 
 Index chooseSamples(double rate_Hz, const SensorTraits &traits)
 {
+    if (traits.drifts)
+        return kSamplesOfDrift;
     std::optional<double> span_s;
     for (const RingingTraits &one : traits.ringing)
         if (one.ringTime_s)

@@ -26,6 +26,7 @@ struct SensorTraits
     std::vector<RingingTraits> ringing; ///< the most prominent, and those within 6 dB of it
                                         ///< that are none of its harmonics
     std::optional<double> riseTime_s; ///< 10-90 %, mean over the shots that show it
+    bool drifts = false; ///< nothing rings, and the level changes behind twenty rise times
 };
 
 SensorTraits sensorTraits(
@@ -38,7 +39,8 @@ SensorTraits sensorTraits(
 Index chooseReduction(double rate_Hz, const SensorTraits &traits);
 
 /// Rule "auto" of input.samples: twelve of the longest ring times (twenty rise times), within
-/// 200..1000.
+/// 200..1000; 2000 where the level drifts behind twenty rise times, or the drift moves the poles
+/// and no part of the model says so.
 Index chooseSamples(double rate_Hz, const SensorTraits &traits);
 
 /// MIN-001 as an error (the rate cannot represent the most prominent resonance), MIN-002 as a

@@ -76,13 +76,16 @@ std::optional<std::complex<double>> takeStepPole(
 
 /// Lets the second-order sensor take the draft's place, if it is better.
 std::optional<SecondOrderModel> competeSecondOrder(
-    const ModelInput &input, ModelDraft &draft, const JobControl &control)
+    const ModelInput &input, ModelDraft &draft, Index order, const JobControl &control)
 {
-    auto better = betterSecondOrder(input, draft, control);
-    if (!better)
+    const auto rivals = secondOrderRivals(input, draft, control);
+    const SecondOrderRival *better = leader(rivals, order);
+    if (!better) {
+        allowForSecondPole(rivals, draft);
         return std::nullopt;
-    takeSecondOrder(*better, draft);
-    SecondOrderModel sensor = std::move(better->sensor);
+    }
+    takeSecondOrder(better->fit, draft);
+    SecondOrderModel sensor = better->fit.sensor;
     sensor.describes = true;
     sensor.isModel = true;
     return sensor;
@@ -116,8 +119,8 @@ Result<SensorModel> fitModel(const ModelInput &input, const HankelDecomposition 
     std::optional<SecondOrderModel> secondOrder;
     if (settings.refine) {
         refineDraft(input, draft, control);
-        if (order > 1 && order <= kLargestRefined)
-            secondOrder = competeSecondOrder(input, draft, control);
+        if (order <= kLargestRefined)
+            secondOrder = competeSecondOrder(input, draft, order, control);
     }
     if (control.stopRequested())
         return fail(ErrorKind::Cancelled, {});

@@ -7,6 +7,7 @@
 #include "core/realization/model/shot_parts.h"
 #include "core/realization/refinement/draft_fit.h"
 #include "core/realization/refinement/pole_uncertainty.h"
+#include "core/realization/second_order/second_order_choice.h"
 #include "core/realization/second_order/second_order_fit.h"
 
 #include <Eigen/Cholesky>
@@ -33,11 +34,16 @@ SensorOfShots fitSensor(const ModelInput &input, const std::vector<RefinementRec
     part.front = input.front;
     std::vector<RefinementRecord> records;
     SecondOrderStart start{model.secondOrder->f0_Hz, model.secondOrder->zeta, {}, {}};
+    const auto drift = model.draft.poles_rad_s.size() == 3 ? driftOf(model.draft) : std::nullopt;
+    if (drift)
+        start.drift = {drift->rate_rad_s, {}};
     for (const std::size_t r : series) {
         part.series.push_back(input.series[r]);
         records.push_back(all[r]);
         start.plateau.push_back(model.secondOrder->shots[r].plateauGain);
         start.onset_s.push_back(model.secondOrder->shots[r].onset_s);
+        if (drift)
+            start.drift->amplitude.push_back(drift->amplitude[r]);
     }
     return {series, fitSecondOrder(part, records, {start}, control)};
 }

@@ -120,7 +120,9 @@ SeriesFit describeSeries(const ModelInput &input, const ModelDraft &draft, std::
         const FittedOnset onset
             = draft.onsets.empty() ? locateOnset(input, draft, r, isSensor) : draft.onsets[r];
         fit.onset_s = onset.time_s;
-        fit.u_onset_s = onset.u_s;
+        fit.u_onset_s = draft.onsetsOfSecondPole_s.empty()
+            ? onset.u_s
+            : std::hypot(onset.u_s, draft.onsetsOfSecondPole_s[r] - onset.time_s);
     }
     fit.amplitudes = asIfSharp(sum, input.front.duration_s).amplitudes.array()
         * (sum.poles_rad_s.array() * fit.onset_s).exp();

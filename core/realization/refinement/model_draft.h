@@ -33,6 +33,8 @@ struct ModelDraft
     NoiseBasis noise; ///< what the refinement's covariance rests on
     std::vector<FittedOnset>
         onsets; ///< per series where the fit has them as parameters, else empty
+    std::vector<double> onsetsOfSecondPole_s; ///< per series, as a second real pole has them that
+                                              ///< noise may hide; empty where there is none
 };
 
 /// Energy of the part of pole `i` over the input, 2 sum |c p^k|^2, over the variance of the noise.

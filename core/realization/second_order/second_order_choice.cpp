@@ -64,6 +64,24 @@ std::vector<SecondOrderStart> startsFor(const std::vector<RefinementRecord> &rec
     return starts;
 }
 
+/// Without a drift and with that of the draft, which its own plateau and poles come with.
+std::vector<std::vector<SecondOrderStart>> startsToTry(
+    const std::vector<RefinementRecord> &records, const ModelDraft &draft)
+{
+    std::vector<std::vector<SecondOrderStart>> all{startsFor(records)};
+    const auto drift = driftOf(draft);
+    if (!drift || all.front().empty())
+        return all;
+    std::vector<SecondOrderStart> drifting = all.front();
+    for (SecondOrderStart &start : drifting) {
+        start.drift = drift;
+        for (std::size_t r = 0; r < start.plateau.size(); ++r)
+            start.plateau[r] = draft.series[r].constant;
+    }
+    all.push_back(std::move(drifting));
+    return all;
+}
+
 /// Smallest mean square of a residual that says anything: rounding errors that noise does not
 /// randomise have no spectrum of their own, so their largest square counts.
 double informationFloor(const ModelSeries &series)
@@ -127,21 +145,69 @@ bool isEligible(const SecondOrderFit &fit, const ModelDraft &draft,
 
 } // namespace
 
-std::optional<SecondOrderFit> betterSecondOrder(
+std::vector<SecondOrderRival> secondOrderRivals(
     const ModelInput &input, const ModelDraft &draft, const JobControl &control)
 {
     if (!isStepTreatment(input.treatment) || isThesisMode(input))
-        return std::nullopt;
+        return {};
     const std::vector<RefinementRecord> records = refinementRecords(input, draft);
-    auto fit = fitSecondOrder(input, records, startsFor(records), control);
-    if (!fit || !isEligible(*fit, draft, records))
-        return std::nullopt;
     const std::vector<AutoregressiveModel> noise
         = chooseAutoregressiveModels(noiseBeforeStart(input), kLargestNoiseModel);
-    const double lead = whitenedBic(input, records, noise, descriptionOf(draft))
-        - whitenedBic(input, records, noise,
+    const double ofDraft = whitenedBic(input, records, noise, descriptionOf(draft));
+    std::vector<SecondOrderRival> rivals;
+    for (const std::vector<SecondOrderStart> &starts : startsToTry(records, draft)) {
+        auto fit = fitSecondOrder(input, records, starts, control);
+        if (!fit || !isEligible(*fit, draft, records))
+            continue;
+        const double bic = whitenedBic(input, records, noise,
             {fit->refinement.records, fit->refinement.nuisance, fit->parameters});
-    return lead > 0.0 ? std::move(fit) : std::nullopt;
+        rivals.push_back({std::move(*fit), ofDraft - bic});
+    }
+    return rivals;
+}
+
+const SecondOrderRival *leader(const std::vector<SecondOrderRival> &rivals, Index mostPoles)
+{
+    const SecondOrderRival *best = nullptr;
+    for (const SecondOrderRival &rival : rivals)
+        if (rival.poles() <= mostPoles && rival.lead > (best ? best->lead : 0.0))
+            best = &rival;
+    return best;
+}
+
+void allowForSecondPole(const std::vector<SecondOrderRival> &rivals, ModelDraft &draft)
+{
+    const Index drifts = driftOf(draft) ? 1 : 0;
+    const Index poles = std::ssize(draft.poles_rad_s);
+    if (!draft.refinement || poles != drifts + 1)
+        return;
+    for (const SecondOrderRival &rival : rivals) {
+        const auto &s = rival.fit.refinement.poles_rad_s;
+        const std::complex<double> slow = s[static_cast<std::size_t>(drifts)];
+        if (rival.poles() != poles + 1 || slow.imag() != 0.0)
+            continue;
+        const double difference = slow.real() - draft.poles_rad_s.back().real();
+        draft.refinement->covariance(drifts, drifts) += difference * difference;
+        for (const SecondOrderShot &shot : rival.fit.sensor.shots)
+            draft.onsetsOfSecondPole_s.push_back(shot.onset_s);
+    }
+}
+
+std::optional<DriftStart> driftOf(const ModelDraft &draft)
+{
+    constexpr double kSlower = 0.1;
+    const auto &poles = draft.poles_rad_s;
+    const auto slowest = std::ranges::min_element(
+        poles, {}, [](const std::complex<double> &s) { return std::abs(s); });
+    if (poles.size() < 2 || slowest->imag() != 0.0)
+        return std::nullopt;
+    for (auto pole = poles.begin(); pole != poles.end(); ++pole)
+        if (pole != slowest && std::abs(*slowest) > kSlower * std::abs(*pole))
+            return std::nullopt;
+    DriftStart drift{slowest->real(), {}};
+    for (const ExponentialSum &series : draft.series)
+        drift.amplitude.push_back(series.amplitudes[slowest - poles.begin()].real());
+    return drift;
 }
 
 void takeSecondOrder(const SecondOrderFit &fit, ModelDraft &draft)
@@ -159,23 +225,23 @@ void takeSecondOrder(const SecondOrderFit &fit, ModelDraft &draft)
 void considerSecondOrder(const ModelInput &input, const HankelDecomposition &decomposition,
     OrderSuggestion &suggestion, const JobControl &control)
 {
-    constexpr Index kOrder = 2;
-    if (suggestion.order == kOrder || isThesisMode(input)
-        || largestOrder(decomposition) < std::max(kOrder, suggestion.order))
+    constexpr Index kWithDrift = 3;
+    if (isThesisMode(input) || largestOrder(decomposition) < std::max(kWithDrift, suggestion.order))
         return;
     ModelDraft draft = linearDraft(
         input, withoutNuisancePoles(input, realizedPoles(decomposition, suggestion.order)));
     if (!isStepTreatment(input.treatment) || startsFor(refinementRecords(input)).empty())
         return;
     refineDraft(input, draft, control);
-    const auto better = betterSecondOrder(input, draft, control);
-    if (!better)
+    const auto rivals = secondOrderRivals(input, draft, control);
+    const SecondOrderRival *best = leader(rivals, kWithDrift);
+    if (!best || best->poles() == suggestion.order)
         return;
     suggestion.reason = {
         DYNCAL_TEXT("core",
             "A second-order sensor (damping ratio %1) describes the records better than order %2, by their BIC: of a response damped that much the realised poles tell little."),
-        {numberText(better->sensor.zeta, 3), std::to_string(suggestion.order)}};
-    suggestion.order = kOrder;
+        {numberText(best->fit.sensor.zeta, 3), std::to_string(suggestion.order)}};
+    suggestion.order = best->poles();
 }
 
 } // namespace dyncal

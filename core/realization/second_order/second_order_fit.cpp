@@ -25,13 +25,31 @@ namespace {
 constexpr double kSlowest = 1e-4; ///< limits of zeta for a second-order sensor
 constexpr double kFastest = 1e3;
 
+/// A drift is at most a tenth as fast as the sensor, and does not grow beyond a third while it is
+/// recorded.
+bool isSlow(const SecondOrderProblem &problem, const Eigen::VectorXd &theta)
+{
+    constexpr double kSlowerThanSensor = 0.1;
+    constexpr double kMostGrowth = 0.3;
+    double longest = 0.0;
+    for (const RefinementRecord &record : problem.records())
+        longest = std::max(
+            longest, static_cast<double>(record.y.size()) / record.rate_Hz / problem.unit_s());
+    const double zeta = std::exp(theta[1]);
+    const double sensor
+        = std::exp(theta[0]) / (zeta > 1.0 ? zeta + std::sqrt(zeta * zeta - 1.0) : 1.0);
+    return theta[2] >= -kSlowerThanSensor * sensor && theta[2] * longest <= kMostGrowth;
+}
+
 bool isSensible(const SecondOrderProblem &problem, const Eigen::VectorXd &theta)
 {
     const double zeta = std::exp(theta[1]);
     if (!theta.allFinite() || !(zeta > kSlowest) || !(zeta < kFastest))
         return false;
+    if (problem.withDrift() && !isSlow(problem, theta))
+        return false;
     for (std::size_t r = 0; r < problem.records().size(); ++r) {
-        Index at = problem.plateauAt(r) + 2;
+        Index at = problem.plateauAt(r) + (problem.withDrift() ? 3 : 2);
         for (const NuisanceTerm &term : problem.records()[r].nuisance) {
             const double before = term.pole_rad_s.imag() * problem.unit_s();
             if (!isSameOscillation(before, theta[at + 1]))
@@ -52,6 +70,8 @@ Eigen::VectorXd startOf(const SecondOrderProblem &problem, const SecondOrderStar
         step.logZeta = std::log(start.zeta);
         step.plateau = start.plateau[r];
         step.onset = start.onset_s[r] / problem.unit_s();
+        if (start.drift)
+            step.drift = {start.drift->rate_rad_s * problem.unit_s(), start.drift->amplitude[r]};
         for (const NuisanceTerm &term : problem.records()[r].nuisance)
             step.modes.push_back({term.pole_rad_s * problem.unit_s(), term.amplitude});
         problem.setStep(step, r, theta);
@@ -151,8 +171,8 @@ std::optional<SecondOrderFit> fitSecondOrder(const ModelInput &input,
     if (starts.empty())
         return std::nullopt;
     const double unit_Hz = starts.front().f0_Hz;
-    const SecondOrderProblem problem(
-        records, 1.0 / (2.0 * std::numbers::pi * unit_Hz), input.front.duration_s);
+    const SecondOrderProblem problem(records, 1.0 / (2.0 * std::numbers::pi * unit_Hz),
+        input.front.duration_s, starts.front().drift.has_value());
     const auto lowest = lowestMinimum(problem, starts, control);
     const Index freedom = problem.samples() - problem.parameters();
     if (!lowest || freedom < 1)

@@ -17,6 +17,13 @@
 
 namespace dyncal {
 
+/// A drift behind the step, slower than the sensor: amplitude e^(rate t) in every record.
+struct DriftStart
+{
+    double rate_rad_s = 0.0; ///< shared by the records
+    std::vector<double> amplitude; ///< per record
+};
+
 /// Where the search for the second-order model begins.
 struct SecondOrderStart
 {
@@ -24,6 +31,7 @@ struct SecondOrderStart
     double zeta = 0.0;
     std::vector<double> plateau; ///< per record
     std::vector<double> onset_s; ///< per record, relative to the detected start
+    std::optional<DriftStart> drift = {}; ///< of every start or of none
 };
 
 /// The fitted sensor, and the same as poles with the amplitudes of every record.
@@ -40,7 +48,9 @@ struct SecondOrderFit
 ///     y(t) = K (1 - e^(-zeta w0 t') (cos wd t' + zeta w0/wd sin wd t')),   t' = t - onset
 /// (thesis eqs 3.11-3.17; for zeta > 1 its two real poles) to the records at their own rate, with
 /// common w0 and zeta, K and onset of each its own; the covariance as in allowForColour(), with
-/// what u of the front's duration adds. The records' nuisance terms start from those given and are
+/// what u of the front's duration adds. With a drift the pressure behind the step changes as
+/// 1 + h e^(rate t'), at most a tenth as fast as the sensor; it is the first pole of `refinement`
+/// and no part of `sensor`. The records' nuisance terms start from those given and are
 /// fitted too; those of the tube are part of the pressure from the onset on, so the sensor responds
 /// to them too. Of several starts the one that ends lowest counts. FIT over the model inputs;
 /// `records` are those of input.series, in order. Empty where none converges.

@@ -11,30 +11,36 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// Parameters of one record: plateau, onset, modes.
-Index ownParameters(const RefinementRecord &record)
+/// Parameters of one record: plateau, onset, amplitude of the drift, modes.
+Index ownParameters(const RefinementRecord &record, Index drifts)
 {
-    return 2 + 4 * std::ssize(record.nuisance);
+    return 2 + drifts + 4 * std::ssize(record.nuisance);
 }
 
 /// `x` of SecondOrderStep::exponentials(), as the regression wants it.
 std::vector<RegressionMode> modesOf(
     const SecondOrderStep &local, const Eigen::VectorXd &x, double dt)
 {
-    const Index gains = 2 + 2 * std::ssize(local.modes);
+    const Index first = local.drifts();
+    const Index gains = first + 2 + 2 * std::ssize(local.modes);
     std::vector<RegressionMode> modes;
+    const auto addReal = [&](Index at) {
+        modes.push_back({x[at] * dt, x[gains + at], false, false});
+    };
     const auto addPair = [&](Index at) {
         modes.push_back(
             {Complex(x[at], x[at + 1]) * dt, {x[gains + at], x[gains + at + 1]}, true, false});
     };
+    if (local.drift)
+        addReal(0);
     if (local.rings()) {
-        addPair(0);
+        addPair(first);
     } else {
-        modes.push_back({x[0] * dt, x[gains], false, false});
-        modes.push_back({x[1] * dt, x[gains + 1], false, false});
+        addReal(first);
+        addReal(first + 1);
     }
     for (Index i = 0; i < std::ssize(local.modes); ++i)
-        addPair(2 + 2 * i);
+        addPair(first + 2 + 2 * i);
     modes.push_back({0.0, local.plateau, false, true});
     return modes;
 }
@@ -42,17 +48,23 @@ std::vector<RegressionMode> modesOf(
 /// `x` of SecondOrderStep::exponentials(), without the tube's modes.
 ExponentialSum sumOf(const SecondOrderStep &local, const Eigen::VectorXd &x)
 {
-    const Eigen::Vector2d gain = x.segment(2 + 2 * std::ssize(local.modes), 2);
+    const Index poles = local.drifts() + 2;
+    const auto s = x.segment(local.drifts(), 2);
+    const auto gain = x.segment(poles + 2 * std::ssize(local.modes) + local.drifts(), 2);
     ExponentialSum sum;
     sum.constant = local.plateau;
-    sum.poles_rad_s.resize(2);
-    sum.amplitudes.resize(2);
+    sum.poles_rad_s.resize(poles);
+    sum.amplitudes.resize(poles);
+    if (local.drift) {
+        sum.poles_rad_s[0] = x[0];
+        sum.amplitudes[0] = x[poles + 2 * std::ssize(local.modes)];
+    }
     if (local.rings()) {
-        sum.poles_rad_s << Complex(x[0], x[1]), Complex(x[0], -x[1]);
-        sum.amplitudes << 0.5 * Complex(gain[0], gain[1]), 0.5 * Complex(gain[0], -gain[1]);
+        sum.poles_rad_s.tail(2) << Complex(s[0], s[1]), Complex(s[0], -s[1]);
+        sum.amplitudes.tail(2) << 0.5 * Complex(gain[0], gain[1]), 0.5 * Complex(gain[0], -gain[1]);
     } else {
-        sum.poles_rad_s << x[0], x[1];
-        sum.amplitudes << gain[0], gain[1];
+        sum.poles_rad_s.tail(2) << s[0], s[1];
+        sum.amplitudes.tail(2) << gain[0], gain[1];
     }
     return sum;
 }
@@ -60,10 +72,11 @@ ExponentialSum sumOf(const SecondOrderStep &local, const Eigen::VectorXd &x)
 } // namespace
 
 SecondOrderProblem::SecondOrderProblem(
-    const std::vector<RefinementRecord> &records, double unit_s, double front_s)
+    const std::vector<RefinementRecord> &records, double unit_s, double front_s, bool withDrift)
     : m_records(records)
     , m_unit_s(unit_s)
     , m_front_s(front_s)
+    , m_drifts(withDrift ? 1 : 0)
 {
     for (const RefinementRecord &record : records)
         m_regressions.emplace_back(record.y, record.used);
@@ -79,17 +92,18 @@ Index SecondOrderProblem::samples() const
 
 Index SecondOrderProblem::plateauAt(std::size_t record) const
 {
-    Index at = 2;
+    Index at = shared();
     for (std::size_t i = 0; i < record; ++i)
-        at += ownParameters(m_records[i]);
+        at += ownParameters(m_records[i], m_drifts);
     return at;
 }
 
 std::vector<Index> SecondOrderProblem::places(std::size_t record) const
 {
-    std::vector<Index> list(static_cast<std::size_t>(2 + ownParameters(m_records[record])));
-    std::iota(list.begin(), list.begin() + 2, Index(0));
-    std::iota(list.begin() + 2, list.end(), plateauAt(record));
+    const Index own = ownParameters(m_records[record], m_drifts);
+    std::vector<Index> list(static_cast<std::size_t>(shared() + own));
+    std::iota(list.begin(), list.begin() + shared(), Index(0));
+    std::iota(list.begin() + shared(), list.end(), plateauAt(record));
     return list;
 }
 
@@ -97,6 +111,8 @@ SecondOrderStep SecondOrderProblem::step(const Eigen::VectorXd &theta, std::size
 {
     SecondOrderStep step;
     step.front = m_front_s / m_unit_s;
+    if (withDrift())
+        step.drift.emplace();
     for (const NuisanceTerm &term : m_records[record].nuisance)
         step.modes.push_back({{}, {}, term.startsWithStep});
     step.setParameters(theta(places(record)));
@@ -131,9 +147,9 @@ RegressionEquations SecondOrderProblem::normalEquations(const Eigen::VectorXd &t
 Refinement SecondOrderProblem::asExponentials(const Eigen::VectorXd &theta) const
 {
     Refinement fit;
-    fit.poleParameters = 2;
+    fit.poleParameters = shared();
     fit.withConstant = true;
-    Index offset = 2;
+    Index offset = shared();
     for (std::size_t r = 0; r < m_records.size(); ++r) {
         const SecondOrderStep local = step(theta, r);
         ExponentialSum sum = sumOf(local, local.exponentials());
@@ -147,7 +163,7 @@ Refinement SecondOrderProblem::asExponentials(const Eigen::VectorXd &theta) cons
         }
         fit.nuisance.push_back(std::move(terms));
         fit.offsets.push_back(offset);
-        offset += 3 + 4 * std::ssize(local.modes);
+        offset += shared() + 1 + 4 * std::ssize(local.modes);
     }
     return fit;
 }
@@ -155,22 +171,24 @@ Refinement SecondOrderProblem::asExponentials(const Eigen::VectorXd &theta) cons
 Eigen::MatrixXd SecondOrderProblem::derivatives(
     const Eigen::VectorXd &theta, const Refinement &fit) const
 {
-    const Index rows = fit.offsets.back() + 3 + 4 * std::ssize(fit.nuisance.back());
+    const Index poles = shared();
+    const Index rows = fit.offsets.back() + poles + 1 + 4 * std::ssize(fit.nuisance.back());
     Eigen::MatrixXd J = Eigen::MatrixXd::Zero(rows, parameters());
     for (std::size_t r = 0; r < m_records.size(); ++r) {
         const Eigen::MatrixXd own = step(theta, r).derivatives();
         const std::vector<Index> at = places(r);
         const Index modes = std::ssize(fit.nuisance[r]);
-        const Index gains = 2 + 2 * modes;
+        const Index gains = poles + 2 * modes;
         const auto put = [&](Index row, Index from, Index count, double unit) {
             J.middleRows(row, count)(Eigen::all, at) = own.middleRows(from, count) / unit;
         };
-        put(0, 0, 2, m_unit_s);
-        put(fit.offsets[r], gains, 2, 1.0);
-        put(fit.offsets[r] + 2, own.rows() - 1, 1, 1.0);
+        put(0, 0, poles, m_unit_s);
+        put(fit.offsets[r], gains, poles, 1.0);
+        put(fit.offsets[r] + poles, own.rows() - 1, 1, 1.0);
         for (Index i = 0; i < modes; ++i) {
-            put(fit.offsets[r] + 3 + 4 * i, 2 + 2 * i, 2, m_unit_s);
-            put(fit.offsets[r] + 5 + 4 * i, gains + 2 + 2 * i, 2, 1.0);
+            const Index row = fit.offsets[r] + poles + 1 + 4 * i;
+            put(row, poles + 2 * i, 2, m_unit_s);
+            put(row + 2, gains + poles + 2 * i, 2, 1.0);
         }
     }
     return J;

@@ -15,15 +15,18 @@
 namespace dyncal {
 
 /// The records of one second-order sensor as a problem of least squares, and its parameters theta:
-/// logOmega, logZeta, then plateau, onset and modes of each record, as in SecondOrderStep.
+/// logOmega, logZeta, with a drift its rate, then plateau, onset, the drift's amplitude and modes
+/// of each record, as in SecondOrderStep.
 class SecondOrderProblem
 {
 public:
     /// `records` must outlive it; `unit_s`: of the times in theta.
-    SecondOrderProblem(const std::vector<RefinementRecord> &records, double unit_s, double front_s);
+    SecondOrderProblem(const std::vector<RefinementRecord> &records, double unit_s, double front_s,
+        bool withDrift);
 
     const std::vector<RefinementRecord> &records() const { return m_records; }
     double unit_s() const { return m_unit_s; }
+    bool withDrift() const { return m_drifts > 0; }
     void lengthenFront(double by_s) { m_front_s += by_s; }
 
     Index parameters() const { return plateauAt(m_records.size()); }
@@ -42,12 +45,14 @@ public:
 
 private:
     std::vector<Index> places(std::size_t record) const;
+    Index shared() const { return 2 + m_drifts; }
     double interval(std::size_t record) const { return 1.0 / m_records[record].rate_Hz / m_unit_s; }
 
     const std::vector<RefinementRecord> &m_records;
     std::vector<ExponentialRegression> m_regressions;
     double m_unit_s = 1.0;
     double m_front_s = 0.0;
+    Index m_drifts = 0; ///< 0 or 1
 };
 
 } // namespace dyncal

@@ -79,6 +79,7 @@ struct Calibration
         fit.shot = truth.shot;
         fit.plateauGain = inValues;
         fit.onset_s = kOnset_s;
+        fit.u_onset_s = 0.0;
         fit.amplitudes = inValues * model.amplitudes / model.plateauGain;
         model.series.push_back(fit);
         ShockConditions conditions;

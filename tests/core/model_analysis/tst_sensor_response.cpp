@@ -75,6 +75,7 @@ struct Calibration
             fit.shot = shot;
             fit.plateauGain = 1.0;
             fit.onset_s = kOnset_s;
+            fit.u_onset_s = 0.0;
             fit.amplitudes = truth.amplitudes;
             model.series.push_back(fit);
             ShockConditions conditions;
@@ -108,6 +109,16 @@ class TestSensorResponse : public QObject
     Q_OBJECT
 
 private slots:
+    void onsetOfUnknownUncertainty_leavesThePhaseWithoutOne()
+    {
+        Calibration calibration = secondOrder();
+        calibration.model.series.front().u_onset_s = kUnknown;
+        const ResponseResult result = calibration.run();
+        QVERIFY(result.magnitude.head(3).allFinite() && result.u_magnitude.head(3).allFinite());
+        QVERIFY(result.phase_rad.head(3).allFinite());
+        QVERIFY(result.u_phase_rad.array().isNaN().all());
+    }
+
     void sensitivity_isTheStepReadOverThePressureStep()
     {
         Calibration calibration = secondOrder(2);

@@ -98,6 +98,22 @@ private slots:
         }
     }
 
+    /// Pressure 1 - h + h e^(a t) on a lag: the slope vanishes nowhere near the onset.
+    void aLagBehindADrift_beginsWhereItIsZero()
+    {
+        constexpr double kLag = -2e5, kDrift = -2e3;
+        for (const double h : {0.03, -0.03, 0.3}) {
+            for (const double onset_s : {-2e-6, 0.0, 0.7e-6}) {
+                const double drift = h / (1.0 - kDrift / kLag);
+                ExponentialSum sum{1.0 - h, Eigen::Vector2cd(kDrift, kLag),
+                    Eigen::Vector2cd(drift, -(1.0 - h) - drift)};
+                sum.amplitudes.array() *= (-sum.poles_rad_s.array() * onset_s).exp();
+                const auto found = findOnset_s(sum, 0.6 * kTwoPi / -kLag);
+                QVERIFY(found && std::abs(*found - onset_s) < 1e-12);
+            }
+        }
+    }
+
     void sizeAndDirection_changeNothing()
     {
         const Complex s = pole(3e5, 0.03);

@@ -68,6 +68,20 @@ private slots:
         QVERIFY(delay < 2.2);
     }
 
+    /// 40 ms are 76 000 points; looked at are 32 000, 17 ms.
+    void aLongRecord_isSearchedAsFarAsAnEchoMatters()
+    {
+        EchoRecord made{318e3, 0.02, 0.03, 15e-3};
+        made.samples = 400000;
+        const SensorTraits traits = traitsOf(made.f0_Hz, made.zeta);
+        const auto echo = findEcho(echoRecord(made), traits);
+        QVERIFY(echo && std::abs(echo->delay_s - 15e-3) < 1e-6);
+        made.delay_s = 25e-3;
+        // One of 4000 looks may find something by chance, which other shots would not confirm.
+        const auto late = findEcho(echoRecord(made), traits);
+        QVERIFY(!late || std::abs(late->delay_s - made.delay_s) > 1e-3);
+    }
+
     void withoutAnEcho_nothingIsFound_data()
     {
         QTest::addColumn<double>("f0_Hz");

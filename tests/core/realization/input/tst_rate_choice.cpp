@@ -172,6 +172,10 @@ private slots:
         traits.ringing[0].ringTime_s.reset();
         QCOMPARE(chooseSamples(2.5e6, traits), Index(500)); // 20 x 25
         QCOMPARE(chooseSamples(1e6, {}), Index(1000));
+        SensorTraits drifting;
+        drifting.riseTime_s = 25e-6;
+        drifting.drifts = true;
+        QCOMPARE(chooseSamples(2.5e6, drifting), Index(2000));
         // Part of a sample is a sample.
         QCOMPARE(chooseSamples(1.0001e6, ringing(1e4, 5e-5)), Index(601));
     }

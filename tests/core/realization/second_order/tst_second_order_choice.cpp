@@ -150,16 +150,24 @@ private slots:
         QVERIFY(one >= 37 * runs / 40);
     }
 
-    /// A slow part that the sensor has not: free poles describe it, the sensor alone does not.
-    void withADrift_theFreePolesWin()
+    /// A slow part that the sensor has not: a drift beside it is a third pole, one too fast for a
+    /// drift is described by free poles only.
+    void aSlowPart_isADriftOrWinsByFreePoles()
     {
-        const ModelInput input = testing::dampedShots(
-            [](std::size_t, double t_s) {
-                return testing::dampedStep(kF0_Hz, 1.1, t_s) + 0.05 * lag(3e3, t_s);
-            },
-            5, {0.001});
-        const auto [model, assessment] = modelOf(input, 3);
-        QVERIFY(!model.secondOrder);
+        const auto with = [](double share, double rate_Hz) {
+            return testing::dampedShots(
+                [=](std::size_t, double t_s) {
+                    return testing::dampedStep(kF0_Hz, 1.1, t_s) + share * lag(rate_Hz, t_s);
+                },
+                5, {0.001});
+        };
+        const auto [drifting, assessment] = modelOf(with(0.05, 3e3), 3);
+        QVERIFY(drifting.secondOrder);
+        QVERIFY(isInside(drifting.secondOrder->f0_Hz, kF0_Hz, drifting.secondOrder->u_f0_Hz, 3.0));
+        QCOMPARE(std::ssize(drifting.poles), Index(3));
+        QCOMPARE(drifting.slowPoles, std::vector<Index>{0});
+        QVERIFY(!modelOf(with(0.05, 3e3), 2).model.secondOrder); // three poles were not asked for
+        QVERIFY(!modelOf(with(0.2, 30e3), 3).model.secondOrder);
     }
 
     void nothingCompetes_withoutAPlateauOrBeyondOrder12()
@@ -173,11 +181,93 @@ private slots:
         unrefined.refine = false;
         QVERIFY(!fitModel(input, *hankel, 2, unrefined, {})->secondOrder);
         ModelDraft draft = linearDraft(input, {std::complex<double>(0.9)});
-        QVERIFY(betterSecondOrder(input, draft).has_value());
+        const auto rivals = secondOrderRivals(input, draft);
+        QVERIFY(leader(rivals, 2));
+        QVERIFY(!leader(rivals, 1));
         input.treatment = ResponseTreatment::Impulse;
-        QVERIFY(!betterSecondOrder(input, draft));
+        QVERIFY(secondOrderRivals(input, draft).empty());
         input.treatment = ResponseTreatment::StepAsImpulse;
-        QVERIFY(!betterSecondOrder(input, draft));
+        QVERIFY(secondOrderRivals(input, draft).empty());
+    }
+
+    /// Heat of 3 % with 0.5 ms behind a sensor of zeta 1.5: the drift is a third pole beside the
+    /// sensor's two. 32 of 40 fails in less than 1 % where 91 % hold.
+    void dampedSensorsBehindADrift_areFound()
+    {
+        constexpr double kTau_s = 0.5e-3, kShare = 0.03;
+        const int runs = trials::count(20, 200);
+        int three = 0, f0 = 0, level = 0;
+        for (int seed = 1; seed <= runs; ++seed) {
+            const ModelInput input = testing::dampedShots(
+                [&](std::size_t, double t_s) {
+                    // The drift is 200 times slower than the sensor: it answers to it at once.
+                    return testing::dampedStep(kF0_Hz, 1.5, t_s)
+                        * (1.0 - kShare * -std::expm1(-std::max(0.0, t_s) / kTau_s));
+                },
+                static_cast<std::uint64_t>(seed), {0.005, 0.0, 10e6, 2000});
+            const auto hankel = decomposeHankel(input, {});
+            const OrderSuggestion suggestion = suggestionFor(input, *hankel);
+            three += suggestion.order == 3;
+            const auto [model, assessment] = modelOf(input, 3);
+            const auto found = sensorResonance(&model, &assessment);
+            f0 += model.secondOrder && found
+                && isInside(
+                    found->frequency_Hz, kF0_Hz, found->u_frequency_Hz, found->coverageFactor);
+            level += isInside(model.series[2].level(), 0.9, model.series[2].u_level(), 2.0);
+        }
+        qInfo("of %d: order 3 %d, f0 %d, level %d", runs, three, f0, level);
+        QVERIFY(three >= 0.85 * runs);
+        QVERIFY(f0 >= (runs == 20 ? 15 : 182));
+        QVERIFY(level >= (runs == 20 ? 15 : 182));
+    }
+
+    /// zeta 3: the fast pole, 1.85 MHz, delays the response by 86 ns, which one pole alone takes
+    /// for a later onset. Its u holds the true one all the same.
+    void anOnsetThatASecondPoleMayMove_isUncertainByThat()
+    {
+        const int runs = trials::count(20, 200);
+        int onset = 0, pole = 0, alone = 0;
+        for (int seed = 1; seed <= runs; ++seed) {
+            const auto [model, assessment]
+                = modelOf(testing::dampedShots(kF0_Hz, 3.0, static_cast<std::uint64_t>(seed)), 1);
+            QVERIFY(!model.secondOrder);
+            QCOMPARE(std::ssize(model.draft.onsetsOfSecondPole_s), Index(3));
+            RandomStream random(static_cast<std::uint64_t>(seed), 0, 16);
+            const double truth_s = -random.nextUniform() / 10e6;
+            const SeriesFit &fit = model.series[0];
+            onset += isInside(fit.onset_s, truth_s, fit.u_onset_s, 2.0);
+            alone += isInside(fit.onset_s, truth_s,
+                std::sqrt(std::pow(fit.u_onset_s, 2)
+                    - std::pow(fit.onset_s - model.draft.onsetsOfSecondPole_s[0], 2)),
+                2.0);
+            const double slow_Hz = kF0_Hz / (3.0 + std::sqrt(8.0));
+            pole += isInside(
+                assessment.poles[0].frequency_Hz, slow_Hz, assessment.poles[0].u_frequency_Hz, 2.0);
+        }
+        qInfo("of %d: onset %d (%d by noise alone), pole %d", runs, onset, alone, pole);
+        QVERIFY(onset >= (runs == 20 ? 15 : 182));
+        QVERIFY(pole >= (runs == 20 ? 15 : 182));
+        QVERIFY(alone < onset);
+    }
+
+    void driftOf_isASlowPoleBesideTheOthers()
+    {
+        const auto draftOf = [](std::vector<std::complex<double>> poles) {
+            ModelDraft draft;
+            draft.series.push_back(
+                {1.0, Eigen::Map<Eigen::VectorXcd>(poles.data(), std::ssize(poles)),
+                    Eigen::VectorXcd::LinSpaced(std::ssize(poles), 0.1, 0.3)});
+            draft.poles_rad_s = std::move(poles);
+            return draft;
+        };
+        const auto drift = driftOf(draftOf({-1e3, {-2e4, 1e5}, {-2e4, -1e5}}));
+        QVERIFY(drift.has_value());
+        QCOMPARE(drift->rate_rad_s, -1e3);
+        QCOMPARE(drift->amplitude, std::vector<double>{0.1});
+        QVERIFY(!driftOf(draftOf({-1e3})));
+        QVERIFY(!driftOf(draftOf({-1e3, -9e3})));
+        QVERIFY(!driftOf(draftOf({{-1e3, 1e3}, {-1e3, -1e3}, -1e6})));
+        QVERIFY(!driftOf({}));
     }
 
     void theReason_namesBoth()

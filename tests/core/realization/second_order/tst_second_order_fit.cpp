@@ -163,6 +163,45 @@ private slots:
         }
     }
 
+    void sensorBehindADrift_isFound_data() { noiseFreeSteps_giveTheirSensor_data(); }
+    /// Pressure 1 - h + h e^(-t/tau) from the onset on; the search starts at half its rate.
+    void sensorBehindADrift_isFound()
+    {
+        QFETCH(double, zeta);
+        const double f0_Hz = 50e3, tau_s = 1.1e-3, h = 0.05;
+        ModelInput input = twoShots(f0_Hz, zeta);
+        for (ModelSeries &series : input.series) {
+            const double shot = static_cast<double>(series.shot);
+            series.y = 0.4 * shot * (1.0 - h)
+                * answerToTube(f0_Hz, zeta, 0.3 * shot, 400, {-1.0 / tau_s, h / (1.0 - h)});
+            series.fullRate = series.y;
+        }
+        SecondOrderStart start{1.02 * f0_Hz, 1.1 * zeta, {0.4, 0.8}, {0.0, 0.0}};
+        start.drift = {-0.5 / tau_s, {0.01, 0.02}};
+        const auto fit = fitSecondOrder(input, refinementRecords(input), {start});
+        QVERIFY(fit.has_value());
+        QVERIFY(std::abs(fit->sensor.f0_Hz / f0_Hz - 1.0) < 1e-6);
+        QVERIFY(std::abs(fit->sensor.zeta / zeta - 1.0) < 1e-6);
+        QCOMPARE(std::ssize(fit->refinement.poles_rad_s), Index(3));
+        QVERIFY(std::abs(fit->refinement.poles_rad_s[0].real() * tau_s + 1.0) < 1e-3);
+        QCOMPARE(fit->refinement.covariance.rows(), 3 + 2 * Index(4));
+        for (std::size_t r = 0; r < 2; ++r) {
+            const double shot = static_cast<double>(r + 1);
+            QVERIFY(std::abs(fit->sensor.shots[r].onset_s + 0.3e-6 * shot) < 1e-11);
+            QVERIFY(
+                std::abs(fit->sensor.shots[r].plateauGain / (0.4 * shot * (1.0 - h)) - 1.0) < 1e-4);
+        }
+    }
+
+    void aDriftAsFastAsTheSensor_isRefused()
+    {
+        const ModelInput input = twoShots(50e3, 1.5);
+        SecondOrderStart start{50e3, 1.5, {0.4, 0.8}, {0.0, 0.0}};
+        start.drift = {-1e5, {0.1, 0.2}};
+        const auto fit = fitSecondOrder(input, refinementRecords(input), {start});
+        QVERIFY(!fit || -fit->refinement.poles_rad_s[0].real() < 0.1 * 2e5);
+    }
+
     void sensorInTheTube_isFound_data() { noiseFreeSteps_giveTheirSensor_data(); }
     /// The step sets off a mode of 4 %: the ringing answers to it too.
     void sensorInTheTube_isFound()

@@ -34,7 +34,8 @@ ExponentialSum sumOf(const SecondOrderStep &step)
 {
     const Eigen::VectorXd x = step.exponentials();
     const auto modes = static_cast<Index>(step.modes.size());
-    const Index gains = 2 + 2 * modes;
+    const Index first = step.drifts();
+    const Index gains = first + 2 + 2 * modes;
     std::vector<Complex> poles;
     std::vector<Complex> amplitudes;
     const auto addPair = [&](Index at) {
@@ -43,15 +44,21 @@ ExponentialSum sumOf(const SecondOrderStep &step)
         poles.insert(poles.end(), {pole, std::conj(pole)});
         amplitudes.insert(amplitudes.end(), {half, std::conj(half)});
     };
+    const auto addReal = [&](Index at) {
+        poles.push_back(x[at]);
+        amplitudes.push_back(x[gains + at]);
+    };
+    if (step.drift)
+        addReal(0);
     if (step.rings()) {
-        addPair(0);
+        addPair(first);
     } else {
-        poles = {x[0], x[1]};
-        amplitudes = {x[gains], x[gains + 1]};
+        addReal(first);
+        addReal(first + 1);
     }
     for (Index i = 0; i < modes; ++i) {
         if (step.modes[static_cast<std::size_t>(i)].startsWithStep)
-            addPair(2 + 2 * i);
+            addPair(first + 2 + 2 * i);
     }
     return {x[x.size() - 1], Eigen::Map<const Eigen::VectorXcd>(poles.data(), std::ssize(poles)),
         Eigen::Map<const Eigen::VectorXcd>(amplitudes.data(), std::ssize(amplitudes))};
@@ -63,6 +70,11 @@ double pressure(const SecondOrderStep &step, double t)
 {
     const double omega = std::exp(step.logOmega);
     double sum = step.plateau;
+    if (step.drift) {
+        const double r = step.drift->rate / omega;
+        sum += step.drift->amplitude * std::exp(step.drift->rate * (t - step.onset))
+            * (r * r + 2.0 * step.zeta() * r + 1.0);
+    }
     for (const SecondOrderStep::Mode &mode : step.modes) {
         const Complex r = mode.pole / omega;
         if (mode.startsWithStep)
@@ -84,9 +96,12 @@ private slots:
     {
         QTest::addColumn<double>("zeta");
         QTest::addColumn<int>("modes");
+        QTest::addColumn<bool>("drifts");
         for (const double zeta : {1e-3, 0.05, 0.7, 0.99, 1.0, 1.01, 1.5, 30.0}) {
             for (const int modes : {0, 1, 3})
-                QTest::addRow("zeta %g, %d modes", zeta, modes) << zeta << modes;
+                QTest::addRow("zeta %g, %d modes", zeta, modes) << zeta << modes << false;
+            QTest::addRow("zeta %g, a drift", zeta) << zeta << 0 << true;
+            QTest::addRow("zeta %g, a drift, 1 mode", zeta) << zeta << 1 << true;
         }
     }
     void record_satisfiesTheSensorsEquation()
@@ -94,7 +109,10 @@ private slots:
         // y''/w^2 + 2 zeta y'/w + y = pressure behind the onset, and rest there.
         QFETCH(double, zeta);
         QFETCH(int, modes);
-        const SecondOrderStep step = stepOf(zeta, modes);
+        QFETCH(bool, drifts);
+        SecondOrderStep step = stepOf(zeta, modes);
+        if (drifts)
+            step.drift = {-0.004, 0.05};
         const ExponentialSum y = sumOf(step);
         const double omega = std::exp(step.logOmega);
         // Near zeta 1 two terms of opposite sign, each 1/distance large, make the record.
@@ -118,6 +136,12 @@ private slots:
         step.setParameters(values);
         QVERIFY(step.parameterValues() == values);
         QCOMPARE(step.modes[1].amplitude, Complex(values[10], values[11]));
+        step.drift.emplace();
+        const Eigen::VectorXd more = Eigen::VectorXd::LinSpaced(14, -1.0, 2.3);
+        step.setParameters(more);
+        QVERIFY(step.parameterValues() == more);
+        QCOMPARE(step.drift->rate, more[2]);
+        QCOMPARE(step.drift->amplitude, more[5]);
     }
 
     void derivatives_areThoseOfTheClosedForm_data()
