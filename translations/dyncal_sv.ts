@@ -5626,10 +5626,6 @@
         <translation>Normerat svar över frekvens: ur svaren utan modell och ur modellen</translation>
     </message>
     <message>
-        <source>The lower limit follows from the length of the window, the upper one from the noise and the sample rate. Frequencies are settings, without an uncertainty. No uncertainty is known of the model&apos;s values, which end at half the sample rate of the model. A dash means that the value was not determined.</source>
-        <translation>Den undre gränsen följer av fönstrets längd, den övre av bruset och samplingsfrekvensen. Frekvenserna är inställningar utan osäkerhet. För modellens värden är ingen osäkerhet känd; de slutar vid modellens halva samplingsfrekvens. Ett streck betyder att värdet inte bestämdes.</translation>
-    </message>
-    <message>
         <source>Of the %1 frequencies asked for, %2 lie outside these limits and have no line.</source>
         <translation>Av de %1 begärda frekvenserna ligger %2 utanför dessa gränser och har ingen rad.</translation>
     </message>
@@ -5684,10 +5680,6 @@
     <message>
         <source>The size of the step is not known: no sensitivity is stated, and all magnitudes are relative.</source>
         <translation>Stegets storlek är inte känd: ingen känslighet anges, och alla belopp är relativa.</translation>
-    </message>
-    <message>
-        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes. A complete uncertainty budget was not evaluated. A result without an uncertainty beside it has none that is known, and is rounded to three significant digits; settings and readings are quoted with four at most.</source>
-        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2 och innehåller bara bidraget från registreringarnas brus. Någon fullständig osäkerhetsbudget har inte beräknats. Ett resultat utan osäkerhet bredvid sig har ingen som är känd och är avrundat till tre värdesiffror; inställningar och avläsningar återges med högst fyra.</translation>
     </message>
     <message>
         <source>Signal to noise is the largest deflection over the standard deviation of the noise before it. No uncertainty is known of the deflection: it has three significant digits.</source>
@@ -6022,14 +6014,6 @@
         <translation>Osäkerheten för ”%1” i uncertainty.budget används inte till något: det som är känt om dämpningen är området shock.attenuation_per_m.</translation>
     </message>
     <message>
-        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes, and those of the frequency response what sampling and the end of the records may change, not the uncertainty of the pressure step; that of the sensitivity alone contains both. A complete uncertainty budget was not evaluated. A result without an uncertainty beside it has none that is known, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
-        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2 och innehåller bara bidraget från registreringarnas brus, och frekvensgångens även vad sampling och registreringarnas slut kan ändra, inte tryckstegets osäkerhet; bara känslighetens innehåller båda. Någon fullständig osäkerhetsbudget har inte beräknats. Ett resultat utan osäkerhet bredvid sig har ingen som är känd och är avrundat till tre värdesiffror; inställningar och avläsningar återges med högst fyra. Stigtid, översläng, insvängningstid och bandgränser är modellens, så långt registreringar och modell räcker.</translation>
-    </message>
-    <message>
-        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes, and those of the frequency response what sampling and the end of the records may change. A complete uncertainty budget was not evaluated. A result without an uncertainty beside it has none that is known, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
-        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2 och innehåller bara bidraget från registreringarnas brus, och frekvensgångens även vad sampling och registreringarnas slut kan ändra. Någon fullständig osäkerhetsbudget har inte beräknats. Ett resultat utan osäkerhet bredvid sig har ingen som är känd och är avrundat till tre värdesiffror; inställningar och avläsningar återges med högst fyra. Stigtid, översläng, insvängningstid och bandgränser är modellens, så långt registreringar och modell räcker.</translation>
-    </message>
-    <message>
         <source>The response taken from the data is withheld at %1 of %2 frequencies, from %3 to %4: what the end of the record cuts off may change it there by more than its noise and 2 %. Use a longer window, or only what the model says there.</source>
         <translation>Svaret taget direkt ur data anges inte vid %1 av %2 frekvenser, från %3 till %4: det som registreringens slut skär av kan ändra det där med mer än dess brus och 2 %. Använd ett längre fönster, eller bara vad modellen säger där.</translation>
     </message>
@@ -6060,6 +6044,42 @@
     <message>
         <source>A second-order sensor (damping ratio %1) describes the records better than order %2, by their BIC: of a response damped that much the realised poles tell little.</source>
         <translation>En givare av andra ordningen (dämpkvot %1) beskriver registreringarna bättre än ordning %2, enligt deras BIC: om ett så dämpat svar säger de realiserade polerna föga.</translation>
+    </message>
+    <message>
+        <source>The lower limit follows from the length of the window, the upper one from the noise and the sample rate. Frequencies are settings, without an uncertainty. The model&apos;s values have the digits that their uncertainty allows; they end at half the sample rate of the model. A dash means that the value, or its complete uncertainty, was not determined.</source>
+        <translation>Den undre gränsen följer av fönstrets längd, den övre av bruset och samplingsfrekvensen. Frekvenser är inställningar, utan osäkerhet. Modellens värden har de siffror som deras osäkerhet medger; de slutar vid modellens halva samplingsfrekvens. Ett streck betyder att värdet, eller dess fullständiga osäkerhet, inte har bestämts.</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the sensitivity contain the pressure step, the shots, the noise, gain, linearity and mounting; those of the frequency response also the end of the records, the sampling, the front and a drift; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: gain 0.5 %, linearity and mounting 0.1 %, clock 50 ppm, a front of up to 100 ns. The budget of every value is in results.json. A result without an uncertainty beside it has none that is complete, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
+        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en konfidensnivå av ungefär 95 % (GUM, JCGM 100). Känslighetens innehåller tryckstegets, skottens och brusets bidrag, förstärkning, linjäritet och montering; frekvensgångens även registreringens slut, samplingen, fronten och en drift; frekvensers och tiders brus och samplingsklocka. Det som inte har angetts räknas med det vanliga intervallet: förstärkning 0,5 %, linjäritet och montering 0,1 %, klocka 50 ppm, en front på upp till 100 ns. Varje värdes budget finns i results.json. Ett resultat utan osäkerhet bredvid sig har ingen som är fullständig och är avrundat till tre gällande siffror; inställningar och avläsningar anges med högst fyra. Stigtid, översläng, insvängningstid och bandgränser är modellens, så långt som registreringar och modell räcker.</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the frequency response contain the noise of the recordings and of the level, the end of the records, the sampling, the front and a drift; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: clock 50 ppm, a front of up to 100 ns. The budget of every value is in results.json. A result without an uncertainty beside it has none that is complete, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
+        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en konfidensnivå av ungefär 95 % (GUM, JCGM 100). Frekvensgångens innehåller registreringarnas och nivåns brus, registreringens slut, samplingen, fronten och en drift; frekvensers och tiders brus och samplingsklocka. Det som inte har angetts räknas med det vanliga intervallet: klocka 50 ppm, en front på upp till 100 ns. Varje värdes budget finns i results.json. Ett resultat utan osäkerhet bredvid sig har ingen som är fullständig och är avrundat till tre gällande siffror; inställningar och avläsningar anges med högst fyra. Stigtid, översläng, insvängningstid och bandgränser är modellens, så långt som registreringar och modell räcker.</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). They contain the noise of the recordings and, of frequencies, the sample clock, which counts with 50 ppm unless it was stated. A result without an uncertainty beside it has none that is complete, and is rounded to three significant digits; settings and readings are quoted with four at most.</source>
+        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en konfidensnivå av ungefär 95 % (GUM, JCGM 100). De innehåller registreringarnas brus och, för frekvenser, samplingsklockan, som räknas med 50 ppm om den inte har angetts. Ett resultat utan osäkerhet bredvid sig har ingen som är fullständig och är avrundat till tre gällande siffror; inställningar och avläsningar anges med högst fyra.</translation>
+    </message>
+    <message>
+        <source>the model was not refined</source>
+        <translation>modellen har inte förfinats</translation>
+    </message>
+    <message>
+        <source>that of the pressure step or of a level is not known</source>
+        <translation>tryckstegets eller en nivås osäkerhet är inte känd</translation>
+    </message>
+    <message>
+        <source>The sensitivity has no complete uncertainty: that of the level at the onset is not known. Refine the model, or choose an order whose level is known.</source>
+        <translation>Känsligheten har ingen fullständig osäkerhet: den för nivån vid stegets början är inte känd. Förfina modellen, eller välj en ordning vars nivå är känd.</translation>
+    </message>
+    <message>
+        <source>The sensitivity has no complete uncertainty (%1). State what is missing in uncertainty.budget or in the capture; without it no sensitivity is a result.</source>
+        <translation>Känsligheten har ingen fullständig osäkerhet (%1). Ange det som saknas i uncertainty.budget eller i registreringen; utan den är ingen känslighet ett resultat.</translation>
+    </message>
+    <message>
+        <source>%1 is %2 % of the variance of the sensitivity: to know it better is what makes its uncertainty smaller.</source>
+        <translation>%1 är %2 % av känslighetens varians: att känna den bättre är vad som gör osäkerheten mindre.</translation>
     </message>
 </context>
 <context>

@@ -106,7 +106,7 @@ int exportJob(const ExportOptions &options)
         = FolderWrite::begin(modelFolder(options.output, *job->captures, readBeside(options)));
     if (!folder)
         return report(folder.error());
-    const PipelineOutcome outcome = calibrate(*job->captures, *recipe, StageId::Assessment);
+    const PipelineOutcome outcome = calibrate(*job->captures, *recipe, StageId::Uncertainty);
     if (outcome.error && outcome.error->kind == ErrorKind::FileUnreadable)
         return report(*outcome.error);
     if (!mayPublish(outcome))

@@ -49,9 +49,10 @@ void addModel(std::string &text, const CalibrationResults &results)
 {
     if (const auto pole = sensorResonance(results.model.get(), results.assessment.get())) {
         addLine(text, "Natural frequency f0",
-            roundedTextWithU(pole->frequency_Hz, pole->u_frequency_Hz, "Hz"));
+            roundedTextWithU(pole->frequency_Hz, uOf(results.uncertainty.get(), "f0_hz"), "Hz"));
         addLine(text, "Damping ratio zeta",
-            roundedTextWithU(pole->dampingRatio, pole->u_dampingRatio, ""));
+            roundedTextWithU(
+                pole->dampingRatio, uOf(results.uncertainty.get(), "damping_ratio"), ""));
     } else {
         addLine(text, "Natural frequency f0", "none: the model has no oscillating sensor pole");
     }
@@ -77,14 +78,15 @@ void addSensitivity(
         return;
     }
     // The prefix belongs to the numerator, so "V/Pa" becomes "uV/Pa".
-    const double u = response.summary.mean ? response.summary.mean->u.value_or(kUnknown) : kUnknown;
+    const UncertaintyReport *report = results.uncertainty.get();
     addLine(text, "Sensitivity",
-        roundedTextWithU(*response.sensitivity, u, presentable(response.sensitivityUnit)));
-    for (const ShotSensitivity &shot : response.shots) {
+        roundedTextWithU(
+            *response.sensitivity, uOfSensitivity(report), presentable(response.sensitivityUnit)));
+    for (std::size_t i = 0; i < response.shots.size(); ++i) {
+        const ShotSensitivity &shot = response.shots[i];
         if (shot.sensitivity)
             addLine(text, "  shot " + std::to_string(shot.shot),
-                roundedTextWithU(
-                    *shot.sensitivity, shot.u.value_or(kUnknown), presentable(shot.unit)));
+                roundedTextWithU(*shot.sensitivity, uOfShot(report, i), presentable(shot.unit)));
     }
 }
 

@@ -28,10 +28,12 @@ Message cell(double value, double u, std::string_view unit, double k = kCoverage
     return std::isfinite(value) ? valueCell(value, u, unit, k) : dash();
 }
 
-/// A value of the model, whose own uncertainty is not known: three digits, fewer where that of the
-/// measured value beside it asks for fewer.
-Message modelCell(double value, double uMeasured, std::string_view unit)
+/// A value of the model, to the digits of its uncertainty; three where that is not known, fewer
+/// where that of the measured value beside it asks for fewer.
+Message modelCell(double value, double u, double uMeasured, std::string_view unit)
 {
+    if (std::isfinite(u))
+        return cell(value, u, unit);
     const double U = kCoverageFactor * uMeasured;
     const bool isCoarse
         = value != 0.0 && U >= std::pow(10.0, std::floor(std::log10(std::abs(value))) - 1.0);
@@ -78,28 +80,32 @@ std::string frequencyText(const std::vector<double> &sorted, double frequency_Hz
                                                 : settingText(frequency_Hz, "Hz");
 }
 
-std::vector<Message> frequencyRow(
-    const ResponseResult &response, const std::vector<double> &sorted, Index i)
+std::vector<Message> frequencyRow(const ResponseResult &response, const RowUncertainty &rows,
+    const std::vector<double> &sorted, Index i)
 {
     const std::string unit = response.unit == "1" ? "" : response.unit;
     const double magnitude = valueAt(response.magnitude, i);
-    const double uMagnitude = valueAt(response.u_magnitude, i);
+    const double uMagnitude = valueAt(rows.u_magnitude, i);
     const double phase = kDegreesPerRadian * valueAt(response.phase_rad, i);
-    const double uPhase = kDegreesPerRadian * valueAt(response.u_phase_rad, i);
+    const double uPhase = kDegreesPerRadian * valueAt(rows.u_phase_rad, i);
     const double f_Hz = response.frequency_Hz[i];
     const bool isModelled = !(f_Hz > (1.0 + kRoundingOfLimit) * response.modelLimit_Hz);
-    const double k = printedCoverage(coverageFactorAt(response, i));
+    const double k = printedCoverage(valueAt(rows.k_magnitude, i));
+    const double kPhase = printedCoverage(valueAt(rows.k_phase, i));
     return {verbatim(frequencyText(sorted, f_Hz)), cell(magnitude, uMagnitude, unit, k),
         std::isfinite(magnitude) ? expandedCell(magnitude, uMagnitude, unit, k) : dash(),
-        cell(phase, uPhase, "\xC2\xB0", k),
-        std::isfinite(phase) ? expandedCell(phase, uPhase, "\xC2\xB0", k) : dash(),
-        isModelled ? modelCell(valueAt(response.modelMagnitude, i), uMagnitude, unit) : dash(),
-        isModelled
-            ? modelCell(kDegreesPerRadian * valueAt(response.modelPhase_rad, i), uPhase, "\xC2\xB0")
-            : dash()};
+        cell(phase, uPhase, "\xC2\xB0", kPhase),
+        std::isfinite(phase) ? expandedCell(phase, uPhase, "\xC2\xB0", kPhase) : dash(),
+        isModelled ? modelCell(valueAt(response.modelMagnitude, i),
+            valueAt(rows.u_modelMagnitude, i), uMagnitude, unit)
+                   : dash(),
+        isModelled ? modelCell(kDegreesPerRadian * valueAt(response.modelPhase_rad, i),
+            kDegreesPerRadian * valueAt(rows.u_modelPhase_rad, i), uPhase, "\xC2\xB0")
+                   : dash()};
 }
 
-CertificateTable frequencyTable(const ResponseResult &response, const std::vector<Index> &rows)
+CertificateTable frequencyTable(const ResponseResult &response, const RowUncertainty &uncertainty,
+    const std::vector<Index> &rows)
 {
     CertificateTable table;
     table.id = "frequency-response";
@@ -119,7 +125,7 @@ CertificateTable frequencyTable(const ResponseResult &response, const std::vecto
         {{DYNCAL_TEXT("core", "Model, phase"), {}}, true}};
     const std::vector<double> sorted = sortedFrequencies(response);
     for (const Index i : rows)
-        table.rows.push_back(frequencyRow(response, sorted, i));
+        table.rows.push_back(frequencyRow(response, uncertainty, sorted, i));
     return table;
 }
 
@@ -127,7 +133,7 @@ void addNotes(const ResponseResult &response, std::size_t rows, CertificateSecti
 {
     section.notes.push_back(
         {DYNCAL_TEXT("core",
-             "The lower limit follows from the length of the window, the upper one from the noise and the sample rate. Frequencies are settings, without an uncertainty. No uncertainty is known of the model's values, which end at half the sample rate of the model. A dash means that the value was not determined."),
+             "The lower limit follows from the length of the window, the upper one from the noise and the sample rate. Frequencies are settings, without an uncertainty. The model's values have the digits that their uncertainty allows; they end at half the sample rate of the model. A dash means that the value, or its complete uncertainty, was not determined."),
             {}});
     section.notes.push_back(
         {DYNCAL_TEXT("core",
@@ -177,7 +183,8 @@ CertificateSection frequencyResponseSection(const CalibrationResults &results, c
             setting(response.fHigh_Hz, "Hz"), false}};
     const std::vector<Index> rows = rowsInBand(response);
     if (!rows.empty())
-        section.tables.push_back(frequencyTable(response, rows));
+        section.tables.push_back(frequencyTable(
+            response, results.uncertainty ? results.uncertainty->rows : RowUncertainty(), rows));
     addNotes(response, rows.size(), section);
     return section;
 }

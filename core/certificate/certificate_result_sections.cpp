@@ -25,6 +25,12 @@ Message noModel()
     return {DYNCAL_TEXT("core", "not determined (no model)"), {}};
 }
 
+/// What is reported of the model, with its complete uncertainty; null where it is not.
+const ReportedValue *reportedOf(const CalibrationResults &results, const char *of)
+{
+    return results.uncertainty ? results.uncertainty->find(of) : nullptr;
+}
+
 void addResonance(const CalibrationResults &results, CertificateSection &section)
 {
     const auto found = sensorResonance(results.model.get(), results.assessment.get());
@@ -32,35 +38,48 @@ void addResonance(const CalibrationResults &results, CertificateSection &section
     const Message none = results.model
         ? Message{DYNCAL_TEXT("core", "not determined (the model does not oscillate)"), {}}
         : noModel();
-    const auto add = [&](const char *id, Message label, double value, double u, const char *unit) {
-        section.fields.push_back({id, std::move(label),
-            found ? printedWithUncertainty(value, u, unit, printedCoverage(shown.coverageFactor))
-                  : none,
-            false});
-    };
-    add("natural_frequency", {DYNCAL_TEXT("core", "Undamped natural frequency"), {}},
-        shown.frequency_Hz, shown.u_frequency_Hz, "Hz");
-    add("damping_ratio", {DYNCAL_TEXT("core", "Damping ratio"), {}}, shown.dampingRatio,
-        shown.u_dampingRatio, "");
+    const auto add
+        = [&](const char *id, Message label, const char *of, double value, const char *unit) {
+              const ReportedValue *reported = reportedOf(results, of);
+              const double u = reported && reported->u ? *reported->u : kUnknown;
+              section.fields.push_back({id, std::move(label),
+                  found ? printedWithUncertainty(
+                      value, u, unit, printedCoverage(reported ? reported->k : kUnknown))
+                        : none,
+                  false});
+          };
+    add("natural_frequency", {DYNCAL_TEXT("core", "Undamped natural frequency"), {}}, "f0_hz",
+        shown.frequency_Hz, "Hz");
+    add("damping_ratio", {DYNCAL_TEXT("core", "Damping ratio"), {}}, "damping_ratio",
+        shown.dampingRatio, "");
 }
 
 void addCharacteristics(const CalibrationResults &results, CertificateSection &section)
 {
     const StatedCharacteristics found
         = results.response ? statedCharacteristics(*results.response) : StatedCharacteristics();
-    const auto add = [&](const char *id, Message label, const StatedValue &value) {
-        section.fields.push_back(
-            {id, std::move(label), results.response ? value.words : noModel(), false});
+    const auto add = [&](const char *id, Message label, const StatedValue &value, const char *of) {
+        const ReportedValue *reported = reportedOf(results, of);
+        const bool known = value.value && reported && reported->u;
+        section.fields.push_back({id, std::move(label),
+            known ? printedWithUncertainty(
+                *value.value, *reported->u, reported->unit, printedCoverage(reported->k))
+                : results.response ? value.words
+                                   : noModel(),
+            false});
     };
-    add("rise_time", {DYNCAL_TEXT("core", "Rise time, 10 % to 90 %"), {}}, found.riseTime_s);
-    add("overshoot", {DYNCAL_TEXT("core", "Overshoot"), {}}, found.overshoot_percent);
+    add("rise_time", {DYNCAL_TEXT("core", "Rise time, 10 % to 90 %"), {}}, found.riseTime_s,
+        "rise_time_s");
+    add("overshoot", {DYNCAL_TEXT("core", "Overshoot"), {}}, found.overshoot_percent,
+        "overshoot_percent");
     add("settling_time", {DYNCAL_TEXT("core", "Settling time, within 5 %"), {}},
-        found.settlingTime_s);
+        found.settlingTime_s, "settling_time_s");
     add("within_5_percent", {DYNCAL_TEXT("core", "Magnitude within 5 % up to"), {}},
-        found.within5percent_Hz);
+        found.within5percent_Hz, "within_5_percent_hz");
     add("within_10_percent", {DYNCAL_TEXT("core", "Magnitude within 10 % up to"), {}},
-        found.within10percent_Hz);
-    add("minus_3_db", {DYNCAL_TEXT("core", "Magnitude above -3 dB up to"), {}}, found.minus3dB_Hz);
+        found.within10percent_Hz, "within_10_percent_hz");
+    add("minus_3_db", {DYNCAL_TEXT("core", "Magnitude above -3 dB up to"), {}}, found.minus3dB_Hz,
+        "minus_3_db_hz");
 }
 
 Message riseCell(const WindowedResponse &response)

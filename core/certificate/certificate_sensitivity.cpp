@@ -21,21 +21,23 @@ Message notDetermined(const ResponseResult *response)
                    : Message{DYNCAL_TEXT("core", "not determined (no pressure step)"), {}};
 }
 
-Message textOf(const SensitivityMean &mean, const ResponseResult &response)
+/// A mean with its complete uncertainty.
+Message textOf(double value, const ReportedValue *reported, const ResponseResult &response)
 {
-    if (!mean.u)
-        return printed(mean.value, response.sensitivityUnit, notDetermined(&response));
+    if (!reported || !reported->u)
+        return printed(value, response.sensitivityUnit, notDetermined(&response));
     return printedWithUncertainty(
-        mean.value, *mean.u, response.sensitivityUnit, printedCoverage(mean.k));
+        value, *reported->u, response.sensitivityUnit, printedCoverage(reported->k));
 }
 
-Message meanText(const ResponseResult *response)
+Message meanText(const CalibrationResults &results)
 {
+    const ResponseResult *response = results.response.get();
     if (!response || !response->sensitivity)
         return notDetermined(response);
-    SensitivityMean mean = response->summary.mean.value_or(SensitivityMean{});
-    mean.value = *response->sensitivity;
-    return textOf(mean, *response);
+    const bool reported = results.uncertainty && results.uncertainty->sensitivity;
+    return textOf(
+        *response->sensitivity, reported ? &*results.uncertainty->sensitivity : nullptr, *response);
 }
 
 /// Where the shots disagree a mean over levels says nothing: each level stands for itself.
@@ -53,11 +55,14 @@ Message levelLabel(ShotLevel level)
     return {DYNCAL_TEXT("core", "Sensitivity at the onset of the step, high level"), {}};
 }
 
-void addLevels(const ResponseResult &response, CertificateSection &section)
+void addLevels(const CalibrationResults &results, CertificateSection &section)
 {
-    for (const SensitivityMean &level : response.summary.perLevel)
-        section.fields.push_back(
-            {"sensitivity_level", levelLabel(level.level), textOf(level, response), false});
+    const std::vector<SensitivityMean> &levels = results.response->summary.perLevel;
+    for (std::size_t i = 0; i < levels.size(); ++i) {
+        const ReportedValue *reported = levelOf(results.uncertainty.get(), i);
+        section.fields.push_back({"sensitivity_level", levelLabel(levels[i].level),
+            textOf(levels[i].value, reported, *results.response), false});
+    }
 }
 
 Message meanLabel(const ResponseResult *response)
@@ -71,11 +76,12 @@ Message meanLabel(const ResponseResult *response)
         {}};
 }
 
-void addMean(const ResponseResult *response, CertificateSection &section)
+void addMean(const CalibrationResults &results, CertificateSection &section)
 {
+    const ResponseResult *response = results.response.get();
     const Message value = isByLevel(response)
         ? Message{DYNCAL_TEXT("core", "one value per level (the shots do not agree)"), {}}
-        : meanText(response);
+        : meanText(results);
     section.fields.push_back({"sensitivity", meanLabel(response), value, false});
 }
 
@@ -106,11 +112,11 @@ void addDrift(const ResponseResult &response, CertificateSection &section)
 void addSensitivity(const CalibrationResults &results, CertificateSection &section)
 {
     const ResponseResult *response = results.response.get();
-    addMean(response, section);
+    addMean(results, section);
     if (!response)
         return;
     if (isByLevel(response))
-        addLevels(*response, section);
+        addLevels(results, section);
     addTrend(response->summary, section);
     addDrift(*response, section);
 }
@@ -123,9 +129,11 @@ Message shotSensitivityText(const CalibrationResults &results, Index shot)
     const auto entry = std::ranges::find(results.response->shots, shot, &ShotSensitivity::shot);
     if (entry == results.response->shots.end() || !entry->sensitivity)
         return none;
-    return entry->u ? printedWithUncertainty(
-               *entry->sensitivity, *entry->u, entry->unit, printedCoverage(entry->k))
-                    : printed(entry->sensitivity, entry->unit, none);
+    const auto at = static_cast<std::size_t>(entry - results.response->shots.begin());
+    const double u = uOfShot(results.uncertainty.get(), at);
+    return std::isfinite(u)
+        ? printedWithUncertainty(*entry->sensitivity, u, entry->unit, printedCoverage(entry->k))
+        : printed(entry->sensitivity, entry->unit, none);
 }
 
 } // namespace dyncal

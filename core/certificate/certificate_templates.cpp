@@ -83,19 +83,19 @@ Message uncertaintyNote(CalibrationKind kind)
     case TypedStep:
         return {
             DYNCAL_TEXT("core",
-                "Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes, and those of the frequency response what sampling and the end of the records may change, not the uncertainty of the pressure step; that of the sensitivity alone contains both. A complete uncertainty budget was not evaluated. A result without an uncertainty beside it has none that is known, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach."),
+                "Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the sensitivity contain the pressure step, the shots, the noise, gain, linearity and mounting; those of the frequency response also the end of the records, the sampling, the front and a drift; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: gain 0.5 %, linearity and mounting 0.1 %, clock 50 ppm, a front of up to 100 ns. The budget of every value is in results.json. A result without an uncertainty beside it has none that is complete, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach."),
             {}};
     case UnknownStep:
         return {
             DYNCAL_TEXT("core",
-                "Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes, and those of the frequency response what sampling and the end of the records may change. A complete uncertainty budget was not evaluated. A result without an uncertainty beside it has none that is known, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach."),
+                "Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the frequency response contain the noise of the recordings and of the level, the end of the records, the sampling, the front and a drift; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: clock 50 ppm, a front of up to 100 ns. The budget of every value is in results.json. A result without an uncertainty beside it has none that is complete, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach."),
             {}};
     case FreeDecay:
         break;
     }
     return {
         DYNCAL_TEXT("core",
-            "Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2 and contain only what the noise of the recordings contributes. A complete uncertainty budget was not evaluated. A result without an uncertainty beside it has none that is known, and is rounded to three significant digits; settings and readings are quoted with four at most."),
+            "Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). They contain the noise of the recordings and, of frequencies, the sample clock, which counts with 50 ppm unless it was stated. A result without an uncertainty beside it has none that is complete, and is rounded to three significant digits; settings and readings are quoted with four at most."),
         {}};
 }
 

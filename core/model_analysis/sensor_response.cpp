@@ -173,6 +173,7 @@ void state(const RecordResponse::Point &point, Index k, ResponseResult &result)
         return;
     result.magnitude[k] = point.magnitude;
     result.u_noiseMagnitude[k] = point.u_magnitude;
+    result.u_frontMagnitude[k] = point.u_front;
     result.u_magnitude[k] = std::hypot(point.u_magnitude, ofBounds(point), point.u_front);
     // Only that of the noise rests on a record (Welch-Satterthwaite).
     const double u = result.u_magnitude[k];
@@ -189,9 +190,10 @@ void state(const RecordResponse::Point &point, Index k, ResponseResult &result)
 void measure(const RecordResponse &records, double rate_Hz, ResponseResult &result)
 {
     const Index count = result.frequency_Hz.size();
-    for (auto *values : {&result.magnitude, &result.u_magnitude, &result.u_noiseMagnitude,
-             &result.phase_rad, &result.u_phase_rad, &result.u_noisePhase_rad, &result.dof,
-             &result.boundEnd, &result.boundAlias, &result.length_s})
+    for (auto *values :
+        {&result.magnitude, &result.u_magnitude, &result.u_noiseMagnitude, &result.u_frontMagnitude,
+            &result.phase_rad, &result.u_phase_rad, &result.u_noisePhase_rad, &result.dof,
+            &result.boundEnd, &result.boundAlias, &result.length_s})
         values->setConstant(count, kUnknown);
     result.withheld.assign(static_cast<std::size_t>(count), WithheldReason::AboveRate);
     for (Index k = 0; k < count; ++k)

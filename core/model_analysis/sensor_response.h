@@ -36,8 +36,9 @@ struct ResponseResult
 {
     Eigen::VectorXd frequency_Hz; ///< by the recipe; a grid lies inside the usable band
     Eigen::VectorXd magnitude; ///< non-parametric, docs/method/response.md; empty for impulse
-    Eigen::VectorXd u_magnitude; ///< noise and both bounds
+    Eigen::VectorXd u_magnitude; ///< noise, both bounds and the front
     Eigen::VectorXd u_noiseMagnitude;
+    Eigen::VectorXd u_frontMagnitude;
     Eigen::VectorXd phase_rad;
     Eigen::VectorXd u_phase_rad; ///< the same, and the onset
     Eigen::VectorXd u_noisePhase_rad; ///< with the onset, without the bounds

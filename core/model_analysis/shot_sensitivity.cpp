@@ -25,38 +25,26 @@ constexpr double kUnstated = 0.01; ///< u of a shot in the comparison where none
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr auto kOfStep = static_cast<Index>(StepResult::Step);
 
-/// A part of u with its degrees of freedom.
-struct Part
-{
-    double u = 0.0;
-    double dof = kInfinite;
-};
-
-struct Combined
-{
-    double u = 0.0;
-    double dof = kInfinite;
-};
-
-/// Welch-Satterthwaite (GUM G.4.1).
-Combined combined(const std::vector<Part> &parts)
-{
-    double variance = 0.0;
-    double fourth = 0.0;
-    for (const Part &part : parts) {
-        variance += part.u * part.u;
-        if (std::isfinite(part.dof) && part.dof > 0.0)
-            fourth += std::pow(part.u, 4) / part.dof;
-    }
-    return {std::sqrt(variance), fourth > 0.0 ? variance * variance / fourth : kInfinite};
-}
-
 /// Relative parts of the shots' uncertainties: own ones, and of every common input one row.
 struct Parts
 {
-    std::vector<std::vector<Part>> own; ///< per shot
-    std::map<std::string, std::vector<Part>> common; ///< per input, per shot
+    std::vector<std::vector<UncertaintyLine>> own; ///< per shot
+    std::map<std::string, std::vector<UncertaintyLine>> common; ///< per input, per shot
 };
+
+/// What an input of the step does to a shot's sensitivity: a larger step makes it smaller.
+UncertaintyLine partOf(const BudgetLine &line, const ShotSensitivity &shot)
+{
+    UncertaintyLine part;
+    part.quantity = line.input.quantity;
+    part.value = line.input.value;
+    part.u = line.input.u;
+    part.distribution = line.input.distribution;
+    part.dof = line.input.dof;
+    part.contribution = -line.contribution[kOfStep] / *shot.step_Pa;
+    part.sensitivity = part.u > 0.0 ? part.contribution / part.u : 0.0;
+    return part;
+}
 
 bool isComplete(
     const std::vector<ShotSensitivity> &shots, const std::vector<const StepUncertainty *> &steps)
@@ -74,13 +62,15 @@ Parts partsOf(
     parts.own.resize(shots.size());
     for (std::size_t i = 0; i < shots.size(); ++i) {
         if (!shots[i].u || !steps[i]) {
-            parts.own[i].push_back({kUnstated, kInfinite});
+            parts.own[i].push_back(directLine("unstated", kUnstated));
             continue;
         }
-        parts.own[i].push_back({shots[i].uLevel_relative, kInfinite});
+        parts.own[i].push_back(directLine(kLevelRelative, shots[i].uLevel_relative));
+        parts.own[i].back().shot = shots[i].shot;
         for (const BudgetLine &line : steps[i]->budget.lines) {
-            const Part part{line.contribution[kOfStep] / *shots[i].step_Pa, line.input.dof};
+            UncertaintyLine part = partOf(line, shots[i]);
             if (!line.input.common) {
+                part.shot = shots[i].shot;
                 parts.own[i].push_back(part);
                 continue;
             }
@@ -106,7 +96,7 @@ Eigen::MatrixXd covarianceOf(const Parts &parts)
     for (const auto &[quantity, row] : parts.common) {
         Eigen::VectorXd c(n);
         for (Index i = 0; i < n; ++i)
-            c[i] = row[static_cast<std::size_t>(i)].u;
+            c[i] = row[static_cast<std::size_t>(i)].contribution;
         V += c * c.transpose();
     }
     return V;
@@ -133,7 +123,29 @@ GeneralisedFit fitted(const Eigen::MatrixXd &X, const Eigen::VectorXd &r, const 
 }
 
 /// The scatter that takes the place of the shots' own parts, of one shot.
-using Scatter = std::optional<Part>;
+using Scatter = std::optional<CombinedUncertainty>;
+
+/// A line of a mean over `n` shots of which it is one.
+UncertaintyLine oneOf(UncertaintyLine line, double n)
+{
+    line.sensitivity /= n;
+    line.contribution /= n;
+    return line;
+}
+
+/// The common input of every shot as one line of their mean.
+UncertaintyLine meanLine(
+    const std::vector<UncertaintyLine> &row, const std::vector<std::size_t> &of)
+{
+    const auto n = static_cast<double>(of.size());
+    UncertaintyLine line = row[of.front()];
+    line.sensitivity = line.contribution = 0.0;
+    for (const std::size_t i : of) {
+        line.sensitivity += row[i].sensitivity / n;
+        line.contribution += row[i].contribution / n;
+    }
+    return line;
+}
 
 SensitivityMean meanOf(const std::vector<ShotSensitivity> &shots,
     const std::vector<std::size_t> &of, const std::optional<Parts> &parts, const Scatter &scatter)
@@ -145,21 +157,16 @@ SensitivityMean meanOf(const std::vector<ShotSensitivity> &shots,
     SensitivityMean mean{ShotLevel::None, sum / n, {}, kUnknown, kUnknown};
     if (!parts)
         return mean;
-    std::vector<Part> all;
-    for (const auto &[quantity, row] : parts->common) {
-        double u = 0.0;
-        for (const std::size_t i : of)
-            u += row[i].u / n;
-        all.push_back({u, row[of.front()].dof});
-    }
+    for (const auto &[quantity, row] : parts->common)
+        mean.lines.push_back(meanLine(row, of));
     if (scatter) {
-        all.push_back({scatter->u / std::sqrt(n), scatter->dof});
+        mean.lines.push_back(directLine(kScatterOfShots, scatter->u / std::sqrt(n), scatter->dof));
     } else {
         for (const std::size_t i : of)
-            for (const Part &part : parts->own[i])
-                all.push_back({part.u / n, part.dof});
+            for (const UncertaintyLine &part : parts->own[i])
+                mean.lines.push_back(oneOf(part, n));
     }
-    const Combined u = combined(all);
+    const CombinedUncertainty u = combined(mean.lines);
     mean.u = std::abs(mean.value) * u.u;
     mean.dof = u.dof;
     mean.k = coverageFactor(u.dof, kCoverage);
@@ -304,8 +311,9 @@ void addUncertainty(const StepUncertainty *step, double levelDof, ShotSensitivit
     const auto u_step_Pa = step ? step->u(StepResult::Step) : std::nullopt;
     if (!u_step_Pa || !shot.sensitivity || !shot.step_Pa || !std::isfinite(shot.uLevel_relative))
         return;
-    const Combined u = combined({{*u_step_Pa / *shot.step_Pa, step->budget.dof[kOfStep]},
-        {shot.uLevel_relative, levelDof > 0.0 ? levelDof : kInfinite}});
+    const CombinedUncertainty u = combined({directLine("step", *u_step_Pa / *shot.step_Pa,
+                                                step->budget.dof[kOfStep]),
+        directLine(kLevelRelative, shot.uLevel_relative, levelDof > 0.0 ? levelDof : kInfinite)});
     shot.u = std::abs(*shot.sensitivity) * u.u;
     shot.dof = u.dof;
     shot.k = coverageFactor(u.dof, kCoverage);

@@ -6,6 +6,7 @@
 #include "core/base/constants.h"
 #include "core/base/finding.h"
 #include "core/base/index.h"
+#include "core/base/uncertain_value.h"
 #include "core/capture/capture_set.h"
 #include "core/shock/shock_uncertainty.h"
 
@@ -14,6 +15,10 @@
 #include <vector>
 
 namespace dyncal {
+
+// Lines of a mean sensitivity that are no inputs of the step.
+inline constexpr const char *kLevelRelative = "level_relative"; ///< noise of the level of a shot
+inline constexpr const char *kScatterOfShots = "scatter_of_shots"; ///< in place of own parts
 
 /// Sensitivity of one shot: the level of its step, at the onset, over the pressure step. Its u is
 /// complete (step and level) or absent.
@@ -38,6 +43,8 @@ struct SensitivityMean
     std::optional<double> u;
     double k = kUnknown;
     double dof = kUnknown;
+    std::vector<UncertaintyLine> lines = {}; ///< of `u`, relative to `value`; "level_relative" and
+                                             ///< "scatter_of_shots" are no inputs of the step
 };
 
 /// The shot that differs most from the others, by its own u.

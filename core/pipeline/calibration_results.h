@@ -19,6 +19,7 @@
 #include "core/signal/record_starts.h"
 #include "core/signal/response_window.h"
 #include "core/signal/spectrum_analysis.h"
+#include "core/uncertainty/uncertainty_report.h"
 
 #include <array>
 #include <memory>
@@ -42,6 +43,7 @@ enum class StageId {
     Response, ///< frequency response, characteristics, sensitivity
     Checks, ///< the independent ways to one quantity, compared
     Assessment, ///< of the model: uncertainties, shots compared; no response waits for it
+    Uncertainty, ///< the budget of everything that is stated; no response waits for it
     Evidence, ///< what all orders show; no result waits for it
     MonteCarlo, ///< of the pressure step; nothing waits for it
 };
@@ -77,6 +79,7 @@ struct CalibrationResults
     std::shared_ptr<const ResponseResult> response;
     std::shared_ptr<const ConsistencyResult> checks;
     std::shared_ptr<const ModelAssessment> assessment; ///< of `model` and no other
+    std::shared_ptr<const UncertaintyReport> uncertainty;
     std::shared_ptr<const OrderEvidence> evidence; ///< of the decomposition, not of one order
     std::shared_ptr<const StepMonteCarloSet> monteCarlo;
     std::array<std::string, kStageCount> keys; ///< hash of what each result was computed from

@@ -213,6 +213,13 @@ Result<ModelAssessment> assessment(const StageInputs &in)
     return assessModel(*in.results.input, *in.results.model, in.recipe.realization, in.control);
 }
 
+Result<UncertaintyReport> uncertainty(const StageInputs &in)
+{
+    const CalibrationResults &r = in.results;
+    return reportUncertainty(*r.input, *r.model, *r.assessment, *r.response, *r.shock,
+        uncertaintyRequest(in.recipe.uncertainty).stated);
+}
+
 void readEvidence(const Recipe &recipe, Recipe &part)
 {
     part.realization.stableFrequency = recipe.realization.stableFrequency;
@@ -265,6 +272,8 @@ constexpr std::array<Stage, kStageCount> kStages{{
         kept<&R::checks, checks>(), of<&R::checks>},
     {Assessment, "model assessment", 2, 10, "", Model, Model, true, readNothing,
         kept<&R::assessment, assessment>(), saidElsewhere},
+    {Uncertainty, "uncertainty", 1, 20, "UNC-", Response, Model, true, readNothing,
+        kept<&R::uncertainty, uncertainty>(), of<&R::uncertainty>},
     {Evidence, "evidence", 1, 160, "", Decomposition, Decomposition, false, readEvidence,
         kept<&R::evidence, evidence>(), ofEvidence},
     {MonteCarlo, "Monte Carlo", 1, 50, "", Shock, Shock, true, readMonteCarlo,

@@ -104,16 +104,20 @@ Json seriesList(const std::vector<SeriesFit> &series)
     return list;
 }
 
-void addSensitivity(JsonRecord &root, const ResponseResult *response)
+void addSensitivity(JsonRecord &root, const CalibrationResults &results)
 {
+    const ResponseResult *response = results.response.get();
     const char *noStep = "No pressure step is known.";
     const bool known = response && response->sensitivity;
     root.number("sensitivity", known ? response->sensitivity : std::nullopt, noStep);
     root.text("sensitivity_unit", known ? response->sensitivityUnit : std::string(), noStep);
-    const std::optional<SensitivityMean> mean = known ? response->summary.mean : std::nullopt;
     const std::string none = known ? "The uncertainty of a shot is not known." : noStep;
-    root.number("u_sensitivity", mean ? mean->u : std::nullopt, none);
-    root.number("k_sensitivity", mean && mean->u ? std::optional(mean->k) : std::nullopt, none);
+    const bool complete = known && results.uncertainty && results.uncertainty->sensitivity
+        && results.uncertainty->sensitivity->u;
+    root.number(
+        "u_sensitivity", complete ? results.uncertainty->sensitivity->u : std::nullopt, none);
+    root.number("k_sensitivity",
+        complete ? std::optional(results.uncertainty->sensitivity->k) : std::nullopt, none);
 }
 
 std::string jsonFile(const SensorModel &model, const CalibrationResults &results)
@@ -135,7 +139,7 @@ std::string jsonFile(const SensorModel &model, const CalibrationResults &results
     root.set("s_rad_s", complexList(sum.s));
     root.set("poles", poleList(results));
     root.set("series", seriesList(model.series));
-    addSensitivity(root, results.response.get());
+    addSensitivity(root, results);
     return jsonText(root.take());
 }
 

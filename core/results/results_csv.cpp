@@ -148,20 +148,31 @@ void addPoles(std::vector<CsvFile> &files, const SensorModel &model)
     files.push_back({"poles.csv", table.text()});
 }
 
-void addFrequencyResponse(std::vector<CsvFile> &files, const ResponseResult &response)
+void addFrequencyResponse(
+    std::vector<CsvFile> &files, const ResponseResult &response, const UncertaintyReport *report)
 {
+    const RowUncertainty rows
+        = report && response.magnitude.size() > 0 ? report->rows : RowUncertainty();
     CsvTable table;
     table.add("frequency_hz", response.frequency_Hz);
     table.add("magnitude", response.magnitude);
-    table.add("u_magnitude", response.u_magnitude);
+    table.add("u_magnitude", rows.u_magnitude);
     table.add("phase_rad", response.phase_rad);
-    table.add("u_phase_rad", response.u_phase_rad);
+    table.add("u_phase_rad", rows.u_phase_rad);
     table.add("model_magnitude", response.modelMagnitude);
     table.add("model_phase_rad", response.modelPhase_rad);
     table.add("u_noise_magnitude", response.u_noiseMagnitude);
     table.add("u_noise_phase_rad", response.u_noisePhase_rad);
     table.add("bound_end", response.boundEnd);
     table.add("bound_alias", response.boundAlias);
+    table.add("k_magnitude", rows.k_magnitude);
+    table.add("k_phase", rows.k_phase);
+    table.add("var_re", rows.covarianceReIm.col(0));
+    table.add("cov_re_im", rows.covarianceReIm.col(1));
+    table.add("var_im", rows.covarianceReIm.col(2));
+    table.add("u_model_magnitude", rows.u_modelMagnitude);
+    table.add("u_model_phase_rad", rows.u_modelPhase_rad);
+    table.add("e_n", rows.e_n);
     files.push_back({"frequency_response.csv", table.text()});
     CsvTable curve;
     curve.add("frequency_hz", response.modelCurve.frequency_Hz);
@@ -192,7 +203,7 @@ std::vector<CsvFile> resultsCsv(const CalibrationResults &results)
     if (results.evidence)
         addOrders(files, *results.evidence);
     if (results.response)
-        addFrequencyResponse(files, *results.response);
+        addFrequencyResponse(files, *results.response, results.uncertainty.get());
     return files;
 }
 

@@ -14,6 +14,7 @@
 #include "core/results/results_response_json.h"
 #include "core/results/results_sensitivity_json.h"
 #include "core/results/results_shock_json.h"
+#include "core/results/results_uncertainty_json.h"
 
 #include <algorithm>
 
@@ -156,7 +157,8 @@ std::string resultsJson(
     addModel(root, context);
     addResponse(root, context);
     addBands(root, context);
-    addBudget(root);
+    addCharacteristics(root, context);
+    addBudget(root, context);
     addFindings(root, context);
     addError(root, outcome);
     // Names in foreign files need not be UTF-8; results.json always is.

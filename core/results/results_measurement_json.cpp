@@ -99,6 +99,7 @@ Json shotJson(Index number, const Shot &shot, const ResultsContext &context)
         record.missing("sensitivity_unit", reason);
         record.missing("u_sensitivity", reason);
         record.missing("k_sensitivity", reason);
+        record.missing("u_level_relative", reason);
     }
     return record.take();
 }

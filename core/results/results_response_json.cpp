@@ -5,6 +5,7 @@
 
 #include "core/base/constants.h"
 #include "core/model_analysis/stated_characteristics.h"
+#include "core/results/results_uncertainty_json.h"
 
 namespace dyncal {
 namespace {
@@ -37,32 +38,20 @@ void addWithheld(JsonRecord &section, const ResponseResult &response)
     section.set("withheld_reason_reason", "null where the value is stated.");
 }
 
-Eigen::VectorXd coverageFactors(const ResponseResult &response)
-{
-    return Eigen::VectorXd::NullaryExpr(
-        response.dof.size(), [&](Index row) { return coverageFactorAt(response, row); });
-}
-
 /// The measured half: noise, the bounds of what sampling and the end of the records make, and why
-/// a value is withheld.
+/// a value is withheld. The complete uncertainties: results_uncertainty_json.
 void addMeasured(JsonRecord &section, const ResponseResult &response)
 {
     const char *none = response.magnitude.size() == 0
         ? "This treatment of the response gives no frequency response of a step."
         : "Withheld, see withheld_reason.";
     section.numbers("magnitude", response.magnitude, none);
-    section.numbers("u_magnitude", response.u_magnitude, none);
     section.numbers("u_noise_magnitude", response.u_noiseMagnitude, none);
-    section.numbers("k_magnitude", coverageFactors(response), none);
-    section.set("u_contains_step", false); // noise of the recordings and the bounds only
     section.numbers("phase_rad", response.phase_rad, none);
     const char *noPhase = response.magnitude.size() == 0
         ? none
         : "Withheld, or the uncertainty of the onset is not known.";
-    section.numbers("u_phase_rad", response.u_phase_rad, noPhase);
     section.numbers("u_noise_phase_rad", response.u_noisePhase_rad, noPhase);
-    section.numbers("k_phase", coverageFactors(response), none);
-    section.numbers("dof", response.dof, "Withheld, or the noise is known without a record.");
     const char *noBound = response.magnitude.size() == 0 ? none : "Above 0.4 of the lowest rate.";
     section.numbers("bound_end", response.boundEnd, noBound);
     section.numbers("bound_alias", response.boundAlias, noBound);
@@ -104,6 +93,7 @@ void addResponse(JsonRecord &root, const ResultsContext &context)
     }
     JsonRecord section;
     addCurves(section, *response);
+    addRowUncertainty(section, context);
     section.number("f_low_hz", response->fLow_Hz, "Not determined.");
     section.number("f_high_hz", response->fHigh_Hz, "Not determined.");
     section.set("front_duration_s", response->front.duration_s);
@@ -127,14 +117,6 @@ void addBands(JsonRecord &root, const ResultsContext &context)
     section.number("limit_hz", answersEnd_Hz(*response), "Not determined.");
     section.set("source", "model");
     root.set("bands", section.take());
-}
-
-void addBudget(JsonRecord &root)
-{
-    root.missing("budget",
-        "Not evaluated for the frequency response; that of each pressure step is in shock.");
-    root.missing("gum_validated_by_monte_carlo",
-        "Not evaluated for the frequency response; that of each pressure step is in shock.");
 }
 
 } // namespace dyncal

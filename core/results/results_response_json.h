@@ -7,9 +7,8 @@
 
 namespace dyncal {
 
-/// The sections "response", "bands" and "budget" of results.json.
+/// The sections "response" and "bands" of results.json.
 void addResponse(JsonRecord &root, const ResultsContext &context);
 void addBands(JsonRecord &root, const ResultsContext &context);
-void addBudget(JsonRecord &root);
 
 } // namespace dyncal

@@ -15,24 +15,36 @@ constexpr const char *kIncomplete
     = "Not complete: the uncertainty of the pressure step or of the level at the onset is not known.";
 constexpr const char *kInfiniteDof = "Infinite.";
 
-void addMean(JsonRecord &record, const SensitivityMean &mean)
+/// The value, and its complete uncertainty; null: not evaluated.
+void addMean(JsonRecord &record, const SensitivityMean &mean, const ReportedValue *reported)
 {
+    const bool known = reported && reported->u;
     record.number("value", mean.value, "Not finite.");
-    record.number("u", mean.u, kIncomplete);
-    record.number("k", mean.k, kIncomplete);
-    record.number("dof", mean.dof, mean.u ? kInfiniteDof : kIncomplete);
+    record.number("u", known ? reported->u : std::nullopt, kIncomplete);
+    record.number("k", known ? std::optional(reported->k) : std::nullopt, kIncomplete);
+    record.number("dof", known ? std::optional(reported->dof) : std::nullopt,
+        known ? kInfiniteDof : kIncomplete);
 }
 
-SensitivityJson levelsJson(const std::vector<SensitivityMean> &levels)
+SensitivityJson levelsJson(
+    const std::vector<SensitivityMean> &levels, const UncertaintyReport *report)
 {
     SensitivityJson list = SensitivityJson::array();
-    for (const SensitivityMean &level : levels) {
+    for (std::size_t i = 0; i < levels.size(); ++i) {
         JsonRecord record;
-        record.set("level", shotLevelName(level.level));
-        addMean(record, level);
+        record.set("level", shotLevelName(levels[i].level));
+        addMean(record, levels[i], levelOf(report, i));
         list.push_back(record.take());
     }
     return list;
+}
+
+/// Complete u of a shot's sensitivity.
+double completeU(const CalibrationResults &results, Index shot)
+{
+    const auto &shots = results.response->shots;
+    const auto found = std::ranges::find(shots, shot, &ShotSensitivity::shot);
+    return uOfShot(results.uncertainty.get(), static_cast<std::size_t>(found - shots.begin()));
 }
 
 } // namespace
@@ -49,9 +61,11 @@ void addSensitivitySummary(JsonRecord &root, const ResultsContext &context)
     }
     const SensitivitySummary &summary = response->summary;
     JsonRecord section;
-    addMean(section, *summary.mean);
+    const UncertaintyReport *report = context.results().uncertainty.get();
+    addMean(
+        section, *summary.mean, report && report->sensitivity ? &*report->sensitivity : nullptr);
     section.set("unit", response->sensitivityUnit);
-    section.set("per_level", levelsJson(summary.perLevel));
+    section.set("per_level", levelsJson(summary.perLevel, report));
     const char *uncompared = "Fewer than two shots, or their uncertainties are not known.";
     section.number("homogeneity_p", summary.homogeneity_p, uncompared);
     section.set("shots_agree", summary.shotsAgree);
@@ -120,9 +134,10 @@ void addShotSensitivity(JsonRecord &record, Index shot, const ResultsContext &co
     record.number("sensitivity", found ? found->sensitivity : std::nullopt, reason);
     record.text("sensitivity_unit", known ? found->unit : std::string(), reason);
     const std::string incomplete = known ? kIncomplete : reason;
-    record.number("u_sensitivity", found ? found->u : std::nullopt, incomplete);
-    record.number(
-        "k_sensitivity", known && found->u ? std::optional(found->k) : std::nullopt, incomplete);
+    const double u = found ? completeU(context.results(), shot) : kUnknown;
+    record.number("u_sensitivity", u, incomplete);
+    record.number("k_sensitivity", std::isfinite(u) ? found->k : kUnknown, incomplete);
+    record.number("u_level_relative", known ? found->uLevel_relative : kUnknown, incomplete);
 }
 
 } // namespace dyncal

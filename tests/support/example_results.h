@@ -324,6 +324,12 @@ inline std::shared_ptr<const ResponseResult> responseResult(const Size &size)
         result->phase_rad[i] = std::arg(g) + 0.002;
         result->u_phase_rad[i] = 0.004;
     }
+    result->u_noiseMagnitude = result->u_magnitude;
+    result->u_noisePhase_rad = result->u_phase_rad;
+    for (Eigen::VectorXd *none :
+        {&result->u_frontMagnitude, &result->boundEnd, &result->boundAlias})
+        none->setZero(count);
+    result->dof.setConstant(count, std::numeric_limits<double>::infinity());
     constexpr Index kCurve = 600;
     ResponseCurve &curve = result->modelCurve;
     curve.frequency_Hz.resize(kCurve);
@@ -344,6 +350,43 @@ inline std::shared_ptr<const ResponseResult> responseResult(const Size &size)
     return result;
 }
 
+/// Every u of these results, taken as complete: for what prints them.
+inline std::shared_ptr<const UncertaintyReport> uncertaintyOf(const CalibrationResults &results)
+{
+    auto report = std::make_shared<UncertaintyReport>();
+    const auto add = [](const char *of, double value, double u, double k, const char *unit) {
+        ReportedValue one{of, value, unit};
+        if (std::isfinite(u))
+            one.u = u;
+        one.k = k;
+        return one;
+    };
+    if (const auto sensor = sensorResonance(results.model.get(), results.assessment.get()))
+        report->ofModel = {add("f0_hz", sensor->frequency_Hz, sensor->u_frequency_Hz,
+                               sensor->coverageFactor, "Hz"),
+            add("damping_ratio", sensor->dampingRatio, sensor->u_dampingRatio,
+                sensor->coverageFactor, "")};
+    if (!results.response)
+        return report;
+    const ResponseResult &response = *results.response;
+    const std::string &unit = response.sensitivityUnit;
+    const auto ofMean = [&](const SensitivityMean &mean) {
+        return add("sensitivity", mean.value, mean.u.value_or(kUnknown), mean.k, unit.c_str());
+    };
+    if (response.summary.mean)
+        report->sensitivity = ofMean(*response.summary.mean);
+    for (const SensitivityMean &level : response.summary.perLevel)
+        report->perLevel.push_back(ofMean(level));
+    for (const ShotSensitivity &shot : response.shots)
+        report->u_ofShots.push_back(shot.u);
+    RowUncertainty &rows = report->rows;
+    rows.u_magnitude = response.u_magnitude;
+    rows.u_phase_rad = response.u_phase_rad;
+    rows.k_magnitude = rows.k_phase = Eigen::VectorXd::NullaryExpr(
+        response.u_magnitude.size(), [&](Index row) { return coverageFactorAt(response, row); });
+    return report;
+}
+
 inline CalibrationResults calibration(const Size &size = {})
 {
     CalibrationResults results;
@@ -357,6 +400,7 @@ inline CalibrationResults calibration(const Size &size = {})
     results.assessment = assessment(*results.model);
     results.shock = shock();
     results.response = responseResult(size);
+    results.uncertainty = uncertaintyOf(results);
     return results;
 }
 

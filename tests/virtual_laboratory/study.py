@@ -9,13 +9,14 @@ import json
 import sys
 from pathlib import Path
 
-from . import orders, power, runner, studies_conditions as sc, tables
+from . import coverage, orders, power, runner, studies_conditions as sc, tables
 from .conditions_laboratory import CONDITIONS
 
 SPECIAL = {"clean_any", *sc.DRIFT, *sc.STILL, *sc.TUBE, *sc.DAMPING, *sc.NOISE, *sc.FRONT, "bounds_any"}
 ORDINARY = [name for name in CONDITIONS if name not in SPECIAL]
 SHORT = ["heat_slow", "one_velocity_for_all", "gas_recorded", "humidity_recorded", "rate_doubled",
          "temperature_misread", "pressure_misread", "scale_wrong"]
+ALONE = {"power": power, "orders": orders, "coverage": coverage}  # with tables of their own
 # conditions, runs each, quantities
 STUDIES = {
     "conditions": (ORDINARY, 40, tables.QUANTITIES),
@@ -64,7 +65,7 @@ def run(name, arguments):
 def parse(argv):
     parser = argparse.ArgumentParser(prog="virtual_laboratory.study", description=__doc__)
     parser.add_argument("studies", nargs="*", default=["conditions"],
-                        help=f"of {', '.join(STUDIES)}, power, orders; conditions unless given")
+                        help=f"of {', '.join((*STUDIES, *ALONE))}; conditions unless given")
     parser.add_argument("--program", required=True, help="dyncal as built")
     parser.add_argument("--seeds", type=int, help="runs per condition (each study has its own default)")
     parser.add_argument("--first-seed", type=int, default=0)
@@ -80,8 +81,8 @@ def main(argv=None):
     arguments = parse(argv)
     everything, text = [], []
     for name in arguments.studies:
-        if name in ("power", "orders"):
-            text.append(f"## {name}\n\n" + {"power": power, "orders": orders}[name].study(arguments))
+        if name in ALONE:
+            text.append(f"## {name}\n\n" + ALONE[name].study(arguments))
         else:
             records = run(name, arguments)
             everything += records

@@ -17,9 +17,12 @@ CalibrationResults merged(CalibrationResults part, const CalibrationResults &old
 {
     if (!part.model) // an assessment belongs to one model only
         part.assessment = old.assessment;
+    if (!part.model && !part.response) // a budget to one model and its response
+        part.uncertainty = old.uncertainty;
     for (int i = 0; i < kStageCount; ++i) {
         const Stage &stage = stageOf(static_cast<StageId>(i));
-        if (stage.id != StageId::Assessment && !hasResult(part, stage.id))
+        const bool isPaired = stage.id == StageId::Assessment || stage.id == StageId::Uncertainty;
+        if (!isPaired && !hasResult(part, stage.id))
             stage.result.put(part, stage.result.get(old));
     }
     return part;

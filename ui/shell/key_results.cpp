@@ -34,8 +34,7 @@ KeyResult sensitivityOf(const CalibrationResults &results)
     const ResponseResult *response = results.response.get();
     KeyResult result = entry("keySensitivity", QStringLiteral("S"),
         response ? response->sensitivity.value_or(kUnknown) : kUnknown,
-        response && response->summary.mean ? response->summary.mean->u.value_or(kUnknown)
-                                           : kUnknown,
+        uOfSensitivity(results.uncertainty.get()),
         response ? shownText(response->sensitivityUnit) : QString());
     result.meaning = Key::tr(
         "Sensitivity: the level at the onset of the step over the pressure step, mean of the shots, with its standard uncertainty where that of the step is known.");
@@ -75,11 +74,11 @@ std::vector<KeyResult> keyResults(const CalibrationResults &results, const Recip
     const auto pole = sensorResonance(results.model.get(), results.assessment.get());
     KeyResult frequency
         = entry("keyFrequency", QStringLiteral("f₀"), pole ? pole->frequency_Hz : kUnknown,
-            pole ? pole->u_frequency_Hz : kUnknown, QStringLiteral("Hz"));
+            uOf(results.uncertainty.get(), "f0_hz"), QStringLiteral("Hz"));
     frequency.meaning = Key::tr(
         "Undamped natural frequency of the sensor; ± is the standard uncertainty u (k = 1).");
     KeyResult damping = entry("keyDamping", QStringLiteral("ζ"),
-        pole ? pole->dampingRatio : kUnknown, pole ? pole->u_dampingRatio : kUnknown, {});
+        pole ? pole->dampingRatio : kUnknown, uOf(results.uncertainty.get(), "damping_ratio"), {});
     damping.meaning
         = Key::tr("Damping ratio of the sensor; ± is the standard uncertainty u (k = 1).");
     if (calibrationKind(results, recipe) == CalibrationKind::FreeDecay)

@@ -31,11 +31,7 @@ void poolFits(const ModelInput &input, SensorModel &model)
     double error = 0.0;
     double noise = 0.0;
     double spread = 0.0;
-    double weights = 0.0;
-    double level = 0.0;
     bool noiseKnown = true;
-    Eigen::VectorXcd shape = Eigen::VectorXcd::Zero(model.series.front().amplitudes.size());
-    const bool isStep = isStepTreatment(input.treatment);
     for (std::size_t r = 0; r < model.series.size(); ++r) {
         const SeriesFit &fit = model.series[r];
         const ModelSeries &series = input.series[r];
@@ -44,31 +40,7 @@ void poolFits(const ModelInput &input, SensorModel &model)
         noise += series.noiseSd * series.noiseSd * static_cast<double>(counted.size());
         spread += spreadSquares(counted);
         noiseKnown = noiseKnown && std::isfinite(fit.fitAttainable_percent);
-        // Each shot counts in units of its own plateau: shots of different height have the same
-        // shape.
-        const double unit = isStep ? fit.level() : 1.0;
-        const double relativeNoise = series.noiseSd / unit;
-        const double weight = relativeNoise != 0.0 ? 1.0 / (relativeNoise * relativeNoise) : 1.0;
-        weights += weight;
-        model.plateauGain += weight * fit.plateauGain;
-        level += weight * fit.level();
-        if (!model.slowPoles.empty())
-            addTo(model.sensorStep, fit.sensorStep, weight);
-        // Free decays start at arbitrary phases, so magnitudes are pooled, with the phases of the
-        // first shot.
-        const Eigen::ArrayXcd amplitudes = fit.amplitudes.array();
-        if (isStep)
-            shape.array() += weight * amplitudes / unit;
-        else
-            shape.array() += weight * amplitudes.abs()
-                * (model.series.front().amplitudes.array().arg() * std::complex<double>(0.0, 1.0))
-                      .exp();
     }
-    model.plateauGain /= weights;
-    if (!model.slowPoles.empty())
-        model.stepLevel = level / weights;
-    model.amplitudes = shape / weights * (isStep ? model.level() : 1.0);
-    model.sensorStep.amplitudes /= weights;
     model.fit_percent = fitPercent(error, spread);
     model.fitAttainable_percent = noiseKnown ? fitPercent(noise, spread) : kUnknown;
 }
@@ -112,6 +84,42 @@ void describeAmplitudes(SensorModel &model)
 
 } // namespace
 
+void poolShapes(const ModelInput &input, SensorModel &model)
+{
+    double weights = 0.0;
+    double level = 0.0;
+    Eigen::VectorXcd shape = Eigen::VectorXcd::Zero(model.series.front().amplitudes.size());
+    const bool isStep = isStepTreatment(input.treatment);
+    for (std::size_t r = 0; r < model.series.size(); ++r) {
+        const SeriesFit &fit = model.series[r];
+        const ModelSeries &series = input.series[r];
+        // Each shot counts in units of its own plateau: shots of different height have the same
+        // shape.
+        const double unit = isStep ? fit.level() : 1.0;
+        const double relativeNoise = series.noiseSd / unit;
+        const double weight = relativeNoise != 0.0 ? 1.0 / (relativeNoise * relativeNoise) : 1.0;
+        weights += weight;
+        model.plateauGain += weight * fit.plateauGain;
+        level += weight * fit.level();
+        if (!model.slowPoles.empty())
+            addTo(model.sensorStep, fit.sensorStep, weight);
+        // Free decays start at arbitrary phases, so magnitudes are pooled, with the phases of the
+        // first shot.
+        const Eigen::ArrayXcd amplitudes = fit.amplitudes.array();
+        if (isStep)
+            shape.array() += weight * amplitudes / unit;
+        else
+            shape.array() += weight * amplitudes.abs()
+                * (model.series.front().amplitudes.array().arg() * std::complex<double>(0.0, 1.0))
+                      .exp();
+    }
+    model.plateauGain /= weights;
+    if (!model.slowPoles.empty())
+        model.stepLevel = level / weights;
+    model.amplitudes = shape / weights * (isStep ? model.level() : 1.0);
+    model.sensorStep.amplitudes /= weights;
+}
+
 void describeModel(const ModelInput &input, const ModelDraft &draft,
     std::optional<std::complex<double>> stepPole, SensorModel &model)
 {
@@ -121,6 +129,7 @@ void describeModel(const ModelInput &input, const ModelDraft &draft,
         model.series.push_back(describeSeries(input, draft, r, standsOut, model.stateSpace));
     describeStepLevel(input, draft, standsOut, model);
     poolFits(input, model);
+    poolShapes(input, model);
     describeAmplitudes(model);
 }
 

@@ -18,6 +18,10 @@ namespace dyncal {
 void describeModel(const ModelInput &input, const ModelDraft &draft,
     std::optional<std::complex<double>> stepPole, SensorModel &model);
 
+/// Plateau, level, amplitudes and the sensor's own step of the model as means over its series, each
+/// weighted by its signal to noise squared; they must be empty before. Part of describeModel().
+void poolShapes(const ModelInput &input, SensorModel &model);
+
 /// Uncertainties of the poles from the refinement's covariance, as if all shots shared them.
 /// Nothing without a refinement.
 void addUncertainties(const ModelDraft &draft, std::vector<Pole> &poles);

@@ -61,6 +61,13 @@ double onsetSearch_s(const ExponentialSum &part)
 }
 
 /// The middle of the front, where the response to a sharp step would begin.
+std::optional<double> beginOf(const ModelInput &input, const ModelDraft &draft, std::size_t series,
+    const std::vector<bool> &isSensor, const ExponentialSum &sum, double search_s)
+{
+    const ExponentialSum sharp = asIfSharp(sum, input.front.duration_s);
+    return findOnset_s(drivenPart(sharp, isSensor, draft.nuisance[series]), search_s);
+}
+
 FittedOnset locateOnset(const ModelInput &input, const ModelDraft &draft, std::size_t series,
     const std::vector<bool> &isSensor)
 {
@@ -68,11 +75,10 @@ FittedOnset locateOnset(const ModelInput &input, const ModelDraft &draft, std::s
     if (part.poles_rad_s.size() == 0)
         return {0.0, kUnknown};
     const double search_s = onsetSearch_s(part);
-    const auto onsetOf = [&](const ExponentialSum &sum) {
-        const ExponentialSum sharp = asIfSharp(sum, input.front.duration_s);
-        return findOnset_s(drivenPart(sharp, isSensor, draft.nuisance[series]), search_s);
+    const auto begin = [&](const ExponentialSum &sum) {
+        return beginOf(input, draft, series, isSensor, sum, search_s);
     };
-    const auto found = onsetOf(draft.series[series]);
+    const auto found = begin(draft.series[series]);
     if (!found)
         return {0.0, kUnknown};
     FittedOnset onset{*found, kUnknown};
@@ -86,8 +92,8 @@ FittedOnset locateOnset(const ModelInput &input, const ModelDraft &draft, std::s
         const double step = 0.1 * std::sqrt(std::max(0.0, covariance(i, i)));
         if (!(step > 0.0))
             continue;
-        const auto above = onsetOf(perturbed(*draft.refinement, record, i, step));
-        const auto below = onsetOf(perturbed(*draft.refinement, record, i, -step));
+        const auto above = begin(perturbed(*draft.refinement, record, i, step));
+        const auto below = begin(perturbed(*draft.refinement, record, i, -step));
         if (!above || !below)
             return onset;
         gradient[i] = (*above - *below) / (2.0 * step);
@@ -124,11 +130,7 @@ SeriesFit describeSeries(const ModelInput &input, const ModelDraft &draft, std::
             ? onset.u_s
             : std::hypot(onset.u_s, draft.onsetsOfSecondPole_s[r] - onset.time_s);
     }
-    fit.amplitudes = asIfSharp(sum, input.front.duration_s).amplitudes.array()
-        * (sum.poles_rad_s.array() * fit.onset_s).exp();
-    if (isStepTreatment(input.treatment))
-        fit.amplitudes = amplitudesOfStep(
-            sum.poles_rad_s, fit.amplitudes, sum.constant, termsAt(draft.nuisance[r], fit.onset_s));
+    fit.amplitudes = amplitudesAt(input, draft, r, sum, fit.onset_s);
     fit.simulated = isThesisMode(input)
         ? Eigen::VectorXd(impulseResponse(stateSpace, series.y.size() + 1).tail(series.y.size()))
         : simulate(series, sum, draft.nuisance[r], sampleInterval_s(input));
@@ -142,6 +144,25 @@ SeriesFit describeSeries(const ModelInput &input, const ModelDraft &draft, std::
             spreadSquares(counted))
         : kUnknown;
     return fit;
+}
+
+std::optional<double> onsetOf(const ModelInput &input, const ModelDraft &draft, std::size_t r,
+    const std::vector<bool> &isSensor, const ExponentialSum &sum)
+{
+    const ExponentialSum part = sensorPart(sum, isSensor);
+    if (part.poles_rad_s.size() == 0)
+        return std::nullopt;
+    return beginOf(input, draft, r, isSensor, sum, onsetSearch_s(part));
+}
+
+Eigen::VectorXcd amplitudesAt(const ModelInput &input, const ModelDraft &draft, std::size_t r,
+    const ExponentialSum &sum, double onset_s)
+{
+    const Eigen::VectorXcd amplitudes = asIfSharp(sum, input.front.duration_s).amplitudes.array()
+        * (sum.poles_rad_s.array() * onset_s).exp();
+    return isStepTreatment(input.treatment) ? amplitudesOfStep(
+               sum.poles_rad_s, amplitudes, sum.constant, termsAt(draft.nuisance[r], onset_s))
+                                            : amplitudes;
 }
 
 } // namespace dyncal

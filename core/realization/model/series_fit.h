@@ -8,6 +8,7 @@
 #include "core/realization/model/sensor_model.h"
 #include "core/realization/refinement/model_draft.h"
 
+#include <optional>
 #include <vector>
 
 namespace dyncal {
@@ -17,5 +18,13 @@ namespace dyncal {
 /// `stateSpace`: for the simulation in thesis mode.
 SeriesFit describeSeries(const ModelInput &input, const ModelDraft &draft, std::size_t r,
     const std::vector<bool> &isSensor, const StateSpaceModel &stateSpace);
+
+/// Where `sum` begins in place of the draft's own; empty as findOnset_s().
+std::optional<double> onsetOf(const ModelInput &input, const ModelDraft &draft, std::size_t r,
+    const std::vector<bool> &isSensor, const ExponentialSum &sum);
+
+/// Amplitudes of `sum` at the onset, as the step alone would give them (SeriesFit::amplitudes).
+Eigen::VectorXcd amplitudesAt(const ModelInput &input, const ModelDraft &draft, std::size_t r,
+    const ExponentialSum &sum, double onset_s);
 
 } // namespace dyncal

@@ -36,22 +36,20 @@ void moveRelaxing(ExponentialSum &sum, Index pole, bool movesRate, double delta)
     setAmplitude(sum, pole, slope / moved);
 }
 
-} // namespace
-
-ExponentialSum perturbed(const Refinement &refinement, Index record, Index index, double delta)
+/// Moves one of the record's parameters.
+void move(const Refinement &refinement, Index index, double delta, ExponentialSum &sum)
 {
-    ExponentialSum sum = refinement.records[static_cast<std::size_t>(record)];
     const Index n = refinement.poleParameters;
     if (index == 2 * n) {
         sum.constant += delta;
-        return sum;
+        return;
     }
     const bool movesPole = index < n;
     const Index i = movesPole ? index : index - n;
     Eigen::VectorXcd &values = movesPole ? sum.poles_rad_s : sum.amplitudes;
     if (isRelaxing(refinement, i)) {
         moveRelaxing(sum, i, movesPole, delta);
-        return sum;
+        return;
     }
     const double share = movesPole ? delta : delta / 2.0; // amplitudes are fitted as 2 Re, 2 Im
     const std::vector<std::complex<double>> &poles = refinement.poles_rad_s;
@@ -64,6 +62,22 @@ ExponentialSum perturbed(const Refinement &refinement, Index record, Index index
     } else {
         values[i] += delta;
     }
+}
+
+} // namespace
+
+ExponentialSum perturbed(const Refinement &refinement, Index record, Index index, double delta)
+{
+    ExponentialSum sum = refinement.records[static_cast<std::size_t>(record)];
+    move(refinement, index, delta, sum);
+    return sum;
+}
+
+ExponentialSum perturbed(const Refinement &refinement, Index record, const Eigen::VectorXd &deltas)
+{
+    ExponentialSum sum = refinement.records[static_cast<std::size_t>(record)];
+    for (Index i = 0; i < deltas.size(); ++i)
+        move(refinement, i, deltas[i], sum);
     return sum;
 }
 

@@ -51,6 +51,9 @@ struct Refinement
 /// response.
 ExponentialSum perturbed(const Refinement &refinement, Index record, Index index, double delta);
 
+/// The same with all parameters of the record moved at once, `deltas` in that order.
+ExponentialSum perturbed(const Refinement &refinement, Index record, const Eigen::VectorXd &deltas);
+
 /// Covariance of the poles' and one record's parameters, in the order of perturbed().
 Eigen::MatrixXd recordCovariance(const Refinement &refinement, Index record);
 

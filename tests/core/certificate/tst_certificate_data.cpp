@@ -36,9 +36,9 @@ Recipe typedRecipe()
     return recipe;
 }
 
-CertificateData certificateOf(
-    const CalibrationResults &results, const Recipe &recipe = typedRecipe())
+CertificateData certificateOf(CalibrationResults results, const Recipe &recipe = typedRecipe())
 {
+    results.uncertainty = dyncal::example::uncertaintyOf(results);
     return makeCertificate(results, recipe, "2026-11-21T03:04:05Z");
 }
 

@@ -68,7 +68,9 @@ struct Scene
     {
         Recipe recipe;
         recipe.certificate.fields = example::certificateFields();
-        return makeCertificate(results, recipe, "2026-11-21T03:04:05Z");
+        CalibrationResults shown = results;
+        shown.uncertainty = example::uncertaintyOf(shown);
+        return makeCertificate(shown, recipe, "2026-11-21T03:04:05Z");
     }
 
     /// Every number that the page may print.

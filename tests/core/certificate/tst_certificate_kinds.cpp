@@ -50,8 +50,9 @@ CalibrationResults resultsOf(CalibrationKind kind)
     return results;
 }
 
-CertificateData certificateOf(const CalibrationResults &results, const Recipe &recipe = {})
+CertificateData certificateOf(CalibrationResults results, const Recipe &recipe = {})
 {
+    results.uncertainty = example::uncertaintyOf(results);
     return makeCertificate(results, recipe, "2026-11-21T03:04:05Z");
 }
 
@@ -275,7 +276,8 @@ private slots:
         writable(results.response).sensitivity = 12.34567e-6;
         const CertificateData data = certificateOf(results);
         QCOMPARE(valueOf(data, "results", "sensitivity"), QString::fromUtf8("12.3 µV/Pa"));
-        QVERIFY(says(data, "has none that is known, and is rounded to three significant digits"));
+        QVERIFY(
+            says(data, "has none that is complete, and is rounded to three significant digits"));
     }
 
     void oneShot_isNoMean()

@@ -151,6 +151,7 @@ void TestCertificateNumbers::frequencyResponse_everyCell_isItsNumber()
             response.modelMagnitude[i] = response.magnitude[i] * random.uniform(0.5, 2.0);
             response.modelPhase_rad[i] = random.uniform(-40.0, 4.0);
         }
+        results.uncertainty = example::uncertaintyOf(results);
         const CertificateData data = makeCertificate(results, {}, "2026-11-21T03:04:05Z");
         const CertificateTable &table = data.section("frequency-response")->tables.at(0);
         QCOMPARE(table.rows.size(), static_cast<std::size_t>(rows));
@@ -192,6 +193,7 @@ void TestCertificateNumbers::poles_everyCell_isItsNumber()
         writable(results.model).poles = poles;
         if (results.assessment)
             writable(results.assessment).poles = poles;
+        results.uncertainty = example::uncertaintyOf(results);
         const CertificateData data = makeCertificate(results, {}, "2026-11-21T03:04:05Z");
         const CertificateTable &table = data.section("model")->tables.at(0);
         const auto cell = [&](std::size_t k) { return cellOf(table, 0, k); };
@@ -232,6 +234,7 @@ void TestCertificateNumbers::resonance_withItsFactor_isValueAndHalfWidth()
         writable(results.model).poles = poles;
         if (results.assessment)
             writable(results.assessment).poles = poles;
+        results.uncertainty = example::uncertaintyOf(results);
         const CertificateData data = makeCertificate(results, {}, "2026-11-21T03:04:05Z");
         for (const CertificateField &field : data.section("results")->fields) {
             if (field.id != "natural_frequency")
@@ -255,6 +258,7 @@ void TestCertificateNumbers::frequencies_closeTogether_stayApart()
     for (const double step_Hz : {1e3, 10.0, 0.5}) {
         for (Index i = 0; i < rows; ++i)
             response.frequency_Hz[i] = 2.33e6 + step_Hz * static_cast<double>(i);
+        results.uncertainty = example::uncertaintyOf(results);
         const CertificateData data = makeCertificate(results, {}, "2026-11-21T03:04:05Z");
         const CertificateTable &table = data.section("frequency-response")->tables.at(0);
         for (std::size_t i = 1; i < table.rows.size(); ++i)

@@ -185,7 +185,7 @@ private slots:
     void json_holdsTheUncertainties()
     {
         const CalibrationResults results
-            = calibratedModel(ResponseTreatment::StepDeflated, 2, StageId::Assessment);
+            = calibratedModel(ResponseTreatment::StepDeflated, 2, StageId::Uncertainty);
         const QJsonObject root = jsonOf(results);
         const QJsonArray poles = root["poles"].toArray(), s = root["s_rad_s"].toArray();
         QVERIFY(std::cmp_equal(poles.size(), results.assessment->poles.size()));
@@ -198,7 +198,7 @@ private slots:
             QCOMPARE(poles[i]["u_damping_ratio"].toDouble(), assessed.u_dampingRatio);
             QCOMPARE(poles[i]["coverage_factor"].toDouble(), assessed.coverageFactor);
         }
-        const auto &mean = results.response->summary.mean;
+        const auto &mean = results.uncertainty->sensitivity;
         QVERIFY(mean && mean->u);
         QCOMPARE(root["u_sensitivity"].toDouble(), *mean->u);
         QCOMPARE(root["k_sensitivity"].toDouble(), mean->k);

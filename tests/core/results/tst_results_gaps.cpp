@@ -190,7 +190,7 @@ private slots:
         outcome.results.window = std::make_shared<const WindowResult>(window);
         ResponseResult response = *outcome.results.response;
         response.magnitude[3] = response.phase_rad[0] = response.modelMagnitude[1] = kUnknown;
-        response.u_magnitude.resize(0);
+        response.u_magnitude.setConstant(kUnknown);
         response.fLow_Hz = kUnknown;
         outcome.results.response = std::make_shared<const ResponseResult>(response);
         ShockConditionsSet shock = *outcome.results.shock;
@@ -199,6 +199,7 @@ private slots:
         shock.shots[2].states.reset();
         shock.shots[1].step_Pa = shock.shots[1].plateau_s = std::nullopt;
         outcome.results.shock = std::make_shared<const ShockConditionsSet>(shock);
+        outcome.results.uncertainty = example::uncertaintyOf(outcome.results);
         const Json root = written(outcome);
         QCOMPARE(unexplained(root, "", false), std::vector<std::string>());
         QVERIFY(root["model"]["second_order"]["f0_hz"].is_null());

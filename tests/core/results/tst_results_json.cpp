@@ -172,6 +172,10 @@ std::shared_ptr<const ResponseResult> response()
     result.magnitude = Eigen::Vector2d(1e-6, 1.2e-6);
     result.u_magnitude = Eigen::Vector2d(kNan, 1e-8);
     result.phase_rad = Eigen::Vector2d(0.0, -0.1);
+    result.u_noiseMagnitude = result.u_magnitude;
+    result.u_noisePhase_rad = Eigen::Vector2d(0.01, 0.02);
+    result.u_frontMagnitude = result.boundEnd = result.boundAlias = Eigen::Vector2d::Zero();
+    result.dof = Eigen::Vector2d(9.0, 9.0);
     result.modelMagnitude = result.magnitude;
     result.modelPhase_rad = result.phase_rad;
     result.fLow_Hz = 625.0;
@@ -180,6 +184,19 @@ std::shared_ptr<const ResponseResult> response()
     result.characteristics.minus3dB_Hz = 3.5e6;
     result.shots = {{1, 4.6e-6, "V/Pa"}};
     return std::make_shared<ResponseResult>(result);
+}
+
+std::shared_ptr<const UncertaintyReport> uncertainty()
+{
+    UncertaintyReport report;
+    report.rows.u_common_relative = 0.01;
+    report.rows.u_magnitude = Eigen::Vector2d(kNan, 1.6e-8);
+    ReportedValue f0{"f0_hz", 2.33e6, "Hz", {directLine("noise", 30.0, 12.0)}};
+    combineLines(f0);
+    ReportedValue rise{"rise_time_s", 7e-8, "s"};
+    rise.missing = {"the model was not refined", {}};
+    report.ofModel = {f0, rise};
+    return std::make_shared<UncertaintyReport>(report);
 }
 
 PipelineOutcome complete()
@@ -195,6 +212,7 @@ PipelineOutcome complete()
     outcome.results.model = model();
     outcome.results.shock = shock();
     outcome.results.response = response();
+    outcome.results.uncertainty = uncertainty();
     return outcome;
 }
 
@@ -244,13 +262,18 @@ const QHash<QString, QStringList> &contract()
             {"frequency_hz", "magnitude", "u_magnitude", "k_magnitude", "u_contains_step",
                 "phase_rad", "u_phase_rad", "k_phase", "u_noise_magnitude", "u_noise_phase_rad",
                 "dof", "bound_end", "bound_alias", "length_s", "bound_alias_assumes",
-                "withheld_reason", "front_duration_s", "u_front_duration_s", "model_magnitude",
-                "model_phase_rad", "f_low_hz", "f_high_hz", "unit"}},
+                "withheld_reason", "u_common_relative", "covariance_re_im", "u_model_magnitude",
+                "u_model_phase_rad", "e_n", "front_duration_s", "u_front_duration_s",
+                "model_magnitude", "model_phase_rad", "f_low_hz", "f_high_hz", "unit"}},
         {"bands",
             {"within_5_percent_hz", "within_5_percent_above_hz", "within_5_percent_below_hz",
                 "within_10_percent_hz", "within_10_percent_above_hz", "within_10_percent_below_hz",
                 "minus_3_db_hz", "minus_3_db_above_hz", "minus_3_db_below_hz", "limit_hz",
                 "source"}},
+        {"characteristics", {"quantity", "value", "u", "k", "dof", "unit"}},
+        {"budget",
+            {"of", "quantity", "shot", "value", "u", "distribution", "dof", "sensitivity",
+                "contribution", "share_percent"}},
         {"findings",
             {"id", "severity", "shot", "channel", "time_s", "message", "value", "limit", "cause"}},
     };
@@ -259,7 +282,8 @@ const QHash<QString, QStringList> &contract()
 
 const QStringList kTopLevel{"schema", "software", "created_utc", "recipe", "kind", "inputs",
     "shots", "shock", "spectrum", "pca", "input", "realization", "model", "response", "bands",
-    "budget", "gum_validated_by_monte_carlo", "findings", "sensitivity", "drift", "echo", "checks"};
+    "characteristics", "budget", "gum_validated_by_monte_carlo", "findings", "sensitivity", "drift",
+    "echo", "checks"};
 
 QJsonObject written(const PipelineOutcome &outcome, const Recipe &recipe = {})
 {

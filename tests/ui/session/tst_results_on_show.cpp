@@ -30,6 +30,8 @@ PipelineOutcome runUpTo(StageId last, const std::string &name, Index order)
             {.id = "MOD-010", .severity = Severity::Caution, .message = {"Of %1.", {name}}});
         results.assessment = assessment;
     }
+    if (last >= StageId::Uncertainty)
+        results.uncertainty = std::make_shared<const UncertaintyReport>();
     return outcome;
 }
 
@@ -52,6 +54,7 @@ private slots:
     void modelCurve_standsForTheResponse_untilItComes();
     void assessment_isNeverBesideAnotherModel();
     void assessment_remembered_comesWithItsModel();
+    void budget_isNeverBesideAnotherResponse();
     void failure_leavesTheLastGoodOnShow_neverAmongTheResults();
 };
 
@@ -204,6 +207,22 @@ void TestResultsOnShow::assessment_remembered_comesWithItsModel()
     QCOMPARE(shown.run().results.assessment, part.assessment);
     QVERIFY(shown.isOfThisRun(StageId::Assessment));
     QVERIFY(!shown.isOfThisRun(StageId::Response));
+}
+
+void TestResultsOnShow::budget_isNeverBesideAnotherResponse()
+{
+    ResultsOnShow shown;
+    shown.take(runUpTo(kLastStage, "first", 2), false);
+    QVERIFY(shown.run().results.uncertainty);
+    shown.takePart(
+        runUpTo(StageId::Decomposition, "second", 3).results, StageId::Decomposition, false, false);
+    QVERIFY(shown.run().results.uncertainty); // with the response it belongs to
+    shown.takePart(
+        runUpTo(StageId::Response, "second", 3).results, StageId::Response, false, false);
+    QVERIFY(!shown.run().results.uncertainty && !shown.withLastGood().uncertainty);
+    shown.takePart(
+        runUpTo(StageId::Uncertainty, "second", 3).results, StageId::Uncertainty, false, false);
+    QVERIFY(shown.run().results.uncertainty && shown.isOfThisRun(StageId::Uncertainty));
 }
 
 DYNCAL_TEST(TestResultsOnShow)

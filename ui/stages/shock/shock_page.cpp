@@ -199,9 +199,9 @@ void ShockPage::showTables()
     show(m_peaks, followedPeakTable(shock));
 }
 
-static QString sensitivityText(double value, const std::optional<double> &u, const QString &unit)
+static QString sensitivityText(double value, double u, const QString &unit)
 {
-    return u ? shownWithU(value, *u, unit) : shownQuantity(value, unit, 5);
+    return std::isfinite(u) ? shownWithU(value, u, unit) : shownQuantity(value, unit, 5);
 }
 
 static QString driftText(const ShotDrift *drift)
@@ -213,18 +213,21 @@ static QString driftText(const ShotDrift *drift)
 void ShockPage::showSensitivity()
 {
     const auto &response = session().results().response;
+    const UncertaintyReport *report = session().results().uncertainty.get();
     QVector<QStringList> rows;
     if (response)
-        for (const ShotSensitivity &shot : response->shots)
+        for (std::size_t i = 0; i < response->shots.size(); ++i) {
+            const ShotSensitivity &shot = response->shots[i];
             rows.push_back({tr("Shot %1").arg(shot.shot),
-                shot.sensitivity ? sensitivityText(*shot.sensitivity, shot.u, rawText(shot.unit))
-                                 : tr("not determined"),
+                shot.sensitivity
+                    ? sensitivityText(*shot.sensitivity, uOfShot(report, i), rawText(shot.unit))
+                    : tr("not determined"),
                 driftText(response->drift.ofShot(shot.shot))});
+        }
     m_sensitivity->setValues({tr("Shot"), tr("Sensitivity"), tr("Drift to the settle band")}, rows);
     if (response && response->sensitivity) {
         m_reason->setText(tr("Sensitivity: %1, mean over the shots.")
-                              .arg(sensitivityText(*response->sensitivity,
-                                  response->summary.mean ? response->summary.mean->u : std::nullopt,
+                              .arg(sensitivityText(*response->sensitivity, uOfSensitivity(report),
                                   rawText(response->sensitivityUnit))));
         return;
     }

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/base/uncertain_value.h"
+
+#include <cmath>
+#include <utility>
+
+namespace dyncal {
+
+CombinedUncertainty combined(const std::vector<UncertaintyLine> &lines)
+{
+    double variance = 0.0;
+    double fourth = 0.0;
+    for (const UncertaintyLine &line : lines) {
+        variance += line.contribution * line.contribution;
+        if (std::isfinite(line.dof) && line.dof > 0.0)
+            fourth += std::pow(line.contribution, 4) / line.dof;
+    }
+    CombinedUncertainty result{std::sqrt(variance)};
+    if (fourth > 0.0)
+        result.dof = variance * variance / fourth;
+    return result;
+}
+
+UncertaintyLine directLine(std::string quantity, double u, double dof, Distribution distribution)
+{
+    UncertaintyLine line;
+    line.quantity = std::move(quantity);
+    line.u = u;
+    line.dof = dof;
+    line.distribution = distribution;
+    line.contribution = u;
+    return line;
+}
+
+std::vector<UncertaintyLine> scaled(std::vector<UncertaintyLine> lines, double factor)
+{
+    for (UncertaintyLine &line : lines) {
+        line.sensitivity *= factor;
+        line.contribution *= factor;
+    }
+    return lines;
+}
+
+} // namespace dyncal

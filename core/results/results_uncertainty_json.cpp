@@ -1,0 +1,152 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/results/results_uncertainty_json.h"
+
+#include <string>
+
+namespace dyncal {
+namespace {
+
+using UncertaintyJson = JsonRecord::Json;
+
+constexpr Index kMostRows = 200; ///< of S(f): each has some twenty lines
+constexpr const char *kWithheldRow
+    = "Withheld (see withheld_reason), or a part of its uncertainty is not known.";
+
+UncertaintyJson lineJson(
+    const std::string &of, const UncertaintyLine &line, const ReportedValue &reported)
+{
+    JsonRecord record;
+    record.set("of", of);
+    record.set("quantity", line.quantity);
+    if (line.shot > 0)
+        record.set("shot", line.shot);
+    else
+        record.missing("shot", "Of all shots.");
+    record.number("value", line.value, "Is known by its uncertainty alone.");
+    record.number("u", line.u, "Not known.");
+    record.set("distribution", distributionName(line.distribution));
+    record.number("dof", line.dof, "Infinite.");
+    record.number("sensitivity", line.sensitivity, "Not determined.");
+    record.number("contribution", line.contribution, "Not determined.");
+    record.number("share_percent", reported.sharePercent(line), "Not determined.");
+    return record.take();
+}
+
+void addLines(const std::string &of, const ReportedValue &reported, UncertaintyJson &list)
+{
+    for (const UncertaintyLine &line : reported.lines)
+        list.push_back(lineJson(of, line, reported));
+}
+
+/// The budget of each row of S(f): "response.magnitude[3]", "response.phase_rad[3]".
+void addRowLines(const ResponseResult &response, const RowUncertainty &rows, UncertaintyJson &list)
+{
+    for (Index i = 0; i < rows.u_phase_rad.size(); ++i) {
+        const std::string place = "[" + std::to_string(i) + "]";
+        ReportedValue one;
+        if (std::isfinite(rows.u_magnitude[i])) {
+            one.lines = magnitudeLines(response, rows.common, i);
+            combineLines(one);
+            addLines("response.magnitude" + place, one, list);
+        }
+        if (std::isfinite(rows.u_phase_rad[i])) {
+            one.lines = phaseLines(response, i);
+            combineLines(one);
+            addLines("response.phase_rad" + place, one, list);
+        }
+    }
+}
+
+UncertaintyJson characteristicJson(const ReportedValue &one)
+{
+    const std::string none = "Not complete: " + english(one.missing) + ".";
+    JsonRecord record;
+    record.set("quantity", one.of);
+    record.number("value", one.value, "Not determined.");
+    record.number("u", one.u, none);
+    record.number("k", one.u ? std::optional(one.k) : std::nullopt, none);
+    record.number("dof", one.u ? std::optional(one.dof) : std::nullopt, one.u ? "Infinite." : none);
+    record.set("unit", one.unit.empty() ? "1" : one.unit);
+    return record.take();
+}
+
+UncertaintyJson matrixRows(const Eigen::MatrixX3d &matrix)
+{
+    UncertaintyJson list = UncertaintyJson::array();
+    for (Index i = 0; i < matrix.rows(); ++i)
+        list.push_back(
+            {finiteOrNull(matrix(i, 0)), finiteOrNull(matrix(i, 1)), finiteOrNull(matrix(i, 2))});
+    return list;
+}
+
+} // namespace
+
+void addRowUncertainty(JsonRecord &section, const ResultsContext &context)
+{
+    const UncertaintyReport *report = context.results().uncertainty.get();
+    const ResponseResult &response = *context.results().response;
+    const bool measured = response.magnitude.size() > 0;
+    const RowUncertainty rows = report && measured ? report->rows : RowUncertainty();
+    const std::string none = !measured
+        ? "This treatment of the response gives no frequency response of a step."
+        : report ? kWithheldRow
+                 : context.whyMissing();
+    section.numbers("u_magnitude", rows.u_magnitude, none);
+    section.numbers("k_magnitude", rows.k_magnitude, none);
+    section.numbers("dof", rows.dof_magnitude, none + " Or infinite.");
+    section.set("u_contains_step", measured && rows.isComplete() && response.unit != "1");
+    section.number("u_common_relative", rows.u_common_relative, none);
+    section.numbers("u_phase_rad", rows.u_phase_rad, none);
+    section.numbers("k_phase", rows.k_phase, none);
+    section.set("covariance_re_im", matrixRows(rows.covarianceReIm));
+    section.set("covariance_re_im_reason",
+        "var Re, covariance, var Im of what is the row's own, without u_common_relative; null where withheld.");
+    const std::string noModel = report
+        ? "The model was not refined, or the uncertainty of the step is not known."
+        : context.whyMissing();
+    section.numbers("u_model_magnitude", rows.u_modelMagnitude, noModel);
+    section.numbers("u_model_phase_rad", rows.u_modelPhase_rad, noModel);
+    section.numbers("e_n", rows.e_n, noModel + " Or the measured value is withheld.");
+}
+
+void addCharacteristics(JsonRecord &root, const ResultsContext &context)
+{
+    const UncertaintyReport *report = context.results().uncertainty.get();
+    if (!report) {
+        root.missing("characteristics", context.whyMissing());
+        return;
+    }
+    UncertaintyJson list = UncertaintyJson::array();
+    for (const ReportedValue &one : report->ofModel)
+        list.push_back(characteristicJson(one));
+    root.set("characteristics", std::move(list));
+}
+
+void addBudget(JsonRecord &root, const ResultsContext &context)
+{
+    const UncertaintyReport *report = context.results().uncertainty.get();
+    if (!report) {
+        root.missing("budget", context.whyMissing());
+    } else {
+        UncertaintyJson list = UncertaintyJson::array();
+        if (report->sensitivity)
+            addLines("sensitivity", *report->sensitivity, list);
+        for (const ReportedValue &one : report->ofModel)
+            addLines(one.of, one, list);
+        const ResponseResult *response = context.results().response.get();
+        const bool isShort = response && response->frequency_Hz.size() <= kMostRows;
+        if (isShort && response->u_noiseMagnitude.size() == report->rows.u_phase_rad.size())
+            addRowLines(*response, report->rows, list);
+        root.set("budget", std::move(list));
+        root.set("budget_reason",
+            isShort
+                ? "Every reported value has its lines."
+                : "The lines of the single frequencies are left out, because there are more than 200.");
+    }
+    root.missing("gum_validated_by_monte_carlo",
+        "Not evaluated for the frequency response; that of each pressure step is in shock.");
+}
+
+} // namespace dyncal

@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/uncertainty/chain_effects.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace dyncal {
+namespace {
+
+/// Half width of a rectangle as a standard uncertainty.
+double rectangle(double halfWidth)
+{
+    return halfWidth / std::sqrt(3.0);
+}
+
+UncertaintyLine effect(const std::vector<StatedUncertainty> &stated, const char *quantity,
+    double otherwise, Distribution distribution)
+{
+    const auto found
+        = std::ranges::find(stated, std::string(quantity), &StatedUncertainty::quantity);
+    UncertaintyLine line = found == stated.end()
+        ? directLine(quantity, otherwise, std::numeric_limits<double>::infinity(), distribution)
+        : directLine(quantity, found->u,
+            found->dof.value_or(std::numeric_limits<double>::infinity()), found->distribution);
+    line.value = 0.0;
+    return line;
+}
+
+} // namespace
+
+ChainEffects chainEffects(const std::vector<StatedUncertainty> &stated)
+{
+    return {{effect(stated, "gain_relative", rectangle(0.005), Distribution::Rectangular),
+                effect(stated, "linearity_relative", rectangle(0.001), Distribution::Rectangular),
+                effect(stated, "mounting_relative", 0.001, Distribution::Normal)},
+        effect(stated, "clock_relative", rectangle(50e-6), Distribution::Rectangular)};
+}
+
+UncertaintyLine frontLine(double frequency_Hz)
+{
+    const double x = std::numbers::pi * frequency_Hz * kUnstatedFront_s;
+    const double g = x > 0.0 ? 1.0 - std::abs(std::sin(std::min(x, std::numbers::pi))) / x : 0.0;
+    UncertaintyLine line = directLine("front_unknown", g / std::sqrt(5.0));
+    line.value = 0.0;
+    return line;
+}
+
+} // namespace dyncal

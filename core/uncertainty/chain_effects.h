@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/uncertain_value.h"
+#include "core/shock/step_inputs.h"
+
+#include <vector>
+
+namespace dyncal {
+
+/// What the chain behind the sensor and its mounting may change, which no record shows. Each is
+/// stated (uncertainty.budget of the recipe), or taken as a data sheet of such an instrument has
+/// it: unknown is not zero (docs/method/uncertainty.md).
+struct ChainEffects
+{
+    /// Relative, of every value per pressure: "gain_relative" (converter and amplifier, rectangular
+    /// +-0.5 %), "linearity_relative" (+-0.1 %), "mounting_relative" (0.1 %).
+    std::vector<UncertaintyLine> ofSensitivity;
+    UncertaintyLine clock; ///< "clock_relative", of every frequency and time: +-50 ppm
+};
+
+ChainEffects chainEffects(const std::vector<StatedUncertainty> &stated);
+
+/// Longest rise of a front that nobody stated: a tilt of half a degree over 5.5 mm.
+inline constexpr double kUnstatedFront_s = 100e-9;
+
+/// "front_unknown": what such a front, anything from 0 to kUnstatedFront_s, takes off |S| at one
+/// frequency, relative: with g = 1 - sinc(f T) at its end, g T^2 over a rectangle of T has the root
+/// mean square g / sqrt(5) about the value that is stated, that of a sharp front.
+UncertaintyLine frontLine(double frequency_Hz);
+
+} // namespace dyncal

@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/constants.h"
+#include "core/base/message.h"
+#include "core/base/uncertain_value.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace dyncal {
+
+/// A result with its complete budget. `u` is complete or absent.
+struct ReportedValue
+{
+    std::string of; ///< "sensitivity", "f0_hz", ...
+    double value = kUnknown;
+    std::string unit; ///< "" = a number
+    std::vector<UncertaintyLine> lines = {};
+    std::optional<double> u = {}; ///< k = 1, in `unit`
+    double dof = kUnknown; ///< effective
+    double k = kUnknown; ///< Student's factor of the 95 % interval
+    Message missing = {}; ///< why `u` is absent
+
+    /// Of a line, in percent of the variance; negative never, because the lines are independent.
+    double sharePercent(const UncertaintyLine &line) const;
+};
+
+/// Fills u, dof and k in from the lines. All of them must be finite.
+void combineLines(ReportedValue &reported);
+
+} // namespace dyncal

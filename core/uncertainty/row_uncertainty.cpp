@@ -1,0 +1,188 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/uncertainty/row_uncertainty.h"
+
+#include "core/model_analysis/model_response.h"
+
+#include <cmath>
+#include <complex>
+#include <utility>
+
+namespace dyncal {
+namespace {
+
+constexpr double kCoverageOfRows = 0.95;
+
+/// What the error of a heat drift that was divided out may leave: h/(1 + jw tau) of the step for
+/// each h, the same direction in every shot. 0 without one.
+double ofDrift_relative(const ResponseResult &response, double frequency_Hz)
+{
+    if (response.drift.kind != DriftKind::Heat || response.drift.shots.empty())
+        return 0.0;
+    double sum = 0.0;
+    for (const ShotDrift &drift : response.drift.shots) {
+        const double u_share = drift.u / std::abs(std::expm1(-drift.at_s / drift.tau_s));
+        sum += u_share / std::hypot(1.0, kTwoPi * frequency_Hz * drift.tau_s);
+    }
+    const double u = sum / static_cast<double>(response.drift.shots.size());
+    return std::isfinite(u) ? u : 0.0;
+}
+
+UncertaintyLine rowLine(const char *quantity, double contribution,
+    Distribution distribution = Distribution::Normal,
+    double dof = std::numeric_limits<double>::infinity())
+{
+    UncertaintyLine line = directLine(quantity, contribution, dof, distribution);
+    line.value = 0.0;
+    return line;
+}
+
+/// Of the noise alone; ResponseResult has that of all of u_magnitude, of which only the noise's is
+/// finite.
+double dofOfNoise(const ResponseResult &response, Index row)
+{
+    const double share = response.u_noiseMagnitude[row] / response.u_magnitude[row];
+    return response.dof[row] * std::pow(share, 4);
+}
+
+bool isStated(const ResponseResult &response, Index row)
+{
+    return std::isfinite(response.magnitude[row]);
+}
+
+/// Half width of each of the bounds as u.
+double ofBound(const Eigen::VectorXd &bound, Index row)
+{
+    return bound[row] / std::sqrt(3.0);
+}
+
+std::vector<UncertaintyLine> ownLines(const ResponseResult &response, Index row)
+{
+    const double f_Hz = response.frequency_Hz[row];
+    const double S = response.magnitude[row];
+    std::vector<UncertaintyLine> lines{rowLine("noise", response.u_noiseMagnitude[row],
+                                           Distribution::Normal, dofOfNoise(response, row)),
+        rowLine("end_of_record", ofBound(response.boundEnd, row), Distribution::Rectangular),
+        rowLine("aliasing", ofBound(response.boundAlias, row), Distribution::Rectangular),
+        rowLine("drift", S * ofDrift_relative(response, f_Hz))};
+    const bool isFrontStated = response.front.duration_s > 0.0 || response.front.u_s > 0.0;
+    if (isFrontStated)
+        lines.push_back(rowLine("front_duration_s", response.u_frontMagnitude[row]));
+    else
+        lines.push_back(scaled({frontLine(f_Hz)}, S).front());
+    return lines;
+}
+
+/// Row k of everything that is NaN until it is known.
+void prepare(Index count, RowUncertainty &rows)
+{
+    for (auto *values : {&rows.u_magnitude, &rows.k_magnitude, &rows.dof_magnitude,
+             &rows.u_phase_rad, &rows.k_phase, &rows.dof_phase, &rows.u_modelMagnitude,
+             &rows.u_modelPhase_rad, &rows.e_n})
+        values->setConstant(count, kUnknown);
+    rows.covarianceReIm.setConstant(count, 3, kUnknown);
+}
+
+void combineRow(const ResponseResult &response, Index row, RowUncertainty &rows)
+{
+    const CombinedUncertainty own = combined(ownLines(response, row));
+    const CombinedUncertainty phase = combined(phaseLines(response, row));
+    if (rows.isComplete()) {
+        const CombinedUncertainty all = combined(magnitudeLines(response, rows.common, row));
+        rows.u_magnitude[row] = all.u;
+        rows.dof_magnitude[row] = all.dof;
+        rows.k_magnitude[row] = coverageFactor(all.dof, kCoverageOfRows);
+    }
+    if (!std::isfinite(phase.u))
+        return;
+    rows.u_phase_rad[row] = phase.u;
+    rows.dof_phase[row] = phase.dof;
+    rows.k_phase[row] = coverageFactor(phase.dof, kCoverageOfRows);
+    const double c = std::cos(response.phase_rad[row]);
+    const double s = std::sin(response.phase_rad[row]);
+    const double along = own.u * own.u;
+    const double across = std::pow(response.magnitude[row] * phase.u, 2);
+    rows.covarianceReIm.row(row) << c * c * along + s * s * across, s * c * (along - across),
+        s * s * along + c * c * across;
+}
+
+/// Relative change of the model's response, as u of its magnitude and, in quadrature, of its phase.
+void addModel(const ResponseResult &response, const std::vector<ModelVariation> &variations,
+    ResponseTreatment treatment, Index row, RowUncertainty &rows)
+{
+    const double f_Hz = response.frequency_Hz[row];
+    double along = 0.0;
+    double across = 0.0;
+    for (const ModelVariation &one : variations) {
+        const std::complex<double> change
+            = std::log(modelResponse(one.up, treatment, f_Hz) / one.up.level() * one.down.level()
+                  / modelResponse(one.down, treatment, f_Hz))
+            / (2.0 * kVariation);
+        along += std::norm(change.real());
+        across += std::norm(change.imag());
+    }
+    const double own = response.modelMagnitude[row] * std::sqrt(along);
+    rows.u_modelMagnitude[row] = rows.isComplete()
+        ? std::hypot(own, response.modelMagnitude[row] * rows.u_common_relative)
+        : kUnknown;
+    rows.u_modelPhase_rad[row] = std::sqrt(across);
+    if (!isStated(response, row))
+        return;
+    // Both come from the same noise, and of it the model takes the least: the difference has the
+    // variance of the measured value less that of the model (J. A. Hausman, Econometrica 46 (1978)
+    // 1251). The bounds are the measured value's alone.
+    const double noise
+        = std::sqrt(std::abs(std::pow(response.u_noiseMagnitude[row], 2) - own * own));
+    const double u
+        = std::hypot(noise, ofBound(response.boundEnd, row), ofBound(response.boundAlias, row));
+    rows.e_n[row] = (response.magnitude[row] - response.modelMagnitude[row])
+        / (coverageFactor(std::numeric_limits<double>::infinity(), kCoverageOfRows) * u);
+}
+
+} // namespace
+
+std::vector<UncertaintyLine> magnitudeLines(
+    const ResponseResult &response, const std::vector<UncertaintyLine> &common, Index row)
+{
+    std::vector<UncertaintyLine> lines = scaled(common, response.magnitude[row]);
+    const std::vector<UncertaintyLine> own = ownLines(response, row);
+    lines.insert(lines.end(), own.begin(), own.end());
+    return lines;
+}
+
+std::vector<UncertaintyLine> phaseLines(const ResponseResult &response, Index row)
+{
+    const double S = response.magnitude[row];
+    const double noise = response.u_noiseMagnitude[row] / S;
+    const double withOnset = response.u_noisePhase_rad[row];
+    const double onset = std::sqrt(std::max(0.0, withOnset * withOnset - noise * noise));
+    return {rowLine("noise", noise, Distribution::Normal, dofOfNoise(response, row)),
+        rowLine("onset_s", std::isfinite(withOnset) ? onset : kUnknown),
+        rowLine("end_of_record", ofBound(response.boundEnd, row) / S, Distribution::Rectangular),
+        rowLine("aliasing", ofBound(response.boundAlias, row) / S, Distribution::Rectangular),
+        rowLine("drift", ofDrift_relative(response, response.frequency_Hz[row]))};
+}
+
+RowUncertainty rowUncertainty(const ResponseResult &response,
+    const std::optional<std::vector<UncertaintyLine>> &common,
+    const std::vector<ModelVariation> &variations, ResponseTreatment treatment)
+{
+    RowUncertainty rows;
+    const Index count = response.frequency_Hz.size();
+    prepare(count, rows);
+    if (common) {
+        rows.common = *common;
+        rows.u_common_relative = combined(rows.common).u;
+    }
+    for (Index row = 0; row < count; ++row) {
+        if (row < response.magnitude.size() && isStated(response, row))
+            combineRow(response, row, rows);
+        if (!variations.empty() && row < response.modelMagnitude.size()
+            && response.magnitude.size() == count)
+            addModel(response, variations, treatment, row, rows);
+    }
+    return rows;
+}
+
+} // namespace dyncal

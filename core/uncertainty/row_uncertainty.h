@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/model_analysis/sensor_response.h"
+#include "core/realization/model/model_variation.h"
+#include "core/uncertainty/chain_effects.h"
+#include "core/uncertainty/reported_value.h"
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace dyncal {
+
+/// Complete uncertainties of S(f), row by row as in ResponseResult. What all rows share (step,
+/// chain) is apart from what is a row's own (noise, end, aliasing, front, onset). NaN where a value
+/// is withheld, or its u is not complete.
+struct RowUncertainty
+{
+    std::vector<UncertaintyLine> common; ///< relative, of every magnitude
+    double u_common_relative = kUnknown; ///< NaN where the step's is not known
+    Eigen::VectorXd u_magnitude;
+    Eigen::VectorXd k_magnitude;
+    Eigen::VectorXd dof_magnitude;
+    Eigen::VectorXd u_phase_rad;
+    Eigen::VectorXd k_phase;
+    Eigen::VectorXd dof_phase;
+    Eigen::MatrixX3d covarianceReIm; ///< var Re S, cov, var Im S, of the row's own part
+    Eigen::VectorXd u_modelMagnitude;
+    Eigen::VectorXd u_modelPhase_rad;
+    Eigen::VectorXd e_n; ///< of measured less model; they share all that is common
+
+    bool isComplete() const { return std::isfinite(u_common_relative); }
+};
+
+/// `common`: of every magnitude, relative; empty = not known. `variations`: modelVariations().
+RowUncertainty rowUncertainty(const ResponseResult &response,
+    const std::optional<std::vector<UncertaintyLine>> &common,
+    const std::vector<ModelVariation> &variations, ResponseTreatment treatment);
+
+/// The lines of one row's magnitude, the common ones first. The row must not be withheld.
+std::vector<UncertaintyLine> magnitudeLines(
+    const ResponseResult &response, const std::vector<UncertaintyLine> &common, Index row);
+
+/// The same of its phase, in rad.
+std::vector<UncertaintyLine> phaseLines(const ResponseResult &response, Index row);
+
+} // namespace dyncal

@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/uncertainty/uncertainty_report.h"
+
+#include "core/base/number_text.h"
+#include "core/uncertainty/model_values.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dyncal {
+namespace {
+
+using Lines = std::vector<UncertaintyLine>;
+
+bool isPerPressure(const ResponseResult &response)
+{
+    return response.sensitivity && response.unit == response.sensitivityUnit;
+}
+
+Lines together(Lines lines, const Lines &more)
+{
+    lines.insert(lines.end(), more.begin(), more.end());
+    return lines;
+}
+
+/// Of one mean, with the chain's lines; u absent where that of the step or of a level is.
+ReportedValue meanValue(const SensitivityMean &mean, const std::string &unit, const Lines &chain)
+{
+    ReportedValue reported{"sensitivity", mean.value, unit, {}, {}};
+    if (!mean.u) {
+        reported.missing
+            = {DYNCAL_TEXT("core", "that of the pressure step or of a level is not known"), {}};
+        return reported;
+    }
+    reported.lines = scaled(together(mean.lines, chain), std::abs(mean.value));
+    combineLines(reported);
+    return reported;
+}
+
+/// What every row of S(f) shares: all of the sensitivity but the noise of the levels, which the
+/// rows have as their own. Relative to the level at the onset it is that noise alone.
+std::optional<Lines> commonLines(const ResponseResult &response, const Lines &chain)
+{
+    const auto &mean = response.summary.mean;
+    Lines lines;
+    if (!isPerPressure(response)) {
+        for (const ShotSensitivity &shot : response.shots) {
+            if (!std::isfinite(shot.uLevel_relative))
+                return std::nullopt;
+            lines.push_back(directLine(
+                kLevelRelative, shot.uLevel_relative / static_cast<double>(response.shots.size())));
+            lines.back().shot = shot.shot;
+        }
+        return lines;
+    }
+    if (!mean || !mean->u)
+        return std::nullopt;
+    std::ranges::copy_if(mean->lines, std::back_inserter(lines),
+        [](const UncertaintyLine &line) { return line.quantity != kLevelRelative; });
+    return together(std::move(lines), chain);
+}
+
+/// Complete: with what the chain adds.
+std::optional<double> completeU(const ShotSensitivity &shot, const Lines &chain)
+{
+    if (!shot.u || !shot.sensitivity)
+        return std::nullopt;
+    return std::hypot(*shot.u, *shot.sensitivity * combined(chain).u);
+}
+
+/// Why the step of a shot has no u; empty where none can be told.
+Message reasonOf(const ShockConditionsSet &shock)
+{
+    for (const ShockConditions &shot : shock.shots) {
+        if (shot.uncertainty && shot.uncertainty->stepMissing)
+            return *shot.uncertainty->stepMissing;
+        if (!shot.uncertainty && !shot.uncertaintyMissing.empty())
+            return {"%1", {shot.uncertaintyMissing}};
+    }
+    return {};
+}
+
+void judgeMissing(const UncertaintyReport &report, const ResponseResult &response,
+    const ShockConditionsSet &shock, Findings &findings)
+{
+    if (!isPerPressure(response) || report.rows.isComplete())
+        return;
+    const Message reason = reasonOf(shock);
+    findings.push_back({.id = "UNC-001",
+        .severity = Severity::Caution,
+        .message = *reason.text == '\0'
+            ? Message{DYNCAL_TEXT("core",
+                          "The sensitivity has no complete uncertainty: that of the level at the onset is not known. Refine the model, or choose an order whose level is known."),
+                {}}
+            : Message{
+                DYNCAL_TEXT("core",
+                    "The sensitivity has no complete uncertainty (%1). State what is missing in uncertainty.budget or in the capture; without it no sensitivity is a result."),
+                {english(reason)}}});
+}
+
+/// One line that is more than 80 % of the variance of the sensitivity.
+void judgeDominant(const UncertaintyReport &report, Findings &findings)
+{
+    constexpr double kDominant_percent = 80.0;
+    if (!report.sensitivity || !report.sensitivity->u)
+        return;
+    for (const UncertaintyLine &line : report.sensitivity->lines) {
+        const double share = report.sensitivity->sharePercent(line);
+        if (share > kDominant_percent)
+            findings.push_back({.id = "UNC-002",
+                .shot = line.shot,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "%1 is %2 % of the variance of the sensitivity: to know it better is what makes its uncertainty smaller."),
+                    {line.quantity, numberText(share, 2)}},
+                .value = share,
+                .limit = kDominant_percent});
+    }
+}
+
+} // namespace
+
+const ReportedValue *UncertaintyReport::find(const std::string &of) const
+{
+    const auto found = std::ranges::find(ofModel, of, &ReportedValue::of);
+    return found == ofModel.end() ? nullptr : &*found;
+}
+
+double uOfSensitivity(const UncertaintyReport *report)
+{
+    return report && report->sensitivity ? report->sensitivity->u.value_or(kUnknown) : kUnknown;
+}
+
+double uOfShot(const UncertaintyReport *report, std::size_t shot)
+{
+    return report && shot < report->u_ofShots.size() ? report->u_ofShots[shot].value_or(kUnknown)
+                                                     : kUnknown;
+}
+
+double uOf(const UncertaintyReport *report, const std::string &of)
+{
+    const ReportedValue *found = report ? report->find(of) : nullptr;
+    return found ? found->u.value_or(kUnknown) : kUnknown;
+}
+
+const ReportedValue *levelOf(const UncertaintyReport *report, std::size_t level)
+{
+    return report && level < report->perLevel.size() ? &report->perLevel[level] : nullptr;
+}
+
+UncertaintyReport reportUncertainty(const ModelInput &input, const SensorModel &model,
+    const ModelAssessment &assessment, const ResponseResult &response,
+    const ShockConditionsSet &shock, const std::vector<StatedUncertainty> &stated)
+{
+    UncertaintyReport report;
+    report.chain = chainEffects(stated);
+    const Lines &chain = report.chain.ofSensitivity;
+    if (response.summary.mean)
+        report.sensitivity = meanValue(*response.summary.mean, response.sensitivityUnit, chain);
+    for (const SensitivityMean &level : response.summary.perLevel)
+        report.perLevel.push_back(meanValue(level, response.sensitivityUnit, chain));
+    for (const ShotSensitivity &shot : response.shots)
+        report.u_ofShots.push_back(completeU(shot, chain));
+    const std::vector<ModelVariation> variations = modelVariations(input, model);
+    report.ofModel
+        = modelValues(model, assessment, response, variations, input.treatment, report.chain.clock);
+    report.rows
+        = rowUncertainty(response, commonLines(response, chain), variations, input.treatment);
+    if (isStepTreatment(input.treatment)) {
+        judgeMissing(report, response, shock, report.findings);
+        judgeDominant(report, report.findings);
+    }
+    return report;
+}
+
+} // namespace dyncal
