@@ -39,14 +39,6 @@ SensitivityJson levelsJson(
     return list;
 }
 
-/// Complete u of a shot's sensitivity.
-double completeU(const CalibrationResults &results, Index shot)
-{
-    const auto &shots = results.response->shots;
-    const auto found = std::ranges::find(shots, shot, &ShotSensitivity::shot);
-    return uOfShot(results.uncertainty.get(), static_cast<std::size_t>(found - shots.begin()));
-}
-
 } // namespace
 
 void addSensitivitySummary(JsonRecord &root, const ResultsContext &context)
@@ -134,7 +126,10 @@ void addShotSensitivity(JsonRecord &record, Index shot, const ResultsContext &co
     record.number("sensitivity", found ? found->sensitivity : std::nullopt, reason);
     record.text("sensitivity_unit", known ? found->unit : std::string(), reason);
     const std::string incomplete = known ? kIncomplete : reason;
-    const double u = found ? completeU(context.results(), shot) : kUnknown;
+    const UncertaintyReport *report = context.results().uncertainty.get();
+    const double u = found
+        ? uOfShot(report, static_cast<std::size_t>(found - response->shots.data()))
+        : kUnknown;
     record.number("u_sensitivity", u, incomplete);
     record.number("k_sensitivity", std::isfinite(u) ? found->k : kUnknown, incomplete);
     record.number("u_level_relative", known ? found->uLevel_relative : kUnknown, incomplete);

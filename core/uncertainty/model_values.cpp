@@ -224,6 +224,7 @@ std::vector<ReportedValue> modelValues(const SensorModel &model, const ModelAsse
     Values values = valuesOf(model, pair, treatment);
     keepStated(response, values);
     std::vector<std::pair<Values, Values>> moved;
+    moved.reserve(variations.size());
     for (const ModelVariation &one : variations)
         moved.emplace_back(valuesOf(one.up, pair, treatment), valuesOf(one.down, pair, treatment));
     Spread u = spreadOf(moved);
