@@ -117,9 +117,12 @@ void addShotSensitivity(JsonRecord &record, Index shot, const ResultsContext &co
         = "Not determined: the shot's pressure step is not known, or the level of its response at the onset not to 10 %.";
     const ResponseResult *response = context.results().response.get();
     const ShotSensitivity *found = nullptr;
+    std::size_t at = 0;
     for (std::size_t i = 0; response && i < response->shots.size(); ++i) {
-        if (response->shots[i].shot == shot)
+        if (response->shots[i].shot == shot) {
             found = &response->shots[i];
+            at = i;
+        }
     }
     const std::string reason = response ? undetermined : context.whyMissing();
     const bool known = found && found->sensitivity;
@@ -127,9 +130,7 @@ void addShotSensitivity(JsonRecord &record, Index shot, const ResultsContext &co
     record.text("sensitivity_unit", known ? found->unit : std::string(), reason);
     const std::string incomplete = known ? kIncomplete : reason;
     const UncertaintyReport *report = context.results().uncertainty.get();
-    const double u = found
-        ? uOfShot(report, static_cast<std::size_t>(found - response->shots.data()))
-        : kUnknown;
+    const double u = found ? uOfShot(report, at) : kUnknown;
     record.number("u_sensitivity", u, incomplete);
     record.number("k_sensitivity", std::isfinite(u) ? found->k : kUnknown, incomplete);
     record.number("u_level_relative", known ? found->uLevel_relative : kUnknown, incomplete);
