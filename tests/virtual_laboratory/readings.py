@@ -71,9 +71,10 @@ def voltage(results, truth, shot):
         return None
     value, true = s * step, truth["shots"][shot]["level_at_onset"]
     u, common = get(results, "shots", shot, "u_sensitivity"), relative_step_u(results, shot)
-    if u is not None and common is not None:
+    part = get(results, "shots", shot, "u_level_relative")
+    if part is None and u is not None and common is not None:  # as older versions have it
         part = np.sqrt(max((u / s) ** 2 - common**2, 0.0))
-    else:
+    elif part is None:
         part = plateau_u(results, shot)
     return entry(value, None if part is None else float(part * abs(value)), 2.0, true)
 
