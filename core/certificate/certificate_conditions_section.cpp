@@ -141,7 +141,7 @@ void addSteps(const CalibrationResults &results, const Recipe &recipe, Certifica
     if (stepUncertain)
         section.notes.push_back(
             {DYNCAL_TEXT("core",
-                 "U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is contained in the uncertainty of the sensitivity, not in those of the frequency response."),
+                 "U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is contained in the uncertainties of the sensitivity and of the magnitudes of the frequency response."),
                 {numberText(100.0 * recipe.uncertainty.coverage, 4)}});
     if (stepMissing)
         section.notes.push_back(

@@ -28,12 +28,13 @@ Message cell(double value, double u, std::string_view unit, double k = kCoverage
     return std::isfinite(value) ? valueCell(value, u, unit, k) : dash();
 }
 
-/// A value of the model, to the digits of its uncertainty; three where that is not known, fewer
-/// where that of the measured value beside it asks for fewer.
+/// A value of the model, to the digits of the wider of its uncertainty and that of the measured
+/// value beside it; three where its own is not known, or fewer where the measured one asks for
+/// fewer.
 Message modelCell(double value, double u, double uMeasured, std::string_view unit)
 {
     if (std::isfinite(u))
-        return cell(value, u, unit);
+        return cell(value, std::isfinite(uMeasured) ? std::max(u, uMeasured) : u, unit);
     const double U = kCoverageFactor * uMeasured;
     const bool isCoarse
         = value != 0.0 && U >= std::pow(10.0, std::floor(std::log10(std::abs(value))) - 1.0);
@@ -133,7 +134,7 @@ void addNotes(const ResponseResult &response, std::size_t rows, CertificateSecti
 {
     section.notes.push_back(
         {DYNCAL_TEXT("core",
-             "The lower limit follows from the length of the window, the upper one from the noise and the sample rate. Frequencies are settings, without an uncertainty. The model's values have the digits that their uncertainty allows; they end at half the sample rate of the model. A dash means that the value, or its complete uncertainty, was not determined."),
+             "The lower limit follows from the length of the window, the upper one from the noise and the sample rate. Frequencies are settings, without an uncertainty. The model's values have the digits of the wider of their uncertainty and the measured value's; they end at half the sample rate of the model. A dash means that the value, or its complete uncertainty, was not determined."),
             {}});
     section.notes.push_back(
         {DYNCAL_TEXT("core",
