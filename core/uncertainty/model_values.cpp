@@ -5,7 +5,7 @@
 
 #include "core/model_analysis/model_response.h"
 #include "core/model_analysis/stated_characteristics.h"
-#include "core/realization/exponentials/front.h"
+#include "core/uncertainty/front_effect.h"
 
 #include <algorithm>
 #include <array>
@@ -164,45 +164,22 @@ void takeAssessed(const SensorResonance &assessed, Spread &u)
     u[2] = 0.5 * assessed.u_dampingRatio / std::pow(assessed.dampingRatio, 2);
 }
 
-/// The model as it would be if the front had lasted `to_s` in place of `from_s`.
-SensorModel withFront(const SensorModel &model, double from_s, double to_s)
-{
-    SensorModel changed;
-    changed.order = model.order;
-    changed.poles = model.poles;
-    changed.slowPoles = model.slowPoles;
-    changed.plateauGain = model.plateauGain;
-    changed.stepLevel = model.stepLevel;
-    changed.amplitudes = model.amplitudes;
-    changed.sensorStep = model.sensorStep;
-    const auto factor
-        = [&](std::complex<double> s) { return frontFactor(from_s, s) / frontFactor(to_s, s); };
-    for (Index i = 0; i < changed.amplitudes.size(); ++i)
-        changed.amplitudes[i] *= factor(model.poles[static_cast<std::size_t>(i)].s_rad_s);
-    for (Index i = 0; i < changed.sensorStep.amplitudes.size(); ++i)
-        changed.sensorStep.amplitudes[i] *= factor(model.sensorStep.poles_rad_s[i]);
-    return changed;
-}
-
 /// What the front does to every value, as lines without an amount where it does nothing.
 std::array<UncertaintyLine, kRows.size()> frontLines(const SensorModel &model,
     const std::optional<std::pair<std::size_t, std::size_t>> &pair, ResponseTreatment treatment,
     const FrontDuration &front)
 {
-    const bool isStated = front.duration_s > 0.0 || front.u_s > 0.0;
-    const double shorter_s = isStated ? std::max(0.0, front.duration_s - front.u_s) : 0.0;
-    const double longer_s = isStated ? front.duration_s + front.u_s : kUnstatedFront_s;
-    const double spread = isStated ? 2.0 : std::sqrt(5.0);
+    const FrontRange range = frontRange(front);
     const auto at = [&](double duration_s) {
         return valuesOf(withFront(model, front.duration_s, duration_s), pair, treatment);
     };
-    const Values shorter = at(shorter_s);
-    const Values longer = at(longer_s);
+    const Values shorter = at(range.shorter_s);
+    const Values longer = at(range.longer_s);
     std::array<UncertaintyLine, kRows.size()> lines;
     for (std::size_t i = 0; i < kRows.size(); ++i) {
-        const double change = (longer.*kRows[i].value - shorter.*kRows[i].value) / spread;
-        lines[i] = directLine(isStated ? "front_duration_s" : "front_unknown",
-            kRows[i].ofPoles || !std::isfinite(change) ? 0.0 : std::abs(change));
+        const double change = (longer.*kRows[i].value - shorter.*kRows[i].value) / range.divisor;
+        lines[i] = directLine(
+            range.quantity, kRows[i].ofPoles || !std::isfinite(change) ? 0.0 : std::abs(change));
     }
     return lines;
 }

@@ -4,6 +4,7 @@
 #include "core/uncertainty/row_uncertainty.h"
 
 #include "core/model_analysis/model_response.h"
+#include "core/uncertainty/front_effect.h"
 
 #include <cmath>
 #include <complex>
@@ -107,26 +108,39 @@ void combineRow(const ResponseResult &response, Index row, RowUncertainty &rows)
         s * s * along + c * c * across;
 }
 
+/// From one model's response over its level to the other's, relative, as a complex logarithm.
+std::complex<double> changeOf(const SensorModel &to, const SensorModel &from,
+    ResponseTreatment treatment, double frequency_Hz)
+{
+    return std::log(modelResponse(to, treatment, frequency_Hz) / to.level() * from.level()
+        / modelResponse(from, treatment, frequency_Hz));
+}
+
 /// Relative change of the model's response, as u of its magnitude and, in quadrature, of its phase.
-void addModel(const ResponseResult &response, const std::vector<ModelVariation> &variations,
-    ResponseTreatment treatment, Index row, RowUncertainty &rows)
+void addModel(const ResponseResult &response, const SensorModel &model,
+    const std::vector<ModelVariation> &variations, ResponseTreatment treatment, Index row,
+    RowUncertainty &rows)
 {
     const double f_Hz = response.frequency_Hz[row];
     double along = 0.0;
     double across = 0.0;
     for (const ModelVariation &one : variations) {
         const std::complex<double> change
-            = std::log(modelResponse(one.up, treatment, f_Hz) / one.up.level() * one.down.level()
-                  / modelResponse(one.down, treatment, f_Hz))
-            / (2.0 * kVariation);
+            = changeOf(one.up, one.down, treatment, f_Hz) / (2.0 * kVariation);
         along += std::norm(change.real());
         across += std::norm(change.imag());
     }
     const double own = response.modelMagnitude[row] * std::sqrt(along);
+    const FrontRange range = frontRange(response.front);
+    const std::complex<double> ofFront
+        = changeOf(withFront(model, response.front.duration_s, range.longer_s),
+              withFront(model, response.front.duration_s, range.shorter_s), treatment, f_Hz)
+        / range.divisor;
     rows.u_modelMagnitude[row] = rows.isComplete()
-        ? std::hypot(own, response.modelMagnitude[row] * rows.u_common_relative)
+        ? std::hypot(
+            own, response.modelMagnitude[row] * std::hypot(ofFront.real(), rows.u_common_relative))
         : kUnknown;
-    rows.u_modelPhase_rad[row] = std::sqrt(across);
+    rows.u_modelPhase_rad[row] = std::hypot(std::sqrt(across), ofFront.imag());
     if (!isStated(response, row))
         return;
     // Both come from the same noise, and of it the model takes the least: the difference has the
@@ -165,7 +179,7 @@ std::vector<UncertaintyLine> phaseLines(const ResponseResult &response, Index ro
 }
 
 RowUncertainty rowUncertainty(const ResponseResult &response,
-    const std::optional<std::vector<UncertaintyLine>> &common,
+    const std::optional<std::vector<UncertaintyLine>> &common, const SensorModel &model,
     const std::vector<ModelVariation> &variations, ResponseTreatment treatment)
 {
     RowUncertainty rows;
@@ -180,7 +194,7 @@ RowUncertainty rowUncertainty(const ResponseResult &response,
             combineRow(response, row, rows);
         if (!variations.empty() && row < response.modelMagnitude.size()
             && response.magnitude.size() == count)
-            addModel(response, variations, treatment, row, rows);
+            addModel(response, model, variations, treatment, row, rows);
     }
     return rows;
 }

@@ -35,9 +35,10 @@ struct RowUncertainty
     bool isComplete() const { return std::isfinite(u_common_relative); }
 };
 
-/// `common`: of every magnitude, relative; empty = not known. `variations`: modelVariations().
+/// `common`: of every magnitude, relative; empty = not known. `variations`: modelVariations() of
+/// the model; the model's response has their u, that of the front and the common part.
 RowUncertainty rowUncertainty(const ResponseResult &response,
-    const std::optional<std::vector<UncertaintyLine>> &common,
+    const std::optional<std::vector<UncertaintyLine>> &common, const SensorModel &model,
     const std::vector<ModelVariation> &variations, ResponseTreatment treatment);
 
 /// The lines of one row's magnitude, the common ones first. The row must not be withheld.

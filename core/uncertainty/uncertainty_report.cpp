@@ -167,8 +167,8 @@ UncertaintyReport reportUncertainty(const ModelInput &input, const SensorModel &
     const std::vector<ModelVariation> variations = modelVariations(input, model);
     report.ofModel
         = modelValues(model, assessment, response, variations, input.treatment, report.chain.clock);
-    report.rows
-        = rowUncertainty(response, commonLines(response, chain), variations, input.treatment);
+    report.rows = rowUncertainty(
+        response, commonLines(response, chain), model, variations, input.treatment);
     if (isStepTreatment(input.treatment)) {
         judgeMissing(report, response, shock, report.findings);
         judgeDominant(report, report.findings);

@@ -54,7 +54,7 @@ private slots:
     {
         const ResponseResult made = response();
         const RowUncertainty rows
-            = rowUncertainty(made, kCommon, {}, ResponseTreatment::StepDeflated);
+            = rowUncertainty(made, kCommon, {}, {}, ResponseTreatment::StepDeflated);
         QVERIFY(rows.isComplete());
         QVERIFY(isNear(rows.u_common_relative, 0.013));
         const double front = made.magnitude[1] * frontLine(1e5).u;
@@ -72,7 +72,7 @@ private slots:
     {
         const ResponseResult made = response();
         const RowUncertainty rows
-            = rowUncertainty(made, kCommon, {}, ResponseTreatment::StepDeflated);
+            = rowUncertainty(made, kCommon, {}, {}, ResponseTreatment::StepDeflated);
         for (Index row = 0; row < 2; ++row) {
             QVERIFY(isNear(combined(magnitudeLines(made, kCommon, row)).u, rows.u_magnitude[row]));
             QVERIFY(isNear(combined(phaseLines(made, row)).u, rows.u_phase_rad[row]));
@@ -84,7 +84,7 @@ private slots:
     {
         const ResponseResult made = response();
         const RowUncertainty rows
-            = rowUncertainty(made, kCommon, {}, ResponseTreatment::StepDeflated);
+            = rowUncertainty(made, kCommon, {}, {}, ResponseTreatment::StepDeflated);
         const Eigen::Vector3d v = rows.covarianceReIm.row(1).transpose();
         Eigen::Matrix2d covariance;
         covariance << v[0], v[1], v[1], v[2];
@@ -100,7 +100,7 @@ private slots:
     void unknownStep_leavesTheMagnitudeWithoutU()
     {
         const RowUncertainty rows
-            = rowUncertainty(response(), std::nullopt, {}, ResponseTreatment::StepDeflated);
+            = rowUncertainty(response(), std::nullopt, {}, {}, ResponseTreatment::StepDeflated);
         QVERIFY(!rows.isComplete());
         QVERIFY(rows.u_magnitude.array().isNaN().all());
         QVERIFY(std::isfinite(rows.u_phase_rad[0])); // no step is in a phase
@@ -109,7 +109,7 @@ private slots:
     void withheldRows_haveNone()
     {
         const RowUncertainty rows
-            = rowUncertainty(response(), kCommon, {}, ResponseTreatment::StepDeflated);
+            = rowUncertainty(response(), kCommon, {}, {}, ResponseTreatment::StepDeflated);
         QVERIFY(std::isnan(rows.u_magnitude[2]) && std::isnan(rows.u_phase_rad[2]));
         QVERIFY(rows.covarianceReIm.row(2).array().isNaN().all());
     }
@@ -156,11 +156,12 @@ private slots:
             const SensorModel model = testing::realizeModel(input, *hankel, 2)->model;
             ResponseResult made;
             made.unit = "1";
+            made.front.u_s = 1e-15; // a front that is stated to be sharp
             made.frequency_Hz = Eigen::VectorXd::Constant(1, kF0_Hz);
             made.magnitude = Eigen::VectorXd::Constant(1, kUnknown);
             made.modelMagnitude = Eigen::VectorXd::Constant(
                 1, std::abs(modelResponse(model, input.treatment, kF0_Hz)) / model.level());
-            const RowUncertainty rows = rowUncertainty(made, std::vector<UncertaintyLine>{},
+            const RowUncertainty rows = rowUncertainty(made, std::vector<UncertaintyLine>{}, model,
                 modelVariations(input, model), input.treatment);
             squares
                 += std::pow((made.modelMagnitude[0] - 0.5 / kZeta) / rows.u_modelMagnitude[0], 2)
@@ -168,6 +169,27 @@ private slots:
         }
         qInfo("mean square of error over u: %.2f", squares);
         QVERIFY(squares > 0.6 && squares < 1.5); // 99 % of 60: 0.59 to 1.53
+    }
+
+    /// Without noise the model's response is as uncertain as the front makes the ringing: at the
+    /// resonance, which is nothing else, by w0^2 T^2/24 over sqrt(5).
+    void modelsResponse_hasTheUnknownFront()
+    {
+        constexpr double kF0_Hz = 318e3, kZeta = 0.02;
+        const ModelInput input = testing::dampedShots(kF0_Hz, kZeta, 1, {1e-6});
+        const auto hankel = decomposeHankel(input, {});
+        const SensorModel model = testing::realizeModel(input, *hankel, 2)->model;
+        ResponseResult made;
+        made.unit = "1";
+        made.frequency_Hz = Eigen::Vector2d(1e3, kF0_Hz);
+        made.magnitude = Eigen::Vector2d::Constant(kUnknown);
+        made.modelMagnitude = Eigen::Vector2d(1.0, 0.5 / kZeta);
+        const RowUncertainty rows = rowUncertainty(made, std::vector<UncertaintyLine>{}, model,
+            modelVariations(input, model), input.treatment);
+        const double share
+            = std::pow(kTwoPi * kF0_Hz * kUnstatedFront_s, 2) / 24.0 / std::sqrt(5.0);
+        QVERIFY(isNear(rows.u_modelMagnitude[1], 25.0 * share, 0.05));
+        QVERIFY(rows.u_modelMagnitude[0] < 1e-4 * share);
     }
 };
 

@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/uncertainty/front_effect.h"
+
+#include "core/uncertainty/chain_effects.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+
+FrontRange frontRange(const FrontDuration &front)
+{
+    if (front.duration_s > 0.0 || front.u_s > 0.0)
+        return {"front_duration_s", std::max(0.0, front.duration_s - front.u_s),
+            front.duration_s + front.u_s, 2.0};
+    return {"front_unknown", 0.0, kUnstatedFront_s, std::sqrt(5.0)};
+}
+
+SensorModel withFront(const SensorModel &model, double from_s, double to_s)
+{
+    SensorModel changed;
+    changed.order = model.order;
+    changed.poles = model.poles;
+    changed.slowPoles = model.slowPoles;
+    changed.plateauGain = model.plateauGain;
+    changed.stepLevel = model.stepLevel;
+    changed.amplitudes = model.amplitudes;
+    changed.sensorStep = model.sensorStep;
+    const auto factor
+        = [&](std::complex<double> s) { return frontFactor(from_s, s) / frontFactor(to_s, s); };
+    for (Index i = 0; i < changed.amplitudes.size(); ++i)
+        changed.amplitudes[i] *= factor(model.poles[static_cast<std::size_t>(i)].s_rad_s);
+    for (Index i = 0; i < changed.sensorStep.amplitudes.size(); ++i)
+        changed.sensorStep.amplitudes[i] *= factor(model.sensorStep.poles_rad_s[i]);
+    return changed;
+}
+
+} // namespace dyncal
