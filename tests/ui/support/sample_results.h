@@ -227,6 +227,16 @@ inline std::shared_ptr<const ResponseResult> sampleResponseResult(const ShockCon
     return result;
 }
 
+/// The rise time alone has a budget.
+inline std::shared_ptr<const UncertaintyReport> sampleUncertainty()
+{
+    auto report = std::make_shared<UncertaintyReport>();
+    ReportedValue rise{"rise_time_s", 120e-9, "s", {directLine("noise", 2.1e-9)}};
+    combineLines(rise);
+    report->ofModel = {rise};
+    return report;
+}
+
 /// Stands in for runPipeline: formula results up to the response.
 inline PipelineOutcome samplePipeline(const std::shared_ptr<const CaptureSet> &captures,
     const Recipe &recipe, ResultCache &, StageId, const JobControl &)
@@ -275,6 +285,7 @@ inline PipelineOutcome samplePipeline(const std::shared_ptr<const CaptureSet> &c
     results.monteCarlo = std::make_shared<StepMonteCarloSet>();
     results.response = sampleResponseResult(*results.shock);
     results.checks = std::make_shared<ConsistencyResult>();
+    results.uncertainty = sampleUncertainty();
     return {results, std::nullopt, StageId::Captures};
 }
 

@@ -14,6 +14,7 @@
 #include "ui/stages/model/model_text.h"
 #include "ui/text/core_text.h"
 #include "ui/text/quantity_format.h"
+#include "ui/text/shown_text.h"
 
 #include <QCheckBox>
 #include <QComboBox>
@@ -258,15 +259,20 @@ void ModelPage::showCharacteristics()
     const auto &response = results().response;
     const StatedCharacteristics found
         = response ? statedCharacteristics(*response) : StatedCharacteristics();
-    const auto show = [&](QLabel *label, const StatedValue &value) {
-        label->setText(response ? translated(value.words) : "–");
+    const auto show = [&](QLabel *label, const StatedValue &value, const char *of) {
+        const UncertaintyReport *report = results().uncertainty.get();
+        const ReportedValue *reported = report ? report->find(of) : nullptr;
+        const bool known = value.value && reported && reported->u;
+        label->setText(!response ? "–"
+                : known          ? shownWithU(*value.value, *reported->u, shownText(reported->unit))
+                                 : translated(value.words));
     };
-    show(m_rise, found.riseTime_s);
-    show(m_overshoot, found.overshoot_percent);
-    show(m_settling, found.settlingTime_s);
-    show(m_within5, found.within5percent_Hz);
-    show(m_within10, found.within10percent_Hz);
-    show(m_minus3, found.minus3dB_Hz);
+    show(m_rise, found.riseTime_s, "rise_time_s");
+    show(m_overshoot, found.overshoot_percent, "overshoot_percent");
+    show(m_settling, found.settlingTime_s, "settling_time_s");
+    show(m_within5, found.within5percent_Hz, "within_5_percent_hz");
+    show(m_within10, found.within10percent_Hz, "within_10_percent_hz");
+    show(m_minus3, found.minus3dB_Hz, "minus_3_db_hz");
     m_band->setText(response ? tr("%1 to %2")
                                    .arg(shownQuantity(response->fLow_Hz, "Hz", 3),
                                        shownQuantity(response->fHigh_Hz, "Hz", 3))
