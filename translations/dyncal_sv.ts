@@ -6046,10 +6046,6 @@
         <translation>En givare av andra ordningen (dämpkvot %1) beskriver registreringarna bättre än ordning %2, enligt deras BIC: om ett så dämpat svar säger de realiserade polerna föga.</translation>
     </message>
     <message>
-        <source>The lower limit follows from the length of the window, the upper one from the noise and the sample rate. Frequencies are settings, without an uncertainty. The model&apos;s values have the digits that their uncertainty allows; they end at half the sample rate of the model. A dash means that the value, or its complete uncertainty, was not determined.</source>
-        <translation>Den undre gränsen följer av fönstrets längd, den övre av bruset och samplingsfrekvensen. Frekvenser är inställningar, utan osäkerhet. Modellens värden har de siffror som den större av deras och det uppmätta värdets osäkerhet medger; de slutar vid modellens halva samplingsfrekvens. Ett streck betyder att värdet, eller dess fullständiga osäkerhet, inte har bestämts.</translation>
-    </message>
-    <message>
         <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the sensitivity contain the pressure step, the shots, the noise, gain, linearity and mounting; those of the frequency response also the end of the records, the sampling, the front and a drift; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: gain 0.5 %, linearity and mounting 0.1 %, clock 50 ppm, a front of up to 100 ns. The budget of every value is in results.json. A result without an uncertainty beside it has none that is complete, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
         <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en konfidensnivå av ungefär 95 % (GUM, JCGM 100). Känslighetens innehåller tryckstegets, skottens och brusets bidrag, förstärkning, linjäritet och montering; frekvenssvarets även registreringens slut, samplingen, fronten och en drift; frekvensers och tiders brus och samplingsklocka. Det som inte har angetts räknas med det vanliga intervallet: förstärkning 0,5 %, linjäritet och montering 0,1 %, klocka 50 ppm, en front på upp till 100 ns. Varje värdes budget finns i results.json. Ett resultat utan osäkerhet bredvid sig har ingen som är fullständig och är avrundat till tre gällande siffror; inställningar och avläsningar anges med högst fyra. Stigtid, översläng, insvängningstid och bandgränser är modellens, så långt som registreringar och modell räcker.</translation>
     </message>
@@ -6080,6 +6076,10 @@
     <message>
         <source>%1 is %2 % of the variance of the sensitivity: to know it better is what makes its uncertainty smaller.</source>
         <translation>%1 är %2 % av känslighetens varians: att känna den bättre är vad som gör osäkerheten mindre.</translation>
+    </message>
+    <message>
+        <source>The lower limit follows from the length of the window, the upper one from the noise and the sample rate. Frequencies are settings, without an uncertainty. The model&apos;s values have the digits of the wider of their uncertainty and the measured value&apos;s; they end at half the sample rate of the model. A dash means that the value, or its complete uncertainty, was not determined.</source>
+        <translation>Den undre gränsen följer av fönstrets längd, den övre av bruset och samplingsfrekvensen. Frekvenser är inställningar, utan osäkerhet. Modellens värden har de siffror som den större av deras och det uppmätta värdets osäkerhet medger; de slutar vid modellens halva samplingsfrekvens. Ett streck betyder att värdet, eller dess fullständiga osäkerhet, inte har bestämts.</translation>
     </message>
 </context>
 <context>
