@@ -72,15 +72,6 @@ UncertaintyJson characteristicJson(const ReportedValue &one)
     return record.take();
 }
 
-UncertaintyJson matrixRows(const Eigen::MatrixX3d &matrix)
-{
-    UncertaintyJson list = UncertaintyJson::array();
-    for (Index i = 0; i < matrix.rows(); ++i)
-        list.push_back(
-            {finiteOrNull(matrix(i, 0)), finiteOrNull(matrix(i, 1)), finiteOrNull(matrix(i, 2))});
-    return list;
-}
-
 } // namespace
 
 void addRowUncertainty(JsonRecord &section, const ResultsContext &context)
@@ -100,7 +91,7 @@ void addRowUncertainty(JsonRecord &section, const ResultsContext &context)
     section.number("u_common_relative", rows.u_common_relative, none);
     section.numbers("u_phase_rad", rows.u_phase_rad, none);
     section.numbers("k_phase", rows.k_phase, none);
-    section.set("covariance_re_im", matrixRows(rows.covarianceReIm));
+    section.set("covariance_re_im", rowsOf(rows.covarianceReIm));
     section.set("covariance_re_im_reason",
         "var Re, covariance, var Im of what is the row's own, without u_common_relative; null where withheld.");
     const std::string noModel = report

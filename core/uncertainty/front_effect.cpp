@@ -12,10 +12,15 @@ namespace dyncal {
 
 FrontRange frontRange(const FrontDuration &front)
 {
-    if (front.duration_s > 0.0 || front.u_s > 0.0)
+    if (isFrontStated(front))
         return {"front_duration_s", std::max(0.0, front.duration_s - front.u_s),
             front.duration_s + front.u_s, 2.0};
     return {"front_unknown", 0.0, kUnstatedFront_s, std::sqrt(5.0)};
+}
+
+bool isFrontStated(const FrontDuration &front)
+{
+    return front.duration_s > 0.0 || front.u_s > 0.0;
 }
 
 SensorModel withFront(const SensorModel &model, double from_s, double to_s)
@@ -35,6 +40,13 @@ SensorModel withFront(const SensorModel &model, double from_s, double to_s)
     for (Index i = 0; i < changed.sensorStep.amplitudes.size(); ++i)
         changed.sensorStep.amplitudes[i] *= factor(model.sensorStep.poles_rad_s[i]);
     return changed;
+}
+
+FrontVariation frontVariation(const SensorModel &model, const FrontDuration &front)
+{
+    const FrontRange range = frontRange(front);
+    return {range, withFront(model, front.duration_s, range.shorter_s),
+        withFront(model, front.duration_s, range.longer_s)};
 }
 
 } // namespace dyncal

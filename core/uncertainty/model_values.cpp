@@ -169,12 +169,9 @@ std::array<UncertaintyLine, kRows.size()> frontLines(const SensorModel &model,
     const std::optional<std::pair<std::size_t, std::size_t>> &pair, ResponseTreatment treatment,
     const FrontDuration &front)
 {
-    const FrontRange range = frontRange(front);
-    const auto at = [&](double duration_s) {
-        return valuesOf(withFront(model, front.duration_s, duration_s), pair, treatment);
-    };
-    const Values shorter = at(range.shorter_s);
-    const Values longer = at(range.longer_s);
+    const auto [range, shorterModel, longerModel] = frontVariation(model, front);
+    const Values shorter = valuesOf(shorterModel, pair, treatment);
+    const Values longer = valuesOf(longerModel, pair, treatment);
     std::array<UncertaintyLine, kRows.size()> lines;
     for (std::size_t i = 0; i < kRows.size(); ++i) {
         const double change = (longer.*kRows[i].value - shorter.*kRows[i].value) / range.divisor;

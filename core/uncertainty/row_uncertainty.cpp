@@ -67,8 +67,7 @@ std::vector<UncertaintyLine> ownLines(const ResponseResult &response, Index row)
         rowLine("end_of_record", ofBound(response.boundEnd, row), Distribution::Rectangular),
         rowLine("aliasing", ofBound(response.boundAlias, row), Distribution::Rectangular),
         rowLine("drift", S * ofDrift_relative(response, f_Hz))};
-    const bool isFrontStated = response.front.duration_s > 0.0 || response.front.u_s > 0.0;
-    if (isFrontStated)
+    if (isFrontStated(response.front))
         lines.push_back(rowLine("front_duration_s", response.u_frontMagnitude[row]));
     else
         lines.push_back(scaled({frontLine(f_Hz)}, S).front());
@@ -117,7 +116,7 @@ std::complex<double> changeOf(const SensorModel &to, const SensorModel &from,
 }
 
 /// Relative change of the model's response, as u of its magnitude and, in quadrature, of its phase.
-void addModel(const ResponseResult &response, const SensorModel &model,
+void addModel(const ResponseResult &response, const FrontVariation &front,
     const std::vector<ModelVariation> &variations, ResponseTreatment treatment, Index row,
     RowUncertainty &rows)
 {
@@ -131,11 +130,8 @@ void addModel(const ResponseResult &response, const SensorModel &model,
         across += std::norm(change.imag());
     }
     const double own = response.modelMagnitude[row] * std::sqrt(along);
-    const FrontRange range = frontRange(response.front);
     const std::complex<double> ofFront
-        = changeOf(withFront(model, response.front.duration_s, range.longer_s),
-              withFront(model, response.front.duration_s, range.shorter_s), treatment, f_Hz)
-        / range.divisor;
+        = changeOf(front.longer, front.shorter, treatment, f_Hz) / front.range.divisor;
     rows.u_modelMagnitude[row] = rows.isComplete()
         ? std::hypot(
             own, response.modelMagnitude[row] * std::hypot(ofFront.real(), rows.u_common_relative))
@@ -189,12 +185,13 @@ RowUncertainty rowUncertainty(const ResponseResult &response,
         rows.common = *common;
         rows.u_common_relative = combined(rows.common).u;
     }
+    const FrontVariation front = frontVariation(model, response.front);
     for (Index row = 0; row < count; ++row) {
         if (row < response.magnitude.size() && isStated(response, row))
             combineRow(response, row, rows);
         if (!variations.empty() && row < response.modelMagnitude.size()
             && response.magnitude.size() == count)
-            addModel(response, model, variations, treatment, row, rows);
+            addModel(response, front, variations, treatment, row, rows);
     }
     return rows;
 }
