@@ -6,6 +6,7 @@
 #include "core/base/constants.h"
 #include "core/model_analysis/step_transform.h"
 #include "core/signal/fft.h"
+#include "core/signal/step_readings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,6 +52,16 @@ double onsetIn(const RecordOfShot &shot)
     return shot.onset_s + static_cast<double>(shot.record.early) / shot.response->sampleRate_Hz;
 }
 
+/// Middle of the rise, from the record alone; 0, the detected start, of a record without one.
+double middleOfRise_s(const RecordOfShot &shot)
+{
+    const Eigen::VectorXd &y = shot.record.values;
+    const Eigen::VectorXd relative = y / transformEnds(y, 0).back().level;
+    const auto crossing = riseCrossing(relative, shot.record.early, y.size(), 0.5);
+    const double early = static_cast<double>(shot.record.early);
+    return (crossing.value_or(early) - early) / shot.response->sampleRate_Hz;
+}
+
 /// One shot's S at one frequency.
 struct ShotPoint
 {
@@ -60,6 +71,7 @@ struct ShotPoint
     Eigen::VectorXcd changes; ///< of S by each cut, along S and across it
     Eigen::VectorXd variancesOfChanges;
     double u_onset_s = 0.0;
+    double onsetBehindRise_s = 0.0; ///< the model's onset less the middle of the record's rise
 };
 
 /// The noise of one shot as it acts on S at one frequency.
@@ -106,7 +118,8 @@ ShotPoint pointOf(
     };
     ShotPoint point{toS(transforms.back()),
         scale2 * (at.variance(whole, whole.samples) + noise.ofBaseline()), at.density.dof,
-        Eigen::VectorXcd(kCuts), Eigen::VectorXd(kCuts), shot.u_onset_s};
+        Eigen::VectorXcd(kCuts), Eigen::VectorXd(kCuts), shot.u_onset_s,
+        shot.onset_s - shot.middle_s};
     const std::complex<double> turn = std::polar(1.0, -std::arg(point.S));
     for (Index k = 0; k < kCuts; ++k) {
         const TransformEnd &end = ends[static_cast<std::size_t>(k)];
@@ -129,15 +142,22 @@ double meanMagnitude(const std::vector<ShotPoint> &shots)
     return sum / static_cast<double>(shots.size());
 }
 
-double meanPhase_rad(const std::vector<ShotPoint> &shots)
+/// Phases are known but for whole turns, their mean but for a share of one: they are compared where
+/// the records say that the shots lie, for a model's onset may be wrong by more than a turn.
+double meanPhase_rad(const std::vector<ShotPoint> &shots, double omega)
 {
+    const double n = static_cast<double>(shots.size());
     std::complex<double> together = 0.0;
-    for (const ShotPoint &shot : shots)
-        together += shot.S;
+    double offset_s = 0.0;
+    for (const ShotPoint &shot : shots) {
+        together += shot.S * std::polar(1.0, -omega * shot.onsetBehindRise_s);
+        offset_s += shot.onsetBehindRise_s / n;
+    }
     double sum = 0.0;
     for (const ShotPoint &shot : shots)
-        sum += std::remainder(std::arg(shot.S) - std::arg(together), kTwoPi);
-    return std::remainder(std::arg(together) + sum / static_cast<double>(shots.size()), kTwoPi);
+        sum += std::remainder(
+            std::arg(shot.S) - omega * shot.onsetBehindRise_s - std::arg(together), kTwoPi);
+    return std::remainder(std::arg(together) + sum / n + omega * offset_s, kTwoPi);
 }
 
 /// By the largest change of the mean that a cut makes beyond what noise does.
@@ -229,6 +249,7 @@ RecordResponse::RecordResponse(
 {
     for (RecordOfShot &shot : m_shots) {
         trimBefore(span_s, shot);
+        shot.middle_s = middleOfRise_s(shot);
         const WindowedResponse &response = *shot.response;
         m_noise.emplace_back(response);
         m_longest_s
@@ -303,8 +324,9 @@ RecordResponse::Point RecordResponse::over(double length_s, double frequency_Hz)
     }
     const double n = static_cast<double>(shots.size());
     const double front = frontGain(frequency_Hz, 0.0);
-    Point point{meanMagnitude(shots) / front, meanPhase_rad(shots), std::sqrt(variance) / n / front,
-        0.0, dofOf(shots), boundOfEnd(shots) / front, boundAlias(frequency_Hz) / front};
+    Point point{meanMagnitude(shots) / front, meanPhase_rad(shots, kTwoPi * frequency_Hz),
+        std::sqrt(variance) / n / front, 0.0, dofOf(shots), boundOfEnd(shots) / front,
+        boundAlias(frequency_Hz) / front};
     point.length_s = std::min(length_s, m_longest_s);
     point.u_front = point.magnitude
         * std::abs(frontGain(frequency_Hz, m_front.u_s) - frontGain(frequency_Hz, -m_front.u_s))

@@ -21,6 +21,7 @@ struct RecordOfShot
     double scale = 1.0; ///< from the record's values to S
     double onset_s = 0.0; ///< relative to the detected start
     double u_onset_s = 0.0; ///< not finite where unknown; the phase has no u then
+    double middle_s = 0.0; ///< of the rise, relative to the detected start; found by RecordResponse
 };
 
 /// S(f) from the records alone, mean over the shots, with two bounds of its error

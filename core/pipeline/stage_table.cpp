@@ -266,7 +266,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         ofModel},
     {Shock, "shock", 6, 1, "SHK-", Model, Shock, true, readShock, kept<&R::shock, shock>(),
         of<&R::shock>},
-    {Response, "response", 8, 30, "RSP-", Shock, Model, true, readResponse,
+    {Response, "response", 9, 30, "RSP-", Shock, Model, true, readResponse,
         kept<&R::response, response>(), of<&R::response>},
     {Checks, "checks", 4, 10, "CHK-", Response, Checks, true, readNothing,
         kept<&R::checks, checks>(), of<&R::checks>},

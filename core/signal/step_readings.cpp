@@ -9,6 +9,7 @@
 namespace dyncal {
 namespace {
 
+constexpr double kLowOfRise = 0.1, kHighOfRise = 0.9;
 constexpr double kLargestNoise = 0.1;
 constexpr double kSettleBand = 0.05;
 constexpr double kLargestFineNoise = kSettleBand / 4.0;
@@ -32,12 +33,8 @@ std::optional<double> firstCrossing(
 
 std::optional<double> riseOf(const Eigen::Ref<const Eigen::VectorXd> &y, Index lead, Index end)
 {
-    // In noise the detected start may lie above 10 %; then the crossing is before it.
-    Index from = lead;
-    while (from > 0 && y[from] >= 0.1)
-        --from;
-    const auto low = firstCrossing(y, from, end, 0.1);
-    const auto high = firstCrossing(y, from, end, 0.9);
+    const auto low = riseCrossing(y, lead, end, kLowOfRise);
+    const auto high = riseCrossing(y, lead, end, kHighOfRise);
     if (!low || !high)
         return std::nullopt;
     return *high - *low;
@@ -68,6 +65,16 @@ std::optional<double> settlingOf(
 }
 
 } // namespace
+
+std::optional<double> riseCrossing(
+    const Eigen::Ref<const Eigen::VectorXd> &response, Index lead, Index end, double level)
+{
+    // In noise the detected start may lie above 10 %; then the crossing is before it.
+    Index from = lead;
+    while (from > 0 && response[from] >= kLowOfRise)
+        --from;
+    return firstCrossing(response, from, end, level);
+}
 
 StepReadings readStep(
     const Eigen::Ref<const Eigen::VectorXd> &response, Index lead, Index length, double noiseSd)
