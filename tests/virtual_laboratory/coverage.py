@@ -20,7 +20,6 @@ SENSORS = ((318e3, 0.02), (120e3, 0.05), (200e3, 0.4))
 SHOTS = (3, 6)
 ROWS = 12
 GAIN, LINEARITY, MOUNTING, CLOCK, FRONT_s = 0.005, 0.001, 0.001, 50e-6, 100e-9  # what is not stated
-EDGES = {"within_5_percent_hz": 0.05, "within_10_percent_hz": 0.10}
 
 
 def drawn(sensor, shots, rng):
@@ -39,19 +38,6 @@ def drawn(sensor, shots, rng):
     for plan in lab.shots:
         plan.gain = common * (1 + rng.uniform(-LINEARITY, LINEARITY))
     return lab
-
-
-def edge(truth, limit):
-    """The lowest frequency at which |S|/S0 leaves 1 +- limit, to 1e-6."""
-    def off(f):
-        return abs(abs(readings.true_response(truth, np.atleast_1d(f))) / truth["sensitivity"] - 1) - limit
-    grid = truth["f0_hz"] * np.geomspace(1e-2, 10, 3000)
-    first = int(np.argmax(off(grid) > 0))
-    low, high = grid[first - 1], grid[first]
-    while high - low > 1e-7 * low:
-        middle = (low + high) / 2
-        low, high = (low, middle) if off(middle)[0] > 0 else (middle, high)
-    return low
 
 
 def z_of(value, u, k, true):
@@ -75,11 +61,9 @@ def ratios(results, truth):
     found = {"S(f), noise": [], "S(f), step": [], "phase": []}
     s = results["sensitivity"] or {}
     found["sensitivity"] = [z_of(s.get("value"), s.get("u"), s.get("k"), truth["sensitivity"])]
-    true = {"f0_hz": truth["f0_hz"], "damping_ratio": truth["zeta"],
-            **{name: edge(truth, limit) for name, limit in EDGES.items()}}
-    for one in results["characteristics"] or []:
-        if one["quantity"] in true:
-            found[one["quantity"]] = [z_of(one["value"], one["u"], one["k"], true[one["quantity"]])]
+    stated = readings.stated_characteristics(results, {"f0_hz": truth["f0_hz"], "damping_ratio": truth["zeta"]})
+    for name, item in {**stated, **readings.bands(results, truth)}.items():
+        found[name] = [z_of(item["value"], item["u"], item["k"], item["true"])]
     step = readings.of_shock(results, truth, len(truth["shots"]) - 1, "step_pa", "step_dof")
     found["step"] = [z_of(step["value"], step["u"], step["k"], step["true"])] if step else []
     for magnitude, phase, common in rows(results, truth):

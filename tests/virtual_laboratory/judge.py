@@ -99,7 +99,7 @@ def stated(results, truth):
     return {"sensitivity": readings.sensitivity(results, truth),
             "step": readings.of_shock(results, truth, shot, "step_pa", "step_dof"), "f0": f0, "zeta": zeta,
             "velocity": readings.of_shock(results, truth, shot, "velocity_m_s", "velocity_dof"),
-            "voltage": readings.voltage(results, truth, shot)}
+            "voltage": readings.voltage(results, truth, shot), **readings.bands(results, truth)}
 
 
 def rows_of(error, u, k, warning):

@@ -11,6 +11,11 @@ from scipy.stats import t as student
 from . import laboratory, switches
 
 
+# The band ends where |S|/S0 first leaves these.
+EDGES = {"within_5_percent_hz": (0.95, 1.05), "within_10_percent_hz": (0.9, 1.1),
+         "minus_3_db_hz": (0.5**0.5, np.inf)}
+
+
 def get(tree, *path):
     for key in path:
         if isinstance(tree, dict):
@@ -128,6 +133,33 @@ def single_pole(results, truth):
 def true_response(truth, frequencies):
     dut = switches.Dut(modes=truth["modes"], lag_hz=truth["lag_hz"], ac_s=truth["ac_s"])
     return truth["sensitivity"] * laboratory.dut_system(dut).response(frequencies)
+
+
+def band_edge(truth, lowest, highest):
+    """The lowest frequency at which |S|/S0 leaves lowest .. highest, to 1e-7."""
+    def inside(f):
+        ratio = abs(true_response(truth, np.atleast_1d(f))) / truth["sensitivity"]
+        return (ratio >= lowest) & (ratio <= highest)
+    grid = truth["f0_hz"] * np.geomspace(1e-2, 10, 3000)
+    first = int(np.argmin(inside(grid)))
+    low, high = grid[first - 1], grid[first]
+    while high - low > 1e-7 * low:
+        middle = (low + high) / 2
+        low, high = (middle, high) if inside(middle)[0] else (low, middle)
+    return low
+
+
+def stated_characteristics(results, true):
+    """Entries of `characteristics` by the name of those in `true`."""
+    return {one["quantity"]: entry(one["value"], one["u"], one["k"], true[one["quantity"]], one["dof"])
+            for one in results.get("characteristics") or [] if one["quantity"] in true and one["value"] is not None}
+
+
+def bands(results, truth):
+    """The edges; of a model with one pole where the sensor has several, none: they are the model's."""
+    if single_pole(results, truth):
+        return {}
+    return stated_characteristics(results, {name: band_edge(truth, *limits) for name, limits in EDGES.items()})
 
 
 def response_rows(results, truth):

@@ -9,7 +9,7 @@ import json
 import sys
 from pathlib import Path
 
-from . import coverage, orders, power, runner, studies_conditions as sc, tables
+from . import coverage, orders, power, readings, runner, studies_conditions as sc, tables
 from .conditions_laboratory import CONDITIONS
 
 SPECIAL = {"clean_any", *sc.DRIFT, *sc.STILL, *sc.TUBE, *sc.DAMPING, *sc.NOISE, *sc.FRONT, "bounds_any"}
@@ -24,7 +24,7 @@ STUDIES = {
     "clean": (["clean_any"], 400, tables.QUANTITIES),
     "onset": ([*sc.DRIFT, *sc.STILL], 40, ("voltage", "sensitivity")),
     "tube": (list(sc.TUBE), 500, ("velocity", "step")),
-    "damping": ([*sc.DAMPING, "damping_weak"], 200, ("f0", "zeta")),
+    "damping": ([*sc.DAMPING, "damping_weak"], 200, ("f0", "zeta", *readings.EDGES)),
     "front": (list(sc.FRONT), 200, ("f0", "zeta")),
     "response": (list(sc.NOISE), 500, ()),
     "bounds": (["bounds_any"], 200, ()),

@@ -4,7 +4,7 @@
 import copy
 import unittest
 
-from virtual_laboratory import judge, power, tables
+from virtual_laboratory import judge, power, readings, tables
 
 TRUTH = {"condition": "x", "seed": 1, "causes": ["rate", "gas"], "size": 0.1, "operator": True,
          "judge_shot": None, "sensitivity": 1e-8, "f0_hz": 1e5, "zeta": 0.02, "modes": [(1e5, 0.02, 1.0)],
@@ -90,6 +90,14 @@ class Judge(unittest.TestCase):
         self.assertEqual(judge.judge(r, TRUTH)["S(f) magnitude"]["rows"], {"inside": 1, "silent": 0})
         r["response"].update(bound_alias=[1e-12], bound_end=[1e-12])
         self.assertEqual(judge.judge(r, TRUTH)["bounds"], [1, 1])
+
+    def test_band_edges_of_a_second_order_sensor(self):
+        truth = {**TRUTH, "zeta": 0.5**0.5, "modes": [(1e5, 0.5**0.5, 1.0)]}  # |S| = 1/sqrt(1 + r^4)
+        self.assertAlmostEqual(readings.band_edge(truth, 0.5**0.5, 9.0), 1e5, delta=0.1)
+        self.assertAlmostEqual(readings.band_edge(truth, 0.9, 1.1), 1e5 * (1 / 0.81 - 1) ** 0.25, delta=0.1)
+        one = {"quantity": "within_10_percent_hz", "value": 7e4, "u": 50.0, "k": 2.0, "dof": None}
+        item = judge.judge({**results(), "characteristics": [one]}, truth)["quantities"]["within_10_percent_hz"]
+        self.assertEqual(item["class"], "silent")  # 0.8 % off
 
     def test_table(self):
         record = {"condition": "x", "exit": 0, **judge.judge(results(), TRUTH)}
