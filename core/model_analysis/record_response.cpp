@@ -6,7 +6,6 @@
 #include "core/base/constants.h"
 #include "core/model_analysis/step_transform.h"
 #include "core/signal/fft.h"
-#include "core/signal/step_readings.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,174 +16,6 @@ namespace dyncal {
 namespace {
 
 constexpr double kPeriodsKept = 20.0; ///< of the frequency asked, where the window has them
-constexpr Index kCuts = 12;
-constexpr double kMarginOfEnd = 1.2; ///< over the largest change that a cut makes
-constexpr double kSigmasOfNoise
-    = 2.5; ///< a change up to here may be noise: it exceeds that in 0.2 %
-
-/// A sixteenth of the time that the sensor needs to settle is left before the detected start, so
-/// that the whole rise is among the samples wherever the onset lies.
-void trimBefore(double span_s, RecordOfShot &shot)
-{
-    constexpr Index kFewestBefore = 64;
-    constexpr double kShare = 1.0 / 16.0;
-    const auto wanted = static_cast<Index>(kShare * span_s * shot.response->sampleRate_Hz);
-    const Index before = std::min(shot.record.early, std::max(kFewestBefore, wanted));
-    const Index kept = shot.record.values.size() - shot.record.early + before;
-    shot.record.values = shot.record.values.tail(kept).eval();
-    shot.record.early = before;
-}
-
-/// The samples that S(f) is taken from: so long behind the detected start, within the window.
-Eigen::Ref<const Eigen::VectorXd> samplesUsed(const RecordOfShot &shot, double length_s)
-{
-    constexpr double kRounding = 1e-6; // of a whole number of samples
-    const double asked
-        = std::max(2.0, std::ceil(length_s * shot.response->sampleRate_Hz - kRounding));
-    const Index there = shot.record.values.size() - shot.record.early;
-    const Index count = static_cast<Index>(std::min(asked, static_cast<double>(there)));
-    return shot.record.values.head(shot.record.early + count);
-}
-
-/// Behind the first of the samples used.
-double onsetIn(const RecordOfShot &shot)
-{
-    return shot.onset_s + static_cast<double>(shot.record.early) / shot.response->sampleRate_Hz;
-}
-
-/// Middle of the rise, from the record alone; 0, the detected start, of a record without one.
-double middleOfRise_s(const RecordOfShot &shot)
-{
-    const Eigen::VectorXd &y = shot.record.values;
-    const Eigen::VectorXd relative = y / transformEnds(y, 0).back().level;
-    const auto crossing = riseCrossing(relative, shot.record.early, y.size(), 0.5);
-    const double early = static_cast<double>(shot.record.early);
-    return (crossing.value_or(early) - early) / shot.response->sampleRate_Hz;
-}
-
-/// One shot's S at one frequency.
-struct ShotPoint
-{
-    std::complex<double> S;
-    double variance = 0.0; ///< of Re S and of Im S
-    double dof = 0.0;
-    Eigen::VectorXcd changes; ///< of S by each cut, along S and across it
-    Eigen::VectorXd variancesOfChanges;
-    double u_onset_s = 0.0;
-    double onsetBehindRise_s = 0.0; ///< the model's onset less the middle of the record's rise
-};
-
-/// The noise of one shot as it acts on S at one frequency.
-struct NoiseAt
-{
-    double rate_Hz = 0.0;
-    double frequency_Hz = 0.0;
-    NoiseDensity::Value density; ///< at the frequency
-    double ofLevel = 0.0; ///< density that a mean of the record's last tenth has
-    double slower = 0.0; ///< variance of what is slower: it moves the level against the baseline
-
-    /// Of Re S and of Im S where the record ends at `end`, of `samples` samples of it.
-    double variance(const TransformEnd &end, Index samples) const
-    {
-        return slower
-            + stepTransformVariance(
-                {samples, end.averaged, 0.0}, rate_Hz, density.variance, ofLevel, frequency_Hz);
-    }
-};
-
-NoiseAt noiseAt(
-    const NoiseDensity &noise, double rate_Hz, const TransformEnd &whole, double frequency_Hz)
-{
-    const double averaged = static_cast<double>(whole.averaged);
-    NoiseAt at{rate_Hz, frequency_Hz, noise.at(frequency_Hz),
-        noise.at(0.5 * rate_Hz / averaged).variance, 0.0};
-    at.slower
-        = std::max(0.0, noise.ofMean(whole.averaged, 2 * whole.samples) - at.ofLevel / averaged);
-    return at;
-}
-
-ShotPoint pointOf(
-    const RecordOfShot &shot, const NoiseDensity &noise, double length_s, double frequency_Hz)
-{
-    const double rate_Hz = shot.response->sampleRate_Hz;
-    const double scale2 = shot.scale * shot.scale;
-    const auto y = samplesUsed(shot, length_s);
-    const std::vector<TransformEnd> ends = transformEnds(y, kCuts);
-    const TransformEnd &whole = ends.back();
-    const NoiseAt at = noiseAt(noise, rate_Hz, whole, frequency_Hz);
-    const auto transforms = stepTransforms(y, rate_Hz, ends, onsetIn(shot), frequency_Hz);
-    const auto toS = [&](std::complex<double> transform) {
-        return shot.scale * shot.record.ofStep(transform, frequency_Hz);
-    };
-    ShotPoint point{toS(transforms.back()),
-        scale2 * (at.variance(whole, whole.samples) + noise.ofBaseline()), at.density.dof,
-        Eigen::VectorXcd(kCuts), Eigen::VectorXd(kCuts), shot.u_onset_s,
-        shot.onset_s - shot.middle_s};
-    const std::complex<double> turn = std::polar(1.0, -std::arg(point.S));
-    for (Index k = 0; k < kCuts; ++k) {
-        const TransformEnd &end = ends[static_cast<std::size_t>(k)];
-        point.changes[k] = (toS(transforms[static_cast<std::size_t>(k)]) - point.S) * turn;
-        // Noise of the part cut off, and of the two levels.
-        point.variancesOfChanges[k]
-            = scale2 * (at.variance(end, whole.samples - end.samples) + at.variance(whole, 0));
-    }
-    return point;
-}
-
-/// |S| of a noisy S is too large by u^2/2|S|.
-double meanMagnitude(const std::vector<ShotPoint> &shots)
-{
-    double sum = 0.0;
-    for (const ShotPoint &shot : shots) {
-        const double square = std::norm(shot.S) - shot.variance;
-        sum += square < 0.0 ? 0.0 : std::sqrt(square); // a sample that is no number stays none
-    }
-    return sum / static_cast<double>(shots.size());
-}
-
-/// Phases are known but for whole turns, their mean but for a share of one: they are compared where
-/// the records say that the shots lie, for a model's onset may be wrong by more than a turn.
-double meanPhase_rad(const std::vector<ShotPoint> &shots, double omega)
-{
-    const double n = static_cast<double>(shots.size());
-    std::complex<double> together = 0.0;
-    double offset_s = 0.0;
-    for (const ShotPoint &shot : shots) {
-        together += shot.S * std::polar(1.0, -omega * shot.onsetBehindRise_s);
-        offset_s += shot.onsetBehindRise_s / n;
-    }
-    double sum = 0.0;
-    for (const ShotPoint &shot : shots)
-        sum += std::remainder(
-            std::arg(shot.S) - omega * shot.onsetBehindRise_s - std::arg(together), kTwoPi);
-    return std::remainder(std::arg(together) + sum / n + omega * offset_s, kTwoPi);
-}
-
-/// By the largest change of the mean that a cut makes beyond what noise does.
-double boundOfEnd(const std::vector<ShotPoint> &shots)
-{
-    const double n = static_cast<double>(shots.size());
-    Eigen::VectorXcd changes = Eigen::VectorXcd::Zero(kCuts);
-    Eigen::VectorXd ofNoise = Eigen::VectorXd::Zero(kCuts);
-    for (const ShotPoint &shot : shots) {
-        changes += shot.changes / n;
-        ofNoise += 2.0 * shot.variancesOfChanges / (n * n);
-    }
-    const double largest
-        = (changes.array().abs2() - kSigmasOfNoise * kSigmasOfNoise * ofNoise.array()).maxCoeff();
-    return kMarginOfEnd * std::sqrt(std::max(0.0, largest));
-}
-
-/// Of the mean, by Welch and Satterthwaite.
-double dofOf(const std::vector<ShotPoint> &shots)
-{
-    double sum = 0.0, squares = 0.0;
-    for (const ShotPoint &shot : shots) {
-        sum += shot.variance;
-        squares += shot.variance * shot.variance / shot.dof;
-    }
-    return squares > 0.0 ? sum * sum / squares : std::numeric_limits<double>::infinity();
-}
 
 /// The steps between the samples; in the last tenth the record goes over to its level by half a
 /// cosine, because a jump at the end would count at every frequency.
@@ -248,8 +79,7 @@ RecordResponse::RecordResponse(
     , m_span_s(span_s)
 {
     for (RecordOfShot &shot : m_shots) {
-        trimBefore(span_s, shot);
-        shot.middle_s = middleOfRise_s(shot);
+        prepareShot(span_s, shot);
         const WindowedResponse &response = *shot.response;
         m_noise.emplace_back(response);
         m_longest_s
@@ -318,7 +148,7 @@ RecordResponse::Point RecordResponse::over(double length_s, double frequency_Hz)
     std::vector<ShotPoint> shots;
     double variance = 0.0, ofOnsets_s2 = 0.0;
     for (std::size_t i = 0; i < m_shots.size(); ++i) {
-        shots.push_back(pointOf(m_shots[i], m_noise[i], length_s, frequency_Hz));
+        shots.push_back(shotPoint(m_shots[i], m_noise[i], length_s, frequency_Hz));
         variance += shots.back().variance;
         ofOnsets_s2 += shots.back().u_onset_s * shots.back().u_onset_s;
     }

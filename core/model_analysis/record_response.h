@@ -4,25 +4,13 @@
 #pragma once
 
 #include "core/model_analysis/noise_density.h"
-#include "core/model_analysis/sensor_record.h"
+#include "core/model_analysis/shot_point.h"
 #include "core/realization/exponentials/front.h"
-#include "core/signal/response_window.h"
 
 #include <limits>
 #include <vector>
 
 namespace dyncal {
-
-/// What S(f) takes of one shot. The model gives the onset alone, and that turns the phase only.
-struct RecordOfShot
-{
-    const WindowedResponse *response = nullptr;
-    SensorRecord record;
-    double scale = 1.0; ///< from the record's values to S
-    double onset_s = 0.0; ///< relative to the detected start
-    double u_onset_s = 0.0; ///< not finite where unknown; the phase has no u then
-    double middle_s = 0.0; ///< of the rise, relative to the detected start; found by RecordResponse
-};
 
 /// S(f) from the records alone, mean over the shots, with two bounds of its error
 /// (docs/method/response.md). The magnitude holds for any model, or none.
