@@ -51,7 +51,10 @@ Result<Recipe> withOrder(Recipe recipe, const std::string &order)
             {DYNCAL_TEXT("core", "--order is \"%1\"; it needs \"auto\" or a whole number from 1."),
                 {order}});
     recipe.realization.order = *value;
-    return parseRecipe(recipeJson(recipe));
+    return parseRecipe(recipeJson(recipe)).map([&](Recipe checked) {
+        checked.comparison.loaded = recipe.comparison.loaded; // no key of the recipe
+        return checked;
+    });
 }
 
 Result<CaptureSet> readForCalibration(const std::vector<std::string> &files, const Recipe &recipe)

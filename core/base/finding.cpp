@@ -13,7 +13,7 @@ const char *findingCauseName(FindingCause cause)
 {
     constexpr std::array kNames{"drift", "shots", "typed", "rate", "scale", "distance", "gas",
         "temperature", "humidity", "attenuation", "pressure", "delay", "echo", "front", "noise",
-        "order"};
+        "order", "reference"};
     return kNames[static_cast<std::size_t>(cause)];
 }
 

@@ -42,7 +42,8 @@ enum class FindingCause {
     Echo,
     Front,
     Noise,
-    Order
+    Order,
+    Reference ///< the reference transducer: its certificate, its chain
 };
 
 /// A result exists and the operator must see something about it. Ids are stable (findings catalogue

@@ -10,10 +10,11 @@
 namespace dyncal {
 namespace {
 
-constexpr std::array<std::pair<const char *, ChannelRole>, 7> kRoles{{{"dut", ChannelRole::Dut},
-    {"driven_side", ChannelRole::DrivenSide}, {"driver", ChannelRole::Driver},
-    {"trigger", ChannelRole::Trigger}, {"other", ChannelRole::Other},
-    {"velocity", ChannelRole::DrivenSide}, {"driver_static", ChannelRole::Driver}}};
+constexpr std::array<std::pair<const char *, ChannelRole>, 8> kRoles{
+    {{"dut", ChannelRole::Dut}, {"driven_side", ChannelRole::DrivenSide},
+        {"driver", ChannelRole::Driver}, {"trigger", ChannelRole::Trigger},
+        {"reference", ChannelRole::Reference}, {"other", ChannelRole::Other},
+        {"velocity", ChannelRole::DrivenSide}, {"driver_static", ChannelRole::Driver}}};
 
 } // namespace
 

@@ -15,9 +15,10 @@
 
 namespace dyncal {
 
-enum class ChannelRole { Dut, DrivenSide, Driver, Trigger, Other };
+enum class ChannelRole { Dut, DrivenSide, Driver, Trigger, Reference, Other };
 
-/// "dut", "driven_side", "driver", "trigger", "other": the words of captures and recipes.
+/// "dut", "driven_side", "driver", "trigger", "reference", "other": the words of captures and
+/// recipes.
 const char *channelRoleName(ChannelRole role);
 
 /// Reads a role; "velocity" and "driver_static" are older words for driven side and driver.

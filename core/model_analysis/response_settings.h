@@ -16,8 +16,9 @@ struct ResponseSettings
     std::vector<double> frequencies_Hz; ///< used when `grid` is "list"
     std::string grid = "third-octave"; ///< "list", "third-octave" or "linear"
     Index linearCount = 200; ///< with "linear:N"
-    std::string reference = "computed-step"; ///< or "static-sensitivity", "unit-step"
+    std::string reference = "computed-step"; ///< or "static-sensitivity", "unit-step", "transducer"
 
+    bool isByTransducer() const { return reference == "transducer"; }
     bool operator==(const ResponseSettings &) const = default;
 };
 

@@ -8,14 +8,18 @@
 #include "core/base/propagation.h"
 #include "core/model_analysis/model_response.h"
 #include "core/model_analysis/record_response.h"
+#include "core/model_analysis/response_findings.h"
+#include "core/model_analysis/response_rows.h"
 #include "core/model_analysis/sensor_record.h"
 #include "core/model_analysis/shot_levels.h"
 #include "core/model_analysis/step_transform.h"
+#include "core/model_analysis/transducer_response.h"
 #include "core/model_analysis/unwrapped_phase.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <numbers>
 #include <utility>
 
@@ -24,7 +28,6 @@ namespace {
 
 constexpr double kLargestNoise = 0.1; ///< of the magnitude: with more, the data are useless
 constexpr double kHighestOfRate = 0.4;
-constexpr double kLargestBound = 0.02; ///< of the magnitude: with more, a value is withheld
 constexpr Index kCurvePoints = 600;
 constexpr double kRoundingOfLimit = 1e-9;
 
@@ -38,7 +41,8 @@ double inputSpan_s(const ModelInput &input)
 bool isPerPressure(const std::vector<WindowedResponse> &responses, const ShockConditionsSet &shock,
     const ResponseSettings &settings)
 {
-    return settings.reference == "computed-step" && shareOneUnit(responses)
+    return (settings.reference == "computed-step" || settings.isByTransducer())
+        && shareOneUnit(responses)
         && std::all_of(responses.begin(), responses.end(), [&](const WindowedResponse &response) {
                const ShockConditions *conditions = shock.ofShot(response.shot);
                return conditions && conditions->step_Pa;
@@ -51,24 +55,42 @@ double levelOfRecord(const SensorRecord &record)
     return transformEnds(record.values, 0).back().level;
 }
 
-/// What S(f) takes of the shots; relative to the pressure step or to each record's own.
-RecordResponse recordResponse(const std::vector<WindowedResponse> &responses,
-    const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,
-    bool isAbsolute, const DriftResult &drift)
+/// What S(f) takes of the shots, in physical values.
+std::vector<RecordOfShot> recordsOf(const std::vector<WindowedResponse> &responses,
+    const SensorModel &model, const DriftResult &drift)
 {
     std::vector<RecordOfShot> shots;
     for (const WindowedResponse &response : responses) {
         const SeriesFit *fit = fitOfShot(model, response.shot);
         RecordOfShot shot{&response, sensorRecord(response, model, fit, drift)};
-        shot.scale = isAbsolute ? response.valueScale / *shock.ofShot(response.shot)->step_Pa
-                                : 1.0 / levelOfRecord(shot.record);
+        shot.scale = response.valueScale;
         if (fit)
             shot.onset_s = fit->onset_s;
         if (fit)
             shot.u_onset_s = fit->u_onset_s;
         shots.push_back(std::move(shot));
     }
-    return {std::move(shots), inputSpan_s(input), input.front};
+    return shots;
+}
+
+/// Relative to the pressure step or to each record's own.
+std::unique_ptr<ResponseSource> byStep(std::vector<RecordOfShot> shots, const ModelInput &input,
+    const ShockConditionsSet &shock, bool isAbsolute)
+{
+    for (RecordOfShot &shot : shots)
+        shot.scale = isAbsolute ? shot.scale / *shock.ofShot(shot.response->shot)->step_Pa
+                                : 1.0 / levelOfRecord(shot.record);
+    return std::make_unique<RecordResponse>(std::move(shots), inputSpan_s(input), input.front);
+}
+
+/// What rings in the tube is in both records, and no nuisance of the ratio.
+std::unique_ptr<ResponseSource> byTransducer(const std::vector<WindowedResponse> &responses,
+    const ModelInput &input, SensorModel model, const DriftResult &drift,
+    const ReferenceRecords &reference)
+{
+    model.nuisance.clear();
+    return std::make_unique<TransducerResponse>(
+        recordsOf(responses, model, drift), inputSpan_s(input), reference);
 }
 
 Eigen::VectorXd frequencyGrid(const ResponseSettings &settings, double low_Hz, double high_Hz)
@@ -108,17 +130,32 @@ double shortestWindow_s(const std::vector<WindowedResponse> &responses)
     return window_s;
 }
 
-/// Upper end of the band: the last third-octave point before the noise takes over.
-double upperLimit_Hz(const RecordResponse &records, double low_Hz, double rate_Hz)
+/// Upper end of the band: the last third-octave point before the noise takes over, if it does.
+void endByNoise(const ResponseSource &records, ResponseResult &result)
 {
-    double limit_Hz = low_Hz;
-    for (double f = low_Hz; f <= kHighestOfRate * rate_Hz; f *= std::pow(10.0, 0.1)) {
-        const RecordResponse::Point point = records.at(f);
-        if (std::hypot(point.u_magnitude, point.u_front) > kLargestNoise * point.magnitude)
-            return limit_Hz;
+    double limit_Hz = result.fLow_Hz;
+    for (double f = result.fLow_Hz; f <= result.fHigh_Hz; f *= std::pow(10.0, 0.1)) {
+        const ResponsePoint point = records.at(f);
+        if (std::hypot(point.u_magnitude, point.u_front) > kLargestNoise * point.magnitude) {
+            result.fHigh_Hz = limit_Hz;
+            result.highEnd = BandEnd::Noise;
+            return;
+        }
         limit_Hz = f;
     }
-    return kHighestOfRate * rate_Hz;
+}
+
+/// Nobody calibrated the reference beyond its table.
+void endByReference(const ReferenceSensitivity &reference, ResponseResult &result)
+{
+    if (reference.lowest_Hz() > result.fLow_Hz) {
+        result.fLow_Hz = reference.lowest_Hz();
+        result.lowEnd = BandEnd::Reference;
+    }
+    if (reference.highest_Hz() < result.fHigh_Hz) {
+        result.fHigh_Hz = reference.highest_Hz();
+        result.highEnd = BandEnd::Reference;
+    }
 }
 
 CharacteristicsGap gapOf(const SensorModel &model, bool isStep)
@@ -142,63 +179,11 @@ void setLimits(const std::vector<WindowedResponse> &responses, const ModelInput 
     result.resolution_s = 1.0 / (model.refined ? rate_Hz : input.sampleRate_Hz);
     result.fLow_Hz = 1.0 / result.window_s;
     result.fHigh_Hz = kHighestOfRate * rate_Hz;
-    if (!isStep)
-        result.fHigh_Hz = std::min(result.fHigh_Hz, result.modelLimit_Hz);
+    if (!isStep && result.modelLimit_Hz < result.fHigh_Hz) {
+        result.fHigh_Hz = result.modelLimit_Hz;
+        result.highEnd = BandEnd::ModelRate;
+    }
     result.gap = gapOf(model, isStep);
-}
-
-/// The larger bound decides why a value is withheld; none where noise alone is larger.
-WithheldReason reasonOf(const RecordResponse::Point &point)
-{
-    if (!std::isfinite(point.magnitude)
-        || point.bound() <= std::max(point.u_magnitude, kLargestBound * point.magnitude))
-        return WithheldReason::None;
-    return point.boundEnd > point.boundAlias ? WithheldReason::End : WithheldReason::Alias;
-}
-
-/// Of the bounds, each taken for the half width of a rectangular distribution.
-double ofBounds(const RecordResponse::Point &point)
-{
-    return std::hypot(point.boundEnd, point.boundAlias) / std::sqrt(3.0);
-}
-
-void state(const RecordResponse::Point &point, Index k, ResponseResult &result)
-{
-    result.length_s[k] = point.length_s;
-    result.boundEnd[k] = point.boundEnd;
-    result.boundAlias[k] = point.boundAlias;
-    const WithheldReason reason = reasonOf(point);
-    result.withheld[static_cast<std::size_t>(k)] = reason;
-    if (reason != WithheldReason::None)
-        return;
-    result.magnitude[k] = point.magnitude;
-    result.u_noiseMagnitude[k] = point.u_magnitude;
-    result.u_frontMagnitude[k] = point.u_front;
-    result.u_magnitude[k] = std::hypot(point.u_magnitude, ofBounds(point), point.u_front);
-    // Only that of the noise rests on a record (Welch-Satterthwaite).
-    const double u = result.u_magnitude[k];
-    const double noiseShare = u > 0.0 ? point.u_magnitude / u : 0.0;
-    result.dof[k] = point.dof / std::pow(noiseShare, 4);
-    // The branch nearest the model's unwrapped phase, because points may lie far apart.
-    const double reference = result.modelPhase_rad[k];
-    result.phase_rad[k] = reference + std::remainder(point.phase_rad - reference, kTwoPi);
-    result.u_noisePhase_rad[k] = point.u_phase_rad;
-    result.u_phase_rad[k] = std::hypot(point.u_phase_rad, ofBounds(point) / point.magnitude);
-}
-
-/// No values above 0.4 of the slowest record's rate: S(f) of samples repeats itself there.
-void measure(const RecordResponse &records, double rate_Hz, ResponseResult &result)
-{
-    const Index count = result.frequency_Hz.size();
-    for (auto *values :
-        {&result.magnitude, &result.u_magnitude, &result.u_noiseMagnitude, &result.u_frontMagnitude,
-            &result.phase_rad, &result.u_phase_rad, &result.u_noisePhase_rad, &result.dof,
-            &result.boundEnd, &result.boundAlias, &result.length_s})
-        values->setConstant(count, kUnknown);
-    result.withheld.assign(static_cast<std::size_t>(count), WithheldReason::AboveRate);
-    for (Index k = 0; k < count; ++k)
-        if (result.frequency_Hz[k] <= (1.0 + kRoundingOfLimit) * kHighestOfRate * rate_Hz)
-            state(records.at(result.frequency_Hz[k]), k, result);
 }
 
 /// A magnitude has no sign: an inverted sensor begins at half a turn. A model whose own gain is
@@ -256,87 +241,6 @@ void describeModel(
         exchangeDrift(model, result);
 }
 
-/// Compares the two independent answers and reports where they differ beyond their uncertainty.
-void compareAnswers(ResponseResult &result)
-{
-    constexpr double kCoverage = 4.0;
-    constexpr double kModelShare = 0.02; // allowed error of the model itself
-    for (Index k = 0; k < result.magnitude.size(); ++k) {
-        const double difference = std::abs(result.magnitude[k] - result.modelMagnitude[k]);
-        const double limit = kCoverage * result.u_noiseMagnitude[k] + result.boundEnd[k]
-            + result.boundAlias[k] + kModelShare * result.modelMagnitude[k];
-        if (difference > limit) {
-            result.findings.push_back({.id = "RSP-001",
-                .severity = Severity::Caution,
-                .message
-                = {DYNCAL_TEXT("core",
-                       "At %1 the response taken from the data directly differs by %2 % from the model, more than noise allows: the model misses something there."),
-                    {numberWithUnit(result.frequency_Hz[k], "Hz", 3),
-                        numberText(100.0 * difference / result.modelMagnitude[k], 2)}},
-                .value = difference,
-                .limit = limit});
-            return;
-        }
-    }
-}
-
-/// Says once for each of the two bounds at which frequencies nothing is stated.
-void reportWithheld(
-    WithheldReason reason, const char *id, const char *words, ResponseResult &result)
-{
-    Index count = 0;
-    double lowest_Hz = std::numeric_limits<double>::infinity();
-    double highest_Hz = 0.0;
-    for (std::size_t k = 0; k < result.withheld.size(); ++k) {
-        if (result.withheld[k] != reason)
-            continue;
-        const double f_Hz = result.frequency_Hz[static_cast<Index>(k)];
-        lowest_Hz = std::min(lowest_Hz, f_Hz);
-        highest_Hz = std::max(highest_Hz, f_Hz);
-        ++count;
-    }
-    if (count == 0)
-        return;
-    result.findings.push_back({.id = id,
-        .severity = Severity::Info,
-        .message = {words,
-            {std::to_string(count), std::to_string(result.withheld.size()),
-                numberWithUnit(lowest_Hz, "Hz", 3), numberWithUnit(highest_Hz, "Hz", 3)}},
-        .value = static_cast<double>(count)});
-}
-
-void reportWithheld(ResponseResult &result)
-{
-    reportWithheld(WithheldReason::End, "RSP-003",
-        DYNCAL_TEXT("core",
-            "The response taken from the data is withheld at %1 of %2 frequencies, from %3 to %4: what the end of the record cuts off may change it there by more than its noise and 2 %. Use a longer window, or only what the model says there."),
-        result);
-    reportWithheld(WithheldReason::Alias, "RSP-004",
-        DYNCAL_TEXT("core",
-            "The response taken from the data is withheld at %1 of %2 frequencies, from %3 to %4: the sampling may change it there by more than its noise and 2 %. Record at a higher rate, or use only what the model says there."),
-        result);
-}
-
-/// A list is computed as given; below the band the values depend on the plateau by which the
-/// records are continued, not on recorded samples.
-void reportBelowBand(ResponseResult &result)
-{
-    if (result.frequency_Hz.size() == 0)
-        return;
-    const double lowest_Hz = result.frequency_Hz.minCoeff();
-    if (lowest_Hz >= result.fLow_Hz * (1.0 - 1e-9))
-        return;
-    result.findings.push_back({.id = "WIN-005",
-        .severity = Severity::Caution,
-        .message
-        = {DYNCAL_TEXT("core",
-               "The shortest window, %1, resolves steps of %2, but the response is asked for from %3: below %2 it is not measured. Lengthen the window or take these frequencies out of response.frequencies_hz."),
-            {numberWithUnit(1.0 / result.fLow_Hz, "s", 4), numberWithUnit(result.fLow_Hz, "Hz", 4),
-                numberWithUnit(lowest_Hz, "Hz", 4)}},
-        .value = lowest_Hz,
-        .limit = result.fLow_Hz});
-}
-
 void takeShots(ShotSensitivities &&found, ResponseResult &result)
 {
     result.shots = std::move(found.shots);
@@ -388,7 +292,7 @@ ResponseResult computeModelResponse(const std::vector<WindowedResponse> &respons
 
 Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &responses,
     const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,
-    const ResponseSettings &settings)
+    const ResponseSettings &settings, const ReferenceRecords *reference)
 {
     ResponseResult result;
     const bool isStep = isStepTreatment(input.treatment);
@@ -401,11 +305,17 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
     const bool isAbsolute = isPerPressure(responses, shock, settings);
     if (isStep)
         result.drift = findDrift(responses, model, inputSpan_s(input));
-    std::optional<RecordResponse> records;
+    std::unique_ptr<ResponseSource> records;
     if (isStep) {
         takeShots(describeShots(responses, model, shock), result);
-        records.emplace(recordResponse(responses, input, model, shock, isAbsolute, result.drift));
-        result.fHigh_Hz = upperLimit_Hz(*records, result.fLow_Hz, rate_Hz);
+        if (settings.isByTransducer() && reference) {
+            records = byTransducer(responses, input, model, result.drift, *reference);
+            result.isByTransducer = true;
+            endByReference(reference->sensitivity, result);
+        } else {
+            records = byStep(recordsOf(responses, model, result.drift), input, shock, isAbsolute);
+        }
+        endByNoise(*records, result);
     }
     result.unit = isStep && isAbsolute ? result.sensitivityUnit : "1";
     result.frequency_Hz = frequencyGrid(settings, result.fLow_Hz, result.fHigh_Hz);
@@ -413,9 +323,8 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
     if (!model.diverges)
         describeModel(model, input.treatment, scaleOf(model, isStep, isAbsolute, result), result);
     if (isStep && !model.diverges) {
-        measure(*records, rate_Hz, result);
-        reportWithheld(result);
-        compareAnswers(result);
+        measureRows(*records, kHighestOfRate * rate_Hz, result);
+        judgeRows(result);
     }
     return result;
 }

@@ -13,6 +13,7 @@
 #include "core/model_analysis/shot_sensitivity.h"
 #include "core/realization/input/model_input.h"
 #include "core/realization/model/sensor_model.h"
+#include "core/reference/reference_records.h"
 #include "core/shock/shock_conditions.h"
 #include "core/signal/response_window.h"
 
@@ -28,9 +29,19 @@ namespace dyncal {
 /// Why a model has no characteristics.
 enum class CharacteristicsGap { None, FreeDecay, Diverges, LevelUnknown };
 
+/// Why the band of the response ends where it does.
+enum class BandEnd {
+    Window, ///< shortest window
+    Noise, ///< above 10 % of the magnitude
+    Rate, ///< 0.4 of the lowest sample rate
+    ModelRate, ///< half the model's rate, of a free decay
+    Reference ///< where the reference transducer was calibrated
+};
+
 /// Why S(f) is not stated at a frequency: the bound of its error by the end of the records or by
-/// sampling exceeds both its u and 2 % of it, or the records do not hold the frequency.
-enum class WithheldReason { None, End, Alias, AboveRate };
+/// sampling exceeds both its u and 2 % of it, the records do not hold the frequency, or the
+/// reference transducer was not calibrated there.
+enum class WithheldReason { None, End, Alias, AboveRate, NotCalibrated };
 
 struct ResponseResult
 {
@@ -39,6 +50,9 @@ struct ResponseResult
     Eigen::VectorXd u_magnitude; ///< noise, both bounds and the front
     Eigen::VectorXd u_noiseMagnitude;
     Eigen::VectorXd u_frontMagnitude;
+    Eigen::VectorXd u_referenceMagnitude; ///< of the reference transducer's sensitivity; else empty
+    Eigen::VectorXd u_referencePhase_rad;
+    Eigen::VectorXd dofReference;
     Eigen::VectorXd phase_rad;
     Eigen::VectorXd u_phase_rad; ///< the same, and the onset
     Eigen::VectorXd u_noisePhase_rad; ///< with the onset, without the bounds
@@ -49,11 +63,14 @@ struct ResponseResult
     std::vector<WithheldReason> withheld; ///< of each frequency
     Eigen::VectorXd modelMagnitude;
     Eigen::VectorXd modelPhase_rad;
+    bool isByTransducer = false; ///< against a reference transducer, not the pressure step
     FrontDuration front; ///< divided out of S(f); its u is in u_magnitude
     double fLow_Hz = 0.0; ///< 1 / shortest window
     /// Where the noise exceeds 10 % of the magnitude, at most 0.4 of the record's rate; of a free
     /// decay, which has the model's answer only, also at most half the model's rate.
     double fHigh_Hz = 0.0;
+    BandEnd lowEnd = BandEnd::Window;
+    BandEnd highEnd = BandEnd::Rate;
     std::string unit; ///< "V/Pa" with a pressure step, "1" without
     StepCharacteristics characteristics; ///< what may be stated: stated_characteristics.h
     CharacteristicsGap gap = CharacteristicsGap::None;
@@ -72,9 +89,12 @@ struct ResponseResult
 /// k of a row's 95 % interval, Student's for its degrees of freedom; not known where it has none.
 double coverageFactorAt(const ResponseResult &response, Index row);
 
+/// `shock`: the pressure steps. With settings.reference "transducer" S(f) is that against
+/// `reference`, which must then be given, and the steps are those that it saw
+/// (stepsByTransducer()).
 Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &responses,
     const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,
-    const ResponseSettings &settings);
+    const ResponseSettings &settings, const ReferenceRecords *reference = nullptr);
 
 /// The part of computeResponse() that needs the model only and is quick: curve, unit and
 /// sensitivities. The caller gives the band; nothing is taken from the records.

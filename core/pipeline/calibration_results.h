@@ -7,6 +7,7 @@
 #include "core/consistency/way_comparison.h"
 #include "core/decomposition/component_result.h"
 #include "core/model_analysis/sensor_response.h"
+#include "core/pipeline/reference_stage.h"
 #include "core/pipeline/shock_stage.h"
 #include "core/realization/hankel/hankel_decomposition.h"
 #include "core/realization/hankel/order_suggestion.h"
@@ -19,6 +20,7 @@
 #include "core/signal/record_starts.h"
 #include "core/signal/response_window.h"
 #include "core/signal/spectrum_analysis.h"
+#include "core/uncertainty/transducer_comparison.h"
 #include "core/uncertainty/uncertainty_report.h"
 
 #include <array>
@@ -40,10 +42,12 @@ enum class StageId {
     Decomposition, ///< Hankel singular values, suggested order
     Model, ///< poles, fit
     Shock, ///< velocity, states, pressure step
+    Reference, ///< a reference transducer: what it is, its records
     Response, ///< frequency response, characteristics, sensitivity
     Checks, ///< the independent ways to one quantity, compared
     Assessment, ///< of the model: uncertainties, shots compared; no response waits for it
     Uncertainty, ///< the budget of everything that is stated; no response waits for it
+    Comparison, ///< reference transducer and step, compared
     Evidence, ///< what all orders show; no result waits for it
     MonteCarlo, ///< of the pressure step; nothing waits for it
 };
@@ -76,10 +80,12 @@ struct CalibrationResults
     std::shared_ptr<const DecompositionResult> decomposition;
     std::shared_ptr<const SensorModel> model;
     std::shared_ptr<const ShockConditionsSet> shock;
+    std::shared_ptr<const ReferenceStageResult> reference;
     std::shared_ptr<const ResponseResult> response;
     std::shared_ptr<const ConsistencyResult> checks;
     std::shared_ptr<const ModelAssessment> assessment; ///< of `model` and no other
     std::shared_ptr<const UncertaintyReport> uncertainty;
+    std::shared_ptr<const ComparisonResult> comparison;
     std::shared_ptr<const OrderEvidence> evidence; ///< of the decomposition, not of one order
     std::shared_ptr<const StepMonteCarloSet> monteCarlo;
     std::array<std::string, kStageCount> keys; ///< hash of what each result was computed from

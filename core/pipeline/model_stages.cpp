@@ -10,6 +10,21 @@
 #include "core/shock/peak_tracking.h"
 
 namespace dyncal {
+namespace {
+
+/// That of the run, or a new one: the comparison of orders starts from an earlier result.
+Result<std::shared_ptr<const ReferenceStageResult>> referenceOf(
+    const CalibrationResults &results, const Recipe &recipe, const ShockConditionsSet &shock)
+{
+    if (results.reference)
+        return results.reference;
+    return referenceStage(results.captures->set, *results.window, shock, recipe)
+        .map([](ReferenceStageResult made) {
+            return std::make_shared<const ReferenceStageResult>(std::move(made));
+        });
+}
+
+} // namespace
 
 Index orderOf(const CalibrationResults &results, const Recipe &recipe)
 {
@@ -41,8 +56,20 @@ Result<ResponseResult> responseStage(const CalibrationResults &results, const Re
 {
     const std::vector<WindowedResponse> &responses = results.window->responses;
     const auto ended = recordsBefore(results.input->echoes, responses);
-    return computeResponse(
-        ended ? *ended : responses, *results.input, model, shock, recipe.response);
+    const auto reference = referenceOf(results, recipe, shock);
+    if (!reference)
+        return tl::unexpected(reference.error());
+    return computeResponse(ended ? *ended : responses, *results.input, model,
+        stepsUsed(**reference, shock, recipe.response), recipe.response,
+        (*reference)->transducer());
+}
+
+UncertaintyReport uncertaintyOfResponse(
+    const CalibrationResults &results, const Recipe &recipe, const ResponseResult &response)
+{
+    return reportUncertainty(*results.input, *results.model, *results.assessment, response,
+        stepsUsed(*results.reference, *results.shock, recipe.response),
+        uncertaintyRequest(recipe.uncertainty).stated);
 }
 
 } // namespace dyncal

@@ -19,6 +19,9 @@ Result<ShockConditionsSet> shockOfModel(
 Result<ResponseResult> responseStage(const CalibrationResults &results, const Recipe &recipe,
     const SensorModel &model, const ShockConditionsSet &shock);
 
+UncertaintyReport uncertaintyOfResponse(
+    const CalibrationResults &results, const Recipe &recipe, const ResponseResult &response);
+
 /// The order a run takes: the recipe's, or the suggested one.
 Index orderOf(const CalibrationResults &results, const Recipe &recipe);
 

@@ -5,6 +5,7 @@
 
 #include "core/consistency/consistency.h"
 #include "core/decomposition/component_analysis.h"
+#include "core/pipeline/comparison_stage.h"
 #include "core/pipeline/early_stages.h"
 #include "core/pipeline/model_stages.h"
 #include "core/pipeline/nuisance_stage.h"
@@ -197,6 +198,20 @@ void readResponse(const Recipe &recipe, Recipe &part)
     part.response = recipe.response;
 }
 
+void readReference(const Recipe &recipe, Recipe &part)
+{
+    part.comparison = recipe.comparison;
+    if (part.comparison.loaded) // the key must change with the file
+        part.comparison.sha256 = part.comparison.loaded->sha256;
+    part.response.reference = recipe.response.reference;
+}
+
+Result<ReferenceStageResult> reference(const StageInputs &in)
+{
+    return referenceStage(
+        in.results.captures->set, *in.results.window, *in.results.shock, in.recipe);
+}
+
 Result<ResponseResult> response(const StageInputs &in)
 {
     return responseStage(in.results, in.recipe, *in.results.model, *in.results.shock);
@@ -215,9 +230,12 @@ Result<ModelAssessment> assessment(const StageInputs &in)
 
 Result<UncertaintyReport> uncertainty(const StageInputs &in)
 {
-    const CalibrationResults &r = in.results;
-    return reportUncertainty(*r.input, *r.model, *r.assessment, *r.response, *r.shock,
-        uncertaintyRequest(in.recipe.uncertainty).stated);
+    return uncertaintyOfResponse(in.results, in.recipe, *in.results.response);
+}
+
+Result<ComparisonResult> comparison(const StageInputs &in)
+{
+    return comparisonStage(in.results, in.recipe);
 }
 
 void readEvidence(const Recipe &recipe, Recipe &part)
@@ -266,7 +284,9 @@ constexpr std::array<Stage, kStageCount> kStages{{
         ofModel},
     {Shock, "shock", 6, 1, "SHK-", Model, Shock, true, readShock, kept<&R::shock, shock>(),
         of<&R::shock>},
-    {Response, "response", 9, 30, "RSP-", Shock, Model, true, readResponse,
+    {Reference, "reference transducer", 1, 1, "", Shock, Model, true, readReference,
+        kept<&R::reference, reference>(), saidElsewhere},
+    {Response, "response", 9, 30, "RSP-", Reference, Model, true, readResponse,
         kept<&R::response, response>(), of<&R::response>},
     {Checks, "checks", 4, 10, "CHK-", Response, Checks, true, readNothing,
         kept<&R::checks, checks>(), of<&R::checks>},
@@ -274,6 +294,8 @@ constexpr std::array<Stage, kStageCount> kStages{{
         kept<&R::assessment, assessment>(), saidElsewhere},
     {Uncertainty, "uncertainty", 1, 20, "UNC-", Response, Model, true, readNothing,
         kept<&R::uncertainty, uncertainty>(), of<&R::uncertainty>},
+    {Comparison, "comparison", 1, 5, "CMP-", Uncertainty, Model, true, readNothing,
+        kept<&R::comparison, comparison>(), of<&R::comparison>},
     {Evidence, "evidence", 1, 160, "", Decomposition, Decomposition, false, readEvidence,
         kept<&R::evidence, evidence>(), ofEvidence},
     {MonteCarlo, "Monte Carlo", 1, 50, "", Shock, Shock, true, readMonteCarlo,

@@ -216,4 +216,15 @@ Codec<Interval> interval()
     return {needs, read, write};
 }
 
+Codec<std::string> textOrNull()
+{
+    const Codec<std::optional<std::string>> plain = orNull(nonEmptyText());
+    const auto read = [plain](const JsonAt &at) -> Result<std::string> {
+        return plain.read(at).map(
+            [](const std::optional<std::string> &text) { return text.value_or(""); });
+    };
+    return {plain.needs, read,
+        [](const std::string &text) { return text.empty() ? Json(nullptr) : Json(text); }};
+}
+
 } // namespace dyncal

@@ -133,6 +133,9 @@ Codec<Auto<T>> orAuto(Codec<T> inner)
     return {plain.needs, read, write, plain.keys};
 }
 
+/// A text that is not empty; its absence, "" in the struct, is written as null.
+Codec<std::string> textOrNull();
+
 /// A list of at least `least` values.
 template <typename T>
 Codec<std::vector<T>> list(Codec<T> inner, std::size_t least = 0)

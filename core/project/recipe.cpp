@@ -6,10 +6,12 @@
 #include "core/base/json_text.h"
 #include "core/project/json_merge.h"
 #include "core/project/recipe_fields_analysis.h"
+#include "core/project/recipe_fields_comparison.h"
 #include "core/project/recipe_fields_import.h"
 #include "core/project/recipe_fields_measurement.h"
 #include "core/project/recipe_fields_shock.h"
 #include "core/project/section_keys.h"
+#include "core/reference/reference_source.h"
 
 #include <filesystem>
 #include <fstream>
@@ -39,7 +41,7 @@ const Codec<Recipe> &recipeCodec()
         SectionKeys<Recipe> plain;
         Recipe::keys(plain);
         for (const auto &sections : {importSections(), shockSections(), measurementSections(),
-                 analysisSections(), plain.take()})
+                 analysisSections(), comparisonSections(), plain.take()})
             fields.insert(fields.end(), sections.begin(), sections.end());
         return object<Recipe>(std::move(fields));
     }();
@@ -127,6 +129,14 @@ Result<Json> profileDocument(const std::string &path)
     return document;
 }
 
+Result<Json> recipeDocument(const std::string &path)
+{
+    const Result<std::string> text = textOfFile(path);
+    if (!text)
+        return tl::unexpected<Error>(text.error());
+    return parseStrictJson(*text, "The recipe");
+}
+
 } // namespace
 
 Result<Recipe> parseRecipe(const std::string &json)
@@ -144,29 +154,24 @@ std::string recipeJson(const Recipe &recipe)
 
 Result<Recipe> readRecipeFile(const std::string &path)
 {
-    const Result<std::string> text = textOfFile(path);
-    if (!text)
-        return tl::unexpected<Error>(text.error());
-    return parseRecipe(*text);
+    return readRecipeFiles(path, {});
 }
 
 Result<Recipe> readRecipeFiles(const std::string &recipePath, const std::string &profilePath)
 {
-    if (profilePath.empty())
-        return recipePath.empty() ? Recipe() : readRecipeFile(recipePath);
-    Result<Json> merged = profileDocument(profilePath);
+    Result<Json> merged = profilePath.empty() ? Json::object() : profileDocument(profilePath);
     if (!merged)
         return tl::unexpected<Error>(merged.error());
     if (!recipePath.empty()) {
-        const Result<std::string> text = textOfFile(recipePath);
-        if (!text)
-            return tl::unexpected<Error>(text.error());
-        const Result<Json> recipe = parseStrictJson(*text, "The recipe");
+        const Result<Json> recipe = recipeDocument(recipePath);
         if (!recipe)
             return tl::unexpected<Error>(recipe.error());
         putOver(*merged, *recipe);
     }
-    return recipeOf(*merged);
+    Result<Recipe> recipe = recipeOf(*merged);
+    if (recipe)
+        loadReference(std::filesystem::path(recipePath).parent_path().string(), recipe->comparison);
+    return recipe;
 }
 
 const std::vector<RecipeKey> &recipeKeys()

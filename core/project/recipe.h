@@ -20,7 +20,8 @@ Result<Recipe> parseRecipe(const std::string &json);
 /// parseRecipe(recipeJson(r)) == r.
 std::string recipeJson(const Recipe &recipe);
 
-/// Reads a recipe file (kind FileUnreadable if it cannot be opened).
+/// Reads a recipe file (kind FileUnreadable if it cannot be opened), and the reference transducer's
+/// file that it names (loadReference()).
 Result<Recipe> readRecipeFile(const std::string &path);
 
 /// A recipe file over a laboratory's profile: keys missing in the recipe are taken from the

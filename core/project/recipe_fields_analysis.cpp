@@ -206,7 +206,7 @@ Codec<ResponseSettings> responseCodec()
     return object<S>({
         frequencies(),
         field("reference", DYNCAL_TEXT("RecipeLabel", "reference of the response"), &S::reference,
-            oneOf({"computed-step", "static-sensitivity", "unit-step"})),
+            oneOf({"computed-step", "static-sensitivity", "unit-step", "transducer"})),
     });
 }
 

@@ -21,7 +21,7 @@ std::vector<std::string> roleWords(bool mayBeNull)
 {
     std::vector<std::string> words;
     for (const ChannelRole r : {ChannelRole::Dut, ChannelRole::DrivenSide, ChannelRole::Driver,
-             ChannelRole::Trigger, ChannelRole::Other})
+             ChannelRole::Trigger, ChannelRole::Reference, ChannelRole::Other})
         words.emplace_back(channelRoleName(r));
     words.insert(words.end(), {"velocity", "driver_static"}); // older words, as in captures
     if (mayBeNull)
@@ -87,18 +87,6 @@ Codec<ShotImport> shotImport()
         field("channels", DYNCAL_TEXT("RecipeLabel", "channel roles of one shot"),
             &ShotImport::channels, dictionary(oneOf(roleWords(false)), "a channel's name"), true),
     });
-}
-
-/// A text whose absence is written as null.
-Codec<std::string> textOrNull()
-{
-    const Codec<std::optional<std::string>> plain = orNull(nonEmptyText());
-    const auto read = [plain](const JsonAt &at) -> Result<std::string> {
-        return plain.read(at).map(
-            [](const std::optional<std::string> &text) { return text.value_or(""); });
-    };
-    return {plain.needs, read,
-        [](const std::string &text) { return text.empty() ? Json(nullptr) : Json(text); }};
 }
 
 Codec<std::string> reference()

@@ -10,6 +10,7 @@
 #include "core/model_analysis/response_settings.h"
 #include "core/project/certificate_settings.h"
 #include "core/realization/input/realization_settings.h"
+#include "core/reference/comparison_settings.h"
 #include "core/shock/shock_settings.h"
 #include "core/shock/uncertainty_settings.h"
 #include "core/signal/signal_settings.h"
@@ -32,6 +33,7 @@ struct Recipe
     InputSettings input;
     RealizationSettings realization;
     ResponseSettings response;
+    ComparisonSettings comparison;
     UncertaintySettings uncertainty;
     std::vector<Acknowledgement> acknowledge;
     CertificateSettings certificate;

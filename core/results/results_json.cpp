@@ -14,6 +14,7 @@
 #include "core/results/results_response_json.h"
 #include "core/results/results_sensitivity_json.h"
 #include "core/results/results_shock_json.h"
+#include "core/results/results_transducer_json.h"
 #include "core/results/results_uncertainty_json.h"
 
 #include <algorithm>
@@ -156,6 +157,7 @@ std::string resultsJson(
     addRealization(root, context);
     addModel(root, context);
     addResponse(root, context);
+    addTransducerComparison(root, context);
     addBands(root, context);
     addCharacteristics(root, context);
     addBudget(root, context);

@@ -23,8 +23,27 @@ const char *withheldReason(WithheldReason reason)
         return "The error by sampling (bound_alias) may exceed both the uncertainty and 2 % of the value.";
     case WithheldReason::AboveRate:
         return "The records do not hold frequencies above 0.4 of the lowest sample rate.";
+    case WithheldReason::NotCalibrated:
+        return "The reference transducer was not calibrated at this frequency.";
     }
     return nullptr;
+}
+
+const char *bandEnd(BandEnd end)
+{
+    switch (end) {
+    case BandEnd::Window:
+        return "One over the shortest window.";
+    case BandEnd::Noise:
+        return "Above, the noise exceeds 10 % of the magnitude.";
+    case BandEnd::Rate:
+        return "0.4 of the lowest sample rate.";
+    case BandEnd::ModelRate:
+        return "Half the model's rate.";
+    case BandEnd::Reference:
+        return "Beyond, the reference transducer was not calibrated.";
+    }
+    return "Not determined.";
 }
 
 void addWithheld(JsonRecord &section, const ResponseResult &response)
@@ -84,6 +103,23 @@ void addBand(JsonRecord &section, const std::string &name, const StatedValue &ed
 
 } // namespace
 
+JsonRecord responseSection(
+    const ResponseResult &response, const UncertaintyReport *report, const std::string &whyMissing)
+{
+    JsonRecord section;
+    addCurves(section, response);
+    addRowUncertainty(section, response, report, whyMissing);
+    section.number("f_low_hz", response.fLow_Hz, "Not determined.");
+    section.set("f_low_reason", bandEnd(response.lowEnd));
+    section.number("f_high_hz", response.fHigh_Hz, "Not determined.");
+    section.set("f_high_reason", bandEnd(response.highEnd));
+    section.set("front_duration_s", response.front.duration_s);
+    section.set("u_front_duration_s", response.front.u_s);
+    section.text("unit", response.unit, "The recordings state no unit.");
+    section.set("source", response.isByTransducer ? "transducer" : "step");
+    return section;
+}
+
 void addResponse(JsonRecord &root, const ResultsContext &context)
 {
     const auto response = context.results().response;
@@ -91,15 +127,9 @@ void addResponse(JsonRecord &root, const ResultsContext &context)
         root.missing("response", context.whyMissing());
         return;
     }
-    JsonRecord section;
-    addCurves(section, *response);
-    addRowUncertainty(section, context);
-    section.number("f_low_hz", response->fLow_Hz, "Not determined.");
-    section.number("f_high_hz", response->fHigh_Hz, "Not determined.");
-    section.set("front_duration_s", response->front.duration_s);
-    section.set("u_front_duration_s", response->front.u_s);
-    section.text("unit", response->unit, "The recordings state no unit.");
-    root.set("response", section.take());
+    root.set("response",
+        responseSection(*response, context.results().uncertainty.get(), context.whyMissing())
+            .take());
 }
 
 void addBands(JsonRecord &root, const ResultsContext &context)

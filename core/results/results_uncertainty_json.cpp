@@ -74,16 +74,15 @@ UncertaintyJson characteristicJson(const ReportedValue &one)
 
 } // namespace
 
-void addRowUncertainty(JsonRecord &section, const ResultsContext &context)
+void addRowUncertainty(JsonRecord &section, const ResponseResult &response,
+    const UncertaintyReport *report, const std::string &whyMissing)
 {
-    const UncertaintyReport *report = context.results().uncertainty.get();
-    const ResponseResult &response = *context.results().response;
     const bool measured = response.magnitude.size() > 0;
     const RowUncertainty rows = report && measured ? report->rows : RowUncertainty();
     const std::string none = !measured
         ? "This treatment of the response gives no frequency response of a step."
         : report ? kWithheldRow
-                 : context.whyMissing();
+                 : whyMissing;
     section.numbers("u_magnitude", rows.u_magnitude, none);
     section.numbers("k_magnitude", rows.k_magnitude, none);
     section.numbers("dof", rows.dof_magnitude, none + " Or infinite.");
@@ -96,7 +95,7 @@ void addRowUncertainty(JsonRecord &section, const ResultsContext &context)
         "var Re, covariance, var Im of what is the row's own, without u_common_relative; null where withheld.");
     const std::string noModel = report
         ? "The model was not refined, or the uncertainty of the step is not known."
-        : context.whyMissing();
+        : whyMissing;
     section.numbers("u_model_magnitude", rows.u_modelMagnitude, noModel);
     section.numbers("u_model_phase_rad", rows.u_modelPhase_rad, noModel);
     section.numbers("e_n", rows.e_n, noModel + " Or the measured value is withheld.");

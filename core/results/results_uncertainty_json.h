@@ -6,10 +6,14 @@
 #include "core/results/json_record.h"
 #include "core/results/results_context.h"
 
+#include <string>
+
 namespace dyncal {
 
-/// Keys of section `response` that hold complete uncertainties.
-void addRowUncertainty(JsonRecord &section, const ResultsContext &context);
+/// Keys of a section `response` that hold complete uncertainties. `report`: null where there is
+/// none, for the reason `whyMissing`.
+void addRowUncertainty(JsonRecord &section, const ResponseResult &response,
+    const UncertaintyReport *report, const std::string &whyMissing);
 
 /// Section `characteristics`.
 void addCharacteristics(JsonRecord &root, const ResultsContext &context);

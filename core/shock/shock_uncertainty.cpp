@@ -49,7 +49,7 @@ const std::vector<std::string> &statedQuantities()
     static const std::vector<std::string> names{"p1_pa", "t1_k", "gamma", "molar_mass_kg_mol",
         "relative_humidity", "carbon_dioxide_fraction", "velocity_m_s", "distance_m", "arrival_s",
         "delay_s", "step_relative", "gain_relative", "linearity_relative", "mounting_relative",
-        "clock_relative"};
+        "clock_relative", "reference_gain_relative"};
     return names;
 }
 

@@ -26,8 +26,8 @@ struct StepReadings
 StepReadings readStep(
     const Eigen::Ref<const Eigen::VectorXd> &response, Index lead, Index length, double noiseSd);
 
-/// Where `response`, as above, first rises through `level` of 0.1 or more between the detected start
-/// `lead` and `end`: in samples, interpolated. Empty where it never does.
+/// Where `response`, as above, first rises through `level` of 0.1 or more between the detected
+/// start `lead` and `end`: in samples, interpolated. Empty where it never does.
 std::optional<double> riseCrossing(
     const Eigen::Ref<const Eigen::VectorXd> &response, Index lead, Index end, double level);
 

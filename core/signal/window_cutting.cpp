@@ -115,7 +115,56 @@ public:
         return std::nullopt;
     }
 
+    /// Another channel, over the bands of the DUT's response.
+    Result<WindowedResponse> alongside(const Channel &channel, const WindowedResponse &dut)
+    {
+        m_channel = &channel;
+        if (auto error = describeChannel())
+            return tl::unexpected(*error);
+        takeBands(dut);
+        const Index size = channel.samples.size();
+        if (m_bands.window.begin < 0 || m_bands.window.end > size || m_bands.settle.end > size
+            || m_bands.baseline.begin < 0 || m_bands.baseline.size() < kLeastBaseline)
+            return tl::unexpected(shorterThan(dut));
+        if (auto error = unusableSamples(channel, m_response.shot, m_bands, m_context.checks))
+            return tl::unexpected(*error);
+        measureLevels();
+        if (auto error = checkStep())
+            return tl::unexpected(*error);
+        cutValues();
+        return std::move(m_response);
+    }
+
 private:
+    SampleRange samplesOf(const Interval &band_s) const
+    {
+        const auto sample = [&](double time_s) {
+            return m_response.startSample
+                + static_cast<Index>(std::llround(time_s * m_response.sampleRate_Hz));
+        };
+        return {sample(band_s.begin), sample(band_s.end)};
+    }
+
+    void takeBands(const WindowedResponse &dut)
+    {
+        m_response.startSample = static_cast<Index>(
+            std::llround((dut.start_s - m_channel->t0_s) * m_channel->sampleRate_Hz));
+        m_response.start_s = m_channel->timeOf_s(m_response.startSample);
+        m_bands = {samplesOf({0.0, dut.end_s}), samplesOf(dut.baseline_s), samplesOf(dut.settle_s)};
+    }
+
+    Error shorterThan(const WindowedResponse &dut) const
+    {
+        return error(
+            {DYNCAL_TEXT("core",
+                 "Shot %1: the record of channel %2, from %3 to %4, does not hold the baseline and the response of channel %5; record both over the same time, or shorten the window."),
+                {std::to_string(m_response.shot), m_channel->name,
+                    numberWithUnit(m_channel->t0_s, "s", 4),
+                    numberWithUnit(m_channel->timeOf_s(m_channel->samples.size()), "s", 4),
+                    dut.channel}},
+            "");
+    }
+
     bool isStep() const { return isStepTreatment(m_context.treatment); }
 
     bool endIsSearched() const
@@ -145,6 +194,12 @@ private:
                      "Shot %1 has no DUT channel; choose which channel is the sensor under test (import.channels)."),
                     {number}},
                 "CAP-002");
+        return describeChannel();
+    }
+
+    std::optional<Error> describeChannel()
+    {
+        const std::string number = std::to_string(m_response.shot);
         if (!(m_channel->sampleRate_Hz > 0.0) || !std::isfinite(m_channel->sampleRate_Hz))
             return error(
                 {DYNCAL_TEXT("core",
@@ -372,6 +427,16 @@ Result<WindowResult> cutWindows(const CaptureSet &set, const WindowSettings &set
     if (result.responses.empty())
         return tl::unexpected(nothingLeft(result));
     return result;
+}
+
+Result<WindowedResponse> cutAlongside(const Shot &shot, const Channel &channel,
+    const WindowedResponse &dut, const CheckSettings &checks)
+{
+    const WindowSettings settings;
+    const JobControl control;
+    WindowContext context;
+    context.checks = checks;
+    return ShotWindow(shot, dut.shot, settings, context, control).alongside(channel, dut);
 }
 
 } // namespace dyncal

@@ -22,4 +22,12 @@ namespace dyncal {
 Result<WindowResult> cutWindows(const CaptureSet &set, const WindowSettings &settings,
     const WindowContext &context, const JobControl &control = {});
 
+/// The same stretch of time of another channel of the same shot, with the same baseline and settle
+/// band as `dut`, remapped to 0..1 of its own step: a reference transducer beside the DUT. Its
+/// start is the sample nearest to the DUT's. Fails (DataBlocked; CAP-006, CAP-007, CAP-009) where
+/// samples are invalid or saturated, where there is no step, or where its record does not hold the
+/// window. Only of step treatments.
+Result<WindowedResponse> cutAlongside(const Shot &shot, const Channel &channel,
+    const WindowedResponse &dut, const CheckSettings &checks);
+
 } // namespace dyncal

@@ -39,12 +39,17 @@ UncertaintyLine rowLine(const char *quantity, double contribution,
     return line;
 }
 
-/// Of the noise alone; ResponseResult has that of all of u_magnitude, of which only the noise's is
-/// finite.
+/// Of the noise alone; ResponseResult has that of all of u_magnitude, of which only the noise's and
+/// a reference's are finite.
 double dofOfNoise(const ResponseResult &response, Index row)
 {
     const double share = response.u_noiseMagnitude[row] / response.u_magnitude[row];
-    return response.dof[row] * std::pow(share, 4);
+    if (!response.isByTransducer)
+        return response.dof[row] * std::pow(share, 4);
+    const double ofReference
+        = std::pow(response.u_referenceMagnitude[row] / response.u_magnitude[row], 4)
+        / response.dofReference[row];
+    return std::pow(share, 4) / std::max(0.0, 1.0 / response.dof[row] - ofReference);
 }
 
 bool isStated(const ResponseResult &response, Index row)
@@ -67,7 +72,10 @@ std::vector<UncertaintyLine> ownLines(const ResponseResult &response, Index row)
         rowLine("end_of_record", ofBound(response.boundEnd, row), Distribution::Rectangular),
         rowLine("aliasing", ofBound(response.boundAlias, row), Distribution::Rectangular),
         rowLine("drift", S * ofDrift_relative(response, f_Hz))};
-    if (isFrontStated(response.front))
+    if (response.isByTransducer)
+        lines.push_back(rowLine("reference_sensitivity", response.u_referenceMagnitude[row],
+            Distribution::Normal, response.dofReference[row]));
+    else if (isFrontStated(response.front))
         lines.push_back(rowLine("front_duration_s", response.u_frontMagnitude[row]));
     else
         lines.push_back(scaled({frontLine(f_Hz)}, S).front());
@@ -144,8 +152,9 @@ void addModel(const ResponseResult &response, const FrontVariation &front,
     // 1251). The bounds are the measured value's alone.
     const double noise
         = std::sqrt(std::abs(std::pow(response.u_noiseMagnitude[row], 2) - own * own));
-    const double u
-        = std::hypot(noise, ofBound(response.boundEnd, row), ofBound(response.boundAlias, row));
+    // A reference's sensitivity is the measured row's own.
+    const double u = std::hypot(std::hypot(noise, response.u_referenceMagnitude[row]),
+        ofBound(response.boundEnd, row), ofBound(response.boundAlias, row));
     rows.e_n[row] = (response.magnitude[row] - response.modelMagnitude[row])
         / (coverageFactor(std::numeric_limits<double>::infinity(), kCoverageOfRows) * u);
 }
@@ -167,11 +176,17 @@ std::vector<UncertaintyLine> phaseLines(const ResponseResult &response, Index ro
     const double noise = response.u_noiseMagnitude[row] / S;
     const double withOnset = response.u_noisePhase_rad[row];
     const double onset = std::sqrt(std::max(0.0, withOnset * withOnset - noise * noise));
-    return {rowLine("noise", noise, Distribution::Normal, dofOfNoise(response, row)),
-        rowLine("onset_s", std::isfinite(withOnset) ? onset : kUnknown),
+    std::vector<UncertaintyLine> lines{
+        rowLine("noise", noise, Distribution::Normal, dofOfNoise(response, row)),
+        rowLine(response.isByTransducer ? "delay_s" : "onset_s",
+            std::isfinite(withOnset) ? onset : kUnknown),
         rowLine("end_of_record", ofBound(response.boundEnd, row) / S, Distribution::Rectangular),
         rowLine("aliasing", ofBound(response.boundAlias, row) / S, Distribution::Rectangular),
         rowLine("drift", ofDrift_relative(response, response.frequency_Hz[row]))};
+    if (response.isByTransducer)
+        lines.push_back(rowLine("reference_phase", response.u_referencePhase_rad[row],
+            Distribution::Normal, response.dofReference[row]));
+    return lines;
 }
 
 RowUncertainty rowUncertainty(const ResponseResult &response,

@@ -4,6 +4,7 @@
 #include "core/uncertainty/uncertainty_report.h"
 
 #include "core/base/number_text.h"
+#include "core/model_analysis/transducer_steps.h"
 #include "core/uncertainty/model_values.h"
 
 #include <algorithm>
@@ -41,7 +42,8 @@ ReportedValue meanValue(const SensitivityMean &mean, const std::string &unit, co
 }
 
 /// What every row of S(f) shares: all of the sensitivity but the noise of the levels, which the
-/// rows have as their own. Relative to the level at the onset it is that noise alone.
+/// rows have as their own; against a transducer its chain, for its sensitivity is the rows' own.
+/// Relative to the level at the onset it is that noise alone.
 std::optional<Lines> commonLines(const ResponseResult &response, const Lines &chain)
 {
     const auto &mean = response.summary.mean;
@@ -58,8 +60,10 @@ std::optional<Lines> commonLines(const ResponseResult &response, const Lines &ch
     }
     if (!mean || !mean->u)
         return std::nullopt;
-    std::ranges::copy_if(mean->lines, std::back_inserter(lines),
-        [](const UncertaintyLine &line) { return line.quantity != kLevelRelative; });
+    std::ranges::copy_if(mean->lines, std::back_inserter(lines), [&](const UncertaintyLine &line) {
+        return response.isByTransducer ? line.quantity == kReferenceGain
+                                       : line.quantity != kLevelRelative;
+    });
     return together(std::move(lines), chain);
 }
 

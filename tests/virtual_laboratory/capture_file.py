@@ -7,7 +7,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 
-from .laboratory import SIDE_SENSITIVITY, TRUTH_FREQUENCIES, driven, dut_system
+from .laboratory import SIDE_SENSITIVITY, TRUTH_FREQUENCIES, driven, dut_system, reference_system
 
 TEXT = h5py.string_dtype("utf-8")
 
@@ -36,6 +36,9 @@ def write_setup(file, lab):
                 "sensitivity_unit": "V/Pa"} if side.calibrated else {}
         attributes(file.create_group(f"setup/sensors/side{i + 1}"), role="driven_side",
                    quantity="pressure", unit="V", serial=f"virtual side {i + 1}", **card)
+    if lab.reference:
+        attributes(file.create_group("setup/sensors/reference"), role="reference", quantity="pressure",
+                   unit="V", serial="virtual reference")
     attributes(file.create_group("setup/instruments/recorder"), vendor="virtual", adc_bits=lab.recorder.bits)
 
 
@@ -43,7 +46,7 @@ def write_channel(group, lab, channel, t0_s):
     noted, limit = lab.noted, 2 ** (channel.adc_bits - 1)
     data = group.create_dataset(channel.name, data=channel.counts)
     is_dut = channel.role == "dut"
-    sensor = "dut" if is_dut else "side" + channel.name.split()[1]
+    sensor = channel.role if channel.role != "driven_side" else "side" + channel.name.split()[1]
     attributes(data, sample_rate_Hz=lab.recorder.rate_hz * noted.rate_factor, t0_s=t0_s / noted.rate_factor,
                scale=channel.scale * (noted.scale_factor if is_dut else 1.0), offset=0.0,
                unit=channel.unit, quantity="voltage" if channel.unit == "V" else "pressure", role=channel.role,
@@ -100,9 +103,22 @@ def truth(lab, records, name, seed):
             "shots": [record.truth for record in records]}
 
 
+def certificate(reference):
+    """The reference's table as its laboratory gave it."""
+    f = np.array(reference.frequencies_hz)
+    s = reference.sensitivity * reference_system(reference).response(f)
+    u = reference.u_certified
+    lines = [f"{a!r},{b!r},{u * b!r},{c!r},{u!r}" for a, b, c in zip(
+        f.tolist(), (abs(s) * reference.certified).tolist(),
+        (np.angle(s) + reference.certified_phase_rad).tolist())]
+    return "\n".join(["frequency_hz,magnitude,u_magnitude,phase_rad,u_phase_rad", *lines]) + "\n"
+
+
 def write(folder, lab, records, name, seed):
     folder = Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
+    if lab.reference:
+        (folder / "reference.csv").write_text(certificate(lab.reference), encoding="utf-8")
     write_capture(folder / "capture.h5", lab, records)
     for file, content in (("recipe.json", recipe(lab)), ("truth.json", truth(lab, records, name, seed))):
         (folder / file).write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")

@@ -85,14 +85,14 @@ def one(arguments):
         return cell, ratios(results, truth) if results and results.get("response") else None
 
 
-def study(arguments, count=50):
-    seeds = range(arguments.first_seed, arguments.first_seed + (arguments.seeds or count))
+def table(arguments, pool, run, count):
+    """`run`: of (program, cell, seed), the cell and its ratios."""
+    seeds = range(arguments.first_seed, arguments.first_seed + count)
     tasks = [(arguments.program, cell, seed) for cell in range(len(SENSORS) * len(SHOTS)) for seed in seeds]
     cells = {}
-    with ProcessPoolExecutor(arguments.processes) as pool:
-        for cell, found in pool.map(one, tasks):
-            for name, values in (found or {"no result": [1.0]}).items():
-                cells.setdefault(name, {}).setdefault(cell, []).extend(values)
+    for cell, found in pool.map(run, tasks):
+        for name, values in (found or {"no result": [1.0]}).items():
+            cells.setdefault(name, {}).setdefault(cell, []).extend(values)
     head = " | ".join(f"{f / 1e3:.0f} kHz, {z}, {n} shots" for n in SHOTS for f, z in SENSORS)
     lines = [f"{len(seeds)} runs in each of {len(SENSORS) * len(SHOTS)} cells, % within U", "",
              f"| quantity | n | all | {head} | rms z |", "|---|--:|--:|" + "--:|" * 7]
@@ -105,3 +105,8 @@ def study(arguments, count=50):
             rms = 1.96 * np.sqrt(np.mean(np.square(everything)))
             lines.append(f"| {name} | {len(everything)} | {share(everything)} | {each} | {rms:.2f} |")
     return "\n".join(lines)
+
+
+def study(arguments, count=50):
+    with ProcessPoolExecutor(arguments.processes) as pool:
+        return table(arguments, pool, one, arguments.seeds or count)

@@ -43,6 +43,12 @@ def dut_system(dut, with_heat=True):
     return system
 
 
+def reference_system(reference):
+    modes = response.parallel([response.mode(*m) for m in reference.modes])
+    modes.C = modes.C / sum(m[2] for m in reference.modes)
+    return modes
+
+
 def dut_pressure(laboratory, state, arrival):
     dut, pressure = laboratory.dut, response.Pressure()
     pressure.front(arrival, state.step, *dut.front)
@@ -107,21 +113,31 @@ def perform_shot(laboratory, plan, rng):
     volts += sd * recorder.noise(rng, count, laboratory.noise_kind)
     sides = [side_values(laboratory, side, state, travel, arrival, clock)
              + laboratory.side_noise_pa * rng.standard_normal(count) for side in laboratory.sides]
-    return state, arrival, volts, sides
+    return state, arrival, volts, sides, reference_volts(laboratory, state, arrival, clock, rng)
+
+
+def reference_volts(laboratory, state, arrival, clock, rng):
+    """None without one; it draws nothing then."""
+    ref = laboratory.reference
+    if ref is None:
+        return None
+    pressure = dut_pressure(laboratory, state, arrival + ref.delay_s)
+    volts = ref.gain * ref.sensitivity * response.sampled(reference_system(ref), pressure, *clock)
+    return volts + ref.noise * ref.sensitivity * state.step * rng.standard_normal(clock[2])
 
 
 def perform(laboratory, rng):
     """All shots: list of Record."""
     rec = laboratory.recorder
     shots = [perform_shot(laboratory, plan, rng) for plan in laboratory.shots]
-    full = recorder.range_for(1.02 * max(np.abs(volts).max() for _, _, volts, _ in shots))
-    side_full = recorder.range_for(1.02 * max(np.abs(s).max() for _, _, _, sides in shots for s in sides))
+    full = recorder.range_for(1.02 * max(np.abs(volts).max() for _, _, volts, _, _ in shots))
+    side_full = recorder.range_for(1.02 * max(np.abs(s).max() for _, _, _, sides, _ in shots for s in sides))
     return [to_record(laboratory, plan, shot, full, side_full, rng)
             for plan, shot in zip(laboratory.shots, shots)]
 
 
 def to_record(laboratory, plan, shot, full, side_full, rng):
-    state, arrival, volts, sides = shot
+    state, arrival, volts, sides, reference = shot
     rec = laboratory.recorder
     dut_counts, code = recorder.counts(volts, full, rec.bits, rec.gain, rec.bow_codes)
     channels = [Channel("DUT", "dut", "V", dut_counts, code, rec.bits)]
@@ -130,6 +146,9 @@ def to_record(laboratory, plan, shot, full, side_full, rng):
         per_pascal = 1.0 if laboratory.sides[i].calibrated else SIDE_SENSITIVITY
         channels.append(Channel(f"Side {i + 1}", "driven_side", "V" if per_pascal < 1 else "Pa", c,
                                 side_code * per_pascal, 14))
+    if reference is not None:
+        c, code = recorder.counts(reference, recorder.range_for(1.02 * np.abs(reference).max()), 14)
+        channels.append(Channel("Reference", "reference", "V", c, code, 14))
     p4 = waves.driver_pressure(state, driven(laboratory).gamma, driven(laboratory).sound_speed)
     truth = {"velocity_m_s": state.velocity, "mach": state.mach, "step_pa": state.step, "p2_pa": state.p2,
              "p5_pa": state.p5, "p4_pa": p4, "a1_m_s": driven(laboratory).sound_speed,

@@ -50,6 +50,20 @@ class Recorder:
 
 
 @dataclass
+class Reference:
+    """A transducer beside the DUT; its certificate is a table of `certified` times the truth."""
+    modes: list = field(default_factory=lambda: [(450e3, 0.3, 1.0)])
+    sensitivity: float = 20e-9  # V/Pa
+    gain: float = 1.0  # of its chain
+    delay_s: float = 0.0  # of the step against the DUT's
+    noise: float = 0.003  # of its step
+    certified: float = 1.0
+    certified_phase_rad: float = 0.0  # added
+    u_certified: float = 0.003  # relative, and in rad
+    frequencies_hz: list = field(default_factory=lambda: list(np.geomspace(100.0, 300e3, 60)))
+
+
+@dataclass
 class ShotPlan:
     velocity: float  # at the end wall
     level: str = ""
@@ -96,6 +110,7 @@ class Laboratory:
     driver_length: float = 0.97
     driven_length: float = 0.97
     plateau_drop: float = 0.15
+    reference: Reference = None
     noted: Noted = field(default_factory=Noted)
     causes: list = field(default_factory=list)  # the words that are right for this fault
     size: float = 0.0  # of the fault, in the words of the condition

@@ -37,9 +37,10 @@ std::shared_ptr<const ResponseResult> PipelineRequest::modelCurve(
     if (!response || part.response || !part.model || !part.input || !part.window || !part.shock
         || responseKey == part.keys[static_cast<std::size_t>(StageId::Response)])
         return nullptr;
-    return std::make_shared<const ResponseResult>(
-        computeModelResponse(part.window->responses, *part.input, *part.model, *part.shock,
-            recipe.response, response->fLow_Hz, response->fHigh_Hz));
+    const ShockConditionsSet &steps
+        = part.reference ? stepsUsed(*part.reference, *part.shock, recipe.response) : *part.shock;
+    return std::make_shared<const ResponseResult>(computeModelResponse(part.window->responses,
+        *part.input, *part.model, steps, recipe.response, response->fLow_Hz, response->fHigh_Hz));
 }
 
 std::string decompositionKey(const CaptureSet &captures, const Recipe &recipe)

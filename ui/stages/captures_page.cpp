@@ -37,7 +37,7 @@ namespace {
 enum Column { Use, Level, File, Rate, Samples, Unit, Hash, ColumnCount };
 
 constexpr std::array kRoles{ChannelRole::Dut, ChannelRole::DrivenSide, ChannelRole::Driver,
-    ChannelRole::Trigger, ChannelRole::Other};
+    ChannelRole::Trigger, ChannelRole::Reference, ChannelRole::Other};
 constexpr std::array kPlottedRoles{ChannelRole::Dut, ChannelRole::DrivenSide, ChannelRole::Driver};
 constexpr std::array kLevels{ShotLevel::None, ShotLevel::Low, ShotLevel::Medium, ShotLevel::High};
 const std::array<std::string, 3> kReferences{"", "gauge", "absolute"};

@@ -43,6 +43,8 @@ QString roleText(ChannelRole role)
         return CaptureText::tr("Driver");
     case ChannelRole::Trigger:
         return CaptureText::tr("Trigger");
+    case ChannelRole::Reference:
+        return CaptureText::tr("Reference");
     case ChannelRole::Other:
         break;
     }

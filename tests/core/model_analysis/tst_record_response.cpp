@@ -3,68 +3,20 @@
 
 #include "core/base/constants.h"
 #include "core/model_analysis/record_response.h"
-#include "tests/support/model_inputs.h"
+#include "tests/support/step_records.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
 
 #include <complex>
-#include <deque>
 
 using namespace dyncal;
+using testing::StepRecords;
 using Complex = std::complex<double>;
 
 namespace {
 
-constexpr double kF0_Hz = 300e3;
-constexpr double kZeta = 0.05;
-constexpr Index kLead = 300;
 constexpr double kSpan_s = 200e-6;
-
-struct Mode
-{
-    double f0_Hz, zeta, share;
-};
-
-/// Records of one sensor, each with its own onset between two samples; they stay where they are.
-struct Records
-{
-    std::deque<WindowedResponse> responses;
-    std::vector<RecordOfShot> shots;
-    std::vector<Mode> modes{{kF0_Hz, kZeta, 1.0}};
-
-    void add(
-        double rate_Hz, Index length, double fraction, double noise = 0.0, std::uint64_t seed = 1)
-    {
-        testing::Noise source(seed);
-        WindowedResponse response;
-        response.sampleRate_Hz = rate_Hz;
-        response.lead = kLead;
-        response.length = length;
-        response.values = source.series(kLead + length, noise);
-        for (const Mode &mode : modes)
-            response.values.tail(length + 1) += mode.share
-                * testing::sampledStep(mode.f0_Hz, mode.zeta, rate_Hz, length + 1, 1.0 - fraction);
-        response.noise = source.series(20000, noise);
-        response.noiseSd = noise;
-        responses.push_back(response);
-        RecordOfShot shot{&responses.back(), {}};
-        shot.record.values = response.values;
-        shot.record.early = kLead;
-        shot.onset_s = (fraction - 2.0) / rate_Hz;
-        shots.push_back(shot);
-    }
-
-    Complex truth(double f_Hz) const
-    {
-        Complex sum = 0.0;
-        for (const Mode &mode : modes) {
-            const double r = f_Hz / mode.f0_Hz;
-            sum += mode.share / Complex(1.0 - r * r, 2.0 * mode.zeta * r);
-        }
-        return sum;
-    }
-};
 
 } // namespace
 
@@ -75,7 +27,7 @@ class TestRecordResponse : public QObject
 private slots:
     void sensor_isFound_withinTheBounds()
     {
-        Records records;
+        StepRecords records;
         for (const double fraction : {0.0, 0.3, 0.9})
             records.add(1e7, 8000, fraction);
         const RecordResponse response(records.shots, kSpan_s);
@@ -91,7 +43,7 @@ private slots:
 
     void onset_turnsThePhaseAlone()
     {
-        Records records;
+        StepRecords records;
         records.add(1e7, 8000, 0.2, 1e-3, 4);
         records.add(1e7, 8000, 0.7, 1e-3, 5);
         const RecordResponse one(records.shots, kSpan_s);
@@ -116,9 +68,11 @@ private slots:
         for (int trial = 0; trial < 60; ++trial) {
             const double rate_Hz = trial % 2 ? 1e6 : 3e6;
             const double constants = 5.0 + 35.0 * trial / 59.0;
-            Records records;
-            records.modes = {{kF0_Hz, 0.02, 1.0}, {kF0_Hz * (1.5 + 0.075 * trial), 0.03, 0.02}};
-            const Index length = static_cast<Index>(constants / (kTwoPi * kF0_Hz * 0.02) * rate_Hz);
+            StepRecords records;
+            records.modes = {{StepRecords::kF0_Hz, 0.02, 1.0},
+                {StepRecords::kF0_Hz * (1.5 + 0.075 * trial), 0.03, 0.02}};
+            const Index length
+                = static_cast<Index>(constants / (kTwoPi * StepRecords::kF0_Hz * 0.02) * rate_Hz);
             records.add(rate_Hz, length, trial / 60.0);
             const RecordResponse response(records.shots, kSpan_s);
             for (double f_Hz = rate_Hz / static_cast<double>(length); f_Hz < 0.4 * rate_Hz;
@@ -136,7 +90,7 @@ private slots:
     void longRinging_lengthensWhatIsUsed()
     {
         // 50 kHz rings on for 2 ms; over the span alone nothing could be said there.
-        Records records;
+        StepRecords records;
         records.modes.push_back({50e3, 0.01, 0.05});
         records.add(1e7, 40000, 0.4);
         const RecordResponse response(records.shots, kSpan_s);
@@ -145,7 +99,7 @@ private slots:
             QVERIFY(point.bound() < 0.01 * point.magnitude);
             QVERIFY(std::abs(point.magnitude - std::abs(records.truth(f_Hz))) <= point.bound());
         }
-        Records shortOnes; // of which nothing longer is there
+        StepRecords shortOnes; // of which nothing longer is there
         shortOnes.modes = records.modes;
         shortOnes.add(1e7, 4000, 0.4);
         const RecordResponse::Point point = RecordResponse(shortOnes.shots, kSpan_s).at(5e4);
@@ -154,7 +108,7 @@ private slots:
 
     void noise_isNoBound()
     {
-        Records records;
+        StepRecords records;
         records.add(1e7, 20000, 0.4, 0.02, 9);
         records.add(1e7, 20000, 0.1, 0.02, 10);
         const RecordResponse response(records.shots, kSpan_s);
@@ -174,7 +128,7 @@ private slots:
         std::vector<double> squares(frequencies_Hz.size(), 0.0), phases = squares;
         std::vector<double> mean = squares;
         for (int trial = 0; trial < kTrials; ++trial) {
-            Records records;
+            StepRecords records;
             records.add(1e7, 10000, 0.4, 0.01, static_cast<std::uint64_t>(2 * trial + 1));
             records.add(1e7, 10000, 0.4, 0.02, static_cast<std::uint64_t>(2 * trial + 2));
             const RecordResponse response(records.shots, kSpan_s);
@@ -200,7 +154,7 @@ private slots:
 
     void uncertaintyOfTheOnset_isInThePhase()
     {
-        Records records;
+        StepRecords records;
         records.add(1e7, 8000, 0.4);
         records.add(1e7, 8000, 0.4);
         for (RecordOfShot &shot : records.shots)
@@ -212,7 +166,7 @@ private slots:
     void front_isDividedOut_withItsUncertainty()
     {
         constexpr double duration_s = 310e-9;
-        Records sharp;
+        StepRecords sharp;
         sharp.add(1e8, 60000, 0.5);
         const RecordResponse known(sharp.shots, kSpan_s, {duration_s, 10e-9});
         const RecordResponse none(sharp.shots, kSpan_s);
@@ -230,7 +184,7 @@ private slots:
 
     void scaleAndSign_arePartOfS()
     {
-        Records records;
+        StepRecords records;
         records.add(1e7, 8000, 0.4);
         records.shots[0].scale = -2e-6;
         const RecordResponse::Point point = RecordResponse(records.shots, kSpan_s).at(1e4);

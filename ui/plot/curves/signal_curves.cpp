@@ -83,6 +83,8 @@ QString roleTitle(ChannelRole role)
         return Plots::tr("Driver section");
     case ChannelRole::Trigger:
         return Plots::tr("Trigger");
+    case ChannelRole::Reference:
+        return Plots::tr("Reference transducer");
     case ChannelRole::Other:
         break;
     }

@@ -39,7 +39,7 @@ enum Column {
 };
 
 constexpr std::array kRoles{ChannelRole::Dut, ChannelRole::DrivenSide, ChannelRole::Driver,
-    ChannelRole::Trigger, ChannelRole::Other};
+    ChannelRole::Trigger, ChannelRole::Reference, ChannelRole::Other};
 const std::array<std::string, 3> kReferences{"", "gauge", "absolute"};
 constexpr double kMillivoltPerKilopascal = 1e-6; ///< in V/Pa
 constexpr double kSmallest = 1e-30;

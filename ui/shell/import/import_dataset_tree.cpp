@@ -20,7 +20,7 @@ namespace {
 enum Column { Name, ReadAs, Extents, Type, About, Count };
 
 constexpr std::array kRoles{ChannelRole::Dut, ChannelRole::DrivenSide, ChannelRole::Driver,
-    ChannelRole::Trigger, ChannelRole::Other};
+    ChannelRole::Trigger, ChannelRole::Reference, ChannelRole::Other};
 
 QString shapeText(const std::vector<std::uint64_t> &shape)
 {

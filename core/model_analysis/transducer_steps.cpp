@@ -1,0 +1,80 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/model_analysis/transducer_steps.h"
+
+#include "core/model_analysis/noise_density.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace dyncal {
+namespace {
+
+constexpr double kUnstatedGain = 0.005; ///< half width, as of the DUT's chain
+
+UncertainInput gainInput(const std::vector<StatedUncertainty> &stated)
+{
+    UncertainInput input{
+        kReferenceGain, 1.0, kUnstatedGain / std::sqrt(3.0), Distribution::Rectangular};
+    input.common = true;
+    const auto found = std::ranges::find(stated, input.quantity, &StatedUncertainty::quantity);
+    if (found == stated.end())
+        return input;
+    input.u = found->u;
+    input.distribution = found->distribution;
+    input.dof = found->dof.value_or(input.dof);
+    return input;
+}
+
+/// Noise of the settled level against the baseline, relative to the step.
+double uLevel_relative(const WindowedResponse &response)
+{
+    const auto samples
+        = static_cast<Index>(std::max(1.0, response.settle_s.length() * response.sampleRate_Hz));
+    const NoiseDensity noise(response);
+    const double variance = noise.ofMean(samples, 2 * response.length) + noise.ofBaseline();
+    return std::sqrt(variance) * std::abs(response.valueScale / response.step);
+}
+
+std::optional<StepUncertainty> uncertaintyOf(const ReferenceRecords &reference,
+    const WindowedResponse &response, double step_Pa, const UncertainInput &gain)
+{
+    const ReferencePoint lowest = reference.sensitivity.lowest();
+    const std::vector<UncertainInput> inputs{
+        {"reference_sensitivity_relative", 1.0, lowest.u_magnitude / lowest.magnitude,
+            Distribution::Normal, lowest.dof, true},
+        gain, {"reference_level_relative", 1.0, uLevel_relative(response)}};
+    auto budget = propagateGum(inputs, [=](const Eigen::VectorXd &x) -> Result<Eigen::VectorXd> {
+        Eigen::VectorXd all = Eigen::VectorXd::Zero(kStepResults);
+        all[static_cast<Index>(StepResult::Step)] = step_Pa * x[2] / (x[0] * x[1]);
+        return all;
+    });
+    if (!budget)
+        return std::nullopt;
+    const Message none{
+        DYNCAL_TEXT("core", "The step is that of a reference transducer, not of the shock."), {}};
+    return StepUncertainty{std::move(*budget), none, none, {}};
+}
+
+} // namespace
+
+ShockConditionsSet stepsByTransducer(const ReferenceRecords &reference,
+    const ShockConditionsSet &shock, const std::vector<StatedUncertainty> &stated)
+{
+    const UncertainInput gain = gainInput(stated);
+    const double S_ref = reference.sensitivity.lowest().magnitude;
+    ShockConditionsSet steps;
+    for (const WindowedResponse &response : reference.responses) {
+        const ShockConditions *known = shock.ofShot(response.shot);
+        ShockConditions shot = known ? *known : ShockConditions();
+        shot.shot = response.shot;
+        shot.step_Pa = std::abs(response.step) / S_ref;
+        shot.uncertainty = uncertaintyOf(reference, response, *shot.step_Pa, gain);
+        steps.shots.push_back(std::move(shot));
+    }
+    return steps;
+}
+
+} // namespace dyncal

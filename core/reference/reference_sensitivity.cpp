@@ -1,0 +1,154 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/reference/reference_sensitivity.h"
+
+#include "core/base/number_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <complex>
+#include <string>
+#include <utility>
+
+namespace dyncal {
+namespace {
+
+bool isNotNegative(double u)
+{
+    return u >= 0.0 && std::isfinite(u);
+}
+
+bool hasPhase(const ReferencePoint &row)
+{
+    return std::isfinite(row.phase_rad);
+}
+
+/// What is wrong with a row; null if nothing is.
+const char *faultOf(const ReferencePoint &row, double before_Hz, bool needsPhase)
+{
+    if (!(row.frequency_Hz > before_Hz) || !std::isfinite(row.frequency_Hz))
+        return DYNCAL_TEXT("core", "a frequency above that of the row before, and above 0");
+    if (!(row.magnitude > 0.0) || !std::isfinite(row.magnitude))
+        return DYNCAL_TEXT("core", "a magnitude above 0");
+    if (!isNotNegative(row.u_magnitude))
+        return DYNCAL_TEXT("core", "an uncertainty of the magnitude that is not negative");
+    if (hasPhase(row) != needsPhase || (needsPhase && !isNotNegative(row.u_phase_rad)))
+        return DYNCAL_TEXT("core", "a phase with its uncertainty in all rows, or in none");
+    return row.dof > 0.0 ? nullptr : DYNCAL_TEXT("core", "degrees of freedom above 0");
+}
+
+std::complex<double> secondOrder(const ReferenceModel &model, double frequency_Hz)
+{
+    const double r = frequency_Hz / model.f0_Hz;
+    return model.sensitivity / std::complex<double>(1.0 - r * r, 2.0 * model.zeta * r);
+}
+
+/// Change of log S by one standard uncertainty of one parameter, by the central difference over a
+/// hundredth of it.
+std::complex<double> logChange(
+    const ReferenceModel &model, double ReferenceModel::*parameter, double u, double frequency_Hz)
+{
+    constexpr double kShare = 0.01;
+    ReferenceModel up = model;
+    ReferenceModel down = model;
+    up.*parameter += kShare * u;
+    down.*parameter -= kShare * u;
+    return std::log(secondOrder(up, frequency_Hz) / secondOrder(down, frequency_Hz))
+        / (2.0 * kShare);
+}
+
+ReferencePoint ofModel(const ReferenceModel &model, double frequency_Hz)
+{
+    using M = ReferenceModel;
+    const std::complex<double> S = secondOrder(model, frequency_Hz);
+    double along = 0.0;
+    double across = 0.0;
+    for (const auto &[parameter, u] : {std::pair(&M::sensitivity, model.u_sensitivity),
+             std::pair(&M::f0_Hz, model.u_f0_Hz), std::pair(&M::zeta, model.u_zeta)}) {
+        const std::complex<double> change = logChange(model, parameter, u, frequency_Hz);
+        along += change.real() * change.real();
+        across += change.imag() * change.imag();
+    }
+    return {
+        frequency_Hz, std::abs(S), std::abs(S) * std::sqrt(along), std::arg(S), std::sqrt(across)};
+}
+
+} // namespace
+
+Result<ReferenceSensitivity> ReferenceSensitivity::fromTable(std::vector<ReferencePoint> rows)
+{
+    if (rows.empty())
+        return fail(ErrorKind::Usage,
+            {DYNCAL_TEXT("core", "The reference transducer's table has no rows."), {}});
+    double before_Hz = 0.0;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        if (const char *needed = faultOf(rows[i], before_Hz, hasPhase(rows.front())))
+            return fail(ErrorKind::Usage,
+                {DYNCAL_TEXT(
+                     "core", "Row %1 of the reference transducer's table, at %2 Hz, needs %3."),
+                    {std::to_string(i + 1), numberText(rows[i].frequency_Hz, 6), needed}});
+        before_Hz = rows[i].frequency_Hz;
+    }
+    ReferenceSensitivity result;
+    result.m_rows = std::move(rows);
+    return result;
+}
+
+Result<ReferenceSensitivity> ReferenceSensitivity::fromModel(const ReferenceModel &model)
+{
+    const std::array positive{model.sensitivity, model.f0_Hz, model.zeta};
+    const std::array uncertain{model.u_sensitivity, model.u_f0_Hz, model.u_zeta};
+    const auto isPositive = [](double value) { return value > 0.0 && std::isfinite(value); };
+    if (!std::ranges::all_of(positive, isPositive)
+        || !std::ranges::all_of(uncertain, isNotNegative))
+        return fail(ErrorKind::Usage,
+            {DYNCAL_TEXT("core",
+                 "comparison.model needs sensitivity, f0_hz and zeta above 0, and no uncertainty below 0."),
+                {}});
+    ReferenceSensitivity result;
+    result.m_model = model;
+    return result;
+}
+
+std::optional<ReferencePoint> ReferenceSensitivity::at(double frequency_Hz) const
+{
+    if (m_model)
+        return ofModel(*m_model, frequency_Hz);
+    constexpr double kRounding = 1e-9; // of a frequency that is meant to be a row's
+    if (!(frequency_Hz >= lowest_Hz() * (1.0 - kRounding))
+        || !(frequency_Hz <= highest_Hz() * (1.0 + kRounding)))
+        return std::nullopt;
+    const auto above
+        = std::ranges::lower_bound(m_rows, frequency_Hz, {}, &ReferencePoint::frequency_Hz);
+    if (above == m_rows.begin())
+        return m_rows.front();
+    if (above == m_rows.end())
+        return m_rows.back();
+    const ReferencePoint &a = *(above - 1), &b = *above;
+    const double share
+        = std::log(frequency_Hz / a.frequency_Hz) / std::log(b.frequency_Hz / a.frequency_Hz);
+    const auto between
+        = [&](double ReferencePoint::*value) { return a.*value + share * (b.*value - a.*value); };
+    using P = ReferencePoint;
+    return ReferencePoint{frequency_Hz, between(&P::magnitude), between(&P::u_magnitude),
+        between(&P::phase_rad), between(&P::u_phase_rad), std::min(a.dof, b.dof)};
+}
+
+ReferencePoint ReferenceSensitivity::lowest() const
+{
+    return m_model ? ofModel(*m_model, 0.0) : m_rows.front();
+}
+
+double ReferenceSensitivity::lowest_Hz() const
+{
+    return m_model ? 0.0 : m_rows.front().frequency_Hz;
+}
+
+double ReferenceSensitivity::highest_Hz() const
+{
+    return m_model ? std::numeric_limits<double>::infinity() : m_rows.back().frequency_Hz;
+}
+
+} // namespace dyncal

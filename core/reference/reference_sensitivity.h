@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/constants.h"
+#include "core/base/result.h"
+#include "core/reference/comparison_settings.h"
+
+#include <limits>
+#include <optional>
+#include <vector>
+
+namespace dyncal {
+
+/// S of a reference transducer at one frequency, as its certificate has it. Units of the
+/// certificate; u at k = 1.
+struct ReferencePoint
+{
+    double frequency_Hz = 0.0;
+    double magnitude = 0.0;
+    double u_magnitude = 0.0;
+    double phase_rad = kUnknown; ///< lag negative; NaN where only the magnitude was calibrated
+    double u_phase_rad = kUnknown;
+    double dof = std::numeric_limits<double>::infinity();
+};
+
+/// S of a reference transducer over frequency.
+class ReferenceSensitivity
+{
+public:
+    /// At least one row, frequencies above 0 and rising, magnitudes above 0, u not negative, the
+    /// phase in all rows or in none. Fails (Usage) with the row at fault, counted from 1.
+    static Result<ReferenceSensitivity> fromTable(std::vector<ReferencePoint> rows);
+
+    /// |S| = sensitivity / |1 - r^2 + 2 j zeta r|, r = f/f0; u by first order. Fails (Usage) unless
+    /// sensitivity, f0 and zeta are above 0 and no u is negative.
+    static Result<ReferenceSensitivity> fromModel(const ReferenceModel &model);
+
+    /// Between the rows of a table straight lines over log f, of the u too. Empty outside a table:
+    /// nobody calibrated the transducer there.
+    std::optional<ReferencePoint> at(double frequency_Hz) const;
+
+    /// What the level of a step is divided by: the model's level, or the lowest row of a table.
+    ReferencePoint lowest() const;
+
+    double lowest_Hz() const; ///< 0 of a model
+    double highest_Hz() const; ///< infinite of a model
+
+private:
+    std::vector<ReferencePoint> m_rows;
+    std::optional<ReferenceModel> m_model;
+};
+
+} // namespace dyncal

@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// A reference transducer's sensitivity: between the rows of its table, outside them, and the
+// second-order sensor in closed form.
+
+#include "core/reference/reference_sensitivity.h"
+#include "tests/support/near.h"
+#include "tests/support/test_program.h"
+
+#include <QTest>
+
+#include <cmath>
+#include <complex>
+
+using namespace dyncal;
+using testing::isNear;
+
+namespace {
+
+std::vector<ReferencePoint> twoRows()
+{
+    return {{100.0, 2e-8, 1e-10, -0.1, 0.01, 12.0}, {10000.0, 4e-8, 3e-10, -0.3, 0.03}};
+}
+
+std::string faultOfTable(std::vector<ReferencePoint> rows)
+{
+    const auto made = ReferenceSensitivity::fromTable(std::move(rows));
+    return made ? std::string() : english(made.error().message);
+}
+
+} // namespace
+
+class TestReferenceSensitivity : public QObject
+{
+    Q_OBJECT
+
+private slots:
+    void table_isStraightOverLogFrequency()
+    {
+        const auto table = ReferenceSensitivity::fromTable(twoRows()).value();
+        const ReferencePoint middle = table.at(1000.0).value();
+        QVERIFY(isNear(middle.magnitude, 3e-8));
+        QVERIFY(isNear(middle.u_magnitude, 2e-10));
+        QVERIFY(isNear(middle.phase_rad, -0.2));
+        QVERIFY(isNear(middle.u_phase_rad, 0.02));
+        QCOMPARE(middle.dof, 12.0); // the fewer of the two
+        QCOMPARE(table.at(100.0)->magnitude, 2e-8);
+        QCOMPARE(table.at(10000.0)->magnitude, 4e-8);
+        QCOMPARE(table.lowest().magnitude, 2e-8);
+    }
+
+    void table_isNotExtrapolated()
+    {
+        const auto table = ReferenceSensitivity::fromTable(twoRows()).value();
+        QVERIFY(!table.at(99.9) && !table.at(10001.0) && !table.at(std::nan("")));
+        QVERIFY(table.at(100.0 * (1.0 - 1e-12)) && table.at(10000.0 * (1.0 + 1e-12)));
+        QCOMPARE(table.lowest_Hz(), 100.0);
+        QCOMPARE(table.highest_Hz(), 10000.0);
+    }
+
+    void table_mayHaveNoPhase()
+    {
+        const auto table
+            = ReferenceSensitivity::fromTable({{100.0, 2e-8, 0.0}, {200.0, 2e-8, 0.0}}).value();
+        QVERIFY(std::isnan(table.at(150.0)->phase_rad));
+        QCOMPARE(table.at(150.0)->magnitude, 2e-8);
+    }
+
+    void malformedRows_areNamed()
+    {
+        QVERIFY(!faultOfTable({}).empty());
+        auto rows = twoRows();
+        rows[1].frequency_Hz = 100.0;
+        QVERIFY(faultOfTable(rows).find("Row 2") != std::string::npos);
+        rows = twoRows();
+        rows[0].magnitude = 0.0;
+        QVERIFY(faultOfTable(rows).find("magnitude above 0") != std::string::npos);
+        rows = twoRows();
+        rows[1].u_magnitude = -1.0;
+        QVERIFY(!faultOfTable(rows).empty());
+        rows = twoRows();
+        rows[1].phase_rad = std::nan("");
+        QVERIFY(faultOfTable(rows).find("in all rows, or in none") != std::string::npos);
+        rows = twoRows();
+        rows[1].dof = 0.0;
+        QVERIFY(!faultOfTable(rows).empty());
+        rows[1].frequency_Hz = std::numeric_limits<double>::infinity();
+        QVERIFY(!faultOfTable(rows).empty());
+    }
+
+    void model_isTheSecondOrderSensor()
+    {
+        const ReferenceModel model{2e-8, 1e-10, 3e5, 300.0, 0.1, 0.002};
+        const auto made = ReferenceSensitivity::fromModel(model).value();
+        for (const double f_Hz : {1e3, 1e5, 2.9e5, 4e5}) {
+            const double r = f_Hz / model.f0_Hz;
+            const std::complex<double> D(1.0 - r * r, 2.0 * model.zeta * r);
+            const ReferencePoint point = made.at(f_Hz).value();
+            QVERIFY(isNear(point.magnitude, 2e-8 / std::abs(D), 1e-12));
+            QVERIFY(std::abs(point.phase_rad + std::arg(D)) < 1e-12);
+            // d ln S = dS0/S0 + (2 r^2 - 2 j zeta r)... of D by f0, and -2 j r/D by zeta.
+            const std::complex<double> byF0
+                = -(std::complex<double>(2.0 * r * r, -2.0 * 0.1 * r)) / D;
+            const std::complex<double> byZeta = -std::complex<double>(0.0, 2.0 * r) / D;
+            const double along = std::hypot(0.005, 0.001 * byF0.real(), 0.002 * byZeta.real());
+            const double across = std::hypot(0.001 * byF0.imag(), 0.002 * byZeta.imag());
+            QVERIFY(isNear(point.u_magnitude / point.magnitude, along, 1e-5));
+            QVERIFY(isNear(point.u_phase_rad, across, 1e-5));
+        }
+        QCOMPARE(made.lowest().magnitude, 2e-8);
+        QVERIFY(isNear(made.lowest().u_magnitude, 1e-10, 1e-4));
+    }
+
+    void impossibleModels_areRefused()
+    {
+        for (const ReferenceModel &model : {ReferenceModel{0.0, 0.0, 1e5, 0.0, 0.1, 0.0},
+                 ReferenceModel{1.0, -1.0, 1e5, 0.0, 0.1, 0.0},
+                 ReferenceModel{1.0, 0.0, 1e5, 0.0, 0.0, 0.0}}) {
+            const auto made = ReferenceSensitivity::fromModel(model);
+            QVERIFY(!made && made.error().kind == ErrorKind::Usage);
+        }
+    }
+};
+
+DYNCAL_TEST(TestReferenceSensitivity)
+#include "tst_reference_sensitivity.moc"
