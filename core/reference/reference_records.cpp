@@ -4,6 +4,7 @@
 #include "core/reference/reference_records.h"
 
 #include "core/reference/reference_csv.h"
+#include "core/reference/reference_dcc.h"
 #include "core/signal/window_cutting.h"
 
 #include <algorithm>
@@ -34,10 +35,24 @@ Result<void> checkSource(const ComparisonSettings &settings)
             {settings.source, settings.loaded->sha256, settings.sha256}});
 }
 
-Result<ReferenceSensitivity> sensitivityOf(const ComparisonSettings &settings)
+/// A certificate in XML begins with "<", a table with a name.
+bool isXml(const std::string &content)
 {
-    return settings.model ? ReferenceSensitivity::fromModel(*settings.model)
-                          : readReferenceCsv(settings.loaded->content);
+    constexpr const char *kBlankAndMark = " \t\r\n\xEF\xBB\xBF";
+    const std::size_t first = content.find_first_not_of(kBlankAndMark);
+    return first != content.npos && content[first] == '<';
+}
+
+Result<CertifiedReference> sensitivityOf(const ComparisonSettings &settings)
+{
+    const auto alone = [](ReferenceSensitivity sensitivity) {
+        return CertifiedReference{std::move(sensitivity), {}};
+    };
+    if (settings.model)
+        return ReferenceSensitivity::fromModel(*settings.model).map(alone);
+    const std::string &content = settings.loaded->content;
+    return isXml(content) ? readReferenceDcc(content, settings.quantityId, settings.unit)
+                          : readReferenceCsv(content).map(alone);
 }
 
 const Channel *referenceOf(const Shot &shot, const ComparisonSettings &settings)
@@ -88,11 +103,12 @@ Result<ReferenceRecords> referenceRecords(const CaptureSet &set,
 {
     if (const Result<void> source = checkSource(settings); !source)
         return tl::unexpected(source.error());
-    Result<ReferenceSensitivity> sensitivity = sensitivityOf(settings);
-    if (!sensitivity)
-        return tl::unexpected(sensitivity.error());
-    ReferenceRecords records{std::move(*sensitivity), {}, {}, {}, {}, {}, settings.delay_s,
-        settings.u_delay_s, settings.correlationWithStep};
+    Result<CertifiedReference> certified = sensitivityOf(settings);
+    if (!certified)
+        return tl::unexpected(certified.error());
+    ReferenceRecords records{std::move(certified->sensitivity), {}, {}, {},
+        std::move(certified->certificate), {}, settings.delay_s, settings.u_delay_s,
+        settings.correlationWithStep};
     if (settings.loaded && !settings.model)
         records.sourceSha256 = settings.loaded->sha256;
     for (const WindowedResponse &dut : duts) {
