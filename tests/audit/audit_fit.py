@@ -98,9 +98,9 @@ class JointFit:
         return np.linalg.inv(information) * max(1.0, residual @ residual / (len(residual) - n))
 
     def onset_s(self, i):
-        return self._onset_s(i, [self.rate.real, self.rate.imag, *self.amplitudes(i)])
+        return self.onset_of(i, [self.rate.real, self.rate.imag, *self.amplitudes(i)])
 
-    def _onset_s(self, i, x):
+    def onset_of(self, i, x):
         """Where the response is level and near zero: it leaves with slope zero, so that the slope
         Re(c s e^(s t)) has a simple root there."""
         s, level, c = complex(x[0], x[1]), x[2], complex(x[3], x[4])
@@ -114,7 +114,7 @@ class JointFit:
         V = self.covariance()[np.ix_(at, at)]
         x = np.array([self.rate.real, self.rate.imag, *self.amplitudes(i)])
         moves = np.diag(0.1 * np.sqrt(np.diag(V)))
-        slope = [(self._onset_s(i, x + move) - self._onset_s(i, x - move)) / (2.0 * move.sum()) for move in moves]
+        slope = [(self.onset_of(i, x + move) - self.onset_of(i, x - move)) / (2.0 * move.sum()) for move in moves]
         return np.sqrt(slope @ V @ slope)
 
     def u_level_relative(self, i):

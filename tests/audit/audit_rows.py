@@ -2,69 +2,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """S(f) with its uncertainty, every row from the raw samples by the sum as it is written."""
 
-from functools import lru_cache
-
 import numpy as np
 
 from audit_report import SHARE, combined, relative, table
+from audit_transform import transform
 
-CUTS = 12
 FRONT_S = 100e-9  # the longest that nobody states
 OF_NOISE = 1e-3  # of u of the noise, where the program takes the noise for white
-
-
-@lru_cache(maxsize=64)
-def turns(x, count):
-    """e^(-jxn), which the shots of a row share."""
-    return np.exp(-1j * x * np.arange(count))
-
-
-class Transform:
-    """One shot's record at one frequency: its steps' transform over the pressure step."""
-
-    def __init__(self, shot, window, f_Hz, length_s, span_s, step_Pa):
-        count = min(max(2, int(np.ceil(length_s * shot.rate_Hz - 1e-6))), window)
-        self.before = max(64, int(span_s * shot.rate_Hz / 16))
-        self.x = 2.0 * np.pi * f_Hz / shot.rate_Hz
-        self.step_Pa = step_Pa
-        self.y = shot.volts[shot.first - self.before:shot.first + count] - shot.stated["baseline"]
-        self.turn = turns(self.x, len(self.y) + 1)
-        self.sums = np.cumsum(np.diff(self.y, prepend=0.0) * self.turn[:-1])
-        self.bracket = 1j * self.x / (1.0 - np.exp(-1j * self.x))
-        self.density = shot.noise_sd**2
-        self.of_baseline = self.density / len(shot.quiet)
-
-    def at(self, end):
-        """As if the record ended after so many samples, continued by the mean of its own last tenth."""
-        level = self.y[end - max(1, end // 10):end].mean()
-        return (self.sums[end - 1] + (level - self.y[end - 1]) * self.turn[end]) * self.bracket / self.step_Pa
-
-    def of_level(self, end):
-        m = max(1, end // 10)
-        return self.density * abs(self.bracket)**2 * max(0.0, 2.0 * np.cos(self.x * m) - 1.0) / m
-
-    def variance(self):
-        """Of Re and of Im, docs/method/response.md with one density at all frequencies."""
-        of_samples = 0.5 * self.density * self.x**2 * len(self.y)
-        return (of_samples + self.of_level(len(self.y)) + self.of_baseline) / self.step_Pa**2
-
-    def exact_variance(self):
-        """Mean of both directions, from what each sample does to the sum."""
-        weight = (1.0 - np.exp(-1j * self.x)) * self.turn[:-1]
-        m = max(1, len(self.y) // 10)
-        weight[-m:] += self.turn[-1] / m
-        return 0.5 * self.density * np.sum(np.abs(weight * self.bracket)**2) / self.step_Pa**2
-
-    def changes(self):
-        """By each cut, turned along S, and the variance of its Re and Im."""
-        n = len(self.y)
-        ends = [n - n // 3 + k * (n // 3) // CUTS for k in range(CUTS)]
-        whole = self.at(n)
-        back = np.exp(-1j * np.angle(whole))
-        values = np.array([(self.at(end) - whole) * back for end in ends])
-        cut_off = np.array([0.5 * self.density * self.x**2 * (n - end) + self.of_level(end) + self.of_level(n)
-                            for end in ends])
-        return values, cut_off / self.step_Pa**2
 
 
 class Row:
@@ -72,33 +16,35 @@ class Row:
 
     def __init__(self, shots, windows, steps_Pa, onsets_s, u_onsets_s, f_Hz, length_s, span_s, near_rad):
         n = len(shots)
-        one = [Transform(shot, window, f_Hz, length_s, span_s, step)
-               for shot, window, step in zip(shots, windows, steps_Pa)]
-        S = np.array([t.at(len(t.y)) for t in one])
-        variance = np.array([t.variance() for t in one])
+        one = [transform(shot, window, f_Hz, length_s, span_s, shot.stated["baseline"])
+               for shot, window in zip(shots, windows)]
+        scale = 1.0 / np.array(steps_Pa)
+        S = scale * [t.S for t in one]
+        variance = scale**2 * [t.variance for t in one]
         self.magnitude = np.mean(np.sqrt(np.maximum(0.0, np.abs(S)**2 - variance)))
         self.u_noise = np.sqrt(variance.sum()) / n
-        self.exact_u_noise = np.sqrt(sum(t.exact_variance() for t in one)) / n
+        self.exact_u_noise = np.sqrt(np.sum(scale**2 * [t.exact_variance for t in one])) / n
         self.dof = variance.sum()**2 / sum(v**2 / len(shot.quiet) for v, shot in zip(variance, shots))
         # The onset counts from the first sample of the sum.
         behind = np.array([onset - shot.time_s(shot.first - t.before) for onset, shot, t in zip(onsets_s, shots, one)])
         phases = np.angle(S) + 2.0 * np.pi * f_Hz * behind
         self.phase = near_rad + np.mean(np.mod(phases - near_rad + np.pi, 2.0 * np.pi) - np.pi)
         self.u_onset = 2.0 * np.pi * f_Hz * np.sqrt(np.sum(np.square(u_onsets_s))) / n
-        changes, of_changes = (sum(part) / n for part in zip(*[t.changes() for t in one]))
-        noise = 2.0 * of_changes / n
+        changes = scale @ [t.changes for t in one] / n
+        noise = 2.0 * scale**2 @ [t.of_changes for t in one] / n**2
         self.bound_end = 1.2 * np.sqrt(max(0.0, np.max(np.abs(changes)**2 - 6.25 * noise)))
         sinc = np.sinc(min(f_Hz * FRONT_S, 1.0))
         self.front = self.magnitude * (1.0 - sinc) / np.sqrt(5.0)
 
-    def own_lines(self, bound_alias):
-        """Quantity -> contribution to the magnitude, degrees of freedom."""
-        return {"noise": (self.u_noise, self.dof), "end_of_record": (self.bound_end / np.sqrt(3.0), np.inf),
-                "aliasing": (bound_alias / np.sqrt(3.0), np.inf), "drift": (0.0, np.inf),
+    def own_lines(self):
+        """Quantity -> contribution to the magnitude, degrees of freedom. Bounds as stated: that of the end is
+        compared by itself, because what is left of a change that is nearly noise hangs on the noise's estimate."""
+        return {"noise": (self.u_noise, self.dof), "end_of_record": (self.stated_end / np.sqrt(3.0), np.inf),
+                "aliasing": (self.stated_alias / np.sqrt(3.0), np.inf), "drift": (0.0, np.inf),
                 "front_unknown": (self.front, np.inf)}
 
-    def phase_lines(self, bound_alias):
-        lines = {name: (u / self.magnitude, dof) for name, (u, dof) in self.own_lines(bound_alias).items()}
+    def phase_lines(self):
+        lines = {name: (u / self.magnitude, dof) for name, (u, dof) in self.own_lines().items()}
         del lines["front_unknown"]
         return {**lines, "onset_s": (self.u_onset, np.inf)}
 
@@ -132,6 +78,7 @@ def rows_of(results, folder, shots, fit):
             continue  # withheld
         row = Row(shots, windows, steps_Pa, onsets_s, u_onsets_s, f_Hz, response["length_s"][k], span_s,
                   response["model_phase_rad"][k])
+        row.stated_end, row.stated_alias = response["bound_end"][k], response["bound_alias"][k]
         row.stated_dof = dofs.get(f"response.magnitude[{k}]")
         row.allowed = allowed_of_noise(row, row.stated_dof)
         rows.append((k, row))
@@ -157,9 +104,9 @@ def check_rows(report, results, folder, shots, fit, common):
     compare("u of noise and onset (rad)", "u_noise_phase_rad",
             lambda row: np.hypot(row.u_noise / row.magnitude, row.u_onset),
             lambda row: row.allowed * np.hypot(row.u_noise / row.magnitude, row.u_onset))
-    # What is left of a change that is nearly noise follows the noise's estimate.
+    # 6.25 times a change's variance, at most 2 u^2, is taken off its square: an error a of u leaves 5 sqrt(a) u.
     compare("bound of the end", "bound_end", lambda row: row.bound_end,
-            lambda row: 0.02 * row.bound_end + max(0.02, 3.0 * row.allowed) * row.u_noise)
+            lambda row: 0.02 * row.bound_end + 6.0 * np.sqrt(row.allowed) * row.u_noise)
     least = min(row.u_noise / row.exact_u_noise for _, row in rows)
     report.compare("u of the noise over that of all samples' parts", min(1.0, least), 1.0, OF_NOISE)
     excess = [max(0.0, row.stated_dof / row.dof - 1.0) for _, row in rows if row.stated_dof]
@@ -173,9 +120,9 @@ def check_uncertainties(report, results, rows, common):
     report.compare("u that all rows share, relative", response["u_common_relative"], u_common, 2e-4 * u_common)
     u_all, u_phases, ellipses = [], [], []
     for k, row in rows:
-        own = list(row.own_lines(response["bound_alias"][k]).values())
+        own = list(row.own_lines().values())
         u_all.append(combined(own + [(c * row.magnitude, np.inf) for c in common.values()])[0])
-        u_phases.append(combined(row.phase_lines(response["bound_alias"][k]).values())[0])
+        u_phases.append(combined(row.phase_lines().values())[0])
         ellipses.append(covariance(row, combined(own)[0], u_phases[-1]))
     allowed = np.array([row.allowed for _, row in rows])
     of_noise = np.array([row.u_noise for _, row in rows]) / u_all  # its share of u decides what is allowed
@@ -192,26 +139,17 @@ def check_uncertainties(report, results, rows, common):
 
 def check_row_lines(report, results, k, row, common):
     """All lines of one row's magnitude and phase."""
-    alias = results["response"]["bound_alias"][k]
-    expected = {(name, None): u for name, (u, _) in row.own_lines(alias).items()}
+    expected = {(name, None): u for name, (u, _) in row.own_lines().items()}
     expected.update({place: c * row.magnitude for place, c in common.items()})
-    phase = {(name, None): u for name, (u, _) in row.phase_lines(alias).items()}
-    for of, lines, unit in ((f"response.magnitude[{k}]", expected, 1.0),
-                            (f"response.phase_rad[{k}]", phase, 1.0 / row.magnitude)):
+    phase = {(name, None): u for name, (u, _) in row.phase_lines().items()}
+    for of, lines in ((f"response.magnitude[{k}]", expected), (f"response.phase_rad[{k}]", phase)):
         stated = {(line["quantity"], line["shot"]): line for line in results["budget"] if line["of"] == of}
         report.equal(f"lines of {of}", sorted(map(str, stated)), sorted(map(str, lines)))
         for place, line in stated.items():
             value = lines.get(place, np.nan)
             name = f"{of}: {place[0]}" + (f", shot {place[1]}" if place[1] else "")
-            report.compare(name, line["contribution"], value, allowed_of_line(row, place[0], value, unit))
-
-
-def allowed_of_line(row, quantity, value, unit):
-    if quantity == "noise":
-        return relative(value, row.allowed)
-    if quantity == "end_of_record":
-        return 0.02 * value + max(0.02, 3.0 * row.allowed) * row.u_noise * unit
-    return relative(value, 2e-3) + 1e-18
+            share = row.allowed if place[0] == "noise" else 2e-3
+            report.compare(name, line["contribution"], value, relative(value, share) + 1e-18)
 
 
 COLUMNS = {"var_re": ("covariance_re_im", 0), "cov_re_im": ("covariance_re_im", 1), "var_im": ("covariance_re_im", 2)}

@@ -9,7 +9,6 @@ Prints each number with the lines that were out; exit code 1 where none was, or 
 """
 
 import contextlib
-import copy
 import io
 import json
 import sys
@@ -50,9 +49,10 @@ def moves(results):
                  ("shots", 2, "u_level_relative"), ("characteristics", 0, "u"), ("response", "u_common_relative"),
                  ("response", "u_magnitude", 0), ("response", "u_magnitude", last), ("response", "u_phase_rad", middle),
                  ("response", "u_noise_magnitude", middle), ("response", "covariance_re_im", middle, 0),
-                 ("response", "e_n", middle)):
+                 ("response", "u_model_magnitude", middle), ("response", "e_n", middle)):
         found[".".join(map(str, keys))] = place(*keys), OF_U
     for of, quantity in (("sensitivity", "gain_relative"), ("sensitivity", "t1_k"), ("f0_hz", "noise"),
+                         ("within_5_percent_hz", "noise"), ("overshoot_percent", "front_unknown"),
                          (f"response.magnitude[{last}]", "front_unknown"), ("response.magnitude[5]", "noise")):
         for key in ("u", "contribution"):
             found[f"budget: {of}, {quantity}, {key}"] = line_of(of, quantity, key), OF_U
@@ -70,14 +70,15 @@ def lines_out(results, folder, recording):
 
 def main():
     folder = Path(sys.argv[2])
-    results = json.loads((folder / "results.json").read_text())
+    text = (folder / "results.json").read_text()
+    results = json.loads(text)
     missed = 0
     with h5py.File(sys.argv[1]) as capture:
         recording = Recording(capture, results)
         unmoved = lines_out(results, folder, recording)
         print(f"{'OFF ' if unmoved else 'ok  '} nothing moved: {unmoved}")
         for name, (find, share) in moves(results).items():
-            moved = copy.deepcopy(results)
+            moved = json.loads(text)
             holder, key = find(moved)
             holder[key] *= 1.0 + share
             out = lines_out(moved, folder, recording)

@@ -27,6 +27,7 @@ from scipy import signal
 
 from audit_budget import check_every_budget, check_resonance_budget
 from audit_fit import JointFit, Shot
+from audit_model import check_model_uncertainty
 from audit_report import SHARE, Report, relative, table
 from audit_rows import check_csv, check_rows
 from audit_sensitivity import check_sensitivity
@@ -146,6 +147,7 @@ def check_results(report, results, folder, recording):
     check_rows(report, results, folder / "csv", shots, fit, common)
     check_every_budget(report, results)
     check_resonance_budget(report, results, fit)
+    check_model_uncertainty(report, results, fit)
     check_csv(report, results, folder / "csv")
 
 
