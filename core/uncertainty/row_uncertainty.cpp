@@ -3,7 +3,6 @@
 
 #include "core/uncertainty/row_uncertainty.h"
 
-#include "core/base/uncertain_complex.h"
 #include "core/model_analysis/model_response.h"
 #include "core/uncertainty/front_effect.h"
 
@@ -100,10 +99,12 @@ void combineRow(const ResponseResult &response, Index row, RowUncertainty &rows)
     rows.u_phase_rad[row] = phase.u;
     rows.dof_phase[row] = phase.dof;
     rows.k_phase[row] = coverageFactor(phase.dof, kCoverageOfRows);
-    UncertainPolar polar{response.magnitude[row], response.phase_rad[row]};
-    polar.covariance.diagonal() << own.u * own.u, phase.u * phase.u;
-    const Eigen::Matrix2d V = toRectangular(polar).covariance;
-    rows.covarianceReIm.row(row) << V(0, 0), V(0, 1), V(1, 1);
+    const double c = std::cos(response.phase_rad[row]);
+    const double s = std::sin(response.phase_rad[row]);
+    const double along = own.u * own.u;
+    const double across = std::pow(response.magnitude[row] * phase.u, 2);
+    rows.covarianceReIm.row(row) << c * c * along + s * s * across, s * c * (along - across),
+        s * s * along + c * c * across;
 }
 
 /// From one model's response over its level to the other's, relative, as a complex logarithm.
