@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-// Discrete Fourier transform of a record at listed frequencies with the covariance of Re and Im,
-// once; prints wall and processor time in seconds, then Re, Im, var Re, cov, var Im of every
-// frequency. Built and called by gum_covariance.py: gum_covariance FILE SAMPLES FREQUENCIES, FILE
-// holds doubles: the record, the variance of each sample, the frequencies over the sample rate.
+// S(f) of a step's record at listed frequencies with the covariance of Re and Im, once; prints wall
+// and processor time in seconds, then Re, Im, var Re, cov, var Im of every frequency. Built and
+// called by gum_covariance.py: gum_covariance FILE SAMPLES FREQUENCIES, FILE holds doubles: the
+// record, the variance of each sample, the frequencies over the sample rate.
 
 #include "core/base/index.h"
-#include "core/signal/dft_covariance.h"
+#include "core/model_analysis/step_covariance.h"
 
 #include <chrono>
 #include <cstdio>
@@ -40,7 +40,8 @@ int main(int argc, char **argv)
 
     const auto begin = std::chrono::steady_clock::now();
     const std::clock_t processor = std::clock();
-    const auto lines = dftWithCovariance(y, variance, 1.0, turns);
+    const TransformEnd end = transformEnds(y, 0).back();
+    const auto lines = stepTransformsWithCovariance(y, variance, 1.0, end, 0.0, turns);
     const double used_s = static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC;
     const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - begin;
 

@@ -2,11 +2,13 @@
 # SPDX-FileCopyrightText: 2026 The Dyncal authors
 # SPDX-License-Identifier: GPL-3.0-or-later
 
-"""A record's transform at listed frequencies with its GUM covariance: Dyncal against numpy, the same sums.
+"""S(f) of a step's record at listed frequencies with its GUM covariance: Dyncal against numpy, the same sums.
 
 Usage: tests/bench/gum_covariance.py BUILD_FOLDER [ROUNDS [SAMPLES [FREQUENCIES]]]
 Needs numpy, g++ and a release build (target dyncal_core). For each frequency f: F(f) = sum y_n e^(-jwn),
-C(2f) = sum var_n e^(-2jwn) and C(0), from which var Re, cov, var Im follow. numpy in the three ways that it
+C(2f) = sum var_n e^(-2jwn), T(f) = sum var_n e^(-jwn) over the last tenth, of which the level is the mean that
+continues the record, and C(0); from these S, var Re, cov, var Im follow (docs/method/dft-covariance.md).
+numpy in the three ways that it
 has for sums at frequencies of any choice:
     exp      e^(-jwn) of 65 536 samples at a time, as the formula is written
     blocks   the record as 1000 rows: a matrix product with e^(-jwm) of one row for all frequencies, then the
@@ -15,7 +17,7 @@ has for sums at frequencies of any choice:
 Every run is a process of its own; the candidates alternate; medians are printed, and the ratio to the fastest
 way of numpy. Dyncal's values are compared with sums in long double at five of the frequencies: numpy's own
 are less precise, because it rounds angles of many turns. Exit code 1 where the ratio is more than 0.5, or
-Dyncal's values differ from long double by more than 1e-11.
+Dyncal's values differ from long double by more than 1e-12.
 """
 
 import os
@@ -28,7 +30,7 @@ import tempfile
 import numpy as np
 
 MOST = 0.5
-LARGEST_DIFFERENCE = 1e-11  # of a line that is 1e5 to 1e6 times smaller than the sum of |y_n| that it is left of
+LARGEST_DIFFERENCE = 1e-12
 PEER = """
 import sys, time
 import numpy as np
@@ -64,7 +66,15 @@ def pairs(values, r, length=1000):
 sums = dict(exp=exponentials, blocks=blocks, pairs=pairs)[way]
 wall, used = time.perf_counter(), time.process_time()
 F, C, power = sums(y, turns), sums(variance, 2.0 * turns), variance.sum()
-lines = np.column_stack([F.real, F.imag, 0.5 * (power + C.real), 0.5 * C.imag, 0.5 * (power - C.real)])
+first, m = samples - samples // 10, samples // 10
+T = sums(variance[first:], turns) * np.exp(-2j * np.pi * ((first * turns) % 1.0)) / m
+V = variance[first:].sum() / m**2
+a = 2j * np.pi * turns
+b = a * np.exp(-2j * np.pi * ((samples * turns) % 1.0)) / (1.0 - np.exp(-2j * np.pi * turns))
+S = a * F + b * y[first:].mean()
+P = np.abs(a)**2 * power + np.abs(b)**2 * V + 2.0 * (a * b.conj() * T).real
+Q = a**2 * C + b**2 * V + 2.0 * a * b * T
+lines = np.column_stack([S.real, S.imag, 0.5 * (P + Q.real), 0.5 * Q.imag, 0.5 * (P - Q.real)])
 wall, used = time.perf_counter() - wall, time.process_time() - used
 print(wall, used, *map(repr, map(float, lines.ravel())))
 """
@@ -75,7 +85,7 @@ def build(folder: pathlib.Path, program: pathlib.Path) -> None:
     root = source.parent.parent.parent
     subprocess.run(
         ["g++", "-std=c++20", "-O2", "-I", root, "-isystem", "/usr/include/eigen3", source, "-o", program,
-         folder / "core/libdyncal_core.a", "-lfftw3", "-lpthread"], check=True)
+         folder / "core/libdyncal_core.a", "-lfftw3", "-lcrypto", "-lpthread"], check=True)
 
 
 def run(command: list) -> list[float]:
@@ -91,14 +101,18 @@ def largest_difference(found: np.ndarray, other: np.ndarray) -> float:
 
 
 def in_long_double(y: np.ndarray, variance: np.ndarray, turns: float) -> list[float]:
-    """The five numbers of one frequency."""
-    n = np.arange(len(y)).astype(np.longdouble)
-    sums = []
-    for values, r in ((y, turns), (variance, 2.0 * turns)):
-        angle = 2 * np.longdouble("3.14159265358979323846264338327950288") * ((n * np.longdouble(r)) % 1)
-        sums += [(values * np.cos(angle)).sum(), -(values * np.sin(angle)).sum()]
-    power = variance.astype(np.longdouble).sum()
-    return [float(x) for x in (sums[0], sums[1], (power + sums[2]) / 2, sums[3] / 2, (power - sums[2]) / 2)]
+    """The five numbers of one frequency, from what each sample does to S."""
+    n = np.arange(len(y) + 1).astype(np.longdouble)
+    r, pi = np.longdouble(turns), np.longdouble("3.14159265358979323846264338327950288")
+    angle = 2 * pi * ((n * r) % 1)
+    turn = np.cos(angle) - 1j * np.sin(angle)
+    weight = turn[:-1] - turn[1:]
+    m = len(y) // 10
+    weight[-m:] += turn[-1] / m
+    weight = weight * (2j * pi * r / (1 - turn[1]))
+    S, re, im = (y * weight).sum(), weight.real, weight.imag
+    return [float(x) for x in (S.real, S.imag, (variance * re * re).sum(), (variance * re * im).sum(),
+                               (variance * im * im).sum())]
 
 
 def main() -> int:
