@@ -12,8 +12,8 @@ namespace dyncal {
 
 /// stepTransforms() of the whole record at each frequency (not 0), with the covariance of Re and Im
 /// that independent errors of the samples make of it: `variance` of each sample, as many as y, in
-/// its unit squared, not below 0. `end` is the record's own (the last of transformEnds()): the level
-/// that continues it is a mean of its last samples and varies with them. With q = e^(-jwT),
+/// its unit squared, not below 0. `end` is the record's own (the last of transformEnds()): the
+/// level that continues it is a mean of its last samples and varies with them. With q = e^(-jwT),
 /// D = (1 - q) F + q^N level, F = sum y_n q^n, so that three sums over the record give all of it,
 /// without approximation (docs/method/dft-covariance.md). stepTransformVariance() is for noise of
 /// any density and states one variance for both.
