@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
+#include "core/base/constants.h"
 #include "core/model_analysis/model_characteristics.h"
 #include "core/model_analysis/model_curves.h"
 #include "core/model_analysis/model_response.h"
+#include "core/realization/exponentials/exponential_sum.h"
 #include "tests/support/model_inputs.h"
 #include "tests/support/second_order_model.h"
 #include "tests/support/test_program.h"
@@ -68,6 +70,38 @@ private slots:
             QVERIFY(std::abs(*c.within10percent_Hz / f0_Hz - within10) < kPrinted);
             QVERIFY(std::abs(*c.minus3dB_Hz / f0_Hz - minus3) < kPrinted);
         }
+    }
+
+    /// Of a sensor of f0 = 1: where the step response is highest, and when it enters +-2 % for
+    /// good.
+    void stepResponse_peaksAndSettles_whereTheClosedFormDoes_data()
+    {
+        QTest::addColumn<double>("zeta");
+        QTest::addColumn<double>("peak");
+        QTest::addColumn<double>("settled");
+        QTest::newRow("0.02") << 0.02 << 0.500100 << 31.034336;
+        QTest::newRow("0.05") << 0.05 << 0.500626 << 12.097275;
+        QTest::newRow("0.10") << 0.10 << 0.502519 << 6.108889;
+        QTest::newRow("0.20") << 0.20 << 0.510310 << 3.119740;
+        QTest::newRow("0.40") << 0.40 << 0.545545 << 1.338385;
+        QTest::newRow("0.50") << 0.50 << 0.577350 << 1.285391;
+        QTest::newRow("0.70") << 0.70 << 0.700140 << 0.951554;
+    }
+    void stepResponse_peaksAndSettles_whereTheClosedFormDoes()
+    {
+        QFETCH(double, zeta);
+        QFETCH(double, peak);
+        QFETCH(double, settled);
+        const SensorModel model = testing::secondOrderModel(1.0, zeta);
+        const ExponentialSum step{1.0,
+            Eigen::Vector2cd(model.poles[0].s_rad_s, model.poles[1].s_rad_s), model.amplitudes};
+        QVERIFY(step.derivative(peak - 1e-5, 1) > 0.0 && step.derivative(peak + 1e-5, 1) < 0.0);
+        // Only compared with the window's length: to the time grid, 40 points per radian.
+        QVERIFY(std::abs(*stepCharacteristics(model, kStep).top_s - peak) < 1.0 / (40.0 * kTwoPi));
+        const auto deviation = [&](double t_s) { return std::abs(step.value(t_s) - 1.0); };
+        QVERIFY(deviation(settled - 1e-5) > 0.02 && deviation(settled + 1e-5) < 0.02);
+        for (double t_s = settled + 1e-5; t_s < settled + 2.0; t_s += 1e-3)
+            QVERIFY(deviation(t_s) < 0.02);
     }
 
     void characteristics_ofAFreeDecayOrADivergingModel_areNone()

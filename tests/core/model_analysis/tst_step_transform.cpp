@@ -35,6 +35,45 @@ Complex transformOf(const Eigen::VectorXd &y, double level, double x)
     return D * Complex(0.0, x) / (1.0 - std::polar(1.0, -x));
 }
 
+/// Plain discrete Fourier transform at bin k of `bins`.
+Complex dft(const Eigen::VectorXd &y, double k, double bins)
+{
+    Complex sum = 0.0;
+    for (Index n = 0; n < y.size(); ++n)
+        sum += y[n] * std::polar(1.0, -kTwoPi * std::fmod(k * double(n), bins) / bins);
+    return sum;
+}
+
+/// Three classic ways to the spectrum of a step's derivative, for a record that has not settled.
+struct ClassicWays
+{
+    Eigen::VectorXd y;
+    double size = double(y.size());
+
+    /// sum of (y_n - y_(n-1)) e^(-jxn) over the recorded samples, by core.
+    Complex ofCore(double x) const
+    {
+        const TransformEnd end{y.size(), 1, y[y.size() - 1]};
+        return stepTransforms(y, kRate_Hz, {end}, 0.0, x * kRate_Hz / kTwoPi)[0]
+            * (1.0 - std::polar(1.0, -x)) / Complex(0.0, x);
+    }
+    /// A ramp to the last sample is subtracted; at bin k of N, k >= 1.
+    Complex nicolson(double k) const
+    {
+        const Eigen::VectorXd ramp = Eigen::VectorXd::LinSpaced(y.size(), 1.0, size) / size;
+        return (1.0 - std::polar(1.0, -kTwoPi * k / size))
+            * dft(y - ramp * y[y.size() - 1], k, size);
+    }
+    /// The record once more, falling from its last sample; at odd bins of 2 N, of both halves.
+    Complex gansNahman(double odd) const
+    {
+        Eigen::VectorXd both(2 * y.size());
+        both << y, y[y.size() - 1] - y.array();
+        return 0.5 * (1.0 - std::polar(1.0, -kTwoPi * odd / (2.0 * size)))
+            * dft(both, odd, 2.0 * size);
+    }
+};
+
 } // namespace
 
 class TestStepTransform : public QObject
@@ -102,6 +141,24 @@ private slots:
             const auto a = stepTransforms(y, 1e7, {{3000, 1, 1.0}}, 0.0, f_Hz);
             const auto b = stepTransforms(later, 1e7, {{3200, 1, 1.0}}, 200 / 1e7, f_Hz);
             QVERIFY(std::abs(a[0] - b[0]) < 1e-11);
+        }
+    }
+
+    /// At their own frequencies: Nicolson's at the bins of N, Gans and Nahman's between them, and
+    /// both together, which is Shaarawi and Riad's complete transform.
+    void classicWays_giveTheSame()
+    {
+        testing::Noise noise(2);
+        for (const Index size : {Index(400), Index(401)}) {
+            const ClassicWays ways{
+                testing::sampledStep(318e3, 0.02, kRate_Hz, size, 0.4) + noise.series(size, 0.01)};
+            for (Index bin = 1; bin < 2 * size; ++bin) {
+                const double k = double(bin);
+                const Complex found = bin % 2 == 0 ? ways.nicolson(0.5 * k) : ways.gansNahman(k);
+                const Complex own = ways.ofCore(kTwoPi * k / (2.0 * double(size)));
+                QVERIFY2(std::abs(found - own) < 1e-10,
+                    qPrintable(QString("%1: %2").arg(bin).arg(std::abs(found - own))));
+            }
         }
     }
 

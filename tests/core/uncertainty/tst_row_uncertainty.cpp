@@ -3,6 +3,7 @@
 
 // Complete uncertainties of the rows of S(f), from parts that are written down.
 
+#include "core/base/uncertain_complex.h"
 #include "core/model_analysis/model_response.h"
 #include "core/uncertainty/row_uncertainty.h"
 #include "tests/support/damped_shots.h"
@@ -95,6 +96,10 @@ private slots:
         QVERIFY(isNear(turned(0, 0), 0.01 * 0.01 + 0.02 * 0.02 + front * front));
         QVERIFY(isNear(turned(1, 1), std::pow(2.5 * rows.u_phase_rad[1], 2)));
         QVERIFY(std::abs(turned(0, 1)) < 1e-12);
+        const UncertainComplex z{std::polar(2.5, -0.5), covariance};
+        const UncertainPolar polar = toPolar(z);
+        QVERIFY(isNear(polar.covariance(0, 0), turned(0, 0)));
+        QVERIFY(isNear(polar.covariance(1, 1), std::pow(rows.u_phase_rad[1], 2)));
     }
 
     void unknownStep_leavesTheMagnitudeWithoutU()
