@@ -90,9 +90,20 @@ Message velocityCell(const ShockConditions &shot, double coverage)
             shot.uncertainty->budget.dof[static_cast<Index>(StepResult::Velocity)], coverage));
 }
 
-std::vector<Message> conditionsRow(
-    const CalibrationResults &results, const ShockConditions &shot, double coverage)
+Message sourceOfStep(const ShockConditions &shot, const Recipe &recipe)
 {
+    if (!shot.step_Pa)
+        return dash();
+    if (recipe.response.isByTransducer())
+        return {DYNCAL_TEXT("core", "of the reference"), {}};
+    return shot.stepTyped ? Message{DYNCAL_TEXT("core", "stated"), {}}
+                          : Message{DYNCAL_TEXT("core", "computed"), {}};
+}
+
+std::vector<Message> conditionsRow(
+    const CalibrationResults &results, const ShockConditions &shot, const Recipe &recipe)
+{
+    const double coverage = recipe.uncertainty.coverage;
     const StepCells cells = stepCells(shot, coverage);
     const std::optional<GasState> driven
         = shot.states ? std::optional(shot.states->driven) : std::nullopt;
@@ -100,10 +111,7 @@ std::vector<Message> conditionsRow(
         setting(driven ? driven->pressure_Pa : kUnknown, "Pa"),
         setting(driven ? driven->temperature_K : kUnknown, "K"), velocityCell(shot, coverage),
         printed(shot.states ? shot.states->mach : kUnknown, "", dash()), cells.step,
-        shot.step_Pa ? (shot.stepTyped ? Message{DYNCAL_TEXT("core", "stated"), {}}
-                                       : Message{DYNCAL_TEXT("core", "computed"), {}})
-                     : dash(),
-        cells.expanded, cells.k, printed(shot.plateau_s, "s", dash())};
+        sourceOfStep(shot, recipe), cells.expanded, cells.k, printed(shot.plateau_s, "s", dash())};
 }
 
 CertificateTable stepTable()
@@ -128,17 +136,24 @@ CertificateTable stepTable()
 void addSteps(const CalibrationResults &results, const Recipe &recipe, CertificateSection &section)
 {
     CertificateTable table = stepTable();
-    bool stepMissing = !results.shock || results.shock->shots.empty();
+    const ShockConditionsSet *steps = stepsUsed(results, recipe);
+    bool stepMissing = !steps || steps->shots.empty();
     bool stepUncertain = false;
-    if (results.shock)
-        for (const ShockConditions &shot : results.shock->shots) {
-            table.rows.push_back(conditionsRow(results, shot, recipe.uncertainty.coverage));
+    if (steps)
+        for (const ShockConditions &shot : steps->shots) {
+            table.rows.push_back(conditionsRow(results, shot, recipe));
             stepMissing = stepMissing || !shot.step_Pa;
             stepUncertain = stepUncertain || stepUncertainty_Pa(shot);
         }
     if (!table.rows.empty())
         section.tables.push_back(std::move(table));
-    if (stepUncertain)
+    const bool isByTransducer = calibrationKind(results, recipe) == CalibrationKind::Transducer;
+    if (stepUncertain && isByTransducer)
+        section.notes.push_back(
+            {DYNCAL_TEXT("core",
+                 "U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of %1 %: that of the reference transducer's certificate, its chain and the noise of its level. It is contained in the uncertainty of the sensitivity."),
+                {numberText(100.0 * recipe.uncertainty.coverage, 4)}});
+    else if (stepUncertain)
         section.notes.push_back(
             {DYNCAL_TEXT("core",
                  "U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of %1 %. It follows from the uncertainties of the shock velocity, the initial pressure and temperature and the gas, and holds for an ideal shock tube. It is contained in the uncertainties of the sensitivity and of the magnitudes of the frequency response."),
@@ -166,6 +181,7 @@ CertificateSection conditionsSection(const CalibrationResults &results, const Re
     switch (calibrationKind(results, recipe)) {
     case CalibrationKind::ComputedStep:
     case CalibrationKind::TypedStep:
+    case CalibrationKind::Transducer:
         addSteps(results, recipe, section);
         break;
     case CalibrationKind::UnknownStep:

@@ -6,6 +6,7 @@
 #include "core/base/constants.h"
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
+#include "core/certificate/certificate_reference.h"
 #include "core/certificate/certificate_words.h"
 #include "core/pipeline/calibration_kind.h"
 
@@ -136,11 +137,17 @@ void addNotes(const ResponseResult &response, std::size_t rows, CertificateSecti
         {DYNCAL_TEXT("core",
              "The lower limit follows from the length of the window, the upper one from the noise and the sample rate. Frequencies are settings, without an uncertainty. The model's values have the digits of the wider of their uncertainty and the measured value's; they end at half the sample rate of the model. A dash means that the value, or its complete uncertainty, was not determined."),
             {}});
-    section.notes.push_back(
-        {DYNCAL_TEXT("core",
-             "The values without a model take nothing from it but the zero of time and, where there are any, the drift and what was taken out of the records. Where what sampling or the end of the records may change exceeds both the uncertainty of the noise and 2 % of the magnitude, none is stated; for the sampling it is assumed that above half the sample rate the response is nowhere stronger than just below."),
-            {}});
-    if (response.front.duration_s > 0.0)
+    if (response.isByTransducer)
+        section.notes.push_back(
+            {DYNCAL_TEXT("core",
+                 "The values without a model are ratios of the item's record to that of the reference transducer, times its sensitivity; outside the frequencies of its calibration there are none. Where what sampling or the end of the records may change exceeds both the uncertainty of the noise and 2 % of the magnitude, none is stated."),
+                {}});
+    else
+        section.notes.push_back(
+            {DYNCAL_TEXT("core",
+                 "The values without a model take nothing from it but the zero of time and, where there are any, the drift and what was taken out of the records. Where what sampling or the end of the records may change exceeds both the uncertainty of the noise and 2 % of the magnitude, none is stated; for the sampling it is assumed that above half the sample rate the response is nowhere stronger than just below."),
+                {}});
+    if (response.front.duration_s > 0.0 && !response.isByTransducer)
         section.notes.push_back(
             {DYNCAL_TEXT("core",
                  "The pressure rises over %1 at the sensor, standard uncertainty %2. The values without a model are divided by what an even rise takes off, and its uncertainty is part of theirs; the model is that behind it."),
@@ -187,6 +194,8 @@ CertificateSection frequencyResponseSection(const CalibrationResults &results, c
         section.tables.push_back(frequencyTable(
             response, results.uncertainty ? results.uncertainty->rows : RowUncertainty(), rows));
     addNotes(response, rows.size(), section);
+    if (const auto sentence = comparisonSentence(results))
+        section.notes.push_back(*sentence);
     return section;
 }
 

@@ -6,6 +6,7 @@
 #include "core/base/constants.h"
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
+#include "core/certificate/certificate_reference.h"
 #include "core/certificate/certificate_templates.h"
 #include "core/certificate/certificate_words.h"
 #include "core/realization/order/order_spread.h"
@@ -118,6 +119,8 @@ CertificateSection methodSection(const CalibrationResults &results, const Recipe
         {"model_offset", {DYNCAL_TEXT("core", "Start of the model input after the onset"), {}},
             verbatim(settingText(input.offset_s, "s")), false});
     addChoiceOfOrder(results, recipe, section);
+    for (CertificateField &field : referenceFields(results))
+        section.fields.push_back(std::move(field));
     return section;
 }
 

@@ -12,6 +12,7 @@ Message certificateTitle(CalibrationKind kind)
     switch (kind) {
     case ComputedStep:
     case TypedStep:
+    case Transducer:
         return {DYNCAL_TEXT("core", "Certificate of dynamic calibration"), {}};
     case UnknownStep:
         return {DYNCAL_TEXT("core", "Certificate of the normalised dynamic response"), {}};
@@ -37,6 +38,11 @@ Message measurandSentence(CalibrationKind kind, const std::string &dutPosition)
         return {
             DYNCAL_TEXT("core",
                 "The sensitivity S(f) is the complex ratio of the item's output to the change of pressure at the sensor's face; phase of output over input, lag negative, relative to the sensor's own onset."),
+            {}};
+    case Transducer:
+        return {
+            DYNCAL_TEXT("core",
+                "The sensitivity S(f) is the complex ratio of the item's output to the change of pressure at the sensor's face, found by comparison with a reference transducer that the same change reached; phase of output over pressure, lag negative."),
             {}};
     case UnknownStep:
         return {
@@ -65,6 +71,11 @@ std::vector<Message> stepSentences(CalibrationKind kind)
             {DYNCAL_TEXT("core",
                  "The pressure step of each shot was stated by the operator. It was not computed, and its uncertainty is not known."),
                 {}}};
+    case Transducer:
+        return {
+            {DYNCAL_TEXT("core",
+                 "The pressure step of each shot is what the reference transducer saw: the settled level of its output over its sensitivity at the lowest frequency of its calibration."),
+                {}}};
     case UnknownStep:
         return {
             {DYNCAL_TEXT("core",
@@ -84,6 +95,11 @@ Message uncertaintyNote(CalibrationKind kind)
         return {
             DYNCAL_TEXT("core",
                 "Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the sensitivity contain the pressure step, the shots, the noise, gain, linearity and mounting; those of the frequency response also the end of the records, the sampling, the front and a drift; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: gain 0.5 %, linearity and mounting 0.1 %, clock 50 ppm, a front of up to 100 ns. The budget of every value is in results.json. A result without an uncertainty beside it has none that is complete, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach."),
+            {}};
+    case Transducer:
+        return {
+            DYNCAL_TEXT("core",
+                "Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the sensitivity contain the reference transducer's certificate, its chain and its level, the shots, the noise, gain, linearity and mounting; those of the frequency response also the noise of the reference, the end of the records, the sampling, a drift and, in the phase, the delay between the two; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: gain of either chain 0.5 %, linearity and mounting 0.1 %, clock 50 ppm, a delay of up to 0.5 \xC2\xB5s. The budget of every value is in results.json. A result without an uncertainty beside it has none that is complete, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach."),
             {}};
     case UnknownStep:
         return {

@@ -139,11 +139,11 @@ UncertaintyLine meanLine(
 {
     const auto n = static_cast<double>(of.size());
     UncertaintyLine line = row[of.front()];
-    line.sensitivity = line.contribution = 0.0;
-    for (const std::size_t i : of) {
-        line.sensitivity += row[i].sensitivity / n;
+    line.contribution = 0.0;
+    for (const std::size_t i : of)
         line.contribution += row[i].contribution / n;
-    }
+    // The shots may know it differently well; what is stated is the first one's u.
+    line.sensitivity = line.u > 0.0 ? line.contribution / line.u : 0.0;
     return line;
 }
 

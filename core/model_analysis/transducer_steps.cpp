@@ -70,6 +70,7 @@ ShockConditionsSet stepsByTransducer(const ReferenceRecords &reference,
         const ShockConditions *known = shock.ofShot(response.shot);
         ShockConditions shot = known ? *known : ShockConditions();
         shot.shot = response.shot;
+        shot.stepTyped = false;
         shot.step_Pa = std::abs(response.step) / S_ref;
         shot.uncertainty = uncertaintyOf(reference, response, *shot.step_Pa, gain);
         steps.shots.push_back(std::move(shot));

@@ -24,6 +24,8 @@ const char *calibrationKindName(CalibrationKind kind)
         return "computed-step";
     case CalibrationKind::TypedStep:
         return "typed-step";
+    case CalibrationKind::Transducer:
+        return "reference-transducer";
     case CalibrationKind::UnknownStep:
         return "unknown-step";
     case CalibrationKind::FreeDecay:
@@ -38,6 +40,8 @@ CalibrationKind calibrationKind(const CalibrationResults &results, const Recipe 
         = results.input ? results.input->treatment : recipe.input.treatment;
     if (!isStepTreatment(treatment))
         return CalibrationKind::FreeDecay;
+    if (recipe.comparison.enabled && recipe.response.isByTransducer())
+        return CalibrationKind::Transducer;
     if (!results.shock)
         return intendedKind(recipe);
     const auto count
@@ -48,6 +52,13 @@ CalibrationKind calibrationKind(const CalibrationResults &results, const Recipe 
     if (known == 0)
         return CalibrationKind::UnknownStep;
     return typed == known ? CalibrationKind::TypedStep : CalibrationKind::ComputedStep;
+}
+
+const ShockConditionsSet *stepsUsed(const CalibrationResults &results, const Recipe &recipe)
+{
+    if (results.reference && results.reference->records && recipe.response.isByTransducer())
+        return &results.reference->steps;
+    return results.shock.get();
 }
 
 } // namespace dyncal

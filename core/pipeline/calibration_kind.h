@@ -13,6 +13,8 @@ namespace dyncal {
 enum class CalibrationKind {
     ComputedStep, ///< pressure steps computed from the shock: sensitivity and S(f) in V/Pa
     TypedStep, ///< every known step was stated by the operator: the same, no shock tube needed
+    Transducer, ///< against a reference transducer beside the item: S(f) in V/Pa, no shock tube
+                ///< needed
     UnknownStep, ///< no step is known: S(f) relative to the level at the onset, no sensitivity
     FreeDecay, ///< nobody knows what excited the item: poles only, no S(f)
 };
@@ -24,5 +26,8 @@ const char *calibrationKindName(CalibrationKind kind); ///< "computed-step", ...
 /// shot; where steps of both sorts are known it is ComputedStep, and the table of the steps tells
 /// them apart.
 CalibrationKind calibrationKind(const CalibrationResults &results, const Recipe &recipe);
+
+/// The pressure steps that the response is related to; null where there are none yet.
+const ShockConditionsSet *stepsUsed(const CalibrationResults &results, const Recipe &recipe);
 
 } // namespace dyncal

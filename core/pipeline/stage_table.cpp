@@ -292,7 +292,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         kept<&R::checks, checks>(), of<&R::checks>},
     {Assessment, "model assessment", 2, 10, "", Model, Model, true, readNothing,
         kept<&R::assessment, assessment>(), saidElsewhere},
-    {Uncertainty, "uncertainty", 1, 20, "UNC-", Response, Model, true, readNothing,
+    {Uncertainty, "uncertainty", 2, 20, "UNC-", Response, Model, true, readNothing,
         kept<&R::uncertainty, uncertainty>(), of<&R::uncertainty>},
     {Comparison, "comparison", 1, 5, "CMP-", Uncertainty, Model, true, readNothing,
         kept<&R::comparison, comparison>(), of<&R::comparison>},

@@ -141,8 +141,9 @@ void addModel(const ResponseResult &response, const FrontVariation &front,
     const std::complex<double> ofFront
         = changeOf(front.longer, front.shorter, treatment, f_Hz) / front.range.divisor;
     rows.u_modelMagnitude[row] = rows.isComplete()
-        ? std::hypot(
-            own, response.modelMagnitude[row] * std::hypot(ofFront.real(), rows.u_common_relative))
+        ? std::hypot(own,
+            response.modelMagnitude[row]
+                * std::hypot(ofFront.real(), rows.u_commonOfModel_relative))
         : kUnknown;
     rows.u_modelPhase_rad[row] = std::hypot(std::sqrt(across), ofFront.imag());
     if (!isStated(response, row))
@@ -190,15 +191,16 @@ std::vector<UncertaintyLine> phaseLines(const ResponseResult &response, Index ro
 }
 
 RowUncertainty rowUncertainty(const ResponseResult &response,
-    const std::optional<std::vector<UncertaintyLine>> &common, const SensorModel &model,
+    const std::optional<CommonLines> &common, const SensorModel &model,
     const std::vector<ModelVariation> &variations, ResponseTreatment treatment)
 {
     RowUncertainty rows;
     const Index count = response.frequency_Hz.size();
     prepare(count, rows);
     if (common) {
-        rows.common = *common;
+        rows.common = common->ofRows;
         rows.u_common_relative = combined(rows.common).u;
+        rows.u_commonOfModel_relative = combined(common->ofModel).u;
     }
     const FrontVariation front = frontVariation(model, response.front);
     for (Index row = 0; row < count; ++row) {

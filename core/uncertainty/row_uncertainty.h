@@ -21,6 +21,7 @@ struct RowUncertainty
 {
     std::vector<UncertaintyLine> common; ///< relative, of every magnitude
     double u_common_relative = kUnknown; ///< NaN where the step's is not known
+    double u_commonOfModel_relative = kUnknown;
     Eigen::VectorXd u_magnitude;
     Eigen::VectorXd k_magnitude;
     Eigen::VectorXd dof_magnitude;
@@ -35,10 +36,18 @@ struct RowUncertainty
     bool isComplete() const { return std::isfinite(u_common_relative); }
 };
 
-/// `common`: of every magnitude, relative; empty = not known. `variations`: modelVariations() of
+/// What all magnitudes share, relative.
+struct CommonLines
+{
+    std::vector<UncertaintyLine> ofRows; ///< of the measured ones
+    std::vector<UncertaintyLine>
+        ofModel; ///< also a reference's sensitivity, which rows have as own
+};
+
+/// `common`: empty = not known. `variations`: modelVariations() of
 /// the model; the model's response has their u, that of the front and the common part.
 RowUncertainty rowUncertainty(const ResponseResult &response,
-    const std::optional<std::vector<UncertaintyLine>> &common, const SensorModel &model,
+    const std::optional<CommonLines> &common, const SensorModel &model,
     const std::vector<ModelVariation> &variations, ResponseTreatment treatment);
 
 /// The lines of one row's magnitude, the common ones first. The row must not be withheld.

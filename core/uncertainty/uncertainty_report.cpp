@@ -41,30 +41,48 @@ ReportedValue meanValue(const SensitivityMean &mean, const std::string &unit, co
     return reported;
 }
 
-/// What every row of S(f) shares: all of the sensitivity but the noise of the levels, which the
-/// rows have as their own; against a transducer its chain, for its sensitivity is the rows' own.
-/// Relative to the level at the onset it is that noise alone.
-std::optional<Lines> commonLines(const ResponseResult &response, const Lines &chain)
+/// Relative to the level at the onset: its noise, of each shot.
+std::optional<Lines> levelLines(const ResponseResult &response)
 {
-    const auto &mean = response.summary.mean;
     Lines lines;
-    if (!isPerPressure(response)) {
-        for (const ShotSensitivity &shot : response.shots) {
-            if (!std::isfinite(shot.uLevel_relative))
-                return std::nullopt;
-            lines.push_back(directLine(
-                kLevelRelative, shot.uLevel_relative / static_cast<double>(response.shots.size())));
-            lines.back().shot = shot.shot;
-        }
-        return lines;
+    for (const ShotSensitivity &shot : response.shots) {
+        if (!std::isfinite(shot.uLevel_relative))
+            return std::nullopt;
+        lines.push_back(directLine(
+            kLevelRelative, shot.uLevel_relative / static_cast<double>(response.shots.size())));
+        lines.back().shot = shot.shot;
     }
+    return lines;
+}
+
+/// Whether every measured row has it: all of the sensitivity but the noise of the levels, which the
+/// rows have as their own; against a transducer its chain, for its sensitivity is the rows' own.
+bool isOfAllRows(const UncertaintyLine &line, const ResponseResult &response)
+{
+    return response.isByTransducer ? line.quantity == kReferenceGain
+                                   : line.quantity != kLevelRelative;
+}
+
+/// What every row of S(f) shares, and every value of the model.
+std::optional<CommonLines> commonLines(const ResponseResult &response, const Lines &chain)
+{
+    if (!isPerPressure(response)) {
+        const std::optional<Lines> lines = levelLines(response);
+        return lines ? std::optional(CommonLines{*lines, *lines}) : std::nullopt;
+    }
+    const auto &mean = response.summary.mean;
     if (!mean || !mean->u)
         return std::nullopt;
-    std::ranges::copy_if(mean->lines, std::back_inserter(lines), [&](const UncertaintyLine &line) {
-        return response.isByTransducer ? line.quantity == kReferenceGain
-                                       : line.quantity != kLevelRelative;
-    });
-    return together(std::move(lines), chain);
+    CommonLines common;
+    for (const UncertaintyLine &line : mean->lines) {
+        if (isOfAllRows(line, response))
+            common.ofRows.push_back(line);
+        if (line.quantity != kLevelRelative)
+            common.ofModel.push_back(line);
+    }
+    common.ofRows = together(std::move(common.ofRows), chain);
+    common.ofModel = together(std::move(common.ofModel), chain);
+    return common;
 }
 
 /// Complete: with what the chain adds.

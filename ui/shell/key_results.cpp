@@ -42,19 +42,19 @@ KeyResult sensitivityOf(const CalibrationResults &results)
 }
 
 /// The largest step, which the sensitivity rests on most.
-const ShockConditions *largestStep(const CalibrationResults &results)
+const ShockConditions *largestStep(const CalibrationResults &results, const Recipe &recipe)
 {
     const ShockConditions *largest = nullptr;
-    if (results.shock)
-        for (const ShockConditions &shot : results.shock->shots)
+    if (const ShockConditionsSet *steps = stepsUsed(results, recipe))
+        for (const ShockConditions &shot : steps->shots)
             if (shot.step_Pa && (!largest || *shot.step_Pa > *largest->step_Pa))
                 largest = &shot;
     return largest;
 }
 
-KeyResult stepOf(const CalibrationResults &results)
+KeyResult stepOf(const CalibrationResults &results, const Recipe &recipe)
 {
-    const ShockConditions *shot = largestStep(results);
+    const ShockConditions *shot = largestStep(results, recipe);
     const double u = shot && shot->uncertainty
         ? shot->uncertainty->u(StepResult::Step).value_or(kUnknown)
         : kUnknown;
@@ -83,7 +83,7 @@ std::vector<KeyResult> keyResults(const CalibrationResults &results, const Recip
         = Key::tr("Damping ratio of the sensor; ± is the standard uncertainty u (k = 1).");
     if (calibrationKind(results, recipe) == CalibrationKind::FreeDecay)
         return {frequency, damping};
-    return {sensitivityOf(results), frequency, damping, stepOf(results)};
+    return {sensitivityOf(results), frequency, damping, stepOf(results, recipe)};
 }
 
 } // namespace dyncal

@@ -3,6 +3,7 @@
 
 #include "core/base/distributions.h"
 #include "core/model_analysis/shot_sensitivity.h"
+#include "tests/support/near.h"
 #include "tests/support/test_program.h"
 
 #include <QTest>
@@ -12,6 +13,7 @@
 #include <vector>
 
 using namespace dyncal;
+using testing::isNear;
 
 namespace {
 
@@ -62,11 +64,6 @@ struct Shots
         return summarise(list, pointers);
     }
 };
-
-bool isNear(double found, double expected, double relative = 1e-9)
-{
-    return std::abs(found - expected) <= relative * std::abs(expected);
-}
 
 } // namespace
 

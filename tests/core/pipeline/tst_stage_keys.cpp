@@ -214,7 +214,8 @@ void TestStageKeys::recipeChange_movesTheStageThatReadsItAndAllLater_data()
         r.response.grid = "linear";
         r.response.linearCount = 20;
     });
-    row("response.reference", StageId::Reference, [](Recipe &r) { r.response.reference = "unit-step"; });
+    row("response.reference", StageId::Reference,
+        [](Recipe &r) { r.response.reference = "unit-step"; });
 
     const auto none = [](const char *name, const RecipeChange &change) {
         QTest::newRow(name) << change << kNothing;

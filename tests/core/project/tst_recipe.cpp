@@ -214,6 +214,37 @@ private slots:
         QCOMPARE(readRecipeFiles(recipe, "/none.json").error().kind, ErrorKind::FileUnreadable);
     }
 
+    void comparison_isRead_withTheFileThatItNames()
+    {
+        QTemporaryDir folder;
+        const auto write = [&](const char *name, const char *text) {
+            QFile file(folder.filePath(name));
+            if (!file.open(QIODevice::WriteOnly))
+                qFatal("cannot write");
+            file.write(text);
+            return folder.filePath(name).toStdString();
+        };
+        write("ref.csv", "abc");
+        const std::string path = write("recipe.json",
+            R"({"comparison": {"enabled": true, "source": "ref.csv", "u_delay_s": 1e-8,
+                "correlation_with_step": -0.5}, "response": {"reference": "transducer"}})");
+        const ComparisonSettings read = readRecipeFile(path).value().comparison;
+        QVERIFY(read.enabled && read.loaded && read.channel.empty() && !read.model);
+        QCOMPARE(read.loaded->content, std::string("abc"));
+        QCOMPARE(read.u_delay_s.value(), 1e-8);
+        QCOMPARE(read.correlationWithStep, -0.5);
+        const Recipe modelled = parsed(
+            R"({"comparison": {"channel": "Ref", "model": {"sensitivity": 2e-8, "u_sensitivity": 0,
+                "f0_hz": 3e5, "u_f0_hz": 100, "zeta": 0.1, "u_zeta": 0.01}}})");
+        QCOMPARE(modelled.comparison.model->f0_Hz, 3e5);
+        QVERIFY(parsed(recipeJson(modelled)) == modelled);
+        for (const char *bad : {R"({"comparison": {"sha256": "12"}})",
+                 R"({"comparison": {"correlation_with_step": 2}})",
+                 R"({"comparison": {"model": {"sensitivity": 1}}})",
+                 R"({"comparison": {"source": 3}})"})
+            QVERIFY2(!parseRecipe(bad), bad);
+    }
+
     void gasNames_areTheNamedConstants()
     {
         const auto gas = [](const char *name) {

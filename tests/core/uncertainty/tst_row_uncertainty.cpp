@@ -7,6 +7,7 @@
 #include "core/model_analysis/model_response.h"
 #include "core/uncertainty/row_uncertainty.h"
 #include "tests/support/damped_shots.h"
+#include "tests/support/near.h"
 #include "tests/support/realized_model.h"
 #include "tests/support/test_program.h"
 
@@ -15,6 +16,7 @@
 #include <cmath>
 
 using namespace dyncal;
+using testing::isNear;
 
 namespace {
 
@@ -39,9 +41,9 @@ ResponseResult response()
 
 const std::vector<UncertaintyLine> kCommon{directLine("t1_k", -0.012), directLine("gain", 0.005)};
 
-bool isNear(double found, double expected, double relative = 1e-9)
+CommonLines shared(const std::vector<UncertaintyLine> &lines)
 {
-    return std::abs(found - expected) <= relative * std::abs(expected);
+    return {lines, lines};
 }
 
 } // namespace
@@ -55,7 +57,7 @@ private slots:
     {
         const ResponseResult made = response();
         const RowUncertainty rows
-            = rowUncertainty(made, kCommon, {}, {}, ResponseTreatment::StepDeflated);
+            = rowUncertainty(made, shared(kCommon), {}, {}, ResponseTreatment::StepDeflated);
         QVERIFY(rows.isComplete());
         QVERIFY(isNear(rows.u_common_relative, 0.013));
         const double front = made.magnitude[1] * frontLine(1e5).u;
@@ -73,7 +75,7 @@ private slots:
     {
         const ResponseResult made = response();
         const RowUncertainty rows
-            = rowUncertainty(made, kCommon, {}, {}, ResponseTreatment::StepDeflated);
+            = rowUncertainty(made, shared(kCommon), {}, {}, ResponseTreatment::StepDeflated);
         for (Index row = 0; row < 2; ++row) {
             QVERIFY(isNear(combined(magnitudeLines(made, kCommon, row)).u, rows.u_magnitude[row]));
             QVERIFY(isNear(combined(phaseLines(made, row)).u, rows.u_phase_rad[row]));
@@ -85,7 +87,7 @@ private slots:
     {
         const ResponseResult made = response();
         const RowUncertainty rows
-            = rowUncertainty(made, kCommon, {}, {}, ResponseTreatment::StepDeflated);
+            = rowUncertainty(made, shared(kCommon), {}, {}, ResponseTreatment::StepDeflated);
         const Eigen::Vector3d v = rows.covarianceReIm.row(1).transpose();
         Eigen::Matrix2d covariance;
         covariance << v[0], v[1], v[1], v[2];
@@ -114,7 +116,7 @@ private slots:
     void withheldRows_haveNone()
     {
         const RowUncertainty rows
-            = rowUncertainty(response(), kCommon, {}, {}, ResponseTreatment::StepDeflated);
+            = rowUncertainty(response(), shared(kCommon), {}, {}, ResponseTreatment::StepDeflated);
         QVERIFY(std::isnan(rows.u_magnitude[2]) && std::isnan(rows.u_phase_rad[2]));
         QVERIFY(rows.covarianceReIm.row(2).array().isNaN().all());
     }
@@ -166,8 +168,8 @@ private slots:
             made.magnitude = Eigen::VectorXd::Constant(1, kUnknown);
             made.modelMagnitude = Eigen::VectorXd::Constant(
                 1, std::abs(modelResponse(model, input.treatment, kF0_Hz)) / model.level());
-            const RowUncertainty rows = rowUncertainty(made, std::vector<UncertaintyLine>{}, model,
-                modelVariations(input, model), input.treatment);
+            const RowUncertainty rows = rowUncertainty(
+                made, CommonLines{}, model, modelVariations(input, model), input.treatment);
             squares
                 += std::pow((made.modelMagnitude[0] - 0.5 / kZeta) / rows.u_modelMagnitude[0], 2)
                 / kRuns;
@@ -189,8 +191,8 @@ private slots:
         made.frequency_Hz = Eigen::Vector2d(1e3, kF0_Hz);
         made.magnitude = Eigen::Vector2d::Constant(kUnknown);
         made.modelMagnitude = Eigen::Vector2d(1.0, 0.5 / kZeta);
-        const RowUncertainty rows = rowUncertainty(made, std::vector<UncertaintyLine>{}, model,
-            modelVariations(input, model), input.treatment);
+        const RowUncertainty rows = rowUncertainty(
+            made, CommonLines{}, model, modelVariations(input, model), input.treatment);
         const double share
             = std::pow(kTwoPi * kF0_Hz * kUnstatedFront_s, 2) / 24.0 / std::sqrt(5.0);
         QVERIFY(isNear(rows.u_modelMagnitude[1], 25.0 * share, 0.05));

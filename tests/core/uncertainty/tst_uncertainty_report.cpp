@@ -4,6 +4,7 @@
 // The budget of a whole calibration, end to end: complete or absent, and its lines make its u.
 
 #include "core/pipeline/pipeline.h"
+#include "tests/support/near.h"
 #include "tests/support/simulated_example.h"
 #include "tests/support/test_program.h"
 
@@ -12,13 +13,9 @@
 #include <cmath>
 
 using namespace dyncal;
+using testing::isNear;
 
 namespace {
-
-bool isNear(double found, double expected, double relative = 1e-9)
-{
-    return std::abs(found - expected) <= relative * std::abs(expected);
-}
 
 const Finding *findingOf(const CalibrationResults &results, const std::string &id)
 {

@@ -62,6 +62,7 @@ constexpr std::pair<std::string_view, FindingPlace> kPlaces[]{
     {"CHK-004", {Captures, "shotTable"}},
     {"CHK-005", {Checks, "checkTable"}},
     {"CHK-006", {Captures, "dutUnit"}},
+    {"CMP-001", {Shock, "arrivalDistance"}},
     {"WIN-001", {Window, "windowEnd"}},
     {"WIN-002", {Window, "baseline"}},
     {"WIN-003", {Window, "settle"}},

@@ -7,6 +7,7 @@
 #include "core/realization/model/model_variation.h"
 #include "core/realization/refinement/pole_uncertainty.h"
 #include "tests/support/damped_shots.h"
+#include "tests/support/near.h"
 #include "tests/support/realized_model.h"
 #include "tests/support/test_program.h"
 
@@ -15,6 +16,7 @@
 #include <functional>
 
 using namespace dyncal;
+using testing::isNear;
 
 namespace {
 
@@ -33,11 +35,6 @@ double propagated(const std::vector<ModelVariation> &variations,
     for (const ModelVariation &one : variations)
         sum += std::pow((value(one.up) - value(one.down)) / (2.0 * kVariation), 2);
     return std::sqrt(sum);
-}
-
-bool isNear(double found, double expected, double relative)
-{
-    return std::abs(found - expected) <= relative * std::abs(expected);
 }
 
 double lagged(double t_s)

@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/certificate/certificate_reference.h"
+
+#include "core/base/number_text.h"
+#include "core/certificate/certificate_words.h"
+
+namespace dyncal {
+
+std::vector<CertificateField> referenceFields(const CalibrationResults &results)
+{
+    const ReferenceRecords *records = results.reference ? results.reference->transducer() : nullptr;
+    if (!records)
+        return {};
+    std::vector<CertificateField> fields{
+        {"reference_channel", {DYNCAL_TEXT("core", "Reference transducer, channel"), {}},
+            verbatim(records->channel), false}};
+    if (!records->certificate.empty())
+        fields.push_back({"reference_certificate",
+            {DYNCAL_TEXT("core", "Certificate of the reference transducer"), {}},
+            verbatim(records->certificate), false});
+    fields.push_back(
+        {"reference_source", {DYNCAL_TEXT("core", "Sensitivity of the reference transducer"), {}},
+            records->sourceSha256.empty()
+                ? Message{DYNCAL_TEXT("core", "second-order sensor, as stated in the recipe"), {}}
+                : Message{DYNCAL_TEXT("core", "file with SHA-256 %1"), {records->sourceSha256}},
+            false});
+    return fields;
+}
+
+std::optional<Message> comparisonSentence(const CalibrationResults &results)
+{
+    if (!results.comparison || !results.comparison->againstStep)
+        return std::nullopt;
+    const StepAgainstTransducer &found = *results.comparison->againstStep;
+    return Message{
+        DYNCAL_TEXT("core",
+            "Check by the second way: the sensitivity against the computed pressure step less that against the reference transducer is %1 %, with an expanded uncertainty of %2 % (k = 2)."),
+        {numberText(100.0 * found.difference_relative, 2),
+            numberText(200.0 * found.u_relative, 2)}};
+}
+
+} // namespace dyncal
