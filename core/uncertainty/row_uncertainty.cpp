@@ -47,6 +47,12 @@ double dofOfNoise(const ResponseResult &response, Index row)
     return response.dof[row] * std::pow(share, 4);
 }
 
+UncertaintyLine rowNoise(const ResponseResult &response, Index row, double u)
+{
+    return with(
+        OverShots::Own, rowLine("noise", u, Distribution::Normal, dofOfNoise(response, row)));
+}
+
 bool isStated(const ResponseResult &response, Index row)
 {
     return std::isfinite(response.magnitude[row]);
@@ -62,8 +68,7 @@ std::vector<UncertaintyLine> ownLines(const ResponseResult &response, Index row)
 {
     const double f_Hz = response.frequency_Hz[row];
     const double S = response.magnitude[row];
-    std::vector<UncertaintyLine> lines{rowLine("noise", response.u_noiseMagnitude[row],
-                                           Distribution::Normal, dofOfNoise(response, row)),
+    std::vector<UncertaintyLine> lines{rowNoise(response, row, response.u_noiseMagnitude[row]),
         rowLine("end_of_record", ofBound(response.boundEnd, row), Distribution::Rectangular),
         rowLine("aliasing", ofBound(response.boundAlias, row), Distribution::Rectangular),
         rowLine("drift", S * ofDrift_relative(response, f_Hz))};
@@ -167,8 +172,8 @@ std::vector<UncertaintyLine> phaseLines(const ResponseResult &response, Index ro
     const double noise = response.u_noiseMagnitude[row] / S;
     const double withOnset = response.u_noisePhase_rad[row];
     const double onset = std::sqrt(std::max(0.0, withOnset * withOnset - noise * noise));
-    return {rowLine("noise", noise, Distribution::Normal, dofOfNoise(response, row)),
-        rowLine("onset_s", std::isfinite(withOnset) ? onset : kUnknown),
+    return {rowNoise(response, row, noise),
+        with(OverShots::Own, rowLine("onset_s", std::isfinite(withOnset) ? onset : kUnknown)),
         rowLine("end_of_record", ofBound(response.boundEnd, row) / S, Distribution::Rectangular),
         rowLine("aliasing", ofBound(response.boundAlias, row) / S, Distribution::Rectangular),
         rowLine("drift", ofDrift_relative(response, response.frequency_Hz[row]))};
