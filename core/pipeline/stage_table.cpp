@@ -272,7 +272,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         kept<&R::checks, checks>(), of<&R::checks>},
     {Assessment, "model assessment", 2, 10, "", Model, Model, true, readNothing,
         kept<&R::assessment, assessment>(), saidElsewhere},
-    {Uncertainty, "uncertainty", 1, 20, "UNC-", Response, Model, true, readNothing,
+    {Uncertainty, "uncertainty", 1, 20, "UNC-", Response, Uncertainty, true, readNothing,
         kept<&R::uncertainty, uncertainty>(), of<&R::uncertainty>},
     {Evidence, "evidence", 1, 160, "", Decomposition, Decomposition, false, readEvidence,
         kept<&R::evidence, evidence>(), ofEvidence},
