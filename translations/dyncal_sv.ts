@@ -51,6 +51,10 @@
         <source>U by the number of shots: %1; never below %2.</source>
         <translation>U efter antal skott: %1; aldrig under %2.</translation>
     </message>
+    <message>
+        <source>More shots do not make it smaller: U is %1, never below %2.</source>
+        <translation>Fler skott gör den inte mindre: U är %1, aldrig under %2.</translation>
+    </message>
 </context>
 <context>
     <name>BudgetTable</name>
@@ -2846,14 +2850,6 @@ wanted U</source>
         <translation>Skottens spridning</translation>
     </message>
     <message>
-        <source>Gain of converter and amplifier</source>
-        <translation>Förstärkning, omvandlare och förstärkare</translation>
-    </message>
-    <message>
-        <source>Linearity of converter and amplifier</source>
-        <translation>Linjäritet, omvandlare och förstärkare</translation>
-    </message>
-    <message>
         <source>Mounting of the sensor</source>
         <translation>Sensorns montering</translation>
     </message>
@@ -2888,6 +2884,14 @@ wanted U</source>
     <message>
         <source>Onset of the step</source>
         <translation>Stegets början</translation>
+    </message>
+    <message>
+        <source>Gain of the chain</source>
+        <translation>Mätkedjans förstärkning</translation>
+    </message>
+    <message>
+        <source>Linearity of the chain</source>
+        <translation>Mätkedjans linjäritet</translation>
     </message>
 </context>
 <context>

@@ -94,7 +94,7 @@ PlotContent expandedMagnitudeCurves(const ResponseResult &response,
     addIfAny(content, relative);
     addIfAny(content, relativeU(Plots::tr("U, what if"), CurveRole::Suggestion, tried));
     if (!relative.x.empty())
-        content.yAxis2 = PlotAxis{Plots::tr("U"), QStringLiteral("%")};
+        content.yAxis2 = PlotAxis{Plots::tr("U"), QStringLiteral("%"), true};
     if (marked_Hz)
         content.marks.push_back({*marked_Hz, Plots::tr("budget"), CurveRole::Reference});
     return content;

@@ -28,6 +28,7 @@ struct BudgetSentences
 };
 
 constexpr Index kMostShotsTold = 20;
+constexpr double kHardlyLess = 0.95; ///< of U: nobody shoots for that
 
 QString percentText(double relative)
 {
@@ -121,12 +122,16 @@ QString shotsSentence(const Budget &budget)
 {
     if (!budget.reported.u || budget.shots < 1)
         return {};
+    const ReportedValue endless = withEndlessShots(budget.reported);
+    if (*endless.expanded() > kHardlyLess * *budget.reported.expanded())
+        return BudgetSentences::tr("More shots do not make it smaller: U is %1, never below %2.")
+            .arg(uOf(budget.reported, budget), uOf(endless, budget));
     QStringList list;
     for (const Index shots : numbersOfShots(budget.shots))
         list << BudgetSentences::tr("%1: %2").arg(shots).arg(
             uOf(withShots(budget.reported, budget.shots, shots), budget));
     return BudgetSentences::tr("U by the number of shots: %1; never below %2.")
-        .arg(list.join(QStringLiteral(", ")), uOf(withEndlessShots(budget.reported), budget));
+        .arg(list.join(QStringLiteral(", ")), uOf(endless, budget));
 }
 
 } // namespace dyncal

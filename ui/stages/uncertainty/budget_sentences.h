@@ -18,7 +18,8 @@ QString resultSentence(const Budget &budget);
 QString wantedSentence(
     const Budget &budget, const WantedU &wanted, const std::optional<WayToU> &way);
 
-/// "U by the number of shots: 1: 2.3 %, 3: 2.1 %, 6: 1.6 %; never below 1.2 %."
+/// "U by the number of shots: 1: 2.3 %, 3: 2.1 %, 6: 1.6 %; never below 1.2 %.", or that more shots
+/// do not help.
 QString shotsSentence(const Budget &budget);
 
 } // namespace dyncal

@@ -38,7 +38,11 @@ WhatIfPanel::WhatIfPanel(Session &session, InspectorForm &form, QObject *parent)
 void WhatIfPanel::build(InspectorForm &form)
 {
     form.addSection(tr("What if"));
-    m_input = form.addChoice(tr("Input"), "whatIfInput", {});
+    m_input = new WrappedComboBox; // over the whole width: its words are long
+    m_input->setObjectName("whatIfInput");
+    m_input->setAccessibleName(tr("Input"));
+    m_input->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    form.addWide(m_input);
     m_u = form.add(
         tr("u, tried"), "whatIfU", new OptionalEdit({QStringLiteral("%"), 0.01}, 0.0, kLargestU));
     m_u->setEmptyText(tr("as it is"));

@@ -103,11 +103,10 @@ private slots:
         QCOMPARE(said(0.02), QString("U of 2 % is reached."));
         // sqrt(0.35^2 - 0.3^2) = 0.18 %
         QCOMPARE(said(0.007),
-            QString(
-                "For U of 0.7 % one of these is enough: Gain of converter and amplifier, u ≤ 0.18 %."));
+            QString("For U of 0.7 % one of these is enough: Gain of the chain, u ≤ 0.18 %."));
         QCOMPARE(said(0.004),
             QString(
-                "For U of 0.4 % no input alone is enough. Known exactly, these together are: Gain of converter and amplifier; Noise of the level."));
+                "For U of 0.4 % no input alone is enough. Known exactly, these together are: Gain of the chain; Noise of the level."));
         QCOMPARE(wantedSentence(budget, {}, std::nullopt),
             QString("No relative U can be asked of this value."));
     }
@@ -118,6 +117,11 @@ private slots:
         QCOMPARE(shotsSentence(sensitivityBudget()),
             QString(
                 "U by the number of shots: 1: 1.3 %, 3: 1 %, 6: 0.91 %, 12: 0.85 %, 20: 0.83 %; never below 0.8 %."));
+        Budget shared = sensitivityBudget();
+        shared.reported.lines.resize(1);
+        combineLines(shared.reported);
+        QCOMPARE(shotsSentence(shared),
+            QString("More shots do not make it smaller: U is 0.8 %, never below 0.8 %."));
         Budget unknown = sensitivityBudget();
         unknown.reported.u.reset();
         QVERIFY(shotsSentence(unknown).isEmpty());
@@ -140,7 +144,7 @@ private slots:
             = budgetLines(changed, tried, wayToU(changed.reported, {0.015, 2.0}));
         QCOMPARE(table.rows.size(), 4);
         QCOMPARE(table.rows[0][0], QString("Noise of the level, shot 1 (what if)"));
-        QCOMPARE(table.rows[3][0], QString("Gain of converter and amplifier"));
+        QCOMPARE(table.rows[3][0], QString("Gain of the chain"));
         QCOMPARE(table.rows[3][8], QString("not enough alone"));
         QVERIFY(table.rows[0][8].startsWith("≤ "));
         for (const QStringList &row : table.rows)

@@ -146,7 +146,7 @@ void TestUncertaintyPage::trial_changesEveryU_notTheRecipe()
     const Recipe before = m_bench->recipe();
     QCOMPARE(cell(all, "Sensitivity", 3), QString("–"));
     QVERIFY(!isEnabled("whatIfReset"));
-    tryU("Gain of converter and amplifier", "5 %");
+    tryU("Gain of the chain", "5 %");
     QVERIFY(m_bench->recipe() == before);
     QVERIFY(m_bench->control<QLabel>("whatIfResult")->isVisible());
     QVERIFY2(has("whatIfResult", "10 % of it"), qPrintable(label("whatIfResult")));
@@ -154,7 +154,7 @@ void TestUncertaintyPage::trial_changesEveryU_notTheRecipe()
     QVERIFY(cell(all, "Magnitude of S(f)", 3).startsWith("10"));
     QVERIFY(cell(all, "Sensitivity", 2) != cell(all, "Sensitivity", 3));
     QCOMPARE(cell(all, "Natural", 2), cell(all, "Natural", 3)); // has no gain
-    QCOMPARE(rowOf(table("budgetTable"), "Gain of converter and amplifier (what if)"), 0);
+    QCOMPARE(rowOf(table("budgetTable"), "Gain of the chain (what if)"), 0);
     const auto &curves = m_bench->page.plots().front()->content().curves;
     QVERIFY(std::ranges::find(curves, QString("U, what if"), &PlotCurve::name) != curves.end());
     press("whatIfReset");
@@ -164,7 +164,7 @@ void TestUncertaintyPage::trial_changesEveryU_notTheRecipe()
 
 void TestUncertaintyPage::trial_isTakenOver_asOneStep()
 {
-    tryU("Gain of converter and amplifier", "5");
+    tryU("Gain of the chain", "5");
     tryU("T1", "2 K");
     const QString tried = label("whatIfResult");
     QVERIFY(isEnabled("whatIfTakeOver"));
