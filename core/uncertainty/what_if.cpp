@@ -18,15 +18,28 @@ double changedU(const ChangedU &change, double u)
     return change.from > 0.0 && u != change.from ? u * (change.to / change.from) : change.to;
 }
 
+/// Without its place. The times of counters are stated as arrivals.
+std::string withoutPlace(const std::string &quantity)
+{
+    const std::string key = quantity.substr(0, quantity.find('['));
+    return key == "time_s" ? "arrival_s" : key;
+}
+
 void changeLine(const ChangedU &change, UncertaintyLine &line)
 {
-    if (line.quantity != change.quantity)
+    if (!isMeant(change, line))
         return;
     line.u = changedU(change, line.u);
     line.contribution = line.sensitivity * line.u;
 }
 
 } // namespace
+
+bool isMeant(const ChangedU &change, const UncertaintyLine &line)
+{
+    return line.quantity == change.quantity
+        || (withoutPlace(line.quantity) == change.quantity && line.u == change.from);
+}
 
 ReportedValue withChanges(ReportedValue reported, const std::vector<ChangedU> &changes)
 {
@@ -39,17 +52,19 @@ ReportedValue withChanges(ReportedValue reported, const std::vector<ChangedU> &c
     return reported;
 }
 
-std::string budgetKeyOf(const UncertaintyLine &line)
+std::string budgetKeyOf(const UncertaintyLine &line, const std::vector<BudgetEntry> &budget)
 {
     const auto &known = statedQuantities();
-    const bool isKnown = std::ranges::find(known, line.quantity) != known.end();
-    return isKnown ? line.quantity : std::string();
+    if (std::ranges::find(known, line.quantity) != known.end())
+        return line.quantity;
+    const std::string key = withoutPlace(line.quantity);
+    const auto found = std::ranges::find(budget, key, &BudgetEntry::quantity);
+    return found != budget.end() && found->u == line.u ? key : std::string();
 }
 
 std::vector<BudgetEntry> withStated(
-    std::vector<BudgetEntry> budget, const UncertaintyLine &line, double to)
+    std::vector<BudgetEntry> budget, const std::string &key, const UncertaintyLine &line, double to)
 {
-    const std::string key = budgetKeyOf(line);
     if (key.empty())
         return budget;
     BudgetEntry entry{key, to, distributionName(line.distribution), {}};

@@ -99,11 +99,30 @@ private slots:
 
     void budget_takesWhatItCanState()
     {
-        QCOMPARE(budgetKeyOf(directLine("t1_k", 0.3)), std::string("t1_k"));
-        QCOMPARE(budgetKeyOf(directLine("clock_relative", 0.3)), std::string("clock_relative"));
+        QCOMPARE(budgetKeyOf(directLine("t1_k", 0.3), {}), std::string("t1_k"));
+        QCOMPARE(budgetKeyOf(directLine("clock_relative", 0.3), {}), std::string("clock_relative"));
         for (const char *computed : {"noise", "attenuation_per_m", "distance_m[Side 1]",
                  "front_unknown", "scatter_of_shots"})
-            QVERIFY2(budgetKeyOf(directLine(computed, 0.3)).empty(), computed);
+            QVERIFY2(budgetKeyOf(directLine(computed, 0.3), {}).empty(), computed);
+    }
+
+    /// One entry of the budget for all places: what knows it otherwise is not meant.
+    void statedForAllPlaces_changesThemTogether()
+    {
+        const std::vector<BudgetEntry> budget{{"arrival_s", 1e-6, "normal", {}}};
+        QCOMPARE(budgetKeyOf(directLine("arrival_s[A]", 1e-6), budget), std::string("arrival_s"));
+        QCOMPARE(
+            budgetKeyOf(directLine("time_s[counter 1]", 1e-6), budget), std::string("arrival_s"));
+        QVERIFY(budgetKeyOf(directLine("arrival_s[B]", 2e-9), budget).empty());
+        QVERIFY(budgetKeyOf(directLine("delay_s[A]", 1e-6), budget).empty());
+        ReportedValue reported{"x", 1.0, "",
+            {inputLine("arrival_s[A]", 1e-6, 1.0), inputLine("arrival_s[B]", 1e-6, 2.0),
+                inputLine("arrival_s[C]", 2e-9, 1.0)}};
+        combineLines(reported);
+        const ReportedValue changed = withChanges(reported, {{"arrival_s", 1e-6, 3e-6}});
+        QVERIFY(isClose(changed.lines[0].contribution, 3e-6));
+        QVERIFY(isClose(changed.lines[1].contribution, 6e-6));
+        QCOMPARE(changed.lines[2].u, 2e-9);
     }
 
     void budget_replacesOrAppends()
@@ -111,13 +130,13 @@ private slots:
         const UncertaintyLine gain
             = directLine("gain_relative", 0.003, 12.0, Distribution::Rectangular);
         const std::vector<BudgetEntry> before{{"t1_k", 0.3, "normal", {}}};
-        const auto appended = withStated(before, gain, 0.001);
+        const auto appended = withStated(before, "gain_relative", gain, 0.001);
         QCOMPARE(appended.size(), std::size_t(2));
         QVERIFY((appended[1] == BudgetEntry{"gain_relative", 0.001, "rectangular", 12.0}));
-        const auto replaced = withStated(appended, directLine("t1_k", 0.3), 0.1);
+        const auto replaced = withStated(appended, "t1_k", directLine("t1_k", 0.3), 0.1);
         QCOMPARE(replaced.size(), std::size_t(2));
         QVERIFY((replaced[0] == BudgetEntry{"t1_k", 0.1, "normal", {}}));
-        QVERIFY(withStated(before, directLine("noise", 1.0), 0.1) == before);
+        QVERIFY(withStated(before, "", directLine("noise", 1.0), 0.1) == before);
     }
 
     /// What was tried is what a run gives once the recipe states it, value by value.
@@ -137,7 +156,7 @@ private slots:
             QVERIFY2(line != lines.end(), quantity);
             changes.push_back({quantity, line->u, 3.0 * line->u});
             recipe.uncertainty.budget
-                = withStated(recipe.uncertainty.budget, *line, changes.back().to);
+                = withStated(recipe.uncertainty.budget, quantity, *line, changes.back().to);
         }
         const auto after = run(recipe);
         const auto agree = [&](const ReportedValue &tried, const ReportedValue &stated) {

@@ -67,7 +67,7 @@ QString neededText(
 QString nameOfLine(const UncertaintyLine &line, const TriedChanges &tried)
 {
     const QString name = lineName(line);
-    return tried.has(line.quantity) ? BudgetTable::tr("%1 (what if)").arg(name) : name;
+    return tried.has(line) ? BudgetTable::tr("%1 (what if)").arg(name) : name;
 }
 
 QString expandedText(const Budget &budget)

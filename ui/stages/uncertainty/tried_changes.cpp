@@ -21,18 +21,28 @@ bool isIn(const UncertaintyLine &line, const std::vector<Budget> &budgets)
 
 } // namespace
 
-void TriedChanges::set(const UncertaintyLine &line, double to)
+ChangedU TriedChanges::Trial::change() const
 {
-    std::erase_if(
-        m_trials, [&](const Trial &trial) { return trial.line.quantity == line.quantity; });
-    if (to != line.u)
-        m_trials.push_back({line, to});
+    return {key.empty() ? line.quantity : key, line.u, to};
 }
 
-bool TriedChanges::has(const std::string &quantity) const
+void TriedChanges::set(
+    const UncertaintyLine &line, double to, const std::vector<BudgetEntry> &budget)
 {
-    return std::ranges::any_of(
-        m_trials, [&](const Trial &trial) { return trial.line.quantity == quantity; });
+    const Trial next{line, to, budgetKeyOf(line, budget)};
+    std::erase_if(m_trials, [&](const Trial &trial) {
+        return trial.line.quantity == line.quantity || (!next.key.empty() && trial.key == next.key);
+    });
+    if (to != line.u)
+        m_trials.push_back(next);
+}
+
+bool TriedChanges::has(const UncertaintyLine &line) const
+{
+    return std::ranges::any_of(m_trials, [&](const Trial &trial) {
+        const ChangedU change = trial.change();
+        return isMeant(change, line) || isMeant({change.quantity, change.to, change.to}, line);
+    });
 }
 
 void TriedChanges::keepThoseOf(const std::vector<Budget> &budgets)
@@ -44,7 +54,7 @@ std::vector<ChangedU> TriedChanges::changes() const
 {
     std::vector<ChangedU> changes;
     for (const Trial &trial : m_trials)
-        changes.push_back({trial.line.quantity, trial.line.u, trial.to});
+        changes.push_back(trial.change());
     return changes;
 }
 
@@ -59,7 +69,7 @@ std::vector<Budget> TriedChanges::appliedTo(std::vector<Budget> budgets) const
 std::vector<BudgetEntry> TriedChanges::stated(std::vector<BudgetEntry> budget) const
 {
     for (const Trial &trial : m_trials)
-        budget = withStated(std::move(budget), trial.line, trial.to);
+        budget = withStated(std::move(budget), trial.key, trial.line, trial.to);
     return budget;
 }
 
@@ -67,7 +77,7 @@ std::vector<std::string> TriedChanges::notStatable() const
 {
     std::vector<std::string> names;
     for (const Trial &trial : m_trials)
-        if (budgetKeyOf(trial.line).empty())
+        if (trial.key.empty())
             names.push_back(trial.line.quantity);
     return names;
 }

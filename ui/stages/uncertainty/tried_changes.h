@@ -16,11 +16,11 @@ namespace dyncal {
 class TriedChanges
 {
 public:
-    /// `line` as computed; its own u takes the trial back.
-    void set(const UncertaintyLine &line, double to);
+    /// `line` as computed with this budget; its own u takes the trial back.
+    void set(const UncertaintyLine &line, double to, const std::vector<BudgetEntry> &budget);
     void clear() { m_trials.clear(); }
     bool isEmpty() const { return m_trials.empty(); }
-    bool has(const std::string &quantity) const;
+    bool has(const UncertaintyLine &line) const; ///< as computed, or as tried
     /// Drops those whose line is no longer as it was: a newer run, or they were taken over.
     void keepThoseOf(const std::vector<Budget> &budgets);
 
@@ -35,6 +35,9 @@ private:
     {
         UncertaintyLine line;
         double to = 0.0;
+        std::string key; ///< of the budget; empty: it cannot state it
+
+        ChangedU change() const;
     };
     std::vector<Trial> m_trials;
 };

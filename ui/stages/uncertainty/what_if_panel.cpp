@@ -105,7 +105,7 @@ void WhatIfPanel::showU()
         const ReportedValue tried = withChanges(m_reported, m_tried.changes());
         const auto at = static_cast<std::size_t>(line - m_reported.lines.data());
         m_u->setUnit(unitOfU(*line, m_reported));
-        m_u->set(m_tried.has(line->quantity) ? std::optional(tried.lines[at].u) : std::nullopt);
+        m_u->set(m_tried.has(*line) ? std::optional(tried.lines[at].u) : std::nullopt);
     } else {
         m_u->set(std::nullopt);
     }
@@ -139,7 +139,7 @@ void WhatIfPanel::tryU(const std::optional<double> &u)
     const UncertaintyLine *line = chosen();
     if (!line)
         return;
-    m_tried.set(*line, u.value_or(line->u));
+    m_tried.set(*line, u.value_or(line->u), m_session.recipe().uncertainty.budget);
     showU();
     emit changed();
 }

@@ -138,7 +138,7 @@ private slots:
     {
         Budget budget = sensitivityBudget();
         TriedChanges tried;
-        tried.set(budget.reported.lines[1], 0.03);
+        tried.set(budget.reported.lines[1], 0.03, {});
         const Budget changed = tried.appliedTo({budget}).front();
         const ShownTable table
             = budgetLines(changed, tried, wayToU(changed.reported, {0.015, 2.0}));
@@ -157,9 +157,9 @@ private slots:
     {
         const Budget budget = sensitivityBudget();
         TriedChanges tried;
-        tried.set(budget.reported.lines[0], 0.001);
-        tried.set(budget.reported.lines[1], 0.001);
-        QVERIFY(tried.has("gain_relative") && tried.has("level_relative"));
+        tried.set(budget.reported.lines[0], 0.001, {});
+        tried.set(budget.reported.lines[1], 0.001, {});
+        QVERIFY(tried.has(budget.reported.lines[0]) && tried.has(budget.reported.lines[1]));
         QCOMPARE(tried.notStatable(), std::vector<std::string>{"level_relative"});
         QCOMPARE(tried.stated({}).size(), std::size_t(1));
         tried.keepThoseOf({budget});
@@ -167,9 +167,29 @@ private slots:
         Budget other = budget;
         other.reported.lines[0].u = 0.001; // taken over
         tried.keepThoseOf({other});
-        QVERIFY(!tried.has("gain_relative") && tried.has("level_relative"));
-        tried.set(budget.reported.lines[1], budget.reported.lines[1].u);
+        QVERIFY(!tried.has(budget.reported.lines[0]) && tried.has(budget.reported.lines[1]));
+        tried.set(budget.reported.lines[1], budget.reported.lines[1].u, {});
         QVERIFY(tried.isEmpty());
+    }
+
+    /// What the budget states for all places is tried, and stated, for all at once.
+    void trials_ofAllPlaces_goTogether()
+    {
+        Budget budget = sensitivityBudget();
+        budget.reported.lines
+            = {directLine("arrival_s[A]", 1e-9), directLine("arrival_s[B]", 1e-9)};
+        combineLines(budget.reported);
+        TriedChanges tried;
+        tried.set(budget.reported.lines[0], 3e-9, {{"arrival_s", 1e-9, "normal", {}}});
+        const Budget changed = tried.appliedTo({budget}).front();
+        for (std::size_t i = 0; i < 2; ++i) {
+            QVERIFY(tried.has(budget.reported.lines[i]) && tried.has(changed.reported.lines[i]));
+            QVERIFY(std::abs(changed.reported.lines[i].u - 3e-9) < 1e-18);
+        }
+        QVERIFY(tried.notStatable().empty());
+        QCOMPARE(tried.stated({{"arrival_s", 1e-9, "normal", {}}}).front().u, 3e-9);
+        tried.set(budget.reported.lines[1], 2e-9, {{"arrival_s", 1e-9, "normal", {}}});
+        QCOMPARE(tried.changes().size(), std::size_t(1));
     }
 };
 
