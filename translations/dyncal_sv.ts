@@ -2851,7 +2851,7 @@ wanted U</source>
     </message>
     <message>
         <source>Mounting of the sensor</source>
-        <translation>Sensorns montering</translation>
+        <translation>Givarens montering</translation>
     </message>
     <message>
         <source>Sample clock</source>

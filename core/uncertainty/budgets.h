@@ -5,6 +5,7 @@
 
 #include "core/uncertainty/uncertainty_report.h"
 
+#include <cmath>
 #include <vector>
 
 namespace dyncal {
@@ -19,6 +20,8 @@ struct Budget
     double frequency_Hz = kUnknown; ///< of Magnitude and Phase
     Index shots = 0; ///< that it is of
     ReportedValue reported; ///< of a phase in degrees
+
+    bool isOverFrequency() const { return std::isfinite(frequency_Hz); }
 };
 
 /// All of a report in the order in which they are read: the sensitivity, the levels, the model's

@@ -73,7 +73,7 @@ QString quantityName(const Budget &budget)
 
 QString budgetName(const Budget &budget)
 {
-    if (!std::isfinite(budget.frequency_Hz))
+    if (!budget.isOverFrequency())
         return quantityName(budget);
     return BudgetWords::tr("%1 at %2")
         .arg(quantityName(budget), shownQuantity(budget.frequency_Hz, QStringLiteral("Hz"), 4));

@@ -29,12 +29,6 @@ constexpr double kPercent = 0.01;
 constexpr double kLargestWanted = 10.0; ///< 1000 %: anything
 constexpr double kLargestK = 100.0;
 
-/// The values in the order of the choice; those over frequency are one entry.
-bool isOverFrequency(const Budget &budget)
-{
-    return budget.kind == BudgetOf::Magnitude || budget.kind == BudgetOf::Phase;
-}
-
 void fill(QComboBox &box, const QStringList &texts)
 {
     QStringList now;
@@ -175,14 +169,12 @@ void UncertaintyPage::showBudgets()
 
 std::optional<std::size_t> UncertaintyPage::chosen() const
 {
-    const auto isChosen
-        = [&](const Budget &budget) { return quantityName(budget) == m_quantity->currentText(); };
-    const auto found = std::ranges::find_if(m_budgets, isChosen);
+    const auto found = std::ranges::find(m_budgets, m_quantity->currentText(), quantityName);
     if (found == m_budgets.end())
         return std::nullopt;
     const auto first = static_cast<std::size_t>(found - m_budgets.begin());
     // All frequencies of a quantity follow each other, in the order of their choice.
-    return isOverFrequency(*found)
+    return found->isOverFrequency()
         ? first + static_cast<std::size_t>(std::max(0, m_frequency->currentIndex()))
         : first;
 }
@@ -191,9 +183,10 @@ void UncertaintyPage::showChosen()
 {
     const auto at = chosen();
     m_quantity->setEnabled(at.has_value());
-    m_frequency->setEnabled(at && isOverFrequency(m_budgets[*at]));
+    m_frequency->setEnabled(at && m_budgets[*at].isOverFrequency());
     m_panel->show(at ? &m_budgets[*at] : nullptr);
     m_whatIf->setVisible(at && !m_panel->tried().isEmpty());
+    showPlot();
     if (!at) {
         showNothing();
         return;
@@ -201,7 +194,6 @@ void UncertaintyPage::showChosen()
     m_result->setText(resultSentence(m_budgets[*at]));
     m_whatIf->setText(tr("What if: %1").arg(resultSentence(m_tried[*at])));
     showLines(m_tried[*at]);
-    showPlot();
 }
 
 void UncertaintyPage::showLines(const Budget &budget)
@@ -222,14 +214,17 @@ void UncertaintyPage::showLines(const Budget &budget)
     m_shotsNote->setText(shotsSentence(budget));
 }
 
+/// Also where no value is stated: the model's response remains.
 void UncertaintyPage::showPlot()
 {
+    const auto &response = results().response;
     const auto at = chosen();
-    const bool isTried = !m_panel->tried().isEmpty();
-    m_plot->setContent(expandedMagnitudeCurves(*results().response, m_budgets,
-        isTried ? m_tried : std::vector<Budget>(),
-        isOverFrequency(m_budgets[*at]) ? std::optional(m_budgets[*at].frequency_Hz)
-                                        : std::nullopt));
+    const bool isMarked = at && m_budgets[*at].isOverFrequency();
+    m_plot->setContent(!response
+            ? nothingYet()
+            : expandedMagnitudeCurves(*response, m_budgets,
+                m_panel->tried().isEmpty() ? std::vector<Budget>() : m_tried,
+                isMarked ? std::optional(m_budgets[*at].frequency_Hz) : std::nullopt));
 }
 
 void UncertaintyPage::showNothing()
@@ -238,7 +233,6 @@ void UncertaintyPage::showNothing()
         label->clear();
     m_lines->setValues({tr("Input")}, {});
     m_shots->setValues({tr("Shots")}, {});
-    m_plot->setContent(nothingYet());
 }
 
 /// A row that is selected is the input that is tried.
