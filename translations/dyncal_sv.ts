@@ -2,6 +2,221 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="sv">
 <context>
+    <name>BudgetSentences</name>
+    <message>
+        <source>%1, u ≤ %2</source>
+        <translation>%1, u ≤ %2</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inte känt</translation>
+    </message>
+    <message>
+        <source>%1 = %2; its uncertainty is not complete: %3.</source>
+        <translation>%1 = %2; osäkerheten är inte fullständig: %3.</translation>
+    </message>
+    <message>
+        <source>%1 = %2, U = %3 (k = %4)</source>
+        <translation>%1 = %2, U = %3 (k = %4)</translation>
+    </message>
+    <message>
+        <source>%1, %2 of it</source>
+        <translation>%1, %2 av värdet</translation>
+    </message>
+    <message>
+        <source>No relative U can be asked of this value.</source>
+        <translation>För detta värde kan inget relativt U önskas.</translation>
+    </message>
+    <message>
+        <source>U of %1 is reached.</source>
+        <translation>U på %1 är uppnått.</translation>
+    </message>
+    <message>
+        <source>For U of %1 no input alone is enough.</source>
+        <translation>För U på %1 räcker ingen ingång ensam.</translation>
+    </message>
+    <message>
+        <source>For U of %1 one of these is enough: %2.</source>
+        <translation>För U på %1 räcker en av dessa: %2.</translation>
+    </message>
+    <message>
+        <source>Known exactly, these together are: %1.</source>
+        <translation>Exakt kända räcker dessa tillsammans: %1.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>U by the number of shots: %1; never below %2.</source>
+        <translation>U efter antal skott: %1; aldrig under %2.</translation>
+    </message>
+    <message>
+        <source>More shots do not make it smaller: U is %1, never below %2.</source>
+        <translation>Fler skott gör den inte mindre: U är %1, aldrig under %2.</translation>
+    </message>
+</context>
+<context>
+    <name>BudgetTable</name>
+    <message>
+        <source>%1 per %2</source>
+        <translation>%1 per %2</translation>
+    </message>
+    <message>
+        <source>not enough alone</source>
+        <translation>räcker inte ensam</translation>
+    </message>
+    <message>
+        <source>%1 (what if)</source>
+        <translation>%1 (prövas)</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Ingång</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Värde</translation>
+    </message>
+    <message>
+        <source>u</source>
+        <translation>u</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Andel</translation>
+    </message>
+    <message>
+        <source>Contribution</source>
+        <translation>Bidrag</translation>
+    </message>
+    <message>
+        <source>Distribution</source>
+        <translation>Fördelning</translation>
+    </message>
+    <message>
+        <source>Degrees of
+freedom</source>
+        <translation>Frihets-
+grader</translation>
+    </message>
+    <message>
+        <source>Sensitivity
+coefficient</source>
+        <translation>Känslighets-
+koefficient</translation>
+    </message>
+    <message>
+        <source>u for the
+wanted U</source>
+        <translation>u för
+önskat U</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Storhet</translation>
+    </message>
+    <message>
+        <source>U</source>
+        <translation>U</translation>
+    </message>
+    <message>
+        <source>U, what if</source>
+        <translation>U, prövat</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+    <message>
+        <source>Largest input</source>
+        <translation>Största ingång</translation>
+    </message>
+    <message>
+        <source>Shots</source>
+        <translation>Skott</translation>
+    </message>
+    <message>
+        <source>U, relative</source>
+        <translation>U, relativt</translation>
+    </message>
+</context>
+<context>
+    <name>BudgetWords</name>
+    <message>
+        <source>Natural frequency f₀</source>
+        <translation>Egenfrekvens f₀</translation>
+    </message>
+    <message>
+        <source>Damping ratio ζ</source>
+        <translation>Dämpningsförhållande ζ</translation>
+    </message>
+    <message>
+        <source>Quality factor Q</source>
+        <translation>Godhetstal Q</translation>
+    </message>
+    <message>
+        <source>Frequency of the resonance</source>
+        <translation>Resonansens frekvens</translation>
+    </message>
+    <message>
+        <source>Height of the resonance</source>
+        <translation>Resonansens höjd</translation>
+    </message>
+    <message>
+        <source>Flat ±5 % to</source>
+        <translation>Plan ±5 % till</translation>
+    </message>
+    <message>
+        <source>Flat ±10 % to</source>
+        <translation>Plan ±10 % till</translation>
+    </message>
+    <message>
+        <source>−3 dB at</source>
+        <translation>−3 dB vid</translation>
+    </message>
+    <message>
+        <source>Rise time 10–90 %</source>
+        <translation>Stigtid 10–90 %</translation>
+    </message>
+    <message>
+        <source>Overshoot</source>
+        <translation>Översväng</translation>
+    </message>
+    <message>
+        <source>Settling time ±5 %</source>
+        <translation>Insvängningstid ±5 %</translation>
+    </message>
+    <message>
+        <source>Sensitivity</source>
+        <translation>Känslighet</translation>
+    </message>
+    <message>
+        <source>Sensitivity, level %1</source>
+        <translation>Känslighet, nivå %1</translation>
+    </message>
+    <message>
+        <source>Magnitude of S(f)</source>
+        <translation>Belopp av S(f)</translation>
+    </message>
+    <message>
+        <source>Phase of S(f)</source>
+        <translation>Fas av S(f)</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 vid %2</translation>
+    </message>
+    <message>
+        <source>%1, shot %2</source>
+        <translation>%1, skott %2</translation>
+    </message>
+</context>
+<context>
     <name>CandidateText</name>
     <message>
         <source>suggested</source>
@@ -574,6 +789,30 @@
     <message>
         <source>Whether an end that is typed or dragged holds for all shots, or for the shot alone whose values are shown</source>
         <translation>Om ett slut som skrivs in eller dras gäller för alla skott, eller bara för det skott vars värden visas</translation>
+    </message>
+    <message>
+        <source>The value whose budget is shown</source>
+        <translation>Värdet vars budget visas</translation>
+    </message>
+    <message>
+        <source>The frequency of S(f) whose budget is shown</source>
+        <translation>Frekvensen för S(f) vars budget visas</translation>
+    </message>
+    <message>
+        <source>The input whose u is tried</source>
+        <translation>Ingången vars u prövas</translation>
+    </message>
+    <message>
+        <source>Another standard uncertainty of this input; empty: as it is</source>
+        <translation>En annan standardosäkerhet för denna ingång; tomt: som det är</translation>
+    </message>
+    <message>
+        <source>Expanded uncertainty that is wanted, of the value</source>
+        <translation>Önskad utvidgad osäkerhet, i förhållande till värdet</translation>
+    </message>
+    <message>
+        <source>Coverage factor of the wanted U</source>
+        <translation>Täckningsfaktor för det önskade U</translation>
     </message>
 </context>
 <context>
@@ -1691,6 +1930,38 @@
         <source>Non-parametric values withheld: %1 of %2; results and findings say why.</source>
         <translation>Icke-parametriska värden som inte anges: %1 av %2; resultat och anmärkningar säger varför.</translation>
     </message>
+    <message>
+        <source>Magnitude of the frequency response; its expanded uncertainty is not known.</source>
+        <translation>Frekvenssvarets belopp; dess utvidgade osäkerhet är inte känd.</translation>
+    </message>
+    <message>
+        <source>Magnitude of the frequency response; U is %1 to %2 of it.</source>
+        <translation>Frekvenssvarets belopp; U är %1 till %2 av det.</translation>
+    </message>
+    <message>
+        <source>Frequency response with its expanded uncertainty U</source>
+        <translation>Frekvenssvaret med dess utvidgade osäkerhet U</translation>
+    </message>
+    <message>
+        <source>± U</source>
+        <translation>± U</translation>
+    </message>
+    <message>
+        <source>U, relative</source>
+        <translation>U, relativt</translation>
+    </message>
+    <message>
+        <source>U, what if</source>
+        <translation>U, prövat</translation>
+    </message>
+    <message>
+        <source>U</source>
+        <translation>U</translation>
+    </message>
+    <message>
+        <source>budget</source>
+        <translation>budget</translation>
+    </message>
 </context>
 <context>
     <name>Prompts</name>
@@ -2565,6 +2836,62 @@
     <message>
         <source>Attenuation along the tube</source>
         <translation>Dämpning längs röret</translation>
+    </message>
+    <message>
+        <source>Typed pressure step</source>
+        <translation>Inmatat trycksteg</translation>
+    </message>
+    <message>
+        <source>Noise of the level</source>
+        <translation>Nivåns brus</translation>
+    </message>
+    <message>
+        <source>Scatter of the shots</source>
+        <translation>Skottens spridning</translation>
+    </message>
+    <message>
+        <source>Mounting of the sensor</source>
+        <translation>Givarens montering</translation>
+    </message>
+    <message>
+        <source>Sample clock</source>
+        <translation>Samplingsklocka</translation>
+    </message>
+    <message>
+        <source>Noise of the recordings</source>
+        <translation>Registreringarnas brus</translation>
+    </message>
+    <message>
+        <source>End of the recordings</source>
+        <translation>Registreringarnas slut</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Sampling</translation>
+    </message>
+    <message>
+        <source>Drift that was divided out</source>
+        <translation>Drift som dividerats bort</translation>
+    </message>
+    <message>
+        <source>Duration of the front</source>
+        <translation>Frontens varaktighet</translation>
+    </message>
+    <message>
+        <source>Front of unknown duration</source>
+        <translation>Front med okänd varaktighet</translation>
+    </message>
+    <message>
+        <source>Onset of the step</source>
+        <translation>Stegets början</translation>
+    </message>
+    <message>
+        <source>Gain of the chain</source>
+        <translation>Mätkedjans förstärkning</translation>
+    </message>
+    <message>
+        <source>Linearity of the chain</source>
+        <translation>Mätkedjans linjäritet</translation>
     </message>
 </context>
 <context>
@@ -6081,6 +6408,10 @@
         <source>The lower limit follows from the length of the window, the upper one from the noise and the sample rate. Frequencies are settings, without an uncertainty. The model&apos;s values have the digits of the wider of their uncertainty and the measured value&apos;s; they end at half the sample rate of the model. A dash means that the value, or its complete uncertainty, was not determined.</source>
         <translation>Den undre gränsen följer av fönstrets längd, den övre av bruset och samplingsfrekvensen. Frekvenser är inställningar, utan osäkerhet. Modellens värden har de siffror som den större av deras och det uppmätta värdets osäkerhet medger; de slutar vid modellens halva samplingsfrekvens. Ett streck betyder att värdet, eller dess fullständiga osäkerhet, inte har bestämts.</translation>
     </message>
+    <message>
+        <source>a part of it is not known</source>
+        <translation>en del av den är inte känd</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>
@@ -8833,8 +9164,8 @@
         <translation>Arbetssteg</translation>
     </message>
     <message>
-        <source>Stage %1: %2, %3 (Alt+%1)</source>
-        <translation>Steg %1: %2, %3 (Alt+%1)</translation>
+        <source>Stage %1: %2, %3 (%4)</source>
+        <translation>Steg %1: %2, %3 (%4)</translation>
     </message>
 </context>
 <context>
@@ -9058,6 +9389,120 @@
     <message>
         <source>of shot %1</source>
         <translation>för skott %1</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::UncertaintyPage</name>
+    <message>
+        <source>Uncertainty</source>
+        <translation>Osäkerhet</translation>
+    </message>
+    <message>
+        <source>The budget of every value that is stated, and what would make its uncertainty smaller.</source>
+        <translation>Mätosäkerhetsbudgeten för varje värde som anges, och vad som skulle minska dess osäkerhet.</translation>
+    </message>
+    <message>
+        <source>Budget</source>
+        <translation>Budget</translation>
+    </message>
+    <message>
+        <source>All values</source>
+        <translation>Alla värden</translation>
+    </message>
+    <message>
+        <source>More shots</source>
+        <translation>Fler skott</translation>
+    </message>
+    <message>
+        <source>Magnitude of the frequency response with its uncertainty</source>
+        <translation>Frekvenssvarets belopp med dess osäkerhet</translation>
+    </message>
+    <message>
+        <source>Quantity</source>
+        <translation>Storhet</translation>
+    </message>
+    <message>
+        <source>Frequency</source>
+        <translation>Frekvens</translation>
+    </message>
+    <message>
+        <source>Wanted uncertainty</source>
+        <translation>Önskad osäkerhet</translation>
+    </message>
+    <message>
+        <source>U, wanted</source>
+        <translation>U, önskat</translation>
+    </message>
+    <message>
+        <source>k</source>
+        <translation>k</translation>
+    </message>
+    <message>
+        <source>What if: %1</source>
+        <translation>Prövas: %1</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Ingång</translation>
+    </message>
+    <message>
+        <source>Shots</source>
+        <translation>Skott</translation>
+    </message>
+</context>
+<context>
+    <name>dyncal::WhatIfPanel</name>
+    <message>
+        <source>What if</source>
+        <translation>Pröva</translation>
+    </message>
+    <message>
+        <source>Input</source>
+        <translation>Ingång</translation>
+    </message>
+    <message>
+        <source>u, tried</source>
+        <translation>u, prövat</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>som det är</translation>
+    </message>
+    <message>
+        <source>u as it is</source>
+        <translation>u som det är</translation>
+    </message>
+    <message>
+        <source>Take over</source>
+        <translation>Överta</translation>
+    </message>
+    <message>
+        <source>State what is tried in the recipe&apos;s uncertainty budget</source>
+        <translation>Ange det prövade i receptets mätosäkerhetsbudget</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Återställ</translation>
+    </message>
+    <message>
+        <source>Drop what is tried; the recipe stays as it is</source>
+        <translation>Släpp det prövade; receptet förblir som det är</translation>
+    </message>
+    <message>
+        <source>Type another u, or choose a row of the budget: every U follows, the recipe stays as it is.</source>
+        <translation>Skriv ett annat u, eller välj en rad i budgeten: varje U följer med, receptet förblir som det är.</translation>
+    </message>
+    <message>
+        <source>Every U is shown as it would be; the recipe is as before.</source>
+        <translation>Varje U visas som det skulle bli; receptet är som förut.</translation>
+    </message>
+    <message>
+        <source>Tried only; the budget of the recipe cannot state: %1.</source>
+        <translation>Bara prövat; receptets budget kan inte ange: %1.</translation>
+    </message>
+    <message>
+        <source>Change the uncertainty budget</source>
+        <translation>Ändra mätosäkerhetsbudgeten</translation>
     </message>
 </context>
 <context>

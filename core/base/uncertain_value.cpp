@@ -34,6 +34,12 @@ UncertaintyLine directLine(std::string quantity, double u, double dof, Distribut
     return line;
 }
 
+UncertaintyLine with(OverShots overShots, UncertaintyLine line)
+{
+    line.overShots = overShots;
+    return line;
+}
+
 std::vector<UncertaintyLine> scaled(std::vector<UncertaintyLine> lines, double factor)
 {
     for (UncertaintyLine &line : lines) {

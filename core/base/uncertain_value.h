@@ -12,6 +12,13 @@
 
 namespace dyncal {
 
+/// What more shots do to what a source contributes to a mean over shots.
+enum class OverShots {
+    Shared, ///< the same error in every shot: nothing
+    Own, ///< every shot makes it anew: the mean has less of it
+    Scatter, ///< the same, and u is the scatter of the shots: its dof are their number less some
+};
+
 /// What one source of uncertainty does to one reported value.
 struct UncertaintyLine
 {
@@ -23,6 +30,7 @@ struct UncertaintyLine
     double dof = std::numeric_limits<double>::infinity(); ///< of u
     double sensitivity = 1.0; ///< d value / d source
     double contribution = 0.0; ///< sensitivity u, signed, in the unit of the reported value
+    OverShots overShots = OverShots::Shared;
 };
 
 /// A standard uncertainty with its effective degrees of freedom.
@@ -40,6 +48,9 @@ CombinedUncertainty combined(const std::vector<UncertaintyLine> &lines);
 UncertaintyLine directLine(std::string quantity, double u,
     double dof = std::numeric_limits<double>::infinity(),
     Distribution distribution = Distribution::Normal);
+
+/// The same line with what more shots do to it.
+UncertaintyLine with(OverShots overShots, UncertaintyLine line);
 
 /// The same for a value that is `factor` times as large.
 std::vector<UncertaintyLine> scaled(std::vector<UncertaintyLine> lines, double factor);

@@ -7,6 +7,7 @@
 #include "core/base/number_text.h"
 #include "core/base/rounding.h"
 #include "core/realization/model/sensor_model.h"
+#include "core/uncertainty/reported_value.h"
 
 #include <cmath>
 
@@ -41,7 +42,7 @@ Message printed(const std::optional<double> &value, std::string_view unit, Messa
 
 double printedCoverage(double k)
 {
-    return k > kCoverageFactor ? k : kCoverageFactor;
+    return statedFactor(k);
 }
 
 std::string factorText(double k)

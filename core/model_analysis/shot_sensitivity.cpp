@@ -65,13 +65,14 @@ Parts partsOf(
             parts.own[i].push_back(directLine("unstated", kUnstated));
             continue;
         }
-        parts.own[i].push_back(directLine(kLevelRelative, shots[i].uLevel_relative));
+        parts.own[i].push_back(
+            with(OverShots::Own, directLine(kLevelRelative, shots[i].uLevel_relative)));
         parts.own[i].back().shot = shots[i].shot;
         for (const BudgetLine &line : steps[i]->budget.lines) {
             UncertaintyLine part = partOf(line, shots[i]);
             if (!line.input.common) {
                 part.shot = shots[i].shot;
-                parts.own[i].push_back(part);
+                parts.own[i].push_back(with(OverShots::Own, part));
                 continue;
             }
             auto &row = parts.common[line.input.quantity];
@@ -160,7 +161,8 @@ SensitivityMean meanOf(const std::vector<ShotSensitivity> &shots,
     for (const auto &[quantity, row] : parts->common)
         mean.lines.push_back(meanLine(row, of));
     if (scatter) {
-        mean.lines.push_back(directLine(kScatterOfShots, scatter->u / std::sqrt(n), scatter->dof));
+        mean.lines.push_back(with(OverShots::Scatter,
+            directLine(kScatterOfShots, scatter->u / std::sqrt(n), scatter->dof)));
     } else {
         for (const std::size_t i : of)
             for (const UncertaintyLine &part : parts->own[i])

@@ -182,10 +182,12 @@ std::array<UncertaintyLine, kRows.size()> frontLines(const SensorModel &model,
 }
 
 /// Where the shots' scatter stands for the noise, their number is what u rests on.
-double dofOf(const SensorModel &model, const ModelAssessment &assessment)
+UncertaintyLine noiseLine(double u, const SensorModel &model, const ModelAssessment &assessment)
 {
     const bool isScatter = assessment.homogeneity && !assessment.homogeneity->passed;
-    return isScatter ? static_cast<double>(model.series.size()) - 1.0 : model.draft.noise.dof;
+    const double dof
+        = isScatter ? static_cast<double>(model.series.size()) - 1.0 : model.draft.noise.dof;
+    return with(isScatter ? OverShots::Scatter : OverShots::Own, directLine("noise", u, dof));
 }
 
 } // namespace
@@ -216,7 +218,7 @@ std::vector<ReportedValue> modelValues(const SensorModel &model, const ModelAsse
             reported.push_back(std::move(one));
             continue;
         }
-        one.lines = {directLine("noise", u[i], dofOf(model, assessment))};
+        one.lines = {noiseLine(u[i], model, assessment)};
         if (kRows[i].kind != Kind::Number)
             one.lines.push_back(scaled({clock}, one.value).front());
         if (!kRows[i].ofPoles && isStepTreatment(treatment))

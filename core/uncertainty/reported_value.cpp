@@ -7,6 +7,16 @@
 
 namespace dyncal {
 
+double statedFactor(double k)
+{
+    return k > kUsualFactor ? k : kUsualFactor;
+}
+
+std::optional<double> ReportedValue::expanded() const
+{
+    return u ? std::optional(factor() * *u) : std::nullopt;
+}
+
 double ReportedValue::sharePercent(const UncertaintyLine &line) const
 {
     return u && *u > 0.0 ? 100.0 * std::pow(line.contribution / *u, 2) : 0.0;

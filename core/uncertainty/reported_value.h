@@ -13,6 +13,12 @@
 
 namespace dyncal {
 
+inline constexpr double kUsualFactor = 2.0;
+
+/// The coverage factor that U is stated with: 2, or Student's where few degrees of freedom ask for
+/// more; 2 where it is not known.
+double statedFactor(double k);
+
 /// A result with its complete budget. `u` is complete or absent.
 struct ReportedValue
 {
@@ -25,6 +31,8 @@ struct ReportedValue
     double k = kUnknown; ///< Student's factor of the 95 % interval
     Message missing = {}; ///< why `u` is absent
 
+    double factor() const { return statedFactor(k); } ///< that U is stated with
+    std::optional<double> expanded() const; ///< U, in `unit`
     /// Of a line, in percent of the variance; negative never, because the lines are independent.
     double sharePercent(const UncertaintyLine &line) const;
 };

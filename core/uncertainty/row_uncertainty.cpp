@@ -52,6 +52,12 @@ double dofOfNoise(const ResponseResult &response, Index row)
     return std::pow(share, 4) / std::max(0.0, 1.0 / response.dof[row] - ofReference);
 }
 
+UncertaintyLine rowNoise(const ResponseResult &response, Index row, double u)
+{
+    return with(
+        OverShots::Own, rowLine("noise", u, Distribution::Normal, dofOfNoise(response, row)));
+}
+
 bool isStated(const ResponseResult &response, Index row)
 {
     return std::isfinite(response.magnitude[row]);
@@ -67,8 +73,7 @@ std::vector<UncertaintyLine> ownLines(const ResponseResult &response, Index row)
 {
     const double f_Hz = response.frequency_Hz[row];
     const double S = response.magnitude[row];
-    std::vector<UncertaintyLine> lines{rowLine("noise", response.u_noiseMagnitude[row],
-                                           Distribution::Normal, dofOfNoise(response, row)),
+    std::vector<UncertaintyLine> lines{rowNoise(response, row, response.u_noiseMagnitude[row]),
         rowLine("end_of_record", ofBound(response.boundEnd, row), Distribution::Rectangular),
         rowLine("aliasing", ofBound(response.boundAlias, row), Distribution::Rectangular),
         rowLine("drift", S * ofDrift_relative(response, f_Hz))};
@@ -177,10 +182,11 @@ std::vector<UncertaintyLine> phaseLines(const ResponseResult &response, Index ro
     const double noise = response.u_noiseMagnitude[row] / S;
     const double withOnset = response.u_noisePhase_rad[row];
     const double onset = std::sqrt(std::max(0.0, withOnset * withOnset - noise * noise));
-    std::vector<UncertaintyLine> lines{
-        rowLine("noise", noise, Distribution::Normal, dofOfNoise(response, row)),
-        rowLine(response.isByTransducer ? "delay_s" : "onset_s",
-            std::isfinite(withOnset) ? onset : kUnknown),
+    const char *timing = response.isByTransducer ? "delay_of_reference" : "onset_s";
+    const double u_timing = std::isfinite(withOnset) ? onset : kUnknown;
+    std::vector<UncertaintyLine> lines{rowNoise(response, row, noise),
+        response.isByTransducer ? rowLine(timing, u_timing)
+                                : with(OverShots::Own, rowLine(timing, u_timing)),
         rowLine("end_of_record", ofBound(response.boundEnd, row) / S, Distribution::Rectangular),
         rowLine("aliasing", ofBound(response.boundAlias, row) / S, Distribution::Rectangular),
         rowLine("drift", ofDrift_relative(response, response.frequency_Hz[row]))};

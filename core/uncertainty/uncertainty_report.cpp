@@ -48,8 +48,9 @@ std::optional<Lines> levelLines(const ResponseResult &response)
     for (const ShotSensitivity &shot : response.shots) {
         if (!std::isfinite(shot.uLevel_relative))
             return std::nullopt;
-        lines.push_back(directLine(
-            kLevelRelative, shot.uLevel_relative / static_cast<double>(response.shots.size())));
+        lines.push_back(with(OverShots::Own,
+            directLine(kLevelRelative,
+                shot.uLevel_relative / static_cast<double>(response.shots.size()))));
         lines.back().shot = shot.shot;
     }
     return lines;

@@ -15,7 +15,8 @@ namespace {
 /// The stage that each page is opened for.
 constexpr std::array<StageId, kPageCount> kOpenedFor{StageId::Captures, StageId::Shock,
     StageId::Window, StageId::Spectrum, StageId::Components, StageId::ModelInput,
-    StageId::Decomposition, StageId::Model, StageId::Checks, StageId::Response};
+    StageId::Decomposition, StageId::Model, StageId::Checks, StageId::Uncertainty,
+    StageId::Response};
 
 /// Where something is seen that went wrong in a stage and has no id of its own.
 Page pageOfStage(StageId stage)

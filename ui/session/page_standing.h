@@ -25,9 +25,10 @@ enum class Page {
     Order,
     Model,
     Checks,
+    Uncertainty,
     Certificate
 };
-inline constexpr int kPageCount = 10;
+inline constexpr int kPageCount = 11;
 
 /// The stages on a page, the one that it is opened for first.
 std::vector<StageId> stagesOf(Page page);

@@ -7,6 +7,7 @@
 #include "ui/shell/help_dialogs.h"
 #include "ui/shell/preferences/theme_style.h"
 #include "ui/shell/shortcut_sheet.h"
+#include "ui/shell/stage_list.h"
 #include "ui/text/shown_text.h"
 
 #include <QAction>
@@ -161,8 +162,7 @@ void MainMenus::addStageMenu(const QStringList &stages)
     QMenu *menu = m_parts.window.menuBar()->addMenu(tr("&Stage"));
     for (int row = 0; row < static_cast<int>(stages.size()); ++row)
         addAction(menu, QString("stageAction%1").arg(row + 1), stages[row],
-            QKeySequence(QString("Alt+%1").arg((row + 1) % 10)),
-            [this, row] { m_parts.showPage(row); });
+            stageKeys(static_cast<Page>(row)), [this, row] { m_parts.showPage(row); });
     menu->addSeparator();
     addAction(menu, "previousStageAction", tr("&Previous stage"), QKeySequence("Alt+Left"),
         [this] { m_parts.turnPage(-1); });

@@ -23,6 +23,15 @@ constexpr int kRowHeight = 40; ///< a target that is hit without aiming
 
 } // namespace
 
+QKeySequence stageKeys(Page page)
+{
+    constexpr int kDigits = 9;
+    const int number = static_cast<int>(page) + 1;
+    if (number <= kDigits)
+        return QKeySequence(QString("Alt+%1").arg(number));
+    return QKeySequence(page == Page::Certificate ? "Alt+0" : "Alt+Y");
+}
+
 StageList::StageList(QWidget *parent)
     : QListWidget(parent)
 {
@@ -53,7 +62,9 @@ void StageList::setStanding(int row, const PageStanding &standing)
     item(row)->setText(text);
     item(row)->setIcon(statusIcon(standing.status));
     item(row)->setToolTip(
-        tr("Stage %1: %2, %3 (Alt+%1)").arg(QString::number(row + 1), m_titles[row], word));
+        tr("Stage %1: %2, %3 (%4)")
+            .arg(QString::number(row + 1), m_titles[row], word,
+                stageKeys(static_cast<Page>(row)).toString(QKeySequence::NativeText)));
     fitRows();
 }
 

@@ -5,9 +5,14 @@
 
 #include "ui/session/page_standing.h"
 
+#include <QKeySequence>
 #include <QListWidget>
 
 namespace dyncal {
+
+/// The keys of a page: Alt+1 to Alt+9 from the first, Alt+0 the last (the certificate), and Alt+Y
+/// what stands between them; no menu has Y as its letter in any language.
+QKeySequence stageKeys(Page page);
 
 /// The list of stages: number, title, and how it stands as a sign of its own shape and colour and
 /// as words.

@@ -14,6 +14,7 @@
 #include "ui/stages/order/order_page.h"
 #include "ui/stages/shock/shock_page.h"
 #include "ui/stages/spectrum/spectrum_page.h"
+#include "ui/stages/uncertainty/uncertainty_page.h"
 #include "ui/stages/window/window_page.h"
 
 namespace dyncal {
@@ -31,7 +32,7 @@ std::vector<StagePage *> stagePages(Session &session, Prompts &prompts, FileActi
         certificate, &CertificatePage::exportRequested, &files, &FileActions::exportCertificate);
     return {captures, new ShockPage(session), new WindowPage(session), new SpectrumPage(session),
         new ComponentsPage(session), new ModelInputPage(session), new OrderPage(session),
-        new ModelPage(session), new ChecksPage(session), certificate};
+        new ModelPage(session), new ChecksPage(session), new UncertaintyPage(session), certificate};
 }
 
 } // namespace dyncal

@@ -40,12 +40,7 @@ const QString &nothing()
     return text;
 }
 
-/// The unit with the prefix in which `beside` is shown, and that prefix as a factor.
-struct PrefixedUnit
-{
-    double factor = 1.0;
-    QString unit; ///< with the blank before it; empty for a plain number
-};
+} // namespace
 
 PrefixedUnit prefixedUnit(double beside, const QString &unit)
 {
@@ -58,8 +53,6 @@ PrefixedUnit prefixedUnit(double beside, const QString &unit)
     return {std::pow(10.0, std::round(std::log10(beside / number))),
         QString::fromStdString(other.substr(blank))};
 }
-
-} // namespace
 
 QString shownQuantity(double value, const QString &unit, int digits)
 {

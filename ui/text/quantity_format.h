@@ -16,6 +16,14 @@ QString shownNumber(double value, int digits = 4);
 /// "–" where there is no value.
 QString shownQuantity(const std::optional<double> &value, const QString &unit, int digits = 4);
 
+/// The unit with the prefix in which `beside` is shown, and that prefix as a factor.
+struct PrefixedUnit
+{
+    double factor = 1.0;
+    QString unit; ///< with the blank before it; empty for a plain number
+};
+PrefixedUnit prefixedUnit(double beside, const QString &unit);
+
 /// `value` in the unit and prefix that shownQuantity(beside, ...) uses: an uncertainty beside its
 /// value.
 QString shownQuantityBeside(double value, double beside, const QString &unit, int digits);

@@ -4,6 +4,7 @@
 #include "tests/support/test_program.h"
 #include "tests/ui/scenarios/scenario_words.h"
 #include "ui/shell/preferences/theme_style.h"
+#include "ui/shell/stage_list.h"
 #include "ui/stages/frame/cursor_table.h"
 
 #include <QAbstractSpinBox>
@@ -70,7 +71,8 @@ void TestKeyboardOnly::cleanupTestCase()
 void TestKeyboardOnly::s27_everyStage_isReachedAndSettled()
 {
     for (int page = 0; page < kPageCount; ++page) {
-        press(Qt::Key_0 + (page + 1) % 10, Qt::AltModifier); // the tenth is Alt+0
+        const QKeyCombination keys = stageKeys(static_cast<Page>(page))[0];
+        press(keys.key(), keys.keyboardModifiers());
         QVERIFY2(m_bench->window->pages()[static_cast<std::size_t>(page)]->isVisible(),
             qPrintable(QString::number(page)));
     }

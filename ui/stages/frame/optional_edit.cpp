@@ -27,6 +27,7 @@ constexpr int kFrame_px = 12; ///< of a line edit, with its margins
 OptionalEdit::OptionalEdit(const ShownUnit &unit, double lowest, double highest, QWidget *parent)
     : QWidget(parent)
     , m_text(new QLineEdit(this))
+    , m_unitLabel(new QLabel(this))
     , m_origin(new QLabel(tr("recorded"), this))
     , m_useRecorded(new QToolButton(this))
     , m_unit(unit)
@@ -36,8 +37,8 @@ OptionalEdit::OptionalEdit(const ShownUnit &unit, double lowest, double highest,
     auto *layout = new QHBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_text, 1);
-    if (!unit.text.isEmpty())
-        layout->addWidget(new QLabel(unit.text, this));
+    layout->addWidget(m_unitLabel);
+    setUnit(unit);
     layout->addWidget(m_origin);
     layout->addWidget(m_useRecorded);
     m_text->installEventFilter(this);
@@ -63,6 +64,13 @@ void OptionalEdit::setNames(const QString &objectName, const QString &accessible
     m_origin->setObjectName(objectName + "Origin");
     m_useRecorded->setObjectName(objectName + "UseRecorded");
     m_useRecorded->setAccessibleName(tr("%1: use recorded").arg(accessibleName));
+}
+
+void OptionalEdit::setUnit(const ShownUnit &unit)
+{
+    m_unit = unit;
+    m_unitLabel->setText(unit.text);
+    m_unitLabel->setVisible(!unit.text.isEmpty());
 }
 
 void OptionalEdit::setEmptyText(const QString &text)

@@ -25,6 +25,8 @@ public:
     OptionalEdit(const ShownUnit &unit, double lowest, double highest, QWidget *parent = nullptr);
 
     void setNames(const QString &objectName, const QString &accessibleName);
+    /// Another unit for what stands there from now on; set() follows.
+    void setUnit(const ShownUnit &unit);
     /// What stands there while nothing is known or typed.
     void setEmptyText(const QString &text);
     /// `recorded` is what the recording says, and holds while nothing is typed.
@@ -41,6 +43,7 @@ private:
     void showValue();
     QString faultOf(double si) const;
     QLineEdit *m_text;
+    QLabel *m_unitLabel;
     QLabel *m_origin;
     QToolButton *m_useRecorded;
     ShownUnit m_unit;

@@ -29,6 +29,7 @@ constexpr std::array<std::pair<const char *, const char *>, kPageCount> kTitles{
     {"dyncal::OrderPage", "Order"},
     {"dyncal::ModelPage", "Model"},
     {"dyncal::ChecksPage", "Checks"},
+    {"dyncal::UncertaintyPage", "Uncertainty"},
     {"dyncal::CertificatePage", "Certificate"},
 }};
 
