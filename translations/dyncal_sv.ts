@@ -293,6 +293,10 @@ wanted U</source>
         <source>Other</source>
         <translation>Annan</translation>
     </message>
+    <message>
+        <source>Reference</source>
+        <translation>Referens</translation>
+    </message>
 </context>
 <context>
     <name>ChannelRoles</name>
@@ -1962,6 +1966,10 @@ wanted U</source>
         <source>budget</source>
         <translation>budget</translation>
     </message>
+    <message>
+        <source>Reference transducer</source>
+        <translation>Referensgivare</translation>
+    </message>
 </context>
 <context>
     <name>Prompts</name>
@@ -2687,6 +2695,74 @@ wanted U</source>
         <source>largest driver pressure of the tube</source>
         <translation>rörets största drivtryck</translation>
     </message>
+    <message>
+        <source>sensitivity of the reference</source>
+        <translation>referensens känslighet</translation>
+    </message>
+    <message>
+        <source>u of the reference&apos;s sensitivity</source>
+        <translation>u för referensens känslighet</translation>
+    </message>
+    <message>
+        <source>resonance of the reference</source>
+        <translation>referensens resonans</translation>
+    </message>
+    <message>
+        <source>u of the reference&apos;s resonance</source>
+        <translation>u för referensens resonans</translation>
+    </message>
+    <message>
+        <source>damping of the reference</source>
+        <translation>referensens dämpning</translation>
+    </message>
+    <message>
+        <source>u of the reference&apos;s damping</source>
+        <translation>u för referensens dämpning</translation>
+    </message>
+    <message>
+        <source>comparison with a reference transducer</source>
+        <translation>jämförelse med en referensgivare</translation>
+    </message>
+    <message>
+        <source>channel of the reference</source>
+        <translation>referensens kanal</translation>
+    </message>
+    <message>
+        <source>file of the reference</source>
+        <translation>referensens fil</translation>
+    </message>
+    <message>
+        <source>hash of the reference&apos;s file</source>
+        <translation>kontrollsumma för referensens fil</translation>
+    </message>
+    <message>
+        <source>list in the reference&apos;s certificate</source>
+        <translation>lista i referensens certifikat</translation>
+    </message>
+    <message>
+        <source>model of the reference</source>
+        <translation>modell av referensen</translation>
+    </message>
+    <message>
+        <source>unit of the reference&apos;s sensitivity</source>
+        <translation>enhet för referensens känslighet</translation>
+    </message>
+    <message>
+        <source>delay of the reference</source>
+        <translation>referensens fördröjning</translation>
+    </message>
+    <message>
+        <source>u of the reference&apos;s delay</source>
+        <translation>u för referensens fördröjning</translation>
+    </message>
+    <message>
+        <source>correlation of reference and step</source>
+        <translation>korrelation mellan referens och steg</translation>
+    </message>
+    <message>
+        <source>comparison</source>
+        <translation>jämförelse</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -2892,6 +2968,22 @@ wanted U</source>
     <message>
         <source>Linearity of the chain</source>
         <translation>Mätkedjans linjäritet</translation>
+    </message>
+    <message>
+        <source>Certificate of the reference</source>
+        <translation>Referensens certifikat</translation>
+    </message>
+    <message>
+        <source>Gain of the reference&apos;s chain</source>
+        <translation>Förstärkning i referensens kedja</translation>
+    </message>
+    <message>
+        <source>Noise of the reference&apos;s level</source>
+        <translation>Brus i referensens nivå</translation>
+    </message>
+    <message>
+        <source>Delay of the reference</source>
+        <translation>Referensens fördröjning</translation>
     </message>
 </context>
 <context>
@@ -6411,6 +6503,158 @@ wanted U</source>
     <message>
         <source>a part of it is not known</source>
         <translation>en del av den är inte känd</translation>
+    </message>
+    <message>
+        <source>of the reference</source>
+        <translation>referensens</translation>
+    </message>
+    <message>
+        <source>U of the step is its expanded uncertainty with the coverage factor k of the same line, for a coverage probability of %1 %: that of the reference transducer&apos;s certificate, its chain and the noise of its level. It is contained in the uncertainty of the sensitivity.</source>
+        <translation>Stegets U är dess utvidgade osäkerhet med täckningsfaktorn k på samma rad, för en täckningssannolikhet av %1 %: osäkerheten hos referensgivarens certifikat, hos dess mätkedja och bruset hos dess nivå. Den ingår i känslighetens osäkerhet.</translation>
+    </message>
+    <message>
+        <source>The values without a model are ratios of the item&apos;s record to that of the reference transducer, times its sensitivity; outside the frequencies of its calibration there are none. Where what sampling or the end of the records may change exceeds both the uncertainty of the noise and 2 % of the magnitude, none is stated.</source>
+        <translation>Värdena utan modell är kvoter mellan objektets och referensgivarens registrering, gånger referensgivarens känslighet; utanför frekvenserna i dess kalibrering finns inga. Där det som sampling eller registreringarnas slut kan ändra överstiger både brusets osäkerhet och 2 % av beloppet anges inget.</translation>
+    </message>
+    <message>
+        <source>Reference transducer, channel</source>
+        <translation>Referensgivare, kanal</translation>
+    </message>
+    <message>
+        <source>Certificate of the reference transducer</source>
+        <translation>Referensgivarens certifikat</translation>
+    </message>
+    <message>
+        <source>Sensitivity of the reference transducer</source>
+        <translation>Referensgivarens känslighet</translation>
+    </message>
+    <message>
+        <source>second-order sensor, as stated in the recipe</source>
+        <translation>givare av andra ordningen, enligt receptet</translation>
+    </message>
+    <message>
+        <source>file with SHA-256 %1</source>
+        <translation>fil med SHA-256 %1</translation>
+    </message>
+    <message>
+        <source>Check by the second way: the sensitivity against the computed pressure step less that against the reference transducer is %1 %, with an expanded uncertainty of %2 % (k = 2).</source>
+        <translation>Kontroll på den andra vägen: känsligheten mot det beräknade trycksteget minus den mot referensgivaren är %1 %, med en utvidgad osäkerhet av %2 % (k = 2).</translation>
+    </message>
+    <message>
+        <source>The sensitivity S(f) is the complex ratio of the item&apos;s output to the change of pressure at the sensor&apos;s face, found by comparison with a reference transducer that the same change reached; phase of output over pressure, lag negative.</source>
+        <translation>Känsligheten S(f) är den komplexa kvoten mellan objektets utsignal och tryckändringen vid givarens yta, bestämd genom jämförelse med en referensgivare som samma ändring nådde; fas hos utsignal över tryck, eftersläpning negativ.</translation>
+    </message>
+    <message>
+        <source>The pressure step of each shot is what the reference transducer saw: the settled level of its output over its sensitivity at the lowest frequency of its calibration.</source>
+        <translation>Varje skotts trycksteg är det som referensgivaren såg: den insvängda nivån hos dess utsignal över dess känslighet vid kalibreringens lägsta frekvens.</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the sensitivity contain the reference transducer&apos;s certificate, its chain and its level, the shots, the noise, gain, linearity and mounting; those of the frequency response also the noise of the reference, the end of the records, the sampling, a drift and, in the phase, the delay between the two; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: gain of either chain 0.5 %, linearity and mounting 0.1 %, clock 50 ppm, a delay of up to 0.5 µs. The budget of every value is in results.json. A result without an uncertainty beside it has none that is complete, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
+        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en konfidensnivå av ungefär 95 % (GUM, JCGM 100). Känslighetens innehåller referensgivarens certifikat, dess mätkedja och nivå, skotten, bruset, förstärkning, linjäritet och montering; frekvenssvarets även referensens brus, registreringarnas slut, samplingen, en drift och, i fasen, fördröjningen mellan de två; frekvensers och tiders brus och samplingsklocka. Det som inte har angetts räknas med det vanliga intervallet: vardera kedjans förstärkning 0,5 %, linjäritet och montering 0,1 %, klocka 50 ppm, en fördröjning på upp till 0,5 µs. Varje värdes budget finns i results.json. Ett resultat utan osäkerhet bredvid sig har ingen som är fullständig och är avrundat till tre gällande siffror; inställningar och avläsningar anges med högst fyra. Stigtid, översläng, insvängningstid och bandgränser är modellens, så långt som registreringar och modell räcker.</translation>
+    </message>
+    <message>
+        <source>The response taken from the data is withheld at %1 of %2 frequencies, from %3 to %4: the reference transducer was not calibrated there, and nothing is extrapolated.</source>
+        <translation>Responsen direkt ur data hålls inne vid %1 av %2 frekvenser, från %3 till %4: referensgivaren är inte kalibrerad där, och inget extrapoleras.</translation>
+    </message>
+    <message>
+        <source>The step is that of a reference transducer, not of the shock.</source>
+        <translation>Steget är en referensgivares, inte stötvågens.</translation>
+    </message>
+    <message>
+        <source>response.reference is &quot;transducer&quot;, but comparison.enabled is false; switch the comparison on and say what the reference transducer is.</source>
+        <translation>response.reference är &quot;transducer&quot;, men comparison.enabled är false; slå på jämförelsen och ange vad referensgivaren är.</translation>
+    </message>
+    <message>
+        <source>A comparison with a reference transducer needs the response to a step; with input.treatment &quot;impulse&quot; switch comparison.enabled off.</source>
+        <translation>En jämförelse med en referensgivare kräver svaret på ett steg; slå av comparison.enabled med input.treatment &quot;impulse&quot;.</translation>
+    </message>
+    <message>
+        <source>The reference transducer&apos;s table has a column &apos;%1&apos;; it may have frequency_hz, magnitude, u_magnitude, phase_rad, u_phase_rad and dof.</source>
+        <translation>Referensgivarens tabell har en kolumn &apos;%1&apos;; den får ha frequency_hz, magnitude, u_magnitude, phase_rad, u_phase_rad och dof.</translation>
+    </message>
+    <message>
+        <source>The reference transducer&apos;s table has no column &apos;%1&apos;; its first line must name the columns.</source>
+        <translation>Referensgivarens tabell har ingen kolumn &apos;%1&apos;; dess första rad måste namnge kolumnerna.</translation>
+    </message>
+    <message>
+        <source>Line %1 of the reference transducer&apos;s table has &apos;%2&apos; for %3, which is no number with a decimal point.</source>
+        <translation>Rad %1 i referensgivarens tabell har &apos;%2&apos; för %3, vilket inte är ett tal med decimalpunkt.</translation>
+    </message>
+    <message>
+        <source>The reference transducer&apos;s certificate has %1 lists over frequency; name the one that is meant by its id in comparison.quantity_id.</source>
+        <translation>Referensgivarens certifikat har %1 listor över frekvens; ange den avsedda med dess id i comparison.quantity_id.</translation>
+    </message>
+    <message>
+        <source>The reference transducer&apos;s certificate has no list with the id &apos;%1&apos; of comparison.quantity_id, or several.</source>
+        <translation>Referensgivarens certifikat har ingen lista med id &apos;%1&apos; enligt comparison.quantity_id, eller flera.</translation>
+    </message>
+    <message>
+        <source>The list of the reference transducer&apos;s certificate needs frequencies, sensitivities in %1 and perhaps phases, as many of each, with expanded uncertainties and their coverage factors.</source>
+        <translation>Listan i referensgivarens certifikat behöver frekvenser, känsligheter i %1 och eventuellt faser, lika många av varje, med utvidgade osäkerheter och deras täckningsfaktorer.</translation>
+    </message>
+    <message>
+        <source>The reference transducer&apos;s file is XML, but no digital calibration certificate (%1); give that, or a table as CSV.</source>
+        <translation>Referensgivarens fil är XML men inget digitalt kalibreringscertifikat (%1); ange ett sådant, eller en tabell som CSV.</translation>
+    </message>
+    <message>
+        <source>A comparison needs the reference transducer&apos;s sensitivity from one place: give comparison.source or comparison.model, not both and not neither.</source>
+        <translation>En jämförelse behöver referensgivarens känslighet från ett ställe: ange comparison.source eller comparison.model, inte båda och inte ingetdera.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; of comparison.source, which says what the reference transducer is, could not be read; give its path relative to the recipe.</source>
+        <translation>Filen &apos;%1&apos; i comparison.source, som anger vad referensgivaren är, kunde inte läsas; ange dess sökväg relativt receptet.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; of the reference transducer has the hash %2, but comparison.sha256 demands %3: it was changed, or it is another file. Restore it, or state the new hash.</source>
+        <translation>Referensgivarens fil &apos;%1&apos; har kontrollsumman %2, men comparison.sha256 kräver %3: den har ändrats, eller är en annan fil. Återställ den, eller ange den nya kontrollsumman.</translation>
+    </message>
+    <message>
+        <source>Shot %1 has no channel of a reference transducer beside the sensor; give one the role &apos;reference&apos; (import.channels), name it in comparison.channel, or switch the comparison off.</source>
+        <translation>Skott %1 har ingen kanal med en referensgivare bredvid givaren; ge en kanal rollen &apos;reference&apos; (import.channels), namnge den i comparison.channel, eller slå av jämförelsen.</translation>
+    </message>
+    <message>
+        <source>The reference transducer&apos;s channel %1 is recorded in %2, but comparison.unit is %3; they must belong together, such as V and V/Pa.</source>
+        <translation>Referensgivarens kanal %1 är registrerad i %2, men comparison.unit är %3; de måste höra ihop, som V och V/Pa.</translation>
+    </message>
+    <message>
+        <source>a frequency above that of the row before, and above 0</source>
+        <translation>en frekvens över föregående rads, och över 0</translation>
+    </message>
+    <message>
+        <source>a magnitude above 0</source>
+        <translation>ett belopp över 0</translation>
+    </message>
+    <message>
+        <source>an uncertainty of the magnitude that is not negative</source>
+        <translation>en osäkerhet för beloppet som inte är negativ</translation>
+    </message>
+    <message>
+        <source>a phase with its uncertainty in all rows, or in none</source>
+        <translation>en fas med osäkerhet på alla rader, eller på ingen</translation>
+    </message>
+    <message>
+        <source>degrees of freedom above 0</source>
+        <translation>frihetsgrader över 0</translation>
+    </message>
+    <message>
+        <source>The reference transducer&apos;s table has no rows.</source>
+        <translation>Referensgivarens tabell har inga rader.</translation>
+    </message>
+    <message>
+        <source>Row %1 of the reference transducer&apos;s table, at %2 Hz, needs %3.</source>
+        <translation>Rad %1 i referensgivarens tabell, vid %2 Hz, behöver %3.</translation>
+    </message>
+    <message>
+        <source>comparison.model needs sensitivity, f0_hz and zeta above 0, and no uncertainty below 0.</source>
+        <translation>comparison.model behöver sensitivity, f0_hz och zeta över 0, och ingen osäkerhet under 0.</translation>
+    </message>
+    <message>
+        <source>Shot %1: the record of channel %2, from %3 to %4, does not hold the baseline and the response of channel %5; record both over the same time, or shorten the window.</source>
+        <translation>Skott %1: registreringen av kanal %2, från %3 till %4, innehåller inte baslinjen och responsen hos kanal %5; registrera båda över samma tid, eller förkorta fönstret.</translation>
+    </message>
+    <message>
+        <source>The sensitivity against the computed pressure step differs by %1 % from that against the reference transducer, more than both uncertainties allow (U = %2 %, k = 2). Check the transducer&apos;s certificate, unit and chain, and gas, temperature and distances of the step.</source>
+        <translation>Känsligheten mot det beräknade trycksteget skiljer sig med %1 % från den mot referensgivaren, mer än båda osäkerheterna tillåter (U = %2 %, k = 2). Kontrollera givarens certifikat, enhet och mätkedja samt stegets gas, temperatur och avstånd.</translation>
     </message>
 </context>
 <context>

@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "core/model_analysis/sensor_response.h"
+#include "core/model_analysis/response_result.h"
 
 namespace dyncal {
 

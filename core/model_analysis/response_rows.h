@@ -3,8 +3,8 @@
 
 #pragma once
 
+#include "core/model_analysis/response_result.h"
 #include "core/model_analysis/response_source.h"
-#include "core/model_analysis/sensor_response.h"
 
 namespace dyncal {
 

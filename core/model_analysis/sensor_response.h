@@ -3,88 +3,19 @@
 
 #pragma once
 
-#include "core/base/finding.h"
 #include "core/base/index.h"
 #include "core/base/result.h"
-#include "core/model_analysis/drift.h"
-#include "core/model_analysis/model_characteristics.h"
-#include "core/model_analysis/model_curves.h"
+#include "core/model_analysis/response_result.h"
 #include "core/model_analysis/response_settings.h"
-#include "core/model_analysis/shot_sensitivity.h"
 #include "core/realization/input/model_input.h"
 #include "core/realization/model/sensor_model.h"
 #include "core/reference/reference_records.h"
 #include "core/shock/shock_conditions.h"
 #include "core/signal/response_window.h"
 
-#include <Eigen/Core>
-
-#include <limits>
-#include <optional>
-#include <string>
 #include <vector>
 
 namespace dyncal {
-
-/// Why a model has no characteristics.
-enum class CharacteristicsGap { None, FreeDecay, Diverges, LevelUnknown };
-
-/// Why the band of the response ends where it does.
-enum class BandEnd {
-    Window, ///< shortest window
-    Noise, ///< above 10 % of the magnitude
-    Rate, ///< 0.4 of the lowest sample rate
-    ModelRate, ///< half the model's rate, of a free decay
-    Reference ///< where the reference transducer was calibrated
-};
-
-/// Why S(f) is not stated at a frequency: the bound of its error by the end of the records or by
-/// sampling exceeds both its u and 2 % of it, the records do not hold the frequency, or the
-/// reference transducer was not calibrated there.
-enum class WithheldReason { None, End, Alias, AboveRate, NotCalibrated };
-
-struct ResponseResult
-{
-    Eigen::VectorXd frequency_Hz; ///< by the recipe; a grid lies inside the usable band
-    Eigen::VectorXd magnitude; ///< non-parametric, docs/method/response.md; empty for impulse
-    Eigen::VectorXd u_magnitude; ///< noise, both bounds and the front
-    Eigen::VectorXd u_noiseMagnitude;
-    Eigen::VectorXd u_frontMagnitude;
-    Eigen::VectorXd u_referenceMagnitude; ///< of the reference transducer's sensitivity; else empty
-    Eigen::VectorXd u_referencePhase_rad;
-    Eigen::VectorXd dofReference;
-    Eigen::VectorXd phase_rad;
-    Eigen::VectorXd u_phase_rad; ///< the same, and the onset
-    Eigen::VectorXd u_noisePhase_rad; ///< with the onset, without the bounds
-    Eigen::VectorXd dof; ///< of u_magnitude, effective
-    Eigen::VectorXd boundEnd; ///< of the error by the end of the records; also where withheld
-    Eigen::VectorXd boundAlias; ///< of that by sampling
-    Eigen::VectorXd length_s; ///< used behind the detected start, of a shot at most its window
-    std::vector<WithheldReason> withheld; ///< of each frequency
-    Eigen::VectorXd modelMagnitude;
-    Eigen::VectorXd modelPhase_rad;
-    bool isByTransducer = false; ///< against a reference transducer, not the pressure step
-    FrontDuration front; ///< divided out of S(f); its u is in u_magnitude
-    double fLow_Hz = 0.0; ///< 1 / shortest window
-    /// Where the noise exceeds 10 % of the magnitude, at most 0.4 of the record's rate; of a free
-    /// decay, which has the model's answer only, also at most half the model's rate.
-    double fHigh_Hz = 0.0;
-    BandEnd lowEnd = BandEnd::Window;
-    BandEnd highEnd = BandEnd::Rate;
-    std::string unit; ///< "V/Pa" with a pressure step, "1" without
-    StepCharacteristics characteristics; ///< what may be stated: stated_characteristics.h
-    CharacteristicsGap gap = CharacteristicsGap::None;
-    double modelLimit_Hz = std::numeric_limits<double>::infinity(); ///< half the model's rate
-    double window_s = std::numeric_limits<double>::infinity(); ///< the shortest
-    double resolution_s = 0.0; ///< between the samples that the model was fitted to, the longest
-    std::vector<ShotSensitivity> shots;
-    std::optional<double> sensitivity; ///< mean over the shots
-    std::string sensitivityUnit;
-    SensitivitySummary summary; ///< of computeResponse(); its mean is `sensitivity`
-    DriftResult drift;
-    ResponseCurve modelCurve; ///< for plots: 600 points over the band and past it
-    Findings findings;
-};
 
 /// k of a row's 95 % interval, Student's for its degrees of freedom; not known where it has none.
 double coverageFactorAt(const ResponseResult &response, Index row);

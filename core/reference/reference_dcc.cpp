@@ -31,14 +31,23 @@ pugi::xml_node firstBelow(const pugi::xml_node &node, std::string_view name)
 
 std::vector<pugi::xml_node> allBelow(const pugi::xml_node &node, std::string_view name)
 {
-    std::vector<pugi::xml_node> found;
-    for (const pugi::xml_node &child : node.children()) {
-        if (localName(child) == name)
-            found.push_back(child);
-        const std::vector<pugi::xml_node> deeper = allBelow(child, name);
-        found.insert(found.end(), deeper.begin(), deeper.end());
-    }
-    return found;
+    struct Walker : pugi::xml_tree_walker // a file may be nested deeper than a stack is
+    {
+        std::string_view name;
+        std::vector<pugi::xml_node> found;
+
+        bool for_each(pugi::xml_node &at) override
+        {
+            if (localName(at) == name)
+                found.push_back(at);
+            return true;
+        }
+    };
+    Walker walker;
+    walker.name = name;
+    pugi::xml_node start = node;
+    start.traverse(walker);
+    return walker.found;
 }
 
 std::vector<std::string> wordsOf(const pugi::xml_node &node)
@@ -81,8 +90,10 @@ std::optional<ListedQuantity> quantityOf(const pugi::xml_node &node)
 {
     const std::vector<std::string> units = wordsOf(firstBelow(node, "unitXMLList"));
     const std::size_t count = wordsOf(firstBelow(node, "valueXMLList")).size();
-    const std::optional<DSiUnit> unit
-        = units.size() == 1 ? parseDSiUnit(units.front()) : std::nullopt;
+    // One for all, or one for each, which must then be the same.
+    const bool isOne = !units.empty()
+        && std::ranges::all_of(units, [&](const auto &unit) { return unit == units.front(); });
+    const std::optional<DSiUnit> unit = isOne ? parseDSiUnit(units.front()) : std::nullopt;
     if (!unit)
         return std::nullopt;
     ListedQuantity quantity{unit->symbol(), numbersOf(firstBelow(node, "valueXMLList"), count), {}};

@@ -33,6 +33,8 @@ const std::map<std::string, const char *> kElements{
     {"realization.candidate_notes", R"({"order": 3, "note": "x"})"},
     {"uncertainty.budget", R"({"quantity": "a", "u": 1})"},
     {"acknowledge", R"({"finding": "a", "reason": "x"})"},
+    {"comparison.model",
+        R"({"sensitivity": 1, "u_sensitivity": 0, "f0_hz": 1, "u_f0_hz": 0, "zeta": 1, "u_zeta": 0})"},
     {"shock.driven_gas", R"({"gamma": 1.3, "molar_mass_kg_mol": 0.03})"},
     {"shock.driver_gas", R"({"gamma": 1.3, "molar_mass_kg_mol": 0.03})"},
 };

@@ -4,6 +4,7 @@
 // A reference transducer's digital calibration certificate.
 
 #include "core/reference/reference_dcc.h"
+#include "tests/support/made_dcc.h"
 #include "tests/support/near.h"
 #include "tests/support/test_program.h"
 
@@ -17,35 +18,13 @@ using testing::isNear;
 
 namespace {
 
-std::string quantity(const char *values, const char *unit, const char *U = "", const char *k = "2")
-{
-    std::string text = std::string("<dcc:quantity><si:realListXMLList><si:valueXMLList>") + values
-        + "</si:valueXMLList><si:unitXMLList>" + unit + "</si:unitXMLList>";
-    if (*U != '\0')
-        text += std::string("<si:measurementUncertaintyUnivariateXMLList><si:expandedMUXMLList>"
-                            "<si:valueExpandedMUXMLList>")
-            + U + "</si:valueExpandedMUXMLList><si:coverageFactorXMLList>" + k
-            + "</si:coverageFactorXMLList></si:expandedMUXMLList>"
-              "</si:measurementUncertaintyUnivariateXMLList>";
-    return text + "</si:realListXMLList></dcc:quantity>";
-}
+using testing::dccList;
+using testing::dccOf;
+using testing::dccQuantity;
 
-const std::string kFrequencies = quantity("1 10 100", "\\kilo\\hertz");
+const std::string kFrequencies = dccQuantity("1 10 100", "\\kilo\\hertz");
 const std::string kMagnitudes
-    = quantity("0.1 0.2 0.3", "\\volt\\mega\\pascal\\tothe{-1}", "0.002 0.004 0.006");
-
-std::string certificate(const std::string &lists)
-{
-    return "<?xml version=\"1.0\"?><dcc:digitalCalibrationCertificate xmlns:dcc=\"d\" "
-           "xmlns:si=\"s\"><dcc:coreData><dcc:uniqueIdentifier>K-17</dcc:uniqueIdentifier>"
-           "</dcc:coreData>"
-        + lists + "</dcc:digitalCalibrationCertificate>";
-}
-
-std::string list(const std::string &quantities, const std::string &id = "a")
-{
-    return "<dcc:list id=\"" + id + "\">" + quantities + "</dcc:list>";
-}
+    = dccQuantity("0.1 0.2 0.3", "\\volt\\mega\\pascal\\tothe{-1}", "0.002 0.004 0.006");
 
 std::string faultOfXml(const std::string &xml, const std::string &id = "")
 {
@@ -62,9 +41,9 @@ class TestReferenceDcc : public QObject
 private slots:
     void sensitivity_isRead_inSiUnits_withUOverK()
     {
-        const std::string phases = quantity("-1 -2 -4", "\\degree", "0.5", "2.5");
+        const std::string phases = dccQuantity("-1 -2 -4", "\\degree", "0.5", "2.5");
         const auto made
-            = readReferenceDcc(certificate(list(kFrequencies + kMagnitudes + phases)), "", "V/Pa");
+            = readReferenceDcc(dccOf(dccList(kFrequencies + kMagnitudes + phases)), "", "V/Pa");
         QVERIFY(made.has_value());
         QCOMPARE(made->certificate, std::string("K-17"));
         const ReferencePoint point = made->sensitivity.at(1e4).value();
@@ -77,15 +56,14 @@ private slots:
 
     void phase_mayBeMissing()
     {
-        const auto made
-            = readReferenceDcc(certificate(list(kFrequencies + kMagnitudes)), "a", "V/Pa");
+        const auto made = readReferenceDcc(dccOf(dccList(kFrequencies + kMagnitudes)), "a", "V/Pa");
         QVERIFY(std::isnan(made->sensitivity.at(1e3)->phase_rad));
     }
 
     void list_isNamed_whereThereAreSeveral()
     {
         const std::string two
-            = certificate(list(kFrequencies + kMagnitudes) + list(kFrequencies + kMagnitudes, "b"));
+            = dccOf(dccList(kFrequencies + kMagnitudes) + dccList(kFrequencies + kMagnitudes, "b"));
         QVERIFY(faultOfXml(two).find("2 lists") != std::string::npos);
         QVERIFY(faultOfXml(two, "b").empty());
         QVERIFY(faultOfXml(two, "c").find("'c'") != std::string::npos);
@@ -93,13 +71,61 @@ private slots:
 
     void whatIsMissing_isTold()
     {
-        QVERIFY(faultOfXml(certificate(list(kFrequencies))).find("V/Pa") != std::string::npos);
-        const std::string noU = quantity("0.1 0.2 0.3", "\\volt\\mega\\pascal\\tothe{-1}");
+        QVERIFY(faultOfXml(dccOf(dccList(kFrequencies))).find("V/Pa") != std::string::npos);
+        const std::string noU = dccQuantity("0.1 0.2 0.3", "\\volt\\mega\\pascal\\tothe{-1}");
+        QVERIFY(faultOfXml(dccOf(dccList(kFrequencies + noU))).find("V/Pa") != std::string::npos);
+        const std::string two = dccQuantity("0.1 0.2", "\\volt\\mega\\pascal\\tothe{-1}", "0.002");
+        QVERIFY(!faultOfXml(dccOf(dccList(kFrequencies + two))).empty());
+        QVERIFY(faultOfXml(dccOf("")).find("0 lists") != std::string::npos);
+    }
+
+    /// Every writer chooses the prefixes of the namespaces for itself.
+    void prefixes_doNotMatter()
+    {
+        std::string plain = dccOf(dccList(kFrequencies + kMagnitudes));
+        for (const std::string prefix : {"dcc:", "si:"})
+            for (std::size_t at; (at = plain.find(prefix)) != plain.npos;)
+                plain.erase(at, prefix.size());
+        const auto made = readReferenceDcc(plain, "", "V/Pa");
+        QVERIFY(made.has_value());
+        QVERIFY(isNear(made->sensitivity.at(1e4)->magnitude, 0.2e-6, 1e-12));
+    }
+
+    /// Lists of conditions have no frequencies, and are passed over.
+    void otherLists_doNotMatter()
+    {
+        const std::string temperatures
+            = dccList(dccQuantity("294 295", "\\kelvin", "0.2"), "temperatures");
+        const std::string pressures
+            = dccList(dccQuantity("100 101", "\\kilo\\pascal", "0.2"), "pressures");
+        QVERIFY(faultOfXml(dccOf(temperatures + dccList(kFrequencies + kMagnitudes) + pressures))
+                    .empty());
+    }
+
+    void unitsAndFactors_mayBeListedOneByOne()
+    {
+        const std::string each = dccQuantity("0.1 0.2 0.3",
+            "\\micro\\volt\\per\\pascal \\micro\\volt\\per\\pascal \\micro\\volt\\per\\pascal",
+            "0.002 0.004 0.006", "2 2.5 3");
+        const auto made = readReferenceDcc(dccOf(dccList(kFrequencies + each)), "", "V/Pa");
+        QVERIFY(made.has_value());
+        QVERIFY(isNear(made->sensitivity.at(1e4)->u_magnitude, 0.0016e-6, 1e-12));
+        QVERIFY(isNear(made->sensitivity.at(1e5)->u_magnitude, 0.002e-6, 1e-12));
+        const std::string mixed = dccQuantity("0.1 0.2 0.3",
+            "\\volt\\per\\pascal \\volt\\per\\pascal \\milli\\volt\\per\\pascal", "0.002");
+        QVERIFY(!faultOfXml(dccOf(dccList(kFrequencies + mixed))).empty());
+    }
+
+    void rowsThatNoTransducerHas_areRefused()
+    {
+        const std::string falling = dccQuantity("100 10 1", "\\kilo\\hertz");
         QVERIFY(
-            faultOfXml(certificate(list(kFrequencies + noU))).find("V/Pa") != std::string::npos);
-        const std::string two = quantity("0.1 0.2", "\\volt\\mega\\pascal\\tothe{-1}", "0.002");
-        QVERIFY(!faultOfXml(certificate(list(kFrequencies + two))).empty());
-        QVERIFY(faultOfXml(certificate("")).find("0 lists") != std::string::npos);
+            faultOfXml(dccOf(dccList(falling + kMagnitudes))).find("Row 2") != std::string::npos);
+        const std::string words = dccQuantity("1 ten 100", "\\kilo\\hertz");
+        QVERIFY(!faultOfXml(dccOf(dccList(words + kMagnitudes))).empty());
+        const std::string negative = dccQuantity("0.1 -0.2 0.3", "\\volt\\per\\pascal", "0.002");
+        QVERIFY(
+            faultOfXml(dccOf(dccList(kFrequencies + negative))).find("Row 2") != std::string::npos);
     }
 
     void otherFiles_areRefused()

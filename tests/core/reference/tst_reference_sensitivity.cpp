@@ -50,6 +50,26 @@ private slots:
         QCOMPARE(table.lowest().magnitude, 2e-8);
     }
 
+    /// In other units and at other frequencies the same shares of the way.
+    void table_scalesWithItsUnits()
+    {
+        constexpr double kUnit = 1e6;
+        auto rows = twoRows();
+        for (ReferencePoint &row : rows) {
+            row.magnitude *= kUnit;
+            row.u_magnitude *= kUnit;
+            row.frequency_Hz *= kUnit;
+        }
+        const auto one = ReferenceSensitivity::fromTable(twoRows()).value();
+        const auto other = ReferenceSensitivity::fromTable(rows).value();
+        for (const double f_Hz : {100.0, 150.0, 999.0, 1e4}) {
+            const ReferencePoint a = one.at(f_Hz).value(), b = other.at(kUnit * f_Hz).value();
+            QVERIFY(isNear(b.magnitude, kUnit * a.magnitude));
+            QVERIFY(isNear(b.u_magnitude, kUnit * a.u_magnitude));
+            QVERIFY(isNear(b.phase_rad, a.phase_rad));
+        }
+    }
+
     void table_isNotExtrapolated()
     {
         const auto table = ReferenceSensitivity::fromTable(twoRows()).value();

@@ -48,19 +48,6 @@ private slots:
             QVERIFY(!settings.loaded);
         }
     }
-
-    /// Whether results must be computed anew.
-    void settings_differWithTheFilesContent()
-    {
-        ComparisonSettings a, b;
-        QVERIFY(a == b);
-        a.loaded = std::make_shared<const ReferenceSource>(ReferenceSource{"1", "x"});
-        QVERIFY(!(a == b));
-        b.loaded = std::make_shared<const ReferenceSource>(ReferenceSource{"1", "x"});
-        QVERIFY(a == b);
-        b.unit = "mV/Pa";
-        QVERIFY(!(a == b));
-    }
 };
 
 DYNCAL_TEST(TestReferenceSource)
