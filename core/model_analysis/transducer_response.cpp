@@ -17,8 +17,11 @@ namespace {
 RecordOfShot alongside(const RecordOfShot &dut, const ReferenceRecords &reference)
 {
     const WindowedResponse &response = *reference.ofShot(dut.response->shot);
+    // No longer than the DUT's, which an echo may have ended.
+    const double window_s = static_cast<double>(dut.response->length) / dut.response->sampleRate_Hz;
+    const auto samples = static_cast<Index>(std::llround(window_s * response.sampleRate_Hz));
     RecordOfShot shot{&response, {}};
-    shot.record.values = response.values.head(response.lead + response.length);
+    shot.record.values = response.values.head(response.lead + std::min(response.length, samples));
     shot.record.early = response.lead;
     shot.scale = response.valueScale;
     shot.onset_s = dut.response->start_s - response.start_s + reference.delay_s;

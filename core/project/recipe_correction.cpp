@@ -29,7 +29,10 @@ Result<Recipe> correctedRecipe(const Recipe &recipe, const Correction &correctio
     if (!whole)
         return tl::unexpected(whole.error());
     putOver(*whole, alone(correction.key, *value));
-    return parseRecipe(whole->dump());
+    return parseRecipe(whole->dump()).map([&](Recipe corrected) {
+        corrected.comparison.loaded = recipe.comparison.loaded; // no key of the recipe
+        return corrected;
+    });
 }
 
 } // namespace dyncal

@@ -8,6 +8,7 @@
 #include "core/base/writing/write_problem.h"
 #include "core/capture/capture_seal.h"
 #include "core/project/strict_json.h"
+#include "core/reference/reference_source.h"
 #include "ui/session/capture_edit.h"
 #include "ui/session/capture_reading.h"
 #include "ui/session/example.h"
@@ -247,6 +248,7 @@ Result<ProjectState> openProject(
         return tl::unexpected(recipe.error());
 
     const QDir folder = QFileInfo(file.path).absoluteDir();
+    loadReference(folder.path().toStdString(), recipe->comparison);
     std::vector<CaptureReference> references;
     QStringList missing;
     for (const auto &entry : file.content["captures"].toArray()) {

@@ -110,6 +110,25 @@ private slots:
         QVERIFY(isNear(uDelay_s(pair.reference), 0.5e-6 / std::sqrt(3.0)));
     }
 
+    /// An echo that ends the DUT's record is not taken from the reference's either.
+    void shorterRecordOfTheDut_endsBoth()
+    {
+        Pair pair;
+        pair.add(0.4, 0.0);
+        WindowedResponse &dut = pair.dut.responses.back();
+        const ResponsePoint whole
+            = TransducerResponse(pair.dut.shots, kSpan_s, pair.reference).at(3e3);
+        dut.length = 4000;
+        dut.values.conservativeResize(dut.lead + dut.length);
+        pair.dut.shots[0].record.values = dut.values;
+        WindowedResponse &reference = pair.reference.responses.back();
+        reference.values.tail(3000).array() += 0.5; // an echo behind that
+        const ResponsePoint cut
+            = TransducerResponse(pair.dut.shots, kSpan_s, pair.reference).at(3e3);
+        QVERIFY(isNear(cut.magnitude, whole.magnitude, 1e-6));
+        QVERIFY(cut.boundEnd < 1e-6 * cut.magnitude);
+    }
+
     void outsideTheTable_nothingIsStated()
     {
         Pair pair;

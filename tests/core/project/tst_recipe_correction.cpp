@@ -36,6 +36,8 @@ void TestRecipeCorrection::number_isSetAndNothingElse()
     Recipe recipe;
     recipe.import.channels["A.1"] = "dut";
     recipe.shock.T1_K = 21.0;
+    recipe.comparison.loaded // what a file held is kept, though it is no key
+        = std::make_shared<const ReferenceSource>(ReferenceSource{"1", "content"});
     const Result<Recipe> corrected = correctedRecipe(recipe, correctionOf("shock.t1_k", "294.15"));
     QVERIFY(corrected.has_value());
     QCOMPARE(*corrected->shock.T1_K, 294.15);

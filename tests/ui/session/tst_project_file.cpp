@@ -58,6 +58,7 @@ private slots:
     void example_savedAndOpened_isTheSame();
     void removedShot_staysOut();
     void recipe_everyNumber_survives();
+    void fileOfTheReference_isReadBesideTheProject();
     void recordings_areNamedRelativeToTheProject();
     void changedRecording_isReportedAndBlocks();
     void recordingInAFile_isOpenedUnsealedAndHeldAgainstItsHash();
@@ -96,6 +97,20 @@ void TestProjectFile::initTestCase()
     m_state.recipe.window.end_s = 1.0 / 3.0;
     m_state.recipe.import.exclude = {{2, "diaphragm held; \"Ö\""}};
     m_state.recipe.certificate.fields["customer"] = "Åsa & Co";
+}
+
+void TestProjectFile::fileOfTheReference_isReadBesideTheProject()
+{
+    QFile file(m_folder.filePath("ref.csv"));
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("abc") == 3);
+    file.close();
+    ProjectState state = m_state;
+    state.recipe.comparison.source = "ref.csv";
+    const QString path = m_folder.filePath("compared.dyncal");
+    QVERIFY(saveProject(path, state, projectFileHash(path)));
+    const Result<ProjectState> opened = openProject(path);
+    QVERIFY(opened && opened->recipe.comparison.loaded);
+    QCOMPARE(opened->recipe.comparison.loaded->content, std::string("abc"));
 }
 
 void TestProjectFile::example_savedAndOpened_isTheSame()

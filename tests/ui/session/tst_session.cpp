@@ -363,8 +363,10 @@ void TestSession::affected_shock_startsAtExpected()
     QVERIFY(!dyncal::firstDifferentStage(before, after));
     after.certificate.fields["customer"] = "A";
     QVERIFY(!dyncal::firstDifferentStage(before, after));
-    after.response.reference = "unit-step";
+    after.response.grid = "linear";
     QCOMPARE(dyncal::firstDifferentStage(before, after).value(), StageId::Response);
+    after.response.reference = "unit-step";
+    QCOMPARE(dyncal::firstDifferentStage(before, after).value(), StageId::Reference);
     after.shock.enabled = !before.shock.enabled;
     QCOMPARE(dyncal::firstDifferentStage(before, after).value(), StageId::Expected);
 }

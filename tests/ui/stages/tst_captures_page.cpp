@@ -270,7 +270,7 @@ void TestCapturesPage::role_changed_takesTheChannelOut_andUndoBringsItBack()
     QVERIFY(side);
     const QString name = "roleOf_" + QString::fromStdString(side->name);
     QVERIFY(bench.control<PlotWidget>("rawPlot_driven_side")->isVisible());
-    bench.choose(name, 4); // other
+    bench.choose(name, 5); // other
     waitComputed(bench.session);
     QCOMPARE(bench.recipe().import.channels.at(side->name), std::string("other"));
     QVERIFY(!bench.control<PlotWidget>("rawPlot_driven_side")->isVisible());

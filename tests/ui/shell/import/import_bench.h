@@ -111,7 +111,7 @@ inline constexpr int kDutRole = 0;
 inline constexpr int kNotRead = 0;
 inline constexpr int kReadAsDut = 1;
 inline constexpr int kReadAsDrivenSide = 2;
-inline constexpr int kReadAsOther = 5;
+inline constexpr int kReadAsOther = 6;
 
 inline std::vector<double> ramp(int count)
 {
