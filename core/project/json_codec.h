@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -224,15 +225,17 @@ template <typename S, typename T>
 Field<S> field(
     const char *key, const char *label, T S::*member, Codec<T> codec, bool required = false)
 {
-    const auto read = [codec, member](const JsonAt &at, S &object) -> Result<void> {
-        Result<T> value = codec.read(at);
+    // Shared: copies of what holds copies would grow with every level.
+    const auto shared = std::make_shared<const Codec<T>>(std::move(codec));
+    const auto read = [shared, member](const JsonAt &at, S &object) -> Result<void> {
+        Result<T> value = shared->read(at);
         if (!value)
             return tl::unexpected<Error>(value.error());
         object.*member = std::move(*value);
         return {};
     };
-    const auto write = [codec, member](const S &object) { return codec.write(object.*member); };
-    return {key, label, read, write, codec.keys, required};
+    const auto write = [shared, member](const S &object) { return shared->write(object.*member); };
+    return {key, label, read, write, shared->keys, required};
 }
 
 /// A key that is documented, and named in the window, elsewhere.
@@ -252,16 +255,17 @@ Codec<S> object(std::vector<Field<S>> fields)
         for (const RecipeKey &below : f.keys)
             keys.push_back({"." + f.key + below.path, below.label});
     }
-    const auto read = [fields](const JsonAt &at) -> Result<S> {
+    const auto shared = std::make_shared<const std::vector<Field<S>>>(std::move(fields));
+    const auto read = [shared](const JsonAt &at) -> Result<S> {
         if (!at.value.is_object())
             return mismatch(at, "an object");
         for (const auto &[key, json] : at.value.items()) {
             const auto isKey = [&key = key](const Field<S> &f) { return f.key == key; };
-            if (std::none_of(fields.begin(), fields.end(), isKey))
+            if (std::none_of(shared->begin(), shared->end(), isKey))
                 return unknownKey(child(at, key));
         }
         S value;
-        for (const Field<S> &f : fields) {
+        for (const Field<S> &f : *shared) {
             const bool given = at.value.contains(f.key);
             if (!given && f.required)
                 return mismatch(at, "the key \"" + f.key + "\"");
@@ -272,9 +276,9 @@ Codec<S> object(std::vector<Field<S>> fields)
         }
         return value;
     };
-    const auto write = [fields](const S &value) {
+    const auto write = [shared](const S &value) {
         Json json = Json::object();
-        for (const Field<S> &f : fields)
+        for (const Field<S> &f : *shared)
             json[f.key] = f.write(value);
         return json;
     };
