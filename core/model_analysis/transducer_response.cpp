@@ -32,6 +32,7 @@ std::vector<RecordOfShot> recordsOf(
     const std::vector<RecordOfShot> &duts, const ReferenceRecords &reference)
 {
     std::vector<RecordOfShot> records;
+    records.reserve(duts.size());
     for (const RecordOfShot &dut : duts)
         records.push_back(alongside(dut, reference));
     return records;
@@ -55,6 +56,7 @@ std::vector<RecordOfShot> prepared(std::vector<RecordOfShot> shots, double span_
 std::vector<NoiseDensity> noiseOf(const std::vector<RecordOfShot> &shots)
 {
     std::vector<NoiseDensity> noise;
+    noise.reserve(shots.size());
     for (const RecordOfShot &shot : shots)
         noise.emplace_back(*shot.response);
     return noise;
@@ -93,7 +95,7 @@ double uDelay_s(const ReferenceRecords &reference)
 }
 
 TransducerResponse::TransducerResponse(
-    std::vector<RecordOfShot> duts, double span_s, const ReferenceRecords &reference)
+    const std::vector<RecordOfShot> &duts, double span_s, const ReferenceRecords &reference)
     : m_reference(reference)
     , m_u_delay_s(uDelay_s(reference))
     , m_duts(prepared(fromStart(duts), span_s))

@@ -20,7 +20,7 @@ public:
     /// `duts` as for RecordResponse, scaled to physical values; every one has a record of the
     /// reference of its shot. `reference` must outlive this.
     TransducerResponse(
-        std::vector<RecordOfShot> duts, double span_s, const ReferenceRecords &reference);
+        const std::vector<RecordOfShot> &duts, double span_s, const ReferenceRecords &reference);
 
     /// Not calibrated, magnitude NaN, where the reference was not calibrated; phase NaN where its
     /// phase was not.
