@@ -10,6 +10,7 @@
 #include "core/capture/capture_seal.h"
 #include "core/capture/opening/capture_open.h"
 #include "core/pipeline/stage_table.h"
+#include "core/project/recipe_correction.h"
 
 #include <algorithm>
 #include <memory>
@@ -50,11 +51,7 @@ Result<Recipe> withOrder(Recipe recipe, const std::string &order)
         return fail(ErrorKind::Usage,
             {DYNCAL_TEXT("core", "--order is \"%1\"; it needs \"auto\" or a whole number from 1."),
                 {order}});
-    recipe.realization.order = *value;
-    return parseRecipe(recipeJson(recipe)).map([&](Recipe checked) {
-        checked.comparison.loaded = recipe.comparison.loaded; // no key of the recipe
-        return checked;
-    });
+    return correctedRecipe(recipe, {{}, "realization.order", std::to_string(*value)});
 }
 
 Result<CaptureSet> readForCalibration(const std::vector<std::string> &files, const Recipe &recipe)

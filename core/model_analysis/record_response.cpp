@@ -143,12 +143,17 @@ RecordResponse::Point RecordResponse::at(double frequency_Hz) const
     return best;
 }
 
+ShotPoint RecordResponse::pointOf(std::size_t shot, double length_s, double frequency_Hz) const
+{
+    return shotPoint(m_shots[shot], m_noise[shot], length_s, frequency_Hz);
+}
+
 RecordResponse::Point RecordResponse::over(double length_s, double frequency_Hz) const
 {
     std::vector<ShotPoint> shots;
     double variance = 0.0, ofOnsets_s2 = 0.0;
     for (std::size_t i = 0; i < m_shots.size(); ++i) {
-        shots.push_back(shotPoint(m_shots[i], m_noise[i], length_s, frequency_Hz));
+        shots.push_back(pointOf(i, length_s, frequency_Hz));
         variance += shots.back().variance;
         ofOnsets_s2 += shots.back().u_onset_s * shots.back().u_onset_s;
     }

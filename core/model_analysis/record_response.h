@@ -26,6 +26,9 @@ public:
 
     Point at(double frequency_Hz) const override;
 
+    /// What one shot (by its place) alone says, over so long behind its detected start.
+    ShotPoint pointOf(std::size_t shot, double length_s, double frequency_Hz) const;
+
 private:
     /// Shots of one rate, between 0.4 and 0.5 of it.
     struct TopOfBand

@@ -46,22 +46,6 @@ std::vector<RecordOfShot> fromStart(std::vector<RecordOfShot> duts)
     return duts;
 }
 
-std::vector<RecordOfShot> prepared(std::vector<RecordOfShot> shots, double span_s)
-{
-    for (RecordOfShot &shot : shots)
-        prepareShot(span_s, shot);
-    return shots;
-}
-
-std::vector<NoiseDensity> noiseOf(const std::vector<RecordOfShot> &shots)
-{
-    std::vector<NoiseDensity> noise;
-    noise.reserve(shots.size());
-    for (const RecordOfShot &shot : shots)
-        noise.emplace_back(*shot.response);
-    return noise;
-}
-
 /// Of the sum of two independent relative variances, by Welch and Satterthwaite.
 double dofOfSum(double a, double dofOf_a, double b, double dofOf_b)
 {
@@ -98,19 +82,16 @@ TransducerResponse::TransducerResponse(
     const std::vector<RecordOfShot> &duts, double span_s, const ReferenceRecords &reference)
     : m_reference(reference)
     , m_u_delay_s(uDelay_s(reference))
-    , m_duts(prepared(fromStart(duts), span_s))
-    , m_references(prepared(recordsOf(duts, reference), span_s))
-    , m_noiseOfDuts(noiseOf(m_duts))
-    , m_noiseOfReferences(noiseOf(m_references))
-    , m_dut(duts, span_s)
+    , m_shots(duts.size())
+    , m_dut(fromStart(duts), span_s)
     , m_ref(recordsOf(duts, reference), span_s)
 {
 }
 
 ShotPoint TransducerResponse::ratioOf(std::size_t shot, double length_s, double frequency_Hz) const
 {
-    ShotPoint point = quotient(shotPoint(m_duts[shot], m_noiseOfDuts[shot], length_s, frequency_Hz),
-        shotPoint(m_references[shot], m_noiseOfReferences[shot], length_s, frequency_Hz));
+    ShotPoint point = quotient(
+        m_dut.pointOf(shot, length_s, frequency_Hz), m_ref.pointOf(shot, length_s, frequency_Hz));
     point.u_onset_s = m_u_delay_s;
     return point;
 }
@@ -125,7 +106,7 @@ ResponsePoint TransducerResponse::at(double frequency_Hz) const
     point.length_s = std::max(dut.length_s, ref.length_s);
     std::vector<ShotPoint> shots;
     double variance = 0.0;
-    for (std::size_t i = 0; i < m_duts.size(); ++i) {
+    for (std::size_t i = 0; i < m_shots; ++i) {
         shots.push_back(ratioOf(i, point.length_s, frequency_Hz));
         variance += shots.back().variance;
     }

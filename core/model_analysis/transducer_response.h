@@ -31,11 +31,8 @@ private:
 
     const ReferenceRecords &m_reference;
     double m_u_delay_s = 0.0;
-    std::vector<RecordOfShot> m_duts;
-    std::vector<RecordOfShot> m_references;
-    std::vector<NoiseDensity> m_noiseOfDuts;
-    std::vector<NoiseDensity> m_noiseOfReferences;
-    RecordResponse m_dut; ///< of the lengths of record and what sampling makes
+    std::size_t m_shots;
+    RecordResponse m_dut;
     RecordResponse m_ref;
 };
 

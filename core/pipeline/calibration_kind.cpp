@@ -56,9 +56,9 @@ CalibrationKind calibrationKind(const CalibrationResults &results, const Recipe 
 
 const ShockConditionsSet *stepsUsed(const CalibrationResults &results, const Recipe &recipe)
 {
-    if (results.reference && results.reference->records && recipe.response.isByTransducer())
-        return &results.reference->steps;
-    return results.shock.get();
+    return results.reference && results.shock
+        ? &stepsUsed(*results.reference, *results.shock, recipe.response)
+        : results.shock.get();
 }
 
 } // namespace dyncal

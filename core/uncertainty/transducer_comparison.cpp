@@ -4,6 +4,7 @@
 #include "core/uncertainty/transducer_comparison.h"
 
 #include "core/base/number_text.h"
+#include "core/uncertainty/front_effect.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,7 +55,7 @@ RowDifference differenceOf(const UncertainResponse &byTransducer, Index a,
         = std::hypot(t.u_referenceMagnitude[a] / t.magnitude[a], uCommonAlone(byTransducer.report));
     const double front = s.u_frontMagnitude[b] / s.magnitude[b];
     const double unknownFront
-        = s.front.duration_s > 0.0 ? 0.0 : frontLine(s.frequency_Hz[b]).contribution;
+        = isFrontStated(s.front) ? 0.0 : frontLine(s.frequency_Hz[b]).contribution;
     RowDifference result;
     result.relative = (s.magnitude[b] - t.magnitude[a]) / S;
     // The DUT's noise and bounds are in both; the ratio's hold them and the reference's.

@@ -4,6 +4,7 @@
 #include "ui/session/pipeline_request.h"
 
 #include "core/model_analysis/sensor_response.h"
+#include "core/pipeline/calibration_kind.h"
 #include "core/pipeline/stage_keys.h"
 
 namespace dyncal {
@@ -37,10 +38,9 @@ std::shared_ptr<const ResponseResult> PipelineRequest::modelCurve(
     if (!response || part.response || !part.model || !part.input || !part.window || !part.shock
         || responseKey == part.keys[static_cast<std::size_t>(StageId::Response)])
         return nullptr;
-    const ShockConditionsSet &steps
-        = part.reference ? stepsUsed(*part.reference, *part.shock, recipe.response) : *part.shock;
-    return std::make_shared<const ResponseResult>(computeModelResponse(part.window->responses,
-        *part.input, *part.model, steps, recipe.response, response->fLow_Hz, response->fHigh_Hz));
+    return std::make_shared<const ResponseResult>(
+        computeModelResponse(part.window->responses, *part.input, *part.model,
+            *stepsUsed(part, recipe), recipe.response, response->fLow_Hz, response->fHigh_Hz));
 }
 
 std::string decompositionKey(const CaptureSet &captures, const Recipe &recipe)

@@ -17,6 +17,20 @@
 
 using namespace dyncal;
 
+namespace {
+
+/// The path of a file of that content.
+std::string written(const QTemporaryDir &folder, const char *name, const char *text)
+{
+    QFile file(folder.filePath(name));
+    if (!file.open(QIODevice::WriteOnly))
+        qFatal("cannot write");
+    file.write(text);
+    return folder.filePath(name).toStdString();
+}
+
+} // namespace
+
 class TestRecipe : public QObject
 {
     Q_OBJECT
@@ -187,13 +201,8 @@ private slots:
     void readRecipeFiles_putsTheRecipeOverTheProfile()
     {
         QTemporaryDir folder;
-        const auto write = [&](const char *name, const char *text) {
-            QFile file(folder.filePath(name));
-            if (!file.open(QIODevice::WriteOnly))
-                qFatal("cannot write");
-            file.write(text);
-            return folder.filePath(name).toStdString();
-        };
+        const auto write
+            = [&](const char *name, const char *text) { return written(folder, name, text); };
         const std::string profile = write("profile.json",
             R"({"import": {"unit": "psi", "channels": {"a": "dut", "b": "driven_side"}},
                 "checks": {"min_codes": 100}})");
@@ -217,13 +226,8 @@ private slots:
     void comparison_isRead_withTheFileThatItNames()
     {
         QTemporaryDir folder;
-        const auto write = [&](const char *name, const char *text) {
-            QFile file(folder.filePath(name));
-            if (!file.open(QIODevice::WriteOnly))
-                qFatal("cannot write");
-            file.write(text);
-            return folder.filePath(name).toStdString();
-        };
+        const auto write
+            = [&](const char *name, const char *text) { return written(folder, name, text); };
         write("ref.csv", "abc");
         const std::string path = write("recipe.json",
             R"({"comparison": {"enabled": true, "source": "ref.csv", "u_delay_s": 1e-8,
