@@ -6,9 +6,23 @@
 #include <fftw3.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <limits>
 #include <mutex>
 #include <new>
+#include <string_view>
+
+/// FFTW calls this function of its own where it gets no memory, and then ends the program. Defined
+/// here it is found first, and the lack is told like any other. The exception passes FFTW's frames,
+/// which have unwind tables on every Debian port (tst_fft).
+extern "C" [[noreturn]] void fftw_assertion_failed(const char *what, int line, const char *file)
+{
+    if (std::string_view(file).ends_with("alloc.c"))
+        throw std::bad_alloc();
+    std::fprintf(stderr, "FFTW, %s, line %d: not so: %s\n", file, line, what);
+    std::abort();
+}
 
 namespace dyncal {
 namespace {
@@ -18,6 +32,29 @@ std::mutex &plannerMutex()
 {
     static std::mutex mutex;
     return mutex;
+}
+
+/// Asks for what a plan needs, to have it thrown here, before the planner begins: an interrupted
+/// one is not used again.
+void requireMemory(Index length)
+{
+    constexpr std::size_t kTables = 2UL << 20; // of the planner
+    const std::size_t bytes = kTables + 24UL * static_cast<std::size_t>(length);
+    ::operator delete(::operator new(bytes)); // called by name: such a pair is never optimised away
+}
+
+/// Both plans of a length, all or none. `plan` runs under the mutex.
+template <typename Plan>
+void runPlanner(Index length, const Plan &plan)
+{
+    static bool isInterrupted = false;
+    const std::lock_guard lock(plannerMutex());
+    if (isInterrupted)
+        throw std::bad_alloc();
+    requireMemory(length);
+    isInterrupted = true;
+    plan();
+    isInterrupted = false;
 }
 
 fftw_complex *fftwData(std::complex<double> *data)
@@ -47,11 +84,12 @@ struct RealFft::Plans
         Eigen::VectorXd time(n); // ESTIMATE looks at their alignment only
         Eigen::VectorXcd spectrum(n / 2 + 1);
         const int size = static_cast<int>(n);
-        const std::lock_guard lock(plannerMutex());
-        forward = fftw_plan_dft_r2c_1d(
-            size, time.data(), fftwData(spectrum.data()), FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
-        inverse = fftw_plan_dft_c2r_1d(
-            size, fftwData(spectrum.data()), time.data(), FFTW_ESTIMATE | FFTW_DESTROY_INPUT);
+        runPlanner(n, [&] {
+            forward = fftw_plan_dft_r2c_1d(
+                size, time.data(), fftwData(spectrum.data()), FFTW_ESTIMATE | FFTW_PRESERVE_INPUT);
+            inverse = fftw_plan_dft_c2r_1d(
+                size, fftwData(spectrum.data()), time.data(), FFTW_ESTIMATE | FFTW_DESTROY_INPUT);
+        });
         if (forward == nullptr || inverse == nullptr) {
             destroy();
             throw std::bad_alloc(); // the only way in which an ESTIMATE plan can fail

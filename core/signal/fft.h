@@ -15,6 +15,7 @@ namespace dyncal {
 /// Real FFT of one length, hiding FFTW. Plans are made with FFTW_ESTIMATE (the only setting whose
 /// rounding is the same from run to run) under one mutex, because the planner is not thread-safe;
 /// execution is. Length n >= 1; the spectrum has n/2 + 1 values, unnormalised, e^(-jwt) convention.
+/// Throws std::bad_alloc where memory lacks.
 class RealFft
 {
 public:
@@ -29,8 +30,7 @@ public:
     /// Inverse including the factor 1/n: inverse(forward(x)) == x.
     Eigen::VectorXd inverse(const Eigen::Ref<const Eigen::VectorXcd> &spectrum) const;
 
-    /// The same in buffers of the caller, which have the full sizes already: nothing is copied or
-    /// allocated. The inverse lacks the factor 1/n and destroys `spectrum`.
+    /// The same in buffers of the caller, which have the full sizes already: nothing is copied. The inverse lacks the factor 1/n and destroys `spectrum`.
     void forward(const Eigen::VectorXd &time, Eigen::VectorXcd &spectrum) const;
     void inverseUnscaled(Eigen::VectorXcd &spectrum, Eigen::VectorXd &time) const;
 

@@ -7,7 +7,14 @@
 
 #include <QTest>
 
+#include <malloc.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
 #include <complex>
+#include <fstream>
+#include <new>
 #include <numbers>
 #include <thread>
 #include <vector>
@@ -34,6 +41,57 @@ Eigen::VectorXcd directTransform(const Eigen::VectorXd &x)
     return spectrum;
 }
 
+/// False where memory lacks; a wrong result ends this process.
+bool isRight(const Eigen::VectorXd &record)
+try {
+    const RealFft fft(record.size());
+    if (!fft.inverse(fft.forward(record)).isApprox(record, 1e-12))
+        ::_exit(2);
+    return true;
+} catch (const std::bad_alloc &) {
+    return false;
+}
+
+/// Lets this process have so much memory more than it has, and nothing of what was freed before.
+/// The limit as it was.
+rlimit limitMemory(std::size_t headroom_bytes)
+{
+    std::size_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    const auto bytes = pages * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE));
+    rlimit before{};
+    ::getrlimit(RLIMIT_AS, &before);
+    rlimit limit{bytes, before.rlim_max};
+    ::setrlimit(RLIMIT_AS, &limit);
+    for (std::size_t block = 1 << 20; block >= 1024; block /= 2) {
+        while (::memalign(16, block) != nullptr)
+            continue;
+    }
+    limit.rlim_cur = bytes + headroom_bytes;
+    ::setrlimit(RLIMIT_AS, &limit);
+    return before;
+}
+
+/// Whether a child that may take so much memory more than it has ends by itself: with 0, or with 1
+/// where memory lacked and it was told so.
+bool endsByItself(Index length, std::size_t headroom_bytes, int &exitCode)
+{
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const Eigen::VectorXd record = Eigen::VectorXd::LinSpaced(length, 0.0, 1.0);
+        const rlimit before = limitMemory(headroom_bytes);
+        const bool isDone = isRight(record);
+        ::setrlimit(RLIMIT_AS, &before);
+        for (int again = 0; !isDone && again < 2; ++again)
+            isRight(record); // where memory is back it works, or says again that it lacks
+        ::_exit(isDone ? 0 : 1);
+    }
+    int status = -1;
+    ::waitpid(child, &status, 0);
+    exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+    return exitCode == 0 || exitCode == 1;
+}
+
 } // namespace
 
 class TestFft : public QObject
@@ -50,6 +108,8 @@ private slots:
     void forward_cosine_fillsOneBin();
     void forward_repeatedPlan_isBitIdentical();
     void forward_manyThreads_agreeBitwise();
+    void transform_littleMemory_throws_data();
+    void transform_littleMemory_throws();
     void moved_transform_stillWorks();
     void fastFftLength_anyN_equalsSearch();
 };
@@ -136,6 +196,30 @@ void TestFft::forward_manyThreads_agreeBitwise()
     }
     threads.clear();
     QCOMPARE(good, std::vector<int>(8, 25));
+}
+
+void TestFft::transform_littleMemory_throws_data()
+{
+    QTest::addColumn<int>("length");
+    for (const int n : {20000, 108000, 99991, 2 * 49999})
+        QTest::addRow("%d", n) << n;
+}
+
+void TestFft::transform_littleMemory_throws()
+{
+#ifdef __SANITIZE_ADDRESS__
+    QSKIP("the sanitizer's own memory leaves no room for a limit");
+#endif
+    QFETCH(int, length);
+    int done = 0, refused = 0;
+    for (int step = 0; done == 0; ++step) {
+        int exitCode = -1;
+        const std::size_t headroom_bytes = std::size_t(step) * std::max(65536, 8 * length);
+        QVERIFY2(endsByItself(length, headroom_bytes, exitCode), qPrintable(QString::number(step)));
+        (exitCode == 0 ? done : refused) += 1;
+    }
+    QVERIFY(refused > 0);
+    qInfo("%d limits refused", refused);
 }
 
 void TestFft::moved_transform_stillWorks()
