@@ -3,9 +3,9 @@
 
 #include "core/certificate/certificate_header_sections.h"
 
+#include "core/base/calendar_date.h"
 #include "core/base/version.h"
 #include "core/capture/sensor_card.h"
-#include "core/certificate/calendar_date.h"
 #include "core/certificate/certificate_checks.h"
 #include "core/certificate/certificate_words.h"
 #include "core/pipeline/stage_table.h"

@@ -8,6 +8,7 @@
 #include "core/base/rounding.h"
 #include "core/certificate/certificate_reference.h"
 #include "core/certificate/certificate_templates.h"
+#include "core/certificate/certificate_traceability.h"
 #include "core/certificate/certificate_words.h"
 #include "core/realization/order/order_spread.h"
 
@@ -120,6 +121,8 @@ CertificateSection methodSection(const CalibrationResults &results, const Recipe
             verbatim(settingText(input.offset_s, "s")), false});
     addChoiceOfOrder(results, recipe, section);
     for (CertificateField &field : referenceFields(results))
+        section.fields.push_back(std::move(field));
+    for (CertificateField &field : traceabilityFields(results, recipe))
         section.fields.push_back(std::move(field));
     return section;
 }

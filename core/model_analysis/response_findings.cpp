@@ -75,6 +75,10 @@ void reportAllWithheld(ResponseResult &result)
         DYNCAL_TEXT("core",
             "The response taken from the data is withheld at %1 of %2 frequencies, from %3 to %4: the reference transducer was not calibrated there, and nothing is extrapolated."),
         result);
+    reportWithheld(WithheldReason::ChainUnknown, "RSP-005",
+        DYNCAL_TEXT("core",
+            "The response taken from the data is withheld at %1 of %2 frequencies, from %3 to %4: the response of the chain (chain.source) is not stated there, and nothing is extrapolated."),
+        result);
 }
 
 } // namespace

@@ -28,13 +28,14 @@ enum class BandEnd {
     Noise, ///< above 10 % of the magnitude
     Rate, ///< 0.4 of the lowest sample rate
     ModelRate, ///< half the model's rate, of a free decay
-    Reference ///< where the reference transducer was calibrated
+    Reference, ///< where the reference transducer was calibrated
+    Chain ///< where the chain's response is stated
 };
 
 /// Why S(f) is not stated at a frequency: the bound of its error by the end of the records or by
-/// sampling exceeds both its u and 2 % of it, the records do not hold the frequency, or the
-/// reference transducer was not calibrated there.
-enum class WithheldReason { None, End, Alias, AboveRate, NotCalibrated };
+/// sampling exceeds both its u and 2 % of it, the records do not hold the frequency, the reference
+/// transducer was not calibrated there, or the chain's response is not stated there.
+enum class WithheldReason { None, End, Alias, AboveRate, NotCalibrated, ChainUnknown };
 
 struct ResponseResult
 {
@@ -46,6 +47,9 @@ struct ResponseResult
     Eigen::VectorXd u_referenceMagnitude; ///< of the reference transducer's sensitivity; else empty
     Eigen::VectorXd u_referencePhase_rad;
     Eigen::VectorXd dofReference;
+    Eigen::VectorXd u_chain_relative; ///< of the chain's response at each frequency; else empty
+    Eigen::VectorXd u_chainPhase_rad;
+    Eigen::VectorXd dofChain;
     Eigen::VectorXd phase_rad;
     Eigen::VectorXd u_phase_rad; ///< the same, and the onset
     Eigen::VectorXd u_noisePhase_rad; ///< with the onset, without the bounds
@@ -57,6 +61,8 @@ struct ResponseResult
     Eigen::VectorXd modelMagnitude;
     Eigen::VectorXd modelPhase_rad;
     bool isByTransducer = false; ///< against a reference transducer, not the pressure step
+    bool isWithoutChain = false; ///< the chain's response is divided out
+    double u_chainLowest_relative = 0.0; ///< of the chain's response at its lowest frequency
     FrontDuration front; ///< divided out of S(f); its u is in u_magnitude
     double fLow_Hz = 0.0; ///< 1 / shortest window
     /// Where the noise exceeds 10 % of the magnitude, at most 0.4 of the record's rate; of a free

@@ -20,6 +20,8 @@ WithheldReason reasonOf(const ResponsePoint &point)
 {
     if (!point.isCalibrated)
         return WithheldReason::NotCalibrated;
+    if (!point.isChainKnown)
+        return WithheldReason::ChainUnknown;
     if (!std::isfinite(point.magnitude)
         || point.bound() <= std::max(point.u_magnitude, kLargestBound * point.magnitude))
         return WithheldReason::None;
@@ -32,21 +34,21 @@ double ofBounds(const ResponsePoint &point)
     return std::hypot(point.boundEnd, point.boundAlias) / std::sqrt(3.0);
 }
 
-/// Only the noise and the reference's certificate rest on a number of readings
+/// Only the noise and the certificates of reference and chain rest on a number of readings
 /// (Welch-Satterthwaite).
 double dofOfRow(const ResponsePoint &point, double u)
 {
-    const double noise = u > 0.0 ? point.u_magnitude / u : 0.0;
-    const double reference = u > 0.0 ? point.u_reference / u : 0.0;
-    const double ofNoise = point.dof / std::pow(noise, 4);
-    return reference == 0.0 ? ofNoise
-                            : 1.0 / (1.0 / ofNoise + std::pow(reference, 4) / point.dofReference);
+    const auto share4 = [u](double part) { return u > 0.0 ? std::pow(part / u, 4) : 0.0; };
+    const double ofNoise = point.dof / share4(point.u_magnitude);
+    const double others
+        = share4(point.u_reference) / point.dofReference + share4(point.u_chain) / point.dofChain;
+    return others == 0.0 ? ofNoise : 1.0 / (1.0 / ofNoise + others);
 }
 
 void stateMagnitude(const ResponsePoint &point, Index k, ResponseResult &result)
 {
     const double others = std::hypot(ofBounds(point), point.u_front, point.u_reference);
-    const double u = std::hypot(point.u_magnitude, others);
+    const double u = std::hypot(point.u_magnitude, others, point.u_chain);
     result.magnitude[k] = point.magnitude;
     result.u_noiseMagnitude[k] = point.u_magnitude;
     result.u_frontMagnitude[k] = point.u_front;
@@ -71,8 +73,9 @@ void state(const ResponsePoint &point, Index k, ResponseResult &result)
     const double reference = result.modelPhase_rad[k];
     result.phase_rad[k] = reference + std::remainder(point.phase_rad - reference, kTwoPi);
     result.u_noisePhase_rad[k] = point.u_phase_rad;
-    result.u_phase_rad[k] = std::hypot(
+    const double u = std::hypot(
         point.u_phase_rad, ofBounds(point) / point.magnitude, point.u_referencePhase_rad);
+    result.u_phase_rad[k] = std::hypot(u, point.u_chainPhase_rad);
 }
 
 } // namespace

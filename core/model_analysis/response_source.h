@@ -23,7 +23,12 @@ struct ResponsePoint
     double u_referencePhase_rad = 0.0;
     double dofReference = std::numeric_limits<double>::infinity();
 
+    double u_chain = 0.0; ///< of the magnitude, from that of the chain's response
+    double u_chainPhase_rad = 0.0;
+    double dofChain = std::numeric_limits<double>::infinity();
+
     bool isCalibrated = true; ///< false where a reference transducer was not
+    bool isChainKnown = true; ///< false where the chain's response is not stated
 
     double bound() const { return boundEnd + boundAlias; }
 };

@@ -6,6 +6,7 @@
 #include "core/base/constants.h"
 #include "core/base/number_text.h"
 #include "core/base/propagation.h"
+#include "core/model_analysis/chain_correction.h"
 #include "core/model_analysis/model_response.h"
 #include "core/model_analysis/record_response.h"
 #include "core/model_analysis/response_findings.h"
@@ -91,6 +92,15 @@ std::unique_ptr<ResponseSource> byTransducer(const std::vector<WindowedResponse>
     model.nuisance.clear();
     return std::make_unique<TransducerResponse>(
         recordsOf(responses, model, drift), inputSpan_s(input), reference);
+}
+
+/// Between two records the onset does not matter.
+std::unique_ptr<ResponseSource> withoutChain(std::unique_ptr<ResponseSource> records,
+    const ReferenceSensitivity &chain, const ResponseResult &result)
+{
+    const double u_delay_s
+        = result.isByTransducer ? 0.0 : uOnsetBehind(chain, result.fLow_Hz, result.fHigh_Hz);
+    return std::make_unique<ChainCorrected>(std::move(records), chain, u_delay_s);
 }
 
 Eigen::VectorXd frequencyGrid(const ResponseSettings &settings, double low_Hz, double high_Hz)
@@ -273,7 +283,8 @@ double coverageFactorAt(const ResponseResult &response, Index row)
 
 ResponseResult computeModelResponse(const std::vector<WindowedResponse> &responses,
     const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,
-    const ResponseSettings &settings, double from_Hz, double to_Hz)
+    const ResponseSettings &settings, double from_Hz, double to_Hz,
+    const ReferenceSensitivity *chain)
 {
     ResponseResult result;
     result.fLow_Hz = from_Hz;
@@ -287,12 +298,15 @@ ResponseResult computeModelResponse(const std::vector<WindowedResponse> &respons
     result.unit = isStep && isAbsolute ? result.sensitivityUnit : "1";
     if (!model.diverges)
         describeModel(model, input.treatment, scaleOf(model, isStep, isAbsolute, result), result);
+    if (chain)
+        divideModel(*chain, result);
     return result;
 }
 
 Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &responses,
     const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,
-    const ResponseSettings &settings, const ReferenceRecords *reference)
+    const ResponseSettings &settings, const ReferenceRecords *reference,
+    const ReferenceSensitivity *chain)
 {
     ResponseResult result;
     const bool isStep = isStepTreatment(input.treatment);
@@ -315,6 +329,10 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
         } else {
             records = byStep(recordsOf(responses, model, result.drift), input, shock, isAbsolute);
         }
+        if (chain) {
+            endByChain(*chain, result);
+            records = withoutChain(std::move(records), *chain, result);
+        }
         endByNoise(*records, result);
     }
     result.unit = isStep && isAbsolute ? result.sensitivityUnit : "1";
@@ -322,6 +340,8 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
     reportBelowBand(result);
     if (!model.diverges)
         describeModel(model, input.treatment, scaleOf(model, isStep, isAbsolute, result), result);
+    if (chain)
+        divideModel(*chain, result);
     if (isStep && !model.diverges) {
         measureRows(*records, kHighestOfRate * rate_Hz, result);
         judgeRows(result);

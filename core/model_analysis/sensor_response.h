@@ -22,15 +22,18 @@ double coverageFactorAt(const ResponseResult &response, Index row);
 
 /// `shock`: the pressure steps. With settings.reference "transducer" S(f) is that against
 /// `reference`, which must then be given, and the steps are those that it saw
-/// (stepsByTransducer()).
+/// (stepsByTransducer()). `chain`: divided out of S(f) and of the model's curve; null = none
+/// stated.
 Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &responses,
     const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,
-    const ResponseSettings &settings, const ReferenceRecords *reference = nullptr);
+    const ResponseSettings &settings, const ReferenceRecords *reference = nullptr,
+    const ReferenceSensitivity *chain = nullptr);
 
 /// The part of computeResponse() that needs the model only and is quick: curve, unit and
 /// sensitivities. The caller gives the band; nothing is taken from the records.
 ResponseResult computeModelResponse(const std::vector<WindowedResponse> &responses,
     const ModelInput &input, const SensorModel &model, const ShockConditionsSet &shock,
-    const ResponseSettings &settings, double from_Hz, double to_Hz);
+    const ResponseSettings &settings, double from_Hz, double to_Hz,
+    const ReferenceSensitivity *chain = nullptr);
 
 } // namespace dyncal

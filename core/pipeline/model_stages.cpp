@@ -8,6 +8,7 @@
 #include "core/pipeline/tube_mode_poles.h"
 #include "core/realization/model/model_fit.h"
 #include "core/shock/peak_tracking.h"
+#include "core/uncertainty/capability.h"
 
 namespace dyncal {
 namespace {
@@ -60,16 +61,19 @@ Result<ResponseResult> responseStage(const CalibrationResults &results, const Re
     if (!reference)
         return tl::unexpected(reference.error());
     return computeResponse(ended ? *ended : responses, *results.input, model,
-        stepsUsed(**reference, shock, recipe.response), recipe.response,
-        (*reference)->transducer());
+        stepsUsed(**reference, shock, recipe.response), recipe.response, (*reference)->transducer(),
+        (*reference)->chainRelative());
 }
 
 UncertaintyReport uncertaintyOfResponse(
     const CalibrationResults &results, const Recipe &recipe, const ResponseResult &response)
 {
-    return reportUncertainty(*results.input, *results.model, *results.assessment, response,
-        stepsUsed(*results.reference, *results.shock, recipe.response),
-        uncertaintyRequest(recipe.uncertainty).stated);
+    UncertaintyReport report
+        = reportUncertainty(*results.input, *results.model, *results.assessment, response,
+            stepsUsed(*results.reference, *results.shock, recipe.response),
+            uncertaintyRequest(recipe.uncertainty).stated);
+    holdToCapability(recipe.uncertainty.cmc, response, report);
+    return report;
 }
 
 } // namespace dyncal

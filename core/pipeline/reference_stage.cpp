@@ -33,6 +33,10 @@ Result<ReferenceStageResult> referenceStage(const CaptureSet &set, const WindowR
     if (const Result<void> asked = checkAsked(recipe); !asked)
         return tl::unexpected(asked.error());
     ReferenceStageResult result;
+    Result<std::optional<ChainResponse>> chain = chainResponse(recipe.chain);
+    if (!chain)
+        return tl::unexpected(chain.error());
+    result.chain = std::move(*chain);
     if (!recipe.comparison.enabled)
         return result;
     Result<ReferenceRecords> records

@@ -6,6 +6,7 @@
 #include "core/base/result.h"
 #include "core/capture/capture_set.h"
 #include "core/project/recipe.h"
+#include "core/reference/chain_response.h"
 #include "core/reference/reference_records.h"
 #include "core/shock/shock_conditions.h"
 #include "core/signal/response_window.h"
@@ -18,12 +19,15 @@ namespace dyncal {
 struct ReferenceStageResult
 {
     std::optional<ReferenceRecords> records; ///< empty unless the comparison is enabled
+    std::optional<ChainResponse> chain; ///< divided out of S(f); empty where none is stated
     ShockConditionsSet steps; ///< as the reference saw them; empty without one
 
     const ReferenceRecords *transducer() const { return records ? &*records : nullptr; }
+    const ReferenceSensitivity *chainRelative() const { return chain ? &chain->relative : nullptr; }
 };
 
-/// Records and sensitivity of the reference transducer. Fails as referenceRecords(), and (Usage)
+/// The chain's response; records and sensitivity of the reference transducer. Fails as
+/// chainResponse() and referenceRecords(), and (Usage)
 /// where the response is asked for against a transducer without a comparison, or is no step.
 Result<ReferenceStageResult> referenceStage(const CaptureSet &set, const WindowResult &window,
     const ShockConditionsSet &shock, const Recipe &recipe);

@@ -204,6 +204,9 @@ void readReference(const Recipe &recipe, Recipe &part)
     if (part.comparison.loaded) // the key must change with the file
         part.comparison.sha256 = part.comparison.loaded->sha256;
     part.response.reference = recipe.response.reference;
+    part.chain = recipe.chain;
+    if (part.chain.loaded)
+        part.chain.sha256 = part.chain.loaded->sha256;
 }
 
 Result<ReferenceStageResult> reference(const StageInputs &in)
@@ -226,6 +229,11 @@ Result<ConsistencyResult> checks(const StageInputs &in)
 Result<ModelAssessment> assessment(const StageInputs &in)
 {
     return assessModel(*in.results.input, *in.results.model, in.recipe.realization, in.control);
+}
+
+void readUncertainty(const Recipe &recipe, Recipe &part)
+{
+    part.uncertainty.cmc = recipe.uncertainty.cmc;
 }
 
 Result<UncertaintyReport> uncertainty(const StageInputs &in)
@@ -292,7 +300,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         kept<&R::checks, checks>(), of<&R::checks>},
     {Assessment, "model assessment", 2, 10, "", Model, Model, true, readNothing,
         kept<&R::assessment, assessment>(), saidElsewhere},
-    {Uncertainty, "uncertainty", 2, 20, "UNC-", Response, Uncertainty, true, readNothing,
+    {Uncertainty, "uncertainty", 2, 20, "UNC-", Response, Uncertainty, true, readUncertainty,
         kept<&R::uncertainty, uncertainty>(), of<&R::uncertainty>},
     {Comparison, "comparison", 1, 5, "CMP-", Uncertainty, Uncertainty, true, readNothing,
         kept<&R::comparison, comparison>(), of<&R::comparison>},

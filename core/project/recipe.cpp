@@ -4,12 +4,13 @@
 #include "core/project/recipe.h"
 
 #include "core/base/json_text.h"
-#include "core/project/json_merge.h"
+#include "core/project/laboratory_profile.h"
 #include "core/project/recipe_fields_analysis.h"
 #include "core/project/recipe_fields_comparison.h"
 #include "core/project/recipe_fields_import.h"
 #include "core/project/recipe_fields_measurement.h"
 #include "core/project/recipe_fields_shock.h"
+#include "core/project/recipe_fields_uncertainty.h"
 #include "core/project/section_keys.h"
 #include "core/reference/reference_source.h"
 
@@ -41,7 +42,8 @@ const Codec<Recipe> &recipeCodec()
         SectionKeys<Recipe> plain;
         Recipe::keys(plain);
         for (const auto &sections : {importSections(), shockSections(), measurementSections(),
-                 analysisSections(), comparisonSections(), plain.take()})
+                 analysisSections(), uncertaintySections(), comparisonSections(),
+                 std::vector{profileSection()}, plain.take()})
             fields.insert(fields.end(), sections.begin(), sections.end());
         return object<Recipe>(std::move(fields));
     }();
@@ -108,25 +110,46 @@ Result<std::string> textOfFile(const std::string &path)
     return text;
 }
 
-/// The profile as JSON, checked for itself so that messages name its own mistakes.
-Result<Json> profileDocument(const std::string &path)
+/// `stated` as the recipe writes it, as far as its keys go: defaults that nobody stated are left
+/// out.
+Json asWritten(const Json &stated, const Json &whole)
+{
+    if (!stated.is_object() || !whole.is_object())
+        return whole;
+    Json written = Json::object();
+    for (const auto &[key, value] : stated.items())
+        written[key] = asWritten(value, whole.value(key, Json()));
+    return written;
+}
+
+/// Checked for itself, so that messages name its own mistakes.
+Result<LaboratoryProfile> profileAt(const std::string &path)
 {
     const Result<std::string> text = textOfFile(path);
     if (!text)
         return tl::unexpected<Error>(text.error());
-    Result<Json> document = parseStrictJson(*text, "The profile");
-    if (!document)
-        return document;
-    if (const Result<Recipe> valid = recipeOf(*document); !valid)
+    Result<LaboratoryProfile> profile = laboratoryProfile(*text, path);
+    if (!profile)
+        return profile;
+    const Result<Recipe> valid = recipeOf(profile->sections);
+    if (!valid)
         return tl::unexpected<Error>(valid.error());
-    for (const auto &[key, value] : document->items()) {
-        if (key != "schema" && key != "import" && key != "checks")
-            return fail(ErrorKind::Usage,
-                {DYNCAL_TEXT("core",
-                     "The profile %1 holds \"%2\"; a laboratory's profile holds the sections import and checks only, the rest belongs into the recipe."),
-                    {path, key}});
-    }
-    return document;
+    if (profile->mark)
+        profile->mark->sections = asWritten(profile->sections, recipeCodec().write(*valid)).dump();
+    return profile;
+}
+
+/// The mark of `profile`, unless the recipe was joined with another one.
+Result<Recipe> marked(Recipe recipe, const LaboratoryProfile &profile, const std::string &path)
+{
+    if (profile.mark && recipe.profile && recipe.profile->sha256 != profile.mark->sha256)
+        return fail(ErrorKind::Usage,
+            {DYNCAL_TEXT("core",
+                 "The recipe holds the values of the profile \"%1\", version %2, and %3 is another one; leave --profile out, or start from a recipe without the key profile."),
+                {recipe.profile->name, recipe.profile->version, path}});
+    if (profile.mark)
+        recipe.profile = profile.mark;
+    return recipe;
 }
 
 Result<Json> recipeDocument(const std::string &path)
@@ -159,19 +182,52 @@ Result<Recipe> readRecipeFile(const std::string &path)
 
 Result<Recipe> readRecipeFiles(const std::string &recipePath, const std::string &profilePath)
 {
-    Result<Json> merged = profilePath.empty() ? Json::object() : profileDocument(profilePath);
-    if (!merged)
-        return tl::unexpected<Error>(merged.error());
+    Result<LaboratoryProfile> profile
+        = profilePath.empty() ? LaboratoryProfile{Json::object(), {}} : profileAt(profilePath);
+    if (!profile)
+        return tl::unexpected<Error>(profile.error());
+    const bool hasChain = profile->sections.contains("chain");
+    Json merged = profile->sections;
     if (!recipePath.empty()) {
         const Result<Json> recipe = recipeDocument(recipePath);
         if (!recipe)
             return tl::unexpected<Error>(recipe.error());
-        putOver(*merged, *recipe);
+        joinRecipes(merged, *recipe);
     }
-    Result<Recipe> recipe = recipeOf(*merged);
-    if (recipe)
-        loadReference(std::filesystem::path(recipePath).parent_path().string(), recipe->comparison);
-    return recipe;
+    Result<Recipe> recipe = recipeOf(merged);
+    if (!recipe)
+        return recipe;
+    const auto folderOf = [](const std::string &path) {
+        return std::filesystem::path(path).parent_path().string();
+    };
+    loadSource(folderOf(recipePath), recipe->comparison);
+    loadSource(folderOf(hasChain ? profilePath : recipePath), recipe->chain);
+    return marked(std::move(*recipe), *profile, profilePath);
+}
+
+Result<Recipe> withProfile(const Recipe &recipe, const std::string &profilePath)
+{
+    const Result<LaboratoryProfile> profile = profileAt(profilePath);
+    if (!profile)
+        return tl::unexpected<Error>(profile.error());
+    Json merged = recipeCodec().write(recipe);
+    merged["profile"] = nullptr;
+    joinRecipes(merged, profile->sections);
+    Result<Recipe> joined = recipeOf(merged);
+    if (!joined)
+        return joined;
+    joined->comparison.loaded = recipe.comparison.loaded;
+    joined->chain.loaded = recipe.chain.loaded;
+    if (profile->sections.contains("chain"))
+        loadSource(std::filesystem::path(profilePath).parent_path().string(), joined->chain);
+    return marked(std::move(*joined), *profile, profilePath);
+}
+
+std::vector<std::string> changedFromProfile(const Recipe &recipe)
+{
+    if (!recipe.profile)
+        return {};
+    return changedFromProfile(*recipe.profile, recipeCodec().write(recipe));
 }
 
 const std::vector<RecipeKey> &recipeKeys()

@@ -21,13 +21,20 @@ Result<Recipe> parseRecipe(const std::string &json);
 std::string recipeJson(const Recipe &recipe);
 
 /// Reads a recipe file (kind FileUnreadable if it cannot be opened), and the reference transducer's
-/// file that it names (loadReference()).
+/// file and the chain's that it names (loadSource()).
 Result<Recipe> readRecipeFile(const std::string &path);
 
 /// A recipe file over a laboratory's profile: keys missing in the recipe are taken from the
-/// profile. Either path may be empty. Fails (Usage) if the profile holds anything but the sections
-/// "import" and "checks".
+/// profile, and of the budget and the CMC the lines that it does not have. Either path may be
+/// empty. Fails (Usage) if the profile holds what belongs into a recipe (docs/recipe.md) or if the
+/// recipe was joined with another profile.
 Result<Recipe> readRecipeFiles(const std::string &recipePath, const std::string &profilePath);
+
+/// The recipe with what the profile states put over it; its mark is that of the profile.
+Result<Recipe> withProfile(const Recipe &recipe, const std::string &profilePath);
+
+/// The keys whose values are not those of the profile that the recipe was joined with.
+std::vector<std::string> changedFromProfile(const Recipe &recipe);
 
 /// Every key that a recipe may hold: what docs/recipe.md is checked against, and its labels.
 const std::vector<RecipeKey> &recipeKeys();

@@ -31,6 +31,7 @@ Result<Recipe> correctedRecipe(const Recipe &recipe, const Correction &correctio
     putOver(*whole, alone(correction.key, *value));
     return parseRecipe(whole->dump()).map([&](Recipe corrected) {
         corrected.comparison.loaded = recipe.comparison.loaded; // no key of the recipe
+        corrected.chain.loaded = recipe.chain.loaded;
         return corrected;
     });
 }

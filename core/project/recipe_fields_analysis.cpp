@@ -14,9 +14,6 @@ namespace {
 constexpr Index kMostInputSamples = 10000000;
 constexpr Index kMostOrders = 2000;
 constexpr Index kMostFrequencies = 100000;
-constexpr Index kLeastTrials = 100; // as propagateMonteCarlo() takes them
-constexpr Index kMostTrials = 1000000;
-constexpr Index kLargestSeed = 9007199254740991; // every JSON reader keeps it exactly
 constexpr std::string_view kLinear = "linear:";
 
 Codec<ResponseTreatment> treatment()
@@ -129,33 +126,6 @@ Codec<OrderNote> orderNote()
     });
 }
 
-Codec<BudgetEntry> budgetEntry()
-{
-    using S = BudgetEntry;
-    return object<S>({
-        field("quantity", DYNCAL_TEXT("RecipeLabel", "quantity of the budget"), &S::quantity,
-            nonEmptyText(), true),
-        field("u", DYNCAL_TEXT("RecipeLabel", "u of the budget"), &S::u, nonNegativeNumber(), true),
-        field("distribution", DYNCAL_TEXT("RecipeLabel", "distribution of the budget"),
-            &S::distribution, oneOf({"normal", "rectangular", "triangular", "u-shaped"})),
-        field("dof", DYNCAL_TEXT("RecipeLabel", "degrees of freedom of the budget"), &S::dof,
-            orNull(positiveNumber())),
-    });
-}
-
-/// 0 in the struct stands for "adaptive".
-Codec<Index> trials()
-{
-    const auto codec = valueOr(Json("adaptive"), whole(kLeastTrials, kMostTrials));
-    const auto read = [codec](const JsonAt &at) -> Result<Index> {
-        return codec.read(at).map([](const std::optional<Index> &v) { return v.value_or(0); });
-    };
-    const auto write = [codec](const Index &value) {
-        return codec.write(value > 0 ? std::optional(value) : std::nullopt);
-    };
-    return {codec.needs, read, write};
-}
-
 Codec<InputSettings> inputCodec()
 {
     using S = InputSettings;
@@ -210,20 +180,6 @@ Codec<ResponseSettings> responseCodec()
     });
 }
 
-Codec<UncertaintySettings> uncertaintyCodec()
-{
-    using S = UncertaintySettings;
-    return object<S>({
-        field("budget", DYNCAL_TEXT("RecipeLabel", "uncertainty budget"), &S::budget,
-            list(budgetEntry())),
-        field("monte_carlo_trials", DYNCAL_TEXT("RecipeLabel", "Monte Carlo trials"),
-            &S::monteCarloTrials, trials()),
-        field("seed", DYNCAL_TEXT("RecipeLabel", "seed"), &S::seed, whole(0, kLargestSeed)),
-        field("coverage", DYNCAL_TEXT("RecipeLabel", "coverage probability"), &S::coverage,
-            number(0.0, 1.0, Bound::Exclusive)),
-    });
-}
-
 Codec<Acknowledgement> acknowledgementCodec()
 {
     using S = Acknowledgement;
@@ -260,8 +216,6 @@ std::vector<Field<Recipe>> analysisSections()
             realizationCodec()),
         field(
             "response", DYNCAL_TEXT("RecipeLabel", "response"), &Recipe::response, responseCodec()),
-        field("uncertainty", DYNCAL_TEXT("RecipeLabel", "uncertainty"), &Recipe::uncertainty,
-            uncertaintyCodec()),
         field("acknowledge", DYNCAL_TEXT("RecipeLabel", "acknowledged findings"),
             &Recipe::acknowledge, list(acknowledgementCodec())),
         field("certificate", DYNCAL_TEXT("RecipeLabel", "certificate"), &Recipe::certificate,

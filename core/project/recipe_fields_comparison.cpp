@@ -69,12 +69,27 @@ Codec<ComparisonSettings> comparisonCodec()
     });
 }
 
+Codec<ChainSettings> chainCodec()
+{
+    using S = ChainSettings;
+    return object<S>({
+        field("source", DYNCAL_TEXT("RecipeLabel", "file of the chain's response"), &S::source,
+            textOrNull()),
+        field("sha256", DYNCAL_TEXT("RecipeLabel", "hash of the chain's file"), &S::sha256,
+            hashOrNull()),
+        field("quantity_id", DYNCAL_TEXT("RecipeLabel", "list in the chain's certificate"),
+            &S::quantityId, textOrNull()),
+    });
+}
+
 } // namespace
 
 std::vector<Field<Recipe>> comparisonSections()
 {
-    return {field("comparison", DYNCAL_TEXT("RecipeLabel", "comparison"), &Recipe::comparison,
-        comparisonCodec())};
+    return {field("chain", DYNCAL_TEXT("RecipeLabel", "amplifier and converter"), &Recipe::chain,
+                chainCodec()),
+        field("comparison", DYNCAL_TEXT("RecipeLabel", "comparison"), &Recipe::comparison,
+            comparisonCodec())};
 }
 
 } // namespace dyncal

@@ -9,12 +9,15 @@
 #include "core/decomposition/component_settings.h"
 #include "core/model_analysis/response_settings.h"
 #include "core/project/certificate_settings.h"
+#include "core/project/profile_mark.h"
 #include "core/realization/input/realization_settings.h"
+#include "core/reference/chain_settings.h"
 #include "core/reference/comparison_settings.h"
 #include "core/shock/shock_settings.h"
 #include "core/shock/uncertainty_settings.h"
 #include "core/signal/signal_settings.h"
 
+#include <optional>
 #include <vector>
 
 namespace dyncal {
@@ -33,10 +36,12 @@ struct Recipe
     InputSettings input;
     RealizationSettings realization;
     ResponseSettings response;
+    ChainSettings chain;
     ComparisonSettings comparison;
     UncertaintySettings uncertainty;
     std::vector<Acknowledgement> acknowledge;
     CertificateSettings certificate;
+    std::optional<ProfileMark> profile; ///< of the laboratory, that this was joined with
 
     /// The sections of plain settings, which list their keys themselves; those with keys of a form
     /// of their own are in recipe_fields_*.cpp.

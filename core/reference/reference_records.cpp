@@ -3,8 +3,7 @@
 
 #include "core/reference/reference_records.h"
 
-#include "core/reference/reference_csv.h"
-#include "core/reference/reference_dcc.h"
+#include "core/reference/certified_source.h"
 #include "core/signal/window_cutting.h"
 
 #include <algorithm>
@@ -13,46 +12,25 @@
 namespace dyncal {
 namespace {
 
-Result<void> checkSource(const ComparisonSettings &settings)
+Result<void> checkPlaces(const ComparisonSettings &settings)
 {
     if (settings.model.has_value() == !settings.source.empty())
         return fail(ErrorKind::Usage,
             {DYNCAL_TEXT("core",
                  "A comparison needs the reference transducer's sensitivity from one place: give comparison.source or comparison.model, not both and not neither."),
                 {}});
-    if (settings.model)
-        return {};
-    if (!settings.loaded)
-        return fail(ErrorKind::FileUnreadable,
-            {DYNCAL_TEXT("core",
-                 "The file '%1' of comparison.source, which says what the reference transducer is, could not be read; give its path relative to the recipe."),
-                {settings.source}});
-    if (settings.sha256.empty() || settings.sha256 == settings.loaded->sha256)
-        return {};
-    return fail(ErrorKind::DataBlocked,
-        {DYNCAL_TEXT("core",
-             "The file '%1' of the reference transducer has the hash %2, but comparison.sha256 demands %3: it was changed, or it is another file. Restore it, or state the new hash."),
-            {settings.source, settings.loaded->sha256, settings.sha256}});
-}
-
-/// A certificate in XML begins with "<", a table with a name.
-bool isXml(const std::string &content)
-{
-    constexpr const char *kBlankAndMark = " \t\r\n\xEF\xBB\xBF";
-    const std::size_t first = content.find_first_not_of(kBlankAndMark);
-    return first != content.npos && content[first] == '<';
+    return {};
 }
 
 Result<CertifiedReference> sensitivityOf(const ComparisonSettings &settings)
 {
-    const auto alone = [](ReferenceSensitivity sensitivity) {
-        return CertifiedReference{std::move(sensitivity), {}};
-    };
     if (settings.model)
-        return ReferenceSensitivity::fromModel(*settings.model).map(alone);
-    const std::string &content = settings.loaded->content;
-    return isXml(content) ? readReferenceDcc(content, settings.quantityId, settings.unit)
-                          : readReferenceCsv(content).map(alone);
+        return ReferenceSensitivity::fromModel(*settings.model)
+            .map([](ReferenceSensitivity sensitivity) {
+                return CertifiedReference{std::move(sensitivity), {}};
+            });
+    return readCertifiedSource({"comparison", settings.source, settings.sha256, settings.quantityId,
+        settings.unit, settings.loaded});
 }
 
 const Channel *referenceOf(const Shot &shot, const ComparisonSettings &settings)
@@ -101,7 +79,7 @@ Result<ReferenceRecords> referenceRecords(const CaptureSet &set,
     const std::vector<WindowedResponse> &duts, const ComparisonSettings &settings,
     const CheckSettings &checks)
 {
-    if (const Result<void> source = checkSource(settings); !source)
+    if (const Result<void> source = checkPlaces(settings); !source)
         return tl::unexpected(source.error());
     Result<CertifiedReference> certified = sensitivityOf(settings);
     if (!certified)

@@ -11,24 +11,21 @@
 
 namespace dyncal {
 
-void loadReference(const std::string &folder, ComparisonSettings &settings)
+std::shared_ptr<const ReferenceSource> sourceAt(
+    const std::string &folder, const std::string &source)
 {
     constexpr std::size_t kLargest = std::size_t(16) << 20U;
-    settings.loaded.reset();
-    if (settings.source.empty())
-        return;
-    const std::filesystem::path path = std::filesystem::path(folder) / settings.source;
+    const std::filesystem::path path = std::filesystem::path(folder) / source;
     std::error_code error;
     const std::uintmax_t size = std::filesystem::file_size(path, error);
     if (error || size > kLargest)
-        return;
+        return nullptr;
     std::ifstream file(path, std::ios::binary);
     std::string content(static_cast<std::size_t>(size), '\0');
     if (!file.read(content.data(), static_cast<std::streamsize>(size)))
-        return;
+        return nullptr;
     const std::string hash = sha256Hex(content);
-    settings.loaded
-        = std::make_shared<const ReferenceSource>(ReferenceSource{hash, std::move(content)});
+    return std::make_shared<const ReferenceSource>(ReferenceSource{hash, std::move(content)});
 }
 
 } // namespace dyncal

@@ -5,13 +5,21 @@
 
 #include "core/reference/comparison_settings.h"
 
+#include <memory>
 #include <string>
 
 namespace dyncal {
 
-/// Reads the file of settings.source, relative to `folder` ("" = where the program runs), into
-/// settings.loaded; that stays empty without a source, where the file cannot be read and where it
-/// is larger than the 16 MiB that any certificate needs.
-void loadReference(const std::string &folder, ComparisonSettings &settings);
+/// The file at `source`, relative to `folder` ("" = where the program runs); null where it cannot
+/// be read and where it is larger than the 16 MiB that any certificate needs.
+std::shared_ptr<const ReferenceSource> sourceAt(
+    const std::string &folder, const std::string &source);
+
+/// Reads the file of settings.source into settings.loaded, which stays empty without a source.
+template <typename Settings>
+void loadSource(const std::string &folder, Settings &settings)
+{
+    settings.loaded = settings.source.empty() ? nullptr : sourceAt(folder, settings.source);
+}
 
 } // namespace dyncal

@@ -158,6 +158,7 @@ std::string resultsJson(
     addModel(root, context);
     addResponse(root, context);
     addTransducerComparison(root, context);
+    addChain(root, context);
     addBands(root, context);
     addCharacteristics(root, context);
     addBudget(root, context);

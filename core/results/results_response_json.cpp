@@ -25,6 +25,8 @@ const char *withheldReason(WithheldReason reason)
         return "The records do not hold frequencies above 0.4 of the lowest sample rate.";
     case WithheldReason::NotCalibrated:
         return "The reference transducer was not calibrated at this frequency.";
+    case WithheldReason::ChainUnknown:
+        return "The response of the chain is not stated at this frequency.";
     }
     return nullptr;
 }
@@ -42,6 +44,8 @@ const char *bandEnd(BandEnd end)
         return "Half the model's rate.";
     case BandEnd::Reference:
         return "Beyond, the reference transducer was not calibrated.";
+    case BandEnd::Chain:
+        return "Beyond, the response of the chain is not stated.";
     }
     return "Not determined.";
 }

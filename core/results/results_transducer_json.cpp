@@ -44,4 +44,19 @@ void addTransducerComparison(JsonRecord &root, const ResultsContext &context)
     root.set("comparison", section.take());
 }
 
+void addChain(JsonRecord &root, const ResultsContext &context)
+{
+    const ReferenceStageResult *reference = context.results().reference.get();
+    if (!reference || !reference->chain) {
+        root.missing("chain",
+            reference ? "No response of the chain is stated (chain.source)."
+                      : context.whyMissing());
+        return;
+    }
+    JsonRecord section;
+    section.set("source_sha256", reference->chain->sourceSha256);
+    section.text("certificate", reference->chain->certificate, "The source states none.");
+    root.set("chain", section.take());
+}
+
 } // namespace dyncal

@@ -12,4 +12,7 @@ namespace dyncal {
 /// agrees with that against the step.
 void addTransducerComparison(JsonRecord &root, const ResultsContext &context);
 
+/// Key "chain": the response of amplifier and converter that is divided out of S(f).
+void addChain(JsonRecord &root, const ResultsContext &context);
+
 } // namespace dyncal

@@ -45,17 +45,10 @@ void addRowLines(const ResponseResult &response, const RowUncertainty &rows, Unc
 {
     for (Index i = 0; i < rows.u_phase_rad.size(); ++i) {
         const std::string place = "[" + std::to_string(i) + "]";
-        ReportedValue one;
-        if (std::isfinite(rows.u_magnitude[i])) {
-            one.lines = magnitudeLines(response, rows.common, i);
-            combineLines(one);
-            addLines("response.magnitude" + place, one, list);
-        }
-        if (std::isfinite(rows.u_phase_rad[i])) {
-            one.lines = phaseLines(response, i);
-            combineLines(one);
-            addLines("response.phase_rad" + place, one, list);
-        }
+        if (std::isfinite(rows.u_magnitude[i]))
+            addLines("response.magnitude" + place, magnitudeOfRow(response, rows, i), list);
+        if (std::isfinite(rows.u_phase_rad[i]))
+            addLines("response.phase_rad" + place, phaseOfRow(response, rows, i), list);
     }
 }
 

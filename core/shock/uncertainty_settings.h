@@ -17,14 +17,29 @@ struct BudgetEntry
     std::string quantity;
     double u = 0.0;
     std::string distribution = "normal";
-    std::optional<double> dof;
+    std::optional<double> dof = {};
+    std::string certificate = {}; ///< of the reference that u is taken from; "" = none
+    std::string due = {}; ///< date until which it holds, YYYY-MM-DD; "" = not stated
     bool operator==(const BudgetEntry &) const = default;
+};
+
+/// The least expanded uncertainty that the laboratory is accredited for (its calibration and
+/// measurement capability, CMC), of one reported quantity: none smaller is stated.
+struct CapabilityEntry
+{
+    std::string of; ///< "sensitivity", "magnitude", "phase_rad", "f0_hz", ...
+    double expanded = 0.0; ///< U, in the unit of the value, or relative to it
+    bool isRelative = true; ///< a phase's never is
+    double from_Hz = 0.0; ///< of "magnitude" and "phase_rad"
+    std::optional<double> to_Hz = {}; ///< absent = without end
+    bool operator==(const CapabilityEntry &) const = default;
 };
 
 /// Recipe section "uncertainty".
 struct UncertaintySettings
 {
     std::vector<BudgetEntry> budget;
+    std::vector<CapabilityEntry> cmc = {};
     Index monteCarloTrials = 10000; ///< 0 = "adaptive"
     Index seed = 1;
     double coverage = 0.95;

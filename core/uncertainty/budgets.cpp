@@ -32,49 +32,49 @@ void addModelValues(const UncertaintyReport &report, Index shots, std::vector<Bu
         budgets.push_back({BudgetOf::Model, ShotLevel::None, kUnknown, shots, one});
 }
 
-/// The lines of a row, where all that makes its u is known.
-ReportedValue rowValue(const char *of, double value, const std::string &unit, double u)
+/// Where all that makes its u is known; `known` is that u, or not a number.
+template <typename Make>
+ReportedValue rowValue(const ReportedValue &bare, double known, const Make &make)
 {
-    ReportedValue reported{of, value, unit};
-    if (!std::isfinite(u))
-        reported.missing = {DYNCAL_TEXT("core", "a part of it is not known"), {}};
+    if (std::isfinite(known))
+        return make();
+    ReportedValue reported = bare;
+    reported.missing = {DYNCAL_TEXT("core", "a part of it is not known"), {}};
     return reported;
 }
 
 Budget magnitudeBudget(
     const UncertaintyReport &report, const ResponseResult &response, Index row, Index shots)
 {
-    ReportedValue reported = rowValue("magnitude", response.magnitude[row],
-        response.unit == "1" ? "" : response.unit, report.rows.u_magnitude[row]);
-    if (std::isfinite(report.rows.u_magnitude[row])) {
-        reported.lines = magnitudeLines(response, report.rows.common, row);
-        combineLines(reported);
-    }
+    const ReportedValue bare{
+        "magnitude", response.magnitude[row], response.unit == "1" ? "" : response.unit};
     return {BudgetOf::Magnitude, ShotLevel::None, response.frequency_Hz[row], shots,
-        std::move(reported)};
+        rowValue(bare, report.rows.u_magnitude[row],
+            [&] { return magnitudeOfRow(response, report.rows, row); })};
 }
 
 /// All lines of a phase are in its own unit.
-std::vector<UncertaintyLine> inDegrees(std::vector<UncertaintyLine> lines)
+ReportedValue inDegrees(ReportedValue reported)
 {
-    for (UncertaintyLine &line : lines) {
+    for (UncertaintyLine &line : reported.lines) {
         line.u *= kDegrees;
         line.contribution *= kDegrees;
     }
-    return lines;
+    reported.leastExpanded *= kDegrees;
+    reported.of = "phase";
+    reported.value *= kDegrees;
+    reported.unit = "\xC2\xB0";
+    combineLines(reported);
+    return reported;
 }
 
 Budget phaseBudget(
     const UncertaintyReport &report, const ResponseResult &response, Index row, Index shots)
 {
-    ReportedValue reported = rowValue(
-        "phase", kDegrees * response.phase_rad[row], "\xC2\xB0", report.rows.u_phase_rad[row]);
-    if (std::isfinite(report.rows.u_phase_rad[row])) {
-        reported.lines = inDegrees(phaseLines(response, row));
-        combineLines(reported);
-    }
-    return {
-        BudgetOf::Phase, ShotLevel::None, response.frequency_Hz[row], shots, std::move(reported)};
+    const ReportedValue bare{"phase", kDegrees * response.phase_rad[row], "\xC2\xB0"};
+    return {BudgetOf::Phase, ShotLevel::None, response.frequency_Hz[row], shots,
+        rowValue(bare, report.rows.u_phase_rad[row],
+            [&] { return inDegrees(phaseOfRow(response, report.rows, row)); })};
 }
 
 bool isInBand(const ResponseResult &response, Index row)

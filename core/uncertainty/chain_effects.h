@@ -21,6 +21,10 @@ struct ChainEffects
     UncertaintyLine clock; ///< "clock_relative", of every frequency and time: +-50 ppm
 };
 
+/// Of the chain's response where a table of it is divided out: of a row, and of the sensitivity.
+inline constexpr const char *kChainResponse = "chain";
+inline constexpr const char *kChainLevel = "chain_relative";
+
 ChainEffects chainEffects(const std::vector<StatedUncertainty> &stated);
 
 /// Longest rise of a front that nobody stated: a tilt of half a degree over 5.5 mm.

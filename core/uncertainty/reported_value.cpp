@@ -6,6 +6,39 @@
 #include <cmath>
 
 namespace dyncal {
+namespace {
+
+constexpr double kCoverageOfReported = 0.95;
+
+void setCombined(ReportedValue &reported)
+{
+    const CombinedUncertainty all = combined(reported.lines);
+    reported.u = all.u;
+    reported.dof = all.dof;
+    reported.k = coverageFactor(all.dof, kCoverageOfReported);
+}
+
+/// U that the value has with a u of this size, from the same degrees of freedom.
+double expandedWith(double u, const ReportedValue &before)
+{
+    const double dof = before.dof * std::pow(u / *before.u, 4);
+    return u * statedFactor(coverageFactor(dof, kCoverageOfReported));
+}
+
+/// The least u whose U is not below `leastExpanded`; k falls as it grows.
+double uOfCapability(const ReportedValue &before)
+{
+    double low = *before.u, high = before.leastExpanded / kUsualFactor;
+    if (std::isinf(before.dof) || !(low > 0.0))
+        return high;
+    for (int halving = 0; halving < 60; ++halving) {
+        const double middle = 0.5 * (low + high);
+        (expandedWith(middle, before) < before.leastExpanded ? low : high) = middle;
+    }
+    return high;
+}
+
+} // namespace
 
 double statedFactor(double k)
 {
@@ -24,11 +57,16 @@ double ReportedValue::sharePercent(const UncertaintyLine &line) const
 
 void combineLines(ReportedValue &reported)
 {
-    constexpr double kCoverage = 0.95;
-    const CombinedUncertainty all = combined(reported.lines);
-    reported.u = all.u;
-    reported.dof = all.dof;
-    reported.k = coverageFactor(all.dof, kCoverage);
+    std::erase_if(
+        reported.lines, [](const UncertaintyLine &line) { return line.quantity == kCapability; });
+    setCombined(reported);
+    if (!(*reported.expanded() < reported.leastExpanded))
+        return;
+    const double u = uOfCapability(reported);
+    reported.lines.push_back(
+        directLine(kCapability, std::sqrt((u - *reported.u) * (u + *reported.u))));
+    reported.lines.back().value = 0.0;
+    setCombined(reported);
 }
 
 } // namespace dyncal

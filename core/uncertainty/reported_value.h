@@ -30,6 +30,7 @@ struct ReportedValue
     double dof = kUnknown; ///< effective
     double k = kUnknown; ///< Student's factor of the 95 % interval
     Message missing = {}; ///< why `u` is absent
+    double leastExpanded = 0.0; ///< below which U is not stated (CMC), in `unit`
 
     double factor() const { return statedFactor(k); } ///< that U is stated with
     std::optional<double> expanded() const; ///< U, in `unit`
@@ -37,7 +38,12 @@ struct ReportedValue
     double sharePercent(const UncertaintyLine &line) const;
 };
 
-/// Fills u, dof and k in from the lines. All of them must be finite.
+/// The line that brings U up to the laboratory's least one.
+inline constexpr const char *kCapability = "cmc";
+
+/// Fills u, dof and k in from the lines. All of them must be finite. Where U would be below
+/// `leastExpanded`, a line kCapability makes up for what is missing (ILAC-P14, 5.4: no certificate
+/// states less than the laboratory's CMC); one that stood there is replaced.
 void combineLines(ReportedValue &reported);
 
 } // namespace dyncal

@@ -39,17 +39,27 @@ UncertaintyLine rowLine(const char *quantity, double contribution,
     return line;
 }
 
-/// Of the noise alone; ResponseResult has that of all of u_magnitude, of which only the noise's and
-/// a reference's are finite.
+/// What a certificate's degrees of freedom take off those of a row.
+double inverseDof(double u, double dof, double u_row)
+{
+    return std::pow(u / u_row, 4) / dof;
+}
+
+/// Of the noise alone; ResponseResult has that of all of u_magnitude, of which only those of the
+/// noise, of a reference and of the chain are finite.
 double dofOfNoise(const ResponseResult &response, Index row)
 {
-    const double share = response.u_noiseMagnitude[row] / response.u_magnitude[row];
-    if (!response.isByTransducer)
+    const double u = response.u_magnitude[row];
+    const double share = response.u_noiseMagnitude[row] / u;
+    if (!response.isByTransducer && !response.isWithoutChain)
         return response.dof[row] * std::pow(share, 4);
-    const double ofReference
-        = std::pow(response.u_referenceMagnitude[row] / response.u_magnitude[row], 4)
-        / response.dofReference[row];
-    return std::pow(share, 4) / std::max(0.0, 1.0 / response.dof[row] - ofReference);
+    double others = 0.0;
+    if (response.isByTransducer)
+        others = inverseDof(response.u_referenceMagnitude[row], response.dofReference[row], u);
+    if (response.isWithoutChain)
+        others += inverseDof(
+            response.u_chain_relative[row] * response.magnitude[row], response.dofChain[row], u);
+    return std::pow(share, 4) / std::max(0.0, 1.0 / response.dof[row] - others);
 }
 
 UncertaintyLine rowNoise(const ResponseResult &response, Index row, double u)
@@ -84,88 +94,11 @@ std::vector<UncertaintyLine> ownLines(const ResponseResult &response, Index row)
         lines.push_back(rowLine("front_duration_s", response.u_frontMagnitude[row]));
     else
         lines.push_back(scaled({frontLine(f_Hz)}, S).front());
+    if (response.isWithoutChain)
+        lines.push_back(rowLine(kChainResponse, S * response.u_chain_relative[row],
+            Distribution::Normal, response.dofChain[row]));
     return lines;
 }
-
-/// Row k of everything that is NaN until it is known.
-void prepare(Index count, RowUncertainty &rows)
-{
-    for (auto *values : {&rows.u_magnitude, &rows.k_magnitude, &rows.dof_magnitude,
-             &rows.u_phase_rad, &rows.k_phase, &rows.dof_phase, &rows.u_modelMagnitude,
-             &rows.u_modelPhase_rad, &rows.e_n})
-        values->setConstant(count, kUnknown);
-    rows.covarianceReIm.setConstant(count, 3, kUnknown);
-}
-
-void combineRow(const ResponseResult &response, Index row, RowUncertainty &rows)
-{
-    const CombinedUncertainty own = combined(ownLines(response, row));
-    const CombinedUncertainty phase = combined(phaseLines(response, row));
-    if (rows.isComplete()) {
-        const CombinedUncertainty all = combined(magnitudeLines(response, rows.common, row));
-        rows.u_magnitude[row] = all.u;
-        rows.dof_magnitude[row] = all.dof;
-        rows.k_magnitude[row] = coverageFactor(all.dof, kCoverageOfRows);
-    }
-    if (!std::isfinite(phase.u))
-        return;
-    rows.u_phase_rad[row] = phase.u;
-    rows.dof_phase[row] = phase.dof;
-    rows.k_phase[row] = coverageFactor(phase.dof, kCoverageOfRows);
-    const double c = std::cos(response.phase_rad[row]);
-    const double s = std::sin(response.phase_rad[row]);
-    const double along = own.u * own.u;
-    const double across = std::pow(response.magnitude[row] * phase.u, 2);
-    rows.covarianceReIm.row(row) << c * c * along + s * s * across, s * c * (along - across),
-        s * s * along + c * c * across;
-}
-
-/// From one model's response over its level to the other's, relative, as a complex logarithm.
-std::complex<double> changeOf(const SensorModel &to, const SensorModel &from,
-    ResponseTreatment treatment, double frequency_Hz)
-{
-    return std::log(modelResponse(to, treatment, frequency_Hz) / to.level() * from.level()
-        / modelResponse(from, treatment, frequency_Hz));
-}
-
-/// Relative change of the model's response, as u of its magnitude and, in quadrature, of its phase.
-void addModel(const ResponseResult &response, const FrontVariation &front,
-    const std::vector<ModelVariation> &variations, ResponseTreatment treatment, Index row,
-    RowUncertainty &rows)
-{
-    const double f_Hz = response.frequency_Hz[row];
-    double along = 0.0;
-    double across = 0.0;
-    for (const ModelVariation &one : variations) {
-        const std::complex<double> change
-            = changeOf(one.up, one.down, treatment, f_Hz) / (2.0 * kVariation);
-        along += std::norm(change.real());
-        across += std::norm(change.imag());
-    }
-    const double own = response.modelMagnitude[row] * std::sqrt(along);
-    const std::complex<double> ofFront
-        = changeOf(front.longer, front.shorter, treatment, f_Hz) / front.range.divisor;
-    rows.u_modelMagnitude[row] = rows.isComplete()
-        ? std::hypot(own,
-            response.modelMagnitude[row]
-                * std::hypot(ofFront.real(), rows.u_commonOfModel_relative))
-        : kUnknown;
-    rows.u_modelPhase_rad[row] = std::hypot(std::sqrt(across), ofFront.imag());
-    if (!isStated(response, row))
-        return;
-    // Both come from the same noise, and of it the model takes the least: the difference has the
-    // variance of the measured value less that of the model (J. A. Hausman, Econometrica 46 (1978)
-    // 1251). The bounds are the measured value's alone.
-    const double noise
-        = std::sqrt(std::abs(std::pow(response.u_noiseMagnitude[row], 2) - own * own));
-    // A reference's sensitivity is the measured row's own.
-    const double u = std::hypot(std::hypot(noise, response.u_referenceMagnitude[row]),
-        ofBound(response.boundEnd, row), ofBound(response.boundAlias, row));
-    rows.e_n[row] = (response.magnitude[row] - response.modelMagnitude[row])
-        / (coverageFactor(std::numeric_limits<double>::infinity(), kCoverageOfRows) * u);
-}
-
-} // namespace
 
 std::vector<UncertaintyLine> magnitudeLines(
     const ResponseResult &response, const std::vector<UncertaintyLine> &common, Index row)
@@ -193,7 +126,129 @@ std::vector<UncertaintyLine> phaseLines(const ResponseResult &response, Index ro
     if (response.isByTransducer)
         lines.push_back(rowLine("reference_phase", response.u_referencePhase_rad[row],
             Distribution::Normal, response.dofReference[row]));
+    if (response.isWithoutChain)
+        lines.push_back(rowLine("chain_phase", response.u_chainPhase_rad[row], Distribution::Normal,
+            response.dofChain[row]));
     return lines;
+}
+
+/// Row k of everything that is NaN until it is known.
+void prepare(Index count, RowUncertainty &rows)
+{
+    for (auto *values : {&rows.u_magnitude, &rows.k_magnitude, &rows.dof_magnitude,
+             &rows.u_phase_rad, &rows.k_phase, &rows.dof_phase, &rows.u_modelMagnitude,
+             &rows.u_modelPhase_rad, &rows.e_n})
+        values->setConstant(count, kUnknown);
+    rows.covarianceReIm.setConstant(count, 3, kUnknown);
+}
+
+/// Of real and imaginary part, without what all rows share, and without a CMC.
+Eigen::RowVector3d ownCovariance(const ResponseResult &response, Index row)
+{
+    const double c = std::cos(response.phase_rad[row]);
+    const double s = std::sin(response.phase_rad[row]);
+    const double along = std::pow(combined(ownLines(response, row)).u, 2);
+    const double across
+        = std::pow(response.magnitude[row] * combined(phaseLines(response, row)).u, 2);
+    return {
+        c * c * along + s * s * across, s * c * (along - across), s * s * along + c * c * across};
+}
+
+void combineRow(const ResponseResult &response, Index row, RowUncertainty &rows)
+{
+    if (rows.isComplete()) {
+        const ReportedValue all = magnitudeOfRow(response, rows, row);
+        rows.u_magnitude[row] = *all.u;
+        rows.dof_magnitude[row] = all.dof;
+        rows.k_magnitude[row] = all.k;
+    }
+    const ReportedValue phase = phaseOfRow(response, rows, row);
+    if (!phase.u)
+        return;
+    rows.u_phase_rad[row] = *phase.u;
+    rows.dof_phase[row] = phase.dof;
+    rows.k_phase[row] = phase.k;
+    rows.covarianceReIm.row(row) = ownCovariance(response, row);
+}
+
+/// From one model's response over its level to the other's, relative, as a complex logarithm.
+std::complex<double> changeOf(const SensorModel &to, const SensorModel &from,
+    ResponseTreatment treatment, double frequency_Hz)
+{
+    return std::log(modelResponse(to, treatment, frequency_Hz) / to.level() * from.level()
+        / modelResponse(from, treatment, frequency_Hz));
+}
+
+/// The model's response is divided by the chain's too.
+void addChain(const ResponseResult &response, Index row, RowUncertainty &rows)
+{
+    rows.u_modelMagnitude[row] = std::hypot(
+        rows.u_modelMagnitude[row], response.modelMagnitude[row] * response.u_chain_relative[row]);
+    rows.u_modelPhase_rad[row]
+        = std::hypot(rows.u_modelPhase_rad[row], response.u_chainPhase_rad[row]);
+}
+
+/// Relative change of the model's response, as u of its magnitude and, in quadrature, of its phase.
+void addModel(const ResponseResult &response, const FrontVariation &front,
+    const std::vector<ModelVariation> &variations, ResponseTreatment treatment, Index row,
+    RowUncertainty &rows)
+{
+    const double f_Hz = response.frequency_Hz[row];
+    double along = 0.0;
+    double across = 0.0;
+    for (const ModelVariation &one : variations) {
+        const std::complex<double> change
+            = changeOf(one.up, one.down, treatment, f_Hz) / (2.0 * kVariation);
+        along += std::norm(change.real());
+        across += std::norm(change.imag());
+    }
+    const double own = response.modelMagnitude[row] * std::sqrt(along);
+    const std::complex<double> ofFront
+        = changeOf(front.longer, front.shorter, treatment, f_Hz) / front.range.divisor;
+    rows.u_modelMagnitude[row] = rows.isComplete()
+        ? std::hypot(own,
+            response.modelMagnitude[row]
+                * std::hypot(ofFront.real(), rows.u_commonOfModel_relative))
+        : kUnknown;
+    rows.u_modelPhase_rad[row] = std::hypot(std::sqrt(across), ofFront.imag());
+    if (response.isWithoutChain)
+        addChain(response, row, rows);
+    if (!isStated(response, row))
+        return;
+    // Both come from the same noise, and of it the model takes the least: the difference has the
+    // variance of the measured value less that of the model (J. A. Hausman, Econometrica 46 (1978)
+    // 1251). The bounds are the measured value's alone.
+    const double noise
+        = std::sqrt(std::abs(std::pow(response.u_noiseMagnitude[row], 2) - own * own));
+    // A reference's sensitivity is the measured row's own.
+    const double u = std::hypot(std::hypot(noise, response.u_referenceMagnitude[row]),
+        ofBound(response.boundEnd, row), ofBound(response.boundAlias, row));
+    rows.e_n[row] = (response.magnitude[row] - response.modelMagnitude[row])
+        / (coverageFactor(std::numeric_limits<double>::infinity(), kCoverageOfRows) * u);
+}
+
+} // namespace
+
+ReportedValue magnitudeOfRow(const ResponseResult &response, const RowUncertainty &rows, Index row)
+{
+    const double S = response.magnitude[row];
+    ReportedValue reported{"magnitude", S, response.unit == "1" ? "" : response.unit,
+        magnitudeLines(response, rows.common, row)};
+    if (row < rows.leastExpanded_relative.size())
+        reported.leastExpanded = rows.leastExpanded_relative[row] * S;
+    combineLines(reported);
+    return reported;
+}
+
+ReportedValue phaseOfRow(const ResponseResult &response, const RowUncertainty &rows, Index row)
+{
+    ReportedValue reported{"phase_rad", response.phase_rad[row], "rad", phaseLines(response, row)};
+    if (!std::isfinite(combined(reported.lines).u))
+        return reported;
+    if (row < rows.leastExpandedPhase_rad.size())
+        reported.leastExpanded = rows.leastExpandedPhase_rad[row];
+    combineLines(reported);
+    return reported;
 }
 
 RowUncertainty rowUncertainty(const ResponseResult &response,

@@ -31,6 +31,8 @@ struct RowUncertainty
     Eigen::MatrixX3d covarianceReIm; ///< var Re S, cov, var Im S, of the row's own part
     Eigen::VectorXd u_modelMagnitude;
     Eigen::VectorXd u_modelPhase_rad;
+    Eigen::VectorXd leastExpanded_relative; ///< CMC of the magnitudes; empty without one
+    Eigen::VectorXd leastExpandedPhase_rad;
     Eigen::VectorXd e_n; ///< of measured less model; they share all that is common
 
     bool isComplete() const { return std::isfinite(u_common_relative); }
@@ -50,11 +52,11 @@ RowUncertainty rowUncertainty(const ResponseResult &response,
     const std::optional<CommonLines> &common, const SensorModel &model,
     const std::vector<ModelVariation> &variations, ResponseTreatment treatment);
 
-/// The lines of one row's magnitude, the common ones first. The row must not be withheld.
-std::vector<UncertaintyLine> magnitudeLines(
-    const ResponseResult &response, const std::vector<UncertaintyLine> &common, Index row);
+/// One row's magnitude with its lines, the common ones first, and the CMC's. The row must not be
+/// withheld, and the common part known.
+ReportedValue magnitudeOfRow(const ResponseResult &response, const RowUncertainty &rows, Index row);
 
-/// The same of its phase, in rad.
-std::vector<UncertaintyLine> phaseLines(const ResponseResult &response, Index row);
+/// The same of its phase, in rad; without u where a part of it is not known.
+ReportedValue phaseOfRow(const ResponseResult &response, const RowUncertainty &rows, Index row);
 
 } // namespace dyncal

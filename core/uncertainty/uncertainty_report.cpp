@@ -64,6 +64,14 @@ bool isOfAllRows(const UncertaintyLine &line, const ResponseResult &response)
                                    : line.quantity != kLevelRelative;
 }
 
+/// What the chain does to a sensitivity: that of a table of its response is the rows' own.
+Lines chainOfLevels(const ResponseResult &response, const Lines &chain)
+{
+    if (!response.isWithoutChain)
+        return chain;
+    return together(chain, {directLine(kChainLevel, response.u_chainLowest_relative)});
+}
+
 /// What every row of S(f) shares, and every value of the model.
 std::optional<CommonLines> commonLines(const ResponseResult &response, const Lines &chain)
 {
@@ -181,12 +189,13 @@ UncertaintyReport reportUncertainty(const ModelInput &input, const SensorModel &
     UncertaintyReport report;
     report.chain = chainEffects(stated);
     const Lines &chain = report.chain.ofSensitivity;
+    const Lines ofLevels = chainOfLevels(response, chain);
     if (response.summary.mean)
-        report.sensitivity = meanValue(*response.summary.mean, response.sensitivityUnit, chain);
+        report.sensitivity = meanValue(*response.summary.mean, response.sensitivityUnit, ofLevels);
     for (const SensitivityMean &level : response.summary.perLevel)
-        report.perLevel.push_back(meanValue(level, response.sensitivityUnit, chain));
+        report.perLevel.push_back(meanValue(level, response.sensitivityUnit, ofLevels));
     for (const ShotSensitivity &shot : response.shots)
-        report.u_ofShots.push_back(completeU(shot, chain));
+        report.u_ofShots.push_back(completeU(shot, ofLevels));
     const std::vector<ModelVariation> variations = modelVariations(input, model);
     report.ofModel
         = modelValues(model, assessment, response, variations, input.treatment, report.chain.clock);

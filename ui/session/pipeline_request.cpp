@@ -38,9 +38,9 @@ std::shared_ptr<const ResponseResult> PipelineRequest::modelCurve(
     if (!response || part.response || !part.model || !part.input || !part.window || !part.shock
         || responseKey == part.keys[static_cast<std::size_t>(StageId::Response)])
         return nullptr;
-    return std::make_shared<const ResponseResult>(
-        computeModelResponse(part.window->responses, *part.input, *part.model,
-            *stepsUsed(part, recipe), recipe.response, response->fLow_Hz, response->fHigh_Hz));
+    return std::make_shared<const ResponseResult>(computeModelResponse(part.window->responses,
+        *part.input, *part.model, *stepsUsed(part, recipe), recipe.response, response->fLow_Hz,
+        response->fHigh_Hz, part.reference ? part.reference->chainRelative() : nullptr));
 }
 
 std::string decompositionKey(const CaptureSet &captures, const Recipe &recipe)

@@ -248,7 +248,8 @@ Result<ProjectState> openProject(
         return tl::unexpected(recipe.error());
 
     const QDir folder = QFileInfo(file.path).absoluteDir();
-    loadReference(folder.path().toStdString(), recipe->comparison);
+    loadSource(folder.path().toStdString(), recipe->comparison);
+    loadSource(folder.path().toStdString(), recipe->chain);
     std::vector<CaptureReference> references;
     QStringList missing;
     for (const auto &entry : file.content["captures"].toArray()) {

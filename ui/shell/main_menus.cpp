@@ -95,6 +95,8 @@ void MainMenus::addFileMenu()
         [=] { files->openProject(); });
     m_recent = menu->addMenu(tr("&Recent"));
     connect(m_recent, &QMenu::aboutToShow, this, &MainMenus::fillRecent);
+    addAction(menu, "useProfileAction", tr("Use pro&file of the laboratory..."), {},
+        [=] { files->useProfile(); });
     menu->addSeparator();
     addAction(menu, "saveAction", tr("&Save"), QKeySequence::Save, [=] { files->save(); });
     addAction(menu, "saveAsAction", tr("Save &as..."), QKeySequence("Ctrl+Shift+S"),

@@ -31,7 +31,7 @@ struct InputRow
 };
 
 using enum CountedIn;
-constexpr std::array<InputRow, 33> kInputRows{{
+constexpr std::array<InputRow, 37> kInputRows{{
     {"distance_m", QT_TRANSLATE_NOOP("ShockBudget", "Distance, %1"), "m"},
     {"arrival_s", QT_TRANSLATE_NOOP("ShockBudget", "Arrival, %1"), "s"},
     {"delay_s", QT_TRANSLATE_NOOP("ShockBudget", "Delay, %1"), "s"},
@@ -68,6 +68,10 @@ constexpr std::array<InputRow, 33> kInputRows{{
         "", Value},
     {"reference_level_relative", QT_TRANSLATE_NOOP("ShockBudget", "Noise of the reference's level"),
         "", Value},
+    {"chain", QT_TRANSLATE_NOOP("ShockBudget", "Response of the chain"), "", Own},
+    {"chain_phase", QT_TRANSLATE_NOOP("ShockBudget", "Response of the chain"), "", Own},
+    {"chain_relative", QT_TRANSLATE_NOOP("ShockBudget", "Response of the chain"), "", Value},
+    {"cmc", QT_TRANSLATE_NOOP("ShockBudget", "Least uncertainty of the laboratory (CMC)"), "", Own},
     {"delay_of_reference", QT_TRANSLATE_NOOP("ShockBudget", "Delay of the reference"), "", Own},
 }};
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/certificate/calendar_date.h"
+#include "core/base/calendar_date.h"
 #include "core/certificate/certificate.h"
 #include "core/certificate/required_fields.h"
 #include "tests/support/test_program.h"

@@ -116,10 +116,15 @@ inline Recipe fullRecipe()
     r.realization.candidateNotes = {{3, "splits the second mode"}};
     r.realization.adoptedReason = "lowest order that fits";
     r.response = {.frequencies_Hz = {1e3, 1e5}, .grid = "list", .reference = "unit-step"};
-    r.uncertainty = {.budget = {{"t1_k", 0.3, "rectangular", 12.0}},
+    r.uncertainty = {.budget = {{"t1_k", 0.3, "rectangular", 12.0, "C 12", "2027-01-31"}},
+        .cmc = {{"magnitude", 0.02, false, 1e3, 1e5}},
         .monteCarloTrials = 0,
         .seed = 7,
         .coverage = 0.99};
+    r.chain.source = "amp.csv";
+    r.chain.sha256 = std::string(64, 'b');
+    r.chain.quantityId = "gain";
+    r.profile = {"Tube 2", "7", std::string(64, 'c'), R"({"checks":{"min_codes":8.0}})"};
     r.acknowledge = {{"WIN-001", 3, "known"}};
     r.certificate = {.templateName = "short",
         .languages = {"sv", "en"},

@@ -115,7 +115,7 @@ void TestRecipeCorrection::everyKeyByItself_makesTheWholeRecipe()
     const nlohmann::json full = nlohmann::json::parse(recipeJson(fullRecipe()));
     Recipe recipe;
     for (const auto &[section, values] : full.items()) {
-        if (!values.is_object()) {
+        if (!values.is_object() || section == "profile") { // its keys belong together
             const Result<Recipe> corrected
                 = correctedRecipe(recipe, correctionOf(section, values.dump()));
             QVERIFY2(corrected.has_value(), section.c_str());

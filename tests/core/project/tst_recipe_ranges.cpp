@@ -32,6 +32,8 @@ const std::map<std::string, const char *> kElements{
     {"realization.nuisance_modes", R"({"frequency_hz": 1, "reason": "x"})"},
     {"realization.candidate_notes", R"({"order": 3, "note": "x"})"},
     {"uncertainty.budget", R"({"quantity": "a", "u": 1})"},
+    {"uncertainty.cmc", R"({"of": "f0_hz", "expanded": 1})"},
+    {"profile", R"({"name": "a", "version": "1", "sha256": "b", "sections": {}})"},
     {"acknowledge", R"({"finding": "a", "reason": "x"})"},
     {"comparison.model",
         R"({"sensitivity": 1, "u_sensitivity": 0, "f0_hz": 1, "u_f0_hz": 0, "zeta": 1, "u_zeta": 0})"},

@@ -27,12 +27,12 @@ private slots:
         file.close();
         ComparisonSettings settings;
         settings.source = "ref.csv";
-        loadReference(folder.path().toStdString(), settings);
+        loadSource(folder.path().toStdString(), settings);
         QVERIFY(settings.loaded);
         QCOMPARE(settings.loaded->content, std::string("abc"));
         QCOMPARE(settings.loaded->sha256, sha256Hex(std::string_view("abc")));
         settings.source = file.fileName().toStdString();
-        loadReference("/elsewhere", settings);
+        loadSource("/elsewhere", settings);
         QVERIFY(settings.loaded);
     }
 
@@ -40,11 +40,11 @@ private slots:
     {
         ComparisonSettings settings;
         settings.loaded = std::make_shared<const ReferenceSource>();
-        loadReference("/", settings);
+        loadSource("/", settings);
         QVERIFY(!settings.loaded);
         for (const char *source : {"none.csv", "."}) {
             settings.source = source;
-            loadReference(QDir::tempPath().toStdString(), settings);
+            loadSource(QDir::tempPath().toStdString(), settings);
             QVERIFY(!settings.loaded);
         }
     }

@@ -77,8 +77,8 @@ private slots:
         const RowUncertainty rows
             = rowUncertainty(made, shared(kCommon), {}, {}, ResponseTreatment::StepDeflated);
         for (Index row = 0; row < 2; ++row) {
-            QVERIFY(isNear(combined(magnitudeLines(made, kCommon, row)).u, rows.u_magnitude[row]));
-            QVERIFY(isNear(combined(phaseLines(made, row)).u, rows.u_phase_rad[row]));
+            QVERIFY(isNear(*magnitudeOfRow(made, rows, row).u, rows.u_magnitude[row]));
+            QVERIFY(isNear(*phaseOfRow(made, rows, row).u, rows.u_phase_rad[row]));
         }
     }
 
@@ -126,7 +126,7 @@ private slots:
         ResponseResult made = response();
         made.front = {200e-9, 10e-9};
         made.u_frontMagnitude[1] = 0.03;
-        const auto lines = magnitudeLines(made, {}, 1);
+        const auto lines = magnitudeOfRow(made, {}, 1).lines;
         QVERIFY(std::ranges::any_of(lines, [](const UncertaintyLine &line) {
             return line.quantity == "front_duration_s" && line.contribution == 0.03;
         }));
@@ -140,7 +140,7 @@ private slots:
         made.drift.kind = DriftKind::Heat;
         made.drift.shots = {{1, 0.5e-3, 0.02, -0.018, 0.0005, 1e-3}};
         const auto at = [&](Index row) {
-            const auto lines = magnitudeLines(made, {}, row);
+            const auto lines = magnitudeOfRow(made, {}, row).lines;
             return std::ranges::find(lines, std::string("drift"), &UncertaintyLine::quantity)
                 ->contribution;
         };

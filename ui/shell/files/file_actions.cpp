@@ -194,6 +194,28 @@ void FileActions::openProject()
         openProjectFile(path);
 }
 
+void FileActions::useProfile()
+{
+    if (!m_session.state().hasShots()) {
+        m_prompts.showProblem(m_window,
+            tr("There is no calibration that a profile could be used for; open recordings or a project first."));
+        return;
+    }
+    const QString path = m_prompts.openFile(m_window, tr("Use profile of the laboratory"),
+        tr("Profiles (*.json)"), m_preferences.lastFolder());
+    if (path.isEmpty())
+        return;
+    const Result<Recipe> joined = withProfile(m_session.recipe(), path.toStdString());
+    if (!joined) {
+        showProblem(joined.error());
+        return;
+    }
+    m_session.apply(*joined, tr("Use profile of the laboratory"));
+    if (joined->profile)
+        emit idle(tr("Profile in use: %1, version %2")
+                      .arg(shownText(joined->profile->name), shownText(joined->profile->version)));
+}
+
 void FileActions::openProjectFile(const QString &path, const QStringList &otherFolders)
 {
     if (m_exports.refuses())

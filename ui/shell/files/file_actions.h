@@ -42,6 +42,7 @@ public:
     /// are not where they were are looked for in the folder `recordings`. Emits workRestored or
     /// restoreFailed; neither if the operator keeps what is open.
     void restoreWork(const RecoveredWork &work, const QString &recordings = {});
+    void useProfile(); ///< asks for a laboratory's profile and puts it over the recipe
     bool save();
     bool saveAs();
     void exportResults();

@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace dyncal {
@@ -10,5 +11,8 @@ namespace dyncal {
 /// Whether it is a day of the calendar as ISO 8601 writes it: "2026-01-31". Blanks around it do
 /// not count.
 bool isCalendarDate(std::string_view text);
+
+/// The day without blanks, which compares as text; empty where it is none.
+std::string calendarDate(std::string_view text);
 
 } // namespace dyncal

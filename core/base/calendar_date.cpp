@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Dyncal authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 
-#include "core/certificate/calendar_date.h"
+#include "core/base/calendar_date.h"
 
 #include <algorithm>
 #include <charconv>
@@ -34,18 +34,23 @@ bool hasPattern(std::string_view text)
 
 } // namespace
 
-bool isCalendarDate(std::string_view text)
+std::string calendarDate(std::string_view text)
 {
     constexpr std::string_view kBlanks = " \t\r\n";
     const std::size_t begin = std::min(text.find_first_not_of(kBlanks), text.size());
     text.remove_prefix(begin);
     text = text.substr(0, text.find_last_not_of(kBlanks) + 1);
     if (!hasPattern(text))
-        return false;
+        return {};
     const std::chrono::year_month_day day{std::chrono::year(numberAt(text, 0, 4)),
         std::chrono::month(static_cast<unsigned>(numberAt(text, 5, 2))),
         std::chrono::day(static_cast<unsigned>(numberAt(text, 8, 2)))};
-    return day.ok();
+    return day.ok() ? std::string(text) : std::string();
+}
+
+bool isCalendarDate(std::string_view text)
+{
+    return !calendarDate(text).empty();
 }
 
 } // namespace dyncal

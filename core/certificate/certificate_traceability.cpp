@@ -1,0 +1,95 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/certificate/certificate_traceability.h"
+
+#include "core/base/calendar_date.h"
+#include "core/certificate/certificate_words.h"
+
+#include <string>
+
+namespace dyncal {
+namespace {
+
+using TraceFields = std::vector<CertificateField>;
+
+void addProfile(const Recipe &recipe, TraceFields &fields)
+{
+    if (!recipe.profile)
+        return;
+    const ProfileMark &profile = *recipe.profile;
+    fields.push_back({"profile", {DYNCAL_TEXT("core", "Profile of the laboratory"), {}},
+        {DYNCAL_TEXT("core", "%1, version %2 (SHA-256 %3)"),
+            {profile.name, profile.version, profile.sha256}},
+        false});
+    std::string changed;
+    for (const std::string &key : changedFromProfile(recipe))
+        changed += (changed.empty() ? "" : ", ") + key;
+    if (!changed.empty())
+        fields.push_back(
+            {"profile_changed", {DYNCAL_TEXT("core", "Set otherwise than in the profile"), {}},
+                verbatim(changed), false});
+}
+
+void addChain(const CalibrationResults &results, TraceFields &fields)
+{
+    if (!results.reference || !results.reference->chain)
+        return;
+    const ChainResponse &chain = *results.reference->chain;
+    const Message label{DYNCAL_TEXT("core", "Response of amplifier and converter"), {}};
+    fields.push_back({"chain", label,
+        chain.certificate.empty()
+            ? Message{DYNCAL_TEXT("core",
+                          "divided out of S(f), file with SHA-256 %1; poles and what follows from them are of sensor and chain together"),
+                {chain.sourceSha256}}
+            : Message{DYNCAL_TEXT("core",
+                          "divided out of S(f), certificate %1, file with SHA-256 %2; poles and what follows from them are of sensor and chain together"),
+                {chain.certificate, chain.sourceSha256}},
+        false});
+}
+
+/// The day of the measurement; empty where it is no day.
+std::string dayPerformed(const Recipe &recipe)
+{
+    const auto typed = recipe.certificate.fields.find("date_performed");
+    return typed == recipe.certificate.fields.end() ? std::string() : calendarDate(typed->second);
+}
+
+Message referenceText(const BudgetEntry &entry, bool isOver)
+{
+    if (entry.due.empty())
+        return {DYNCAL_TEXT("core", "%1: certificate %2"), {entry.quantity, entry.certificate}};
+    if (isOver)
+        return {
+            DYNCAL_TEXT("core", "%1: certificate %2, which ended on %3, before the measurement"),
+            {entry.quantity, entry.certificate, entry.due}};
+    return {DYNCAL_TEXT("core", "%1: certificate %2, valid until %3"),
+        {entry.quantity, entry.certificate, entry.due}};
+}
+
+void addBudgetReferences(const Recipe &recipe, TraceFields &fields)
+{
+    const std::string day = dayPerformed(recipe);
+    for (const BudgetEntry &entry : recipe.uncertainty.budget) {
+        if (entry.certificate.empty())
+            continue;
+        const bool isOver = !entry.due.empty() && !day.empty() && calendarDate(entry.due) < day;
+        fields.push_back(
+            {"reference_" + entry.quantity, {DYNCAL_TEXT("core", "Reference of the budget"), {}},
+                referenceText(entry, isOver), isOver, isOver});
+    }
+}
+
+} // namespace
+
+std::vector<CertificateField> traceabilityFields(
+    const CalibrationResults &results, const Recipe &recipe)
+{
+    TraceFields fields;
+    addProfile(recipe, fields);
+    addChain(results, fields);
+    addBudgetReferences(recipe, fields);
+    return fields;
+}
+
+} // namespace dyncal

@@ -1,0 +1,222 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/project/laboratory_profile.h"
+
+#include "core/base/content_hash.h"
+#include "core/project/json_merge.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+namespace dyncal {
+namespace {
+
+constexpr const char *kProfileSchema = "dyncal-profile/1";
+
+using Allowed = std::map<std::string, std::set<std::string>>; ///< keys of a section; none = any
+
+const Allowed &allowedSections()
+{
+    static const Allowed sections{
+        {"import", {}},
+        {"checks", {}},
+        {"chain", {}},
+        {"shock",
+            {"arrival_sensors", "driver_length_m", "driven_length_m", "inner_diameter_m",
+                "dut_position", "front_duration_s", "u_front_duration_s", "attenuation",
+                "attenuation_per_m", "dut_distance_to_end_wall_m", "tube_length_m",
+                "wall_sound_speed_m_s", "plateau_guard_s", "largest_mach",
+                "largest_driver_pressure_pa"}},
+        {"uncertainty", {"budget", "cmc"}},
+    };
+    return sections;
+}
+
+/// The first key that has no place in a profile; empty where there is none.
+std::string foreignKey(const Json &sections, const Allowed &allowed)
+{
+    for (const auto &[section, content] : sections.items()) {
+        const auto found = allowed.find(section);
+        if (found == allowed.end())
+            return section;
+        if (found->second.empty() || !content.is_object())
+            continue;
+        for (const auto &[key, value] : content.items())
+            if (!found->second.contains(key))
+                return section + "." + key;
+    }
+    return {};
+}
+
+Result<std::string> takeWord(Json &document, const char *key, const std::string &path)
+{
+    const Json word = document.value(key, Json());
+    document.erase(key);
+    if (word.is_string() && !word.get<std::string>().empty())
+        return word.get<std::string>();
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "The profile %1 lacks \"%2\"; a certificate says by name and version which profile was used."),
+            {path, key}});
+}
+
+/// Of the first kind: a recipe with the sections import and checks.
+Result<LaboratoryProfile> unnamedProfile(Json document, const std::string &path)
+{
+    const Allowed known{{"schema", {}}, {"import", {}}, {"checks", {}}};
+    const std::string foreign = foreignKey(document, known);
+    if (!foreign.empty())
+        return fail(ErrorKind::Usage,
+            {DYNCAL_TEXT("core",
+                 "The profile %1 holds \"%2\"; a laboratory's profile holds the sections import and checks only, the rest belongs into the recipe."),
+                {path, foreign}});
+    return LaboratoryProfile{std::move(document), {}};
+}
+
+const char *idOf(const std::string &list)
+{
+    if (list == "budget")
+        return "quantity";
+    return list == "cmc" ? "of" : nullptr;
+}
+
+Json nameOf(const Json &line, const char *id)
+{
+    return line.is_object() ? line.value(id, Json()) : Json();
+}
+
+bool holdsName(const Json &lines, const Json &name, const char *id)
+{
+    return std::any_of(
+        lines.begin(), lines.end(), [&](const Json &line) { return nameOf(line, id) == name; });
+}
+
+/// All of `upper`, behind those lines of `lower` that it has no name of.
+Json joinedLines(const Json &lower, const Json &upper, const char *id)
+{
+    Json joined = Json::array();
+    for (const Json &line : lower)
+        if (!holdsName(upper, nameOf(line, id), id))
+            joined.push_back(line);
+    joined.insert(joined.end(), upper.begin(), upper.end());
+    return joined;
+}
+
+/// `value` as far as the keys of `form` go.
+bool isAsStated(const Json &form, const Json &value)
+{
+    if (!form.is_object() || !value.is_object())
+        return form == value;
+    return std::ranges::all_of(form.items(), [&](const auto &item) {
+        return value.contains(item.key()) && isAsStated(item.value(), value[item.key()]);
+    });
+}
+
+void compareLines(const Json &stated, const Json &found, const std::string &path, const char *id,
+    std::vector<std::string> &changed)
+{
+    for (const Json &line : stated) {
+        const bool isThere = std::any_of(
+            found.begin(), found.end(), [&](const Json &other) { return isAsStated(line, other); });
+        if (!isThere)
+            changed.push_back(path + "{" + line.value(id, std::string()) + "}");
+    }
+}
+
+void compareObjects(const Json &stated, const Json &found, const std::string &path,
+    std::vector<std::string> &changed)
+{
+    for (const auto &[key, value] : stated.items()) {
+        const std::string here = path.empty() ? key : path + "." + key;
+        const Json other = found.is_object() ? found.value(key, Json()) : Json();
+        if (idOf(key) && value.is_array())
+            compareLines(value, other, here, idOf(key), changed);
+        else if (value.is_object() && other.is_object())
+            compareObjects(value, other, here, changed);
+        else if (value != other)
+            changed.push_back(here);
+    }
+}
+
+Codec<std::string> jsonInOneLine()
+{
+    return {"an object",
+        [](const JsonAt &at) -> Result<std::string> {
+            if (!at.value.is_object())
+                return mismatch(at, "an object");
+            return at.value.dump();
+        },
+        [](const std::string &text) { return Json::parse(text); }};
+}
+
+} // namespace
+
+Result<LaboratoryProfile> laboratoryProfile(const std::string &text, const std::string &path)
+{
+    Result<Json> document = parseStrictJson(text, "The profile");
+    if (!document)
+        return tl::unexpected<Error>(document.error());
+    const bool isNamed = document->is_object() && document->contains("name");
+    if (!document->is_object() || (!isNamed && document->value("schema", Json()) != kProfileSchema))
+        return document->is_object() ? unnamedProfile(std::move(*document), path)
+                                     : LaboratoryProfile{std::move(*document), {}};
+    if (document->value("schema", Json()) != kProfileSchema)
+        return fail(ErrorKind::Usage,
+            {DYNCAL_TEXT("core",
+                 "The profile %1 is no profile that this version reads; it needs the schema \"%2\"."),
+                {path, kProfileSchema}});
+    document->erase("schema");
+    const Result<std::string> name = takeWord(*document, "name", path);
+    const Result<std::string> version = takeWord(*document, "version", path);
+    if (!name || !version)
+        return tl::unexpected<Error>(name ? version.error() : name.error());
+    const std::string foreign = foreignKey(*document, allowedSections());
+    if (!foreign.empty())
+        return fail(ErrorKind::Usage,
+            {DYNCAL_TEXT("core",
+                 "The profile %1 holds \"%2\", which is of one calibration; put it into the recipe (docs/recipe.md says what a profile holds)."),
+                {path, foreign}});
+    ProfileMark mark{*name, *version, sha256Hex(text), {}};
+    return LaboratoryProfile{std::move(*document), std::move(mark)};
+}
+
+void joinRecipes(Json &lower, const Json &upper)
+{
+    Json joined = upper;
+    if (lower.is_object() && joined.is_object())
+        for (const char *list : {"budget", "cmc"}) {
+            const Json::json_pointer at("/uncertainty/" + std::string(list));
+            if (lower.contains(at) && joined.contains(at) && lower[at].is_array()
+                && joined[at].is_array())
+                joined[at] = joinedLines(lower[at], joined[at], idOf(list));
+        }
+    putOver(lower, joined);
+}
+
+Field<Recipe> profileSection()
+{
+    using S = ProfileMark;
+    return field("profile", DYNCAL_TEXT("RecipeLabel", "profile of the laboratory"),
+        &Recipe::profile,
+        orNull(object<S>({
+            field("name", DYNCAL_TEXT("RecipeLabel", "name of the profile"), &S::name,
+                nonEmptyText(), true),
+            field("version", DYNCAL_TEXT("RecipeLabel", "version of the profile"), &S::version,
+                nonEmptyText(), true),
+            field("sha256", DYNCAL_TEXT("RecipeLabel", "hash of the profile's file"), &S::sha256,
+                nonEmptyText(), true),
+            field("sections", DYNCAL_TEXT("RecipeLabel", "what the profile held"), &S::sections,
+                jsonInOneLine(), true),
+        })));
+}
+
+std::vector<std::string> changedFromProfile(const ProfileMark &mark, const Json &recipe)
+{
+    std::vector<std::string> changed;
+    compareObjects(Json::parse(mark.sections), recipe, "", changed);
+    return changed;
+}
+
+} // namespace dyncal

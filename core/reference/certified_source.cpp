@@ -1,0 +1,50 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/reference/certified_source.h"
+
+#include "core/reference/reference_csv.h"
+
+#include <utility>
+
+namespace dyncal {
+namespace {
+
+Result<void> checkFile(const CertifiedSource &source)
+{
+    if (!source.loaded)
+        return fail(ErrorKind::FileUnreadable,
+            {DYNCAL_TEXT("core",
+                 "The file '%1' of %2.source could not be read; give its path relative to the recipe."),
+                {source.path, source.section}});
+    if (source.sha256.empty() || source.sha256 == source.loaded->sha256)
+        return {};
+    return fail(ErrorKind::DataBlocked,
+        {DYNCAL_TEXT("core",
+             "The file '%1' has the hash %2, but %3.sha256 demands %4: it was changed, or it is another file. Restore it, or state the new hash."),
+            {source.path, source.loaded->sha256, source.section, source.sha256}});
+}
+
+/// A certificate in XML begins with "<", a table with a name.
+bool isXml(const std::string &content)
+{
+    constexpr const char *kBlankAndMark = " \t\r\n\xEF\xBB\xBF";
+    const std::size_t first = content.find_first_not_of(kBlankAndMark);
+    return first != content.npos && content[first] == '<';
+}
+
+} // namespace
+
+Result<CertifiedReference> readCertifiedSource(const CertifiedSource &source)
+{
+    if (const Result<void> file = checkFile(source); !file)
+        return tl::unexpected(file.error());
+    const std::string &content = source.loaded->content;
+    if (isXml(content))
+        return readReferenceDcc(content, source.quantityId, source.unit);
+    return readReferenceCsv(content).map([](ReferenceSensitivity sensitivity) {
+        return CertifiedReference{std::move(sensitivity), {}};
+    });
+}
+
+} // namespace dyncal

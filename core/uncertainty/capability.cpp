@@ -1,0 +1,108 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/uncertainty/capability.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace dyncal {
+namespace {
+
+bool isFor(const CapabilityEntry &entry, const std::string &of, double frequency_Hz)
+{
+    const bool isOverFrequency = of == "magnitude" || of == "phase_rad";
+    return entry.of == of
+        && (!isOverFrequency
+            || (frequency_Hz >= entry.from_Hz && (!entry.to_Hz || frequency_Hz <= *entry.to_Hz)));
+}
+
+void holdValue(const std::vector<CapabilityEntry> &cmc, ReportedValue &reported)
+{
+    reported.leastExpanded = leastExpanded(cmc, reported.of, reported.value);
+    if (reported.u)
+        combineLines(reported);
+}
+
+void raise(double least, double &u)
+{
+    if (std::isfinite(u))
+        u = std::max(u, least / kUsualFactor);
+}
+
+/// The model's curve is stated beside the measured rows.
+void holdModelRow(Index row, const ResponseResult &response, RowUncertainty &rows)
+{
+    raise(rows.leastExpanded_relative[row] * response.modelMagnitude[row],
+        rows.u_modelMagnitude[row]);
+    raise(rows.leastExpandedPhase_rad[row], rows.u_modelPhase_rad[row]);
+}
+
+void holdRow(Index row, const ResponseResult &response, RowUncertainty &rows)
+{
+    if (std::isfinite(rows.u_magnitude[row])) {
+        const ReportedValue magnitude = magnitudeOfRow(response, rows, row);
+        rows.u_magnitude[row] = *magnitude.u;
+        rows.dof_magnitude[row] = magnitude.dof;
+        rows.k_magnitude[row] = magnitude.k;
+    }
+    if (std::isfinite(rows.u_phase_rad[row])) {
+        const ReportedValue phase = phaseOfRow(response, rows, row);
+        rows.u_phase_rad[row] = *phase.u;
+        rows.dof_phase[row] = phase.dof;
+        rows.k_phase[row] = phase.k;
+    }
+    if (row < response.modelMagnitude.size())
+        holdModelRow(row, response, rows);
+}
+
+void holdRows(
+    const std::vector<CapabilityEntry> &cmc, const ResponseResult &response, RowUncertainty &rows)
+{
+    const Index count = rows.u_phase_rad.size();
+    rows.leastExpanded_relative.resize(count);
+    rows.leastExpandedPhase_rad.resize(count);
+    for (Index row = 0; row < count; ++row) {
+        const double f_Hz = response.frequency_Hz[row];
+        const bool isMeasured = row < response.magnitude.size();
+        const double S = isMeasured && std::isfinite(response.magnitude[row])
+            ? response.magnitude[row]
+            : response.modelMagnitude[row];
+        rows.leastExpanded_relative[row] = leastExpanded(cmc, "magnitude", S, f_Hz) / S;
+        rows.leastExpandedPhase_rad[row] = leastExpanded(cmc, "phase_rad", 1.0, f_Hz);
+        holdRow(row, response, rows);
+    }
+}
+
+} // namespace
+
+double leastExpanded(const std::vector<CapabilityEntry> &cmc, const std::string &of, double value,
+    double frequency_Hz)
+{
+    double least = 0.0;
+    for (const CapabilityEntry &entry : cmc) {
+        const bool isRelative = entry.isRelative && of != "phase_rad";
+        if (isFor(entry, of, frequency_Hz))
+            least = std::max(least, entry.expanded * (isRelative ? std::abs(value) : 1.0));
+    }
+    return least;
+}
+
+void holdToCapability(const std::vector<CapabilityEntry> &cmc, const ResponseResult &response,
+    UncertaintyReport &report)
+{
+    if (cmc.empty())
+        return;
+    if (report.sensitivity)
+        holdValue(cmc, *report.sensitivity);
+    for (auto *values : {&report.perLevel, &report.ofModel})
+        for (ReportedValue &one : *values)
+            holdValue(cmc, one);
+    for (std::size_t i = 0; i < report.u_ofShots.size(); ++i)
+        if (report.u_ofShots[i])
+            raise(leastExpanded(cmc, "sensitivity", response.shots[i].sensitivity.value_or(0.0)),
+                *report.u_ofShots[i]);
+    holdRows(cmc, response, report.rows);
+}
+
+} // namespace dyncal

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/shock/uncertainty_settings.h"
+#include "core/uncertainty/uncertainty_report.h"
+
+#include <string>
+#include <vector>
+
+namespace dyncal {
+
+/// The least U that the laboratory states of a value, in its unit: the largest of the entries for
+/// this quantity (and frequency); 0 without one.
+double leastExpanded(const std::vector<CapabilityEntry> &cmc, const std::string &of, double value,
+    double frequency_Hz = 0.0);
+
+/// Nothing in the report is stated with a smaller U than the laboratory's CMC (ILAC-P14:09/2020,
+/// 5.4); unchanged without entries. `response` is what the report is of.
+void holdToCapability(const std::vector<CapabilityEntry> &cmc, const ResponseResult &response,
+    UncertaintyReport &report);
+
+} // namespace dyncal

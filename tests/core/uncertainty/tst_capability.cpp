@@ -1,0 +1,144 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+// The laboratory's least uncertainty: never stated less, and nothing else changed.
+
+#include "core/pipeline/pipeline.h"
+#include "core/uncertainty/budgets.h"
+#include "core/uncertainty/capability.h"
+#include "tests/support/near.h"
+#include "tests/support/simulated_example.h"
+#include "tests/support/test_program.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace dyncal;
+using testing::isNear;
+
+namespace {
+
+CapabilityEntry relative(
+    const char *of, double U, double from_Hz = 0.0, std::optional<double> to_Hz = {})
+{
+    return {of, U, true, from_Hz, to_Hz};
+}
+
+ReportedValue value(double u, double dof, double least)
+{
+    ReportedValue reported{"f0_hz", 100.0, "Hz", {directLine("noise", u, dof)}};
+    reported.leastExpanded = least;
+    combineLines(reported);
+    return reported;
+}
+
+const std::vector<CapabilityEntry> kAll{relative("sensitivity", 0.03),
+    relative("magnitude", 0.05, 0.0, 1e4), relative("magnitude", 0.04), relative("f0_hz", 0.02),
+    {"phase_rad", 0.05}};
+
+} // namespace
+
+class TestCapability : public QObject
+{
+    Q_OBJECT
+
+private:
+    CalibrationResults m_results;
+
+private slots:
+    void initTestCase()
+    {
+        ResultCache cache;
+        Recipe recipe;
+        recipe.uncertainty.cmc = kAll;
+        m_results = runPipeline(testing::simulatedExample(2e7), recipe, cache, StageId::Uncertainty)
+                        .results;
+    }
+
+    /// With u known exactly the line is the root of (U/2)^2 - u^2.
+    void knownU_closedForm()
+    {
+        const ReportedValue raised = value(0.3, std::numeric_limits<double>::infinity(), 1.0);
+        QCOMPARE(raised.lines.size(), 2);
+        QCOMPARE(raised.lines.back().quantity, kCapability);
+        QVERIFY(isNear(raised.lines.back().contribution, 0.4));
+        QVERIFY(isNear(*raised.expanded(), 1.0));
+        QVERIFY(isNear(raised.sharePercent(raised.lines.back()), 64.0));
+    }
+
+    void fewReadings_factorAndUMeetTheLeast_data()
+    {
+        QTest::addColumn<double>("dof");
+        QTest::addColumn<double>("least");
+        for (const double dof : {1.0, 2.0, 3.0, 9.0, 1e3})
+            for (const double least : {2.0, 30.0, 300.0})
+                QTest::addRow("%g %g", dof, least) << dof << least;
+    }
+    void fewReadings_factorAndUMeetTheLeast()
+    {
+        QFETCH(double, dof);
+        QFETCH(double, least);
+        const double before = *value(0.3, dof, 0.0).expanded();
+        const ReportedValue raised = value(0.3, dof, least);
+        QVERIFY(isNear(*raised.expanded(), std::max(before, least), 1e-9));
+        QCOMPARE(raised.lines.size(), before < least ? 2U : 1U);
+        ReportedValue again = raised; // the same line, not a second one
+        combineLines(again);
+        QCOMPARE(again.lines.size(), raised.lines.size());
+        QVERIFY(isNear(*again.u, *raised.u));
+    }
+
+    void leastIsTheLargestThatApplies()
+    {
+        QCOMPARE(leastExpanded(kAll, "magnitude", -2.0, 5e3), 0.1);
+        QCOMPARE(leastExpanded(kAll, "magnitude", 2.0, 2e4), 0.08);
+        QCOMPARE(leastExpanded(kAll, "phase_rad", 3.0, 2e4), 0.05);
+        QCOMPARE(leastExpanded(kAll, "q", 3.0), 0.0);
+    }
+
+    void nothingOfACalibration_isBelow()
+    {
+        Index held = 0;
+        for (const Budget &budget : allBudgets(*m_results.uncertainty, *m_results.response)) {
+            if (!budget.reported.u)
+                continue;
+            const bool isPhase = budget.kind == BudgetOf::Phase;
+            const double least = isPhase
+                ? leastExpanded(kAll, "phase_rad", 1.0, budget.frequency_Hz) * 360.0 / kTwoPi
+                : leastExpanded(
+                    kAll, budget.reported.of, budget.reported.value, budget.frequency_Hz);
+            QVERIFY(*budget.reported.expanded() >= least * (1.0 - 1e-12));
+            held += least > 0.0 && isNear(*budget.reported.expanded(), least, 1e-9) ? 1 : 0;
+        }
+        QVERIFY(held > 10);
+        QVERIFY(uOfSensitivity(m_results.uncertainty.get()) >= 0.5
+                * leastExpanded(kAll, "sensitivity", *m_results.response->sensitivity)
+                * (1.0 - 1e-12));
+        for (std::size_t i = 0; i < m_results.response->shots.size(); ++i)
+            QVERIFY(uOfShot(m_results.uncertainty.get(), i)
+                >= 0.015 * *m_results.response->shots[i].sensitivity * (1.0 - 1e-12));
+    }
+
+    /// Rows and their budgets say the same; the row's own covariance has no part of it.
+    void rows_areTheirBudgets()
+    {
+        const RowUncertainty &rows = m_results.uncertainty->rows;
+        const ResponseResult &response = *m_results.response;
+        for (Index row = 0; row < rows.u_magnitude.size(); ++row) {
+            if (!std::isfinite(rows.u_magnitude[row]))
+                continue;
+            QVERIFY(isNear(*magnitudeOfRow(response, rows, row).u, rows.u_magnitude[row]));
+            QVERIFY(rows.u_modelMagnitude[row] >= 0.02 * response.modelMagnitude[row] - 1e-20);
+            QVERIFY(rows.u_modelPhase_rad[row] >= 0.025);
+        }
+        UncertaintyReport report = *m_results.uncertainty;
+        const UncertaintyReport before = report;
+        holdToCapability({}, response, report);
+        QVERIFY(report.rows.u_magnitude == before.rows.u_magnitude);
+    }
+};
+
+DYNCAL_TEST(TestCapability)
+#include "tst_capability.moc"
