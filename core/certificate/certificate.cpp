@@ -6,6 +6,7 @@
 #include "core/certificate/certificate_conditions_section.h"
 #include "core/certificate/certificate_frequency_section.h"
 #include "core/certificate/certificate_header_sections.h"
+#include "core/certificate/certificate_key_section.h"
 #include "core/certificate/certificate_method_sections.h"
 #include "core/certificate/certificate_result_sections.h"
 #include "core/certificate/certificate_templates.h"
@@ -29,11 +30,11 @@ CertificateData makeCertificate(
         data.number = number->second;
     data.title = certificateTitle(calibrationKind(results, recipe));
     data.sections = {administrativeSection(recipe), itemSection(results, recipe),
-        methodSection(results, recipe), conditionsSection(results, recipe),
-        resultsSection(results, recipe), shotsSection(results, recipe),
-        modelSection(results, recipe), frequencyResponseSection(results, recipe),
-        remarksSection(results, recipe), recordsSection(results, createdUtc), statementsSection(),
-        figuresSection(results, recipe)};
+        keyResultsSection(results, recipe), methodSection(results, recipe),
+        conditionsSection(results, recipe), resultsSection(results, recipe),
+        shotsSection(results, recipe), modelSection(results, recipe),
+        frequencyResponseSection(results, recipe), remarksSection(results, recipe),
+        recordsSection(results, createdUtc), statementsSection(), figuresSection(results, recipe)};
     return data;
 }
 

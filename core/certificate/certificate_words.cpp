@@ -51,6 +51,12 @@ std::string factorText(double k)
     return k < kMostOfUse ? fixedText(k, 2) : numberText(k, 3);
 }
 
+std::string printedFactor(double k)
+{
+    const double stated = printedCoverage(k);
+    return stated == kCoverageFactor ? fixedText(stated, 0) : factorText(stated);
+}
+
 std::string coverageText(double k)
 {
     return " (k = " + (k == kCoverageFactor ? fixedText(k, 0) : factorText(k)) + ")";

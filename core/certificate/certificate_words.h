@@ -33,6 +33,8 @@ Message printed(const std::optional<double> &value, std::string_view unit, Messa
 double printedCoverage(double k);
 /// "4.30".
 std::string factorText(double k);
+/// The factor that U is stated with: "2", "4.30".
+std::string printedFactor(double k);
 /// " (k = 2)", " (k = 4.30)".
 std::string coverageText(double k);
 /// "2.3301 MHz ± 0.0024 MHz (k = 2)" from a standard uncertainty; without one as printed().
