@@ -6728,6 +6728,114 @@ wanted U</source>
         <source>Recipe key certificate.decision.to_hz is %1; it needs more than certificate.decision.from_hz, which is %2.</source>
         <translation>Receptnyckeln certificate.decision.to_hz är %1; den måste vara större än certificate.decision.from_hz, som är %2.</translation>
     </message>
+    <message>
+        <source>simple acceptance (ILAC-G8): the deviation is at most the limit; a deviation at the limit lies beyond it with a probability of up to 50 %</source>
+        <translation>enkel acceptans (ILAC-G8): avvikelsen är högst lika med gränsen; en avvikelse på gränsen ligger bortom den med en sannolikhet på upp till 50 %</translation>
+    </message>
+    <message>
+        <source>guard band w = U (ILAC-G8): the deviation is at most the limit less its expanded uncertainty U</source>
+        <translation>skyddsband w = U (ILAC-G8): avvikelsen är högst lika med gränsen minus sin utvidgade osäkerhet U</translation>
+    </message>
+    <message>
+        <source>specific risk (JCGM 106): the probability that the deviation lies beyond the limit is at most %1 % at every frequency</source>
+        <translation>specifik risk (JCGM 106): sannolikheten att avvikelsen ligger bortom gränsen är högst %1 % vid varje frekvens</translation>
+    </message>
+    <message>
+        <source>conforms</source>
+        <translation>överensstämmer</translation>
+    </message>
+    <message>
+        <source>does not conform</source>
+        <translation>överensstämmer inte</translation>
+    </message>
+    <message>
+        <source>at %1 the deviation is %2; it lies beyond the limit with a probability of %3 %</source>
+        <translation>vid %1 är avvikelsen %2; den ligger bortom gränsen med en sannolikhet på %3 %</translation>
+    </message>
+    <message>
+        <source>Statement of conformity</source>
+        <translation>Utlåtande om överensstämmelse</translation>
+    </message>
+    <message>
+        <source>Claim</source>
+        <translation>Påstående</translation>
+    </message>
+    <message>
+        <source>Decision rule</source>
+        <translation>Beslutsregel</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultat</translation>
+    </message>
+    <message>
+        <source>Worst frequency</source>
+        <translation>Sämsta frekvensen</translation>
+    </message>
+    <message>
+        <source>lower limit %1</source>
+        <translation>undre gräns %1</translation>
+    </message>
+    <message>
+        <source>edge 5 %: %1</source>
+        <translation>bandgräns 5 %: %1</translation>
+    </message>
+    <message>
+        <source>edge 10 %: %1</source>
+        <translation>bandgräns 10 %: %1</translation>
+    </message>
+    <message>
+        <source>edge -3 dB: %1</source>
+        <translation>bandgräns -3 dB: %1</translation>
+    </message>
+    <message>
+        <source>resonance %1</source>
+        <translation>resonans %1</translation>
+    </message>
+    <message>
+        <source>upper limit %1</source>
+        <translation>övre gräns %1</translation>
+    </message>
+    <message>
+        <source>Beside the frequencies asked for, the table always has the limits of the band and, where they lie between these, the band edges and the resonance of the key results. What stands in these lines was computed at exactly these frequencies, as in all others.</source>
+        <translation>Utöver de begärda frekvenserna har tabellen alltid bandets gränser och, där de ligger mellan dessa, huvudresultatens bandgränser och resonans. Det som står på dessa rader är beräknat vid exakt dessa frekvenser, som på alla andra.</translation>
+    </message>
+    <message>
+        <source>A statement of conformity is made; it has a section.</source>
+        <translation>Ett utlåtande om överensstämmelse görs; det har ett eget avsnitt.</translation>
+    </message>
+    <message>
+        <source>Magnitude at the resonance, from the records</source>
+        <translation>Belopp vid resonansen, ur registreringarna</translation>
+    </message>
+    <message>
+        <source>withheld (see the frequency response)</source>
+        <translation>anges inte (se frekvenssvaret)</translation>
+    </message>
+    <message>
+        <source>no statement: the response was measured from %1 to %2 only</source>
+        <translation>inget utlåtande: svaret mättes endast från %1 till %2</translation>
+    </message>
+    <message>
+        <source>no statement: at %1 no value with a complete uncertainty is stated</source>
+        <translation>inget utlåtande: vid %1 anges inget värde med fullständig osäkerhet</translation>
+    </message>
+    <message>
+        <source>no statement: between %1 and %2 the response has no value; a third of an octave is the widest step</source>
+        <translation>inget utlåtande: mellan %1 och %2 har svaret inget värde; en tredjedels oktav är det längsta steget</translation>
+    </message>
+    <message>
+        <source>no statement: no response over frequency, or its level at low frequency, is known</source>
+        <translation>inget utlåtande: inget svar över frekvens, eller inte dess nivå vid låg frekvens, är känt</translation>
+    </message>
+    <message>
+        <source>the magnitude of the response lies within ±%1 % of its value at low frequency, from %2 to %3</source>
+        <translation>svarets belopp ligger inom ±%1 % av sitt värde vid låg frekvens, från %2 till %3</translation>
+    </message>
+    <message>
+        <source>Judged at %1 frequencies, no two neighbours farther apart than a third of an octave. The deviation is that of the response, as measured without a model, from its value at the onset of the step: what both share, as the pressure step and the gain of the chain, cancels in it and is not part of its uncertainty.</source>
+        <translation>Bedömt vid %1 frekvenser, inga två grannar längre ifrån varandra än en tredjedels oktav. Avvikelsen är den hos svaret, som det mättes utan modell, från dess värde vid stegets början: det som båda har gemensamt, som trycksteget och mätkedjans förstärkning, tar ut sig och ingår inte i dess osäkerhet.</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

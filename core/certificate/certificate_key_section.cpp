@@ -4,11 +4,13 @@
 #include "core/certificate/certificate_key_section.h"
 
 #include "core/certificate/certificate_sensitivity.h"
+#include "core/certificate/certificate_words.h"
 #include "core/certificate/result_quantity.h"
 #include "core/model_analysis/stated_characteristics.h"
 #include "core/pipeline/calibration_kind.h"
 
-#include <iterator>
+#include <algorithm>
+#include <cmath>
 #include <utility>
 #include <vector>
 
@@ -67,6 +69,34 @@ void addPeak(const CalibrationResults &results, Quantities &quantities)
         {DYNCAL_TEXT("core", "Magnitude at the resonance over the sensitivity"), {}});
 }
 
+const char *unitOf(const ResponseResult &response)
+{
+    return response.unit == "1" ? "" : response.unit.c_str();
+}
+
+Message whyNotMeasured(double magnitude)
+{
+    return std::isfinite(magnitude)
+        ? whyNoResult(nullptr)
+        : Message{DYNCAL_TEXT("core", "withheld (see the frequency response)"), {}};
+}
+
+/// What the records themselves say at the resonance, without the model.
+void addMeasuredPeak(const CalibrationResults &results, Quantities &quantities)
+{
+    const ResponseResult *marked = results.response ? results.response->atMarks.get() : nullptr;
+    if (!marked || !results.uncertainty)
+        return;
+    const auto mark = std::ranges::find(marked->marks, RowMark::Resonance);
+    if (mark == marked->marks.end())
+        return;
+    const Index row = mark - marked->marks.begin();
+    const RowUncertainty &rows = results.uncertainty->rowsAtMarks;
+    quantities.push_back({{DYNCAL_TEXT("core", "Magnitude at the resonance, from the records"), {}},
+        marked->magnitude[row], valueAt(rows.u_magnitude, row), valueAt(rows.k_magnitude, row),
+        unitOf(*marked), whyNotMeasured(marked->magnitude[row])});
+}
+
 /// The model's characteristics as far as the records reach; beyond, the bound or the reason.
 void addCharacteristics(const CalibrationResults &results, Quantities &quantities)
 {
@@ -104,6 +134,7 @@ CertificateSection keyResultsSection(const CalibrationResults &results, const Re
         quantities = sensitivityQuantities(results);
     addResonance(results, quantities);
     addPeak(results, quantities);
+    addMeasuredPeak(results, quantities);
     if (isStep)
         addCharacteristics(results, quantities);
     addQuantityTables(quantities, section);

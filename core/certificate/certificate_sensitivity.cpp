@@ -37,7 +37,7 @@ Message levelLabel(ShotLevel level)
     return {DYNCAL_TEXT("core", "Sensitivity at the onset of the step, high level"), {}};
 }
 
-ResultQuantity quantityOf(
+ResultQuantity sensitivityQuantity(
     Message label, double value, const ReportedValue *reported, const ResponseResult &response)
 {
     const bool isKnown = reported && reported->u;
@@ -50,7 +50,7 @@ std::vector<ResultQuantity> levelQuantities(const CalibrationResults &results)
     std::vector<ResultQuantity> quantities;
     const std::vector<SensitivityMean> &levels = results.response->summary.perLevel;
     for (std::size_t i = 0; i < levels.size(); ++i)
-        quantities.push_back(quantityOf(levelLabel(levels[i].level), levels[i].value,
+        quantities.push_back(sensitivityQuantity(levelLabel(levels[i].level), levels[i].value,
             levelOf(results.uncertainty.get(), i), *results.response));
     return quantities;
 }
@@ -76,7 +76,7 @@ ResultQuantity meanQuantity(const CalibrationResults &results)
         return none;
     }
     const bool isReported = results.uncertainty && results.uncertainty->sensitivity;
-    return quantityOf(meanLabel(response), *response->sensitivity,
+    return sensitivityQuantity(meanLabel(response), *response->sensitivity,
         isReported ? &*results.uncertainty->sensitivity : nullptr, *response);
 }
 

@@ -23,6 +23,11 @@ Message verbatim(std::string text)
     return {"%1", {std::move(text)}};
 }
 
+double valueAt(const Eigen::VectorXd &values, Index row)
+{
+    return row < values.size() ? values[row] : kUnknown;
+}
+
 Message dash()
 {
     return verbatim("\xE2\x80\x93");

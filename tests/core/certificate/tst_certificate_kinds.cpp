@@ -216,6 +216,32 @@ private slots:
         }
     }
 
+    /// A mark at a frequency asked for names its line; another has a line of its own in its place.
+    void markedFrequencies_haveLinesWithTheirNames()
+    {
+        CalibrationResults results = resultsOf(ComputedStep);
+        ResponseResult &response = writable(results.response);
+        const std::size_t asked
+            = tableOf(certificateOf(results), "frequency-response")->rows.size();
+        auto marked = std::make_shared<ResponseResult>(response);
+        marked->frequency_Hz.resize(3);
+        marked->frequency_Hz << response.frequency_Hz[0],
+            0.5 * (response.frequency_Hz[4] + response.frequency_Hz[5]), response.fHigh_Hz;
+        marked->marks = {RowMark::LowEnd, RowMark::Resonance, RowMark::HighEnd};
+        marked->magnitude[1] = 7.7e-6;
+        response.atMarks = marked;
+        const CertificateData data = certificateOf(results);
+        const CertificateTable &table = *tableOf(data, "frequency-response");
+        QCOMPARE(table.rows.size(), asked + 1);
+        QVERIFY(english(table.rows.front().front()).starts_with("lower limit "));
+        QVERIFY(english(table.rows[5].front()).starts_with("resonance "));
+        QCOMPARE(english(table.rows[5][1]).substr(0, 3), std::string("7.7"));
+        QVERIFY(english(table.rows.back().front()).starts_with("upper limit "));
+        QVERIFY(english(table.rows[1].front()).find(' ') != std::string::npos);
+        QCOMPARE(keyResult(data, "Magnitude at the resonance, from the records"),
+            std::string("no complete uncertainty"));
+    }
+
     void bandsBeyondTheAnswer_areBounds()
     {
         CalibrationResults results = resultsOf(ComputedStep);
