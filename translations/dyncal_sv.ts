@@ -6665,8 +6665,8 @@ wanted U</source>
         <translation>Resonansfrekvens (största beloppet)</translation>
     </message>
     <message>
-        <source>Magnitude at the resonance over the sensitivity</source>
-        <translation>Belopp vid resonansen genom känsligheten</translation>
+        <source>Magnitude at the resonance over the level at the onset</source>
+        <translation>Belopp vid resonansen relativt nivån vid stegets början</translation>
     </message>
     <message>
         <source>Key results</source>

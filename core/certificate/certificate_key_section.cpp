@@ -66,7 +66,7 @@ void addPeak(const CalibrationResults &results, Quantities &quantities)
     add("q", {DYNCAL_TEXT("core", "Quality factor"), {}});
     add("resonance_hz", {DYNCAL_TEXT("core", "Resonance frequency (largest magnitude)"), {}});
     add("resonance_gain",
-        {DYNCAL_TEXT("core", "Magnitude at the resonance over the sensitivity"), {}});
+        {DYNCAL_TEXT("core", "Magnitude at the resonance over the level at the onset"), {}});
 }
 
 const char *unitOf(const ResponseResult &response)
