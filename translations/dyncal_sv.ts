@@ -2763,6 +2763,30 @@ wanted U</source>
         <source>comparison</source>
         <translation>jämförelse</translation>
     </message>
+    <message>
+        <source>decision rule</source>
+        <translation>beslutsregel</translation>
+    </message>
+    <message>
+        <source>limit of the claim</source>
+        <translation>påståendets gräns</translation>
+    </message>
+    <message>
+        <source>lowest frequency of the claim</source>
+        <translation>påståendets lägsta frekvens</translation>
+    </message>
+    <message>
+        <source>highest frequency of the claim</source>
+        <translation>påståendets högsta frekvens</translation>
+    </message>
+    <message>
+        <source>largest risk of the claim</source>
+        <translation>påståendets största risk</translation>
+    </message>
+    <message>
+        <source>decision on conformity</source>
+        <translation>beslut om överensstämmelse</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -3999,10 +4023,6 @@ wanted U</source>
     <message>
         <source>Amplitude</source>
         <translation>Amplitud</translation>
-    </message>
-    <message>
-        <source>Results</source>
-        <translation>Resultat</translation>
     </message>
     <message>
         <source>Shots</source>
@@ -5945,10 +5965,6 @@ wanted U</source>
         <translation>Känslighet vid stegets början, hög nivå</translation>
     </message>
     <message>
-        <source>one value per level (the shots do not agree)</source>
-        <translation>ett värde per nivå (skotten stämmer inte överens)</translation>
-    </message>
-    <message>
         <source>Sensitivity at the onset of the step, mean of the shots, which do not agree</source>
         <translation>Känslighet vid stegets början, medelvärde över skotten, som inte stämmer överens</translation>
     </message>
@@ -6465,18 +6481,6 @@ wanted U</source>
         <translation>En givare av andra ordningen (dämpkvot %1) beskriver registreringarna bättre än ordning %2, enligt deras BIC: om ett så dämpat svar säger de realiserade polerna föga.</translation>
     </message>
     <message>
-        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the sensitivity contain the pressure step, the shots, the noise, gain, linearity and mounting; those of the frequency response also the end of the records, the sampling, the front and a drift; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: gain 0.5 %, linearity and mounting 0.1 %, clock 50 ppm, a front of up to 100 ns. The budget of every value is in results.json. A result without an uncertainty beside it has none that is complete, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
-        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en konfidensnivå av ungefär 95 % (GUM, JCGM 100). Känslighetens innehåller tryckstegets, skottens och brusets bidrag, förstärkning, linjäritet och montering; frekvenssvarets även registreringens slut, samplingen, fronten och en drift; frekvensers och tiders brus och samplingsklocka. Det som inte har angetts räknas med det vanliga intervallet: förstärkning 0,5 %, linjäritet och montering 0,1 %, klocka 50 ppm, en front på upp till 100 ns. Varje värdes budget finns i results.json. Ett resultat utan osäkerhet bredvid sig har ingen som är fullständig och är avrundat till tre gällande siffror; inställningar och avläsningar anges med högst fyra. Stigtid, översläng, insvängningstid och bandgränser är modellens, så långt som registreringar och modell räcker.</translation>
-    </message>
-    <message>
-        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the frequency response contain the noise of the recordings and of the level, the end of the records, the sampling, the front and a drift; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: clock 50 ppm, a front of up to 100 ns. The budget of every value is in results.json. A result without an uncertainty beside it has none that is complete, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
-        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en konfidensnivå av ungefär 95 % (GUM, JCGM 100). Frekvensgångens innehåller registreringarnas och nivåns brus, registreringens slut, samplingen, fronten och en drift; frekvensers och tiders brus och samplingsklocka. Det som inte har angetts räknas med det vanliga intervallet: klocka 50 ppm, en front på upp till 100 ns. Varje värdes budget finns i results.json. Ett resultat utan osäkerhet bredvid sig har ingen som är fullständig och är avrundat till tre gällande siffror; inställningar och avläsningar anges med högst fyra. Stigtid, översläng, insvängningstid och bandgränser är modellens, så långt som registreringar och modell räcker.</translation>
-    </message>
-    <message>
-        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). They contain the noise of the recordings and, of frequencies, the sample clock, which counts with 50 ppm unless it was stated. A result without an uncertainty beside it has none that is complete, and is rounded to three significant digits; settings and readings are quoted with four at most.</source>
-        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en konfidensnivå av ungefär 95 % (GUM, JCGM 100). De innehåller registreringarnas brus och, för frekvenser, samplingsklockan, som räknas med 50 ppm om den inte har angetts. Ett resultat utan osäkerhet bredvid sig har ingen som är fullständig och är avrundat till tre gällande siffror; inställningar och avläsningar anges med högst fyra.</translation>
-    </message>
-    <message>
         <source>the model was not refined</source>
         <translation>modellen har inte förfinats</translation>
     </message>
@@ -6547,10 +6551,6 @@ wanted U</source>
     <message>
         <source>The pressure step of each shot is what the reference transducer saw: the settled level of its output over its sensitivity at the lowest frequency of its calibration.</source>
         <translation>Varje skotts trycksteg är det som referensgivaren såg: den insvängda nivån hos dess utsignal över dess känslighet vid kalibreringens lägsta frekvens.</translation>
-    </message>
-    <message>
-        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the sensitivity contain the reference transducer&apos;s certificate, its chain and its level, the shots, the noise, gain, linearity and mounting; those of the frequency response also the noise of the reference, the end of the records, the sampling, a drift and, in the phase, the delay between the two; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: gain of either chain 0.5 %, linearity and mounting 0.1 %, clock 50 ppm, a delay of up to 0.5 µs. The budget of every value is in results.json. A result without an uncertainty beside it has none that is complete, and is rounded to three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
-        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en konfidensnivå av ungefär 95 % (GUM, JCGM 100). Känslighetens innehåller referensgivarens certifikat, dess mätkedja och nivå, skotten, bruset, förstärkning, linjäritet och montering; frekvenssvarets även referensens brus, registreringarnas slut, samplingen, en drift och, i fasen, fördröjningen mellan de två; frekvensers och tiders brus och samplingsklocka. Det som inte har angetts räknas med det vanliga intervallet: vardera kedjans förstärkning 0,5 %, linjäritet och montering 0,1 %, klocka 50 ppm, en fördröjning på upp till 0,5 µs. Varje värdes budget finns i results.json. Ett resultat utan osäkerhet bredvid sig har ingen som är fullständig och är avrundat till tre gällande siffror; inställningar och avläsningar anges med högst fyra. Stigtid, översläng, insvängningstid och bandgränser är modellens, så långt som registreringar och modell räcker.</translation>
     </message>
     <message>
         <source>The response taken from the data is withheld at %1 of %2 frequencies, from %3 to %4: the reference transducer was not calibrated there, and nothing is extrapolated.</source>
@@ -6655,6 +6655,186 @@ wanted U</source>
     <message>
         <source>The sensitivity against the computed pressure step differs by %1 % from that against the reference transducer, more than both uncertainties allow (U = %2 %, k = 2). Check the transducer&apos;s certificate, unit and chain, and gas, temperature and distances of the step.</source>
         <translation>Känsligheten mot det beräknade trycksteget skiljer sig med %1 % från den mot referensgivaren, mer än båda osäkerheterna tillåter (U = %2 %, k = 2). Kontrollera givarens certifikat, enhet och mätkedja samt stegets gas, temperatur och avstånd.</translation>
+    </message>
+    <message>
+        <source>Quality factor</source>
+        <translation>Godhetstal</translation>
+    </message>
+    <message>
+        <source>Resonance frequency (largest magnitude)</source>
+        <translation>Resonansfrekvens (största beloppet)</translation>
+    </message>
+    <message>
+        <source>Magnitude at the resonance over the level at the onset</source>
+        <translation>Belopp vid resonansen relativt nivån vid stegets början</translation>
+    </message>
+    <message>
+        <source>Key results</source>
+        <translation>Huvudresultat</translation>
+    </message>
+    <message>
+        <source>U = k u is the expanded uncertainty, u the complete standard uncertainty, for a level of confidence of about 95 % (GUM, JCGM 100). What it contains stands in the section &quot;Results in detail&quot;.</source>
+        <translation>U = k u är den utvidgade osäkerheten, u den fullständiga standardosäkerheten, för en konfidensnivå av ungefär 95 % (GUM, JCGM 100). Vad den innehåller står i avsnittet ”Resultat i detalj”.</translation>
+    </message>
+    <message>
+        <source>Results in detail</source>
+        <translation>Resultat i detalj</translation>
+    </message>
+    <message>
+        <source>The shots do not agree: the sensitivity is stated for each level, and no mean of all shots.</source>
+        <translation>Skotten stämmer inte överens: känsligheten anges för varje nivå, och inget medelvärde av alla skott.</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the sensitivity contain the pressure step, the shots, the noise, gain, linearity and mounting; those of the frequency response also the end of the records, the sampling, the front and a drift; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: gain 0.5 %, linearity and mounting 0.1 %, clock 50 ppm, a front of up to 100 ns. The budget of every value is in results.json. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
+        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en konfidensnivå av ungefär 95 % (GUM, JCGM 100). Känslighetens innehåller tryckstegets, skottens och brusets bidrag, förstärkning, linjäritet och montering; frekvenssvarets även registreringens slut, samplingen, fronten och en drift; frekvensers och tiders brus och samplingsklocka. Det som inte har angetts räknas med det vanliga intervallet: förstärkning 0,5 %, linjäritet och montering 0,1 %, klocka 50 ppm, en front på upp till 100 ns. Varje värdes budget finns i results.json. Ett värde utan osäkerhet bredvid sig har ingen som är fullständig: det är inget resultat och har tre gällande siffror; inställningar och avläsningar anges med högst fyra. Stigtid, översläng, insvängningstid och bandgränser är modellens, så långt som registreringar och modell räcker.</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the sensitivity contain the reference transducer&apos;s certificate, its chain and its level, the shots, the noise, gain, linearity and mounting; those of the frequency response also the noise of the reference, the end of the records, the sampling, a drift and, in the phase, the delay between the two; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: gain of either chain 0.5 %, linearity and mounting 0.1 %, clock 50 ppm, a delay of up to 0.5 µs. The budget of every value is in results.json. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
+        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en konfidensnivå av ungefär 95 % (GUM, JCGM 100). Känslighetens innehåller referensgivarens certifikat, dess mätkedja och nivå, skotten, bruset, förstärkning, linjäritet och montering; frekvenssvarets även referensens brus, registreringarnas slut, samplingen, en drift och, i fasen, fördröjningen mellan de två; frekvensers och tiders brus och samplingsklocka. Det som inte har angetts räknas med det vanliga intervallet: vardera kedjans förstärkning 0,5 %, linjäritet och montering 0,1 %, klocka 50 ppm, en fördröjning på upp till 0,5 µs. Varje värdes budget finns i results.json. Ett värde utan osäkerhet bredvid sig har ingen som är fullständig: det är inget resultat och har tre gällande siffror; inställningar och avläsningar anges med högst fyra. Stigtid, översläng, insvängningstid och bandgränser är modellens, så långt som registreringar och modell räcker.</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). Those of the frequency response contain the noise of the recordings and of the level, the end of the records, the sampling, the front and a drift; those of frequencies and times the noise and the sample clock. What was not stated counts with the usual range: clock 50 ppm, a front of up to 100 ns. The budget of every value is in results.json. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most. Rise time, overshoot, settling time and band edges are those of the model, as far as records and model reach.</source>
+        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en konfidensnivå av ungefär 95 % (GUM, JCGM 100). Frekvensgångens innehåller registreringarnas och nivåns brus, registreringens slut, samplingen, fronten och en drift; frekvensers och tiders brus och samplingsklocka. Det som inte har angetts räknas med det vanliga intervallet: klocka 50 ppm, en front på upp till 100 ns. Varje värdes budget finns i results.json. Ett värde utan osäkerhet bredvid sig har ingen som är fullständig: det är inget resultat och har tre gällande siffror; inställningar och avläsningar anges med högst fyra. Stigtid, översläng, insvängningstid och bandgränser är modellens, så långt som registreringar och modell räcker.</translation>
+    </message>
+    <message>
+        <source>Uncertainties marked U (k = 2) are expanded uncertainties with the coverage factor k = 2, or with the larger one printed beside them, for a level of confidence of about 95 % (GUM, JCGM 100). They contain the noise of the recordings and, of frequencies, the sample clock, which counts with 50 ppm unless it was stated. A value without an uncertainty beside it has none that is complete: it is no result, and has three significant digits; settings and readings are quoted with four at most.</source>
+        <translation>Osäkerheter märkta U (k = 2) är utvidgade osäkerheter med täckningsfaktorn k = 2, eller med den större som står bredvid, för en konfidensnivå av ungefär 95 % (GUM, JCGM 100). De innehåller registreringarnas brus och, för frekvenser, samplingsklockan, som räknas med 50 ppm om den inte har angetts. Ett värde utan osäkerhet bredvid sig har ingen som är fullständig: det är inget resultat och har tre gällande siffror; inställningar och avläsningar anges med högst fyra.</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Värde</translation>
+    </message>
+    <message>
+        <source>U</source>
+        <translation>U</translation>
+    </message>
+    <message>
+        <source>Not among the results, because no value with a complete uncertainty is known of them</source>
+        <translation>Inte bland resultaten, eftersom inget värde med fullständig osäkerhet är känt av dem</translation>
+    </message>
+    <message>
+        <source>What is known</source>
+        <translation>Vad som är känt</translation>
+    </message>
+    <message>
+        <source>no complete uncertainty</source>
+        <translation>ingen fullständig osäkerhet</translation>
+    </message>
+    <message>
+        <source>no complete uncertainty:</source>
+        <translation>ingen fullständig osäkerhet:</translation>
+    </message>
+    <message>
+        <source>Recipe key certificate.decision.to_hz is %1; it needs more than certificate.decision.from_hz, which is %2.</source>
+        <translation>Receptnyckeln certificate.decision.to_hz är %1; den måste vara större än certificate.decision.from_hz, som är %2.</translation>
+    </message>
+    <message>
+        <source>simple acceptance (ILAC-G8): the deviation is at most the limit; a deviation at the limit lies beyond it with a probability of up to 50 %</source>
+        <translation>enkel acceptans (ILAC-G8): avvikelsen är högst lika med gränsen; en avvikelse på gränsen ligger bortom den med en sannolikhet på upp till 50 %</translation>
+    </message>
+    <message>
+        <source>guard band w = U (ILAC-G8): the deviation is at most the limit less its expanded uncertainty U</source>
+        <translation>skyddsband w = U (ILAC-G8): avvikelsen är högst lika med gränsen minus sin utvidgade osäkerhet U</translation>
+    </message>
+    <message>
+        <source>specific risk (JCGM 106): the probability that the deviation lies beyond the limit is at most %1 % at every frequency</source>
+        <translation>specifik risk (JCGM 106): sannolikheten att avvikelsen ligger bortom gränsen är högst %1 % vid varje frekvens</translation>
+    </message>
+    <message>
+        <source>conforms</source>
+        <translation>överensstämmer</translation>
+    </message>
+    <message>
+        <source>does not conform</source>
+        <translation>överensstämmer inte</translation>
+    </message>
+    <message>
+        <source>at %1 the deviation is %2; it lies beyond the limit with a probability of %3 %</source>
+        <translation>vid %1 är avvikelsen %2; den ligger bortom gränsen med en sannolikhet på %3 %</translation>
+    </message>
+    <message>
+        <source>Statement of conformity</source>
+        <translation>Utlåtande om överensstämmelse</translation>
+    </message>
+    <message>
+        <source>Claim</source>
+        <translation>Påstående</translation>
+    </message>
+    <message>
+        <source>Decision rule</source>
+        <translation>Beslutsregel</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultat</translation>
+    </message>
+    <message>
+        <source>Worst frequency</source>
+        <translation>Sämsta frekvensen</translation>
+    </message>
+    <message>
+        <source>lower limit %1</source>
+        <translation>undre gräns %1</translation>
+    </message>
+    <message>
+        <source>edge 5 %: %1</source>
+        <translation>bandgräns 5 %: %1</translation>
+    </message>
+    <message>
+        <source>edge 10 %: %1</source>
+        <translation>bandgräns 10 %: %1</translation>
+    </message>
+    <message>
+        <source>edge -3 dB: %1</source>
+        <translation>bandgräns -3 dB: %1</translation>
+    </message>
+    <message>
+        <source>resonance %1</source>
+        <translation>resonans %1</translation>
+    </message>
+    <message>
+        <source>upper limit %1</source>
+        <translation>övre gräns %1</translation>
+    </message>
+    <message>
+        <source>Beside the frequencies asked for, the table always has the limits of the band and, where they lie between these, the band edges and the resonance of the key results. What stands in these lines was computed at exactly these frequencies, as in all others.</source>
+        <translation>Utöver de begärda frekvenserna har tabellen alltid bandets gränser och, där de ligger mellan dessa, huvudresultatens bandgränser och resonans. Det som står på dessa rader är beräknat vid exakt dessa frekvenser, som på alla andra.</translation>
+    </message>
+    <message>
+        <source>A statement of conformity is made; it has a section.</source>
+        <translation>Ett utlåtande om överensstämmelse görs; det har ett eget avsnitt.</translation>
+    </message>
+    <message>
+        <source>Magnitude at the resonance, from the records</source>
+        <translation>Belopp vid resonansen, ur registreringarna</translation>
+    </message>
+    <message>
+        <source>withheld (see the frequency response)</source>
+        <translation>anges inte (se frekvenssvaret)</translation>
+    </message>
+    <message>
+        <source>no statement: the response was measured from %1 to %2 only</source>
+        <translation>inget utlåtande: svaret mättes endast från %1 till %2</translation>
+    </message>
+    <message>
+        <source>no statement: at %1 no value with a complete uncertainty is stated</source>
+        <translation>inget utlåtande: vid %1 anges inget värde med fullständig osäkerhet</translation>
+    </message>
+    <message>
+        <source>no statement: between %1 and %2 the response has no value; a third of an octave is the widest step</source>
+        <translation>inget utlåtande: mellan %1 och %2 har svaret inget värde; en tredjedels oktav är det längsta steget</translation>
+    </message>
+    <message>
+        <source>no statement: no response over frequency, or its level at low frequency, is known</source>
+        <translation>inget utlåtande: inget svar över frekvens, eller inte dess nivå vid låg frekvens, är känt</translation>
+    </message>
+    <message>
+        <source>the magnitude of the response lies within ±%1 % of its value at low frequency, from %2 to %3</source>
+        <translation>svarets belopp ligger inom ±%1 % av sitt värde vid låg frekvens, från %2 till %3</translation>
+    </message>
+    <message>
+        <source>Judged at %1 frequencies, no two neighbours farther apart than a third of an octave. The deviation is that of the response, as measured without a model, from its value at the onset of the step: what both share, as the pressure step and the gain of the chain, cancels in it and is not part of its uncertainty.</source>
+        <translation>Bedömt vid %1 frekvenser, inga två grannar längre ifrån varandra än en tredjedels oktav. Avvikelsen är den hos svaret, som det mättes utan modell, från dess värde vid stegets början: det som båda har gemensamt, som trycksteget och mätkedjans förstärkning, tar ut sig och ingår inte i dess osäkerhet.</translation>
     </message>
 </context>
 <context>

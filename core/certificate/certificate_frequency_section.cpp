@@ -12,17 +12,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dyncal {
 namespace {
 
 constexpr double kDegreesPerRadian = 57.295779513082320877;
 constexpr double kRoundingOfLimit = 1e-9; ///< the last row lies on the limit
-
-double valueAt(const Eigen::VectorXd &values, Index i)
-{
-    return i < values.size() ? values[i] : kUnknown;
-}
 
 Message cell(double value, double u, std::string_view unit, double k = kCoverageFactor)
 {
@@ -59,6 +55,9 @@ std::vector<double> sortedFrequencies(const ResponseResult &response)
     std::vector<double> sorted(
         response.frequency_Hz.data(), response.frequency_Hz.data() + response.frequency_Hz.size());
     std::erase_if(sorted, [](double f) { return !std::isfinite(f); });
+    if (response.atMarks)
+        sorted.insert(sorted.end(), response.atMarks->frequency_Hz.begin(),
+            response.atMarks->frequency_Hz.end());
     std::sort(sorted.begin(), sorted.end());
     return sorted;
 }
@@ -82,19 +81,129 @@ std::string frequencyText(const std::vector<double> &sorted, double frequency_Hz
                                                 : settingText(frequency_Hz, "Hz");
 }
 
-std::vector<Message> frequencyRow(const ResponseResult &response, const RowUncertainty &rows,
-    const std::vector<double> &sorted, Index i)
+/// A line of the table: a row of the response, or of that at the marked frequencies.
+struct FrequencyLine
 {
+    const ResponseResult *response;
+    const RowUncertainty *uncertainty;
+    Index row;
+    std::vector<RowMark> marks = {};
+
+    double frequency_Hz() const { return response->frequency_Hz[row]; }
+};
+
+bool isAt(const FrequencyLine &line, double f_Hz)
+{
+    return std::abs(line.frequency_Hz() - f_Hz) <= kRoundingOfLimit * f_Hz;
+}
+
+/// A line of its own before the first above it; where its frequency was asked for, that line has
+/// the mark.
+void addMarked(const FrequencyLine &marked, std::vector<FrequencyLine> &lines)
+{
+    const double f_Hz = marked.frequency_Hz();
+    const auto same
+        = std::ranges::find_if(lines, [f_Hz](const auto &line) { return isAt(line, f_Hz); });
+    if (same != lines.end()) {
+        same->marks.push_back(marked.marks.front());
+        return;
+    }
+    const auto above = std::ranges::find_if(
+        lines, [f_Hz](const auto &line) { return line.frequency_Hz() > f_Hz; });
+    lines.insert(above, marked);
+}
+
+/// The rows asked for in their order, and the marked ones between them.
+std::vector<FrequencyLine> linesOf(const ResponseResult &response, const UncertaintyReport &report)
+{
+    std::vector<FrequencyLine> lines;
+    for (const Index row : rowsInBand(response))
+        lines.push_back({&response, &report.rows, row});
+    if (const ResponseResult *marked = response.atMarks.get())
+        for (Index i = 0; i < marked->frequency_Hz.size(); ++i)
+            addMarked(
+                {marked, &report.rowsAtMarks, i, {marked->marks[static_cast<std::size_t>(i)]}},
+                lines);
+    return lines;
+}
+
+/// The words of a mark, with a place for its frequency.
+const char *markWords(RowMark mark)
+{
+    switch (mark) {
+    case RowMark::LowEnd:
+        return DYNCAL_TEXT("core", "lower limit %1");
+    case RowMark::Within5percent:
+        return DYNCAL_TEXT("core", "edge 5 %: %1");
+    case RowMark::Within10percent:
+        return DYNCAL_TEXT("core", "edge 10 %: %1");
+    case RowMark::Minus3dB:
+        return DYNCAL_TEXT("core", "edge -3 dB: %1");
+    case RowMark::Resonance:
+        return DYNCAL_TEXT("core", "resonance %1");
+    case RowMark::HighEnd:
+        break;
+    }
+    return DYNCAL_TEXT("core", "upper limit %1");
+}
+
+/// The name in the report of the result that a marked frequency is; null of the band's ends.
+const char *reportedName(RowMark mark)
+{
+    switch (mark) {
+    case RowMark::Within5percent:
+        return "within_5_percent_hz";
+    case RowMark::Within10percent:
+        return "within_10_percent_hz";
+    case RowMark::Minus3dB:
+        return "minus_3_db_hz";
+    case RowMark::Resonance:
+        return "resonance_hz";
+    case RowMark::LowEnd:
+    case RowMark::HighEnd:
+        break;
+    }
+    return nullptr;
+}
+
+/// As the key results print it, where it is one of them.
+std::string markedText(
+    RowMark mark, const UncertaintyReport &report, const std::vector<double> &sorted, double f_Hz)
+{
+    const char *name = reportedName(mark);
+    const ReportedValue *reported = name ? report.find(name) : nullptr;
+    return reported && reported->u ? roundedText(f_Hz, *reported->expanded(), "Hz")
+                                   : frequencyText(sorted, f_Hz);
+}
+
+Message frequencyCell(
+    const FrequencyLine &line, const UncertaintyReport &report, const std::vector<double> &sorted)
+{
+    if (line.marks.empty())
+        return verbatim(frequencyText(sorted, line.frequency_Hz()));
+    std::vector<Message> names;
+    for (const RowMark mark : line.marks)
+        names.push_back({markWords(mark), {markedText(mark, report, sorted, line.frequency_Hz())}});
+    Message first = names.front();
+    first.below.assign(names.begin() + 1, names.end());
+    return first;
+}
+
+std::vector<Message> frequencyRow(const FrequencyLine &line, Message frequency)
+{
+    const ResponseResult &response = *line.response;
+    const RowUncertainty &rows = *line.uncertainty;
+    const Index i = line.row;
     const std::string unit = response.unit == "1" ? "" : response.unit;
     const double magnitude = valueAt(response.magnitude, i);
     const double uMagnitude = valueAt(rows.u_magnitude, i);
     const double phase = kDegreesPerRadian * valueAt(response.phase_rad, i);
     const double uPhase = kDegreesPerRadian * valueAt(rows.u_phase_rad, i);
-    const double f_Hz = response.frequency_Hz[i];
-    const bool isModelled = !(f_Hz > (1.0 + kRoundingOfLimit) * response.modelLimit_Hz);
+    const bool isModelled
+        = !(line.frequency_Hz() > (1.0 + kRoundingOfLimit) * response.modelLimit_Hz);
     const double k = printedCoverage(valueAt(rows.k_magnitude, i));
     const double kPhase = printedCoverage(valueAt(rows.k_phase, i));
-    return {verbatim(frequencyText(sorted, f_Hz)), cell(magnitude, uMagnitude, unit, k),
+    return {std::move(frequency), cell(magnitude, uMagnitude, unit, k),
         std::isfinite(magnitude) ? expandedCell(magnitude, uMagnitude, unit, k) : dash(),
         cell(phase, uPhase, "\xC2\xB0", kPhase),
         std::isfinite(phase) ? expandedCell(phase, uPhase, "\xC2\xB0", kPhase) : dash(),
@@ -106,8 +215,18 @@ std::vector<Message> frequencyRow(const ResponseResult &response, const RowUncer
                    : dash()};
 }
 
-CertificateTable frequencyTable(const ResponseResult &response, const RowUncertainty &uncertainty,
-    const std::vector<Index> &rows)
+std::vector<CertificateColumn> frequencyColumns()
+{
+    return {{{DYNCAL_TEXT("core", "Frequency"), {}}, true},
+        {{DYNCAL_TEXT("core", "Magnitude"), {}}, true},
+        {{DYNCAL_TEXT("core", "U (k = 2)"), {}}, true}, {{DYNCAL_TEXT("core", "Phase"), {}}, true},
+        {{DYNCAL_TEXT("core", "U (k = 2)"), {}}, true},
+        {{DYNCAL_TEXT("core", "Model, magnitude"), {}}, true},
+        {{DYNCAL_TEXT("core", "Model, phase"), {}}, true}};
+}
+
+CertificateTable frequencyTable(const ResponseResult &response, const UncertaintyReport &report,
+    const std::vector<FrequencyLine> &lines)
 {
     CertificateTable table;
     table.id = "frequency-response";
@@ -119,16 +238,20 @@ CertificateTable frequencyTable(const ResponseResult &response, const RowUncerta
             DYNCAL_TEXT("core",
                 "Sensitivity over frequency: from the responses without a model, and from the model"),
             {}};
-    table.columns = {{{DYNCAL_TEXT("core", "Frequency"), {}}, true},
-        {{DYNCAL_TEXT("core", "Magnitude"), {}}, true},
-        {{DYNCAL_TEXT("core", "U (k = 2)"), {}}, true}, {{DYNCAL_TEXT("core", "Phase"), {}}, true},
-        {{DYNCAL_TEXT("core", "U (k = 2)"), {}}, true},
-        {{DYNCAL_TEXT("core", "Model, magnitude"), {}}, true},
-        {{DYNCAL_TEXT("core", "Model, phase"), {}}, true}};
+    table.columns = frequencyColumns();
     const std::vector<double> sorted = sortedFrequencies(response);
-    for (const Index i : rows)
-        table.rows.push_back(frequencyRow(response, uncertainty, sorted, i));
+    for (const FrequencyLine &line : lines)
+        table.rows.push_back(frequencyRow(line, frequencyCell(line, report, sorted)));
     return table;
+}
+
+void addNoteOfMarks(const ResponseResult &response, CertificateSection &section)
+{
+    if (response.atMarks)
+        section.notes.push_back(
+            {DYNCAL_TEXT("core",
+                 "Beside the frequencies asked for, the table always has the limits of the band and, where they lie between these, the band edges and the resonance of the key results. What stands in these lines was computed at exactly these frequencies, as in all others."),
+                {}});
 }
 
 void addNotes(const ResponseResult &response, std::size_t rows, CertificateSection &section)
@@ -179,7 +302,8 @@ CertificateSection frequencyResponseSection(const CalibrationResults &results, c
                 {}});
         return section;
     }
-    if (!results.response || results.response->frequency_Hz.size() == 0) {
+    if (!results.response
+        || (results.response->frequency_Hz.size() == 0 && !results.response->atMarks)) {
         section.paragraphs.push_back(
             {DYNCAL_TEXT("core", "The frequency response could not be determined."), {}});
         return section;
@@ -189,11 +313,13 @@ CertificateSection frequencyResponseSection(const CalibrationResults &results, c
                           setting(response.fLow_Hz, "Hz"), false},
         {"f_high", {DYNCAL_TEXT("core", "Upper frequency limit"), {}},
             setting(response.fHigh_Hz, "Hz"), false}};
-    const std::vector<Index> rows = rowsInBand(response);
-    if (!rows.empty())
-        section.tables.push_back(frequencyTable(
-            response, results.uncertainty ? results.uncertainty->rows : RowUncertainty(), rows));
-    addNotes(response, rows.size(), section);
+    const UncertaintyReport none;
+    const UncertaintyReport &report = results.uncertainty ? *results.uncertainty : none;
+    const std::vector<FrequencyLine> lines = linesOf(response, report);
+    if (!lines.empty())
+        section.tables.push_back(frequencyTable(response, report, lines));
+    addNoteOfMarks(response, section);
+    addNotes(response, rowsInBand(response).size(), section);
     if (const auto sentence = comparisonSentence(results))
         section.notes.push_back(*sentence);
     return section;

@@ -10,8 +10,9 @@
 namespace dyncal {
 
 /// The frequency response: of a pressure step as sensitivity, of an unknown step normalised. A row
-/// for every frequency inside the band where an answer exists (fLow_Hz to fHigh_Hz); the model's
-/// columns end at half its rate. A free decay has none.
+/// for every frequency inside the band where an answer exists (fLow_Hz to fHigh_Hz), and always for
+/// the marked ones (ResponseResult::atMarks), each named; the model's columns end at half its rate.
+/// A free decay has none.
 CertificateSection frequencyResponseSection(
     const CalibrationResults &results, const Recipe &recipe);
 

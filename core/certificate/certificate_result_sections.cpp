@@ -20,68 +20,6 @@ namespace {
 
 constexpr double kMostDecibels = 1e4; ///< of a ratio of two doubles
 
-Message noModel()
-{
-    return {DYNCAL_TEXT("core", "not determined (no model)"), {}};
-}
-
-/// What is reported of the model, with its complete uncertainty; null where it is not.
-const ReportedValue *reportedOf(const CalibrationResults &results, const char *of)
-{
-    return results.uncertainty ? results.uncertainty->find(of) : nullptr;
-}
-
-void addResonance(const CalibrationResults &results, CertificateSection &section)
-{
-    const auto found = sensorResonance(results.model.get(), results.assessment.get());
-    const SensorResonance shown = found.value_or(SensorResonance());
-    const Message none = results.model
-        ? Message{DYNCAL_TEXT("core", "not determined (the model does not oscillate)"), {}}
-        : noModel();
-    const auto add
-        = [&](const char *id, Message label, const char *of, double value, const char *unit) {
-              const ReportedValue *reported = reportedOf(results, of);
-              const double u = reported && reported->u ? *reported->u : kUnknown;
-              section.fields.push_back({id, std::move(label),
-                  found ? printedWithUncertainty(
-                      value, u, unit, printedCoverage(reported ? reported->k : kUnknown))
-                        : none,
-                  false});
-          };
-    add("natural_frequency", {DYNCAL_TEXT("core", "Undamped natural frequency"), {}}, "f0_hz",
-        shown.frequency_Hz, "Hz");
-    add("damping_ratio", {DYNCAL_TEXT("core", "Damping ratio"), {}}, "damping_ratio",
-        shown.dampingRatio, "");
-}
-
-void addCharacteristics(const CalibrationResults &results, CertificateSection &section)
-{
-    const StatedCharacteristics found
-        = results.response ? statedCharacteristics(*results.response) : StatedCharacteristics();
-    const auto add = [&](const char *id, Message label, const StatedValue &value, const char *of) {
-        const ReportedValue *reported = reportedOf(results, of);
-        const bool known = value.value && reported && reported->u;
-        section.fields.push_back({id, std::move(label),
-            known ? printedWithUncertainty(
-                *value.value, *reported->u, reported->unit, printedCoverage(reported->k))
-                : results.response ? value.words
-                                   : noModel(),
-            false});
-    };
-    add("rise_time", {DYNCAL_TEXT("core", "Rise time, 10 % to 90 %"), {}}, found.riseTime_s,
-        "rise_time_s");
-    add("overshoot", {DYNCAL_TEXT("core", "Overshoot"), {}}, found.overshoot_percent,
-        "overshoot_percent");
-    add("settling_time", {DYNCAL_TEXT("core", "Settling time, within 5 %"), {}},
-        found.settlingTime_s, "settling_time_s");
-    add("within_5_percent", {DYNCAL_TEXT("core", "Magnitude within 5 % up to"), {}},
-        found.within5percent_Hz, "within_5_percent_hz");
-    add("within_10_percent", {DYNCAL_TEXT("core", "Magnitude within 10 % up to"), {}},
-        found.within10percent_Hz, "within_10_percent_hz");
-    add("minus_3_db", {DYNCAL_TEXT("core", "Magnitude above -3 dB up to"), {}}, found.minus3dB_Hz,
-        "minus_3_db_hz");
-}
-
 Message riseCell(const WindowedResponse &response)
 {
     const StatedValue rise = statedRise(response);
@@ -166,7 +104,49 @@ std::string fitText(double percent, bool diverges = false)
                                                            : fixedText(percent, 2);
 }
 
-CertificateTable poleTable(const std::vector<Pole> &poles)
+/// The pole that f0 and the damping ratio are of; null where that is none of the list.
+const Pole *poleOfResults(const CalibrationResults &results)
+{
+    const std::vector<Pole> &poles = polesOf(*results.model, results.assessment.get());
+    if (!results.model->secondOrder)
+        return mainPole(*results.model, results.assessment.get());
+    return poles.size() < 2 ? nullptr : &poles[poles.size() - 2];
+}
+
+/// u and k that a pole's frequency and damping ratio are printed with.
+struct PrintedPole
+{
+    double u_frequency_Hz, kFrequency, u_dampingRatio, kDamping;
+};
+
+/// What the residuals cannot show joins in, so that a number reads alike wherever it is printed:
+/// the uncertainty of the sample clock, and of the key results' own pole what is reported of it.
+PrintedPole printedPole(const Pole &pole, const CalibrationResults &results)
+{
+    const double k = printedCoverage(pole.coverageFactor);
+    const UncertaintyReport *report = results.uncertainty.get();
+    if (!report)
+        return {pole.u_frequency_Hz, k, pole.u_dampingRatio, k};
+    const ReportedValue *f0 = report->find("f0_hz");
+    const ReportedValue *zeta = report->find("damping_ratio");
+    if (&pole == poleOfResults(results) && f0 && f0->u && zeta && zeta->u)
+        return {*f0->u, f0->factor(), *zeta->u, zeta->factor()};
+    const double clock_Hz = report->chain.clock.contribution * pole.frequency_Hz;
+    return {std::hypot(pole.u_frequency_Hz, clock_Hz), k, pole.u_dampingRatio, k};
+}
+
+std::vector<Message> poleRow(const Pole &pole, const CalibrationResults &results)
+{
+    const PrintedPole with = printedPole(pole, results);
+    return {poleWord(pole.poleClass), verbatim(complexText(pole)),
+        valueCell(pole.frequency_Hz, with.u_frequency_Hz, "Hz", with.kFrequency),
+        expandedCell(pole.frequency_Hz, with.u_frequency_Hz, "Hz", with.kFrequency),
+        valueCell(pole.dampingRatio, with.u_dampingRatio, "", with.kDamping),
+        expandedCell(pole.dampingRatio, with.u_dampingRatio, "", with.kDamping),
+        verbatim(roundedText(pole.amplitude, kUnknown, ""))};
+}
+
+CertificateTable poleTable(const CalibrationResults &results)
 {
     CertificateTable table;
     table.id = "poles";
@@ -178,17 +158,9 @@ CertificateTable poleTable(const std::vector<Pole> &poles)
         {{DYNCAL_TEXT("core", "Damping ratio"), {}}, true},
         {{DYNCAL_TEXT("core", "U (k = 2)"), {}}, true},
         {{DYNCAL_TEXT("core", "Amplitude"), {}}, true}};
-    for (const Pole &pole : poles) {
-        if (pole.z.imag() < 0.0)
-            continue;
-        const double k = printedCoverage(pole.coverageFactor);
-        table.rows.push_back({poleWord(pole.poleClass), verbatim(complexText(pole)),
-            valueCell(pole.frequency_Hz, pole.u_frequency_Hz, "Hz", k),
-            expandedCell(pole.frequency_Hz, pole.u_frequency_Hz, "Hz", k),
-            valueCell(pole.dampingRatio, pole.u_dampingRatio, "", k),
-            expandedCell(pole.dampingRatio, pole.u_dampingRatio, "", k),
-            verbatim(roundedText(pole.amplitude, kUnknown, ""))});
-    }
+    for (const Pole &pole : polesOf(*results.model, results.assessment.get()))
+        if (!(pole.z.imag() < 0.0))
+            table.rows.push_back(poleRow(pole, results));
     return table;
 }
 
@@ -206,15 +178,11 @@ std::string gainUnit(const CalibrationResults &results)
 CertificateSection resultsSection(const CalibrationResults &results, const Recipe &recipe)
 {
     const CalibrationKind kind = calibrationKind(results, recipe);
-    const bool isStep = kind != CalibrationKind::FreeDecay;
     CertificateSection section;
     section.id = "results";
-    section.title = {DYNCAL_TEXT("core", "Results"), {}};
-    if (isStep)
-        addSensitivity(results, section);
-    addResonance(results, section);
-    if (isStep)
-        addCharacteristics(results, section);
+    section.title = {DYNCAL_TEXT("core", "Results in detail"), {}};
+    if (kind != CalibrationKind::FreeDecay)
+        addSensitivityDetails(results, section);
     section.notes.push_back(uncertaintyNote(kind));
     return section;
 }
@@ -275,7 +243,7 @@ CertificateSection modelSection(const CalibrationResults &results, const Recipe 
             {DYNCAL_TEXT(
                  "core", "The model has a pole outside the unit circle: its simulation diverges."),
                 {}});
-    section.tables.push_back(poleTable(polesOf(model, results.assessment.get())));
+    section.tables.push_back(poleTable(results));
     addNuisance(model, results.assessment.get(), gainUnit(results), section);
     if (results.input)
         addLeftOut(*results.input, section);

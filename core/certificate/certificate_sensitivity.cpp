@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace dyncal {
 namespace {
@@ -19,25 +20,6 @@ Message notDetermined(const ResponseResult *response)
             response->shots, [](const ShotSensitivity &shot) { return shot.step_Pa.has_value(); });
     return hasStep ? Message{DYNCAL_TEXT("core", "not determined (no level at the onset)"), {}}
                    : Message{DYNCAL_TEXT("core", "not determined (no pressure step)"), {}};
-}
-
-/// A mean with its complete uncertainty.
-Message textOf(double value, const ReportedValue *reported, const ResponseResult &response)
-{
-    if (!reported || !reported->u)
-        return printed(value, response.sensitivityUnit, notDetermined(&response));
-    return printedWithUncertainty(
-        value, *reported->u, response.sensitivityUnit, printedCoverage(reported->k));
-}
-
-Message meanText(const CalibrationResults &results)
-{
-    const ResponseResult *response = results.response.get();
-    if (!response || !response->sensitivity)
-        return notDetermined(response);
-    const bool reported = results.uncertainty && results.uncertainty->sensitivity;
-    return textOf(
-        *response->sensitivity, reported ? &*results.uncertainty->sensitivity : nullptr, *response);
 }
 
 /// Where the shots disagree a mean over levels says nothing: each level stands for itself.
@@ -55,34 +37,47 @@ Message levelLabel(ShotLevel level)
     return {DYNCAL_TEXT("core", "Sensitivity at the onset of the step, high level"), {}};
 }
 
-void addLevels(const CalibrationResults &results, CertificateSection &section)
+ResultQuantity sensitivityQuantity(
+    Message label, double value, const ReportedValue *reported, const ResponseResult &response)
 {
+    const bool isKnown = reported && reported->u;
+    return {std::move(label), value, isKnown ? *reported->u : kUnknown,
+        isKnown ? reported->k : kUnknown, response.sensitivityUnit, whyNoResult(reported)};
+}
+
+std::vector<ResultQuantity> levelQuantities(const CalibrationResults &results)
+{
+    std::vector<ResultQuantity> quantities;
     const std::vector<SensitivityMean> &levels = results.response->summary.perLevel;
-    for (std::size_t i = 0; i < levels.size(); ++i) {
-        const ReportedValue *reported = levelOf(results.uncertainty.get(), i);
-        section.fields.push_back({"sensitivity_level", levelLabel(levels[i].level),
-            textOf(levels[i].value, reported, *results.response), false});
-    }
+    for (std::size_t i = 0; i < levels.size(); ++i)
+        quantities.push_back(sensitivityQuantity(levelLabel(levels[i].level), levels[i].value,
+            levelOf(results.uncertainty.get(), i), *results.response));
+    return quantities;
 }
 
 Message meanLabel(const ResponseResult *response)
 {
     if (response && response->shots.size() == 1)
         return {DYNCAL_TEXT("core", "Sensitivity at the onset of the step"), {}};
-    if (!response || response->summary.shotsAgree || isByLevel(response))
+    if (!response || response->summary.shotsAgree)
         return {DYNCAL_TEXT("core", "Sensitivity at the onset of the step, mean of the shots"), {}};
     return {DYNCAL_TEXT("core",
                 "Sensitivity at the onset of the step, mean of the shots, which do not agree"),
         {}};
 }
 
-void addMean(const CalibrationResults &results, CertificateSection &section)
+ResultQuantity meanQuantity(const CalibrationResults &results)
 {
     const ResponseResult *response = results.response.get();
-    const Message value = isByLevel(response)
-        ? Message{DYNCAL_TEXT("core", "one value per level (the shots do not agree)"), {}}
-        : meanText(results);
-    section.fields.push_back({"sensitivity", meanLabel(response), value, false});
+    if (!response || !response->sensitivity || !std::isfinite(*response->sensitivity)) {
+        ResultQuantity none;
+        none.label = meanLabel(response);
+        none.otherwise = notDetermined(response);
+        return none;
+    }
+    const bool isReported = results.uncertainty && results.uncertainty->sensitivity;
+    return sensitivityQuantity(meanLabel(response), *response->sensitivity,
+        isReported ? &*results.uncertainty->sensitivity : nullptr, *response);
 }
 
 void addTrend(const SensitivitySummary &summary, CertificateSection &section)
@@ -109,14 +104,22 @@ void addDrift(const ResponseResult &response, CertificateSection &section)
 
 } // namespace
 
-void addSensitivity(const CalibrationResults &results, CertificateSection &section)
+std::vector<ResultQuantity> sensitivityQuantities(const CalibrationResults &results)
+{
+    return isByLevel(results.response.get()) ? levelQuantities(results)
+                                             : std::vector{meanQuantity(results)};
+}
+
+void addSensitivityDetails(const CalibrationResults &results, CertificateSection &section)
 {
     const ResponseResult *response = results.response.get();
-    addMean(results, section);
     if (!response)
         return;
     if (isByLevel(response))
-        addLevels(results, section);
+        section.paragraphs.push_back(
+            {DYNCAL_TEXT("core",
+                 "The shots do not agree: the sensitivity is stated for each level, and no mean of all shots."),
+                {}});
     addTrend(response->summary, section);
     addDrift(*response, section);
 }

@@ -4,14 +4,20 @@
 #pragma once
 
 #include "core/certificate/certificate_data.h"
+#include "core/certificate/result_quantity.h"
 #include "core/pipeline/calibration_results.h"
+
+#include <vector>
 
 namespace dyncal {
 
-/// Appends the sensitivity of the shots together: their mean with U, or level by level where they
-/// do not agree; its trend over the steps; and the drift behind the step. Internal to
-/// core/certificate.
-void addSensitivity(const CalibrationResults &results, CertificateSection &section);
+/// The sensitivity of the shots together: their mean, or one value per level where they do not
+/// agree. Internal to core/certificate.
+std::vector<ResultQuantity> sensitivityQuantities(const CalibrationResults &results);
+
+/// Appends what belongs to it: that the shots disagree, its trend over the steps, and the drift
+/// behind the step.
+void addSensitivityDetails(const CalibrationResults &results, CertificateSection &section);
 
 /// Sensitivity of one shot (number from 1) with U where that is known.
 Message shotSensitivityText(const CalibrationResults &results, Index shot);

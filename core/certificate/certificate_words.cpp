@@ -23,6 +23,11 @@ Message verbatim(std::string text)
     return {"%1", {std::move(text)}};
 }
 
+double valueAt(const Eigen::VectorXd &values, Index row)
+{
+    return row < values.size() ? values[row] : kUnknown;
+}
+
 Message dash()
 {
     return verbatim("\xE2\x80\x93");
@@ -49,6 +54,12 @@ std::string factorText(double k)
 {
     constexpr double kMostOfUse = 1e4; // reached with a fraction of a degree of freedom
     return k < kMostOfUse ? fixedText(k, 2) : numberText(k, 3);
+}
+
+std::string printedFactor(double k)
+{
+    const double stated = printedCoverage(k);
+    return stated == kCoverageFactor ? fixedText(stated, 0) : factorText(stated);
 }
 
 std::string coverageText(double k)

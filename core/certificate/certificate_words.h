@@ -3,8 +3,11 @@
 
 #pragma once
 
+#include "core/base/index.h"
 #include "core/base/message.h"
 #include "core/capture/capture_set.h"
+
+#include <Eigen/Core>
 
 #include <optional>
 #include <string>
@@ -21,6 +24,8 @@ inline constexpr double kMostPercent = 1e6;
 bool isBlank(std::string_view text);
 /// Words that are printed as they are.
 Message verbatim(std::string text);
+/// One of a list's values, unknown past its end.
+double valueAt(const Eigen::VectorXd &values, Index row);
 /// A table cell without a value.
 Message dash();
 /// A setting or a reading, at most four digits (core/base/rounding.h); a dash if it is no number.
@@ -33,6 +38,8 @@ Message printed(const std::optional<double> &value, std::string_view unit, Messa
 double printedCoverage(double k);
 /// "4.30".
 std::string factorText(double k);
+/// The factor that U is stated with: "2", "4.30".
+std::string printedFactor(double k);
 /// " (k = 2)", " (k = 4.30)".
 std::string coverageText(double k);
 /// "2.3301 MHz ± 0.0024 MHz (k = 2)" from a standard uncertainty; without one as printed().

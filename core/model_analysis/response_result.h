@@ -13,6 +13,7 @@
 #include <Eigen/Core>
 
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -36,6 +37,9 @@ enum class BandEnd {
 /// sampling exceeds both its u and 2 % of it, the records do not hold the frequency, the reference
 /// transducer was not calibrated there, or the chain's response is not stated there.
 enum class WithheldReason { None, End, Alias, AboveRate, NotCalibrated, ChainUnknown };
+
+/// What a frequency is at which S(f) is always stated, whatever the recipe asks for.
+enum class RowMark { LowEnd, Within5percent, Within10percent, Minus3dB, Resonance, HighEnd };
 
 struct ResponseResult
 {
@@ -81,6 +85,10 @@ struct ResponseResult
     std::string sensitivityUnit;
     SensitivitySummary summary; ///< of computeResponse(); its mean is `sensitivity`
     DriftResult drift;
+    /// The same response at the marked frequencies inside the band, which `marks` names; without
+    /// curve and findings. Null where nothing was measured.
+    std::shared_ptr<const ResponseResult> atMarks;
+    std::vector<RowMark> marks; ///< of each row of `atMarks`, there only
     ResponseCurve modelCurve; ///< for plots: 600 points over the band and past it
     Findings findings;
 };

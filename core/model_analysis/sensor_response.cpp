@@ -7,6 +7,7 @@
 #include "core/base/number_text.h"
 #include "core/base/propagation.h"
 #include "core/model_analysis/chain_correction.h"
+#include "core/model_analysis/marked_frequencies.h"
 #include "core/model_analysis/model_response.h"
 #include "core/model_analysis/record_response.h"
 #include "core/model_analysis/response_findings.h"
@@ -207,48 +208,79 @@ double turnOf_rad(const SensorModel &model, double scale)
 
 /// The model's drift is known over its input only: it gives way to what the whole record shows of
 /// a drift of the sensor's chain, and to nothing for heat, which acts on the sensor's face.
-void exchangeDrift(const SensorModel &model, ResponseResult &result)
+void exchangeDrift(const SensorModel &model, const DriftResult &drift, const Eigen::VectorXd &f_Hz,
+    Eigen::VectorXd &magnitude, Eigen::VectorXd &phase_rad)
 {
-    const auto exchange
-        = [&](const Eigen::VectorXd &f_Hz, Eigen::VectorXd &magnitude, Eigen::VectorXd &phase_rad) {
-              for (Index k = 0; k < f_Hz.size(); ++k) {
-                  const std::complex<double> change
-                      = result.drift.keptAt(f_Hz[k]) / modelledDrift(model, f_Hz[k]);
-                  magnitude[k] *= std::abs(change);
-                  phase_rad[k] += std::arg(change);
-              }
-          };
-    exchange(result.frequency_Hz, result.modelMagnitude, result.modelPhase_rad);
-    exchange(
-        result.modelCurve.frequency_Hz, result.modelCurve.magnitude, result.modelCurve.phase_rad);
+    if (drift.shots.empty())
+        return;
+    for (Index k = 0; k < f_Hz.size(); ++k) {
+        const std::complex<double> change = drift.keptAt(f_Hz[k]) / modelledDrift(model, f_Hz[k]);
+        magnitude[k] *= std::abs(change);
+        phase_rad[k] += std::arg(change);
+    }
 }
 
-void describeModel(
+/// The model's answer at result.frequency_Hz.
+void describeRows(
     const SensorModel &model, ResponseTreatment treatment, double scale, ResponseResult &result)
 {
     const Index count = result.frequency_Hz.size();
     result.modelMagnitude.resize(count);
     result.modelPhase_rad.resize(count);
-    const bool isStep = isStepTreatment(treatment);
-    const double top_Hz = isStep
-        ? 1.25 * std::max(count ? result.frequency_Hz.maxCoeff() : result.fHigh_Hz, result.fHigh_Hz)
-        : result.fHigh_Hz; // nothing measured stands beside the model there
-    result.modelCurve = modelCurve(model, treatment, result.fLow_Hz, top_Hz, kCurvePoints);
     const double turn_rad = turnOf_rad(model, scale);
-    result.modelCurve.magnitude *= std::abs(scale);
-    result.modelCurve.phase_rad.array() += turn_rad;
     UnwrappedPhase phase(model, treatment);
     for (Index k = 0; k < count; ++k) {
         const double f_Hz = result.frequency_Hz[k];
-        if (!isStep && !(f_Hz <= (1.0 + kRoundingOfLimit) * result.modelLimit_Hz)) {
+        if (!isStepTreatment(treatment)
+            && !(f_Hz <= (1.0 + kRoundingOfLimit) * result.modelLimit_Hz)) {
             result.modelMagnitude[k] = result.modelPhase_rad[k] = kUnknown;
             continue;
         }
         result.modelMagnitude[k] = std::abs(scale * modelResponse(model, treatment, f_Hz));
         result.modelPhase_rad[k] = phase.at(f_Hz) + turn_rad;
     }
-    if (!result.drift.shots.empty())
-        exchangeDrift(model, result);
+    exchangeDrift(
+        model, result.drift, result.frequency_Hz, result.modelMagnitude, result.modelPhase_rad);
+}
+
+void describeCurve(
+    const SensorModel &model, ResponseTreatment treatment, double scale, ResponseResult &result)
+{
+    const double top_Hz = isStepTreatment(treatment)
+        ? 1.25
+            * std::max(
+                result.frequency_Hz.size() ? result.frequency_Hz.maxCoeff() : result.fHigh_Hz,
+                result.fHigh_Hz)
+        : result.fHigh_Hz; // nothing measured stands beside the model there
+    ResponseCurve curve = modelCurve(model, treatment, result.fLow_Hz, top_Hz, kCurvePoints);
+    curve.magnitude *= std::abs(scale);
+    curve.phase_rad.array() += turnOf_rad(model, scale);
+    exchangeDrift(model, result.drift, curve.frequency_Hz, curve.magnitude, curve.phase_rad);
+    result.modelCurve = std::move(curve);
+}
+
+void describeModel(
+    const SensorModel &model, ResponseTreatment treatment, double scale, ResponseResult &result)
+{
+    describeCurve(model, treatment, scale, result);
+    describeRows(model, treatment, scale, result);
+}
+
+/// The response at the ends of the band, its edges and the resonance: rows of their own, so that
+/// those that the recipe asks for are what they are without them.
+std::shared_ptr<const ResponseResult> measureMarks(const ResponseSource &records,
+    const SensorModel &model, ResponseTreatment treatment, double scale, double highest_Hz,
+    const ResponseResult &all, const ReferenceSensitivity *chain)
+{
+    auto marked = std::make_shared<ResponseResult>(all);
+    marked->findings.clear();
+    marked->modelCurve = {};
+    markFrequencies(model, treatment, *marked);
+    describeRows(model, treatment, scale, *marked);
+    if (chain)
+        divideModel(*chain, *marked);
+    measureRows(records, highest_Hz, *marked);
+    return marked;
 }
 
 void takeShots(ShotSensitivities &&found, ResponseResult &result)
@@ -338,13 +370,18 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
     result.unit = isStep && isAbsolute ? result.sensitivityUnit : "1";
     result.frequency_Hz = frequencyGrid(settings, result.fLow_Hz, result.fHigh_Hz);
     reportBelowBand(result);
-    if (!model.diverges)
-        describeModel(model, input.treatment, scaleOf(model, isStep, isAbsolute, result), result);
+    if (model.diverges)
+        return result;
+    const double scale = scaleOf(model, isStep, isAbsolute, result);
+    describeModel(model, input.treatment, scale, result);
     if (chain)
         divideModel(*chain, result);
-    if (isStep && !model.diverges) {
-        measureRows(*records, kHighestOfRate * rate_Hz, result);
+    if (isStep) {
+        const double highest_Hz = kHighestOfRate * rate_Hz;
+        measureRows(*records, highest_Hz, result);
         judgeRows(result);
+        result.atMarks
+            = measureMarks(*records, model, input.treatment, scale, highest_Hz, result, chain);
     }
     return result;
 }

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "core/base/message.h"
-#include "core/model_analysis/sensor_response.h"
+#include "core/model_analysis/response_result.h"
 #include "core/signal/response_window.h"
 
 #include <optional>

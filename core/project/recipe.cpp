@@ -4,6 +4,7 @@
 #include "core/project/recipe.h"
 
 #include "core/base/json_text.h"
+#include "core/base/number_text.h"
 #include "core/project/laboratory_profile.h"
 #include "core/project/recipe_fields_analysis.h"
 #include "core/project/recipe_fields_comparison.h"
@@ -64,6 +65,16 @@ Result<void> checkBudget(const std::vector<BudgetEntry> &budget)
     return {};
 }
 
+Result<void> checkDecision(const std::optional<DecisionSettings> &decision)
+{
+    if (!decision || decision->from_Hz < decision->to_Hz)
+        return {};
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "Recipe key certificate.decision.to_hz is %1; it needs more than certificate.decision.from_hz, which is %2."),
+            {numberText(decision->to_Hz, 6), numberText(decision->from_Hz, 6)}});
+}
+
 /// Checks that concern several keys.
 Result<void> checkTogether(const Recipe &recipe)
 {
@@ -73,6 +84,8 @@ Result<void> checkTogether(const Recipe &recipe)
             {DYNCAL_TEXT("core",
                  "Recipe key realization.order is %1; it needs at most realization.max_order, which is %2."),
                 {std::to_string(*realization.order.value), std::to_string(realization.maxOrder)}});
+    if (const Result<void> checked = checkDecision(recipe.certificate.decision); !checked)
+        return checked;
     return checkBudget(recipe.uncertainty.budget);
 }
 

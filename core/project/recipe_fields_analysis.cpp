@@ -193,6 +193,25 @@ Codec<Acknowledgement> acknowledgementCodec()
     });
 }
 
+Codec<DecisionSettings> decisionCodec()
+{
+    using S = DecisionSettings;
+    return object<S>({
+        field("rule", DYNCAL_TEXT("RecipeLabel", "decision rule"), &S::rule,
+            choice<DecisionRule>({{"simple", DecisionRule::Simple},
+                {"guard-band", DecisionRule::GuardBand}, {"risk", DecisionRule::Risk}}),
+            true),
+        field("within_percent", DYNCAL_TEXT("RecipeLabel", "limit of the claim"),
+            &S::within_percent, positiveNumber(), true),
+        field("from_hz", DYNCAL_TEXT("RecipeLabel", "lowest frequency of the claim"), &S::from_Hz,
+            positiveNumber(), true),
+        field("to_hz", DYNCAL_TEXT("RecipeLabel", "highest frequency of the claim"), &S::to_Hz,
+            positiveNumber(), true),
+        field("max_risk_percent", DYNCAL_TEXT("RecipeLabel", "largest risk of the claim"),
+            &S::maxRisk_percent, number(0.0, 50.0, Bound::Exclusive)),
+    });
+}
+
 Codec<CertificateSettings> certificateCodec()
 {
     using S = CertificateSettings;
@@ -203,6 +222,8 @@ Codec<CertificateSettings> certificateCodec()
             &S::languages, list(oneOf({"en", "sv"}), 1)),
         field("fields", DYNCAL_TEXT("RecipeLabel", "fields of the certificate"), &S::fields,
             dictionary(anyText(), "a field's name")),
+        field("decision", DYNCAL_TEXT("RecipeLabel", "decision on conformity"), &S::decision,
+            orNull(decisionCodec())),
     });
 }
 

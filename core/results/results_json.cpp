@@ -9,6 +9,7 @@
 #include "core/pipeline/stage_table.h"
 #include "core/results/results_analysis_json.h"
 #include "core/results/results_checks_json.h"
+#include "core/results/results_conformity_json.h"
 #include "core/results/results_measurement_json.h"
 #include "core/results/results_model_json.h"
 #include "core/results/results_response_json.h"
@@ -162,6 +163,7 @@ std::string resultsJson(
     addBands(root, context);
     addCharacteristics(root, context);
     addBudget(root, context);
+    addConformity(root, context);
     addFindings(root, context);
     addError(root, outcome);
     // Names in foreign files need not be UTF-8; results.json always is.

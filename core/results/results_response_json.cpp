@@ -95,6 +95,44 @@ void addCurves(JsonRecord &section, const ResponseResult &response)
     section.numbers("model_phase_rad", response.modelPhase_rad, noModel);
 }
 
+const char *markName(RowMark mark)
+{
+    switch (mark) {
+    case RowMark::LowEnd:
+        return "f_low";
+    case RowMark::Within5percent:
+        return "within_5_percent";
+    case RowMark::Within10percent:
+        return "within_10_percent";
+    case RowMark::Minus3dB:
+        return "minus_3_db";
+    case RowMark::Resonance:
+        return "resonance";
+    case RowMark::HighEnd:
+        break;
+    }
+    return "f_high";
+}
+
+/// The rows at the ends of the band, its edges and the resonance; keys as of the other rows.
+void addMarked(JsonRecord &section, const ResponseResult &response, const UncertaintyReport *report,
+    const std::string &whyMissing)
+{
+    if (!response.atMarks) {
+        section.missing("marked", "Nothing was measured over frequency.");
+        return;
+    }
+    const ResponseResult &marked = *response.atMarks;
+    JsonRecord rows;
+    Json names = Json::array();
+    for (const RowMark mark : marked.marks)
+        names.push_back(markName(mark));
+    rows.set("at", std::move(names));
+    addCurves(rows, marked);
+    addRowUncertainty(rows, marked, report ? &report->rowsAtMarks : nullptr, whyMissing);
+    section.set("marked", rows.take());
+}
+
 /// The edge, or the end of the band of the response that it lies beyond.
 void addBand(JsonRecord &section, const std::string &name, const StatedValue &edge)
 {
@@ -112,7 +150,8 @@ JsonRecord responseSection(
 {
     JsonRecord section;
     addCurves(section, response);
-    addRowUncertainty(section, response, report, whyMissing);
+    addRowUncertainty(section, response, report ? &report->rows : nullptr, whyMissing);
+    addMarked(section, response, report, whyMissing);
     section.number("f_low_hz", response.fLow_Hz, "Not determined.");
     section.set("f_low_reason", bandEnd(response.lowEnd));
     section.number("f_high_hz", response.fHigh_Hz, "Not determined.");

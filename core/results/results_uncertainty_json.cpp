@@ -68,13 +68,13 @@ UncertaintyJson characteristicJson(const ReportedValue &one)
 } // namespace
 
 void addRowUncertainty(JsonRecord &section, const ResponseResult &response,
-    const UncertaintyReport *report, const std::string &whyMissing)
+    const RowUncertainty *ofRows, const std::string &whyMissing)
 {
     const bool measured = response.magnitude.size() > 0;
-    const RowUncertainty rows = report && measured ? report->rows : RowUncertainty();
+    const RowUncertainty rows = ofRows && measured ? *ofRows : RowUncertainty();
     const std::string none = !measured
         ? "This treatment of the response gives no frequency response of a step."
-        : report ? kWithheldRow
+        : ofRows ? kWithheldRow
                  : whyMissing;
     section.numbers("u_magnitude", rows.u_magnitude, none);
     section.numbers("k_magnitude", rows.k_magnitude, none);
@@ -86,7 +86,7 @@ void addRowUncertainty(JsonRecord &section, const ResponseResult &response,
     section.set("covariance_re_im", rowsOf(rows.covarianceReIm));
     section.set("covariance_re_im_reason",
         "var Re, covariance, var Im of what is the row's own, without u_common_relative; null where withheld.");
-    const std::string noModel = report
+    const std::string noModel = ofRows
         ? "The model was not refined, or the uncertainty of the step is not known."
         : whyMissing;
     section.numbers("u_model_magnitude", rows.u_modelMagnitude, noModel);

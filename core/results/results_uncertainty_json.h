@@ -10,10 +10,10 @@
 
 namespace dyncal {
 
-/// Keys of a section `response` that hold complete uncertainties. `report`: null where there is
-/// none, for the reason `whyMissing`.
+/// Keys of a section `response` that hold complete uncertainties. `ofRows`: those of `response`;
+/// null where there are none, for the reason `whyMissing`.
 void addRowUncertainty(JsonRecord &section, const ResponseResult &response,
-    const UncertaintyReport *report, const std::string &whyMissing);
+    const RowUncertainty *ofRows, const std::string &whyMissing);
 
 /// Section `characteristics`.
 void addCharacteristics(JsonRecord &root, const ResultsContext &context);

@@ -103,6 +103,8 @@ void holdToCapability(const std::vector<CapabilityEntry> &cmc, const ResponseRes
             raise(leastExpanded(cmc, "sensitivity", response.shots[i].sensitivity.value_or(0.0)),
                 *report.u_ofShots[i]);
     holdRows(cmc, response, report.rows);
+    if (response.atMarks)
+        holdRows(cmc, *response.atMarks, report.rowsAtMarks);
 }
 
 } // namespace dyncal

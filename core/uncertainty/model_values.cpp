@@ -3,7 +3,7 @@
 
 #include "core/uncertainty/model_values.h"
 
-#include "core/model_analysis/model_response.h"
+#include "core/model_analysis/marked_frequencies.h"
 #include "core/model_analysis/stated_characteristics.h"
 #include "core/uncertainty/front_effect.h"
 
@@ -11,7 +11,6 @@
 #include <array>
 #include <cmath>
 #include <functional>
-#include <numbers>
 
 namespace dyncal {
 namespace {
@@ -66,27 +65,12 @@ void addResonance(std::complex<double> one, std::complex<double> other, Values &
     values.q = 0.5 / values.zeta;
 }
 
-/// Where |S| is largest near f0, by golden section: the peak is single there.
 void addPeak(const SensorModel &model, ResponseTreatment treatment, Values &values)
 {
-    constexpr double kGolden = 0.6180339887498949;
-    constexpr int kRounds = 80;
-    if (!(values.zeta < std::numbers::sqrt2 / 2.0))
-        return;
-    const auto gain = [&](double f_Hz) {
-        return std::abs(modelResponse(model, treatment, f_Hz) / model.level());
-    };
-    const double centre_Hz = values.f0_Hz * std::sqrt(1.0 - 2.0 * values.zeta * values.zeta);
-    const double reach_Hz = std::min(0.5 * centre_Hz, values.zeta * values.f0_Hz);
-    double low = centre_Hz - reach_Hz;
-    double high = centre_Hz + reach_Hz;
-    for (int i = 0; i < kRounds; ++i) {
-        const double left = high - kGolden * (high - low);
-        const double right = low + kGolden * (high - low);
-        (gain(left) < gain(right) ? low : high) = gain(left) < gain(right) ? left : right;
+    if (const auto peak = resonancePeak(model, treatment, values.f0_Hz, values.zeta)) {
+        values.resonance_Hz = peak->frequency_Hz;
+        values.resonanceGain = peak->gain;
     }
-    values.resonance_Hz = 0.5 * (low + high);
-    values.resonanceGain = gain(values.resonance_Hz);
 }
 
 /// The two poles that f0 and zeta are of, as positions in the list; empty where there are none.

@@ -199,8 +199,11 @@ UncertaintyReport reportUncertainty(const ModelInput &input, const SensorModel &
     const std::vector<ModelVariation> variations = modelVariations(input, model);
     report.ofModel
         = modelValues(model, assessment, response, variations, input.treatment, report.chain.clock);
-    report.rows = rowUncertainty(
-        response, commonLines(response, chain), model, variations, input.treatment);
+    const std::optional<CommonLines> common = commonLines(response, chain);
+    report.rows = rowUncertainty(response, common, model, variations, input.treatment);
+    if (response.atMarks)
+        report.rowsAtMarks
+            = rowUncertainty(*response.atMarks, common, model, variations, input.treatment);
     if (isStepTreatment(input.treatment)) {
         judgeMissing(report, response, shock, report.findings);
         judgeDominant(report, report.findings);

@@ -25,6 +25,7 @@ struct UncertaintyReport
     std::vector<std::optional<double>> u_ofShots; ///< complete u of each shot's sensitivity
     std::vector<ReportedValue> ofModel; ///< modelValues()
     RowUncertainty rows;
+    RowUncertainty rowsAtMarks; ///< of ResponseResult::atMarks
     ChainEffects chain;
     Findings findings; ///< UNC-001, UNC-002
 

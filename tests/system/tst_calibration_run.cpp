@@ -107,7 +107,7 @@ private slots:
             const QRegularExpression expression(QString::fromUtf8(pattern));
             return expression.match(text);
         };
-        const auto frequency = printed("natural frequency +([0-9.]+) MHz . ([0-9.]+) MHz");
+        const auto frequency = printed("natural frequency +([0-9.]+) MHz +([0-9.]+) MHz +2\\s");
         QVERIFY(frequency.hasMatch());
         const double expanded_Hz = frequency.captured(2).toDouble() * 1e6;
         // printed to the second digit of U: half a unit of that digit
@@ -116,7 +116,7 @@ private slots:
         const QJsonObject f0 = characteristic(results, "f0_hz"); // complete: with the clock
         QVERIFY(f0["u"].toDouble() > pole["u_frequency_hz"].toDouble());
         QVERIFY(std::abs(expanded_Hz / (2.0 * f0["u"].toDouble()) - 1.0) < 0.06);
-        const auto damping = printed("Damping ratio +([0-9.]+) . ([0-9.]+) ");
+        const auto damping = printed("Damping ratio +([0-9.]+) +([0-9.]+) +2\\s");
         QVERIFY(damping.hasMatch());
         QVERIFY(std::abs(damping.captured(1).toDouble() - pole["damping_ratio"].toDouble())
             <= 0.05 * damping.captured(2).toDouble());

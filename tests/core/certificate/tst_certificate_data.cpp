@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/certificate/certificate.h"
+#include "tests/support/certificate_text.h"
 #include "tests/support/example_results.h"
 #include "tests/support/test_program.h"
 #include "tests/support/writable_result.h"
@@ -24,9 +25,12 @@ using dyncal::makeCertificate;
 using dyncal::Message;
 using dyncal::Recipe;
 using dyncal::Severity;
+using dyncal::testing::keyResult;
 using dyncal::testing::writable;
 
 namespace {
+
+const char *const kF0 = "Undamped natural frequency";
 
 /// With every field typed.
 Recipe typedRecipe()
@@ -96,6 +100,8 @@ class TestCertificateData : public QObject
 private slots:
     void complete_example_hasEverySectionAndNumber();
     void complete_example_missesNothingButStaysDraft();
+    void keyResults_withBudget_haveValueUAndK();
+    void keyResults_stand_behindTheItem();
     void fields_notTyped_areMissing();
     void item_typedField_winsOverCard();
     void nothing_computed_saysWhy();
@@ -117,13 +123,13 @@ void TestCertificateData::complete_example_hasEverySectionAndNumber()
     const CalibrationResults results = dyncal::example::calibration();
     const CertificateData data = certificateOf(results);
     QCOMPARE(data.number, std::string("D-2026-0117"));
-    QCOMPARE(value(data, "results", "sensitivity"), QString::fromUtf8("12.5 µV/Pa"));
+    // Nothing is a result without its u.
+    QCOMPARE(keyResult(data, "Sensitivity at the onset of the step, mean of the shots"),
+        std::string("no complete uncertainty"));
+    QCOMPARE(keyResult(data, "Magnitude within 5 % up to"), std::string("no complete uncertainty"));
     // u = 412 Hz; U = 824 Hz rounds to 0.00082 MHz, the value to the same decimal.
-    QCOMPARE(value(data, "results", "natural_frequency"),
-        QString::fromUtf8("2.33000 MHz ± 0.00082 MHz (k = 2)"));
-    QCOMPARE(
-        value(data, "results", "damping_ratio"), QString::fromUtf8("0.02000 ± 0.00035 (k = 2)"));
-    QCOMPARE(value(data, "results", "within_5_percent"), QString("508 kHz"));
+    QCOMPARE(keyResult(data, kF0), std::string("2.33000 MHz | 0.00082 MHz | 2"));
+    QCOMPARE(keyResult(data, "Damping ratio"), std::string("0.02000 | 0.00035 | 2"));
     QCOMPARE(value(data, "model", "order"), QString("2 (as suggested from the data)"));
     QCOMPARE(value(data, "model", "fit"), QString("98.76 % of 98.91 % attainable with this noise"));
     QCOMPARE(value(data, "item", "sensor_serial"), QString("SN-0042"));
@@ -142,6 +148,43 @@ void TestCertificateData::complete_example_missesNothingButStaysDraft()
     const CertificateData data = certificateOf(results);
     QVERIFY(data.missingFields().empty());
     QVERIFY(data.draft);
+}
+
+void TestCertificateData::keyResults_withBudget_haveValueUAndK()
+{
+    CalibrationResults results = dyncal::example::calibration();
+    dyncal::UncertaintyReport &report = writable(results.uncertainty);
+    const auto with = [](const char *of, double number, double u, double k, const char *unit) {
+        dyncal::ReportedValue one{of, number, unit};
+        one.u = u;
+        one.k = k;
+        return one;
+    };
+    report.sensitivity = with("sensitivity", 12.5e-6, 0.1e-6, 1.96, "V/Pa");
+    report.ofModel.push_back(with("rise_time_s", 7.2e-8, 1e-9, 3.18, "s"));
+    report.ofModel.push_back(with("q", 25.0, 0.1, 1.96, ""));
+    dyncal::ReportedValue overshoot{"overshoot_percent", 93.9, "%"};
+    overshoot.missing = {"the model was not refined", {}};
+    report.ofModel.push_back(overshoot);
+    const CertificateData data = makeCertificate(results, typedRecipe(), {});
+    QCOMPARE(keyResult(data, "Sensitivity at the onset of the step, mean of the shots"),
+        std::string("12.50 µV/Pa | 0.20 µV/Pa | 2"));
+    // 3.18 times 1 ns
+    QCOMPARE(keyResult(data, "Rise time, 10 % to 90 %"), std::string("72.0 ns | 3.2 ns | 3.18"));
+    QCOMPARE(keyResult(data, "Quality factor"), std::string("25.00 | 0.20 | 2"));
+    QCOMPARE(keyResult(data, "Overshoot"),
+        std::string("no complete uncertainty:\nthe model was not refined"));
+}
+
+void TestCertificateData::keyResults_stand_behindTheItem()
+{
+    const CertificateData data = certificateOf(dyncal::example::calibration());
+    QCOMPARE(data.sections.at(1).id, std::string("item"));
+    QCOMPARE(data.sections.at(2).id, std::string("key-results"));
+    // No result is printed a second time behind them.
+    for (const CertificateSection &section : data.sections)
+        for (const CertificateField &field : section.fields)
+            QVERIFY(!english(field.value).starts_with("2.33"));
 }
 
 void TestCertificateData::fields_notTyped_areMissing()
@@ -169,8 +212,9 @@ void TestCertificateData::item_typedField_winsOverCard()
 void TestCertificateData::nothing_computed_saysWhy()
 {
     const CertificateData data = makeCertificate({}, {}, {});
-    QCOMPARE(value(data, "results", "natural_frequency"), QString("not determined (no model)"));
-    QCOMPARE(value(data, "results", "sensitivity"), QString("not determined (no pressure step)"));
+    QCOMPARE(keyResult(data, kF0), std::string("not determined (no model)"));
+    QCOMPARE(keyResult(data, "Sensitivity at the onset of the step, mean of the shots"),
+        std::string("not determined (no pressure step)"));
     QVERIFY(!data.section("shots")->paragraphs.empty());
     QVERIFY(!data.section("model")->paragraphs.empty());
     QVERIFY(data.section("figures")->figures.empty());
@@ -262,16 +306,14 @@ void TestCertificateData::poles_ofScatteringShots_haveTheirOwnCoverageFactor()
         pole.coverageFactor = 4.303; // Student's, two degrees of freedom
     const CertificateData data = certificateOf(results);
     // 4.303 times 412 Hz is 1773 Hz
-    QCOMPARE(value(data, "results", "natural_frequency"),
-        QString::fromUtf8("2.3300 MHz ± 0.0018 MHz (k = 4.30)"));
+    QCOMPARE(keyResult(data, kF0), std::string("2.3300 MHz | 0.0018 MHz | 4.30"));
     const CertificateTable *poles = table(data, "model");
     QCOMPARE(cell(*poles, 0, 2), QString("2.3300 MHz"));
     QCOMPARE(cell(*poles, 0, 3), QString("0.0018 MHz (k = 4.30)"));
 
     for (dyncal::Pole &pole : assessment.poles)
         pole.coverageFactor = 1.97; // of many samples: k = 2 covers it
-    QCOMPARE(value(certificateOf(results), "results", "natural_frequency"),
-        QString::fromUtf8("2.33000 MHz ± 0.00082 MHz (k = 2)"));
+    QCOMPARE(keyResult(certificateOf(results), kF0), std::string("2.33000 MHz | 0.00082 MHz | 2"));
 }
 
 void TestCertificateData::frequency_withoutMeasuredValues_hasDashes()
@@ -343,7 +385,7 @@ void TestCertificateData::tables_everyRow_hasAllCells()
             for (const auto &row : part.rows)
                 QCOMPARE(row.size(), part.columns.size());
         }
-    QCOMPARE(tables, 5);
+    QCOMPARE(tables, 7);
 }
 
 void TestCertificateData::text_never_containsNan()

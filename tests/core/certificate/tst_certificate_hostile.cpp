@@ -64,12 +64,33 @@ struct Scene
         input.leftOut = {{1, 1e-6, 2e-6, "knock"}};
     }
 
+    /// With a budget of everything that a certificate states.
+    std::shared_ptr<const UncertaintyReport> budget() const
+    {
+        auto report = std::make_shared<UncertaintyReport>(*example::uncertaintyOf(results));
+        const auto of = [](const char *name, double value) {
+            ReportedValue one{name, value, ""};
+            one.u = 0.01 * std::abs(value);
+            return one;
+        };
+        const StepCharacteristics &c = response.characteristics;
+        report->sensitivity = of("sensitivity", *response.sensitivity);
+        for (const ReportedValue &one :
+            {of("rise_time_s", *c.riseTime_s), of("overshoot_percent", *c.overshoot_percent),
+                of("settling_time_s", *c.settlingTime_s),
+                of("within_5_percent_hz", *c.within5percent_Hz),
+                of("within_10_percent_hz", *c.within10percent_Hz),
+                of("minus_3_db_hz", *c.minus3dB_Hz)})
+            report->ofModel.push_back(one);
+        return report;
+    }
+
     CertificateData certificate() const
     {
         Recipe recipe;
         recipe.certificate.fields = example::certificateFields();
         CalibrationResults shown = results;
-        shown.uncertainty = example::uncertaintyOf(shown);
+        shown.uncertainty = budget();
         return makeCertificate(shown, recipe, "2026-11-21T03:04:05Z");
     }
 

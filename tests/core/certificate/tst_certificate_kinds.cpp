@@ -6,6 +6,7 @@
 #include "core/base/constants.h"
 #include "core/certificate/certificate.h"
 #include "core/pipeline/calibration_kind.h"
+#include "tests/support/certificate_text.h"
 #include "tests/support/example_results.h"
 #include "tests/support/test_program.h"
 #include "tests/support/writable_result.h"
@@ -17,10 +18,13 @@
 #include <limits>
 
 using namespace dyncal;
+using testing::keyResult;
 using testing::writable;
 using enum dyncal::CalibrationKind;
 
 namespace {
+
+const char *const kMeanSensitivity = "Sensitivity at the onset of the step, mean of the shots";
 
 CalibrationResults resultsOf(CalibrationKind kind)
 {
@@ -88,14 +92,6 @@ bool says(const CertificateData &data, const char *words)
     return textsOf(data).join('\n').contains(words, Qt::CaseInsensitive);
 }
 
-QString valueOf(const CertificateData &data, const char *section, const char *field)
-{
-    for (const CertificateField &candidate : data.section(section)->fields)
-        if (candidate.id == field)
-            return QString::fromStdString(english(candidate.value));
-    return "no field";
-}
-
 const CertificateTable *tableOf(const CertificateData &data, const char *section)
 {
     const CertificateSection *part = data.section(section);
@@ -139,8 +135,8 @@ private slots:
         QVERIFY(tableOf(data, "conditions") == nullptr);
         QVERIFY(tableOf(data, "frequency-response") == nullptr);
         QCOMPARE(data.section("frequency-response")->paragraphs.size(), std::size_t(1));
-        QCOMPARE(valueOf(data, "results", "natural_frequency"),
-            QString::fromUtf8("2.33000 MHz ± 0.00082 MHz (k = 2)"));
+        QCOMPARE(keyResult(data, "Undamped natural frequency"),
+            std::string("2.33000 MHz | 0.00082 MHz | 2"));
         QCOMPARE(columnsOf(*tableOf(data, "shots")),
             (QStringList{"Shot", "Level", "Sample rate", "Largest deflection", "Signal to noise"}));
         QVERIFY(says(data, "decayed freely"));
@@ -153,11 +149,11 @@ private slots:
             QVERIFY2(!says(data, words), words);
         QVERIFY(says(data, "Normalised response over frequency"));
         QCOMPARE(
-            valueOf(data, "results", "sensitivity"), QString("not determined (no pressure step)"));
+            keyResult(data, kMeanSensitivity), std::string("not determined (no pressure step)"));
         QVERIFY(tableOf(data, "conditions") == nullptr);
         QCOMPARE(data.section("conditions")->notes.size(), std::size_t(1));
         QVERIFY(!columnsOf(*tableOf(data, "shots")).contains("Sensitivity"));
-        QVERIFY(valueOf(data, "results", "rise_time") != "no field");
+        QVERIFY(keyResult(data, "Rise time, 10 % to 90 %") != "no row");
     }
 
     void typedStep_needsNoShockTube()
@@ -187,7 +183,7 @@ private slots:
         const CertificateData data = certificateOf(results);
         QVERIFY(!says(data, "Sensitivity over frequency"));
         QVERIFY(says(data, "Normalised response over frequency"));
-        QCOMPARE(valueOf(data, "results", "sensitivity"), QString::fromUtf8("12.5 µV/Pa"));
+        QCOMPARE(keyResult(data, kMeanSensitivity), std::string("no complete uncertainty"));
     }
 
     void rows_lieInsideTheBand()
@@ -220,17 +216,43 @@ private slots:
         }
     }
 
+    /// A mark at a frequency asked for names its line; another has a line of its own in its place.
+    void markedFrequencies_haveLinesWithTheirNames()
+    {
+        CalibrationResults results = resultsOf(ComputedStep);
+        ResponseResult &response = writable(results.response);
+        const std::size_t asked
+            = tableOf(certificateOf(results), "frequency-response")->rows.size();
+        auto marked = std::make_shared<ResponseResult>(response);
+        marked->frequency_Hz.resize(3);
+        marked->frequency_Hz << response.frequency_Hz[0],
+            0.5 * (response.frequency_Hz[4] + response.frequency_Hz[5]), response.fHigh_Hz;
+        marked->marks = {RowMark::LowEnd, RowMark::Resonance, RowMark::HighEnd};
+        marked->magnitude[1] = 7.7e-6;
+        response.atMarks = marked;
+        const CertificateData data = certificateOf(results);
+        const CertificateTable &table = *tableOf(data, "frequency-response");
+        QCOMPARE(table.rows.size(), asked + 1);
+        QVERIFY(english(table.rows.front().front()).starts_with("lower limit "));
+        QVERIFY(english(table.rows[5].front()).starts_with("resonance "));
+        QCOMPARE(english(table.rows[5][1]).substr(0, 3), std::string("7.7"));
+        QVERIFY(english(table.rows.back().front()).starts_with("upper limit "));
+        QVERIFY(english(table.rows[1].front()).find(' ') != std::string::npos);
+        QCOMPARE(keyResult(data, "Magnitude at the resonance, from the records"),
+            std::string("no complete uncertainty"));
+    }
+
     void bandsBeyondTheAnswer_areBounds()
     {
         CalibrationResults results = resultsOf(ComputedStep);
         ResponseResult &response = writable(results.response);
         response.fHigh_Hz = 6e5;
         const CertificateData data = certificateOf(results);
-        QCOMPARE(valueOf(data, "results", "within_5_percent"), QString("508 kHz"));
-        QCOMPARE(valueOf(data, "results", "within_10_percent"),
-            QString("above 600 kHz (the band of the response ends there)"));
-        QCOMPARE(valueOf(data, "results", "minus_3_db"),
-            QString("above 600 kHz (the band of the response ends there)"));
+        QCOMPARE(
+            keyResult(data, "Magnitude within 5 % up to"), std::string("no complete uncertainty"));
+        for (const char *label : {"Magnitude within 10 % up to", "Magnitude above -3 dB up to"})
+            QCOMPARE(keyResult(data, label),
+                std::string("above 600 kHz (the band of the response ends there)"));
     }
 
     /// Nothing has five digits but with an uncertainty beside it: no number of more than four
@@ -270,14 +292,14 @@ private slots:
         }
     }
 
-    void sensitivityWithoutU_hasThreeDigitsAndTheNoteSaysSo()
+    void sensitivityWithoutU_isNoResultAndTheNoteSaysSo()
     {
         CalibrationResults results = resultsOf(ComputedStep);
         writable(results.response).sensitivity = 12.34567e-6;
         const CertificateData data = certificateOf(results);
-        QCOMPARE(valueOf(data, "results", "sensitivity"), QString::fromUtf8("12.3 µV/Pa"));
-        QVERIFY(
-            says(data, "has none that is complete, and is rounded to three significant digits"));
+        QCOMPARE(keyResult(data, kMeanSensitivity), std::string("no complete uncertainty"));
+        QVERIFY(!says(data, "12.3"));
+        QVERIFY(says(data, "has none that is complete: it is no result"));
     }
 
     void oneShot_isNoMean()

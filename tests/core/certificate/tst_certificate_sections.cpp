@@ -10,6 +10,7 @@
 #include "core/certificate/certificate_method_sections.h"
 #include "core/certificate/certificate_result_sections.h"
 #include "core/certificate/certificate_words.h"
+#include "tests/support/certificate_text.h"
 #include "tests/support/example_results.h"
 #include "tests/support/test_program.h"
 #include "tests/support/writable_result.h"
@@ -245,12 +246,12 @@ void TestCertificateSections::results_modelWithoutOscillation_saysSo()
 {
     CalibrationResults results;
     results.model = std::make_shared<const SensorModel>(); // no poles at all
-    const CertificateSection section = resultsSection(results, {});
-    for (const char *id : {"natural_frequency", "damping_ratio"})
-        QCOMPARE(
-            valueOf(section, id), std::string("not determined (the model does not oscillate)"));
+    const CertificateData data = makeCertificate(results, {}, {});
+    for (const char *label : {"Undamped natural frequency", "Damping ratio"})
+        QCOMPARE(testing::keyResult(data, label),
+            std::string("not determined (the model does not oscillate)"));
     results.response = std::make_shared<const ResponseResult>();
-    QCOMPARE(valueOf(resultsSection(results, {}), "rise_time"),
+    QCOMPARE(testing::keyResult(makeCertificate(results, {}, {}), "Rise time, 10 % to 90 %"),
         std::string("not determined (outside the range of the model)"));
 }
 
@@ -271,7 +272,7 @@ void TestCertificateSections::records_inputs_areNamedWithTheirHash()
 void TestCertificateSections::statements_claimNoTraceability()
 {
     std::string text;
-    for (const Message &paragraph : statementsSection().paragraphs)
+    for (const Message &paragraph : statementsSection({}).paragraphs)
         text += english(paragraph);
     QVERIFY(text.find("relate only to the item") != std::string::npos);
     QVERIFY(text.find("no statement of metrological traceability") != std::string::npos);
@@ -290,7 +291,7 @@ void TestCertificateSections::section_unknown_isNone()
 {
     const CertificateData data = makeCertificate({}, {}, {});
     QVERIFY(!data.section("nonsense"));
-    QCOMPARE(data.sections.size(), std::size_t(12));
+    QCOMPARE(data.sections.size(), std::size_t(13));
     QVERIFY(data.missingFields().size() > 5);
 }
 

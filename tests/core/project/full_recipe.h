@@ -128,7 +128,8 @@ inline Recipe fullRecipe()
     r.acknowledge = {{"WIN-001", 3, "known"}};
     r.certificate = {.templateName = "short",
         .languages = {"sv", "en"},
-        .fields = {{"customer", "Åsa Ström AB"}}};
+        .fields = {{"customer", "Åsa Ström AB"}},
+        .decision = DecisionSettings{DecisionRule::Risk, 10.0, 1e3, 1e5, 2.5}};
     return r;
 }
 

@@ -37,6 +37,8 @@ const std::map<std::string, const char *> kElements{
     {"acknowledge", R"({"finding": "a", "reason": "x"})"},
     {"comparison.model",
         R"({"sensitivity": 1, "u_sensitivity": 0, "f0_hz": 1, "u_f0_hz": 0, "zeta": 1, "u_zeta": 0})"},
+    {"certificate.decision",
+        R"({"rule": "simple", "within_percent": 5, "from_hz": 1, "to_hz": 1.7e308})"},
     {"shock.driven_gas", R"({"gamma": 1.3, "molar_mass_kg_mol": 0.03})"},
     {"shock.driver_gas", R"({"gamma": 1.3, "molar_mass_kg_mol": 0.03})"},
 };

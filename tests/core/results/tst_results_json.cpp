@@ -264,7 +264,7 @@ const QHash<QString, QStringList> &contract()
                 "dof", "bound_end", "bound_alias", "length_s", "bound_alias_assumes",
                 "withheld_reason", "u_common_relative", "covariance_re_im", "u_model_magnitude",
                 "u_model_phase_rad", "e_n", "front_duration_s", "u_front_duration_s",
-                "model_magnitude", "model_phase_rad", "f_low_hz", "f_high_hz", "unit"}},
+                "model_magnitude", "model_phase_rad", "marked", "f_low_hz", "f_high_hz", "unit"}},
         {"bands",
             {"within_5_percent_hz", "within_5_percent_above_hz", "within_5_percent_below_hz",
                 "within_10_percent_hz", "within_10_percent_above_hz", "within_10_percent_below_hz",
@@ -283,7 +283,7 @@ const QHash<QString, QStringList> &contract()
 const QStringList kTopLevel{"schema", "software", "created_utc", "recipe", "kind", "inputs",
     "shots", "shock", "spectrum", "pca", "input", "realization", "model", "response", "bands",
     "characteristics", "budget", "gum_validated_by_monte_carlo", "findings", "sensitivity", "drift",
-    "echo", "checks"};
+    "echo", "checks", "conformity"};
 
 QJsonObject written(const PipelineOutcome &outcome, const Recipe &recipe = {})
 {

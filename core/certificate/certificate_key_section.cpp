@@ -1,0 +1,148 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#include "core/certificate/certificate_key_section.h"
+
+#include "core/certificate/certificate_sensitivity.h"
+#include "core/certificate/certificate_words.h"
+#include "core/certificate/result_quantity.h"
+#include "core/model_analysis/stated_characteristics.h"
+#include "core/pipeline/calibration_kind.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace dyncal {
+namespace {
+
+using Quantities = std::vector<ResultQuantity>;
+
+/// What is reported of the model, with its complete uncertainty; null where it is not.
+const ReportedValue *reportedOf(const CalibrationResults &results, const char *of)
+{
+    return results.uncertainty ? results.uncertainty->find(of) : nullptr;
+}
+
+/// Value and u of the same estimate, which the report alone has together.
+ResultQuantity quantityOf(const CalibrationResults &results, const char *of, Message label)
+{
+    const ReportedValue *reported = reportedOf(results, of);
+    if (!reported || !reported->u)
+        return {std::move(label), kUnknown, kUnknown, kUnknown, {}, whyNoResult(reported)};
+    return {std::move(label), reported->value, *reported->u, reported->k, reported->unit,
+        whyNoResult(nullptr)};
+}
+
+Message noModel()
+{
+    return {DYNCAL_TEXT("core", "not determined (no model)"), {}};
+}
+
+/// Of these the label alone says what is missing where the sensor has no resonance.
+void addResonance(const CalibrationResults &results, Quantities &quantities)
+{
+    const bool isFound = sensorResonance(results.model.get(), results.assessment.get()).has_value();
+    const Message none = results.model
+        ? Message{DYNCAL_TEXT("core", "not determined (the model does not oscillate)"), {}}
+        : noModel();
+    const auto add = [&](const char *of, Message label) {
+        quantities.push_back(quantityOf(results, of, std::move(label)));
+        if (!isFound)
+            quantities.back().otherwise = none;
+    };
+    add("f0_hz", {DYNCAL_TEXT("core", "Undamped natural frequency"), {}});
+    add("damping_ratio", {DYNCAL_TEXT("core", "Damping ratio"), {}});
+}
+
+/// Quality factor and peak: only where they exist, because they follow from the damping ratio.
+void addPeak(const CalibrationResults &results, Quantities &quantities)
+{
+    const auto add = [&](const char *of, Message label) {
+        if (reportedOf(results, of))
+            quantities.push_back(quantityOf(results, of, std::move(label)));
+    };
+    add("q", {DYNCAL_TEXT("core", "Quality factor"), {}});
+    add("resonance_hz", {DYNCAL_TEXT("core", "Resonance frequency (largest magnitude)"), {}});
+    add("resonance_gain",
+        {DYNCAL_TEXT("core", "Magnitude at the resonance over the level at the onset"), {}});
+}
+
+const char *unitOf(const ResponseResult &response)
+{
+    return response.unit == "1" ? "" : response.unit.c_str();
+}
+
+Message whyNotMeasured(double magnitude)
+{
+    return std::isfinite(magnitude)
+        ? whyNoResult(nullptr)
+        : Message{DYNCAL_TEXT("core", "withheld (see the frequency response)"), {}};
+}
+
+/// What the records themselves say at the resonance, without the model.
+void addMeasuredPeak(const CalibrationResults &results, Quantities &quantities)
+{
+    const ResponseResult *marked = results.response ? results.response->atMarks.get() : nullptr;
+    if (!marked || !results.uncertainty)
+        return;
+    const auto mark = std::ranges::find(marked->marks, RowMark::Resonance);
+    if (mark == marked->marks.end())
+        return;
+    const Index row = mark - marked->marks.begin();
+    const RowUncertainty &rows = results.uncertainty->rowsAtMarks;
+    quantities.push_back({{DYNCAL_TEXT("core", "Magnitude at the resonance, from the records"), {}},
+        marked->magnitude[row], valueAt(rows.u_magnitude, row), valueAt(rows.k_magnitude, row),
+        unitOf(*marked), whyNotMeasured(marked->magnitude[row])});
+}
+
+/// The model's characteristics as far as the records reach; beyond, the bound or the reason.
+void addCharacteristics(const CalibrationResults &results, Quantities &quantities)
+{
+    const StatedCharacteristics found
+        = results.response ? statedCharacteristics(*results.response) : StatedCharacteristics();
+    const auto add = [&](Message label, const StatedValue &value, const char *of) {
+        quantities.push_back(quantityOf(results, of, std::move(label)));
+        if (!results.response)
+            quantities.back().otherwise = noModel();
+        else if (!value.value)
+            quantities.back().otherwise = value.words;
+    };
+    add({DYNCAL_TEXT("core", "Magnitude within 5 % up to"), {}}, found.within5percent_Hz,
+        "within_5_percent_hz");
+    add({DYNCAL_TEXT("core", "Magnitude within 10 % up to"), {}}, found.within10percent_Hz,
+        "within_10_percent_hz");
+    add({DYNCAL_TEXT("core", "Magnitude above -3 dB up to"), {}}, found.minus3dB_Hz,
+        "minus_3_db_hz");
+    add({DYNCAL_TEXT("core", "Rise time, 10 % to 90 %"), {}}, found.riseTime_s, "rise_time_s");
+    add({DYNCAL_TEXT("core", "Overshoot"), {}}, found.overshoot_percent, "overshoot_percent");
+    add({DYNCAL_TEXT("core", "Settling time, within 5 %"), {}}, found.settlingTime_s,
+        "settling_time_s");
+}
+
+} // namespace
+
+CertificateSection keyResultsSection(const CalibrationResults &results, const Recipe &recipe)
+{
+    const bool isStep = calibrationKind(results, recipe) != CalibrationKind::FreeDecay;
+    CertificateSection section;
+    section.id = "key-results";
+    section.title = {DYNCAL_TEXT("core", "Key results"), {}};
+    Quantities quantities;
+    if (isStep)
+        quantities = sensitivityQuantities(results);
+    addResonance(results, quantities);
+    addPeak(results, quantities);
+    addMeasuredPeak(results, quantities);
+    if (isStep)
+        addCharacteristics(results, quantities);
+    addQuantityTables(quantities, section);
+    section.notes.push_back(
+        {DYNCAL_TEXT("core",
+             "U = k u is the expanded uncertainty, u the complete standard uncertainty, for a level of confidence of about 95 % (GUM, JCGM 100). What it contains stands in the section \"Results in detail\"."),
+            {}});
+    return section;
+}
+
+} // namespace dyncal
