@@ -55,6 +55,10 @@
         <source>More shots do not make it smaller: U is %1, never below %2.</source>
         <translation>Fler skott gör den inte mindre: U är %1, aldrig under %2.</translation>
     </message>
+    <message>
+        <source>U of %1 is less than the laboratory&apos;s least uncertainty (CMC); no input changes that.</source>
+        <translation>U på %1 är mindre än laboratoriets minsta osäkerhet (CMC); ingen storhet ändrar det.</translation>
+    </message>
 </context>
 <context>
     <name>BudgetTable</name>
@@ -2787,6 +2791,74 @@ wanted U</source>
         <source>decision on conformity</source>
         <translation>beslut om överensstämmelse</translation>
     </message>
+    <message>
+        <source>profile of the laboratory</source>
+        <translation>laboratoriets profil</translation>
+    </message>
+    <message>
+        <source>name of the profile</source>
+        <translation>profilens namn</translation>
+    </message>
+    <message>
+        <source>version of the profile</source>
+        <translation>profilens version</translation>
+    </message>
+    <message>
+        <source>hash of the profile&apos;s file</source>
+        <translation>kontrollsumma för profilens fil</translation>
+    </message>
+    <message>
+        <source>what the profile held</source>
+        <translation>vad profilen innehöll</translation>
+    </message>
+    <message>
+        <source>file of the chain&apos;s response</source>
+        <translation>fil med kedjans svar</translation>
+    </message>
+    <message>
+        <source>hash of the chain&apos;s file</source>
+        <translation>kontrollsumma för kedjans fil</translation>
+    </message>
+    <message>
+        <source>list in the chain&apos;s certificate</source>
+        <translation>lista i kedjans certifikat</translation>
+    </message>
+    <message>
+        <source>amplifier and converter</source>
+        <translation>förstärkare och omvandlare</translation>
+    </message>
+    <message>
+        <source>certificate of the reference</source>
+        <translation>referensens certifikat</translation>
+    </message>
+    <message>
+        <source>due date of the reference</source>
+        <translation>referensens slutdatum</translation>
+    </message>
+    <message>
+        <source>quantity of the CMC</source>
+        <translation>CMC:ns storhet</translation>
+    </message>
+    <message>
+        <source>CMC</source>
+        <translation>CMC</translation>
+    </message>
+    <message>
+        <source>CMC is relative</source>
+        <translation>CMC är relativ</translation>
+    </message>
+    <message>
+        <source>CMC from</source>
+        <translation>CMC från</translation>
+    </message>
+    <message>
+        <source>CMC to</source>
+        <translation>CMC till</translation>
+    </message>
+    <message>
+        <source>least uncertainty of the laboratory (CMC)</source>
+        <translation>laboratoriets minsta osäkerhet (CMC)</translation>
+    </message>
 </context>
 <context>
     <name>Report</name>
@@ -3008,6 +3080,14 @@ wanted U</source>
     <message>
         <source>Delay of the reference</source>
         <translation>Referensens fördröjning</translation>
+    </message>
+    <message>
+        <source>Response of the chain</source>
+        <translation>Kedjans svar</translation>
+    </message>
+    <message>
+        <source>Least uncertainty of the laboratory (CMC)</source>
+        <translation>Laboratoriets minsta osäkerhet (CMC)</translation>
     </message>
 </context>
 <context>
@@ -6601,14 +6681,6 @@ wanted U</source>
         <translation>En jämförelse behöver referensgivarens känslighet från ett ställe: ange comparison.source eller comparison.model, inte båda och inte ingetdera.</translation>
     </message>
     <message>
-        <source>The file &apos;%1&apos; of comparison.source, which says what the reference transducer is, could not be read; give its path relative to the recipe.</source>
-        <translation>Filen &apos;%1&apos; i comparison.source, som anger vad referensgivaren är, kunde inte läsas; ange dess sökväg relativt receptet.</translation>
-    </message>
-    <message>
-        <source>The file &apos;%1&apos; of the reference transducer has the hash %2, but comparison.sha256 demands %3: it was changed, or it is another file. Restore it, or state the new hash.</source>
-        <translation>Referensgivarens fil &apos;%1&apos; har kontrollsumman %2, men comparison.sha256 kräver %3: den har ändrats, eller är en annan fil. Återställ den, eller ange den nya kontrollsumman.</translation>
-    </message>
-    <message>
         <source>Shot %1 has no channel of a reference transducer beside the sensor; give one the role &apos;reference&apos; (import.channels), name it in comparison.channel, or switch the comparison off.</source>
         <translation>Skott %1 har ingen kanal med en referensgivare bredvid givaren; ge en kanal rollen &apos;reference&apos; (import.channels), namnge den i comparison.channel, eller slå av jämförelsen.</translation>
     </message>
@@ -6835,6 +6907,82 @@ wanted U</source>
     <message>
         <source>Judged at %1 frequencies, no two neighbours farther apart than a third of an octave. The deviation is that of the response, as measured without a model, from its value at the onset of the step: what both share, as the pressure step and the gain of the chain, cancels in it and is not part of its uncertainty.</source>
         <translation>Bedömt vid %1 frekvenser, inga två grannar längre ifrån varandra än en tredjedels oktav. Avvikelsen är den hos svaret, som det mättes utan modell, från dess värde vid stegets början: det som båda har gemensamt, som trycksteget och mätkedjans förstärkning, tar ut sig och ingår inte i dess osäkerhet.</translation>
+    </message>
+    <message>
+        <source>Profile of the laboratory</source>
+        <translation>Laboratoriets profil</translation>
+    </message>
+    <message>
+        <source>%1, version %2 (SHA-256 %3)</source>
+        <translation>%1, version %2 (SHA-256 %3)</translation>
+    </message>
+    <message>
+        <source>Set otherwise than in the profile</source>
+        <translation>Satt annorlunda än i profilen</translation>
+    </message>
+    <message>
+        <source>Response of amplifier and converter</source>
+        <translation>Förstärkarens och omvandlarens svar</translation>
+    </message>
+    <message>
+        <source>divided out of S(f), file with SHA-256 %1; poles and what follows from them are of sensor and chain together</source>
+        <translation>borträknat ur S(f), fil med SHA-256 %1; poler och det som följer av dem gäller givare och kedja tillsammans</translation>
+    </message>
+    <message>
+        <source>divided out of S(f), certificate %1, file with SHA-256 %2; poles and what follows from them are of sensor and chain together</source>
+        <translation>borträknat ur S(f), certifikat %1, fil med SHA-256 %2; poler och det som följer av dem gäller givare och kedja tillsammans</translation>
+    </message>
+    <message>
+        <source>%1: certificate %2</source>
+        <translation>%1: certifikat %2</translation>
+    </message>
+    <message>
+        <source>%1: certificate %2, which ended on %3, before the measurement</source>
+        <translation>%1: certifikat %2, som gick ut %3, före mätningen</translation>
+    </message>
+    <message>
+        <source>%1: certificate %2, valid until %3</source>
+        <translation>%1: certifikat %2, giltigt till och med %3</translation>
+    </message>
+    <message>
+        <source>Reference of the budget</source>
+        <translation>Budgetens referens</translation>
+    </message>
+    <message>
+        <source>The response taken from the data is withheld at %1 of %2 frequencies, from %3 to %4: the response of the chain (chain.source) is not stated there, and nothing is extrapolated.</source>
+        <translation>Responsen direkt ur data hålls inne vid %1 av %2 frekvenser, från %3 till %4: kedjans svar (chain.source) är inte angivet där, och inget extrapoleras.</translation>
+    </message>
+    <message>
+        <source>The profile %1 lacks &quot;%2&quot;; a certificate says by name and version which profile was used.</source>
+        <translation>Profilen %1 saknar &quot;%2&quot;; ett certifikat anger med namn och version vilken profil som användes.</translation>
+    </message>
+    <message>
+        <source>The profile %1 is no profile that this version reads; it needs the schema &quot;%2&quot;.</source>
+        <translation>Profilen %1 är ingen profil som denna version läser; den behöver schemat &quot;%2&quot;.</translation>
+    </message>
+    <message>
+        <source>The profile %1 holds &quot;%2&quot;, which is of one calibration; put it into the recipe (docs/recipe.md says what a profile holds).</source>
+        <translation>Profilen %1 innehåller &quot;%2&quot;, som gäller en enda kalibrering; lägg det i receptet (docs/recipe.md anger vad en profil innehåller).</translation>
+    </message>
+    <message>
+        <source>The recipe holds the values of the profile &quot;%1&quot;, version %2, and %3 is another one; leave --profile out, or start from a recipe without the key profile.</source>
+        <translation>Receptet innehåller värdena ur profilen &quot;%1&quot;, version %2, och %3 är en annan; utelämna --profile, eller utgå från ett recept utan nyckeln profile.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; of %2.source could not be read; give its path relative to the recipe.</source>
+        <translation>Filen &apos;%1&apos; i %2.source kunde inte läsas; ange dess sökväg relativt receptet.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; has the hash %2, but %3.sha256 demands %4: it was changed, or it is another file. Restore it, or state the new hash.</source>
+        <translation>Filen &apos;%1&apos; har kontrollsumman %2, men %3.sha256 kräver %4: den har ändrats, eller är en annan fil. Återställ den, eller ange den nya kontrollsumman.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; of chain.source begins with the magnitude %2 at %3 Hz; it needs the ratio to the gain at low frequency, which begins with 1. Divide its magnitudes by that gain, which belongs into the channel&apos;s scale.</source>
+        <translation>Filen &apos;%1&apos; i chain.source börjar med beloppet %2 vid %3 Hz; den behöver kvoten mot förstärkningen vid låg frekvens, som börjar med 1. Dividera beloppen med den förstärkningen, som hör till kanalens skala.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; of chain.source is read as that of a reference transducer: %2</source>
+        <translation>Filen &apos;%1&apos; i chain.source läses som en referensgivares: %2</translation>
     </message>
 </context>
 <context>
@@ -7745,6 +7893,22 @@ wanted U</source>
         <source>Folder of the recordings</source>
         <translation>Mapp med registreringarna</translation>
     </message>
+    <message>
+        <source>There is no calibration that a profile could be used for; open recordings or a project first.</source>
+        <translation>Det finns ingen kalibrering som en profil kan användas för; öppna först registreringar eller ett projekt.</translation>
+    </message>
+    <message>
+        <source>Use profile of the laboratory</source>
+        <translation>Använd laboratoriets profil</translation>
+    </message>
+    <message>
+        <source>Profiles (*.json)</source>
+        <translation>Profiler (*.json)</translation>
+    </message>
+    <message>
+        <source>Profile in use: %1, version %2</source>
+        <translation>Profil som används: %1, version %2</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::FindingsPanel</name>
@@ -8417,6 +8581,10 @@ wanted U</source>
     <message>
         <source>Save all p&amp;lots...</source>
         <translation>Spara alla d&amp;iagram...</translation>
+    </message>
+    <message>
+        <source>Use pro&amp;file of the laboratory...</source>
+        <translation>Använd laboratoriets pro&amp;fil...</translation>
     </message>
 </context>
 <context>

@@ -95,6 +95,8 @@ CertificateSection methodSection(const CalibrationResults &results, const Recipe
     section.id = "method";
     section.title = {DYNCAL_TEXT("core", "Method"), {}};
     section.fields.push_back(methodField(recipe));
+    for (CertificateField &field : traceabilityFields(results, recipe))
+        section.fields.push_back(std::move(field));
     const CalibrationKind kind = calibrationKind(results, recipe);
     section.paragraphs.push_back(measurandSentence(kind, recipe.shock.dutPosition));
     if (results.input)
@@ -121,8 +123,6 @@ CertificateSection methodSection(const CalibrationResults &results, const Recipe
             verbatim(settingText(input.offset_s, "s")), false});
     addChoiceOfOrder(results, recipe, section);
     for (CertificateField &field : referenceFields(results))
-        section.fields.push_back(std::move(field));
-    for (CertificateField &field : traceabilityFields(results, recipe))
         section.fields.push_back(std::move(field));
     return section;
 }

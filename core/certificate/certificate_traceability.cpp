@@ -67,17 +67,23 @@ Message referenceText(const BudgetEntry &entry, bool isOver)
         {entry.quantity, entry.certificate, entry.due}};
 }
 
+bool isOver(const BudgetEntry &entry, const std::string &day)
+{
+    return !entry.due.empty() && !day.empty() && calendarDate(entry.due) < day;
+}
+
+CertificateField referenceField(const BudgetEntry &entry, bool isOver)
+{
+    return {"reference_" + entry.quantity, {DYNCAL_TEXT("core", "Reference of the budget"), {}},
+        referenceText(entry, isOver), isOver, isOver};
+}
+
 void addBudgetReferences(const Recipe &recipe, TraceFields &fields)
 {
     const std::string day = dayPerformed(recipe);
-    for (const BudgetEntry &entry : recipe.uncertainty.budget) {
-        if (entry.certificate.empty())
-            continue;
-        const bool isOver = !entry.due.empty() && !day.empty() && calendarDate(entry.due) < day;
-        fields.push_back(
-            {"reference_" + entry.quantity, {DYNCAL_TEXT("core", "Reference of the budget"), {}},
-                referenceText(entry, isOver), isOver, isOver});
-    }
+    for (const BudgetEntry &entry : recipe.uncertainty.budget)
+        if (!entry.certificate.empty())
+            fields.push_back(referenceField(entry, isOver(entry, day)));
 }
 
 } // namespace

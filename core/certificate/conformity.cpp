@@ -54,6 +54,8 @@ void addReference(const ResponseResult &response, LowLines &lines)
 std::optional<LowFrequency> lowFrequency(const ResponseResult &response)
 {
     std::optional<LowLines> lines = linesOfLevels(response);
+    if (lines && response.isWithoutChain)
+        lines->push_back(directLine(kChainLevel, response.u_chainLowest_relative));
     const bool isRelative = response.unit == "1";
     if (!lines || lines->empty() || (!isRelative && !response.sensitivity))
         return std::nullopt;
@@ -73,7 +75,7 @@ JudgedRow ratioOf(const ResponseResult &response, Index row, const LowFrequency 
     judged.deviation = S / low.value - 1.0;
     if (!std::isfinite(S))
         return judged;
-    std::vector<UncertaintyLine> lines = magnitudeLines(response, {}, row);
+    std::vector<UncertaintyLine> lines = magnitudeOfRow(response, {}, row).lines;
     const LowLines ofLow = scaled(low.lines, S);
     lines.insert(lines.end(), ofLow.begin(), ofLow.end());
     const CombinedUncertainty all = combined(scaled(lines, 1.0 / low.value));

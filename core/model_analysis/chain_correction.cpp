@@ -48,6 +48,22 @@ void stateChain(const ReferenceSensitivity &chain, ResponseResult &result)
     }
 }
 
+void beginNotBelow(double f_Hz, ResponseResult &result)
+{
+    if (f_Hz <= result.fLow_Hz)
+        return;
+    result.fLow_Hz = f_Hz;
+    result.lowEnd = BandEnd::Chain;
+}
+
+void endNotAbove(double f_Hz, ResponseResult &result)
+{
+    if (f_Hz >= result.fHigh_Hz)
+        return;
+    result.fHigh_Hz = f_Hz;
+    result.highEnd = BandEnd::Chain;
+}
+
 } // namespace
 
 ChainCorrected::ChainCorrected(
@@ -83,14 +99,8 @@ double uOnsetBehind(const ReferenceSensitivity &chain, double from_Hz, double to
 
 void endByChain(const ReferenceSensitivity &chain, ResponseResult &result)
 {
-    if (chain.lowest_Hz() > result.fLow_Hz) {
-        result.fLow_Hz = chain.lowest_Hz();
-        result.lowEnd = BandEnd::Chain;
-    }
-    if (chain.highest_Hz() < result.fHigh_Hz) {
-        result.fHigh_Hz = chain.highest_Hz();
-        result.highEnd = BandEnd::Chain;
-    }
+    beginNotBelow(chain.lowest_Hz(), result);
+    endNotAbove(chain.highest_Hz(), result);
 }
 
 void divideModel(const ReferenceSensitivity &chain, ResponseResult &result)

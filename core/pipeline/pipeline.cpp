@@ -46,6 +46,7 @@ private:
         if (!found) {
             m_outcome.error = std::move(found.error());
             m_outcome.failedStage = stage.id;
+            forgetBehind(stage.id);
             return;
         }
         stage.result.put(m_outcome.results, *found);
@@ -73,6 +74,13 @@ private:
     {
         if (hasResult(m_outcome.results, stage.follows))
             stage.result.put(m_outcome.results, m_cache.find<void>(keyOf(stage)));
+    }
+
+    /// What fails gives the same whether or not an earlier run got further.
+    void forgetBehind(StageId failed)
+    {
+        if (failed < StageId::Assessment && m_outcome.error->kind != ErrorKind::Cancelled)
+            m_outcome.results.assessment.reset();
     }
 
     const std::string &keyOf(const Stage &stage) const

@@ -4,6 +4,7 @@
 #include "core/project/laboratory_profile.h"
 
 #include "core/base/content_hash.h"
+#include "core/base/json_text.h"
 #include "core/project/json_merge.h"
 
 #include <algorithm>
@@ -75,6 +76,47 @@ Result<LaboratoryProfile> unnamedProfile(Json document, const std::string &path)
     return LaboratoryProfile{std::move(document), {}};
 }
 
+bool isOfFirstKind(const Json &document)
+{
+    return document.value("schema", Json()) != kProfileSchema && !document.contains("name");
+}
+
+Result<void> checkSchema(const Json &document, const std::string &path)
+{
+    if (document.value("schema", Json()) == kProfileSchema)
+        return {};
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "The profile %1 is no profile that this version reads; it needs the schema \"%2\"."),
+            {path, kProfileSchema}});
+}
+
+Result<void> checkSections(const Json &sections, const std::string &path)
+{
+    const std::string foreign = foreignKey(sections, allowedSections());
+    if (foreign.empty())
+        return {};
+    return fail(ErrorKind::Usage,
+        {DYNCAL_TEXT("core",
+             "The profile %1 holds \"%2\", which is of one calibration; put it into the recipe (docs/recipe.md says what a profile holds)."),
+            {path, foreign}});
+}
+
+Result<LaboratoryProfile> namedProfile(Json document, std::string sha256, const std::string &path)
+{
+    if (const Result<void> known = checkSchema(document, path); !known)
+        return tl::unexpected<Error>(known.error());
+    document.erase("schema");
+    const Result<std::string> name = takeWord(document, "name", path);
+    const Result<std::string> version = takeWord(document, "version", path);
+    if (!name || !version)
+        return tl::unexpected<Error>(name ? version.error() : name.error());
+    if (const Result<void> known = checkSections(document, path); !known)
+        return tl::unexpected<Error>(known.error());
+    return LaboratoryProfile{
+        std::move(document), ProfileMark{*name, *version, std::move(sha256), {}}};
+}
+
 const char *idOf(const std::string &list)
 {
     if (list == "budget")
@@ -104,6 +146,13 @@ Json joinedLines(const Json &lower, const Json &upper, const char *id)
     return joined;
 }
 
+void joinList(const char *list, const Json &lower, Json &upper)
+{
+    const Json::json_pointer at("/uncertainty/" + std::string(list));
+    if (lower.contains(at) && upper.contains(at) && lower[at].is_array() && upper[at].is_array())
+        upper[at] = joinedLines(lower[at], upper[at], idOf(list));
+}
+
 /// `value` as far as the keys of `form` go.
 bool isAsStated(const Json &form, const Json &value)
 {
@@ -114,6 +163,13 @@ bool isAsStated(const Json &form, const Json &value)
     });
 }
 
+/// Also of what is no line: a recipe's mark may have been edited.
+std::string wordOf(const Json &line, const char *id)
+{
+    const Json name = nameOf(line, id);
+    return name.is_string() ? name.get<std::string>() : std::string();
+}
+
 void compareLines(const Json &stated, const Json &found, const std::string &path, const char *id,
     std::vector<std::string> &changed)
 {
@@ -121,8 +177,14 @@ void compareLines(const Json &stated, const Json &found, const std::string &path
         const bool isThere = std::any_of(
             found.begin(), found.end(), [&](const Json &other) { return isAsStated(line, other); });
         if (!isThere)
-            changed.push_back(path + "{" + line.value(id, std::string()) + "}");
+            changed.push_back(path + "{" + wordOf(line, id) + "}");
     }
+}
+
+/// A channel's role alone leaves the rest of the channel open.
+bool isRoleOf(const Json &role, const Json &channel)
+{
+    return role.is_string() && channel.is_object() && channel.value("role", Json()) == role;
 }
 
 void compareObjects(const Json &stated, const Json &found, const std::string &path,
@@ -135,18 +197,18 @@ void compareObjects(const Json &stated, const Json &found, const std::string &pa
             compareLines(value, other, here, idOf(key), changed);
         else if (value.is_object() && other.is_object())
             compareObjects(value, other, here, changed);
-        else if (value != other)
+        else if (value != other && !isRoleOf(value, other))
             changed.push_back(here);
     }
 }
 
-Codec<std::string> jsonInOneLine()
+Codec<std::string> jsonObject()
 {
     return {"an object",
         [](const JsonAt &at) -> Result<std::string> {
             if (!at.value.is_object())
                 return mismatch(at, "an object");
-            return at.value.dump();
+            return jsonText(at.value);
         },
         [](const std::string &text) { return Json::parse(text); }};
 }
@@ -158,40 +220,17 @@ Result<LaboratoryProfile> laboratoryProfile(const std::string &text, const std::
     Result<Json> document = parseStrictJson(text, "The profile");
     if (!document)
         return tl::unexpected<Error>(document.error());
-    const bool isNamed = document->is_object() && document->contains("name");
-    if (!document->is_object() || (!isNamed && document->value("schema", Json()) != kProfileSchema))
-        return document->is_object() ? unnamedProfile(std::move(*document), path)
-                                     : LaboratoryProfile{std::move(*document), {}};
-    if (document->value("schema", Json()) != kProfileSchema)
-        return fail(ErrorKind::Usage,
-            {DYNCAL_TEXT("core",
-                 "The profile %1 is no profile that this version reads; it needs the schema \"%2\"."),
-                {path, kProfileSchema}});
-    document->erase("schema");
-    const Result<std::string> name = takeWord(*document, "name", path);
-    const Result<std::string> version = takeWord(*document, "version", path);
-    if (!name || !version)
-        return tl::unexpected<Error>(name ? version.error() : name.error());
-    const std::string foreign = foreignKey(*document, allowedSections());
-    if (!foreign.empty())
-        return fail(ErrorKind::Usage,
-            {DYNCAL_TEXT("core",
-                 "The profile %1 holds \"%2\", which is of one calibration; put it into the recipe (docs/recipe.md says what a profile holds)."),
-                {path, foreign}});
-    ProfileMark mark{*name, *version, sha256Hex(text), {}};
-    return LaboratoryProfile{std::move(*document), std::move(mark)};
+    if (!document->is_object())
+        return LaboratoryProfile{std::move(*document), {}};
+    return isOfFirstKind(*document) ? unnamedProfile(std::move(*document), path)
+                                    : namedProfile(std::move(*document), sha256Hex(text), path);
 }
 
 void joinRecipes(Json &lower, const Json &upper)
 {
     Json joined = upper;
-    if (lower.is_object() && joined.is_object())
-        for (const char *list : {"budget", "cmc"}) {
-            const Json::json_pointer at("/uncertainty/" + std::string(list));
-            if (lower.contains(at) && joined.contains(at) && lower[at].is_array()
-                && joined[at].is_array())
-                joined[at] = joinedLines(lower[at], joined[at], idOf(list));
-        }
+    for (const char *list : {"budget", "cmc"})
+        joinList(list, lower, joined);
     putOver(lower, joined);
 }
 
@@ -208,7 +247,7 @@ Field<Recipe> profileSection()
             field("sha256", DYNCAL_TEXT("RecipeLabel", "hash of the profile's file"), &S::sha256,
                 nonEmptyText(), true),
             field("sections", DYNCAL_TEXT("RecipeLabel", "what the profile held"), &S::sections,
-                jsonInOneLine(), true),
+                jsonObject(), true),
         })));
 }
 

@@ -148,7 +148,8 @@ Result<LaboratoryProfile> profileAt(const std::string &path)
     if (!valid)
         return tl::unexpected<Error>(valid.error());
     if (profile->mark)
-        profile->mark->sections = asWritten(profile->sections, recipeCodec().write(*valid)).dump();
+        profile->mark->sections
+            = jsonText(asWritten(profile->sections, recipeCodec().write(*valid)));
     return profile;
 }
 
@@ -173,6 +174,28 @@ Result<Json> recipeDocument(const std::string &path)
     return parseStrictJson(*text, "The recipe");
 }
 
+std::string folderOf(const std::string &path)
+{
+    return std::filesystem::path(path).parent_path().string();
+}
+
+bool hasChain(const LaboratoryProfile &profile)
+{
+    return profile.sections.contains("chain");
+}
+
+/// The recipe at this path, which may be empty, over a profile's sections.
+Result<Json> recipeOver(Json sections, const std::string &path)
+{
+    if (path.empty())
+        return sections;
+    const Result<Json> recipe = recipeDocument(path);
+    if (!recipe)
+        return recipe;
+    joinRecipes(sections, *recipe);
+    return sections;
+}
+
 } // namespace
 
 Result<Recipe> parseRecipe(const std::string &json)
@@ -195,26 +218,18 @@ Result<Recipe> readRecipeFile(const std::string &path)
 
 Result<Recipe> readRecipeFiles(const std::string &recipePath, const std::string &profilePath)
 {
-    Result<LaboratoryProfile> profile
+    const Result<LaboratoryProfile> profile
         = profilePath.empty() ? LaboratoryProfile{Json::object(), {}} : profileAt(profilePath);
     if (!profile)
         return tl::unexpected<Error>(profile.error());
-    const bool hasChain = profile->sections.contains("chain");
-    Json merged = profile->sections;
-    if (!recipePath.empty()) {
-        const Result<Json> recipe = recipeDocument(recipePath);
-        if (!recipe)
-            return tl::unexpected<Error>(recipe.error());
-        joinRecipes(merged, *recipe);
-    }
-    Result<Recipe> recipe = recipeOf(merged);
+    const Result<Json> document = recipeOver(profile->sections, recipePath);
+    if (!document)
+        return tl::unexpected<Error>(document.error());
+    Result<Recipe> recipe = recipeOf(*document);
     if (!recipe)
         return recipe;
-    const auto folderOf = [](const std::string &path) {
-        return std::filesystem::path(path).parent_path().string();
-    };
     loadSource(folderOf(recipePath), recipe->comparison);
-    loadSource(folderOf(hasChain ? profilePath : recipePath), recipe->chain);
+    loadSource(folderOf(hasChain(*profile) ? profilePath : recipePath), recipe->chain);
     return marked(std::move(*recipe), *profile, profilePath);
 }
 
@@ -231,8 +246,8 @@ Result<Recipe> withProfile(const Recipe &recipe, const std::string &profilePath)
         return joined;
     joined->comparison.loaded = recipe.comparison.loaded;
     joined->chain.loaded = recipe.chain.loaded;
-    if (profile->sections.contains("chain"))
-        loadSource(std::filesystem::path(profilePath).parent_path().string(), joined->chain);
+    if (hasChain(*profile))
+        loadSource(folderOf(profilePath), joined->chain);
     return marked(std::move(*joined), *profile, profilePath);
 }
 

@@ -6,7 +6,6 @@
 #include <fftw3.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 #include <limits>
 #include <mutex>
@@ -16,12 +15,11 @@
 /// FFTW calls this function of its own where it gets no memory, and then ends the program. Defined
 /// here it is found first, and the lack is told like any other. The exception passes FFTW's frames,
 /// which have unwind tables on every Debian port (tst_fft).
-extern "C" [[noreturn]] void fftw_assertion_failed(const char *what, int line, const char *file)
+extern "C" [[noreturn]] void fftw_assertion_failed(const char *, int, const char *file)
 {
     if (std::string_view(file).ends_with("alloc.c"))
         throw std::bad_alloc();
-    std::fprintf(stderr, "FFTW, %s, line %d: not so: %s\n", file, line, what);
-    std::abort();
+    std::abort(); // as FFTW itself
 }
 
 namespace dyncal {

@@ -38,22 +38,36 @@ void holdModelRow(Index row, const ResponseResult &response, RowUncertainty &row
     raise(rows.leastExpandedPhase_rad[row], rows.u_modelPhase_rad[row]);
 }
 
+/// What a report of rows says of one quantity.
+struct RowColumns
+{
+    Eigen::VectorXd &u, &dof, &k;
+};
+
+void take(const ReportedValue &reported, Index row, const RowColumns &columns)
+{
+    columns.u[row] = *reported.u;
+    columns.dof[row] = reported.dof;
+    columns.k[row] = reported.k;
+}
+
 void holdRow(Index row, const ResponseResult &response, RowUncertainty &rows)
 {
-    if (std::isfinite(rows.u_magnitude[row])) {
-        const ReportedValue magnitude = magnitudeOfRow(response, rows, row);
-        rows.u_magnitude[row] = *magnitude.u;
-        rows.dof_magnitude[row] = magnitude.dof;
-        rows.k_magnitude[row] = magnitude.k;
-    }
-    if (std::isfinite(rows.u_phase_rad[row])) {
-        const ReportedValue phase = phaseOfRow(response, rows, row);
-        rows.u_phase_rad[row] = *phase.u;
-        rows.dof_phase[row] = phase.dof;
-        rows.k_phase[row] = phase.k;
-    }
+    if (std::isfinite(rows.u_magnitude[row]))
+        take(magnitudeOfRow(response, rows, row), row,
+            {rows.u_magnitude, rows.dof_magnitude, rows.k_magnitude});
+    if (std::isfinite(rows.u_phase_rad[row]))
+        take(
+            phaseOfRow(response, rows, row), row, {rows.u_phase_rad, rows.dof_phase, rows.k_phase});
     if (row < response.modelMagnitude.size())
         holdModelRow(row, response, rows);
+}
+
+/// The value that a relative CMC is of.
+double magnitudeAt(const ResponseResult &response, Index row)
+{
+    const bool isStated = row < response.magnitude.size() && std::isfinite(response.magnitude[row]);
+    return isStated ? response.magnitude[row] : response.modelMagnitude[row];
 }
 
 void holdRows(
@@ -63,11 +77,7 @@ void holdRows(
     rows.leastExpanded_relative.resize(count);
     rows.leastExpandedPhase_rad.resize(count);
     for (Index row = 0; row < count; ++row) {
-        const double f_Hz = response.frequency_Hz[row];
-        const bool isMeasured = row < response.magnitude.size();
-        const double S = isMeasured && std::isfinite(response.magnitude[row])
-            ? response.magnitude[row]
-            : response.modelMagnitude[row];
+        const double f_Hz = response.frequency_Hz[row], S = magnitudeAt(response, row);
         rows.leastExpanded_relative[row] = leastExpanded(cmc, "magnitude", S, f_Hz) / S;
         rows.leastExpandedPhase_rad[row] = leastExpanded(cmc, "phase_rad", 1.0, f_Hz);
         holdRow(row, response, rows);

@@ -227,6 +227,12 @@ void addModel(const ResponseResult &response, const FrontVariation &front,
         / (coverageFactor(std::numeric_limits<double>::infinity(), kCoverageOfRows) * u);
 }
 
+/// Of the CMC; 0 where none is stated.
+double leastOf(const Eigen::VectorXd &least, Index row)
+{
+    return row < least.size() ? least[row] : 0.0;
+}
+
 } // namespace
 
 ReportedValue magnitudeOfRow(const ResponseResult &response, const RowUncertainty &rows, Index row)
@@ -234,8 +240,7 @@ ReportedValue magnitudeOfRow(const ResponseResult &response, const RowUncertaint
     const double S = response.magnitude[row];
     ReportedValue reported{"magnitude", S, response.unit == "1" ? "" : response.unit,
         magnitudeLines(response, rows.common, row)};
-    if (row < rows.leastExpanded_relative.size())
-        reported.leastExpanded = rows.leastExpanded_relative[row] * S;
+    reported.leastExpanded = leastOf(rows.leastExpanded_relative, row) * S;
     combineLines(reported);
     return reported;
 }
@@ -245,8 +250,7 @@ ReportedValue phaseOfRow(const ResponseResult &response, const RowUncertainty &r
     ReportedValue reported{"phase_rad", response.phase_rad[row], "rad", phaseLines(response, row)};
     if (!std::isfinite(combined(reported.lines).u))
         return reported;
-    if (row < rows.leastExpandedPhase_rad.size())
-        reported.leastExpanded = rows.leastExpandedPhase_rad[row];
+    reported.leastExpanded = leastOf(rows.leastExpandedPhase_rad, row);
     combineLines(reported);
     return reported;
 }

@@ -19,6 +19,8 @@ std::vector<InputShare> inputShares(const std::vector<UncertaintyLine> &lines)
 {
     std::vector<InputShare> inputs;
     for (const UncertaintyLine &line : lines) {
+        if (line.quantity == kCapability)
+            continue;
         InputShare &input = shareOf(line.quantity, inputs);
         input.contribution = std::hypot(input.contribution, line.contribution);
     }
@@ -60,7 +62,13 @@ std::optional<WayToU> wayToU(const ReportedValue &reported, const WantedU &wante
     const double wanted_u = wanted.relative * std::abs(reported.value) / wanted.k;
     if (!reported.u || !(wanted_u > 0.0))
         return std::nullopt;
-    WayToU way{wanted_u, *reported.u <= wanted_u, inputShares(reported.lines)};
+    WayToU way;
+    way.wanted_u = wanted_u;
+    way.isReached = *reported.u <= wanted_u;
+    way.isBelowCapability = !way.isReached && wanted.k * wanted_u < reported.leastExpanded;
+    if (way.isBelowCapability)
+        return way;
+    way.inputs = inputShares(reported.lines);
     for (InputShare &input : way.inputs)
         input.factor = factorOf(input, way.inputs, wanted_u);
     while (!way.isReached && way.toRemove < way.inputs.size()

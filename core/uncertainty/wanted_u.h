@@ -33,13 +33,14 @@ struct WayToU
 {
     double wanted_u = kUnknown; ///< k = 1, in the value's unit
     bool isReached = false;
+    bool isBelowCapability = false; ///< less than the laboratory's CMC: no input is in the way
     std::vector<InputShare> inputs; ///< from the largest contribution down
     /// How many of the largest inputs have to be without any uncertainty for U to be as wanted: the
     /// smallest set that does it; 0 where it is reached.
     std::size_t toRemove = 0;
 };
 
-/// Empty for a value without u, or of nothing (no relative U).
+/// The line of the CMC is no input. Empty for a value without u, or of nothing (no relative U).
 std::optional<WayToU> wayToU(const ReportedValue &reported, const WantedU &wanted);
 
 } // namespace dyncal

@@ -124,7 +124,8 @@ inline Recipe fullRecipe()
     r.chain.source = "amp.csv";
     r.chain.sha256 = std::string(64, 'b');
     r.chain.quantityId = "gain";
-    r.profile = {"Tube 2", "7", std::string(64, 'c'), R"({"checks":{"min_codes":8.0}})"};
+    r.profile = {"Tube 2", "7", std::string(64, 'c'),
+        "{\n  \"checks\": {\n    \"min_codes\": 8.0\n  }\n}\n"};
     r.acknowledge = {{"WIN-001", 3, "known"}};
     r.certificate = {.templateName = "short",
         .languages = {"sv", "en"},

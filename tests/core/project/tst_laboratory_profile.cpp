@@ -158,6 +158,36 @@ private slots:
         QVERIFY2(said.find(word.toStdString()) != std::string::npos, said.c_str());
     }
 
+    /// However either of them writes the same thing.
+    void sameSettingWrittenOtherwise_isNoChange_data()
+    {
+        QTest::addColumn<QByteArray>("profile");
+        QTest::addColumn<QByteArray>("recipe");
+        QTest::newRow("role") << QByteArray(R"("import": {"channels": {"A": "dut"}})")
+                              << QByteArray(R"({"import": {"channels": {"A": {"role": "dut"}}}})");
+        QTest::newRow("number") << QByteArray(R"("checks": {"min_codes": 8})")
+                                << QByteArray(R"({"checks": {"min_codes": 8.0}})");
+        QTest::newRow("default") << QByteArray(R"("uncertainty": {"budget": [
+            {"quantity": "t1_k", "u": 1}]})")
+                                 << QByteArray(R"({"uncertainty": {"budget": [
+            {"quantity": "t1_k", "u": 1, "distribution": "normal", "dof": null}]}})");
+        QTest::newRow("order of lines") << QByteArray(R"("uncertainty": {"budget": [
+            {"quantity": "t1_k", "u": 1}, {"quantity": "p1_pa", "u": 2}]})")
+                                        << QByteArray(R"({"uncertainty": {"budget": [
+            {"quantity": "p1_pa", "u": 2}]}})");
+    }
+    void sameSettingWrittenOtherwise_isNoChange()
+    {
+        QFETCH(QByteArray, profile);
+        QFETCH(QByteArray, recipe);
+        const std::string whole = R"({"schema": "dyncal-profile/1", "name": "x", "version": "1", )"
+            + profile.toStdString() + "}";
+        const Recipe made = joined(recipe.toStdString(), whole).value();
+        const auto changed = changedFromProfile(made);
+        QVERIFY2(changed.empty(), changed.empty() ? "" : changed.front().c_str());
+        QVERIFY(changedFromProfile(parseRecipe(recipeJson(made)).value()).empty());
+    }
+
     void withoutName_itLeavesNoMark()
     {
         const Recipe recipe = joined("{}", R"({"checks": {"min_codes": 8}})").value();

@@ -370,6 +370,7 @@ private slots:
                 json = "{\"" + parts.last().toStdString() + "\": " + json + "}";
             QVERIFY2(refusal(json).starts_with("Recipe key " + path)
                     || refusal(json).starts_with("Recipe key shock.")
+                    || refusal(json).starts_with("Recipe key profile ")
                     || refusal(json).starts_with("Recipe key comparison.model ")
                     || refusal(json).starts_with("Recipe key certificate.decision "),
                 (path + " -> " + refusal(json)).c_str());

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 
 #include "core/project/recipe.h"
+#include "tests/support/scratch_folder.h"
 #include "tests/support/test_program.h"
 
 #include <QFile>
@@ -49,6 +50,15 @@ private:
         for (const QString &part : key.split('.'))
             value = value.toObject().value(part);
         return value;
+    }
+
+    /// The first block of JSON behind these words.
+    static std::string exampleBehind(const char *words)
+    {
+        QFile file(qEnvironmentVariable("DYNCAL_SOURCE_DIR") + "/docs/recipe.md");
+        const bool isOpen = file.open(QIODevice::ReadOnly);
+        const QString text = isOpen ? QString::fromUtf8(file.readAll()) : QString();
+        return text.section(words, 1).section("```json\n", 1).section("```", 0, 0).toStdString();
     }
 
 private slots:
@@ -130,7 +140,10 @@ private slots:
                 R"({"frequency_hz": 1, "shot": 0, "kind": "tube", "label": "", "reason": "x"})"},
             {"realization.candidate_notes", R"({"order": 3, "note": "x"})"},
             {"uncertainty.budget",
-                R"({"quantity": "a", "u": 1, "distribution": "normal", "dof": null})"},
+                R"({"quantity": "a", "u": 1, "distribution": "normal", "dof": null,
+                    "certificate": null, "due": null})"},
+            {"uncertainty.cmc",
+                R"({"of": "f0_hz", "expanded": 1, "relative": true, "from_hz": 0, "to_hz": null})"},
             {"acknowledge", R"({"finding": "a", "shot": 0, "reason": "x"})"},
         };
         int checked = 0;
@@ -150,18 +163,24 @@ private slots:
             QVERIFY2(accepted == (row.defaultText != "needed"), qPrintable(row.key));
             ++checked;
         }
-        QCOMPARE(checked, 34);
+        QCOMPARE(checked, 41);
     }
 
     void example_isARecipe()
     {
-        QFile file(qEnvironmentVariable("DYNCAL_SOURCE_DIR") + "/docs/recipe.md");
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QString text = QString::fromUtf8(file.readAll());
-        const QString example = text.section("```json\n", 1).section("```", 0, 0);
-        const Result<Recipe> recipe = parseRecipe(example.toStdString());
+        const Result<Recipe> recipe = parseRecipe(exampleBehind("## Example\n"));
         QVERIFY(recipe.has_value());
         QVERIFY(recipe->window.endAtPlateau);
+    }
+
+    void exampleOfAProfile_isOne()
+    {
+        const std::string profile = exampleBehind("## A laboratory's profile\n");
+        const testing::ScratchFolder folder;
+        const Result<Recipe> recipe
+            = readRecipeFiles({}, folder.write("p.json", profile.data(), profile.size()));
+        QVERIFY(recipe.has_value());
+        QCOMPARE(recipe->profile->name, "Shock tube 2");
     }
 };
 

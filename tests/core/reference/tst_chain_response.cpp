@@ -85,6 +85,16 @@ private slots:
         QVERIFY(said.find("chain.source") != said.npos && said.find("column") != said.npos);
     }
 
+    /// Below its first row and above its last nobody measured it.
+    void ends_areTheTable()
+    {
+        const ReferenceSensitivity H = chainResponse(settingsOf(kTable)).value()->relative;
+        QCOMPARE(H.lowest_Hz(), 100.0);
+        QCOMPARE(H.highest_Hz(), 1e6);
+        QVERIFY(!H.at(99.0) && !H.at(1.01e6));
+        QCOMPARE(H.lowest().u_magnitude, 0.001);
+    }
+
     void settings_differByTheFile()
     {
         const ChainSettings one = settingsOf(kTable);

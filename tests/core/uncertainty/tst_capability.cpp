@@ -98,6 +98,17 @@ private slots:
         QCOMPARE(leastExpanded(kAll, "q", 3.0), 0.0);
     }
 
+    void entry_countsBetweenItsEnds()
+    {
+        const std::vector<CapabilityEntry> band{relative("magnitude", 0.1, 1e3, 1e4)};
+        for (const double f_Hz : {1e3, 3e3, 1e4})
+            QCOMPARE(leastExpanded(band, "magnitude", 1.0, f_Hz), 0.1);
+        for (const double f_Hz : {999.0, 10001.0})
+            QCOMPARE(leastExpanded(band, "magnitude", 1.0, f_Hz), 0.0);
+        const std::vector<CapabilityEntry> absolute{{"f0_hz", 5.0, false}};
+        QCOMPARE(leastExpanded(absolute, "f0_hz", 1e6), 5.0);
+    }
+
     void nothingOfACalibration_isBelow()
     {
         Index held = 0;

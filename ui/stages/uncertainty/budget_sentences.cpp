@@ -107,6 +107,10 @@ QString wantedSentence(
     const QString asked = percentText(wanted.relative);
     if (way->isReached)
         return BudgetSentences::tr("U of %1 is reached.").arg(asked);
+    if (way->isBelowCapability)
+        return BudgetSentences::tr(
+            "U of %1 is less than the laboratory's least uncertainty (CMC); no input changes that.")
+            .arg(asked);
     const QStringList alone = enoughAlone(budget.reported, *way);
     const QString first = alone.isEmpty()
         ? BudgetSentences::tr("For U of %1 no input alone is enough.").arg(asked)
