@@ -30,7 +30,8 @@ public:
     /// Inverse including the factor 1/n: inverse(forward(x)) == x.
     Eigen::VectorXd inverse(const Eigen::Ref<const Eigen::VectorXcd> &spectrum) const;
 
-    /// The same in buffers of the caller, which have the full sizes already: nothing is copied. The inverse lacks the factor 1/n and destroys `spectrum`.
+    /// The same in buffers of the caller, which have the full sizes already: nothing is copied. The
+    /// inverse lacks the factor 1/n and destroys `spectrum`.
     void forward(const Eigen::VectorXd &time, Eigen::VectorXcd &spectrum) const;
     void inverseUnscaled(Eigen::VectorXcd &spectrum, Eigen::VectorXd &time) const;
 
