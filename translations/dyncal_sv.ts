@@ -6953,10 +6953,6 @@ wanted U</source>
         <translation>Responsen direkt ur data hålls inne vid %1 av %2 frekvenser, från %3 till %4: kedjans svar (chain.source) är inte angivet där, och inget extrapoleras.</translation>
     </message>
     <message>
-        <source>The profile %1 lacks &quot;%2&quot;; a certificate says by name and version which profile was used.</source>
-        <translation>Profilen %1 saknar &quot;%2&quot;; ett certifikat anger med namn och version vilken profil som användes.</translation>
-    </message>
-    <message>
         <source>The profile %1 is no profile that this version reads; it needs the schema &quot;%2&quot;.</source>
         <translation>Profilen %1 är ingen profil som denna version läser; den behöver schemat &quot;%2&quot;.</translation>
     </message>
@@ -6969,20 +6965,52 @@ wanted U</source>
         <translation>Receptet innehåller värdena ur profilen &quot;%1&quot;, version %2, och %3 är en annan; utelämna --profile, eller utgå från ett recept utan nyckeln profile.</translation>
     </message>
     <message>
-        <source>The file &apos;%1&apos; of %2.source could not be read; give its path relative to the recipe.</source>
-        <translation>Filen &apos;%1&apos; i %2.source kunde inte läsas; ange dess sökväg relativt receptet.</translation>
-    </message>
-    <message>
         <source>The file &apos;%1&apos; has the hash %2, but %3.sha256 demands %4: it was changed, or it is another file. Restore it, or state the new hash.</source>
         <translation>Filen &apos;%1&apos; har kontrollsumman %2, men %3.sha256 kräver %4: den har ändrats, eller är en annan fil. Återställ den, eller ange den nya kontrollsumman.</translation>
     </message>
     <message>
-        <source>The file &apos;%1&apos; of chain.source begins with the magnitude %2 at %3 Hz; it needs the ratio to the gain at low frequency, which begins with 1. Divide its magnitudes by that gain, which belongs into the channel&apos;s scale.</source>
-        <translation>Filen &apos;%1&apos; i chain.source börjar med beloppet %2 vid %3 Hz; den behöver kvoten mot förstärkningen vid låg frekvens, som börjar med 1. Dividera beloppen med den förstärkningen, som hör till kanalens skala.</translation>
-    </message>
-    <message>
         <source>The file &apos;%1&apos; of chain.source is read as that of a reference transducer: %2</source>
         <translation>Filen &apos;%1&apos; i chain.source läses som en referensgivares: %2</translation>
+    </message>
+    <message>
+        <source>Least U of the laboratory (CMC), below which none is stated</source>
+        <translation>Laboratoriets minsta U (CMC), under vilket inget anges</translation>
+    </message>
+    <message>
+        <source>The band also ends where the response of amplifier and converter, which is divided out, is not stated.</source>
+        <translation>Bandet slutar också där svaret hos förstärkare och omvandlare, som räknas bort, inte är angivet.</translation>
+    </message>
+    <message>
+        <source>no statement: every judged row is accepted, but between them, at %1, the model deviates by %2 %; ask for rows there (response.frequencies)</source>
+        <translation>inget utlåtande: varje bedömd rad godtas, men mellan dem, vid %1, avviker modellen med %2 %; begär rader där (response.frequencies)</translation>
+    </message>
+    <message>
+        <source>The profile %1 needs &quot;%2&quot; as a text that is not empty; a certificate says by name and version which profile was used.</source>
+        <translation>Profilen %1 behöver &quot;%2&quot; som en text som inte är tom; ett certifikat anger med namn och version vilken profil som användes.</translation>
+    </message>
+    <message>
+        <source>Recipe key uncertainty.cmc holds an entry of &quot;%1&quot; from %2 to %3 Hz; the second must be the larger.</source>
+        <translation>Receptnyckeln uncertainty.cmc har en post för &quot;%1&quot; från %2 till %3 Hz; det andra talet måste vara det större.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; of %2.source could not be read; it is looked for from the folder of the recipe, or of the profile that names it. Put it there, or give its whole path.</source>
+        <translation>Filen &apos;%1&apos; i %2.source kunde inte läsas; den söks från mappen med receptet, eller med profilen som nämner den. Lägg den där, eller ange hela dess sökväg.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; of chain.source begins with the magnitude %2 at %3 Hz; it needs the ratio to the gain at low frequency, which begins with 1. Divide its magnitudes by that gain, which belongs into the channel&apos;s scale, or begin the table at a lower frequency.</source>
+        <translation>Filen &apos;%1&apos; i chain.source börjar med beloppet %2 vid %3 Hz; den behöver kvoten mot förstärkningen vid låg frekvens, som börjar med 1. Dividera beloppen med den förstärkningen, som hör till kanalens skala, eller börja tabellen vid en lägre frekvens.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; of chain.source begins with the phase %2 rad at %3 Hz; it needs one that begins near 0. Take whole turns off, and half a turn into the polarity of the channel; or begin the table at a lower frequency.</source>
+        <translation>Filen &apos;%1&apos; i chain.source börjar med fasen %2 rad vid %3 Hz; den behöver en som börjar nära 0. Ta bort hela varv, och lägg ett halvt varv i kanalens polaritet; eller börja tabellen vid en lägre frekvens.</translation>
+    </message>
+    <message>
+        <source>The file &apos;%1&apos; of chain.source has one row; it needs the frequencies of the response, for nothing is extrapolated.</source>
+        <translation>Filen &apos;%1&apos; i chain.source har en rad; den behöver frekvenssvarets frekvenser, för inget extrapoleras.</translation>
+    </message>
+    <message>
+        <source>a phase within half a turn of that of the row before: take the jumps of whole turns out</source>
+        <translation>en fas inom ett halvt varv från föregående rads: ta bort hoppen på hela varv</translation>
     </message>
 </context>
 <context>

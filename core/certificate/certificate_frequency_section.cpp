@@ -260,6 +260,11 @@ void addNotes(const ResponseResult &response, std::size_t rows, CertificateSecti
         {DYNCAL_TEXT("core",
              "The lower limit follows from the length of the window, the upper one from the noise and the sample rate. Frequencies are settings, without an uncertainty. The model's values have the digits of the wider of their uncertainty and the measured value's; they end at half the sample rate of the model. A dash means that the value, or its complete uncertainty, was not determined."),
             {}});
+    if (response.lowEnd == BandEnd::Chain || response.highEnd == BandEnd::Chain)
+        section.notes.push_back(
+            {DYNCAL_TEXT("core",
+                 "The band also ends where the response of amplifier and converter, which is divided out, is not stated."),
+                {}});
     if (response.isByTransducer)
         section.notes.push_back(
             {DYNCAL_TEXT("core",

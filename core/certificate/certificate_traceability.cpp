@@ -4,6 +4,8 @@
 #include "core/certificate/certificate_traceability.h"
 
 #include "core/base/calendar_date.h"
+#include "core/base/number_text.h"
+#include "core/base/rounding.h"
 #include "core/certificate/certificate_words.h"
 
 #include <string>
@@ -33,7 +35,8 @@ void addProfile(const Recipe &recipe, TraceFields &fields)
 
 void addChain(const CalibrationResults &results, TraceFields &fields)
 {
-    if (!results.reference || !results.reference->chain)
+    if (!results.reference || !results.reference->chain || !results.response
+        || results.response->magnitude.size() == 0)
         return;
     const ChainResponse &chain = *results.reference->chain;
     const Message label{DYNCAL_TEXT("core", "Response of amplifier and converter"), {}};
@@ -48,6 +51,33 @@ void addChain(const CalibrationResults &results, TraceFields &fields)
         false});
 }
 
+std::string sizeOf(const CapabilityEntry &entry)
+{
+    const bool isPhase = entry.of == "phase_rad";
+    return entry.isRelative && !isPhase ? numberText(100.0 * entry.expanded, 3) + " %"
+                                        : numberText(entry.expanded, 3) + (isPhase ? " rad" : "");
+}
+
+std::string bandOf(const CapabilityEntry &entry)
+{
+    if (entry.from_Hz == 0.0 && !entry.to_Hz)
+        return "";
+    return " (" + settingText(entry.from_Hz, "Hz") + " ... "
+        + (entry.to_Hz ? settingText(*entry.to_Hz, "Hz") : "") + ")";
+}
+
+void addCapability(const Recipe &recipe, TraceFields &fields)
+{
+    std::string list;
+    for (const CapabilityEntry &entry : recipe.uncertainty.cmc)
+        list += (list.empty() ? "" : ", ") + entry.of + " " + sizeOf(entry) + bandOf(entry);
+    if (!list.empty())
+        fields.push_back({"cmc",
+            {DYNCAL_TEXT("core", "Least U of the laboratory (CMC), below which none is stated"),
+                {}},
+            verbatim(list), false});
+}
+
 /// The day of the measurement; empty where it is no day.
 std::string dayPerformed(const Recipe &recipe)
 {
@@ -55,16 +85,21 @@ std::string dayPerformed(const Recipe &recipe)
     return typed == recipe.certificate.fields.end() ? std::string() : calendarDate(typed->second);
 }
 
+std::string numberOf(const BudgetEntry &entry)
+{
+    return entry.certificate.empty() ? english(dash()) : entry.certificate;
+}
+
 Message referenceText(const BudgetEntry &entry, bool isOver)
 {
     if (entry.due.empty())
-        return {DYNCAL_TEXT("core", "%1: certificate %2"), {entry.quantity, entry.certificate}};
+        return {DYNCAL_TEXT("core", "%1: certificate %2"), {entry.quantity, numberOf(entry)}};
     if (isOver)
         return {
             DYNCAL_TEXT("core", "%1: certificate %2, which ended on %3, before the measurement"),
-            {entry.quantity, entry.certificate, entry.due}};
+            {entry.quantity, numberOf(entry), entry.due}};
     return {DYNCAL_TEXT("core", "%1: certificate %2, valid until %3"),
-        {entry.quantity, entry.certificate, entry.due}};
+        {entry.quantity, numberOf(entry), entry.due}};
 }
 
 bool isOver(const BudgetEntry &entry, const std::string &day)
@@ -82,7 +117,7 @@ void addBudgetReferences(const Recipe &recipe, TraceFields &fields)
 {
     const std::string day = dayPerformed(recipe);
     for (const BudgetEntry &entry : recipe.uncertainty.budget)
-        if (!entry.certificate.empty())
+        if (!entry.certificate.empty() || !entry.due.empty())
             fields.push_back(referenceField(entry, isOver(entry, day)));
 }
 
@@ -94,6 +129,7 @@ std::vector<CertificateField> traceabilityFields(
     TraceFields fields;
     addProfile(recipe, fields);
     addChain(results, fields);
+    addCapability(recipe, fields);
     addBudgetReferences(recipe, fields);
     return fields;
 }

@@ -4,6 +4,7 @@
 #include "core/certificate/conformity.h"
 
 #include "core/base/distributions.h"
+#include "core/base/number_text.h"
 #include "core/base/rounding.h"
 #include "core/model_analysis/transducer_steps.h"
 #include "core/uncertainty/reported_value.h"
@@ -215,6 +216,24 @@ ConformityResult verdictOfAll(const std::vector<JudgedRow> &rows, DecisionRule r
     return result;
 }
 
+/// Between its rows the response is known by the model: a resonance may lie there.
+std::optional<Message> modelBetween(const ResponseResult &response, const LowFrequency &low,
+    const DecisionSettings &decision, const ConformityResult &judged)
+{
+    const double guard = decision.rule == DecisionRule::GuardBand ? judged.worst->expanded() : 0.0;
+    const ResponseCurve &curve = response.modelCurve;
+    for (Index i = 0; i < curve.magnitude.size(); ++i) {
+        const double deviation = curve.magnitude[i] / low.value - 1.0;
+        if (isClaimed(curve.frequency_Hz[i], decision)
+            && std::abs(deviation) > limitOf(decision) - guard)
+            return Message{
+                DYNCAL_TEXT("core",
+                    "no statement: every judged row is accepted, but between them, at %1, the model deviates by %2 %; ask for rows there (response.frequencies)"),
+                {hertz(curve.frequency_Hz[i]), numberText(100.0 * deviation, 3)}};
+    }
+    return std::nullopt;
+}
+
 } // namespace
 
 double probabilityOutside(double deviation, double u, double dof, double limit)
@@ -243,7 +262,11 @@ ConformityResult judgeConformity(const ResponseResult &response, const DecisionS
         return without(*why);
     for (JudgedRow &row : rows)
         judgeRow(decision, row);
-    return verdictOfAll(rows, decision.rule);
+    ConformityResult result = verdictOfAll(rows, decision.rule);
+    if (result.verdict != ConformityVerdict::Conforms)
+        return result;
+    const auto between = modelBetween(response, *low, decision, result);
+    return between ? without(*between) : result;
 }
 
 } // namespace dyncal

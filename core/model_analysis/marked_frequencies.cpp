@@ -80,10 +80,12 @@ void markFrequencies(const SensorModel &model, ResponseTreatment treatment, Resp
     const StatedCharacteristics stated = statedCharacteristics(result);
     std::vector<MarkedFrequency> marks{
         {result.fLow_Hz, RowMark::LowEnd}, {result.fHigh_Hz, RowMark::HighEnd}};
-    addEdge(stated.within5percent_Hz, RowMark::Within5percent, marks);
-    addEdge(stated.within10percent_Hz, RowMark::Within10percent, marks);
-    addEdge(stated.minus3dB_Hz, RowMark::Minus3dB, marks);
-    addPeak(model, treatment, result, marks);
+    if (!result.isWithoutChain) { // edges and resonance are those of sensor and chain together
+        addEdge(stated.within5percent_Hz, RowMark::Within5percent, marks);
+        addEdge(stated.within10percent_Hz, RowMark::Within10percent, marks);
+        addEdge(stated.minus3dB_Hz, RowMark::Minus3dB, marks);
+        addPeak(model, treatment, result, marks);
+    }
     std::ranges::sort(marks);
     take(marks, result);
 }

@@ -59,7 +59,7 @@ Result<std::string> takeWord(Json &document, const char *key, const std::string 
         return word.get<std::string>();
     return fail(ErrorKind::Usage,
         {DYNCAL_TEXT("core",
-             "The profile %1 lacks \"%2\"; a certificate says by name and version which profile was used."),
+             "The profile %1 needs \"%2\" as a text that is not empty; a certificate says by name and version which profile was used."),
             {path, key}});
 }
 

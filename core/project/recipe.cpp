@@ -75,6 +75,19 @@ Result<void> checkDecision(const std::optional<DecisionSettings> &decision)
             {numberText(decision->to_Hz, 6), numberText(decision->from_Hz, 6)}});
 }
 
+/// A band that holds no frequency would hold nothing back.
+Result<void> checkCapability(const std::vector<CapabilityEntry> &cmc)
+{
+    for (const CapabilityEntry &entry : cmc) {
+        if (entry.to_Hz && *entry.to_Hz < entry.from_Hz)
+            return fail(ErrorKind::Usage,
+                {DYNCAL_TEXT("core",
+                     "Recipe key uncertainty.cmc holds an entry of \"%1\" from %2 to %3 Hz; the second must be the larger."),
+                    {entry.of, numberText(entry.from_Hz, 6), numberText(*entry.to_Hz, 6)}});
+    }
+    return {};
+}
+
 /// Checks that concern several keys.
 Result<void> checkTogether(const Recipe &recipe)
 {
@@ -85,6 +98,8 @@ Result<void> checkTogether(const Recipe &recipe)
                  "Recipe key realization.order is %1; it needs at most realization.max_order, which is %2."),
                 {std::to_string(*realization.order.value), std::to_string(realization.maxOrder)}});
     if (const Result<void> checked = checkDecision(recipe.certificate.decision); !checked)
+        return checked;
+    if (const Result<void> checked = checkCapability(recipe.uncertainty.cmc); !checked)
         return checked;
     return checkBudget(recipe.uncertainty.budget);
 }
@@ -179,21 +194,10 @@ std::string folderOf(const std::string &path)
     return std::filesystem::path(path).parent_path().string();
 }
 
-bool hasChain(const LaboratoryProfile &profile)
+/// The file is beside the document that names it.
+bool namesChain(const Json &document)
 {
-    return profile.sections.contains("chain");
-}
-
-/// The recipe at this path, which may be empty, over a profile's sections.
-Result<Json> recipeOver(Json sections, const std::string &path)
-{
-    if (path.empty())
-        return sections;
-    const Result<Json> recipe = recipeDocument(path);
-    if (!recipe)
-        return recipe;
-    joinRecipes(sections, *recipe);
-    return sections;
+    return document.is_object() && document.contains(Json::json_pointer("/chain/source"));
 }
 
 } // namespace
@@ -222,14 +226,16 @@ Result<Recipe> readRecipeFiles(const std::string &recipePath, const std::string 
         = profilePath.empty() ? LaboratoryProfile{Json::object(), {}} : profileAt(profilePath);
     if (!profile)
         return tl::unexpected<Error>(profile.error());
-    const Result<Json> document = recipeOver(profile->sections, recipePath);
-    if (!document)
-        return tl::unexpected<Error>(document.error());
-    Result<Recipe> recipe = recipeOf(*document);
+    const Result<Json> own = recipePath.empty() ? Json::object() : recipeDocument(recipePath);
+    if (!own)
+        return tl::unexpected<Error>(own.error());
+    Json document = profile->sections;
+    joinRecipes(document, *own);
+    Result<Recipe> recipe = recipeOf(document);
     if (!recipe)
         return recipe;
     loadSource(folderOf(recipePath), recipe->comparison);
-    loadSource(folderOf(hasChain(*profile) ? profilePath : recipePath), recipe->chain);
+    loadSource(folderOf(namesChain(*own) ? recipePath : profilePath), recipe->chain);
     return marked(std::move(*recipe), *profile, profilePath);
 }
 
@@ -246,7 +252,7 @@ Result<Recipe> withProfile(const Recipe &recipe, const std::string &profilePath)
         return joined;
     joined->comparison.loaded = recipe.comparison.loaded;
     joined->chain.loaded = recipe.chain.loaded;
-    if (hasChain(*profile))
+    if (namesChain(profile->sections))
         loadSource(folderOf(profilePath), joined->chain);
     return marked(std::move(*joined), *profile, profilePath);
 }

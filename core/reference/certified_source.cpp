@@ -15,7 +15,7 @@ Result<void> checkFile(const CertifiedSource &source)
     if (!source.loaded)
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "The file '%1' of %2.source could not be read; give its path relative to the recipe."),
+                 "The file '%1' of %2.source could not be read; it is looked for from the folder of the recipe, or of the profile that names it. Put it there, or give its whole path."),
                 {source.path, source.section}});
     if (source.sha256.empty() || source.sha256 == source.loaded->sha256)
         return {};

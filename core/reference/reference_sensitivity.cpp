@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -25,10 +26,16 @@ bool hasPhase(const ReferencePoint &row)
     return std::isfinite(row.phase_rad);
 }
 
-/// What is wrong with a row; null if nothing is.
-const char *faultOf(const ReferencePoint &row, double before_Hz, bool needsPhase)
+/// Straight lines between the rows would cross the jump of a wrapped phase.
+bool isWrapped(const ReferencePoint &row, const ReferencePoint &before)
 {
-    if (!(row.frequency_Hz > before_Hz) || !std::isfinite(row.frequency_Hz))
+    return std::abs(row.phase_rad - before.phase_rad) > std::numbers::pi;
+}
+
+/// What is wrong with a row; null if nothing is. `before` is the one below it.
+const char *faultOf(const ReferencePoint &row, const ReferencePoint &before, bool needsPhase)
+{
+    if (!(row.frequency_Hz > before.frequency_Hz) || !std::isfinite(row.frequency_Hz))
         return DYNCAL_TEXT("core", "a frequency above that of the row before, and above 0");
     if (!(row.magnitude > 0.0) || !std::isfinite(row.magnitude))
         return DYNCAL_TEXT("core", "a magnitude above 0");
@@ -36,6 +43,9 @@ const char *faultOf(const ReferencePoint &row, double before_Hz, bool needsPhase
         return DYNCAL_TEXT("core", "an uncertainty of the magnitude that is not negative");
     if (hasPhase(row) != needsPhase || (needsPhase && !isNotNegative(row.u_phase_rad)))
         return DYNCAL_TEXT("core", "a phase with its uncertainty in all rows, or in none");
+    if (isWrapped(row, before))
+        return DYNCAL_TEXT("core",
+            "a phase within half a turn of that of the row before: take the jumps of whole turns out");
     return row.dof > 0.0 ? nullptr : DYNCAL_TEXT("core", "degrees of freedom above 0");
 }
 
@@ -82,14 +92,14 @@ Result<ReferenceSensitivity> ReferenceSensitivity::fromTable(std::vector<Referen
     if (rows.empty())
         return fail(ErrorKind::Usage,
             {DYNCAL_TEXT("core", "The reference transducer's table has no rows."), {}});
-    double before_Hz = 0.0;
+    ReferencePoint before;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        if (const char *needed = faultOf(rows[i], before_Hz, hasPhase(rows.front())))
+        if (const char *needed = faultOf(rows[i], before, hasPhase(rows.front())))
             return fail(ErrorKind::Usage,
                 {DYNCAL_TEXT(
                      "core", "Row %1 of the reference transducer's table, at %2 Hz, needs %3."),
                     {std::to_string(i + 1), numberText(rows[i].frequency_Hz, 6), needed}});
-        before_Hz = rows[i].frequency_Hz;
+        before = rows[i];
     }
     ReferenceSensitivity result;
     result.m_rows = std::move(rows);

@@ -30,7 +30,8 @@ class ReferenceSensitivity
 {
 public:
     /// At least one row, frequencies above 0 and rising, magnitudes above 0, u not negative, the
-    /// phase in all rows or in none. Fails (Usage) with the row at fault, counted from 1.
+    /// phase in all rows or in none, unwrapped. Fails (Usage) with the row at fault, counted
+    /// from 1.
     static Result<ReferenceSensitivity> fromTable(std::vector<ReferencePoint> rows);
 
     /// |S| = sensitivity / |1 - r^2 + 2 j zeta r|, r = f/f0; u by first order. Fails (Usage) unless

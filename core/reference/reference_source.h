@@ -15,11 +15,14 @@ namespace dyncal {
 std::shared_ptr<const ReferenceSource> sourceAt(
     const std::string &folder, const std::string &source);
 
-/// Reads the file of settings.source into settings.loaded, which stays empty without a source.
+/// Reads the file of settings.source into settings.loaded, which stays empty without a source. Its
+/// hash is stated from then on: what was computed with it must not be repeated with another one.
 template <typename Settings>
 void loadSource(const std::string &folder, Settings &settings)
 {
     settings.loaded = settings.source.empty() ? nullptr : sourceAt(folder, settings.source);
+    if (settings.loaded && settings.sha256.empty())
+        settings.sha256 = settings.loaded->sha256;
 }
 
 } // namespace dyncal

@@ -10,6 +10,7 @@
 namespace dyncal {
 namespace {
 
+/// Empty where there is no statement.
 const char *verdictName(ConformityVerdict verdict)
 {
     switch (verdict) {
@@ -20,7 +21,7 @@ const char *verdictName(ConformityVerdict verdict)
     case ConformityVerdict::NoStatement:
         break;
     }
-    return "no-statement";
+    return "";
 }
 
 JsonRecord worstJson(const JudgedRow &row)
@@ -51,8 +52,7 @@ void addConformity(JsonRecord &root, const ResultsContext &context)
     }
     const ConformityResult judged = judgeConformity(*response, *decision);
     JsonRecord section;
-    section.set("verdict", verdictName(judged.verdict));
-    section.text("verdict_reason", english(judged.why), "Every frequency was judged.");
+    section.text("verdict", verdictName(judged.verdict), english(judged.why));
     section.set("rows", judged.rows);
     if (judged.worst)
         section.set("worst", worstJson(*judged.worst).take());

@@ -45,7 +45,7 @@ const char *bandEnd(BandEnd end)
     case BandEnd::Reference:
         return "Beyond, the reference transducer was not calibrated.";
     case BandEnd::Chain:
-        return "Beyond, the response of the chain is not stated.";
+        return "Outside, the response of the chain is not stated.";
     }
     return "Not determined.";
 }

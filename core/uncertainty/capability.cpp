@@ -24,6 +24,11 @@ void holdValue(const std::vector<CapabilityEntry> &cmc, ReportedValue &reported)
         combineLines(reported);
 }
 
+bool isHeld(const ReportedValue &reported)
+{
+    return !reported.lines.empty() && reported.lines.back().quantity == kCapability;
+}
+
 void raise(double least, double &u)
 {
     if (std::isfinite(u))
@@ -31,10 +36,9 @@ void raise(double least, double &u)
 }
 
 /// The model's curve is stated beside the measured rows.
-void holdModelRow(Index row, const ResponseResult &response, RowUncertainty &rows)
+void holdModelRow(Index row, double leastMagnitude, RowUncertainty &rows)
 {
-    raise(rows.leastExpanded_relative[row] * response.modelMagnitude[row],
-        rows.u_modelMagnitude[row]);
+    raise(leastMagnitude, rows.u_modelMagnitude[row]);
     raise(rows.leastExpandedPhase_rad[row], rows.u_modelPhase_rad[row]);
 }
 
@@ -59,8 +63,6 @@ void holdRow(Index row, const ResponseResult &response, RowUncertainty &rows)
     if (std::isfinite(rows.u_phase_rad[row]))
         take(
             phaseOfRow(response, rows, row), row, {rows.u_phase_rad, rows.dof_phase, rows.k_phase});
-    if (row < response.modelMagnitude.size())
-        holdModelRow(row, response, rows);
 }
 
 /// The value that a relative CMC is of.
@@ -81,6 +83,9 @@ void holdRows(
         rows.leastExpanded_relative[row] = leastExpanded(cmc, "magnitude", S, f_Hz) / S;
         rows.leastExpandedPhase_rad[row] = leastExpanded(cmc, "phase_rad", 1.0, f_Hz);
         holdRow(row, response, rows);
+        if (row < response.modelMagnitude.size())
+            holdModelRow(
+                row, leastExpanded(cmc, "magnitude", response.modelMagnitude[row], f_Hz), rows);
     }
 }
 
@@ -105,6 +110,8 @@ void holdToCapability(const std::vector<CapabilityEntry> &cmc, const ResponseRes
         return;
     if (report.sensitivity)
         holdValue(cmc, *report.sensitivity);
+    if (report.sensitivity && isHeld(*report.sensitivity)) // no input makes U smaller then
+        std::erase_if(report.findings, [](const Finding &one) { return one.id == "UNC-002"; });
     for (auto *values : {&report.perLevel, &report.ofModel})
         for (ReportedValue &one : *values)
             holdValue(cmc, one);

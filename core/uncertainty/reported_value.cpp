@@ -67,6 +67,7 @@ void combineLines(ReportedValue &reported)
         directLine(kCapability, std::sqrt((u - *reported.u) * (u + *reported.u))));
     reported.lines.back().value = 0.0;
     setCombined(reported);
+    reported.k = statedFactor(reported.k); // k u is the CMC, whoever multiplies
 }
 
 } // namespace dyncal

@@ -61,8 +61,23 @@ private slots:
         stage->chain = {ReferenceSensitivity::fromTable({{1e3, 1.0, 0.0}}).value(), "beef", {}};
         CalibrationResults results;
         results.reference = stage;
+        QVERIFY(!fieldOf(traceabilityFields(results, {}), "chain")); // nothing was divided
+        auto response = std::make_shared<ResponseResult>();
+        response->magnitude = Eigen::VectorXd::Ones(1);
+        results.response = response;
         const auto fields = traceabilityFields(results, {});
         QVERIFY(textOf(fieldOf(fields, "chain")).find("beef") != std::string::npos);
+    }
+
+    void capability_isListed()
+    {
+        Recipe made;
+        made.uncertainty.cmc = {{"sensitivity", 0.015}, {"phase_rad", 0.02}, {"f0_hz", 50.0, false},
+            {"magnitude", 0.025, true, 1e3, 1e5}, {"magnitude", 0.05, true, 1e5}};
+        const auto fields = traceabilityFields({}, made);
+        QCOMPARE(QString::fromStdString(textOf(fieldOf(fields, "cmc"))),
+            QString::fromUtf8("sensitivity 1.5 %, phase_rad 0.02 rad, f0_hz 50, magnitude 2.5 % "
+                              "(1 kHz ... 100 kHz), magnitude 5 % (100 kHz ... )"));
     }
 
     void reference_thatEndedBeforeTheMeasurement_isMissing_data()
@@ -86,6 +101,8 @@ private slots:
         QVERIFY(textOf(field).find("T-0815") != std::string::npos);
         QCOMPARE(field->missing, isOver);
         QVERIFY(!fieldOf(fields, "reference_p1_pa"));
+        made.uncertainty.budget[0].certificate.clear(); // a day alone counts too
+        QCOMPARE(fieldOf(traceabilityFields({}, made), "reference_t1_k")->missing, isOver);
         QCOMPARE(fieldOf(unfilledFields({}, made), "reference_t1_k") != nullptr, isOver);
     }
 };

@@ -93,6 +93,25 @@ private slots:
         QCOMPARE(probabilityOutside(-0.051, 0.0, kInf, 0.05), 1.0);
     }
 
+    /// A resonance between two rows that lie within the limit, or behind the last of them.
+    void modelBetweenTheRows_mustKeepTheLimitToo()
+    {
+        ResponseResult response = rising();
+        response.modelCurve.frequency_Hz = Eigen::Vector4d(1000.0, 1400.0, 1990.0, 2100.0);
+        response.modelCurve.magnitude = Eigen::Vector4d(2.0, 2.03, 2.08, 3.0);
+        QVERIFY(verdictOf(DecisionRule::Simple, 5.0, response) == Conforms); // 3.0 is not claimed
+        response.modelCurve.magnitude[1] = 2.12;
+        const std::string said = reasonOf(response, claim(DecisionRule::Simple, 5.0));
+        QVERIFY2(said.find("1.4 kHz") != said.npos, said.c_str());
+        QVERIFY(said.find("by 6") != said.npos);
+        response.modelCurve.magnitude[1] = 2.095; // 4.75 %: within 5 %, but not less U
+        QVERIFY(verdictOf(DecisionRule::Simple, 5.0, response) == Conforms);
+        QVERIFY(verdictOf(DecisionRule::GuardBand, 5.2, response) == NoStatement);
+        QVERIFY(verdictOf(DecisionRule::GuardBand, 6.0, response) == Conforms);
+        // A row that is rejected decides, whatever the model says.
+        QVERIFY(verdictOf(DecisionRule::Simple, 3.0, response) == DoesNotConform);
+    }
+
     /// u of the ratio: noise of the row, and that of the level; nothing that both share.
     void worstRow_hasTheRatioAndItsU()
     {

@@ -147,6 +147,9 @@ private slots:
         row("cmc without size", R"({"schema": "dyncal-profile/1", "name": "x", "version": "1",
             "uncertainty": {"cmc": [{"of": "f0_hz"}]}})",
             "expanded");
+        row("cmc of an empty band", R"({"schema": "dyncal-profile/1", "name": "x", "version": "1",
+            "uncertainty": {"cmc": [{"of": "magnitude", "expanded": 1, "from_hz": 9, "to_hz": 8}]}})",
+            "from 9 to 8 Hz");
         row("no object", "[1]", "object");
     }
 
@@ -193,6 +196,24 @@ private slots:
         const Recipe recipe = joined("{}", R"({"checks": {"min_codes": 8}})").value();
         QVERIFY(!recipe.profile);
         QVERIFY(changedFromProfile(recipe).empty());
+    }
+
+    /// A recipe that names a file of its own means the one beside itself.
+    void chainOfTheRecipe_isReadBesideTheRecipe()
+    {
+        const ScratchFolder elsewhere;
+        written("amp.csv", "of the recipe");
+        elsewhere.write("amp.csv", "of the profile", 14);
+        const std::string profile = R"({"schema": "dyncal-profile/1", "name": "x", "version": "1",
+            "chain": {"source": "amp.csv"}})";
+        const std::string path = elsewhere.write("p.json", profile.data(), profile.size());
+        const Recipe own
+            = readRecipeFiles(written("r.json", R"({"chain": {"source": "amp.csv"}})"), path)
+                  .value();
+        QCOMPARE(own.chain.loaded->content, "of the recipe");
+        const Recipe lab = readRecipeFiles(written("r.json", "{}"), path).value();
+        QCOMPARE(lab.chain.loaded->content, "of the profile");
+        QCOMPARE(lab.chain.sha256, lab.chain.loaded->sha256); // pinned for the next time
     }
 
     /// The chain's file stands beside the profile, wherever the recipe is.

@@ -73,10 +73,51 @@ private slots:
     void absoluteGain_isRefused()
     {
         const std::string said = faultOf(
-            settingsOf("frequency_hz,magnitude,u_magnitude\n100,99.8,0.1\n"), ErrorKind::Usage);
+            settingsOf("frequency_hz,magnitude,u_magnitude\n100,99.8,0.1\n200,99.8,0.1\n"),
+            ErrorKind::Usage);
         QVERIFY(said.find("99.8") != said.npos && said.find("100 Hz") != said.npos);
-        QVERIFY(chainResponse(settingsOf("frequency_hz,magnitude,u_magnitude\n100,0.99,0.006\n")));
-        QVERIFY(!chainResponse(settingsOf("frequency_hz,magnitude,u_magnitude\n100,0.99,0.004\n")));
+        QVERIFY(chainResponse(
+            settingsOf("frequency_hz,magnitude,u_magnitude\n100,0.99,0.006\n200,0.99,0.006\n")));
+        QVERIFY(!chainResponse(
+            settingsOf("frequency_hz,magnitude,u_magnitude\n100,0.99,0.004\n200,0.99,0.004\n")));
+    }
+
+    void invertingOrTurnedPhase_isRefused_data()
+    {
+        QTest::addColumn<double>("phase_rad");
+        QTest::addColumn<bool>("isTaken");
+        QTest::newRow("delay") << -0.3 << true;
+        QTest::newRow("inverting") << 3.14159 << false;
+        QTest::newRow("a turn") << -6.2832 << false;
+    }
+    void invertingOrTurnedPhase_isRefused()
+    {
+        QFETCH(double, phase_rad);
+        QFETCH(bool, isTaken);
+        const QByteArray phase = QByteArray::number(phase_rad);
+        const std::string table
+            = "frequency_hz,magnitude,u_magnitude,phase_rad,u_phase_rad\n100,1,0,"
+            + phase.toStdString() + ",0.01\n200,1,0," + phase.toStdString() + ",0.01\n";
+        QCOMPARE(chainResponse(settingsOf(table)).has_value(), isTaken);
+    }
+
+    /// Between rows straight lines are drawn: a wrapped phase would be crossed by one.
+    void wrappedPhase_isRefused()
+    {
+        const std::string said
+            = faultOf(settingsOf("frequency_hz,magnitude,u_magnitude,phase_rad,"
+                                 "u_phase_rad\n100,1,0,0,0.01\n200,1,0,-3.1,0.01\n"
+                                 "300,1,0,3.1,0.01\n"),
+                ErrorKind::Usage);
+        QVERIFY2(said.find("half a turn") != said.npos, said.c_str());
+    }
+
+    void oneRow_isRefused()
+    {
+        QVERIFY(
+            faultOf(settingsOf("frequency_hz,magnitude,u_magnitude\n100,1,0.1\n"), ErrorKind::Usage)
+                .find("one row")
+            != std::string::npos);
     }
 
     void malformedTable_isRefused()

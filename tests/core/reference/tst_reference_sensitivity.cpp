@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <complex>
+#include <numbers>
 
 using namespace dyncal;
 using testing::isNear;
@@ -107,6 +108,16 @@ private slots:
         QVERIFY(!faultOfTable(rows).empty());
         rows[1].frequency_Hz = std::numeric_limits<double>::infinity();
         QVERIFY(!faultOfTable(rows).empty());
+    }
+
+    /// A line between -3.1 and 3.1 rad would cross 0.
+    void wrappedPhase_isNamed()
+    {
+        std::vector<ReferencePoint> rows{
+            {100.0, 1.0, 0.01, -3.0, 0.01}, {200.0, 1.0, 0.01, 3.0, 0.01}};
+        QVERIFY(faultOfTable(rows).find("half a turn") != std::string::npos);
+        rows[1].phase_rad -= 2.0 * std::numbers::pi;
+        QVERIFY(faultOfTable(rows).empty());
     }
 
     void model_isTheSecondOrderSensor()

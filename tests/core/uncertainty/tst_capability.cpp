@@ -132,6 +132,25 @@ private slots:
                 >= 0.015 * *m_results.response->shots[i].sensitivity * (1.0 - 1e-12));
     }
 
+    /// What made most of u is not in the way once the CMC acts.
+    void dominantLine_isNotTold_whereTheCapabilityActs()
+    {
+        UncertaintyReport report = *m_results.uncertainty;
+        report.findings = {{.id = "UNC-001"}, {.id = "UNC-002"}};
+        UncertaintyReport other = report;
+        holdToCapability(kAll, *m_results.response, report);
+        QCOMPARE(report.findings.size(), 1);
+        holdToCapability({relative("sensitivity", 1e-9)}, *m_results.response, other);
+        QCOMPARE(other.findings.size(), 2);
+    }
+
+    void absoluteOne_holdsTheModelToo()
+    {
+        UncertaintyReport report = *m_results.uncertainty;
+        holdToCapability({{"magnitude", 1e-6, false}}, *m_results.response, report);
+        QVERIFY(report.rows.u_modelMagnitude.minCoeff() >= 0.5e-6 * (1.0 - 1e-12));
+    }
+
     /// Rows and their budgets say the same; the row's own covariance has no part of it.
     void rows_areTheirBudgets()
     {
