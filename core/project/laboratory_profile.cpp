@@ -46,7 +46,7 @@ std::string foreignKey(const Json &sections, const Allowed &allowed)
             continue;
         for (const auto &[key, value] : content.items())
             if (!found->second.contains(key))
-                return section + "." + key;
+                return std::string(section).append(".").append(key);
     }
     return {};
 }
@@ -191,7 +191,7 @@ void compareObjects(const Json &stated, const Json &found, const std::string &pa
     std::vector<std::string> &changed)
 {
     for (const auto &[key, value] : stated.items()) {
-        const std::string here = path.empty() ? key : path + "." + key;
+        const std::string here = path.empty() ? key : std::string(path).append(".").append(key);
         const Json other = found.is_object() ? found.value(key, Json()) : Json();
         if (idOf(key) && value.is_array())
             compareLines(value, other, here, idOf(key), changed);
