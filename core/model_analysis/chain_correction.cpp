@@ -48,22 +48,6 @@ void stateChain(const ReferenceSensitivity &chain, ResponseResult &result)
     }
 }
 
-void beginNotBelow(double f_Hz, ResponseResult &result)
-{
-    if (f_Hz <= result.fLow_Hz)
-        return;
-    result.fLow_Hz = f_Hz;
-    result.lowEnd = BandEnd::Chain;
-}
-
-void endNotAbove(double f_Hz, ResponseResult &result)
-{
-    if (f_Hz >= result.fHigh_Hz)
-        return;
-    result.fHigh_Hz = f_Hz;
-    result.highEnd = BandEnd::Chain;
-}
-
 } // namespace
 
 ChainCorrected::ChainCorrected(
@@ -97,10 +81,16 @@ double uOnsetBehind(const ReferenceSensitivity &chain, double from_Hz, double to
     return largest_s / std::sqrt(3.0);
 }
 
-void endByChain(const ReferenceSensitivity &chain, ResponseResult &result)
+void endByTable(const ReferenceSensitivity &table, BandEnd why, ResponseResult &result)
 {
-    beginNotBelow(chain.lowest_Hz(), result);
-    endNotAbove(chain.highest_Hz(), result);
+    if (table.lowest_Hz() > result.fLow_Hz) {
+        result.fLow_Hz = table.lowest_Hz();
+        result.lowEnd = why;
+    }
+    if (table.highest_Hz() < result.fHigh_Hz) {
+        result.fHigh_Hz = table.highest_Hz();
+        result.highEnd = why;
+    }
 }
 
 void divideModel(const ReferenceSensitivity &chain, ResponseResult &result)

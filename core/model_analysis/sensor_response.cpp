@@ -156,19 +156,6 @@ void endByNoise(const ResponseSource &records, ResponseResult &result)
     }
 }
 
-/// Nobody calibrated the reference beyond its table.
-void endByReference(const ReferenceSensitivity &reference, ResponseResult &result)
-{
-    if (reference.lowest_Hz() > result.fLow_Hz) {
-        result.fLow_Hz = reference.lowest_Hz();
-        result.lowEnd = BandEnd::Reference;
-    }
-    if (reference.highest_Hz() < result.fHigh_Hz) {
-        result.fHigh_Hz = reference.highest_Hz();
-        result.highEnd = BandEnd::Reference;
-    }
-}
-
 CharacteristicsGap gapOf(const SensorModel &model, bool isStep)
 {
     if (!isStep)
@@ -357,12 +344,12 @@ Result<ResponseResult> computeResponse(const std::vector<WindowedResponse> &resp
         if (settings.isByTransducer() && reference) {
             records = byTransducer(responses, input, model, result.drift, *reference);
             result.isByTransducer = true;
-            endByReference(reference->sensitivity, result);
+            endByTable(reference->sensitivity, BandEnd::Reference, result);
         } else {
             records = byStep(recordsOf(responses, model, result.drift), input, shock, isAbsolute);
         }
         if (chain) {
-            endByChain(*chain, result);
+            endByTable(*chain, BandEnd::Chain, result);
             records = withoutChain(std::move(records), *chain, result);
         }
         endByNoise(*records, result);

@@ -28,11 +28,11 @@ public:
     /// All stages up to the last; what has failed before is not tried.
     void all(const CaptureSet &captures, const Recipe &recipe)
     {
-        for (int i = 0; i <= static_cast<int>(m_last) && !m_outcome.error; ++i) {
+        for (int i = 0; i <= static_cast<int>(m_last) && !m_outcome.error; ++i)
             one(stageOf(static_cast<StageId>(i)), captures, recipe);
-            if (static_cast<StageId>(i) == StageId::Model)
-                remember(stageOf(StageId::Assessment));
-        }
+        // What fails gives the same whether or not an earlier run got further.
+        if (!m_outcome.error || m_outcome.error->kind == ErrorKind::Cancelled)
+            remember(stageOf(StageId::Assessment));
     }
 
 private:
@@ -46,7 +46,6 @@ private:
         if (!found) {
             m_outcome.error = std::move(found.error());
             m_outcome.failedStage = stage.id;
-            forgetBehind(stage.id);
             return;
         }
         stage.result.put(m_outcome.results, *found);
@@ -69,18 +68,11 @@ private:
     }
 
     /// Takes a later stage's result from the cache if all it follows from is there: this run may
-    /// end before that stage.
+    /// have ended before that stage.
     void remember(const Stage &stage)
     {
-        if (hasResult(m_outcome.results, stage.follows))
+        if (hasResult(m_outcome.results, stage.follows) && !hasResult(m_outcome.results, stage.id))
             stage.result.put(m_outcome.results, m_cache.find<void>(keyOf(stage)));
-    }
-
-    /// What fails gives the same whether or not an earlier run got further.
-    void forgetBehind(StageId failed)
-    {
-        if (failed < StageId::Assessment && m_outcome.error->kind != ErrorKind::Cancelled)
-            m_outcome.results.assessment.reset();
     }
 
     const std::string &keyOf(const Stage &stage) const

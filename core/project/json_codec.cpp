@@ -227,4 +227,16 @@ Codec<std::string> textOrNull()
         [](const std::string &text) { return text.empty() ? Json(nullptr) : Json(text); }};
 }
 
+Codec<std::string> formedTextOrNull(std::string needs, bool (*hasForm)(std::string_view))
+{
+    const Codec<std::string> text = textOrNull();
+    const auto read = [text, needs, hasForm](const JsonAt &at) -> Result<std::string> {
+        const Result<std::string> found = text.read(at);
+        if (!found || (!found->empty() && !hasForm(*found)))
+            return mismatch(at, needs);
+        return found;
+    };
+    return {std::move(needs), read, text.write};
+}
+
 } // namespace dyncal

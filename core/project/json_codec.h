@@ -15,6 +15,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -136,6 +137,8 @@ Codec<Auto<T>> orAuto(Codec<T> inner)
 
 /// A text that is not empty; its absence, "" in the struct, is written as null.
 Codec<std::string> textOrNull();
+/// The same where the text must have a form; `needs` says which, with the null.
+Codec<std::string> formedTextOrNull(std::string needs, bool (*hasForm)(std::string_view));
 
 /// A list of at least `least` values.
 template <typename T>

@@ -226,9 +226,16 @@ Result<LaboratoryProfile> laboratoryProfile(const std::string &text, const std::
                                     : namedProfile(std::move(*document), sha256Hex(text), path);
 }
 
+bool namesChain(const Json &document)
+{
+    return document.is_object() && document.contains(Json::json_pointer("/chain/source"));
+}
+
 void joinRecipes(Json &lower, const Json &upper)
 {
     Json joined = upper;
+    if (namesChain(upper)) // another file: neither the hash nor the list of the one below
+        lower.erase("chain");
     for (const char *list : {"budget", "cmc"})
         joinList(list, lower, joined);
     putOver(lower, joined);

@@ -194,10 +194,12 @@ std::string folderOf(const std::string &path)
     return std::filesystem::path(path).parent_path().string();
 }
 
-/// The file is beside the document that names it.
-bool namesChain(const Json &document)
+/// A recipe that a run wrote says what it had from this very profile.
+bool holdsChainOf(const LaboratoryProfile &profile, const Recipe &recipe)
 {
-    return document.is_object() && document.contains(Json::json_pointer("/chain/source"));
+    return profile.mark && recipe.profile && profile.mark->sha256 == recipe.profile->sha256
+        && namesChain(profile.sections)
+        && profile.sections.at(Json::json_pointer("/chain/source")) == recipe.chain.source;
 }
 
 } // namespace
@@ -235,7 +237,8 @@ Result<Recipe> readRecipeFiles(const std::string &recipePath, const std::string 
     if (!recipe)
         return recipe;
     loadSource(folderOf(recipePath), recipe->comparison);
-    loadSource(folderOf(namesChain(*own) ? recipePath : profilePath), recipe->chain);
+    const bool isOfProfile = !namesChain(*own) || holdsChainOf(*profile, *recipe);
+    loadSource(folderOf(isOfProfile ? profilePath : recipePath), recipe->chain);
     return marked(std::move(*recipe), *profile, profilePath);
 }
 

@@ -10,16 +10,7 @@ namespace {
 
 Codec<std::string> hashOrNull()
 {
-    const Codec<std::string> text = textOrNull();
-    const std::string needs = "null or 64 hexadecimal digits in lower case";
-    return {needs,
-        [=](const JsonAt &at) -> Result<std::string> {
-            const Result<std::string> found = text.read(at);
-            if (!found || (!found->empty() && !isSha256Hex(*found)))
-                return mismatch(at, needs);
-            return found;
-        },
-        text.write};
+    return formedTextOrNull("null or 64 hexadecimal digits in lower case", isSha256Hex);
 }
 
 Codec<ReferenceModel> modelCodec()

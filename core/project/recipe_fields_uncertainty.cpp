@@ -15,16 +15,7 @@ constexpr Index kLargestSeed = 9007199254740991; // every JSON reader keeps it e
 
 Codec<std::string> dateOrNull()
 {
-    const Codec<std::string> text = textOrNull();
-    const std::string needs = "null or a date such as 2026-01-31";
-    return {needs,
-        [=](const JsonAt &at) -> Result<std::string> {
-            const Result<std::string> found = text.read(at);
-            if (!found || (!found->empty() && !isCalendarDate(*found)))
-                return mismatch(at, needs);
-            return found;
-        },
-        text.write};
+    return formedTextOrNull("null or a date such as 2026-01-31", isCalendarDate);
 }
 
 Codec<BudgetEntry> budgetEntry()

@@ -120,13 +120,13 @@ private slots:
         ResponseResult result;
         result.fLow_Hz = 10.0;
         result.fHigh_Hz = 1e7;
-        endByChain(chain(), result);
+        endByTable(chain(), BandEnd::Chain, result);
         QCOMPARE(result.fLow_Hz, 100.0);
         QCOMPARE(result.fHigh_Hz, 1e6);
         QVERIFY(result.lowEnd == BandEnd::Chain && result.highEnd == BandEnd::Chain);
         result.fLow_Hz = 200.0;
         result.lowEnd = BandEnd::Window;
-        endByChain(chain(), result);
+        endByTable(chain(), BandEnd::Chain, result);
         QVERIFY(result.lowEnd == BandEnd::Window);
     }
 };

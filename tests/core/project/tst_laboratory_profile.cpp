@@ -214,6 +214,13 @@ private slots:
         const Recipe lab = readRecipeFiles(written("r.json", "{}"), path).value();
         QCOMPARE(lab.chain.loaded->content, "of the profile");
         QCOMPARE(lab.chain.sha256, lab.chain.loaded->sha256); // pinned for the next time
+        const std::string run = recipeJson(lab); // beside which another file has this name
+        const Recipe repeated = readRecipeFiles(written("run.json", run), path).value();
+        QCOMPARE(repeated.chain.loaded->content, "of the profile");
+        QVERIFY(repeated == lab);
+        const Recipe again = withProfile(own, path).value(); // not with the hash of another file
+        QCOMPARE(again.chain.loaded->content, "of the profile");
+        QCOMPARE(again.chain.sha256, again.chain.loaded->sha256);
     }
 
     /// The chain's file stands beside the profile, wherever the recipe is.
