@@ -10,6 +10,7 @@
 #include "core/certificate/certificate_templates.h"
 #include "core/certificate/certificate_words.h"
 #include "core/model_analysis/stated_characteristics.h"
+#include "core/uncertainty/stated_poles.h"
 
 #include <algorithm>
 #include <cmath>
@@ -104,45 +105,15 @@ std::string fitText(double percent, bool diverges = false)
                                                            : fixedText(percent, 2);
 }
 
-/// The pole that f0 and the damping ratio are of; null where that is none of the list.
-const Pole *poleOfResults(const CalibrationResults &results)
+std::vector<Message> poleRow(const Pole &pole, const PoleUncertainty &with)
 {
-    const std::vector<Pole> &poles = polesOf(*results.model, results.assessment.get());
-    if (!results.model->secondOrder)
-        return mainPole(*results.model, results.assessment.get());
-    return poles.size() < 2 ? nullptr : &poles[poles.size() - 2];
-}
-
-/// u and k that a pole's frequency and damping ratio are printed with.
-struct PrintedPole
-{
-    double u_frequency_Hz, kFrequency, u_dampingRatio, kDamping;
-};
-
-/// What the residuals cannot show joins in, so that a number reads alike wherever it is printed:
-/// the uncertainty of the sample clock, and of the key results' own pole what is reported of it.
-PrintedPole printedPole(const Pole &pole, const CalibrationResults &results)
-{
-    const double k = printedCoverage(pole.coverageFactor);
-    const UncertaintyReport *report = results.uncertainty.get();
-    if (!report)
-        return {pole.u_frequency_Hz, k, pole.u_dampingRatio, k};
-    const ReportedValue *f0 = report->find("f0_hz");
-    const ReportedValue *zeta = report->find("damping_ratio");
-    if (&pole == poleOfResults(results) && f0 && f0->u && zeta && zeta->u)
-        return {*f0->u, f0->factor(), *zeta->u, zeta->factor()};
-    const double clock_Hz = report->chain.clock.contribution * pole.frequency_Hz;
-    return {std::hypot(pole.u_frequency_Hz, clock_Hz), k, pole.u_dampingRatio, k};
-}
-
-std::vector<Message> poleRow(const Pole &pole, const CalibrationResults &results)
-{
-    const PrintedPole with = printedPole(pole, results);
+    const double k = printedCoverage(with.kFrequency);
+    const double kDamping = printedCoverage(with.kDamping);
     return {poleWord(pole.poleClass), verbatim(complexText(pole)),
-        valueCell(pole.frequency_Hz, with.u_frequency_Hz, "Hz", with.kFrequency),
-        expandedCell(pole.frequency_Hz, with.u_frequency_Hz, "Hz", with.kFrequency),
-        valueCell(pole.dampingRatio, with.u_dampingRatio, "", with.kDamping),
-        expandedCell(pole.dampingRatio, with.u_dampingRatio, "", with.kDamping),
+        valueCell(pole.frequency_Hz, with.u_frequency_Hz, "Hz", k),
+        expandedCell(pole.frequency_Hz, with.u_frequency_Hz, "Hz", k),
+        valueCell(pole.dampingRatio, with.u_dampingRatio, "", kDamping),
+        expandedCell(pole.dampingRatio, with.u_dampingRatio, "", kDamping),
         verbatim(roundedText(pole.amplitude, kUnknown, ""))};
 }
 
@@ -158,9 +129,12 @@ CertificateTable poleTable(const CalibrationResults &results)
         {{DYNCAL_TEXT("core", "Damping ratio"), {}}, true},
         {{DYNCAL_TEXT("core", "U (k = 2)"), {}}, true},
         {{DYNCAL_TEXT("core", "Amplitude"), {}}, true}};
-    for (const Pole &pole : polesOf(*results.model, results.assessment.get()))
-        if (!(pole.z.imag() < 0.0))
-            table.rows.push_back(poleRow(pole, results));
+    const std::vector<Pole> &poles = polesOf(*results.model, results.assessment.get());
+    const std::vector<PoleUncertainty> with
+        = statedPoles(*results.model, results.assessment.get(), results.uncertainty.get());
+    for (std::size_t i = 0; i < poles.size(); ++i)
+        if (!(poles[i].z.imag() < 0.0))
+            table.rows.push_back(poleRow(poles[i], with[i]));
     return table;
 }
 

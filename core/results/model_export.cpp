@@ -11,6 +11,8 @@
 #include "core/results/mat_writer.h"
 #include "core/results/model_scripts.h"
 #include "core/results/pole_json.h"
+#include "core/results/results_context.h"
+#include "core/uncertainty/stated_poles.h"
 
 namespace dyncal {
 namespace {
@@ -76,12 +78,29 @@ Json complexList(const Eigen::VectorXcd &values)
     return list;
 }
 
+/// With the uncertainties that are stated of it; `u_...` and `coverage_factor` have the noise
+/// alone.
+Json statedPoleJson(const Pole &pole, const PoleUncertainty &stated)
+{
+    JsonRecord record;
+    record.number("u_complete_frequency_hz", stated.u_frequency_Hz, kNoUncertainty);
+    record.number("k_frequency", stated.kFrequency, kNoUncertainty);
+    record.number("u_complete_damping_ratio", stated.u_dampingRatio, kNoUncertainty);
+    record.number("k_damping_ratio", stated.kDamping, kNoUncertainty);
+    Json json = poleJson(pole);
+    json.update(record.take());
+    return json;
+}
+
 /// In the order of `s_rad_s`; the step's own pole, which is none of these, last.
 Json poleList(const CalibrationResults &results)
 {
+    const std::vector<Pole> &poles = polesOf(*results.model, results.assessment.get());
+    const std::vector<PoleUncertainty> stated
+        = statedPoles(*results.model, results.assessment.get(), results.uncertainty.get());
     Json list = Json::array();
-    for (const Pole &pole : polesOf(*results.model, results.assessment.get()))
-        list.push_back(poleJson(pole));
+    for (std::size_t i = 0; i < poles.size(); ++i)
+        list.push_back(statedPoleJson(poles[i], stated[i]));
     return list;
 }
 

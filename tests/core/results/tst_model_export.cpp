@@ -197,7 +197,12 @@ private slots:
             QCOMPARE(poles[i]["u_frequency_hz"].toDouble(), assessed.u_frequency_Hz);
             QCOMPARE(poles[i]["u_damping_ratio"].toDouble(), assessed.u_dampingRatio);
             QCOMPARE(poles[i]["coverage_factor"].toDouble(), assessed.coverageFactor);
+            const double u_Hz = poles[i]["u_complete_frequency_hz"].toDouble();
+            QVERIFY(u_Hz > assessed.u_frequency_Hz); // with the sample clock's
+            QVERIFY(poles[i]["k_frequency"].toDouble() > 1.9);
         }
+        const ReportedValue *f0 = results.uncertainty->find("f0_hz");
+        QCOMPARE(poles[0]["u_complete_frequency_hz"].toDouble(), *f0->u);
         const auto &mean = results.uncertainty->sensitivity;
         QVERIFY(mean && mean->u);
         QCOMPARE(root["u_sensitivity"].toDouble(), *mean->u);
@@ -219,6 +224,7 @@ private slots:
         const QJsonObject pole = root["poles"].toArray().first().toObject(); // not assessed
         QVERIFY(pole["u_frequency_hz"].isNull());
         QVERIFY(pole["u_frequency_hz_reason"].toString().size() > 5);
+        QVERIFY(pole["u_complete_frequency_hz"].isNull());
         const QJsonObject decay = jsonOf(calibratedModel(ResponseTreatment::Impulse, 3));
         QVERIFY(decay["u_sensitivity"].isNull() && decay["k_sensitivity"].isNull());
         QVERIFY(decay["u_sensitivity_reason"].toString().size() > 5);

@@ -197,8 +197,10 @@ void ModelPage::showTables()
 {
     const SensorModel *model = results().model.get();
     const ModelAssessment *assessment = results().assessment.get();
-    m_table->setValues(poleHeaders(PoleColumns::All),
-        poleRows(model ? polesOf(*model, assessment) : std::vector<Pole>(), PoleColumns::All));
+    const UncertaintyReport *report = results().uncertainty.get();
+    m_table->setValues(poleHeaders(),
+        model ? poleRows(polesOf(*model, assessment), statedPoles(*model, assessment, report))
+              : QVector<QStringList>());
     const auto show = [](ValueTable *target, const ShownTable &table) {
         target->setValues(table.headers, table.rows);
     };

@@ -58,6 +58,19 @@ QString flagText(const std::string &flag)
     return found == std::end(kWords) ? rawText(flag) : ModelText::tr(found->second);
 }
 
+QString flagTexts(const Pole &pole)
+{
+    QStringList flags;
+    for (const std::string &flag : pole.flags)
+        flags << flagText(flag);
+    return flags.join(", ");
+}
+
+QString kindText(const Pole &pole)
+{
+    return classText(pole.poleClass) + (pole.z.imag() > 0.0 ? ModelText::tr(" (pair)") : QString());
+}
+
 /// Attainable FIT below which FIT and its limit are both mostly noise.
 constexpr double kNoiseLimit_percent = 10.0;
 
@@ -87,24 +100,23 @@ QString noiseText(const SensorModel &model)
     return isOfResidual ? ModelText::tr("%1, of the residual").arg(text) : text;
 }
 
-QStringList poleHeaders(PoleColumns columns)
+QStringList poleHeaders()
 {
-    if (columns == PoleColumns::Few)
-        return {ModelText::tr("Frequency"), ModelText::tr("Damping"), ModelText::tr("Class")};
-    return {ModelText::tr("Frequency"), ModelText::tr("u(f)"), ModelText::tr("Damping ratio"),
-        ModelText::tr("u(ζ)"), ModelText::tr("k"), ModelText::tr("Amplitude"),
-        ModelText::tr("Class"), ModelText::tr("Flags")};
+    return {ModelText::tr("Frequency"), ModelText::tr("u(f)"), ModelText::tr("k"),
+        ModelText::tr("Damping ratio"), ModelText::tr("u(ζ)"), ModelText::tr("k"),
+        ModelText::tr("Amplitude"), ModelText::tr("Class"), ModelText::tr("Flags")};
 }
 
-QVector<QStringList> poleRows(const std::vector<Pole> &poles, PoleColumns columns)
+QVector<QStringList> poleRows(
+    const std::vector<Pole> &poles, const std::vector<PoleUncertainty> &stated)
 {
     std::vector<Estimate> frequencies;
     std::vector<Estimate> dampings;
     frequencies.reserve(poles.size());
     dampings.reserve(poles.size());
-    for (const Pole &pole : poles) {
-        frequencies.push_back({pole.frequency_Hz, pole.u_frequency_Hz});
-        dampings.push_back({pole.dampingRatio, pole.u_dampingRatio});
+    for (std::size_t i = 0; i < poles.size(); ++i) {
+        frequencies.push_back({poles[i].frequency_Hz, stated[i].u_frequency_Hz});
+        dampings.push_back({poles[i].dampingRatio, stated[i].u_dampingRatio});
     }
     const std::vector<ShownResult> shownFrequencies = shownColumn(frequencies, "Hz");
     const std::vector<ShownResult> shownDampings = shownColumn(dampings, {});
@@ -113,19 +125,10 @@ QVector<QStringList> poleRows(const std::vector<Pole> &poles, PoleColumns column
         const Pole &pole = poles[i];
         if (pole.z.imag() < 0.0)
             continue; // shown with its conjugate
-        QStringList flags;
-        for (const std::string &flag : pole.flags)
-            flags << flagText(flag);
-        const QString kind = classText(pole.poleClass)
-            + (pole.z.imag() > 0.0 ? ModelText::tr(" (pair)") : QString());
-        const ShownResult &frequency = shownFrequencies[i];
-        const ShownResult &damping = shownDampings[i];
-        if (columns == PoleColumns::Few)
-            rows.push_back({frequency.value, damping.value, kind});
-        else
-            rows.push_back({frequency.value, frequency.u, damping.value, damping.u,
-                shownNumber(pole.coverageFactor, 3), shownNumber(pole.amplitude, 3), kind,
-                flags.join(", ")});
+        rows.push_back(
+            {shownFrequencies[i].value, shownFrequencies[i].u, shownNumber(stated[i].kFrequency, 3),
+                shownDampings[i].value, shownDampings[i].u, shownNumber(stated[i].kDamping, 3),
+                shownNumber(pole.amplitude, 3), kindText(pole), flagTexts(pole)});
     }
     return rows;
 }

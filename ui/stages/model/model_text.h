@@ -3,7 +3,7 @@
 
 #pragma once
 
-#include "core/realization/model/sensor_model.h"
+#include "core/uncertainty/stated_poles.h"
 
 #include <QStringList>
 #include <QVector>
@@ -18,12 +18,9 @@ QString fitText(const SensorModel &model);
 /// What is known of the noise that the uncertainties rest on: "white", "AR(3), of the residual".
 QString noiseText(const SensorModel &model);
 
-/// Poles as a table, complex pairs on one line.
-enum class PoleColumns {
-    Few,
-    All
-}; ///< frequency, damping, class; All: uncertainties and flags too
-QStringList poleHeaders(PoleColumns columns);
-QVector<QStringList> poleRows(const std::vector<Pole> &poles, PoleColumns columns);
+/// Poles as a table, complex pairs on one line, with the uncertainties that are stated of them.
+QStringList poleHeaders();
+QVector<QStringList> poleRows(
+    const std::vector<Pole> &poles, const std::vector<PoleUncertainty> &stated);
 
 } // namespace dyncal

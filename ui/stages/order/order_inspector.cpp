@@ -196,13 +196,13 @@ void OrderInspector::showModel(const CalibrationResults &results, const SensorMo
 {
     m_of->setText(model ? QString::number(model->order) : "–");
     m_score->setText(model ? fitText(*model) : "–");
-    const auto pole = sensorResonance(model, results.assessment.get());
+    const auto pole = statedResonance(model, results.assessment.get(), results.uncertainty.get());
     // A sensor that is damped well has a natural frequency and no resonance: the spectrum says so.
     const bool hasNoPeak = results.spectrum && results.spectrum->resonances.empty();
     const QString words = hasNoPeak ? tr("%1, damping %2; no resonance") : tr("%1, damping %2");
     m_resonance->setText(pole
-            ? words.arg(shownWithU(pole->frequency_Hz, pole->u_frequency_Hz, "Hz"),
-                shownWithU(pole->dampingRatio, pole->u_dampingRatio, {}))
+            ? words.arg(shownWithU(pole->frequency_Hz, pole->with.u_frequency_Hz, "Hz"),
+                shownWithU(pole->dampingRatio, pole->with.u_dampingRatio, {}))
             : "–");
     const auto countOf = [&](PoleClass poleClass) {
         return model ? std::ranges::count(model->poles, poleClass, &Pole::poleClass) : 0;

@@ -174,11 +174,10 @@ void TestOrderPage::splitPair_isSaidAndOffersTheWholeOne()
 void TestOrderPage::values_haveTheDigitsOfTheirUncertainty()
 {
     const CalibrationResults &results = m_session.results();
-    const Pole *pole = mainPole(*results.model, results.assessment.get());
-    QVERIFY(pole && pole->u_frequency_Hz > 0.0);
+    const ReportedValue *f0 = results.uncertainty->find("f0_hz"); // what every page states
+    QVERIFY(f0 && f0->u);
     const QString shown = control<QLabel>("resonanceReadout")->text();
-    QVERIFY2(shown.contains(shownWithU(pole->frequency_Hz, pole->u_frequency_Hz, "Hz")),
-        qPrintable(shown));
+    QVERIFY2(shown.contains(shownWithU(f0->value, *f0->u, "Hz")), qPrintable(shown));
     // "2.33000 MHz ± 0.00013 MHz": as many decimals in both.
     const QRegularExpression pair("^(\\d+\\.(\\d+)) MHz ± 0\\.(\\d+) MHz");
     const auto match = pair.match(control<QLabel>("spreadReadout")->text());
