@@ -3,6 +3,7 @@
 
 #include "core/base/propagation.h"
 
+#include "core/base/correlated_draws.h"
 #include "core/base/distributions.h"
 #include "core/base/number_text.h"
 #include "core/base/portable_math.h"
@@ -30,10 +31,9 @@ Index streamOf(const std::string &name)
     return static_cast<Index>(hash >> 1);
 }
 
-/// A draw of unit scale: unit variance, except for t.
-double unitDraw(const UncertainInput &input, RandomStream &random)
+/// The value of unit scale (unit variance, except for t) with the probability p below it.
+double unitDraw(const UncertainInput &input, double p)
 {
-    const double p = random.nextUniform();
     switch (input.distribution) {
     case Distribution::Rectangular:
         return std::sqrt(3.0) * (2.0 * p - 1.0);
@@ -96,6 +96,7 @@ public:
         const MonteCarloSettings &settings)
         : m_inputs(inputs)
         , m_measurement(measurement)
+        , m_correlated(inputs)
     {
         for (const UncertainInput &input : inputs)
             m_streams.emplace_back(
@@ -110,10 +111,7 @@ public:
         for (Index i = 0; i < count; ++i) {
             if (i % 1000 == 0 && control.stopRequested())
                 return fail(ErrorKind::Cancelled, {});
-            for (std::size_t k = 0; k < m_inputs.size(); ++k)
-                x[static_cast<Index>(k)] = m_inputs[k].value
-                    + (m_inputs[k].u > 0.0 ? m_inputs[k].u * unitDraw(m_inputs[k], m_streams[k])
-                                           : 0.0);
+            draw(x);
             const Result<Eigen::VectorXd> y = finite(m_measurement(x));
             if (!y && failed++ == 0)
                 first = y.error();
@@ -151,6 +149,18 @@ public:
     }
 
 private:
+    void draw(Eigen::VectorXd &x)
+    {
+        for (std::size_t k = 0; k < m_inputs.size(); ++k)
+            x[static_cast<Index>(k)] = m_inputs[k].u > 0.0 ? m_streams[k].nextUniform() : 0.5;
+        m_correlated.apply(x);
+        for (std::size_t k = 0; k < m_inputs.size(); ++k) {
+            const UncertainInput &input = m_inputs[k];
+            double &value = x[static_cast<Index>(k)];
+            value = input.value + (input.u > 0.0 ? input.u * unitDraw(input, value) : 0.0);
+        }
+    }
+
     /// Interpolated between order statistics, the k-th at (k - 1/2)/n.
     static double quantile(const std::vector<double> &sorted, double p)
     {
@@ -164,6 +174,7 @@ private:
 
     const std::vector<UncertainInput> &m_inputs;
     const Measurement &m_measurement;
+    CorrelatedDraws m_correlated;
     std::vector<RandomStream> m_streams;
     std::vector<std::vector<double>> m_results;
 };
@@ -215,6 +226,27 @@ Result<void> checkSettings(const MonteCarloSettings &settings)
     return {};
 }
 
+std::vector<VariancePart> partsOf(const std::vector<BudgetLine> &lines, Index result)
+{
+    std::vector<VariancePart> parts;
+    for (const BudgetLine &line : lines)
+        parts.push_back({line.input.quantity, line.contribution[result], line.input.dof, 0,
+            line.input.correlated});
+    return parts;
+}
+
+void addCorrelations(GumBudget &budget)
+{
+    const auto isCorrelated = [](const BudgetLine &line) { return !line.input.correlated.empty(); };
+    if (std::ranges::none_of(budget.lines, isCorrelated))
+        return;
+    for (Index result = 0; result < budget.u.size(); ++result) {
+        const CombinedUncertainty all = combinedParts(partsOf(budget.lines, result));
+        budget.u[result] = all.u;
+        budget.dof[result] = all.dof;
+    }
+}
+
 } // namespace
 
 const char *distributionName(Distribution distribution)
@@ -234,8 +266,12 @@ const char *distributionName(Distribution distribution)
 
 double GumBudget::sharePercent(std::size_t line, Index result) const
 {
+    if (!(u[result] > 0.0))
+        return 0.0;
     const double share = lines[line].contribution[result] / u[result];
-    return u[result] > 0.0 ? 100.0 * share * share : 0.0;
+    if (lines[line].input.correlated.empty())
+        return 100.0 * share * share;
+    return 100.0 * varianceShares(partsOf(lines, result))[line] / (u[result] * u[result]);
 }
 
 Result<GumBudget> propagateGum(
@@ -277,6 +313,7 @@ Result<GumBudget> propagateGum(
     budget.dof = variance.array().square() / satterthwaite.array();
     for (double &dof : budget.dof)
         dof = std::isnan(dof) ? std::numeric_limits<double>::infinity() : dof; // u = 0
+    addCorrelations(budget);
     return budget;
 }
 

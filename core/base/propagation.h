@@ -3,6 +3,7 @@
 
 #pragma once
 
+#include "core/base/correlation.h"
 #include "core/base/index.h"
 #include "core/base/progress.h"
 #include "core/base/result.h"
@@ -30,6 +31,7 @@ struct UncertainInput
     Distribution distribution = Distribution::Normal;
     double dof = std::numeric_limits<double>::infinity(); ///< degrees of freedom of u
     bool common = false; ///< the same error in every shot
+    Correlations correlated = {}; ///< with others of the inputs
 };
 
 /// y = f(x): several results at once of all inputs, in their order. Must not depend on anything
@@ -44,15 +46,16 @@ struct BudgetLine
     Eigen::VectorXd contribution; ///< dy/dx u(x), signed
 };
 
-/// Law of propagation (GUM, JCGM 100, 5.1.2) with independent inputs.
+/// Law of propagation (GUM, JCGM 100, 5.1.2; 5.2.2 where inputs are correlated).
 struct GumBudget
 {
     Eigen::VectorXd value; ///< of the results
     Eigen::VectorXd u; ///< combined standard uncertainties
-    Eigen::VectorXd dof; ///< effective, Welch-Satterthwaite (G.4.1)
+    Eigen::VectorXd dof; ///< effective, as combinedParts()
     std::vector<BudgetLine> lines; ///< in the order of the inputs
 
-    double sharePercent(std::size_t line, Index result) const; ///< of the variance
+    /// Of the variance; of correlated inputs it may be negative.
+    double sharePercent(std::size_t line, Index result) const;
 };
 
 /// Sensitivities by central differences over a tenth of each u; an input with u = 0 contributes
@@ -84,7 +87,8 @@ struct MonteCarloResult
 };
 
 /// Each input has a random stream of its own, named by the quantity (and by the shot, unless it is
-/// common), so that its draws do not depend on the other inputs or on threads. An input with finite
+/// common), so that its draws do not depend on the other inputs or on threads;
+/// those of correlated inputs are joined (CorrelatedDraws). An input with finite
 /// dof is drawn from the scaled t distribution. Fails where f fails in any trial or gives a result
 /// that is not finite, saying in how many, and (Usage) on fewer than 100 trials, on a coverage
 /// outside 0..1 and on inputs as propagateGum().

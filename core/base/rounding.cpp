@@ -161,6 +161,17 @@ RoundedValue roundedValue(double value, double u, std::string_view unit, int dig
     return result;
 }
 
+double neverBelow(double u, double least)
+{
+    constexpr double kRounding = 1e-9; // of the last digit: 0.015 is itself, whatever its last bit
+    if (!(least > 0.0) || !(u > 0.0) || !std::isfinite(u))
+        return u;
+    const double grain = std::pow(10.0, exponentOf(u) - 1);
+    if (std::round(u / grain) >= least / grain - kRounding)
+        return u;
+    return grain * std::ceil(least / grain - kRounding);
+}
+
 std::string roundedText(double value, double u, std::string_view unit)
 {
     const RoundedValue rounded = roundedValue(value, u, unit);

@@ -32,6 +32,10 @@ struct RoundedValue
 RoundedValue roundedValue(
     double value, double u, std::string_view unit, int digits = kDigitsWithoutUncertainty);
 
+/// `u` for print, where no less than `least` may stand (u in its two digits, or the next two digits
+/// up if those are less). `least` not above 0: `u`.
+double neverBelow(double u, double least);
+
 /// "2.3301 MHz".
 std::string roundedText(double value, double u, std::string_view unit);
 

@@ -3,13 +3,30 @@
 
 #include "core/base/uncertain_value.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace dyncal {
 
+std::vector<VariancePart> partsOf(const std::vector<UncertaintyLine> &lines)
+{
+    std::vector<VariancePart> parts;
+    for (const UncertaintyLine &line : lines)
+        parts.push_back({line.quantity, line.contribution, line.dof, line.shot, line.correlated});
+    return parts;
+}
+
+bool areCorrelated(const std::vector<UncertaintyLine> &lines)
+{
+    return std::ranges::any_of(
+        lines, [](const UncertaintyLine &line) { return !line.correlated.empty(); });
+}
+
 CombinedUncertainty combined(const std::vector<UncertaintyLine> &lines)
 {
+    if (areCorrelated(lines))
+        return combinedParts(partsOf(lines));
     double variance = 0.0;
     double fourth = 0.0;
     for (const UncertaintyLine &line : lines) {

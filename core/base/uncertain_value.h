@@ -31,18 +31,19 @@ struct UncertaintyLine
     double sensitivity = 1.0; ///< d value / d source
     double contribution = 0.0; ///< sensitivity u, signed, in the unit of the reported value
     OverShots overShots = OverShots::Shared;
+    Correlations correlated = {}; ///< with other lines of the same value
 };
 
-/// A standard uncertainty with its effective degrees of freedom.
-struct CombinedUncertainty
-{
-    double u = 0.0;
-    double dof = std::numeric_limits<double>::infinity();
-};
-
-/// Root of the sum of squares of the contributions, and Welch-Satterthwaite (GUM 5.1.2, G.4.1).
-/// Lines without finite, positive degrees of freedom count as known exactly.
+/// Root of the sum of squares of the contributions, and Welch-Satterthwaite (GUM 5.1.2, G.4.1);
+/// where lines are correlated as combinedParts(). Lines without finite, positive degrees of freedom
+/// count as known exactly.
 CombinedUncertainty combined(const std::vector<UncertaintyLine> &lines);
+
+/// The lines as parts of a variance.
+std::vector<VariancePart> partsOf(const std::vector<UncertaintyLine> &lines);
+
+/// Whether one of the lines is correlated with others.
+bool areCorrelated(const std::vector<UncertaintyLine> &lines);
 
 /// A line whose contribution is its own u.
 UncertaintyLine directLine(std::string quantity, double u,

@@ -197,16 +197,20 @@ std::vector<Message> frequencyRow(const FrequencyLine &line, Message frequency)
     const std::string unit = response.unit == "1" ? "" : response.unit;
     const double magnitude = valueAt(response.magnitude, i);
     const double uMagnitude = valueAt(rows.u_magnitude, i);
+    const double least = magnitude * valueAt(rows.leastExpanded_relative, i);
+    const double leastPhase = kDegreesPerRadian * valueAt(rows.leastExpandedPhase_rad, i);
     const double phase = kDegreesPerRadian * valueAt(response.phase_rad, i);
     const double uPhase = kDegreesPerRadian * valueAt(rows.u_phase_rad, i);
     const bool isModelled
         = !(line.frequency_Hz() > (1.0 + kRoundingOfLimit) * response.modelLimit_Hz);
     const double k = printedCoverage(valueAt(rows.k_magnitude, i));
     const double kPhase = printedCoverage(valueAt(rows.k_phase, i));
-    return {std::move(frequency), cell(magnitude, uMagnitude, unit, k),
-        std::isfinite(magnitude) ? expandedCell(magnitude, uMagnitude, unit, k) : dash(),
-        cell(phase, uPhase, "\xC2\xB0", kPhase),
-        std::isfinite(phase) ? expandedCell(phase, uPhase, "\xC2\xB0", kPhase) : dash(),
+    const double uPrinted = neverBelow(k * uMagnitude, least) / k;
+    const double uPhasePrinted = neverBelow(kPhase * uPhase, leastPhase) / kPhase;
+    return {std::move(frequency), cell(magnitude, uPrinted, unit, k),
+        std::isfinite(magnitude) ? expandedCell(magnitude, uPrinted, unit, k) : dash(),
+        cell(phase, uPhasePrinted, "\xC2\xB0", kPhase),
+        std::isfinite(phase) ? expandedCell(phase, uPhasePrinted, "\xC2\xB0", kPhase) : dash(),
         isModelled ? modelCell(valueAt(response.modelMagnitude, i),
             valueAt(rows.u_modelMagnitude, i), uMagnitude, unit)
                    : dash(),

@@ -32,7 +32,7 @@ ResultQuantity quantityOf(const CalibrationResults &results, const char *of, Mes
     if (!reported || !reported->u)
         return {std::move(label), kUnknown, kUnknown, kUnknown, {}, whyNoResult(reported)};
     return {std::move(label), reported->value, *reported->u, reported->k, reported->unit,
-        whyNoResult(nullptr)};
+        whyNoResult(nullptr), reported->leastExpanded};
 }
 
 Message noModel()
@@ -94,7 +94,8 @@ void addMeasuredPeak(const CalibrationResults &results, Quantities &quantities)
     const RowUncertainty &rows = results.uncertainty->rowsAtMarks;
     quantities.push_back({{DYNCAL_TEXT("core", "Magnitude at the resonance, from the records"), {}},
         marked->magnitude[row], valueAt(rows.u_magnitude, row), valueAt(rows.k_magnitude, row),
-        unitOf(*marked), whyNotMeasured(marked->magnitude[row])});
+        unitOf(*marked), whyNotMeasured(marked->magnitude[row]),
+        marked->magnitude[row] * valueAt(rows.leastExpanded_relative, row)});
 }
 
 /// The model's characteristics as far as the records reach; beyond, the bound or the reason.

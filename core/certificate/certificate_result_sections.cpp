@@ -109,11 +109,12 @@ std::vector<Message> poleRow(const Pole &pole, const PoleUncertainty &with)
 {
     const double k = printedCoverage(with.kFrequency);
     const double kDamping = printedCoverage(with.kDamping);
+    const double u_Hz = neverBelow(k * with.u_frequency_Hz, with.leastFrequency_Hz) / k;
+    const double u_zeta = neverBelow(kDamping * with.u_dampingRatio, with.leastDamping) / kDamping;
     return {poleWord(pole.poleClass), verbatim(complexText(pole)),
-        valueCell(pole.frequency_Hz, with.u_frequency_Hz, "Hz", k),
-        expandedCell(pole.frequency_Hz, with.u_frequency_Hz, "Hz", k),
-        valueCell(pole.dampingRatio, with.u_dampingRatio, "", kDamping),
-        expandedCell(pole.dampingRatio, with.u_dampingRatio, "", kDamping),
+        valueCell(pole.frequency_Hz, u_Hz, "Hz", k), expandedCell(pole.frequency_Hz, u_Hz, "Hz", k),
+        valueCell(pole.dampingRatio, u_zeta, "", kDamping),
+        expandedCell(pole.dampingRatio, u_zeta, "", kDamping),
         verbatim(roundedText(pole.amplitude, kUnknown, ""))};
 }
 

@@ -42,7 +42,8 @@ ResultQuantity sensitivityQuantity(
 {
     const bool isKnown = reported && reported->u;
     return {std::move(label), value, isKnown ? *reported->u : kUnknown,
-        isKnown ? reported->k : kUnknown, response.sensitivityUnit, whyNoResult(reported)};
+        isKnown ? reported->k : kUnknown, response.sensitivityUnit, whyNoResult(reported),
+        isKnown ? reported->leastExpanded : 0.0};
 }
 
 std::vector<ResultQuantity> levelQuantities(const CalibrationResults &results)

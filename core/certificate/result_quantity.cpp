@@ -13,7 +13,9 @@ namespace {
 
 RoundedValue roundedOf(const ResultQuantity &quantity)
 {
-    return roundedValue(quantity.value, statedFactor(quantity.k) * quantity.u, quantity.unit);
+    const double expanded = statedFactor(quantity.k) * quantity.u;
+    return roundedValue(
+        quantity.value, neverBelow(expanded, quantity.leastExpanded), quantity.unit);
 }
 
 std::vector<Message> rowOfResult(const ResultQuantity &quantity)

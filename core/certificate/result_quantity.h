@@ -22,6 +22,7 @@ struct ResultQuantity
     double k = kUnknown; ///< Student's factor of 95 %
     std::string unit = {}; ///< "" = a number
     Message otherwise = {}; ///< a bound, or why there is no result
+    double leastExpanded = 0.0; ///< the CMC: no smaller U is printed, not by rounding either
 
     /// Whether value and u can both be printed; a u below what rounding leaves is none.
     bool isResult() const;

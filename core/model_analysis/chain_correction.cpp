@@ -81,18 +81,6 @@ double uOnsetBehind(const ReferenceSensitivity &chain, double from_Hz, double to
     return largest_s / std::sqrt(3.0);
 }
 
-void endByTable(const ReferenceSensitivity &table, BandEnd why, ResponseResult &result)
-{
-    if (table.lowest_Hz() > result.fLow_Hz) {
-        result.fLow_Hz = table.lowest_Hz();
-        result.lowEnd = why;
-    }
-    if (table.highest_Hz() < result.fHigh_Hz) {
-        result.fHigh_Hz = table.highest_Hz();
-        result.highEnd = why;
-    }
-}
-
 void divideModel(const ReferenceSensitivity &chain, ResponseResult &result)
 {
     const ReferencePoint lowest = chain.lowest();

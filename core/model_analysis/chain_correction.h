@@ -34,9 +34,6 @@ private:
 /// delay -arg H/w from `from_Hz` to `to_Hz`, a rectangle. 0 where the table has no phase.
 double uOnsetBehind(const ReferenceSensitivity &chain, double from_Hz, double to_Hz);
 
-/// The band ends where a table does, of the chain or of a reference transducer; `why` says which.
-void endByTable(const ReferenceSensitivity &table, BandEnd why, ResponseResult &result);
-
 /// The same division of what the model says: not a number where the chain's response is not stated.
 void divideModel(const ReferenceSensitivity &chain, ResponseResult &result);
 

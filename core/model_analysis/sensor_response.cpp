@@ -15,6 +15,7 @@
 #include "core/model_analysis/sensor_record.h"
 #include "core/model_analysis/shot_levels.h"
 #include "core/model_analysis/step_transform.h"
+#include "core/model_analysis/table_band.h"
 #include "core/model_analysis/transducer_response.h"
 #include "core/model_analysis/unwrapped_phase.h"
 

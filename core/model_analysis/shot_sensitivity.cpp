@@ -41,6 +41,7 @@ UncertaintyLine partOf(const BudgetLine &line, const ShotSensitivity &shot)
     part.u = line.input.u;
     part.distribution = line.input.distribution;
     part.dof = line.input.dof;
+    part.correlated = line.input.correlated;
     part.contribution = -line.contribution[kOfStep] / *shot.step_Pa;
     part.sensitivity = part.u > 0.0 ? part.contribution / part.u : 0.0;
     return part;
@@ -83,6 +84,14 @@ Parts partsOf(
     return parts;
 }
 
+Eigen::VectorXd contributionsOf(const std::vector<UncertaintyLine> &row)
+{
+    Eigen::VectorXd c(std::ssize(row));
+    for (Index i = 0; i < c.size(); ++i)
+        c[i] = row[static_cast<std::size_t>(i)].contribution;
+    return c;
+}
+
 Eigen::MatrixXd covarianceOf(const Parts &parts)
 {
     // What converter and model leave out of a level, which no noise shows: shots are not told apart
@@ -95,10 +104,11 @@ Eigen::MatrixXd covarianceOf(const Parts &parts)
         V(i, i) = own * own + kLeftOut * kLeftOut;
     }
     for (const auto &[quantity, row] : parts.common) {
-        Eigen::VectorXd c(n);
-        for (Index i = 0; i < n; ++i)
-            c[i] = row[static_cast<std::size_t>(i)].contribution;
+        const Eigen::VectorXd c = contributionsOf(row);
         V += c * c.transpose();
+        for (const Correlation &other : row.front().correlated)
+            if (const auto found = parts.common.find(other.quantity); found != parts.common.end())
+                V += other.coefficient * c * contributionsOf(found->second).transpose();
     }
     return V;
 }

@@ -25,6 +25,7 @@ UncertainInput gainInput(const std::vector<StatedUncertainty> &stated)
     input.u = found->u;
     input.distribution = found->distribution;
     input.dof = found->dof.value_or(input.dof);
+    input.correlated = found->correlated;
     return input;
 }
 

@@ -36,6 +36,25 @@ Findings unknownQuantities(const std::vector<BudgetEntry> &budget)
     return findings;
 }
 
+/// A correlation counts between two quantities of the budget.
+Findings uselessCorrelations(const UncertaintySettings &settings)
+{
+    const auto isStated = [&](const std::string &quantity) {
+        return std::ranges::find(settings.budget, quantity, &BudgetEntry::quantity)
+            != settings.budget.end();
+    };
+    Findings findings;
+    for (const CorrelationEntry &entry : settings.correlations)
+        if (entry.quantity == entry.with || !isStated(entry.quantity) || !isStated(entry.with))
+            findings.push_back({.id = "SHK-013",
+                .severity = Severity::Caution,
+                .message
+                = {DYNCAL_TEXT("core",
+                       "The correlation of '%1' with '%2' in uncertainty.correlations is used for nothing: it needs two quantities whose u stands in uncertainty.budget."),
+                    {entry.quantity, entry.with}}});
+    return findings;
+}
+
 /// When the DUTs felt the shock, as known before the window is cut.
 std::vector<DutArrival> startsOfDuts(
     const CaptureSet &set, const RecordStarts &starts, const std::vector<double> &typed_s)
@@ -101,8 +120,9 @@ Result<ShockConditionsSet> shockStage(const CaptureSet &set, const ShockConditio
         return shock;
     const Findings misread = checkReadings(window.responses, *shock, recipe.checks);
     shock->findings.insert(shock->findings.end(), misread.begin(), misread.end());
-    const Findings unknown = unknownQuantities(recipe.uncertainty.budget);
-    shock->findings.insert(shock->findings.end(), unknown.begin(), unknown.end());
+    for (const Findings &useless :
+        {unknownQuantities(recipe.uncertainty.budget), uselessCorrelations(recipe.uncertainty)})
+        shock->findings.insert(shock->findings.end(), useless.begin(), useless.end());
     shock->followedPeaks = followPeaks(spectrum, window, *shock);
     const Findings moving = judgePeaks(shock->followedPeaks);
     shock->findings.insert(shock->findings.end(), moving.begin(), moving.end());

@@ -185,6 +185,7 @@ Result<SensorModel> model(const StageInputs &in)
 
 void readShock(const Recipe &recipe, Recipe &part)
 {
+    part.uncertainty.correlations = recipe.uncertainty.correlations;
     part.uncertainty.budget = recipe.uncertainty.budget; // `shock` is in an earlier key
 }
 
@@ -300,7 +301,7 @@ constexpr std::array<Stage, kStageCount> kStages{{
         kept<&R::checks, checks>(), of<&R::checks>},
     {Assessment, "model assessment", 2, 10, "", Model, Model, true, readNothing,
         kept<&R::assessment, assessment>(), saidElsewhere},
-    {Uncertainty, "uncertainty", 2, 20, "UNC-", Response, Uncertainty, true, readUncertainty,
+    {Uncertainty, "uncertainty", 3, 20, "UNC-", Response, Uncertainty, true, readUncertainty,
         kept<&R::uncertainty, uncertainty>(), of<&R::uncertainty>},
     {Comparison, "comparison", 1, 5, "CMP-", Uncertainty, Uncertainty, true, readNothing,
         kept<&R::comparison, comparison>(), of<&R::comparison>},

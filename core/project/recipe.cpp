@@ -5,6 +5,7 @@
 
 #include "core/base/json_text.h"
 #include "core/base/number_text.h"
+#include "core/project/correlation_checks.h"
 #include "core/project/laboratory_profile.h"
 #include "core/project/recipe_fields_analysis.h"
 #include "core/project/recipe_fields_comparison.h"
@@ -101,6 +102,8 @@ Result<void> checkTogether(const Recipe &recipe)
         return checked;
     if (const Result<void> checked = checkCapability(recipe.uncertainty.cmc); !checked)
         return checked;
+    if (const Result<void> checked = checkCorrelations(recipe.uncertainty); !checked)
+        return checked;
     return checkBudget(recipe.uncertainty.budget);
 }
 
@@ -117,7 +120,7 @@ Result<Recipe> recipeOf(const Json &document)
 tl::unexpected<Error> unreadable(const std::string &path, const char *why)
 {
     return fail(ErrorKind::FileUnreadable,
-        {DYNCAL_TEXT("core", "The recipe %1 cannot be read: %2."), {path, why}});
+        {DYNCAL_TEXT("core", "The file %1 cannot be read: %2."), {path, why}});
 }
 
 Result<std::string> textOfFile(const std::string &path)

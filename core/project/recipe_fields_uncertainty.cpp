@@ -53,6 +53,27 @@ Codec<CapabilityEntry> capabilityEntry()
     });
 }
 
+/// Quantities with one value at all places; those of sensors by place are not correlated by name.
+Codec<std::string> correlatedQuantity()
+{
+    return oneOf({"p1_pa", "t1_k", "gamma", "molar_mass_kg_mol", "relative_humidity",
+        "carbon_dioxide_fraction", "velocity_m_s", "step_relative", "gain_relative",
+        "linearity_relative", "mounting_relative", "reference_gain_relative"});
+}
+
+Codec<CorrelationEntry> correlationEntry()
+{
+    using S = CorrelationEntry;
+    return object<S>({
+        field("quantity", DYNCAL_TEXT("RecipeLabel", "correlated quantity"), &S::quantity,
+            correlatedQuantity(), true),
+        field("with", DYNCAL_TEXT("RecipeLabel", "quantity it is correlated with"), &S::with,
+            correlatedQuantity(), true),
+        field("r", DYNCAL_TEXT("RecipeLabel", "correlation coefficient"), &S::coefficient,
+            number(-1.0, 1.0), true),
+    });
+}
+
 /// 0 in the struct stands for "adaptive".
 Codec<Index> trials()
 {
@@ -72,6 +93,8 @@ Codec<UncertaintySettings> uncertaintyCodec()
     return object<S>({
         field("budget", DYNCAL_TEXT("RecipeLabel", "uncertainty budget"), &S::budget,
             list(budgetEntry())),
+        field("correlations", DYNCAL_TEXT("RecipeLabel", "correlations in the budget"),
+            &S::correlations, list(correlationEntry())),
         field("cmc", DYNCAL_TEXT("RecipeLabel", "least uncertainty of the laboratory (CMC)"),
             &S::cmc, list(capabilityEntry())),
         field("monte_carlo_trials", DYNCAL_TEXT("RecipeLabel", "Monte Carlo trials"),

@@ -33,18 +33,32 @@ bool isXml(const std::string &content)
     return first != content.npos && content[first] == '<';
 }
 
-} // namespace
-
-Result<CertifiedReference> readCertifiedSource(const CertifiedSource &source)
+Result<CertifiedReference> readContent(const CertifiedSource &source)
 {
-    if (const Result<void> file = checkFile(source); !file)
-        return tl::unexpected(file.error());
     const std::string &content = source.loaded->content;
     if (isXml(content))
         return readReferenceDcc(content, source.quantityId, source.unit);
     return readReferenceCsv(content).map([](ReferenceSensitivity sensitivity) {
         return CertifiedReference{std::move(sensitivity), {}};
     });
+}
+
+/// Both kinds of files have the same form, so only here it is known what they are of.
+Error named(Error error, const CertifiedSource &source)
+{
+    error.message = {DYNCAL_TEXT("core", "The file '%1' of %2.source cannot be used. %3"),
+        {source.path, source.section, english(error.message)}};
+    return error;
+}
+
+} // namespace
+
+Result<CertifiedReference> readCertifiedSource(const CertifiedSource &source)
+{
+    if (const Result<void> file = checkFile(source); !file)
+        return tl::unexpected(file.error());
+    return readContent(source).map_error(
+        [&source](Error error) { return named(std::move(error), source); });
 }
 
 } // namespace dyncal

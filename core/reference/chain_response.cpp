@@ -56,17 +56,6 @@ Result<void> checkChain(const ReferenceSensitivity &chain, const ChainSettings &
     return ratio ? checkPhase(chain.lowest(), settings) : ratio;
 }
 
-/// A malformed file is told in the words of the reference transducer's, which has the same form.
-Error ofChain(Error error, const ChainSettings &settings)
-{
-    if (error.kind == ErrorKind::Usage)
-        error.message
-            = {DYNCAL_TEXT("core",
-                   "The file '%1' of chain.source is read as that of a reference transducer: %2"),
-                {settings.source, english(error.message)}};
-    return error;
-}
-
 } // namespace
 
 Result<std::optional<ChainResponse>> chainResponse(const ChainSettings &settings)
@@ -76,7 +65,7 @@ Result<std::optional<ChainResponse>> chainResponse(const ChainSettings &settings
     Result<CertifiedReference> certified = readCertifiedSource(
         {"chain", settings.source, settings.sha256, settings.quantityId, "1", settings.loaded});
     if (!certified)
-        return tl::unexpected(ofChain(certified.error(), settings));
+        return tl::unexpected(certified.error());
     if (const Result<void> usable = checkChain(certified->sensitivity, settings); !usable)
         return tl::unexpected(usable.error());
     return std::optional(ChainResponse{std::move(certified->sensitivity), settings.loaded->sha256,

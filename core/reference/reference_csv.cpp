@@ -79,15 +79,15 @@ Result<Places> placesOf(const std::vector<std::string_view> &names)
         if (known == kColumns.end())
             return fail(ErrorKind::Usage,
                 {DYNCAL_TEXT("core",
-                     "The reference transducer's table has a column '%1'; it may have frequency_hz, magnitude, u_magnitude, phase_rad, u_phase_rad and dof."),
+                     "The table has a column '%1'; it may have frequency_hz, magnitude, u_magnitude, phase_rad, u_phase_rad and dof."),
                     {std::string(names[at])}});
         places[static_cast<std::size_t>(known - kColumns.begin())] = at;
     }
     for (std::size_t i = 0; i < kNeeded; ++i)
         if (places[i] == std::string_view::npos)
             return fail(ErrorKind::Usage,
-                {DYNCAL_TEXT("core",
-                     "The reference transducer's table has no column '%1'; its first line must name the columns."),
+                {DYNCAL_TEXT(
+                     "core", "The table has no column '%1'; its first line must name the columns."),
                     {kColumns[i].name}});
     return places;
 }
@@ -106,7 +106,7 @@ Result<ReferencePoint> pointOf(const Line &line, const Places &places)
         if (!value)
             return fail(ErrorKind::Usage,
                 {DYNCAL_TEXT("core",
-                     "Line %1 of the reference transducer's table has '%2' for %3, which is no number with a decimal point."),
+                     "Line %1 of the table has '%2' for %3, which is no number with a decimal point."),
                     {std::to_string(line.number), std::string(cell), kColumns[i].name}});
         point.*kColumns[i].value = *value;
     }

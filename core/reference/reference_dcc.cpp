@@ -142,12 +142,11 @@ Result<pugi::xml_node> listOf(const pugi::xml_document &document, const std::str
     if (id.empty())
         return refused(
             {DYNCAL_TEXT("core",
-                 "The reference transducer's certificate has %1 lists over frequency; name the one that is meant by its id in comparison.quantity_id."),
+                 "The certificate has %1 lists over frequency; name the one that is meant by its id in quantity_id."),
                 {std::to_string(found.size())}});
-    return refused(
-        {DYNCAL_TEXT("core",
-             "The reference transducer's certificate has no list with the id '%1' of comparison.quantity_id, or several."),
-            {id}});
+    return refused({DYNCAL_TEXT("core",
+                        "The certificate has no list with the id '%1' of quantity_id, or several."),
+        {id}});
 }
 
 Result<std::vector<ReferencePoint>> rowsOfList(
@@ -162,7 +161,7 @@ Result<std::vector<ReferencePoint>> rowsOfList(
     if (!isWhole(S) || (phase && !isWhole(phase)))
         return refused(
             {DYNCAL_TEXT("core",
-                 "The list of the reference transducer's certificate needs frequencies, sensitivities in %1 and perhaps phases, as many of each, with expanded uncertainties and their coverage factors."),
+                 "The list of the certificate needs frequencies, magnitudes in %1 and perhaps phases, as many of each, with expanded uncertainties and their coverage factors."),
                 {unit}});
     std::vector<ReferencePoint> rows;
     for (std::size_t i = 0; i < count; ++i) {
@@ -185,7 +184,7 @@ Result<CertifiedReference> readReferenceDcc(
     if (!parsed || localName(document.document_element()) != "digitalCalibrationCertificate")
         return fail(ErrorKind::FileUnreadable,
             {DYNCAL_TEXT("core",
-                 "The reference transducer's file is XML, but no digital calibration certificate (%1); give that, or a table as CSV."),
+                 "The file is XML, but no digital calibration certificate (%1); give that, or a table as CSV."),
                 {parsed ? document.document_element().name() : parsed.description()}});
     const Result<pugi::xml_node> list = listOf(document, quantityId);
     if (!list)

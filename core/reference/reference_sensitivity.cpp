@@ -90,14 +90,12 @@ ReferencePoint ofModel(const ReferenceModel &model, double frequency_Hz)
 Result<ReferenceSensitivity> ReferenceSensitivity::fromTable(std::vector<ReferencePoint> rows)
 {
     if (rows.empty())
-        return fail(ErrorKind::Usage,
-            {DYNCAL_TEXT("core", "The reference transducer's table has no rows."), {}});
+        return fail(ErrorKind::Usage, {DYNCAL_TEXT("core", "The table has no rows."), {}});
     ReferencePoint before;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         if (const char *needed = faultOf(rows[i], before, hasPhase(rows.front())))
             return fail(ErrorKind::Usage,
-                {DYNCAL_TEXT(
-                     "core", "Row %1 of the reference transducer's table, at %2 Hz, needs %3."),
+                {DYNCAL_TEXT("core", "Row %1 of the table, at %2 Hz, needs %3."),
                     {std::to_string(i + 1), numberText(rows[i].frequency_Hz, 6), needed}});
         before = rows[i];
     }
@@ -149,6 +147,19 @@ std::optional<ReferencePoint> ReferenceSensitivity::at(double frequency_Hz) cons
 ReferencePoint ReferenceSensitivity::lowest() const
 {
     return m_model ? ofModel(*m_model, 0.0) : m_rows.front();
+}
+
+std::optional<ReferenceSensitivity::Gap> ReferenceSensitivity::widestGap(
+    double from_Hz, double to_Hz) const
+{
+    std::optional<Gap> widest;
+    for (std::size_t i = 1; i < m_rows.size(); ++i) {
+        const Gap gap{m_rows[i - 1].frequency_Hz, m_rows[i].frequency_Hz};
+        const bool isWithin = gap.from_Hz < to_Hz && gap.to_Hz > from_Hz;
+        if (isWithin && (!widest || gap.to_Hz / gap.from_Hz > widest->to_Hz / widest->from_Hz))
+            widest = gap;
+    }
+    return widest;
 }
 
 double ReferenceSensitivity::lowest_Hz() const

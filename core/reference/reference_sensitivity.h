@@ -45,6 +45,15 @@ public:
     /// What the level of a step is divided by: the model's level, or the lowest row of a table.
     ReferencePoint lowest() const;
 
+    /// The widest distance between two rows of a table of which a part lies from `from_Hz` to
+    /// `to_Hz`; empty of a model or without one.
+    struct Gap
+    {
+        double from_Hz = 0.0;
+        double to_Hz = 0.0;
+    };
+    std::optional<Gap> widestGap(double from_Hz, double to_Hz) const;
+
     double lowest_Hz() const; ///< 0 of a model
     double highest_Hz() const; ///< infinite of a model
 

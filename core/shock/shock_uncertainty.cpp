@@ -32,6 +32,21 @@ Distribution distributionCalled(const std::string &name)
     return Distribution::Normal;
 }
 
+Correlations correlationsOf(
+    const std::string &quantity, const std::vector<CorrelationEntry> &entries)
+{
+    Correlations list;
+    for (const CorrelationEntry &entry : entries) {
+        if (entry.quantity == entry.with)
+            continue;
+        if (entry.quantity == quantity)
+            list.push_back({entry.with, entry.coefficient});
+        if (entry.with == quantity)
+            list.push_back({entry.quantity, entry.coefficient});
+    }
+    return list;
+}
+
 } // namespace
 
 UncertaintyRequest uncertaintyRequest(const UncertaintySettings &settings)
@@ -39,8 +54,8 @@ UncertaintyRequest uncertaintyRequest(const UncertaintySettings &settings)
     UncertaintyRequest request;
     request.evaluate = true;
     for (const BudgetEntry &entry : settings.budget)
-        request.stated.push_back(
-            {entry.quantity, entry.u, distributionCalled(entry.distribution), entry.dof});
+        request.stated.push_back({entry.quantity, entry.u, distributionCalled(entry.distribution),
+            entry.dof, correlationsOf(entry.quantity, settings.correlations)});
     return request;
 }
 

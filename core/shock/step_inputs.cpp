@@ -118,6 +118,7 @@ bool StepInputs::addKnown(const std::string &name, const std::string &quantity, 
         input.u = stated->u;
         input.distribution = stated->distribution;
         input.dof = dofOf(*stated);
+        input.correlated = stated->correlated;
     }
     if (!(input.u > 0.0))
         return find(quantity) != nullptr; // stated as exact
@@ -319,7 +320,8 @@ std::optional<GumBudget> budgetOfTypedStep(
     if (known == stated.end())
         return std::nullopt;
     const auto budget
-        = propagateGum({{"step_relative", 1.0, known->u, known->distribution, dofOf(*known), true}},
+        = propagateGum({{"step_relative", 1.0, known->u, known->distribution, dofOf(*known), true,
+                             known->correlated}},
             [=](const Eigen::VectorXd &x) -> Result<Eigen::VectorXd> {
                 Eigen::VectorXd all = Eigen::VectorXd::Zero(results);
                 all[ofStep] = x[0] * step_Pa;

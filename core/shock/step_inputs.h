@@ -30,6 +30,7 @@ struct StatedUncertainty
     double u = 0.0;
     Distribution distribution = Distribution::Normal;
     std::optional<double> dof;
+    Correlations correlated = {}; ///< with other stated ones
 };
 
 // Where nothing is stated: to compare with other ways (Unstated::IsAssumed); docs/method/checks.md.

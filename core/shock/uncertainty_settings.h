@@ -35,10 +35,20 @@ struct CapabilityEntry
     bool operator==(const CapabilityEntry &) const = default;
 };
 
+/// That two quantities of the budget err together.
+struct CorrelationEntry
+{
+    std::string quantity;
+    std::string with;
+    double coefficient = 0.0; ///< r, -1 to 1
+    bool operator==(const CorrelationEntry &) const = default;
+};
+
 /// Recipe section "uncertainty".
 struct UncertaintySettings
 {
     std::vector<BudgetEntry> budget;
+    std::vector<CorrelationEntry> correlations = {};
     std::vector<CapabilityEntry> cmc = {};
     Index monteCarloTrials = 10000; ///< 0 = "adaptive"
     Index seed = 1;

@@ -27,6 +27,16 @@ UncertaintyLine effect(const std::vector<StatedUncertainty> &stated, const char 
         : directLine(quantity, found->u,
             found->dof.value_or(std::numeric_limits<double>::infinity()), found->distribution);
     line.value = 0.0;
+    if (found != stated.end())
+        line.correlated = found->correlated;
+    return line;
+}
+
+/// A gain that is larger than it should be makes the sensitivity smaller than it is found.
+UncertaintyLine divided(UncertaintyLine line)
+{
+    line.sensitivity = -line.sensitivity;
+    line.contribution = -line.contribution;
     return line;
 }
 
@@ -34,7 +44,7 @@ UncertaintyLine effect(const std::vector<StatedUncertainty> &stated, const char 
 
 ChainEffects chainEffects(const std::vector<StatedUncertainty> &stated)
 {
-    return {{effect(stated, "gain_relative", rectangle(0.005), Distribution::Rectangular),
+    return {{divided(effect(stated, "gain_relative", rectangle(0.005), Distribution::Rectangular)),
                 effect(stated, "linearity_relative", rectangle(0.001), Distribution::Rectangular),
                 effect(stated, "mounting_relative", 0.001, Distribution::Normal)},
         effect(stated, "clock_relative", rectangle(50e-6), Distribution::Rectangular)};

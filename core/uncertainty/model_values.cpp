@@ -6,11 +6,13 @@
 #include "core/model_analysis/marked_frequencies.h"
 #include "core/model_analysis/stated_characteristics.h"
 #include "core/uncertainty/front_effect.h"
+#include "core/uncertainty/weak_modes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
+#include <numbers>
 
 namespace dyncal {
 namespace {
@@ -165,6 +167,32 @@ std::array<UncertaintyLine, kRows.size()> frontLines(const SensorModel &model,
     return lines;
 }
 
+/// What the values would be if the weak modes were none of the sensor's; empty without such.
+std::optional<Values> valuesWithoutWeak(const SensorModel &model,
+    const std::optional<std::pair<std::size_t, std::size_t>> &pair, ResponseTreatment treatment)
+{
+    const auto reduced = pair ? withoutWeakModes(model, *pair) : std::nullopt;
+    return reduced ? std::optional(valuesOf(*reduced, pair, treatment)) : std::nullopt;
+}
+
+/// Either of two values, evenly likely, about the one that is stated.
+UncertaintyLine weakModeLine(double value, double without)
+{
+    return directLine("weak_mode", std::abs(value - without) / std::numbers::sqrt2);
+}
+
+/// Empty where u can be stated. `other`: the value without the weak modes.
+Message whyIncomplete(double u, double other)
+{
+    if (!std::isfinite(u))
+        return {DYNCAL_TEXT("core", "the model was not refined"), {}};
+    if (!std::isfinite(other))
+        return {DYNCAL_TEXT("core",
+                    "an oscillation below 1 % of the step decides it, which may be the mount's"),
+            {}};
+    return {};
+}
+
 /// Where the shots' scatter stands for the noise, their number is what u rests on.
 UncertaintyLine noiseLine(double u, const SensorModel &model, const ModelAssessment &assessment)
 {
@@ -192,22 +220,25 @@ std::vector<ReportedValue> modelValues(const SensorModel &model, const ModelAsse
     if (assessed)
         takeAssessed(*assessed, u);
     const auto ofFront = frontLines(model, pair, treatment, response.front);
+    const auto withoutWeak = valuesWithoutWeak(model, pair, treatment);
     std::vector<ReportedValue> reported;
     for (std::size_t i = 0; i < kRows.size(); ++i) {
         ReportedValue one{kRows[i].of, values.*kRows[i].value, kRows[i].unit, {}, {}};
         if (!std::isfinite(one.value))
             continue;
-        if (!std::isfinite(u[i])) {
-            one.missing = {DYNCAL_TEXT("core", "the model was not refined"), {}};
-            reported.push_back(std::move(one));
-            continue;
+        const bool isShaped = !kRows[i].ofPoles && isStepTreatment(treatment);
+        const double other = isShaped && withoutWeak ? *withoutWeak.*kRows[i].value : one.value;
+        one.missing = whyIncomplete(u[i], other);
+        if (*one.missing.text == '\0') {
+            one.lines = {noiseLine(u[i], model, assessment)};
+            if (kRows[i].kind != Kind::Number)
+                one.lines.push_back(scaled({clock}, one.value).front());
+            if (isShaped)
+                one.lines.push_back(ofFront[i]);
+            if (isShaped && withoutWeak)
+                one.lines.push_back(weakModeLine(one.value, other));
+            combineLines(one);
         }
-        one.lines = {noiseLine(u[i], model, assessment)};
-        if (kRows[i].kind != Kind::Number)
-            one.lines.push_back(scaled({clock}, one.value).front());
-        if (!kRows[i].ofPoles && isStepTreatment(treatment))
-            one.lines.push_back(ofFront[i]);
-        combineLines(one);
         reported.push_back(std::move(one));
     }
     return reported;

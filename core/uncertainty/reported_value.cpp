@@ -52,7 +52,12 @@ std::optional<double> ReportedValue::expanded() const
 
 double ReportedValue::sharePercent(const UncertaintyLine &line) const
 {
-    return u && *u > 0.0 ? 100.0 * std::pow(line.contribution / *u, 2) : 0.0;
+    if (!u || !(*u > 0.0))
+        return 0.0;
+    if (line.correlated.empty())
+        return 100.0 * std::pow(line.contribution / *u, 2);
+    const auto at = static_cast<std::size_t>(&line - lines.data());
+    return 100.0 * varianceShares(partsOf(lines))[at] / (*u * *u);
 }
 
 void combineLines(ReportedValue &reported)

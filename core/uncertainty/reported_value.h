@@ -34,7 +34,8 @@ struct ReportedValue
 
     double factor() const { return statedFactor(k); } ///< that U is stated with
     std::optional<double> expanded() const; ///< U, in `unit`
-    /// Of a line, in percent of the variance; negative never, because the lines are independent.
+    /// Of one of `lines`, in percent of the variance; negative where it is correlated with another
+    /// that works against it.
     double sharePercent(const UncertaintyLine &line) const;
 };
 

@@ -21,7 +21,7 @@ PoleUncertainty asReported(const UncertaintyReport &report)
     const ReportedValue *zeta = report.find("damping_ratio");
     if (!f0 || !f0->u || !zeta || !zeta->u)
         return {};
-    return {*f0->u, f0->k, *zeta->u, zeta->k};
+    return {*f0->u, f0->k, *zeta->u, zeta->k, f0->leastExpanded, zeta->leastExpanded};
 }
 
 /// A pair is one resonance; a sensor of damping ratio 1 and more has one that no pole has.

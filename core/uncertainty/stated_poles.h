@@ -18,6 +18,8 @@ struct PoleUncertainty
     double kFrequency = kUnknown;
     double u_dampingRatio = kUnknown;
     double kDamping = kUnknown;
+    double leastFrequency_Hz = 0.0; ///< the CMC of what is reported; 0 without one
+    double leastDamping = 0.0;
 };
 
 /// Of each of polesOf(), in their order. The residuals do not show an error of the sample clock:

@@ -28,31 +28,34 @@ std::vector<InputShare> inputShares(const std::vector<UncertaintyLine> &lines)
     return inputs;
 }
 
-/// What is left of the variance without the first `count` inputs. Summed anew, as a difference of
-/// large numbers would leave rounding errors where nothing is left.
-double varianceBehind(const std::vector<InputShare> &inputs, std::size_t count)
+/// What is left of the variance without the inputs from `first` to `last`. Summed anew, as a
+/// difference of large numbers would leave rounding errors where nothing is left.
+double varianceWithout(
+    std::vector<UncertaintyLine> lines, const InputShare *first, const InputShare *last)
 {
-    double variance = 0.0;
-    for (std::size_t i = count; i < inputs.size(); ++i)
-        variance += inputs[i].contribution * inputs[i].contribution;
-    return variance;
+    std::erase_if(lines, [&](const UncertaintyLine &line) {
+        return line.quantity == kCapability
+            || std::find_if(first, last,
+                   [&](const InputShare &input) { return input.quantity == line.quantity; })
+            != last;
+    });
+    return std::pow(combined(lines).u, 2);
 }
 
-double varianceWithout(const std::vector<InputShare> &inputs, const InputShare &one)
-{
-    double variance = 0.0;
-    for (const InputShare &input : inputs)
-        variance += &input == &one ? 0.0 : input.contribution * input.contribution;
-    return variance;
-}
-
+/// The f with C^2 f^2 + 2 K f + rest = u_w^2: C is the input's own, K = sum of r c_x c_i what it
+/// has with others (0 where nothing is correlated).
 std::optional<double> factorOf(
-    const InputShare &one, const std::vector<InputShare> &inputs, double wanted_u)
+    const InputShare &one, const std::vector<UncertaintyLine> &lines, double wanted_u)
 {
-    const double room = wanted_u * wanted_u - varianceWithout(inputs, one);
-    if (room < 0.0 || !(one.contribution > 0.0))
+    const double rest = varianceWithout(lines, &one, &one + 1);
+    const double C = one.contribution;
+    const double K = areCorrelated(lines)
+        ? 0.5 * (varianceWithout(lines, nullptr, nullptr) - rest - C * C)
+        : 0.0;
+    const double root = K * K + C * C * (wanted_u * wanted_u - rest);
+    if (root < 0.0 || !(C > 0.0) || std::sqrt(root) < K)
         return std::nullopt;
-    return std::sqrt(room) / one.contribution;
+    return (std::sqrt(root) - K) / (C * C);
 }
 
 } // namespace
@@ -70,9 +73,10 @@ std::optional<WayToU> wayToU(const ReportedValue &reported, const WantedU &wante
         return way;
     way.inputs = inputShares(reported.lines);
     for (InputShare &input : way.inputs)
-        input.factor = factorOf(input, way.inputs, wanted_u);
+        input.factor = factorOf(input, reported.lines, wanted_u);
+    const InputShare *inputs = way.inputs.data();
     while (!way.isReached && way.toRemove < way.inputs.size()
-        && varianceBehind(way.inputs, way.toRemove) > wanted_u * wanted_u)
+        && varianceWithout(reported.lines, inputs, inputs + way.toRemove) > wanted_u * wanted_u)
         ++way.toRemove;
     return way;
 }

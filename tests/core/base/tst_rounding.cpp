@@ -14,6 +14,7 @@
 using dyncal::BoundSide;
 using dyncal::boundText;
 using dyncal::fixedText;
+using dyncal::neverBelow;
 using dyncal::roundedText;
 using dyncal::roundedTextWithU;
 using dyncal::RoundedValue;
@@ -37,6 +38,7 @@ private slots:
     void setting_hasTheDigitsOfItself_data();
     void setting_hasTheDigitsOfItself();
     void bound_staysTrueWhenRounded();
+    void neverBelow_isTheNextTwoDigitsUp();
     void textWithU_bothInOneUnitWithEqualDecimals();
     void rounded_randomValues_isWithinHalfOfLastDigit();
     void fixed_negativeZero_hasNoSign();
@@ -185,6 +187,28 @@ void TestRounding::bound_staysTrueWhenRounded()
     }
     QCOMPARE(boundText(0.0, BoundSide::Lower, "Hz"), "0 Hz");
     QCOMPARE(boundText(kNan, BoundSide::Upper, "Hz"), "\xE2\x80\x93");
+}
+
+void TestRounding::neverBelow_isTheNextTwoDigitsUp()
+{
+    const auto printed = [](double u, double least) {
+        return QString::fromStdString(roundedValue(1.0, neverBelow(u, least), "").u);
+    };
+    QCOMPARE(printed(0.01534, 0.01534), "0.016"); // 0.015 would be less than the CMC
+    QCOMPARE(printed(0.01534, 0.0), "0.015");
+    QCOMPARE(printed(0.0154, 0.015), "0.015"); // enough as it is rounded
+    QCOMPARE(printed(0.0156, 0.0151), "0.016");
+    QCOMPARE(printed(0.015, 0.015), "0.015"); // no digit more by rounding errors
+    QCOMPARE(printed(0.0991, 0.0991), "0.10");
+    QCOMPARE(printed(0.02, 0.01), "0.020");
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> share(0.0, 1.0);
+    for (int i = 0; i < 1000; ++i) {
+        const double least = std::pow(10.0, -6.0 + 5.0 * share(random));
+        const double u = least * (1.0 + 0.1 * share(random));
+        QVERIFY(printed(u, least).toDouble() >= least * (1.0 - 1e-9));
+        QVERIFY(neverBelow(u, least) <= 1.1 * u);
+    }
 }
 
 void TestRounding::textWithU_bothInOneUnitWithEqualDecimals()

@@ -114,21 +114,6 @@ private slots:
         const ResponsePoint point = ChainCorrected(std::make_unique<FlatSource>(), by, u_s).at(1e6);
         QVERIFY(isNear(point.u_phase_rad, std::hypot(0.01, 0.5 / std::sqrt(3.0))));
     }
-
-    void band_endsWithTheTable()
-    {
-        ResponseResult result;
-        result.fLow_Hz = 10.0;
-        result.fHigh_Hz = 1e7;
-        endByTable(chain(), BandEnd::Chain, result);
-        QCOMPARE(result.fLow_Hz, 100.0);
-        QCOMPARE(result.fHigh_Hz, 1e6);
-        QVERIFY(result.lowEnd == BandEnd::Chain && result.highEnd == BandEnd::Chain);
-        result.fLow_Hz = 200.0;
-        result.lowEnd = BandEnd::Window;
-        endByTable(chain(), BandEnd::Chain, result);
-        QVERIFY(result.lowEnd == BandEnd::Window);
-    }
 };
 
 DYNCAL_TEST(TestChainCorrection)

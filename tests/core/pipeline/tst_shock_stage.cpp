@@ -156,6 +156,25 @@ private slots:
             QVERIFY(finding.id != "SHK-013");
     }
 
+    void correlationWithoutUse_isTold()
+    {
+        ResultCache cache;
+        Recipe recipe;
+        recipe.uncertainty.budget = {{"t1_k", 0.3}, {"p1_pa", 50.0}};
+        recipe.uncertainty.correlations
+            = {{"t1_k", "p1_pa", 0.5}, {"t1_k", "gamma", 0.5}, {"p1_pa", "p1_pa", 0.5}};
+        const auto results = runPipeline(m_set, recipe, cache, StageId::Shock).results;
+        QStringList sentences;
+        for (const Finding &finding : results.shock->findings)
+            if (finding.id == "SHK-013")
+                sentences << QString::fromStdString(english(finding.message));
+        QCOMPARE(sentences.size(), qsizetype(2));
+        QVERIFY(sentences[0].contains("'gamma'") && sentences[1].contains("'p1_pa' with 'p1_pa'"));
+        for (const BudgetLine &line : results.shock->shots[0].uncertainty->budget.lines)
+            for (const Correlation &one : line.input.correlated)
+                QVERIFY(one.quantity != line.input.quantity);
+    }
+
     void uShapedQuantity_isDrawnAndNamedSo()
     {
         ResultCache cache;

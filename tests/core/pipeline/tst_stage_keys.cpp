@@ -228,6 +228,9 @@ void TestStageKeys::recipeChange_movesTheStageThatReadsItAndAllLater_data()
     row("uncertainty.trials", StageId::MonteCarlo,
         [](Recipe &r) { r.uncertainty.monteCarloTrials = 0; });
     row("uncertainty.seed", StageId::MonteCarlo, [](Recipe &r) { r.uncertainty.seed = 2; });
+    row("uncertainty.correlations", shock, [](Recipe &r) {
+        r.uncertainty.correlations = {{"p1_pa", "t1_k", 0.5}};
+    });
     row("uncertainty.budget", shock, [](Recipe &r) {
         r.uncertainty.budget = {{"p1_pa", 50.0, "normal", {}}};
     });

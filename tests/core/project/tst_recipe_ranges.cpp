@@ -32,6 +32,7 @@ const std::map<std::string, const char *> kElements{
     {"realization.nuisance_modes", R"({"frequency_hz": 1, "reason": "x"})"},
     {"realization.candidate_notes", R"({"order": 3, "note": "x"})"},
     {"uncertainty.budget", R"({"quantity": "a", "u": 1})"},
+    {"uncertainty.correlations", R"({"quantity": "p1_pa", "with": "t1_k", "r": 0.5})"},
     {"uncertainty.cmc", R"({"of": "f0_hz", "expanded": 1})"},
     {"profile", R"({"name": "a", "version": "1", "sha256": "b", "sections": {}})"},
     {"acknowledge", R"({"finding": "a", "reason": "x"})"},

@@ -142,6 +142,7 @@ private slots:
             {"uncertainty.budget",
                 R"({"quantity": "a", "u": 1, "distribution": "normal", "dof": null,
                     "certificate": null, "due": null})"},
+            {"uncertainty.correlations", R"({"quantity": "p1_pa", "with": "t1_k", "r": 0})"},
             {"uncertainty.cmc",
                 R"({"of": "f0_hz", "expanded": 1, "relative": true, "from_hz": 0, "to_hz": null})"},
             {"acknowledge", R"({"finding": "a", "shot": 0, "reason": "x"})"},
@@ -163,7 +164,7 @@ private slots:
             QVERIFY2(accepted == (row.defaultText != "needed"), qPrintable(row.key));
             ++checked;
         }
-        QCOMPARE(checked, 41);
+        QCOMPARE(checked, 44);
     }
 
     void example_isARecipe()

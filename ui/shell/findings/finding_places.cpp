@@ -102,6 +102,8 @@ constexpr std::pair<std::string_view, FindingPlace> kPlaces[]{
     {"MOD-017", {Page::Model, "poleTable"}},
     {"RSP-001", {Page::Model, "magnitudePlot"}},
     {"RSP-002", {Page::Shock, "sensitivityTable"}},
+    {"RSP-006", {Page::Model, "magnitudePlot"}},
+    {"RSP-007", {Page::Model, "magnitudePlot"}},
     {"UNC-001", {Page::Uncertainty, "uncertaintyResult"}},
     {"UNC-002", {Page::Uncertainty, "budgetTable"}},
     {"PRJ-001", {Captures, "shotTable"}},

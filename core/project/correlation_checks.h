@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Dyncal authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+
+#pragma once
+
+#include "core/base/result.h"
+#include "core/shock/uncertainty_settings.h"
+
+namespace dyncal {
+
+/// Whether uncertainty.correlations are possible: each pair once, and together a matrix that errors
+/// can have (no negative eigenvalue). Fails (Usage). One that the budget has no use for is SHK-013.
+Result<void> checkCorrelations(const UncertaintySettings &settings);
+
+} // namespace dyncal
