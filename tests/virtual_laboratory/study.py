@@ -91,7 +91,7 @@ def parse(argv):
     parser.add_argument("--program", help="dyncal as built; needed unless --only-table")
     parser.add_argument("--seeds", type=int, help="runs per condition (each study has its own default)")
     parser.add_argument("--first-seed", type=int, default=0)
-    parser.add_argument("--only", nargs="*", help="only these conditions")
+    parser.add_argument("--only", nargs="*", help="only these conditions, or effects of unmodelled")
     parser.add_argument("--processes", type=int, default=2)
     parser.add_argument("--keep", help="folder where captures and results stay")
     parser.add_argument("--json", help="every run as JSON")

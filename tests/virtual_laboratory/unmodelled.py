@@ -62,7 +62,7 @@ def wanted(name, count):
 
 def study(arguments, count=20):
     parts = []
-    for effect in EFFECTS:
+    for effect in (e for e in EFFECTS if not arguments.only or e in arguments.only):
         lines = runs.collect(arguments, f"unmodelled {effect}", Run(effect), coverage.CELLS, count)
         parts.append(f"### {effect}\n\n" + held_table.table(lines, coverage.CELLS, coverage.LABELS, wanted)
                      + "\n\n" + coverage.cautions(lines))
