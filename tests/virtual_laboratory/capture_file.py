@@ -89,13 +89,14 @@ def recipe(lab):
 
 def truth(lab, records, name, seed):
     f0, zeta, _ = lab.dut.modes[0]
-    s = lab.dut.sensitivity * dut_system(lab.dut, with_heat=False).response(TRUTH_FREQUENCIES)
+    s = lab.dut.sensitivity * dut_system(lab.dut, disturbed=False).response(TRUTH_FREQUENCIES)
     gas = driven(lab)
     return {"condition": name, "seed": seed, "causes": lab.causes, "size": lab.size,
             "operator": lab.operator, "judge_shot": lab.judge_shot,
             "sensitivity": lab.dut.sensitivity, "f0_hz": f0, "zeta": zeta, "modes": lab.dut.modes,
             "lag_hz": lab.dut.lag_hz, "heat": lab.dut.heat, "ac_s": lab.dut.ac_s, "echo": lab.dut.echo,
-            "front": lab.dut.front, "attenuation_per_m": lab.attenuation, "p1_pa": lab.p1, "t1_k": lab.t1,
+            "front": lab.dut.front, "mount": lab.dut.mount, "attenuation_per_m": lab.attenuation,
+            "attenuation_law": lab.attenuation_law, "p1_pa": lab.p1, "t1_k": lab.t1,
             "sound_speed_m_s": gas.sound_speed, "gamma": gas.gamma, "clock": lab.recorder.clock,
             "distances_m": [side.distance_m for side in lab.sides],
             "response": {"frequency_hz": TRUTH_FREQUENCIES.tolist(), "re": s.real.tolist(),

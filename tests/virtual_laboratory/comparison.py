@@ -6,16 +6,13 @@ Everything that the budget knows is drawn. Two tables: the response against the 
 the shock (sensors and shots as in `coverage`), and both ways on the same shots with a good step, where the
 certificate of the reference is right, or wrong by 3 %.
 """
-import json
-import tempfile
-from concurrent.futures import ProcessPoolExecutor
-from pathlib import Path
-
 import numpy as np
 
-from . import capture_file, coverage, laboratory, make, runner, switches
+from . import coverage, held_table, make, readings, runner, runs, switches
 
 U_CERTIFIED, U_DELAY_s, WRONG = 0.003, 50e-9, 0.03
+CERTIFICATES = [0.0, WRONG, -WRONG]
+CAUGHT, AGREE, ENOUGH = 0.9, 0.95, 0.8  # shares; ENOUGH of fewer than 200 runs
 GOOD_GAIN = 0.002 / np.sqrt(3)  # u of each chain where both ways are compared
 
 
@@ -30,8 +27,7 @@ def with_reference(lab, rng, gain):
 
 
 def against_transducer(cell, rng):
-    sensor, shots = cell % len(coverage.SENSORS), coverage.SHOTS[cell // len(coverage.SENSORS)]
-    lab = with_reference(coverage.drawn(sensor, shots, rng), rng, coverage.GAIN)
+    lab = with_reference(coverage.drawn(*coverage.of_cell(cell), rng), rng, coverage.GAIN)
     lab.noted.recipe["response"] = {"reference": "transducer"}
     return lab
 
@@ -51,46 +47,39 @@ def both_ways(wrong, rng):
     return lab
 
 
-def calibrated(program, lab, name, seed):
-    with tempfile.TemporaryDirectory(prefix="virtual_laboratory_") as folder:
-        records = laboratory.perform(lab, make.generator(name + " records", seed))
-        capture_file.write(folder, lab, records, name, seed)
-        truth = json.loads((Path(folder) / "truth.json").read_text("utf-8"))
-        return runner.calibrate(program, Path(folder))[1], truth
+def covered(program, cell, seed):
+    name = f"comparison_{cell}"
+    lab = against_transducer(cell, make.generator(name, seed))
+    return coverage.judged(*runner.perform(program, lab, name, seed))
 
 
-def covered(arguments):
-    program, cell, seed = arguments
-    lab = against_transducer(cell, make.generator(f"comparison_{cell}", seed))
-    results, truth = calibrated(program, lab, f"comparison_{cell}", seed)
-    return cell, coverage.ratios(results, truth) if results and results.get("response") else None
-
-
-def agreed(arguments):
-    program, wrong, seed = arguments
+def agreed(program, wrong, seed):
     name = f"both_ways_{wrong:g}"
-    results, _ = calibrated(program, both_ways(wrong, make.generator(name, seed)), name, seed)
-    found = (results or {}).get("comparison") or {}
-    return wrong, found.get("e_n_mean"), found.get("u_difference_relative")
+    results, _ = runner.perform(program, both_ways(wrong, make.generator(name, seed)), name, seed)
+    compared = (results or {}).get("comparison")
+    keys = ("e_n_mean", "u_difference_relative")
+    return {"found": {k: compared.get(k) for k in keys} if compared else None,
+            "build": readings.get(results, "software", "build")}
 
 
-def agreement(arguments, pool, count):
-    by_case = {wrong: [] for wrong in (0.0, WRONG, -WRONG)}
-    seeds = range(arguments.first_seed, arguments.first_seed + count)
-    for wrong, e_n, u in pool.map(agreed, [(arguments.program, w, s) for w in by_case for s in seeds]):
-        by_case[wrong].append((np.nan if e_n is None else e_n, np.nan if u is None else u))
-    lines = ["| certificate of the reference | n | within U | told (CMP-001) | rms of 2 E_n | u of the difference |",
-             "|---|--:|--:|--:|--:|--:|"]
-    for wrong, found in by_case.items():
-        e_n, u = np.array(found).T
-        lines.append(f"| {'right' if not wrong else f'{100 * wrong:+.0f} %'} | {len(e_n)} | "
-                     f"{100 * np.mean(np.abs(e_n) <= 1):.1f} % | {100 * np.mean(np.abs(e_n) > 1):.1f} % | "
-                     f"{2 * np.sqrt(np.nanmean(e_n**2)):.2f} | {100 * np.nanmedian(u):.2f} % |")
-    return "\n".join(lines)
+def agreement(lines):
+    """`lines` of `agreed`; a run without a result does not agree and tells nothing."""
+    rows = ["| certificate of the reference | n | within U | told (CMP-001) | rms of 2 E_n "
+            "| u of the difference | held |",
+            "|---|--:|--:|--:|--:|--:|---|"]
+    for wrong in CERTIFICATES:
+        found = [line.get("found") or {} for line in lines if line["cell"] == wrong]
+        e_n, u = (np.array([f.get(k) for f in found], float) for k in ("e_n_mean", "u_difference_relative"))
+        if len(e_n):
+            within, told = np.mean(np.abs(e_n) <= 1), np.mean(np.abs(e_n) > 1)
+            held = told >= CAUGHT if wrong else within >= (AGREE if len(e_n) >= 200 else ENOUGH)
+            rows.append(f"| {'right' if not wrong else f'{100 * wrong:+.0f} %'} | {len(e_n)} | "
+                        f"{100 * within:.1f} % | {100 * told:.1f} % | {2 * np.sqrt(np.nanmean(e_n**2)):.2f} | "
+                        f"{100 * np.nanmedian(u):.2f} % | {'yes' if held else 'NO'} |")
+    return "\n".join([runs.head(lines, CERTIFICATES), "", *rows]) if lines else "no runs"
 
 
 def study(arguments, count=50):
-    count = arguments.seeds or count
-    with ProcessPoolExecutor(arguments.processes) as pool:
-        table = coverage.table(arguments, pool, covered, count)
-        return table + "\n\n" + agreement(arguments, pool, count)
+    lines = runs.collect(arguments, "comparison", covered, coverage.CELLS, count)
+    both = runs.collect(arguments, "both_ways", agreed, CERTIFICATES, count)
+    return held_table.table(lines, coverage.CELLS, coverage.LABELS) + "\n\n### both ways\n\n" + agreement(both)

@@ -6,20 +6,24 @@ Three sensors, three and six shots: six cells. Of each run: sensitivity, f0, zet
 and S(f) at up to twelve frequencies, amplitude and phase, against the truth itself (not, as in the
 other studies, relative to the true step).
 """
-import json
-import tempfile
-from concurrent.futures import ProcessPoolExecutor
-from pathlib import Path
+from collections import Counter
 
 import numpy as np
 
-from . import capture_file, laboratory, make, readings, runner, switches
+from . import held_table, judge, make, readings, runner, runs, switches
 from .studies_conditions import ATTENUATION
 
 SENSORS = ((318e3, 0.02), (120e3, 0.05), (200e3, 0.4))
 SHOTS = (3, 6)
+CELLS = list(range(len(SENSORS) * len(SHOTS)))
+LABELS = [f"{f / 1e3:.0f} kHz, {z}, {n} shots" for n in SHOTS for f, z in SENSORS]
 ROWS = 12
 GAIN, LINEARITY, MOUNTING, CLOCK, FRONT_s = 0.005, 0.001, 0.001, 50e-6, 100e-9  # what is not stated
+
+
+def of_cell(cell):
+    """The number of its sensor, and its shots."""
+    return cell % len(SENSORS), SHOTS[cell // len(SENSORS)]
 
 
 def drawn(sensor, shots, rng):
@@ -72,41 +76,26 @@ def ratios(results, truth):
     return {name: [v for v in values if v is not None] for name, values in found.items()}
 
 
-def one(arguments):
-    program, cell, seed = arguments
-    sensor, shots = cell % len(SENSORS), SHOTS[cell // len(SENSORS)]
+def judged(results, truth):
+    """What a line of `runs` has of one run."""
+    answered = results and results.get("response")
+    return {"found": ratios(results, truth) if answered else None,
+            "build": readings.get(results, "software", "build"),
+            "cautions": sorted({f["id"] for f in judge.cautions(results or {})})}
+
+
+def one(program, cell, seed):
+    sensor, shots = of_cell(cell)
     name = f"coverage_{sensor}_{shots}"
-    with tempfile.TemporaryDirectory(prefix="virtual_laboratory_") as folder:
-        lab = drawn(sensor, shots, make.generator(name, seed))
-        records = laboratory.perform(lab, make.generator(name + " records", seed))
-        capture_file.write(folder, lab, records, name, seed)
-        truth = json.loads((Path(folder) / "truth.json").read_text("utf-8"))
-        results = runner.calibrate(program, Path(folder))[1]
-        return cell, ratios(results, truth) if results and results.get("response") else None
+    return judged(*runner.perform(program, drawn(sensor, shots, make.generator(name, seed)), name, seed))
 
 
-def table(arguments, pool, run, count):
-    """`run`: of (program, cell, seed), the cell and its ratios."""
-    seeds = range(arguments.first_seed, arguments.first_seed + count)
-    tasks = [(arguments.program, cell, seed) for cell in range(len(SENSORS) * len(SHOTS)) for seed in seeds]
-    cells = {}
-    for cell, found in pool.map(run, tasks):
-        for name, values in (found or {"no result": [1.0]}).items():
-            cells.setdefault(name, {}).setdefault(cell, []).extend(values)
-    head = " | ".join(f"{f / 1e3:.0f} kHz, {z}, {n} shots" for n in SHOTS for f, z in SENSORS)
-    lines = [f"{len(seeds)} runs in each of {len(SENSORS) * len(SHOTS)} cells, % within U", "",
-             f"| quantity | n | all | {head} | rms z |", "|---|--:|--:|" + "--:|" * 7]
-    for name, by_cell in cells.items():
-        everything = np.concatenate([by_cell[c] for c in by_cell if by_cell[c]] or [[]])
-        if len(everything):
-            def share(values):
-                return f"{100 * np.mean(np.abs(values) <= 1):.1f}" if len(values) else "–"
-            each = " | ".join(share(by_cell.get(c, [])) for c in range(len(SENSORS) * len(SHOTS)))
-            rms = 1.96 * np.sqrt(np.mean(np.square(everything)))
-            lines.append(f"| {name} | {len(everything)} | {share(everything)} | {each} | {rms:.2f} |")
-    return "\n".join(lines)
+def cautions(lines):
+    """How many runs have each caution."""
+    tally = Counter(caution for line in lines for caution in line.get("cautions") or [])
+    return "Cautions, in runs: " + (", ".join(f"{c} {n}" for c, n in sorted(tally.items())) or "none")
 
 
 def study(arguments, count=50):
-    with ProcessPoolExecutor(arguments.processes) as pool:
-        return table(arguments, pool, one, arguments.seeds or count)
+    lines = runs.collect(arguments, "coverage", one, CELLS, count)
+    return held_table.table(lines, CELLS, LABELS)

@@ -30,16 +30,18 @@ class Record:
     p4_pa: float
 
 
-def dut_system(dut, with_heat=True):
-    """Unit sensitivity; without the heat it is what S(f) is of."""
+def dut_system(dut, disturbed=True):
+    """Unit sensitivity; undisturbed by heat and mount it is what S(f) is of."""
     modes = response.parallel([response.mode(*m) for m in dut.modes])
     total = sum(m[2] for m in dut.modes)
     modes.C = modes.C / total
     system = response.series(response.lag(dut.lag_hz), modes) if dut.lag_hz else modes
     if dut.ac_s:
         system = response.series(response.ac_coupling(dut.ac_s), system)
-    for share, tau in dut.heat if with_heat else []:
+    for share, tau in dut.heat if disturbed else []:
         system = response.series(response.heat(share, tau), system)
+    if dut.mount and disturbed:
+        system = response.series(response.mount(*dut.mount), system)
     return system
 
 
@@ -101,7 +103,8 @@ def perform_shot(laboratory, plan, rng):
     """Volts and pascals on the true clock; the counts come when the ranges of all shots are known."""
     gas, rec = driven(laboratory), laboratory.recorder
     state = waves.shock(plan.velocity, gas, laboratory.p1)
-    travel = waves.Travel(plan.velocity, laboratory.attenuation)
+    travel = waves.Travel(plan.velocity, laboratory.attenuation, laboratory.attenuation_law,
+                          laboratory.driven_length)
     interval = 1 / (rec.rate_hz * (1 + rec.clock))
     count = int(round(rec.duration_s * rec.rate_hz))
     # The trigger is the first side sensor, which the shock passes within 20 us of it.

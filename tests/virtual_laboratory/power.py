@@ -6,10 +6,8 @@ A clean run with the same seed says what u a check has; the same calibration is 
 of `size` times that u, in the quantity that the check is of.
 """
 import copy
-import tempfile
-from pathlib import Path
 
-from . import capture_file, judge, laboratory, make, runner, switches
+from . import judge, make, runner, switches
 
 SIZES = (0.5, 5.0)
 
@@ -36,13 +34,6 @@ FAULTS = {"velocity": distance, "arrival": distance, "mach": noted_sound_speed, 
           "p5": side_reading, "sensitivity": card, "static": card}
 
 
-def calibrate(program, lab, name, seed):
-    with tempfile.TemporaryDirectory() as folder:
-        records = laboratory.perform(lab, make.generator(name + " records", seed))
-        capture_file.write(folder, lab, records, name, seed)
-        return runner.calibrate(program, Path(folder))[1]
-
-
 def combined(results):
     """Relative combined u of every check, by the word of FAULTS that its `of` holds; the smallest."""
     sizes = {}
@@ -62,12 +53,12 @@ def study(arguments):
     count, tally = arguments.seeds or 200, {}
     for seed in range(arguments.first_seed, arguments.first_seed + count):
         lab = switches.default(make.generator("power", seed), 3)
-        sizes = combined(calibrate(arguments.program, lab, "power", seed))
+        sizes = combined(runner.perform(arguments.program, lab, "power", seed)[0])
         for word, u in sizes.items():
             for size in SIZES:
                 faulty = copy.deepcopy(lab)
                 FAULTS[word](faulty, size * u)
-                found = caught(calibrate(arguments.program, faulty, "power", seed))
+                found = caught(runner.perform(arguments.program, faulty, "power", seed)[0])
                 tally.setdefault((word, size), []).append(found)
         if not sizes:
             return "This version states no checks with an uncertainty."

@@ -1,10 +1,10 @@
 # SPDX-FileCopyrightText: 2026 The Dyncal authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Linear systems and their exact response to pressures made of steps, ramps and relaxations.
+"""Linear systems and their exact response to pressures made of steps, ramps, relaxations and sines.
 
 A system is (A, B, C, D) in real, well-scaled states. The pressure is the output of a generator (a
-level, a slope, one decaying state for every time constant) whose states jump at events. Between events
-the whole obeys x' = A x, so x(t) = e^(A (t - t0)) x(t0): nothing is sampled, filtered or integrated.
+level, a slope, Re(e^(rate t)) for every rate) whose states jump at events. Between events the whole
+obeys x' = A x, so x(t) = e^(A (t - t0)) x(t0): nothing is sampled, filtered or integrated.
 """
 from dataclasses import dataclass, field
 
@@ -47,6 +47,15 @@ def heat(share, tau_s):
     return System(np.array([[-1 / tau_s]]), np.array([1 / tau_s]), np.array([-share]), 1.0)
 
 
+def mount(share, f0_hz, zeta):
+    """1 + share s^2/(s^2 + 2 zeta w s + w^2): what the wall's acceleration adds to the pressure.
+
+    A wall of one mode that the pressure pushes with its area has this acceleration, per area/mass; share
+    is that times the sensor's acceleration sensitivity (Pa per m/s^2)."""
+    wall = mode(f0_hz, zeta)  # its states: w^2/(...) and s w/(...)
+    return System(wall.A, wall.B, -share * np.array([1.0, 2 * zeta]), 1 + share)
+
+
 def series(first, second):
     n = len(first.A)
     A = block_diag(first.A, second.A)
@@ -64,14 +73,26 @@ def parallel(systems):
 class Pressure:
     """Pa over time, 0 before the first event."""
 
-    events: list = field(default_factory=list)  # (time, level, slope, tau or None, of the decaying part)
+    events: list = field(default_factory=list)  # (time, level, slope, rate or None, of the part e^(rate t))
 
     def step(self, time, amount):
         self.events.append((time, amount, 0.0, None, 0.0))
 
     def relax(self, time, amount, tau_s):
         """amount (1 - e^(-t/tau))"""
-        self.events.append((time, amount, 0.0, tau_s, -amount))
+        self.events.append((time, amount, 0.0, -1 / tau_s, -amount))
+
+    def exponential(self, time, amount, rise_s):
+        """amount (1 - e^(-t/tau)) with this rise from 10 to 90 %, tau before `time` on: its mean lies there."""
+        tau = rise_s / np.log(9)
+        self.relax(time - tau, amount, tau)
+
+    def half_sine(self, time, amount, rise_s):
+        """amount (1 - cos(pi t/T))/2 over T, with this rise from 10 to 90 %; its middle at `time`."""
+        duration = rise_s * np.pi / (np.arccos(-0.8) - np.arccos(0.8))
+        rate = 1j * np.pi / duration
+        self.events.append((time - duration / 2, amount / 2, 0.0, rate, -amount / 2))
+        self.events.append((time + duration / 2, amount / 2, 0.0, rate, -amount / 2))
 
     def ramp(self, time, amount, duration):
         """Linear, its middle at `time`."""
@@ -90,18 +111,35 @@ class Pressure:
         if kind == "none" or duration <= 0:
             self.step(time, amount)
         else:
-            {"ramp": self.ramp, "tilt": self.sweep}[kind](time, amount, duration)
+            {"ramp": self.ramp, "tilt": self.sweep, "exponential": self.exponential,
+             "half_sine": self.half_sine}[kind](time, amount, duration)
 
 
-def with_generator(system, taus):
-    """A and output of generator and system joined; states: level, slope, decays, system."""
-    m, n = 2 + len(taus), len(system.A)
+def of_rate(rate):
+    """States whose first is Re(e^(rate t)): one, or two where the rate is complex."""
+    rate = complex(rate)
+    full = np.array([[rate.real, -rate.imag], [rate.imag, rate.real]])
+    return full if rate.imag else full[:1, :1]
+
+
+def places(rates):
+    """Where each rate's states begin in the generator, and the number of its states."""
+    found, after = {}, 2
+    for rate in rates:
+        found[rate], after = after, after + len(of_rate(rate))
+    return found, after
+
+
+def with_generator(system, rates):
+    """A and output of generator and system joined; states: level, slope, those of the rates, system."""
+    (begins, m), n = places(rates), len(system.A)
     A = np.zeros((m + n, m + n))
     A[0, 1] = 1
     drive = np.zeros(m)
     drive[0] = 1
-    for i, tau in enumerate(taus):
-        A[2 + i, 2 + i], drive[2 + i] = -1 / tau, 1
+    for rate, i in begins.items():
+        block = of_rate(rate)
+        A[i:i + len(block), i:i + len(block)], drive[i] = block, 1
     A[m:, m:] = system.A
     A[m:, :m] = np.outer(system.B, drive)
     return A, np.concatenate([system.D * drive, system.C])
@@ -118,15 +156,15 @@ def powers(A, x, count, interval):
 def sampled(system, pressure, start, interval, count):
     """The system's output at start + k interval, exactly; shape (count,)."""
     events = sorted(pressure.events, key=lambda event: event[0])
-    taus = sorted({event[3] for event in events if event[3]})
-    A, output = with_generator(system, taus)
+    rates = sorted({event[3] for event in events if event[3]}, key=lambda r: (complex(r).real, complex(r).imag))
+    begins, (A, output) = places(rates)[0], with_generator(system, rates)
     x, now, values = np.zeros(len(A)), events[0][0] if events else start, np.zeros(count)
-    for i, (time, level, slope, tau, decay) in enumerate(events):
+    for i, (time, level, slope, rate, part) in enumerate(events):
         x, now = expm(A * (time - now)) @ x, time
         x[0] += level
         x[1] += slope
-        if tau:
-            x[2 + taus.index(tau)] += decay
+        if rate:
+            x[begins[rate]] += part
         until = events[i + 1][0] if i + 1 < len(events) else np.inf
         first = max(0, int(np.ceil((time - start) / interval)))
         last = count if np.isinf(until) else min(count, int(np.ceil((until - start) / interval)))

@@ -10,7 +10,7 @@ import time
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
-from . import judge, make
+from . import capture_file, judge, laboratory, make
 
 
 def calibrate(program, folder, extra=()):
@@ -22,6 +22,20 @@ def calibrate(program, folder, extra=()):
     results = folder / "out" / "results.json"
     content = json.loads(results.read_text("utf-8")) if results.exists() else None
     return done.returncode, content, done.stderr.strip()[-400:]
+
+
+def perform(program, lab, name, seed):
+    """results.json and truth of one calibration in this laboratory; the chance is that of name and seed.
+
+    RuntimeError where the program could not be run or was killed: that is no answer of its."""
+    with tempfile.TemporaryDirectory(prefix="virtual_laboratory_") as folder:
+        records = laboratory.perform(lab, make.generator(name + " records", seed))
+        capture_file.write(folder, lab, records, name, seed)
+        truth = json.loads((Path(folder) / "truth.json").read_text("utf-8"))
+        code, results, words = calibrate(program, Path(folder))
+        if code < 0 or code >= 126:
+            raise RuntimeError(f"{program} ended with {code}: {words}")
+        return results, truth
 
 
 def one(program, name, seed, keep=None):

@@ -6,18 +6,20 @@ python3 -m virtual_laboratory.study --program build-release/app/dyncal [STUDY...
 """
 import argparse
 import json
+import shutil
 import sys
 from pathlib import Path
 
-from . import comparison, coverage, orders, power, readings, runner, studies_conditions as sc, tables
+from . import (comparison, coverage, orders, power, readings, runner, studies_conditions as sc, tables,
+               unmodelled)
 from .conditions_laboratory import CONDITIONS
 
 SPECIAL = {"clean_any", *sc.DRIFT, *sc.STILL, *sc.TUBE, *sc.DAMPING, *sc.NOISE, *sc.FRONT, "bounds_any"}
 ORDINARY = [name for name in CONDITIONS if name not in SPECIAL]
 SHORT = ["heat_slow", "one_velocity_for_all", "gas_recorded", "humidity_recorded", "rate_doubled",
          "temperature_misread", "pressure_misread", "scale_wrong"]
-ALONE = {"power": power, "orders": orders, "coverage": coverage,
-         "comparison": comparison}  # with tables of their own
+RESUMABLE = {"coverage": coverage, "comparison": comparison, "unmodelled": unmodelled}  # with lines of `runs`
+ALONE = {"power": power, "orders": orders, **RESUMABLE}  # with tables of their own
 # conditions, runs each, quantities
 STUDIES = {
     "conditions": (ORDINARY, 40, tables.QUANTITIES),
@@ -63,19 +65,43 @@ def run(name, arguments):
     return records
 
 
+def check(parser, arguments):
+    """Ends with what is wrong."""
+    other = [name for name in arguments.studies if name not in RESUMABLE]
+    unknown = [name for name in other if name not in (*STUDIES, *ALONE)]
+    if unknown:
+        parser.error(f"no study is named {', '.join(unknown)}; there are {', '.join((*STUDIES, *ALONE))}")
+    if (arguments.runs or arguments.only_table) and other:
+        parser.error(f"--runs and --only-table are for {', '.join(RESUMABLE)}, not for {', '.join(other)}")
+    if arguments.only_table and not (arguments.runs and Path(arguments.runs).is_file()):
+        parser.error("--only-table needs --runs with a file that is there")
+    if not arguments.only_table and not shutil.which(arguments.program or ""):
+        parser.error(f"--program must name a program that can be run, not {arguments.program}")
+    if arguments.runs and not arguments.only_table:
+        try:
+            open(arguments.runs, "ab").close()
+        except OSError as problem:
+            parser.error(f"--runs must name a file that can be written: {problem}")
+
+
 def parse(argv):
     parser = argparse.ArgumentParser(prog="virtual_laboratory.study", description=__doc__)
     parser.add_argument("studies", nargs="*", default=["conditions"],
                         help=f"of {', '.join((*STUDIES, *ALONE))}; conditions unless given")
-    parser.add_argument("--program", required=True, help="dyncal as built")
+    parser.add_argument("--program", help="dyncal as built; needed unless --only-table")
     parser.add_argument("--seeds", type=int, help="runs per condition (each study has its own default)")
     parser.add_argument("--first-seed", type=int, default=0)
-    parser.add_argument("--only", nargs="*", help="only these conditions")
+    parser.add_argument("--only", nargs="*", help="only these conditions, or effects of unmodelled")
     parser.add_argument("--processes", type=int, default=2)
     parser.add_argument("--keep", help="folder where captures and results stay")
     parser.add_argument("--json", help="every run as JSON")
+    parser.add_argument("--runs", metavar="FILE", help=f"lines of {', '.join(RESUMABLE)}: what is there is not "
+                        "run again, what is run is appended; the table is of all that it has")
+    parser.add_argument("--only-table", action="store_true", help="runs nothing: the table of --runs")
     parser.add_argument("--strict", action="store_true", help="exit code 1 where the table says NO")
-    return parser.parse_args(argv)
+    arguments = parser.parse_args(argv)
+    check(parser, arguments)
+    return arguments
 
 
 def main(argv=None):
@@ -91,8 +117,16 @@ def main(argv=None):
         print(text[-1] + "\n", flush=True)
     if arguments.json:
         Path(arguments.json).write_text(json.dumps(everything, indent=0) + "\n", encoding="utf-8")
-    return int(arguments.strict and any("| NO" in part for part in text))
+    return int(arguments.strict and any("| NO" in part or "no runs" in part for part in text))
+
+
+def interruptible():
+    try:
+        return main()
+    except KeyboardInterrupt:
+        print("\nInterrupted; with --runs the same command goes on where it was.", file=sys.stderr)
+        return 130
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(interruptible())

@@ -35,7 +35,8 @@ class Dut:
     ac_s: float = None
     heat: list = field(default_factory=list)  # (share, tau)
     echo: list = field(default_factory=list)  # (share, delay)
-    front: tuple = ("none", 0.0)  # kind, duration
+    front: tuple = ("none", 0.0)  # kind, duration (of exponential and half_sine: 10-90 % rise)
+    mount: tuple = None  # share, f0, zeta of the wall that the step shakes (response.mount)
 
 
 @dataclass
@@ -99,7 +100,7 @@ class Laboratory:
     t1: float
     gas: dict  # mole fractions; "air" is dry air
     humidity: float
-    attenuation: float  # per metre
+    attenuation: float  # per metre, by the law below
     sides: list
     dut: Dut
     shots: list
@@ -110,6 +111,7 @@ class Laboratory:
     driver_length: float = 0.97
     driven_length: float = 0.97
     plateau_drop: float = 0.15
+    attenuation_law: str = "linear"  # of waves.LAWS
     reference: Reference = None
     noted: Noted = field(default_factory=Noted)
     causes: list = field(default_factory=list)  # the words that are right for this fault

@@ -7,7 +7,8 @@ import numpy as np
 from scipy.integrate import solve_ivp
 from scipy.signal import lsim, welch
 
-from virtual_laboratory import gases, laboratory, make, recorder, response, switches, waves
+from virtual_laboratory import (coverage, gases, laboratory, make, recorder, response, switches, unmodelled,
+                                waves)
 
 # NACA report 1135, table II (gamma 1.4): M, p2/p1, rho2/rho1, T2/T1.
 NACA = ((1.05, 1.120, 1.084, 1.033), (1.20, 1.513, 1.342, 1.128), (1.50, 2.458, 1.862, 1.320),
@@ -60,6 +61,28 @@ class Waves(unittest.TestCase):
                          rtol=1e-11, atol=1e-13)
         self.assertAlmostEqual(path.y[0, -1], 0.0, delta=1e-9)
         self.assertAlmostEqual(waves.Travel(500.0, 1e-9).time_to_wall(0.8), 0.8 / 500, delta=1e-11)
+
+    def test_other_laws_of_attenuation(self):
+        for a in (0.01, -0.005, 0.3):  # the integrals of dx/W in closed form
+            root, far = np.sqrt(complex(a)), 0.8
+            exact = {"exponential": (1 - np.exp(-a * far)) / a, "early": (np.arctan(root * far) / root).real,
+                     "late": (np.arctanh(root / np.sqrt(1 + a)) - np.arctanh(root * (1 - far) / np.sqrt(1 + a))).real
+                     / (root * np.sqrt(1 + a)).real if a > 0 else None}
+            for law, time in exact.items():
+                if time is not None:
+                    found = waves.Travel(500.0, a, law, 1.0).time_to_wall(far)
+                    self.assertAlmostEqual(found * 500 / time, 1, delta=1e-12)
+        for law in waves.LAWS:
+            whole = waves.Travel(500.0, 0.004, law, 0.97)
+            self.assertEqual(whole.velocity(0.0), 500.0)
+            self.assertAlmostEqual(whole.velocity(0.97), 500 * (1 + 0.004 * 0.97), delta=0.005)
+        slopes = [waves.Travel(1.0, 0.01, law).velocity(1e-6) - 1 for law in ("linear", "early", "late")]
+        for slope, expected in zip(slopes, (1e-8, 0.0, 2e-8)):
+            self.assertAlmostEqual(slope, expected, delta=1e-13)
+
+    def test_a_law_that_is_linear_changes_no_arrival(self):
+        by_sum = waves.Travel(480.0, 0.01, "exponential", 0.97).time_to_wall(0.5)
+        self.assertAlmostEqual(by_sum, waves.Travel(480.0, 0.01).time_to_wall(0.5), delta=0.5 / 480 * 0.01**2)
 
 
 class Gases(unittest.TestCase):
@@ -123,6 +146,58 @@ class Response(unittest.TestCase):
         d, k = np.diff(y), np.arange(len(y) - 1) + 0.5
         by_step = np.exp(-2j * np.pi * f[:, None] * k * 1e-8) @ d / np.sinc(f * 1e-8)
         self.assertLess(np.abs(by_step / system.response(f) - 1).max(), 1e-5)
+
+    def test_fronts_of_another_shape(self):
+        w, zeta, rise, begin = 2 * np.pi * 40e3, 0.2, 8e-6, 3.3e-7
+        t = np.arange(4000) * 1e-8
+        pressures = {}
+        for kind in ("exponential", "half_sine"):
+            pressure = response.Pressure()
+            pressure.front(1e-5 + begin, 2.0, kind, rise)
+            seen = response.sampled(response.mode(1e9, 1.0), pressure, 0.0, 1e-8, len(t))  # the pressure itself
+            low, high = np.interp([0.2, 1.8], seen[:3000], t[:3000])
+            self.assertAlmostEqual((high - low) / rise, 1, delta=2e-3)
+            self.assertAlmostEqual(np.sum(2.0 - seen) * 1e-8 / 2, 1e-5 + begin, delta=4e-8)  # the mean of the front
+            pressures[kind] = response.sampled(response.mode(40e3, zeta), pressure, 0.0, 1e-8, len(t))
+        tau = rise / np.log(9)
+        root = w * (-zeta + 1j * np.sqrt(1 - zeta**2))
+        def by_parts(residues, s):  # sum of r e^(p s): the inverse of a rational function
+            return sum(r * np.exp(p * np.maximum(s, 0)) for p, r in residues).real * (s >= 0)
+        poles = [0.0, -1 / tau, root, root.conjugate()]
+        exact = by_parts([(p, 2 / tau * w**2 / np.prod([p - q for q in poles if q != p])) for p in poles],
+                         t - (1e-5 + begin - tau))
+        self.assertLess(np.abs(pressures["exponential"] - exact).max(), 1e-9)
+        length = rise * np.pi / (np.arccos(-0.8) - np.arccos(0.8))
+        turn = 1j * np.pi / length  # (1 - cos)/2 is (-turn^2/2)/(s (s^2 - turn^2)), twice: the second one later
+        poles = [0.0, turn, -turn, root, root.conjugate()]
+        parts = [(p, -2 * turn**2 / 2 * w**2 / np.prod([p - q for q in poles if q != p])) for p in poles]
+        first = 1e-5 + begin - length / 2
+        exact = by_parts(parts, t - first) + by_parts(parts, t - first - length)
+        self.assertLess(np.abs(pressures["half_sine"] - exact).max(), 1e-9)
+
+    def test_wall_that_the_step_shakes(self):
+        f, zeta, share = 7e3, 0.03, 0.005
+        t, w = np.arange(30000) * 1e-7, 2 * np.pi * 7e3
+        pressure = response.Pressure()
+        pressure.step(2.3e-8, 4e5)
+        y = response.sampled(response.mount(share, f, zeta), pressure, 0.0, 1e-7, len(t)) / 4e5
+        s, damped = t - 2.3e-8, w * np.sqrt(1 - zeta**2)
+        ring = np.exp(-zeta * w * s) * (np.cos(damped * s) - zeta * w / damped * np.sin(damped * s))
+        self.assertLess(np.abs(y - np.where(s >= 0, 1 + share * ring, 0)).max(), 1e-9)
+        force, mass, feels = 3e3, 4.0, 1.2  # a wall of one mode in m/s^2, by its own equation
+        wall = solve_ivp(lambda _, x: [x[1], force / mass - w**2 * x[0] - 2 * zeta * w * x[1]], (0, 1e-3), [0, 0],
+                         t_eval=[0, 1e-4, 5e-4, 1e-3], rtol=1e-11, atol=1e-14)
+        by_wall = feels * (force / mass - w**2 * wall.y[0] - 2 * zeta * w * wall.y[1])
+        at = wall.t
+        closed = np.exp(-zeta * w * at) * (np.cos(damped * at) - zeta * w / damped * np.sin(damped * at))
+        self.assertLess(np.abs(by_wall - feels * force / mass * closed).max(), 1e-4)
+
+    def test_mount_is_in_the_record_and_not_in_the_truth(self):
+        dut = switches.Dut(mount=(0.005, 7e3, 0.03))
+        self.assertTrue(np.array_equal(laboratory.dut_system(dut, disturbed=False).response([7e3]),
+                                       laboratory.dut_system(switches.Dut()).response([7e3])))
+        ratio = laboratory.dut_system(dut).response([7e3]) / laboratory.dut_system(switches.Dut()).response([7e3])
+        self.assertAlmostEqual(abs(ratio[0] - (1 + 0.005j / 0.06)), 0, delta=1e-12)
 
     def test_sweep_is_the_covered_share_of_a_disc(self):
         pressure = response.Pressure()
@@ -188,6 +263,21 @@ class Calibration(unittest.TestCase):
         at = np.interp([0.1, 0.5, 0.9], y[:1200] / (state.p2 - state.p1), passing - 1e-5
                        + interval * np.arange(1200))
         self.assertAlmostEqual((at[1] - passing) / (at[2] - at[0]), 0.6, delta=0.01)
+
+    def test_unmodelled_effects_stay_in_their_ranges(self):
+        for effect in unmodelled.EFFECTS:
+            for seed in range(20):
+                lab = unmodelled.disturbed(effect, seed % 6, make.generator("effects", seed))
+                plain = coverage.drawn(*coverage.of_cell(seed % 6), make.generator("effects", seed))
+                self.assertEqual(lab.attenuation, plain.attenuation)
+                self.assertEqual(lab.noise, plain.noise)
+                if effect == "mounting":
+                    self.assertTrue(7e-5 < abs(lab.dut.mount[0]) < 5.6e-3)
+                    self.assertTrue(2e3 <= lab.dut.mount[1] <= 40e3 and 0.005 <= lab.dut.mount[2] <= 0.05)
+                if effect == "front":
+                    self.assertLessEqual(lab.dut.front[1], 80e-9)
+                    self.assertNotEqual(lab.dut.front[0], "ramp")
+                self.assertEqual(effect == "attenuation", lab.attenuation_law != "linear")
 
     def test_every_condition_makes_a_laboratory(self):
         for name, change in make.CONDITIONS.items():

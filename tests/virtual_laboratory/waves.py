@@ -11,6 +11,7 @@ u + 2a/(gamma4-1), so p4 = p2 (1 - (gamma4-1)/2 u2/a4)^(-2 gamma4/(gamma4-1)).
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.integrate import quad
 
 
 @dataclass(frozen=True)
@@ -60,18 +61,30 @@ def plateau(state, driven_length):
     return meeting * (1 + state.reflected_velocity / state.a5)
 
 
+# W(x)/W by alpha, x m from the end wall and the tube's length; over the tube they all change by about alpha
+# times its length. early: all of it behind the diaphragm, late: before the end wall.
+LAWS = {"linear": lambda alpha, x, length: 1 + alpha * x,
+        "exponential": lambda alpha, x, length: np.exp(alpha * x),
+        "early": lambda alpha, x, length: 1 + alpha * x**2 / length,
+        "late": lambda alpha, x, length: 1 + alpha * (2 * x - x**2 / length)}
+
+
 @dataclass(frozen=True)
 class Travel:
-    """W(x) = W (1 + alpha x), x m from the end wall: positive alpha is a shock that slows down."""
+    """The shock on its way to the end wall: positive alpha (per m) is a shock that slows down."""
 
     end_velocity: float
     alpha: float = 0.0
+    law: str = "linear"
+    length: float = 1.0
 
     def velocity(self, x):
-        return self.end_velocity * (1 + self.alpha * x)
+        return self.end_velocity * LAWS[self.law](self.alpha, x, self.length)
 
     def time_to_wall(self, x):
         """s from x to the end wall: the integral of dx/W."""
         if abs(self.alpha) < 1e-12:
             return x / self.end_velocity
-        return np.log1p(self.alpha * x) / (self.alpha * self.end_velocity)
+        if self.law == "linear":
+            return np.log1p(self.alpha * x) / (self.alpha * self.end_velocity)
+        return quad(lambda y: 1 / self.velocity(y), 0, x, epsabs=0, epsrel=1e-13)[0]
