@@ -48,6 +48,8 @@ def held(u, dof, least):
 
 def with_line(lines, least):
     """Lines (u, dof) by name, and the line `cmc` where there must be one."""
+    if not lines:
+        return lines
     u = np.sqrt(sum(c**2 for c, _ in lines.values()))
     fourth = sum(c**4 / dof for c, dof in lines.values())
     raised = held(u, u**4 / fourth if fourth > 0.0 else np.inf, least)[0]

@@ -38,6 +38,7 @@ class Row:
         """Mean over the shots, about what they have in common; whole turns as `near_rad`."""
         middle = np.angle(np.exp(1j * phases).sum())
         mean = middle + np.mean(np.angle(np.exp(1j * (phases - middle))))
+        near_rad = np.nan if near_rad is None else near_rad  # of a chain without phases there are none
         self.phase = near_rad + np.mod(mean - near_rad + np.pi, 2.0 * np.pi) - np.pi
 
     def multiply(self, known):
@@ -80,6 +81,7 @@ class RowMaker:
     def __init__(self, results, windows, shots, fit, chain):
         at = results["input"]
         self.shots, self.windows, self.chain = shots, windows, chain
+        self.has_phase = chain is None or chain.has_phase
         self.span_s = at["offset_s"] + at["samples"] / at["sample_rate_hz"]
         self.onsets_s = np.array([fit.onset_s(i) for i in range(len(shots))])
         self.u_onset_s = np.sqrt(sum(fit.u_onset_s(i)**2 for i in range(len(shots)))) / len(shots)
@@ -143,6 +145,7 @@ class TransducerRows(RowMaker):
     def __init__(self, results, windows, shots, fit, chain, records, S_ref):
         super().__init__(results, windows, shots, fit, chain)
         self.records, self.S_ref = records, S_ref
+        self.has_phase = self.has_phase and S_ref.has_phase
         settings = results["recipe"]["comparison"]
         self.delay_s = settings["delay_s"]
         stated = settings["u_delay_s"]

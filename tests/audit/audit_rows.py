@@ -83,12 +83,13 @@ def check_section(report, results, name, maker, common, budget=None):
     set_dofs(rows, dofs_of_budget(results, budget, rows) if budget else dofs_of_whole(section, rows))
     set_dofs(marked, dofs_like(section["marked"], marked, rows))
     for title, at, found in ((name, section, rows), (f"{name}.marked", section["marked"], marked)):
+        report.equal(f"{title}: has phases", any(at["phase_rad"][k] is not None for k, _ in found), maker.has_phase)
         check_values(report, at, title, found)
         check_noise(report, title, found)
         check_uncertainties(report, at, title, found, common, Capability(results))
     if budget:
         for k, row in (rows[0], rows[len(rows) // 2], rows[-1]):
-            check_row_lines(report, results, budget, k, row, common)
+            check_row_lines(report, results, budget, k, row, common, maker.has_phase)
     return rows, marked
 
 
@@ -163,12 +164,13 @@ def check_covariance(report, section, title, rows, allowed):
                                [3.0 * share * (one[0] + one[2]) for _, one, share in stated])
 
 
-def check_row_lines(report, results, place, k, row, common):
+def check_row_lines(report, results, place, k, row, common, has_phase):
     """All lines of one row's magnitude and phase."""
     capability = Capability(results)
     own = {(name, None): line for name, line in row.own_lines().items()}
     own.update({one: (c * row.magnitude, np.inf) for one, c in common.items()})
-    for of, lines, value in (("magnitude", own, row.magnitude), ("phase_rad", row.phase_lines(), 1.0)):
+    phase = row.phase_lines() if has_phase else {}
+    for of, lines, value in (("magnitude", own, row.magnitude), ("phase_rad", phase, 1.0)):
         check_lines(report, f"{place}.{of}[{k}]", results["budget"],
                     with_line(lines, capability.least(of, value, row.f_Hz)),
                     lambda quantity: row.allowed if quantity == "noise" else 2e-3)
