@@ -135,9 +135,9 @@ Message shotSensitivityText(const CalibrationResults &results, Index shot)
         return none;
     const auto at = static_cast<std::size_t>(entry - results.response->shots.begin());
     const double u = uOfShot(results.uncertainty.get(), at);
-    return std::isfinite(u)
-        ? printedWithUncertainty(*entry->sensitivity, u, entry->unit, printedCoverage(entry->k))
-        : printed(entry->sensitivity, entry->unit, none);
+    return std::isfinite(u) ? printedWithUncertainty(*entry->sensitivity, u, entry->unit,
+               printedCoverage(kOfShot(results.uncertainty.get(), at)))
+                            : printed(entry->sensitivity, entry->unit, none);
 }
 
 } // namespace dyncal

@@ -132,7 +132,7 @@ void addShotSensitivity(JsonRecord &record, Index shot, const ResultsContext &co
     const UncertaintyReport *report = context.results().uncertainty.get();
     const double u = found ? uOfShot(report, at) : kUnknown;
     record.number("u_sensitivity", u, incomplete);
-    record.number("k_sensitivity", found && std::isfinite(u) ? found->k : kUnknown, incomplete);
+    record.number("k_sensitivity", found ? kOfShot(report, at) : kUnknown, incomplete);
     record.number("u_level_relative", known ? found->uLevel_relative : kUnknown, incomplete);
 }
 

@@ -112,13 +112,9 @@ void holdToCapability(const std::vector<CapabilityEntry> &cmc, const ResponseRes
         holdValue(cmc, *report.sensitivity);
     if (report.sensitivity && isHeld(*report.sensitivity)) // no input makes U smaller then
         std::erase_if(report.findings, [](const Finding &one) { return one.id == "UNC-002"; });
-    for (auto *values : {&report.perLevel, &report.ofModel})
+    for (auto *values : {&report.perLevel, &report.ofShots, &report.ofModel})
         for (ReportedValue &one : *values)
             holdValue(cmc, one);
-    for (std::size_t i = 0; i < report.u_ofShots.size(); ++i)
-        if (report.u_ofShots[i])
-            raise(leastExpanded(cmc, "sensitivity", response.shots[i].sensitivity.value_or(0.0)),
-                *report.u_ofShots[i]);
     holdRows(cmc, response, report.rows);
     if (response.atMarks)
         holdRows(cmc, *response.atMarks, report.rowsAtMarks);

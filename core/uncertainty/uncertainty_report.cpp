@@ -94,12 +94,24 @@ std::optional<CommonLines> commonLines(const ResponseResult &response, const Lin
     return common;
 }
 
-/// Complete: with what the chain adds.
-std::optional<double> completeU(const ShotSensitivity &shot, const Lines &chain)
+/// Complete: with what the chain adds, in the degrees of freedom too.
+ReportedValue shotValue(const ShotSensitivity &shot, const Lines &chain)
 {
+    ReportedValue reported{"sensitivity", shot.sensitivity.value_or(kUnknown), shot.unit};
     if (!shot.u || !shot.sensitivity)
-        return std::nullopt;
-    return std::hypot(*shot.u, *shot.sensitivity * combined(chain).u);
+        return reported;
+    reported.lines = together({directLine("step_and_level", *shot.u, shot.dof)},
+        scaled(chain, std::abs(*shot.sensitivity)));
+    combineLines(reported);
+    return reported;
+}
+
+/// Null where there is none, or where it has no u.
+const ReportedValue *knownShot(const UncertaintyReport *report, std::size_t shot)
+{
+    const bool isKnown
+        = report && shot < report->ofShots.size() && report->ofShots[shot].u.has_value();
+    return isKnown ? &report->ofShots[shot] : nullptr;
 }
 
 /// Why the step of a shot has no u; empty where none can be told.
@@ -167,8 +179,14 @@ double uOfSensitivity(const UncertaintyReport *report)
 
 double uOfShot(const UncertaintyReport *report, std::size_t shot)
 {
-    return report && shot < report->u_ofShots.size() ? report->u_ofShots[shot].value_or(kUnknown)
-                                                     : kUnknown;
+    const ReportedValue *found = knownShot(report, shot);
+    return found ? *found->u : kUnknown;
+}
+
+double kOfShot(const UncertaintyReport *report, std::size_t shot)
+{
+    const ReportedValue *found = knownShot(report, shot);
+    return found ? found->k : kUnknown;
 }
 
 double uOf(const UncertaintyReport *report, const std::string &of)
@@ -195,7 +213,7 @@ UncertaintyReport reportUncertainty(const ModelInput &input, const SensorModel &
     for (const SensitivityMean &level : response.summary.perLevel)
         report.perLevel.push_back(meanValue(level, response.sensitivityUnit, ofLevels));
     for (const ShotSensitivity &shot : response.shots)
-        report.u_ofShots.push_back(completeU(shot, ofLevels));
+        report.ofShots.push_back(shotValue(shot, ofLevels));
     const std::vector<ModelVariation> variations = modelVariations(input, model);
     report.ofModel
         = modelValues(model, assessment, response, variations, input.treatment, report.chain.clock);

@@ -22,7 +22,7 @@ struct UncertaintyReport
 {
     std::optional<ReportedValue> sensitivity; ///< mean over the shots, per pressure
     std::vector<ReportedValue> perLevel; ///< in the order of the summary
-    std::vector<std::optional<double>> u_ofShots; ///< complete u of each shot's sensitivity
+    std::vector<ReportedValue> ofShots; ///< sensitivity of each shot, as in ResponseResult::shots
     std::vector<ReportedValue> ofModel; ///< modelValues()
     RowUncertainty rows;
     RowUncertainty rowsAtMarks; ///< of ResponseResult::atMarks
@@ -32,10 +32,12 @@ struct UncertaintyReport
     const ReportedValue *find(const std::string &of) const; ///< null without it
 };
 
-/// Complete u of the mean sensitivity, of that of a shot (position in ResponseResult::shots), and
-/// of what is reported of the model; unknown where there is none, or no report yet.
+/// Complete u of the mean sensitivity, of that of a shot (position in ResponseResult::shots; with
+/// the k of its degrees of freedom), and of what is reported of the model; unknown where there is
+/// none, or no report yet.
 double uOfSensitivity(const UncertaintyReport *report);
 double uOfShot(const UncertaintyReport *report, std::size_t shot);
+double kOfShot(const UncertaintyReport *report, std::size_t shot);
 double uOf(const UncertaintyReport *report, const std::string &of);
 
 /// The mean of a level (position in SensitivitySummary::perLevel); null where there is none.

@@ -6,19 +6,14 @@ import numpy as np
 from scipy import optimize
 
 
-class Shot:
-    """Raw samples and circumstances of one shot, and what is computed from them."""
+class Record:
+    """Raw samples of a channel, from whose sample nearest to `start_s` its response counts."""
 
-    def __init__(self, group, stated):
-        self.stated = stated
-        self.number = stated["shot"]
-        self.environment = dict(group["environment"].attrs)
-        self.channels = group["channels"]
-        dut = self.channels["DUT"]
-        self.rate_Hz = float(dut.attrs["sample_rate_Hz"])
-        self.t0_s = float(dut.attrs["t0_s"])
-        self.volts = dut[:] * float(dut.attrs["scale"]) + float(dut.attrs["offset"])
-        self.first = round((stated["start_s"] - self.t0_s) * self.rate_Hz)
+    def __init__(self, channel, start_s):
+        self.rate_Hz = float(channel.attrs["sample_rate_Hz"])
+        self.t0_s = float(channel.attrs["t0_s"])
+        self.volts = channel[:] * float(channel.attrs["scale"]) + float(channel.attrs["offset"])
+        self.first = round((start_s - self.t0_s) * self.rate_Hz)
         # The baseline's samples end a guard before the start (docs/method/window.md).
         guard = min(max(self.first // 20, 5), 1000)
         self.quiet = self.volts[max(0, self.first - guard - 20000):self.first - guard]
@@ -30,24 +25,37 @@ class Shot:
         return self.t0_s + sample / self.rate_Hz
 
 
-def columns(rates, t):
-    """Real columns of c0 + sum over the upper halves of Re, Im e^(s t)."""
-    powers = [np.exp(s * t) for s in rates]
-    return np.column_stack([np.ones_like(t)] + [p for e in powers for p in (e.real, -e.imag)])
+class Shot(Record):
+    """The DUT's record and the circumstances of one shot."""
+
+    def __init__(self, group, stated):
+        self.stated = stated
+        self.number = stated["shot"]
+        self.environment = dict(group["environment"].attrs)
+        self.channels = group["channels"]
+        super().__init__(self.channels["DUT"], stated["start_s"])
+
+
+def columns(rate, t, has_level=True):
+    """Real columns of c0 + Re and Im of e^(s t)."""
+    e = np.exp(rate * t)
+    return np.column_stack([np.ones_like(t)] * has_level + [e.real, -e.imag])
 
 
 class JointFit:
     """One damped oscillation shared by all shots; level and amplitudes of each its own."""
 
-    def __init__(self, shots, seconds):
-        """`seconds`: from the start to the last sample, which takes part."""
-        self.shots = shots
+    def __init__(self, shots, seconds, has_level=True):
+        """`seconds`: from the start to the last sample, which takes part. Without a level: a free decay."""
+        self.shots, self.has_level = shots, has_level
+        self.own = 3 if has_level else 2  # parameters of a shot alone
         self.count = [round(seconds * shot.rate_Hz) + 1 for shot in shots]
         self.y = [shot.volts[shot.first:shot.first + n] - shot.stated["baseline"]
                   for shot, n in zip(shots, self.count)]
         self.t = [np.arange(n) / shot.rate_Hz for shot, n in zip(shots, self.count)]
         self.noise = [shot.stated["noise_sd"] for shot in shots]  # see check_levels
         self.rate = self._solve(self._start())
+        self._amplitudes = [self._solve_amplitudes(i) for i in range(len(shots))]
         self._covariance = None
 
     def _start(self):
@@ -62,7 +70,7 @@ class JointFit:
         s = complex(x[0], x[1]) * self.unit
         parts = []
         for y, t, noise in zip(self.y, self.t, self.noise):
-            C = columns([s], t)
+            C = columns(s, t, self.has_level)
             parts.append((y - C @ np.linalg.lstsq(C, y, rcond=None)[0]) / noise)
         return np.concatenate(parts)
 
@@ -73,7 +81,10 @@ class JointFit:
         return complex(x[0], x[1]) * self.unit
 
     def amplitudes(self, i):
-        return np.linalg.lstsq(columns([self.rate], self.t[i]), self.y[i], rcond=None)[0]
+        return self._amplitudes[i]
+
+    def _solve_amplitudes(self, i):
+        return np.linalg.lstsq(columns(self.rate, self.t[i], self.has_level), self.y[i], rcond=None)[0]
 
     def covariance(self):
         if self._covariance is None:
@@ -83,16 +94,16 @@ class JointFit:
     def _solve_covariance(self):
         """(J^T J)^-1 of Re s, Im s, then per shot level, Re and Im of the amplitude; larger where the
         residual is larger than the noise."""
-        n = 2 + 3 * len(self.shots)
+        n, own = 2 + self.own * len(self.shots), self.own
         information = np.zeros((n, n))
         for i, (t, noise) in enumerate(zip(self.t, self.noise)):
             a = self.amplitudes(i)
             e = np.exp(self.rate * t)
-            gain = complex(a[1], a[2])
+            gain = complex(*a[-2:])
             J = np.zeros((len(t), n))
             J[:, 0] = (gain * t * e).real
             J[:, 1] = -(gain * t * e).imag
-            J[:, 2 + 3 * i:5 + 3 * i] = columns([self.rate], t)
+            J[:, 2 + own * i:2 + own * (i + 1)] = columns(self.rate, t, self.has_level)
             information += J.T @ J / noise**2
         residual = self._residual([self.rate.real / self.unit, self.rate.imag / self.unit])
         return np.linalg.inv(information) * max(1.0, residual @ residual / (len(residual) - n))
@@ -126,7 +137,7 @@ class JointFit:
 
     def dof(self):
         """Samples less parameters."""
-        return sum(self.count) - 2 - 3 * len(self.shots)
+        return sum(self.count) - 2 - self.own * len(self.shots)
 
     def resonance(self):
         """f0, zeta, u(f0), u(zeta)."""

@@ -7,8 +7,9 @@ from functools import lru_cache
 import numpy as np
 from scipy import optimize
 
+from audit_capability import Capability, with_line
 from audit_report import relative
-from audit_rows import FRONT_S
+from audit_row import FRONT_S
 from audit_sensitivity import CLOCK_RELATIVE
 
 STEP = 0.1  # of a parameter's u
@@ -106,33 +107,53 @@ def u_of_characteristics(fit, names, f_max):
     return u_by_differences(fit, lambda one: np.array([one.characteristics(f_max)[name] for name in names]))[0]
 
 
-def check_model_uncertainty(report, results, fit):
-    response = results["response"]
-    f, model = np.array(response["frequency_hz"]), np.array(response["model_magnitude"])
+def check_model_rows(report, results, name, fit, sensitivity, u_common, rows, chain):
+    """The model's curve at the rows of results[name] or at the marked ones (`name` "response.marked"), its u, and E_n
+    of the measured against it. `chain`: its table (KnownTable), or None."""
+    section = results[name.split(".")[0]]
+    section = section["marked"] if name.endswith(".marked") else section
+    title, capability = name, Capability(results)
+    f = np.array(section["frequency_hz"])
     own, of_phase, middle = u_of_gain(fit, tuple(f))
+    H = [chain.at(x) if chain else None for x in f]
+    size = np.array([h.magnitude if h else 1.0 for h in H])
+    u_chain = np.array([h.u_relative() if h else 0.0 for h in H])
+    u_chain_phase = np.array([h.u_phase_rad or 0.0 if h else 0.0 for h in H])
+    model = np.array(section["model_magnitude"])
+    # The program weighs the shots' amplitudes by their noise, this the shots alike.
+    gain = np.abs(np.mean([fit.gain(i, f) for i in range(len(fit.shots))], axis=0))
+    report.compare(f"{title}: model's magnitude, largest difference",
+                   np.abs(model * size / sensitivity / gain - 1.0).max(), 0.0, 1e-4)
     front = np.log(middle.behind_front(FRONT_S).gain(f) / middle.gain(f)) / np.sqrt(5.0)
-    u = model * np.sqrt(own**2 + front.real**2 + response["u_common_relative"]**2)
-    report.compare_all("u of the model's magnitude", response["u_model_magnitude"], u, 1e-3 * u)
-    u_phase = np.hypot(of_phase, front.imag)
-    report.compare_all("u of the model's phase (rad)", response["u_model_phase_rad"], u_phase, 2e-3 * u_phase)
-    check_e_n(report, response, model, own * model)
-    check_characteristics(report, results, fit, middle)
+    u = model * np.sqrt(own**2 + front.real**2 + u_common**2 + u_chain**2)
+    u = np.maximum(u, [0.5 * capability.least("magnitude", m, x) for m, x in zip(model, f)])
+    report.compare_all(f"{title}: u of the model's magnitude", section["u_model_magnitude"], u, 1e-3 * u)
+    check_e_n(report, section, title, model, own * model, rows)
+    if chain and not chain.has_phase:
+        report.equal(f"{title}: phases of the model", set(section["u_model_phase_rad"]), {None})
+        return
+    u_phase = np.sqrt(of_phase**2 + front.imag**2 + u_chain_phase**2)
+    u_phase = np.maximum(u_phase, [0.5 * capability.least("phase_rad", 1.0, x) for x in f])
+    report.compare_all(f"{title}: u of the model's phase (rad)", section["u_model_phase_rad"], u_phase, 2e-3 * u_phase)
 
 
-def check_e_n(report, response, model, own):
-    """Both from one noise: the difference has the variance of the one less that of the other, and the bounds."""
-    stated = [k for k, value in enumerate(response["magnitude"]) if value is not None]
-    column = {key: np.array([response[key][k] for k in stated])
+def check_e_n(report, section, title, model, own, rows):
+    """Both from one noise: the difference has the variance of the one less that of the other, the bounds, and what
+    is known of a transducer's sensitivity, which is the measured row's alone."""
+    stated = [k for k, _ in rows]
+    column = {key: np.array([section[key][k] for k in stated])
               for key in ("magnitude", "u_noise_magnitude", "bound_end", "bound_alias", "e_n")}
-    u = np.sqrt(np.abs(column["u_noise_magnitude"]**2 - own[stated]**2)
+    of_reference = np.array([row.lines.get("reference_sensitivity", (0.0, 0.0))[0] for _, row in rows])
+    u = np.sqrt(np.abs(column["u_noise_magnitude"]**2 - own[stated]**2) + of_reference**2
                 + (column["bound_end"]**2 + column["bound_alias"]**2) / 3.0)
     expected = (column["magnitude"] - model[stated]) / (1.959963984540054 * u)
-    report.compare_all("E_n", column["e_n"], expected, 1e-3 * np.abs(expected) + 1e-6)
+    report.compare_all(f"{title}: E_n", column["e_n"], expected, 1e-3 * np.abs(expected) + 1e-6)
 
 
-def check_characteristics(report, results, fit, middle):
+def check_characteristics(report, results, fit):
     """Each value and its lines; of what is stated."""
-    f_max = results["response"]["f_high_hz"]
+    f_max, capability = results["response"]["f_high_hz"], Capability(results)
+    middle = u_of_gain(fit, tuple(results["response"]["frequency_hz"]))[2]
     values = middle.characteristics(f_max)
     names = [one["quantity"] for one in results["characteristics"] if one["quantity"] in values]
     u = u_of_characteristics(fit, tuple(names), 2.0 * f_max)
@@ -140,11 +161,32 @@ def check_characteristics(report, results, fit, middle):
     for name, noise in zip(names, u):
         stated = next(one for one in results["characteristics"] if one["quantity"] == name)
         lines = {line["quantity"]: line["contribution"] for line in results["budget"] if line["of"] == name}
-        expected = {"noise": noise, "front_unknown": abs(later[name] - values[name]) / np.sqrt(5.0)}
+        front = abs(later[name] - values[name]) / np.sqrt(5.0)
+        expected = {"noise": (noise, fit.dof()), "front_unknown": (front, np.inf)}
         if name.endswith(("_hz", "_s")):
-            expected["clock_relative"] = values[name] * CLOCK_RELATIVE
+            expected["clock_relative"] = values[name] * CLOCK_RELATIVE, np.inf
+        expected = with_line(expected, capability.least(name, values[name]))
         # The program weighs the shots' amplitudes by their noise, this the shots alike.
         report.compare(name, stated["value"], values[name], 0.2 * noise + relative(values[name], 1e-9))
         report.equal(f"lines of {name}", sorted(lines), sorted(expected))
-        for quantity, value in expected.items():
+        for quantity in lines:
+            value = expected.get(quantity, (np.nan, 0.0))[0]
             report.compare(f"{name}: {quantity}", lines[quantity], value, relative(value, 2e-3))
+
+
+def check_marks(report, results, fit):
+    """Frequencies of the marked rows: ends of the band; edges and resonance inside it, which with the chain divided
+    out are not those of the curve."""
+    response, marked = results["response"], results["response"]["marked"]
+    low, high = response["f_low_hz"], response["f_high_hz"]
+    middle = u_of_gain(fit, tuple(response["frequency_hz"]))[2]
+    values = middle.characteristics(high)
+    expected = {} if results["chain"] else {key.replace("_hz", ""): values[key] for key in values
+                                            if key.startswith(("within", "minus", "resonance_hz"))}
+    expected.update({"f_low": low, "f_high": high})
+    expected = {name: f for name, f in expected.items() if low <= f <= high}
+    report.equal("marks", sorted(marked["at"]), sorted(expected))
+    for name, f in zip(marked["at"], marked["frequency_hz"]):
+        at = expected.get(name, np.nan)
+        share = 0.0 if name in ("f_low", "f_high") else 1e-4
+        report.compare(f"frequency of the mark {name} (Hz)", f, at, relative(at, share))

@@ -50,9 +50,24 @@ def combined(lines):
     return np.sqrt(variance), variance**2 / fourth if fourth > 0.0 else np.inf
 
 
+@lru_cache(maxsize=None)
 def coverage_factor(dof):
     """Student's, two sides, 95 %."""
     return stats.t.ppf(0.975, dof) if np.isfinite(dof) else stats.norm.ppf(0.975)
+
+
+def check_lines(report, of, budget, lines, share_of):
+    """Every line that is stated against (contribution, degrees of freedom) of the one that belongs there, sign
+    included. `lines`: by quantity or (quantity, shot); `share_of(quantity)`: of a contribution, what is allowed."""
+    lines = {key if isinstance(key, tuple) else (key, None): line for key, line in lines.items()}
+    stated = {(line["quantity"], line["shot"]): line for line in budget if line["of"] == of}
+    report.equal(f"lines of {of}", sorted(map(str, stated)), sorted(map(str, lines)))
+    for place, line in stated.items():
+        expected, dof = lines.get(place, (np.nan, np.nan))
+        name = f"{of}: {place[0]}" + (f", shot {place[1]}" if place[1] else "")
+        report.compare(name, line["contribution"], expected, relative(expected, share_of(place[0])) + 1e-18)
+        if place[0] != "noise":  # how many it has is an estimate
+            report.compare(f"{name}, dof", or_infinite(line["dof"]), dof, 0.0 if np.isinf(dof) else relative(dof, 1e-9))
 
 
 def or_infinite(dof):

@@ -4,55 +4,10 @@
 
 import numpy as np
 
-from audit_report import SHARE, combined, relative, table
-from audit_transform import transform
+from audit_capability import Capability, held, with_line
+from audit_report import SHARE, check_lines, combined, or_infinite, relative, table
 
-FRONT_S = 100e-9  # the longest that nobody states
 OF_NOISE = 1e-3  # of u of the noise, where the program takes the noise for white
-
-
-class Row:
-    """What one frequency should state."""
-
-    def __init__(self, shots, windows, steps_Pa, onsets_s, u_onsets_s, f_Hz, length_s, span_s, near_rad):
-        n = len(shots)
-        one = [transform(shot, window, f_Hz, length_s, span_s, shot.stated["baseline"])
-               for shot, window in zip(shots, windows)]
-        scale = 1.0 / np.array(steps_Pa)
-        S = scale * [t.S for t in one]
-        variance = scale**2 * [t.variance for t in one]
-        self.magnitude = np.mean(np.sqrt(np.maximum(0.0, np.abs(S)**2 - variance)))
-        self.u_noise = np.sqrt(variance.sum()) / n
-        self.exact_u_noise = np.sqrt(np.sum(scale**2 * [t.exact_variance for t in one])) / n
-        self.dof = variance.sum()**2 / sum(v**2 / len(shot.quiet) for v, shot in zip(variance, shots))
-        # The onset counts from the first sample of the sum.
-        behind = np.array([onset - shot.time_s(shot.first - t.before) for onset, shot, t in zip(onsets_s, shots, one)])
-        phases = np.angle(S) + 2.0 * np.pi * f_Hz * behind
-        self.phase = near_rad + np.mean(np.mod(phases - near_rad + np.pi, 2.0 * np.pi) - np.pi)
-        self.u_onset = 2.0 * np.pi * f_Hz * np.sqrt(np.sum(np.square(u_onsets_s))) / n
-        changes = scale @ [t.changes for t in one] / n
-        noise = 2.0 * scale**2 @ [t.of_changes for t in one] / n**2
-        self.bound_end = 1.2 * np.sqrt(max(0.0, np.max(np.abs(changes)**2 - 6.25 * noise)))
-        sinc = np.sinc(min(f_Hz * FRONT_S, 1.0))
-        self.front = self.magnitude * (1.0 - sinc) / np.sqrt(5.0)
-
-    def own_lines(self):
-        """Quantity -> contribution to the magnitude, degrees of freedom. Bounds as stated: that of the end is
-        compared by itself, because what is left of a change that is nearly noise hangs on the noise's estimate."""
-        return {"noise": (self.u_noise, self.dof), "end_of_record": (self.stated_end / np.sqrt(3.0), np.inf),
-                "aliasing": (self.stated_alias / np.sqrt(3.0), np.inf), "drift": (0.0, np.inf),
-                "front_unknown": (self.front, np.inf)}
-
-    def phase_lines(self):
-        lines = {name: (u / self.magnitude, dof) for name, (u, dof) in self.own_lines().items()}
-        del lines["front_unknown"]
-        return {**lines, "onset_s": (self.u_onset, np.inf)}
-
-
-def covariance(row, u_own, u_phase):
-    """var Re, cov, var Im: an ellipse with these half axes along and across, turned by the phase."""
-    half_axes = np.exp(1j * row.phase) * np.array([u_own, 1j * row.magnitude * u_phase])
-    return [np.sum(half_axes.real**2), np.sum(half_axes.real * half_axes.imag), np.sum(half_axes.imag**2)]
 
 
 def allowed_of_noise(row, stated_dof):
@@ -63,93 +18,162 @@ def allowed_of_noise(row, stated_dof):
     return 4.0 / np.sqrt(2.0 * stated_dof)
 
 
-def rows_of(results, folder, shots, fit):
-    """Index of each row that is stated, and what it should be."""
-    response = results["response"]
-    steps_Pa = [stated["step_pa"] for stated in results["shock"]]
-    windows = [len(table(folder / f"response_shot_{s.number:03d}.csv")["value"]) for s in shots]
-    span_s = results["input"]["offset_s"] + results["input"]["samples"] / results["input"]["sample_rate_hz"]
-    onsets_s = [fit.onset_s(i) for i in range(len(shots))]
-    u_onsets_s = [fit.u_onset_s(i) for i in range(len(shots))]
-    dofs = {line["of"]: line["dof"] for line in results["budget"] if line["quantity"] == "noise"}
+def rows_of(report, section, maker):
+    """Index of each row of a section that is stated, and what it should be."""
     rows = []
-    for k, f_Hz in enumerate(response["frequency_hz"]):
-        if response["magnitude"][k] is None:
+    for k, f_Hz in enumerate(section["frequency_hz"]):
+        if section["magnitude"][k] is None:
             continue  # withheld
-        row = Row(shots, windows, steps_Pa, onsets_s, u_onsets_s, f_Hz, response["length_s"][k], span_s,
-                  response["model_phase_rad"][k])
-        row.stated_end, row.stated_alias = response["bound_end"][k], response["bound_alias"][k]
-        row.stated_dof = dofs.get(f"response.magnitude[{k}]")
-        row.allowed = allowed_of_noise(row, row.stated_dof)
+        row = maker.row(f_Hz, section["length_s"][k], section["model_phase_rad"][k])
+        if row is None:
+            report.equal(f"stated at {f_Hz:.6g} Hz, outside of a table", section["magnitude"][k], None)
+            continue
+        row.stated_end, row.stated_alias = section["bound_end"][k], section["bound_alias"][k]
         rows.append((k, row))
     return rows
 
 
-def check_rows(report, results, folder, shots, fit, common):
-    response = results["response"]
-    rows = rows_of(results, folder, shots, fit)
+def set_dofs(rows, dofs):
+    """Degrees of freedom of the rows' noise, as the program has them."""
+    for (_, row), dof in zip(rows, dofs):
+        row.stated_dof = dof
+        row.allowed = allowed_of_noise(row, dof)
 
+
+def dofs_of_budget(results, place, rows):
+    dofs = {line["of"]: line["dof"] for line in results["budget"] if line["quantity"] == "noise"}
+    return [dofs.get(f"{place}.magnitude[{k}]") for k, _ in rows]
+
+
+def shares_of_whole(section, rows):
+    """The noise's degrees of freedom over those of all samples; not a number where other parts decide those of the
+    whole row."""
+    shares = []
+    for k, row in rows:
+        whole = section["u_magnitude"][k]**4 / or_infinite(section["dof"][k])
+        noise = whole - sum(u**4 / dof for u, dof in row.lines.values())
+        shares.append(section["u_noise_magnitude"][k]**4 / noise / row.dof if noise > 0.5 * whole > 0.0 else np.nan)
+    return shares
+
+
+def dofs_of_whole(section, rows):
+    """Where no budget states them: from those of the whole row, the median over five rows, so that no single number
+    that is off changes what is allowed."""
+    shares = shares_of_whole(section, rows)
+    medians = [np.nanmedian(near) if np.isfinite(near).sum() > 2 else 1.0
+               for near in (shares[max(i - 2, 0):i + 3] for i in range(len(shares)))]
+    return [row.dof * (share if share < 0.98 else 1.0) for (_, row), share in zip(rows, medians)]
+
+
+def dofs_like(section, rows, others):
+    """Of the nearest of the others; the row's own where they are much fewer, or where that one's look coloured."""
+    dofs = []
+    for (_, row), own in zip(rows, shares_of_whole(section, rows)):
+        near = min((other for _, other in others), key=lambda other: abs(np.log(other.f_Hz / row.f_Hz)))
+        share = near.stated_dof / near.dof if near.stated_dof else 1.0
+        dofs.append(row.dof * (np.fmin(share, own) if share < 0.98 or own < 0.9 else 1.0))
+    return dofs
+
+
+def check_section(report, results, name, maker, common, budget=None):
+    """Rows of results[name], and those at the marked frequencies. `common`: relative contributions that all rows
+    share; `budget`: what it calls the rows, where it has them. Returns both lists."""
+    section = results[name]
+    rows, marked = rows_of(report, section, maker), rows_of(report, section["marked"], maker)
+    set_dofs(rows, dofs_of_budget(results, budget, rows) if budget else dofs_of_whole(section, rows))
+    set_dofs(marked, dofs_like(section["marked"], marked, rows))
+    for title, at, found in ((name, section, rows), (f"{name}.marked", section["marked"], marked)):
+        report.equal(f"{title}: has phases", any(at["phase_rad"][k] is not None for k, _ in found), maker.has_phase)
+        check_values(report, at, title, found)
+        check_noise(report, title, found)
+        check_uncertainties(report, at, title, found, common, Capability(results))
+    if budget:
+        for k, row in (rows[0], rows[len(rows) // 2], rows[-1]):
+            check_row_lines(report, results, budget, k, row, common, maker.has_phase)
+    return rows, marked
+
+
+def check_noise(report, title, rows):
+    least = min(row.u_noise / row.exact_u_noise for _, row in rows)
+    report.compare(f"{title}: u of the noise over that of all samples", min(1.0, least), 1.0, OF_NOISE)
+    excess = [max(0.0, row.stated_dof / row.dof - 1.0) for _, row in rows if row.stated_dof]
+    report.compare(f"{title}: dof of the noise, more than samples have", max(excess, default=0.0), 0.0, 1e-3)
+
+
+def check_values(report, section, title, rows):
     def compare(name, key, expected, allowed):
         """The last two are functions of a row."""
-        report.compare_all(name, [response[key][k] for k, _ in rows], [expected(row) for _, row in rows],
-                           [allowed(row) for _, row in rows])
+        stated = [(section[key][k], row) for k, row in rows if section[key][k] is not None]
+        if stated:
+            report.compare_all(f"{title}: {name}", [value for value, _ in stated], [expected(row) for _, row in stated],
+                               [allowed(row) for _, row in stated])
 
-    for k, row in rows:
-        # From a magnitude what noise adds to it is taken off, by a variance that is estimated.
-        added = 0.5 * len(shots) * row.u_noise**2 / row.magnitude
-        report.compare(f"magnitude at {response['frequency_hz'][k]:.4g} Hz", response["magnitude"][k], row.magnitude,
-                       relative(row.magnitude, 1e-9) + 3.0 * row.allowed * added)
-    compare("phase (rad)", "phase_rad", lambda row: row.phase, lambda row: 1e-9 + SHARE * row.u_onset)
+    # From a magnitude what noise adds to it is taken off, by a variance that is estimated.
+    compare("magnitude", "magnitude", lambda row: row.magnitude,
+            lambda row: relative(row.magnitude, 1e-9)
+            + 1.5 * row.shots * row.allowed * row.u_noise**2 / row.magnitude)
+    compare("phase (rad)", "phase_rad", lambda row: row.phase, lambda row: 1e-9 + SHARE * row.u_of_fit)
     compare("u of the noise", "u_noise_magnitude", lambda row: row.u_noise, lambda row: row.allowed * row.u_noise)
-    compare("u of noise and onset (rad)", "u_noise_phase_rad",
-            lambda row: np.hypot(row.u_noise / row.magnitude, row.u_onset),
-            lambda row: row.allowed * np.hypot(row.u_noise / row.magnitude, row.u_onset))
+    compare("u of noise and timing (rad)", "u_noise_phase_rad", u_of_noise_phase,
+            lambda row: row.allowed * u_of_noise_phase(row))
     # 6.25 times a change's variance, at most 2 u^2, is taken off its square: an error a of u leaves 5 sqrt(a) u.
     compare("bound of the end", "bound_end", lambda row: row.bound_end,
             lambda row: 0.02 * row.bound_end + 6.0 * np.sqrt(row.allowed) * row.u_noise)
-    least = min(row.u_noise / row.exact_u_noise for _, row in rows)
-    report.compare("u of the noise over that of all samples' parts", min(1.0, least), 1.0, OF_NOISE)
-    excess = [max(0.0, row.stated_dof / row.dof - 1.0) for _, row in rows if row.stated_dof]
-    report.compare("dof of the noise, more than all samples have", max(excess, default=0.0), 0.0, 1e-3)
-    check_uncertainties(report, results, rows, common)
 
 
-def check_uncertainties(report, results, rows, common):
-    """k and the degrees of freedom of the whole: check_every_budget."""
-    response, u_common = results["response"], np.sqrt(sum(c**2 for c in common.values()))
-    report.compare("u that all rows share, relative", response["u_common_relative"], u_common, 2e-4 * u_common)
-    u_all, u_phases, ellipses = [], [], []
-    for k, row in rows:
-        own = list(row.own_lines().values())
-        u_all.append(combined(own + [(c * row.magnitude, np.inf) for c in common.values()])[0])
-        u_phases.append(combined(row.phase_lines().values())[0])
-        ellipses.append(covariance(row, combined(own)[0], u_phases[-1]))
+def u_of_noise_phase(row):
+    return np.hypot(row.u_noise / row.magnitude, row.timing[1])
+
+
+def check_uncertainties(report, section, title, rows, common, capability):
+    """u, degrees of freedom and k of the whole, and the row's own covariance."""
+    u_common = np.sqrt(sum(c**2 for c in common.values()))
+    report.compare(f"{title}: u that all rows share, relative", section["u_common_relative"], u_common, 2e-4 * u_common)
+    columns = {key: [] for key in ("u_magnitude", "dof", "k_magnitude", "u_phase_rad", "k_phase")}
     allowed = np.array([row.allowed for _, row in rows])
-    of_noise = np.array([row.u_noise for _, row in rows]) / u_all  # its share of u decides what is allowed
-    for key, expected, share in (("u_magnitude", u_all, 2e-4 + allowed * of_noise**2),
-                                 ("u_phase_rad", u_phases, allowed)):
-        report.compare_all(key, [response[key][k] for k, _ in rows], expected, share * np.array(expected))
-    sizes = np.array([one[0] + one[2] for one in ellipses])
+    shares = []
+    for k, row in rows:
+        own = combined(list(row.own_lines().values()) + [(c * row.magnitude, np.inf) for c in common.values()])
+        shares.append((row.u_noise / own[0])**2)
+        all_of = held(*own, capability.least("magnitude", row.magnitude, row.f_Hz))
+        of_phase = held(*combined(row.phase_lines().values()), capability.least("phase_rad", 1.0, row.f_Hz))
+        for key, value in zip(columns, (*all_of, of_phase[0], of_phase[2])):
+            columns[key].append(value)
+    # The noise's share of u decides what is allowed; degrees of freedom go with the fourth power.
+    of_dof = np.where(allowed > OF_NOISE, np.inf, 0.01)  # what the octaves leave is not recomputed
+    tolerance = {"u_magnitude": 2e-4 + allowed * shares, "u_phase_rad": allowed, "dof": of_dof,
+                 "k_magnitude": 1e-5 + allowed, "k_phase": 1e-5 + allowed}
+    for key, expected in columns.items():
+        stated = [(or_infinite(section[key][k]), e, t) for (k, _), e, t in zip(rows, expected, tolerance[key])
+                  if section[key][k] is not None or key == "dof"]
+        if stated:
+            values, expected, share = (np.array(column, float) for column in zip(*stated))
+            report.compare_all(f"{title}: {key}", values, expected,
+                               [t if np.isinf(t) else 0.0 if np.isinf(e) else t * abs(e)
+                                for e, t in zip(expected, share)])
+    check_covariance(report, section, title, rows, allowed)
+
+
+def check_covariance(report, section, title, rows, allowed):
+    stated = [(section["covariance_re_im"][k], row.covariance(), share) for (k, row), share in zip(rows, allowed)
+              if section["covariance_re_im"][k][0] is not None]
     for j, name in enumerate(("var Re", "cov(Re, Im)", "var Im")):
-        report.compare_all(name, [response["covariance_re_im"][k][j] for k, _ in rows], [one[j] for one in ellipses],
-                           3.0 * allowed * sizes)
-    for k, row in (rows[0], rows[len(rows) // 2], rows[-1]):
-        check_row_lines(report, results, k, row, common)
+        if stated:
+            report.compare_all(f"{title}: {name}", [value[j] for value, _, _ in stated],
+                               [one[j] for _, one, _ in stated],
+                               [3.0 * share * (one[0] + one[2]) for _, one, share in stated])
 
 
-def check_row_lines(report, results, k, row, common):
+def check_row_lines(report, results, place, k, row, common, has_phase):
     """All lines of one row's magnitude and phase."""
-    expected = {(name, None): u for name, (u, _) in row.own_lines().items()}
-    expected.update({place: c * row.magnitude for place, c in common.items()})
-    phase = {(name, None): u for name, (u, _) in row.phase_lines().items()}
-    for of, lines in ((f"response.magnitude[{k}]", expected), (f"response.phase_rad[{k}]", phase)):
-        stated = {(line["quantity"], line["shot"]): line for line in results["budget"] if line["of"] == of}
-        report.equal(f"lines of {of}", sorted(map(str, stated)), sorted(map(str, lines)))
-        for place, line in stated.items():
-            value = lines.get(place, np.nan)
-            name = f"{of}: {place[0]}" + (f", shot {place[1]}" if place[1] else "")
-            share = row.allowed if place[0] == "noise" else 2e-3
-            report.compare(name, line["contribution"], value, relative(value, share) + 1e-18)
+    capability = Capability(results)
+    own = {(name, None): line for name, line in row.own_lines().items()}
+    own.update({one: (c * row.magnitude, np.inf) for one, c in common.items()})
+    phase = row.phase_lines() if has_phase else {}
+    for of, lines, value in (("magnitude", own, row.magnitude), ("phase_rad", phase, 1.0)):
+        check_lines(report, f"{place}.{of}[{k}]", results["budget"],
+                    with_line(lines, capability.least(of, value, row.f_Hz)),
+                    lambda quantity: row.allowed if quantity == "noise" else 2e-3)
 
 
 COLUMNS = {"var_re": ("covariance_re_im", 0), "cov_re_im": ("covariance_re_im", 1), "var_im": ("covariance_re_im", 2)}

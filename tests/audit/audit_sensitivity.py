@@ -4,7 +4,8 @@
 
 import numpy as np
 
-from audit_report import SHARE, combined, coverage_factor, or_infinite, relative
+from audit_capability import Capability, held, with_line
+from audit_report import SHARE, check_lines, combined, or_infinite, relative
 from audit_shock import shocked
 
 # Unless the recipe states them (docs/method/uncertainty.md, docs/method/shock.md).
@@ -49,23 +50,27 @@ class ShotInputs:
         return (self.sensitivity(move) - self.sensitivity(-move)) / 0.2 / self.sensitivity()
 
 
-def budget_of(shots):
-    """(quantity, shot or None) -> contribution to the plain mean of these shots (docs/method/sensitivity.md)."""
+    def step_lines(self):
+        """(name, is of this shot alone) -> (contribution, relative; degrees of freedom) of the step."""
+        return {(name, own): (self.contribution_relative(k), np.inf)
+                for k, (name, own) in enumerate(zip(self.names, self.is_own))}
+
+
+def budget_of(shots, chain_lowest=None):
+    """(quantity, shot or None) -> (contribution to the plain mean of these shots, degrees of freedom)
+    (docs/method/sensitivity.md). `chain_lowest`: the lowest row of the chain's table, where there is one."""
     n = len(shots)
     mean = np.mean([shot.sensitivity() for shot in shots])
     lines = {}
     for shot in shots:
-        for k, name in enumerate(shot.names):
-            place = (name, shot.shot if shot.is_own[k] else None)
-            lines[place] = lines.get(place, 0.0) + mean * shot.contribution_relative(k) / n
-        lines["level_relative", shot.shot] = shot.u_level_relative * mean / n
-    lines.update({(name, None): u * mean for name, u in CHAIN.items()})
+        for (name, is_own), (c, dof) in shot.step_lines().items():
+            place = (name, shot.shot if is_own else None)
+            lines[place] = lines.get(place, (0.0, dof))[0] + mean * c / n, dof
+        lines["level_relative", shot.shot] = shot.u_level_relative * mean / n, np.inf
+    lines.update({(name, None): (u * mean, np.inf) for name, u in CHAIN.items()})
+    if chain_lowest:
+        lines["chain_relative", None] = chain_lowest.u_relative() * mean, np.inf
     return mean, lines
-
-
-def common_relative(mean, lines):
-    """What every row of S(f) shares: all but the levels' noise."""
-    return {place: c / mean for place, c in lines.items() if place[0] != "level_relative"}
 
 
 def share_of_line(quantity):
@@ -74,41 +79,35 @@ def share_of_line(quantity):
     return 2e-3 if quantity.startswith(("distance_m", "arrival_s", "delay_s")) else 2e-4
 
 
-def check_mean(report, name, stated, mean, lines):
-    u, dof = combined([(c, np.inf) for c in lines.values()])
+def check_mean(report, name, stated, mean, lines, capability):
+    u, dof, k = held(*combined(lines.values()), capability.least("sensitivity", mean))
     report.compare(f"{name} (V/Pa)", stated["value"], mean, relative(mean, 1e-7))
     report.compare(f"u of {name} (V/Pa)", stated["u"], u, relative(u, 2e-4))
-    report.compare(f"dof of {name}", or_infinite(stated["dof"]), dof, 0.0)
-    report.compare(f"k of {name}", stated["k"], coverage_factor(dof), 1e-6)
+    report.compare(f"dof of {name}", or_infinite(stated["dof"]), dof, relative(dof, 1e-3) if dof < np.inf else 0.0)
+    report.compare(f"k of {name}", stated["k"], k, 1e-5)
 
 
-def check_sensitivity(report, results, shots, fit, tube):
-    """Returns what all rows share, relative."""
-    attenuation = results["recipe"]["shock"]["attenuation_per_m"]
-    inputs = [ShotInputs(shot, i, results["shock"][i], fit, tube, attenuation) for i, shot in enumerate(shots)]
-    mean, lines = budget_of(inputs)
+def check_shot(report, one, shot, chain_lowest, capability):
+    value, lines = budget_of([one], chain_lowest)
+    u, _, k = held(*combined(lines.values()), capability.least("sensitivity", value))
+    report.compare(f"shot {one.shot} sensitivity (V/Pa)", shot.stated["sensitivity"], value, relative(value, 1e-7))
+    report.compare(f"shot {one.shot} u(sensitivity)", shot.stated["u_sensitivity"], u, relative(u, 2e-4))
+    report.compare(f"shot {one.shot} k(sensitivity)", shot.stated["k_sensitivity"], k, 1e-5)
+    report.compare(f"shot {one.shot} u(level), relative", shot.stated["u_level_relative"],
+                   one.u_level_relative, relative(one.u_level_relative, SHARE))
+
+
+def check_sensitivity(report, results, inputs, shots, chain_lowest):
+    """`inputs` of each shot: ShotInputs, or those by a transducer. Returns mean and lines."""
+    capability = Capability(results)
+    mean, lines = budget_of(inputs, chain_lowest)
     stated = results["sensitivity"]
-    check_mean(report, "mean sensitivity", stated, mean, lines)
+    check_mean(report, "mean sensitivity", stated, mean, lines, capability)
     for level in stated["per_level"]:
         own = [i for i, shot in zip(inputs, shots) if shot.stated["level"] == level["level"]]
-        check_mean(report, f"sensitivity of level {level['level']}", level, *budget_of(own))
+        check_mean(report, f"sensitivity of level {level['level']}", level, *budget_of(own, chain_lowest), capability)
     for one, shot in zip(inputs, shots):
-        u = combined([(c, np.inf) for c in budget_of([one])[1].values()])[0]
-        report.compare(f"shot {one.shot} u(sensitivity)", shot.stated["u_sensitivity"], u, relative(u, 2e-4))
-        report.compare(f"shot {one.shot} k(sensitivity)", shot.stated["k_sensitivity"], coverage_factor(np.inf), 1e-6)
-        report.compare(f"shot {one.shot} u(level), relative", shot.stated["u_level_relative"],
-                       one.u_level_relative, relative(one.u_level_relative, SHARE))
-        u_onset = one.u[3]
-        report.compare(f"shot {one.shot} u(onset) (s)", shot.stated["u_onset_s"], u_onset, relative(u_onset, SHARE))
-    check_lines(report, "sensitivity", results["budget"], lines)
-    return common_relative(mean, lines)
-
-
-def check_lines(report, of, budget, lines):
-    """Each line that is stated against the one that belongs there, sign included."""
-    stated = {(line["quantity"], line["shot"]): line for line in budget if line["of"] == of}
-    report.equal(f"lines of {of}", sorted(map(str, stated)), sorted(map(str, lines)))
-    for place, line in stated.items():
-        expected = lines.get(place, np.nan)
-        name = f"{of}: {place[0]}" + (f", shot {place[1]}" if place[1] else "")
-        report.compare(name, line["contribution"], expected, relative(expected, share_of_line(place[0])) + 1e-18)
+        check_shot(report, one, shot, chain_lowest, capability)
+    lines_with_cmc = with_line(lines, capability.least("sensitivity", mean))
+    check_lines(report, "sensitivity", results["budget"], lines_with_cmc, share_of_line)
+    return mean, lines

@@ -2,6 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Arrivals, velocity, the pressure step and its uncertainty."""
 
+from functools import lru_cache
+
 import numpy as np
 
 from audit_report import relative
@@ -19,18 +21,19 @@ def shocked(velocity, T1, p1, gamma, molar):
     return p2, p5
 
 
-def side_arrival_s(shot, stated, model_arrival_s):
+@lru_cache(maxsize=None)
+def side_arrival_s(shot, channel, stated_s, model_arrival_s):
     """First crossing of half the incident step, half of the unknown delay taken off, and the delay's u.
 
     The reflected shock is not back yet. The delay lies between 0 and 0.85 of the 10-90 % rise time.
     """
-    side = next(c for n, c in shot.channels.items() if n == stated["channel"])
+    side = shot.channels[channel]
     rate, t0 = float(side.attrs["sample_rate_Hz"]), float(side.attrs["t0_s"])
-    y = side[:] * float(side.attrs["scale"]) + float(side.attrs["offset"])
-    about = round((stated["arrival_s"] - t0) * rate)
+    about = round((stated_s - t0) * rate)
+    until = round((0.5 * (stated_s + model_arrival_s) - t0) * rate)
+    y = side[:until] * float(side.attrs["scale"]) + float(side.attrs["offset"])
     before = y[:about - 1000].mean()
-    until = round((0.5 * (stated["arrival_s"] + model_arrival_s) - t0) * rate)
-    height = y[about + 2000:until].mean()
+    height = y[about + 2000:].mean()
 
     def crossing_s(share):
         level = before + share * (height - before)
@@ -46,7 +49,7 @@ def check_shock(report, results, shots, fit, tube):
         stated = results["shock"][i]
         name = f"shot {shot.number}"
         side = next(a for a in stated["arrivals"] if not a["dut"])
-        arrival, u_delay = side_arrival_s(shot, side, fit.onset_s(i))
+        arrival, u_delay = side_arrival_s(shot, side["channel"], side["arrival_s"], fit.onset_s(i))
         report.compare(f"{name} arrival at the side wall (s)", side["arrival_s"], arrival,
                        3.0 * side["u_arrival_s"])
         report.compare(f"{name} u(delay) (s)", side["u_delay_s"], u_delay, 0.1 * u_delay)
@@ -85,6 +88,3 @@ def check_shock(report, results, shots, fit, tube):
             squares += ((ends[0] - ends[1]) / (2e-4 * state[k]) * u_k)**2
         u_step = np.sqrt(squares)
         report.compare(f"{name} u(step) (Pa)", stated["u_step_pa"], u_step, relative(u_step, 1e-4))
-        sensitivity = fit.amplitudes(i)[0] / (p5 - p1)
-        report.compare(f"{name} sensitivity (V/Pa)", shot.stated["sensitivity"], sensitivity,
-                       relative(sensitivity, 1e-7))

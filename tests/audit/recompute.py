@@ -8,30 +8,37 @@
 Reads the integers of the recording and what the recording says of tube and sensors, and computes with
 numpy and scipy what results.json and the tables state, by other means where there are any: the joint
 least squares by scipy from a spectral peak, the shock relations in their textbook form, uncertainties
-by differences, every row of S(f) by the sum as it is written, budgets line by line, spectra by
-scipy.signal, components by numpy's SVD. What it needs of the recipe is where the response begins and how
-long the model input is. Prints every quantity as stated, as recomputed, and the difference against what
-is allowed; exit code 1 where one is beyond. For step responses of captures in Dyncal's own format, order
-2, white noise, the defaults of the recipe otherwise. Needs Debian's python3-numpy, python3-scipy,
-python3-h5py.
+by differences, every row of S(f) by the sum as it is written, by the step or by a reference transducer,
+with the chain divided out, budgets line by line, the CMC, the statement of conformity, spectra by
+scipy.signal, components by numpy's SVD. What it needs of the recipe is where the response begins, how
+long the model input is, and the tables that it names: they are looked for in FOLDER, beside FOLDER and
+beside the capture, as CSV. Prints every quantity as stated, as recomputed, and the difference against
+what is allowed; exit code 1 where one is beyond. For step responses and free decays of captures in
+Dyncal's own format, order 2, white noise, the recipe's sections chain, comparison, uncertainty.cmc and
+certificate.decision, the defaults otherwise. Needs Debian's python3-numpy, python3-scipy, python3-h5py.
 """
 
 import hashlib
 import json
 import sys
+from functools import lru_cache
 from pathlib import Path
 
 import h5py
 import numpy as np
 from scipy import signal
 
-from audit_budget import check_every_budget, check_resonance_budget
-from audit_fit import JointFit, Shot
-from audit_model import check_model_uncertainty
+from audit_budget import check_delay, check_every_budget, check_resonance_budget, check_sources
+from audit_capability import check_capability
+from audit_comparison import check_comparison
+from audit_conformity import check_conformity
+from audit_model import check_characteristics, check_marks, check_model_rows
 from audit_report import SHARE, Report, relative, table
-from audit_rows import check_csv, check_rows
+from audit_rows import check_csv, check_section
+from audit_run import Run
 from audit_sensitivity import check_sensitivity
 from audit_shock import check_shock
+from audit_transducer import check_settled, common_of_rows, u_common_of_model
 
 
 def check_integrity(report, capture_path, results, shots):
@@ -50,21 +57,26 @@ def check_levels(report, shot):
     report.compare(f"shot {shot.number} baseline (V)", shot.stated["baseline"], shot.quiet.mean(), 1e-9 * noise)
 
 
-def check_model(report, results, shots, fit):
+def check_resonance(report, results, fit):
     stated = results["model"]["poles"][0]
-    covariance = fit.covariance()
     f0, zeta, u_f, u_z = fit.resonance()
     report.compare("f0 (Hz)", stated["frequency_hz"], f0, SHARE * u_f)
     report.compare("u(f0) (Hz)", stated["u_frequency_hz"], u_f, SHARE * u_f)
     report.compare("zeta", stated["damping_ratio"], zeta, SHARE * u_z)
     report.compare("u(zeta)", stated["u_damping_ratio"], u_z, SHARE * u_z)
-    for i, shot in enumerate(shots):
-        u = np.sqrt(covariance[2 + 3 * i, 2 + 3 * i])
-        level = shot.stated["sensitivity"] * results["shock"][i]["step_pa"]
-        report.compare(f"shot {shot.number} plateau (V)", level, fit.amplitudes(i)[0], SHARE * u)
-        report.compare(f"shot {shot.number} onset (s)", shot.stated["onset_s"], fit.onset_s(i),
+
+
+def check_model(report, results, run):
+    for i, shot in enumerate(run.shots):
+        u = np.sqrt(run.fit.covariance()[2 + 3 * i, 2 + 3 * i])
+        level = shot.stated["sensitivity"] * run.steps_Pa()[i]
+        report.compare(f"shot {shot.number} plateau (V)", level, run.fit.amplitudes(i)[0], SHARE * u)
+        report.compare(f"shot {shot.number} onset (s)", shot.stated["onset_s"], run.fit.onset_s(i),
                        SHARE * shot.stated["u_onset_s"])
+        u_onset = run.fit.u_onset_s(i)
+        report.compare(f"shot {shot.number} u(onset) (s)", shot.stated["u_onset_s"], u_onset, relative(u_onset, SHARE))
     # The matrices hold the same model: their steady gain and their poles.
+    stated = results["model"]["poles"][0]
     A, B, C, D = (np.array(results["model"][k]) for k in "ABCD")
     steady = (C @ np.linalg.solve(np.eye(len(A)) - A, B) + D).item()
     report.compare("steady gain of A, B, C, D", steady, results["model"]["plateau_gain"], 1e-9)
@@ -73,9 +85,14 @@ def check_model(report, results, shots, fit):
                    np.abs(s[0]) / (2.0 * np.pi), relative(stated["frequency_hz"], 1e-10))
 
 
-def check_bands(report, results, fit):
+@lru_cache(maxsize=1)
+def gain_of(fit):
     f = np.geomspace(1e3, 1e8, 400001)
-    gain = np.abs(np.mean([fit.gain(i, f) for i in range(len(fit.shots))], axis=0))
+    return f, np.abs(np.mean([fit.gain(i, f) for i in range(len(fit.shots))], axis=0))
+
+
+def check_bands(report, results, fit):
+    f, gain = gain_of(fit)
     for key, leaves in (("within_5_percent_hz", np.abs(gain - 1.0) > 0.05),
                         ("within_10_percent_hz", np.abs(gain - 1.0) > 0.10),
                         ("minus_3_db_hz", gain < np.sqrt(0.5))):
@@ -88,22 +105,13 @@ def check_bands(report, results, fit):
             report.compare(f"{key}", stated, edge, relative(edge, 1e-4))
 
 
-def check_model_response(report, results, shots, fit):
-    response = results["response"]
-    f = np.array(response["frequency_hz"])
-    sensitivity = np.mean([s.stated["sensitivity"] for s in shots])
-    model = sensitivity * np.mean([fit.gain(i, f) for i in range(len(shots))], axis=0)
-    # The program weighs the shots' amplitudes by their noise, this the shots alike.
-    report.compare("model's magnitude, largest difference",
-                   np.abs(np.array(response["model_magnitude"]) / np.abs(model) - 1.0).max(), 0.0, 1e-4)
-
-
-def check_tables(report, folder, results, shots):
+def check_tables(report, folder, results, shots, is_step):
     responses = []
     for i, shot in enumerate(shots):
         name = f"shot {shot.number}"
         y = table(folder / f"response_shot_{shot.number:03d}.csv")["value"]
-        mapped = (shot.volts[shot.first:shot.first + len(y)] - shot.stated["baseline"]) / shot.stated["step"]
+        step = shot.stated["step"] if is_step else 1.0  # a free decay is not divided by one
+        mapped = (shot.volts[shot.first:shot.first + len(y)] - shot.stated["baseline"]) / step
         report.compare(f"{name} remapped response, largest difference", np.abs(y - mapped).max(), 0.0, 1e-12)
         spectrum = table(folder / f"spectrum_shot_{shot.number:03d}.csv")
         f, power = signal.periodogram(y, shot.rate_Hz, detrend="constant")
@@ -124,47 +132,55 @@ def check_tables(report, folder, results, shots):
         report.compare(f"explained by {k + 1} components (%)", share, explained[k], 1e-9)
 
 
-class Recording:
-    """The shots of a capture as a run used them, and the joint fit to them."""
-
-    def __init__(self, capture, results):
-        self.shots = [Shot(capture[f"shots/{s['shot']:03d}"], s) for s in results["shots"] if s["included"]]
-        self.tube = capture["setup/tube"].attrs
-        self.fit = JointFit(self.shots, results["input"]["offset_s"]
-                            + (results["input"]["samples"] - 1) / results["input"]["sample_rate_hz"])
-
-
-def check_results(report, results, folder, recording):
+def check_results(report, results, run):
     """results.json and the table of the response against what the recording gives."""
-    shots, fit, tube = recording.shots, recording.fit, recording.tube
-    for shot in shots:
+    for shot in run.shots:
         check_levels(report, shot)
-    check_model(report, results, shots, fit)
-    check_shock(report, results, shots, fit, tube)
-    common = check_sensitivity(report, results, shots, fit, tube)
-    check_bands(report, results, fit)
-    check_model_response(report, results, shots, fit)
-    check_rows(report, results, folder / "csv", shots, fit, common)
+    check_resonance(report, results, run.fit)
     check_every_budget(report, results)
-    check_resonance_budget(report, results, fit)
-    check_model_uncertainty(report, results, fit)
-    check_csv(report, results, folder / "csv")
+    check_sources(report, results)
+    check_resonance_budget(report, results, run.fit)
+    check_capability(report, results)
+    if run.is_step:
+        check_step_response(report, results, run)
+
+
+def check_step_response(report, results, run):
+    is_by_transducer = results["response"]["source"] == "transducer"
+    check_model(report, results, run)
+    check_shock(report, results, run.shots, run.fit, run.tube)
+    if not is_by_transducer:
+        check_delay(report, results)
+    mean, lines = check_sensitivity(report, results, run.inputs(), run.shots, run.chain_lowest())
+    common = common_of_rows(mean, lines, is_by_transducer)
+    maker = run.transducer_rows if is_by_transducer else run.step_rows
+    both = check_section(report, results, "response", maker, common, "response")
+    for name, found in zip(("response", "response.marked"), both):
+        check_model_rows(report, results, name, run.fit, mean, u_common_of_model(mean, lines), found, run.chain)
+    rows = [row for found in both for _, row in found]
+    check_characteristics(report, results, run.fit)
+    check_marks(report, results, run.fit)
+    check_bands(report, results, run.fit)
+    check_conformity(report, results, run.folder, rows, lines, mean)
+    if run.by_transducer:
+        check_settled(report, run.shots, run.windows)
+        check_comparison(report, results, run)
+    check_csv(report, results, run.folder / "csv")
 
 
 def main():
     if len(sys.argv) != 3:
         sys.exit("usage: recompute.py CAPTURE.h5 FOLDER")
-    folder = Path(sys.argv[2])
-    results = json.loads((folder / "results.json").read_text())
-    if results["input"]["treatment"] != "step-deflated" or results["model"]["order"] != 2:
-        sys.exit("recompute.py serves step responses of order 2; this is "
+    results = json.loads((Path(sys.argv[2]) / "results.json").read_text())
+    if results["input"]["treatment"] not in ("step-deflated", "impulse") or results["model"]["order"] != 2:
+        sys.exit("recompute.py serves step responses and free decays of order 2; this is "
                  f"{results['input']['treatment']} of order {results['model']['order']}.")
     report = Report()
     with h5py.File(sys.argv[1]) as capture:
-        recording = Recording(capture, results)
-        check_integrity(report, sys.argv[1], results, recording.shots)
-        check_results(report, results, folder, recording)
-        check_tables(report, folder / "csv", results, recording.shots)
+        run = Run(report, capture, results, sys.argv[1], sys.argv[2])
+        check_integrity(report, sys.argv[1], results, run.shots)
+        check_results(report, results, run)
+        check_tables(report, run.folder / "csv", results, run.shots, run.is_step)
     print(f"{report.failed} beyond what is allowed")
     return 1 if report.failed else 0
 

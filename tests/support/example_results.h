@@ -378,7 +378,8 @@ inline std::shared_ptr<const UncertaintyReport> uncertaintyOf(const CalibrationR
     for (const SensitivityMean &level : response.summary.perLevel)
         report->perLevel.push_back(ofMean(level));
     for (const ShotSensitivity &shot : response.shots)
-        report->u_ofShots.push_back(shot.u);
+        report->ofShots.push_back(add("sensitivity", shot.sensitivity.value_or(kUnknown),
+            shot.u.value_or(kUnknown), shot.k, unit.c_str()));
     RowUncertainty &rows = report->rows;
     rows.u_magnitude = response.u_magnitude;
     rows.u_phase_rad = response.u_phase_rad;

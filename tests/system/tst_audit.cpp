@@ -23,18 +23,48 @@ private:
 
     PythonAnswer audit(const QString &preset, const QString &script = "recompute.py") const
     {
+        return scriptOf(script, {path(preset + ".h5"), path(preset)});
+    }
+
+    static PythonAnswer scriptOf(const QString &script, const QStringList &arguments)
+    {
         const QDir folder(qEnvironmentVariable("DYNCAL_SOURCE_DIR", ".") + "/tests/audit");
-        return python({folder.filePath(script), path(preset + ".h5"), path(preset)});
+        return python(QStringList{folder.filePath(script)} + arguments);
+    }
+
+    static Answer simulate(const QString &preset, const QString &noise, int seed,
+        const QString &capture, const QStringList &more = {})
+    {
+        return runDyncal(QStringList{"simulate", "--preset", preset, "--noise", noise, "--seed",
+                             QString::number(seed), "-o", capture}
+            + more);
     }
 
     void calibrate(const QString &preset, int seed)
     {
         const QString capture = path(preset + ".h5");
-        QCOMPARE(runDyncal({"simulate", "--preset", preset, "--noise", "0.01", "--seed",
-                               QString::number(seed), "-o", capture})
-                     .exitCode,
-            0);
+        QCOMPARE(simulate(preset, "0.01", seed, capture).exitCode, 0);
         QVERIFY(runDyncal({"run", capture, "-o", path(preset)}).exitCode <= 1);
+    }
+
+    /// Recordings, tables and recipes of tests/audit/cases.py: a DUT with a reference transducer
+    /// beside it, and a free decay.
+    bool makeCases()
+    {
+        const QStringList brief{"--duration-s", "0.006"};
+        return QFile::exists(path("both.h5"))
+            || (simulate("optic3", "0.01", 3, path("dut.h5"), brief).exitCode == 0
+                && simulate("optic1", "0.002", 3, path("reference.h5"), brief).exitCode == 0
+                && scriptOf("cases.py", {path("dut.h5"), path("reference.h5"), m_folder.path()})
+                       .ran);
+    }
+
+    Answer runCase(const QString &capture, const QString &name)
+    {
+        if (!makeCases())
+            return {};
+        return runDyncal(
+            {"run", path(capture), "--recipe", path(name + ".json"), "-o", path(name)});
     }
 
 private slots:
@@ -69,7 +99,74 @@ private slots:
             calibrate("optic3", 4);
         const PythonAnswer answer = audit("optic3", "moved_numbers.py");
         QVERIFY2(answer.ran, answer.out + answer.err);
-        QVERIFY2(answer.out.count("\nok ") >= 25, answer.out);
+        QVERIFY2(answer.out.count("\nok ") >= 45, answer.out);
+    }
+
+    /// Comparison by table and by model, chain, CMC relative and absolute, each decision rule, free
+    /// decay: everything recomputed, and numbers told that were moved whose names have one of the
+    /// words.
+    void everySection_isRecomputed_andTellsMovedNumbers_data()
+    {
+        QTest::addColumn<QString>("capture");
+        QTest::addColumn<QStringList>("said");
+        QTest::addColumn<QStringList>("words");
+        QTest::addColumn<int>("moved");
+        const QString verdict = "ok   verdict of conformity                        ";
+        QTest::newRow("table") << "both.h5" << QStringList{verdict + "conforms", "E_n of the means"}
+                               << QStringList{"comparison", "conformity"} << 40;
+        QTest::newRow("model") << "both.h5" << QStringList{verdict + "does-not-conform"}
+                               << QStringList{"reference", "conformity", "k_sensitivity"} << 14;
+        QTest::newRow("chain") << "both.h5" << QStringList{"its reason names 'between them'"}
+                               << QStringList{"chain", "onset_s", "comparison.e_n"} << 10;
+        QTest::newRow("chain_transducer")
+            << "both.h5" << QStringList{"its reason names 'measured'"} << QStringList() << 0;
+        QTest::newRow("cmc") << "both.h5" << QStringList{verdict, "U below the CMC"}
+                             << QStringList{"cmc", "u_model", "k_"} << 20;
+        QTest::newRow("decay") << "decay.h5" << QStringList{"lines of q", "U below the CMC"}
+                               << QStringList() << 0;
+    }
+    void everySection_isRecomputed_andTellsMovedNumbers()
+    {
+        QFETCH(QString, capture);
+        QFETCH(QStringList, said);
+        QFETCH(QStringList, words);
+        QFETCH(int, moved);
+        const QString name = QTest::currentDataTag();
+        const Answer run = runCase(capture, name);
+        QVERIFY2(run.exitCode == 0 || run.exitCode == 1, run.err);
+        const PythonAnswer answer = scriptOf("recompute.py", {path(capture), path(name)});
+        QVERIFY2(answer.ran, answer.out + answer.err);
+        for (const QString &line : said)
+            QVERIFY2(answer.out.contains(line.toUtf8()), answer.out);
+        if (moved == 0)
+            return;
+        const PythonAnswer told
+            = scriptOf("moved_numbers.py", QStringList{path(capture), path(name)} + words);
+        QVERIFY2(told.ran, told.out + told.err);
+        QVERIFY2(told.out.count("\nok ") >= moved, told.out);
+    }
+
+    void freeDecay_hasNothingToCompare()
+    {
+        const Answer answer = runCase("decay.h5", "decay_compared");
+        QCOMPARE(answer.exitCode, 4);
+        QCOMPARE(answer.complaints().size(), 1);
+        QVERIFY(answer.complaints().first().contains("needs the response to a step"));
+    }
+
+    /// Without the recording: every kind of calibration that the cases before have run.
+    void everyBudget_standsByItself()
+    {
+        QStringList folders;
+        for (const char *name :
+            {"optic3", "table", "model", "chain", "chain_transducer", "cmc", "decay"})
+            if (QFile::exists(path(QString(name) + "/results.json")))
+                folders.append(path(name));
+        if (folders.isEmpty())
+            QSKIP("No case has run before.");
+        const PythonAnswer answer = scriptOf("check_budgets.py", folders);
+        QVERIFY2(answer.ran, answer.out + answer.err);
+        QCOMPARE(answer.out.count("values with their lines"), folders.size());
     }
 
     void sampleThatWasChanged_isFound()

@@ -84,6 +84,23 @@ private slots:
             && std::isnan(uOf(&report, "nothing")));
     }
 
+    /// Of a level of one shot, mean and shot are the same value.
+    void shot_hasTheDegreesOfFreedom_ofItsCompleteU()
+    {
+        Recipe recipe;
+        recipe.uncertainty.budget = {{"t1_k", 3.0, "normal", 2.0}};
+        const CalibrationResults results = run(recipe);
+        const UncertaintyReport &report = *results.uncertainty;
+        QCOMPARE(report.perLevel.size(), 3);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const double ofStep = results.response->shots[i].k;
+            QVERIFY(ofStep > 2.1 && kOfShot(&report, i) < 0.999 * ofStep);
+            QVERIFY(isNear(kOfShot(&report, i), report.perLevel[i].k));
+            QVERIFY(isNear(uOfShot(&report, i), *report.perLevel[i].u));
+        }
+        QVERIFY(std::isnan(kOfShot(&report, 3)) && std::isnan(kOfShot(nullptr, 0)));
+    }
+
     void statedGain_isThatLine()
     {
         Recipe recipe;
