@@ -4,6 +4,7 @@
 #include "core/results/run_files.h"
 
 #include "core/capture/capture_seal.h"
+#include "core/reference/reference_source.h"
 #include "core/results/model_export.h"
 #include "core/results/publication.h"
 #include "core/results/results_csv.h"
@@ -72,7 +73,7 @@ bool isRunName(const std::string &name)
 {
     const fs::path path(name);
     const std::string folder = path.parent_path().string();
-    return std::ranges::find(kDocuments, name) != kDocuments.end()
+    return std::ranges::find(kDocuments, name) != kDocuments.end() || isKeptSourceName(name)
         || (folder == "csv" && path.extension() == ".csv" && isTableName(path.stem().string()))
         || (folder == "plots" && path.extension() == ".svg" && isPlotName(path.stem().string()))
         || (folder == "model" && isModelName(path.filename().string()));
@@ -111,12 +112,23 @@ std::vector<std::string> shownPaths(
     return paths;
 }
 
+/// What a certificate or table of the recipe states belongs to what the run can be repeated with.
+template <typename Settings>
+void keepSource(const Settings &settings, std::vector<FolderFile> &files)
+{
+    if (!settings.loaded)
+        return;
+    const std::string name = keptSourceName(settings.source, settings.loaded->sha256);
+    if (std::ranges::find(files, name, &FolderFile::name) == files.end())
+        files.push_back({name, settings.loaded->content});
+}
+
 } // namespace
 
 FolderRequest runFolder(
     const std::string &folder, const CaptureSet &set, std::vector<std::string> settings)
 {
-    std::vector<std::string> names{"csv/", "plots/", "model/"};
+    std::vector<std::string> names{"csv/", "plots/", "model/", "sources/"};
     names.insert(names.end(), kDocuments.begin(), kDocuments.end());
     return {folder, "run", isRunName, std::move(names), recordingsOf(set), std::move(settings),
         isRunOrModelName, [set] { return checkStillWhole(set); }};
@@ -134,6 +146,9 @@ Result<std::vector<std::string>> writeRunFiles(
     const std::string recipe = recipeJson(run.recipe);
     const std::string json = resultsJson(run.outcome, run.recipe, run.createdUtc);
     std::vector<FolderFile> files{{"recipe.json", recipe}};
+    keepSource(run.recipe.chain, files);
+    if (run.recipe.comparison.enabled)
+        keepSource(run.recipe.comparison, files);
     for (const CsvFile &table : tables)
         files.push_back({"csv/" + table.name, table.text});
     for (const ModelFile &file : model)

@@ -92,6 +92,33 @@ private slots:
         }
     }
 
+    /// The recipe lay in another folder, beside the table that it names; the run's own folder is
+    /// enough to repeat it, wherever that is moved to.
+    void repeatedFromItsFolder_sameResults()
+    {
+        QVERIFY(QDir(m_folder.path()).mkpath("laboratory"));
+        QFile table(path("laboratory/amp.csv"));
+        QVERIFY(table.open(QIODevice::WriteOnly));
+        table.write("frequency_hz,magnitude,u_magnitude\n500,1,1e-3\n5e3,1,1e-3\n5e4,1,1e-3\n"
+                    "5e5,0.999,1e-3\n5e6,0.98,2e-3\n");
+        table.close();
+        QFile recipe(path("laboratory/recipe.json"));
+        QVERIFY(recipe.open(QIODevice::WriteOnly));
+        recipe.write(R"({"schema": "dyncal-recipe/1", "chain": {"source": "amp.csv"}})");
+        recipe.close();
+        const Answer first = runExample("with_chain", {"--recipe", path("laboratory/recipe.json")});
+        QVERIFY2(first.exitCode <= 1, first.err);
+        QVERIFY(QDir(m_folder.path()).rename("with_chain", "moved"));
+        QVERIFY(QDir(path("laboratory")).removeRecursively());
+        const Answer again = runExample("again", {"--recipe", path("moved/recipe.json")});
+        QVERIFY2(again.exitCode <= 1, again.err);
+        QCOMPARE(fileBytes(path("again/results.json")), fileBytes(path("moved/results.json")));
+        QCOMPARE(QDir(path("again/sources")).entryList(QDir::Files),
+            QDir(path("moved/sources")).entryList(QDir::Files));
+        const Answer without = runExample("again"); // a run that needs none leaves none
+        QVERIFY(without.exitCode <= 1 && !QFile::exists(path("again/sources")));
+    }
+
     void certificate_saysWhatResultsSay()
     {
         QVERIFY(runExample("certified").exitCode <= 1);
