@@ -9,7 +9,7 @@ import json
 import sys
 from pathlib import Path
 
-from . import comparison, coverage, orders, power, readings, runner, studies_conditions as sc, tables
+from . import comparison, correction, coverage, orders, power, readings, runner, studies_conditions as sc, tables
 from .conditions_laboratory import CONDITIONS
 
 SPECIAL = {"clean_any", *sc.DRIFT, *sc.STILL, *sc.TUBE, *sc.DAMPING, *sc.NOISE, *sc.FRONT, "bounds_any"}
@@ -17,7 +17,7 @@ ORDINARY = [name for name in CONDITIONS if name not in SPECIAL]
 SHORT = ["heat_slow", "one_velocity_for_all", "gas_recorded", "humidity_recorded", "rate_doubled",
          "temperature_misread", "pressure_misread", "scale_wrong"]
 ALONE = {"power": power, "orders": orders, "coverage": coverage,
-         "comparison": comparison}  # with tables of their own
+         "comparison": comparison, "correction": correction}  # with tables of their own
 # conditions, runs each, quantities
 STUDIES = {
     "conditions": (ORDINARY, 40, tables.QUANTITIES),
