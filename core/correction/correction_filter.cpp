@@ -135,8 +135,9 @@ Result<FoundInverse> findInverse(
     }
     return fail(ErrorKind::DataBlocked,
         {DYNCAL_TEXT("core",
-             "The inverse of the response up to %1 does not die away within %2 samples; ask for a narrower band (--band)."),
-            {numberWithUnit(lowPass.band_Hz, "Hz"), std::to_string(kLongestGrid / 2)}});
+             "The inverse of the response up to %1 does not die away within %2 samples at %3; ask for another band (--band, --edge)."),
+            {numberWithUnit(lowPass.band_Hz, "Hz"), std::to_string(kLongestGrid / 2),
+                numberWithUnit(rate_Hz, "Hz")}});
 }
 
 /// The delay asked for, where it is enough.
