@@ -166,12 +166,21 @@ int concludeCorrection(const CorrectionOutcome &outcome, const Findings &finding
         code == ExitCode::Done && !ids.empty() ? ExitCode::DoneWithCautions : code);
 }
 
-/// A record that left the converter's range, or that cannot be trusted otherwise, has no pressure.
-bool areCorrectable(const Findings &findings)
+bool isOfDut(const Finding &finding, const CaptureSet &set)
 {
-    return std::ranges::none_of(findings, [](const Finding &finding) {
+    return std::ranges::any_of(set.shots, [&](const Shot &shot) {
+        const Channel *channel = shot.channelWithRole(ChannelRole::Dut);
+        return channel && shot.included && channel->name == finding.channel;
+    });
+}
+
+/// A record that left the converter's range, or that cannot be trusted otherwise, has no pressure.
+bool areCorrectable(const Findings &findings, const CaptureSet &set)
+{
+    return std::ranges::none_of(findings, [&](const Finding &finding) {
         return finding.severity == Severity::Block
-            || (finding.severity == Severity::Caution && finding.id == "CAP-007");
+            || (finding.severity == Severity::Caution && finding.id == "CAP-007"
+                && isOfDut(finding, set));
     });
 }
 
@@ -204,7 +213,7 @@ int correct(const CorrectOptions &options)
     if (!folder)
         return report(folder.error());
     const Findings findings = checkCaptures(*set, recipe->checks);
-    if (!areCorrectable(findings))
+    if (!areCorrectable(findings, *set))
         return refuseRecordings(findings);
     Result<CorrectionFilter> filter
         = designCorrection(outcome->calibration.response, rateOf(*set), options.filter);

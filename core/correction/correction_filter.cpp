@@ -159,11 +159,18 @@ Result<Extent> withDelay(FoundInverse &found, double rate_Hz, std::optional<doub
                 numberWithUnit(static_cast<double>(found.inverse.half()) / rate_Hz, "s")}});
 }
 
-Eigen::MatrixXd tapErrorsOf(const InverseResponse &inverse, const RealFft &fft, Extent extent)
+/// Column by column: all of them on a long grid would take gigabytes.
+Eigen::MatrixXd tapErrorsOf(
+    const KnownResponse &response, const CircularInverse &circular, double rate_Hz, Extent extent)
 {
-    Eigen::MatrixXd columns(extent.before + extent.behind + 1, inverse.errors.cols());
-    for (Index j = 0; j < columns.cols(); ++j)
-        columns.col(j) = stretchOf(fft.inverse(inverse.errors.col(j)), extent);
+    const Eigen::VectorXcd inverse = circular.fft().forward(circular.impulse());
+    Eigen::MatrixXd columns(
+        extent.before + extent.behind + 1, static_cast<Index>(response.errors.size()));
+    for (Index j = 0; j < columns.cols(); ++j) {
+        const ResponseError &error = response.errors[static_cast<std::size_t>(j)];
+        const Eigen::VectorXcd change = inverseChange(inverse, response, error, rate_Hz);
+        columns.col(j) = stretchOf(circular.fft().inverse(change), extent);
+    }
     return columns;
 }
 
@@ -201,9 +208,7 @@ CorrectionFilter filterOf(const KnownResponse &response, const LowPass &lowPass,
     filter.lowPass = lowPass;
     filter.delaySamples = extent.before;
     filter.taps = stretchOf(found.inverse.impulse(), extent);
-    filter.tapErrors
-        = tapErrorsOf(inverseOf(response, lowPass, rate_Hz, found.inverse.impulse().size()),
-            found.inverse.fft(), extent);
+    filter.tapErrors = tapErrorsOf(response, found.inverse, rate_Hz, extent);
     filter.passError = found.inverse.passError(extent);
     filter.unit = inverted(response.unit);
     addErrors(filter, response);
@@ -212,17 +217,18 @@ CorrectionFilter filterOf(const KnownResponse &response, const LowPass &lowPass,
 
 } // namespace
 
-InverseResponse inverseOf(
+Eigen::VectorXcd inverseOf(
     const KnownResponse &response, const LowPass &lowPass, double rate_Hz, Index n)
 {
     const Eigen::VectorXd frequency_Hz = gridOf(rate_Hz, n);
-    InverseResponse inverse;
-    inverse.values = lowPassOn(lowPass, frequency_Hz).cwiseQuotient(response.at(frequency_Hz));
-    inverse.errors.resize(frequency_Hz.size(), static_cast<Index>(response.errors.size()));
-    for (Index j = 0; j < inverse.errors.cols(); ++j)
-        inverse.errors.col(j) = -inverse.values.cwiseProduct(
-            response.changeBy(response.errors[static_cast<std::size_t>(j)], frequency_Hz));
-    return inverse;
+    return lowPassOn(lowPass, frequency_Hz).cwiseQuotient(response.at(frequency_Hz));
+}
+
+Eigen::VectorXcd inverseChange(const Eigen::VectorXcd &inverse, const KnownResponse &response,
+    const ResponseError &error, double rate_Hz)
+{
+    const Eigen::VectorXd frequency_Hz = gridOf(rate_Hz, 2 * (inverse.size() - 1));
+    return -inverse.cwiseProduct(response.changeBy(error, frequency_Hz));
 }
 
 Eigen::VectorXcd CorrectionFilter::at(const Eigen::VectorXd &frequency_Hz) const

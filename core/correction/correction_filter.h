@@ -38,14 +38,13 @@ struct CorrectionFilter
     Eigen::VectorXd u_taps() const { return tapErrors.rowwise().norm(); }
 };
 
-/// L/S on the grid k rate/n, k = 0 .. n/2, and what each error of S makes of it: -(L/S) d ln S.
-struct InverseResponse
-{
-    Eigen::VectorXcd values;
-    Eigen::MatrixXcd errors; ///< a column for each error of S
-};
-InverseResponse inverseOf(
+/// L/S on the grid k rate/n, k = 0 .. n/2.
+Eigen::VectorXcd inverseOf(
     const KnownResponse &response, const LowPass &lowPass, double rate_Hz, Index n);
+
+/// What a standard deviation of `error` changes that `inverse` by, on its grid: -(L/S) d ln S.
+Eigen::VectorXcd inverseChange(const Eigen::VectorXcd &inverse, const KnownResponse &response,
+    const ResponseError &error, double rate_Hz);
 
 /// The filter: L/S sampled in frequency, its impulse response cut to the shortest stretch about 0
 /// that keeps the pass error below kLargestPassError (of all filters of that length the nearest to
@@ -53,7 +52,7 @@ InverseResponse inverseOf(
 /// S come out exactly to first order. Fails (Usage) where rate, band, edge or delay cannot be: a
 /// band beyond what is known, an edge beyond kHighestEdge, a delay too short for the inverse;
 /// (DataBlocked) where noise would be amplified more than kMostAmplified, and where 1/S rings on
-/// for more than 2^20 samples, as the inverse of a response with zeros near the axis does, and as
+/// for more than 2^19 samples, as the inverse of a response with zeros near the axis does, and as
 /// carriedByShape(). rate_Hz finite, above 0. docs/method/correction.md.
 Result<CorrectionFilter> designCorrection(
     const KnownResponse &response, double rate_Hz, const CorrectionSettings &settings = {});

@@ -131,7 +131,8 @@ Complex movedBy(const PoleShape &shape, const Eigen::VectorXcd &moved_rad_s, dou
     const Complex jw(0.0, kTwoPi * frequency_Hz);
     Complex sum = 0.0;
     for (Index i = 0; i < moved_rad_s.size(); ++i)
-        sum += moved_rad_s[i] * jw / (shape.s_rad_s[i] * (jw - shape.s_rad_s[i]));
+        if (moved_rad_s[i] != 0.0) // of many poles one pair moves
+            sum += moved_rad_s[i] * jw / (shape.s_rad_s[i] * (jw - shape.s_rad_s[i]));
     return sum;
 }
 

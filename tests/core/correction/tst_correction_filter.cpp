@@ -217,13 +217,13 @@ private slots:
         const auto filter = designCorrection(sensor.known(), rate_Hz, {200e3});
         QVERIFY(filter.has_value());
         const Index n = 4096;
-        const InverseResponse inverse = inverseOf(sensor.known(), filter->lowPass, rate_Hz, n);
-        Eigen::MatrixXd A(2 * inverse.values.size(), filter->taps.size());
+        const Eigen::VectorXcd inverse = inverseOf(sensor.known(), filter->lowPass, rate_Hz, n);
+        Eigen::MatrixXd A(2 * inverse.size(), filter->taps.size());
         Eigen::VectorXd b(A.rows());
-        for (Index i = 0; i < inverse.values.size(); ++i) {
+        for (Index i = 0; i < inverse.size(); ++i) {
             const double weight = i == 0 || 2 * i == n ? 1.0 : std::sqrt(2.0);
-            b[2 * i] = weight * inverse.values[i].real();
-            b[2 * i + 1] = weight * inverse.values[i].imag();
+            b[2 * i] = weight * inverse[i].real();
+            b[2 * i + 1] = weight * inverse[i].imag();
             for (Index k = 0; k < A.cols(); ++k) {
                 const double angle
                     = -2.0 * M_PI * double(i) * double(k - filter->delaySamples) / double(n);
@@ -291,21 +291,22 @@ private slots:
         u << 0.01, 0.02, 0.03, 0.04, 0.05, 0.06, 0.07, 0.08;
         const Eigen::VectorXd bins = Eigen::VectorXd::LinSpaced(5, 0.0, 4.0);
         const auto lines = dftWithCovariance(x, u.cwiseAbs2(), 8.0, bins);
-        const InverseResponse inverse = inverseOf(
-            tableOfFive(), {LowPassKind::Gaussian, 1e6, 2e6}, 8.0, 8); // a low-pass of 1
+        const KnownResponse table = tableOfFive();
+        const Eigen::VectorXcd inverse
+            = inverseOf(table, {LowPassKind::Gaussian, 1e6, 2e6}, 8.0, 8); // a low-pass of 1
         const double re[]{4.9, -.2986595668, -1.1303341087, -.8677989022, -.2496881019};
         const double im[]{0.0, -2.8641993881, -.5106920219, .0837260391, .5455784561};
         const double u_re[]{.151, .1004701157, .0730504669, .1255211779, .1194794554};
         const double u_im[]{.098, .1037677819, .0862615386, .0991337013, .2600243445};
         for (std::size_t k = 0; k < 5; ++k) {
             const auto i = static_cast<Index>(k);
-            const Complex T = inverse.values[i];
+            const Complex T = inverse[i];
             const Complex X = T * lines[k].value;
             const Eigen::Matrix2d turn
                 = (Eigen::Matrix2d() << T.real(), -T.imag(), T.imag(), T.real()).finished();
             Eigen::Matrix2d covariance = turn * lines[k].covariance * turn.transpose();
-            for (Index j = 0; j < inverse.errors.cols(); ++j) {
-                const Complex error = inverse.errors(i, j) * lines[k].value;
+            for (const ResponseError &one : table.errors) {
+                const Complex error = inverseChange(inverse, table, one, 8.0)[i] * lines[k].value;
                 const Eigen::Vector2d parts(error.real(), error.imag());
                 covariance += parts * parts.transpose();
             }
