@@ -7153,8 +7153,8 @@ wanted U</source>
         <translation>Resultaten motsäger sig själva: svarets listor är olika långa, eller dess frekvenser stiger inte; upprepa kalibreringen.</translation>
     </message>
     <message>
-        <source>The results have no frequency with magnitude, phase and their complete uncertainties, so no correction follows from them; calibrate with a known pressure step (section shock of the recipe).</source>
-        <translation>Resultaten har ingen frekvens med belopp, fas och deras fullständiga osäkerheter, så ingen korrektion följer av dem; kalibrera med ett känt trycksteg (avsnittet shock i receptet).</translation>
+        <source>The results have no frequency with magnitude, phase and their complete uncertainties, so no correction follows from them; the findings of the calibration say what is missing (a known pressure step, a refined model).</source>
+        <translation>Resultaten har ingen frekvens med belopp, fas och deras fullständiga osäkerheter, så ingen korrektion följer av dem; kalibreringens anmärkningar säger vad som saknas (ett känt trycksteg, en förfinad modell).</translation>
     </message>
 </context>
 <context>

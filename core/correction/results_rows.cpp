@@ -219,7 +219,7 @@ Result<MeasuredRows> measuredRows(const Json &response)
     if (numbers.empty())
         return fail(ErrorKind::DataBlocked,
             {DYNCAL_TEXT("core",
-                 "The results have no frequency with magnitude, phase and their complete uncertainties, so no correction follows from them; calibrate with a known pressure step (section shock of the recipe)."),
+                 "The results have no frequency with magnitude, phase and their complete uncertainties, so no correction follows from them; the findings of the calibration say what is missing (a known pressure step, a refined model)."),
                 {}});
     return taken(lists, std::move(numbers));
 }
