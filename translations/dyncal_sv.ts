@@ -7012,6 +7012,150 @@ wanted U</source>
         <source>a phase within half a turn of that of the row before: take the jumps of whole turns out</source>
         <translation>en fas inom ett halvt varv från föregående rads: ta bort hoppen på hela varv</translation>
     </message>
+    <message>
+        <source>%1 needs two times in seconds, the earlier first: %1 BEGIN,END.</source>
+        <translation>%1 behöver två tider i sekunder, den tidigare först: %1 BEGIN,END.</translation>
+    </message>
+    <message>
+        <source>--beyond is %1; it needs a pressure of at least 0, in Pa.</source>
+        <translation>--beyond är %1; det behöver ett tryck på minst 0, i Pa.</translation>
+    </message>
+    <message>
+        <source>%1 cannot be read as results of a calibration; give the folder or the results.json that dyncal run wrote.</source>
+        <translation>%1 kan inte läsas som resultat av en kalibrering; ange mappen eller den results.json som dyncal run skrev.</translation>
+    </message>
+    <message>
+        <source>Shot %1 has no channel of the DUT; name it (import.channels of a recipe).</source>
+        <translation>Skott %1 har ingen kanal för DUT; namnge den (import.channels i ett recept).</translation>
+    </message>
+    <message>
+        <source>%1 is no results.json of a calibration: its schema is &quot;%2&quot; instead of &quot;%3&quot;; give the folder or the results.json that dyncal run wrote.</source>
+        <translation>%1 är ingen results.json från en kalibrering: dess schema är ”%2” i stället för ”%3”; ange mappen eller den results.json som dyncal run skrev.</translation>
+    </message>
+    <message>
+        <source>The response of these results has the unit &quot;%1&quot; and not one per Pa, so it gives no pressure; calibrate with a known pressure step (response.reference).</source>
+        <translation>Svaret i dessa resultat har enheten ”%1” och inte en per Pa, så det ger inget tryck; kalibrera med ett känt trycksteg (response.reference).</translation>
+    </message>
+    <message>
+        <source>These results were made with input.treatment &quot;%1&quot;, whose model is not the sensor&apos;s response to pressure; calibrate with &quot;step-deflated&quot;.</source>
+        <translation>Dessa resultat gjordes med input.treatment ”%1”, vars modell inte är givarens svar på tryck; kalibrera med ”step-deflated”.</translation>
+    </message>
+    <message>
+        <source>The recording has samples that are no numbers in the stretch to be corrected; choose another stretch (--window).</source>
+        <translation>Inspelningen har sampel som inte är tal i den sträcka som ska korrigeras; välj en annan sträcka (--window).</translation>
+    </message>
+    <message>
+        <source>The stretch to be corrected has %1 samples, but this filter needs %2 at %3; take a longer one (--window) or a wider transition (--edge).</source>
+        <translation>Sträckan som ska korrigeras har %1 sampel, men detta filter behöver %2 vid %3; ta en längre (--window) eller en bredare övergång (--edge).</translation>
+    </message>
+    <message>
+        <source>The inverse of the response up to %1 does not die away within %2 samples at %3; ask for another band (--band, --edge).</source>
+        <translation>Svarets invers upp till %1 klingar inte av inom %2 sampel vid %3; begär ett annat band (--band, --edge).</translation>
+    </message>
+    <message>
+        <source>The delay %1 (--delay) is not possible for this band: the filter needs at least %2 and takes at most %3.</source>
+        <translation>Fördröjningen %1 (--delay) är inte möjlig för detta band: filtret behöver minst %2 och tar högst %3.</translation>
+    </message>
+    <message>
+        <source>A band up to %1 (--band) is not possible: the response was measured from %2 to %3; ask for a band that ends there.</source>
+        <translation>Ett band upp till %1 (--band) är inte möjligt: svaret mättes från %2 till %3; begär ett band som slutar där.</translation>
+    </message>
+    <message>
+        <source>The edge %1 (--edge) must lie above the end %2 of the band.</source>
+        <translation>Kanten %1 (--edge) måste ligga över bandets slut %2.</translation>
+    </message>
+    <message>
+        <source>The correction would reach to %1, but at %2 a recording holds only what lies below %3; ask for a narrower band (--band, --edge) or take a faster recording.</source>
+        <translation>Korrektionen skulle nå till %1, men vid %2 innehåller en inspelning bara det som ligger under %3; begär ett smalare band (--band, --edge) eller ta en snabbare inspelning.</translation>
+    </message>
+    <message>
+        <source>The correction would reach to %1, but the response is known up to %2 only; ask for a narrower band (--band, --edge).</source>
+        <translation>Korrektionen skulle nå till %1, men svaret är känt bara upp till %2; begär ett smalare band (--band, --edge).</translation>
+    </message>
+    <message>
+        <source>At %1 the sensor answers %2 times weaker than at the lowest frequency, and its noise would be amplified as much (at most %3 times); ask for a narrower band (--band).</source>
+        <translation>Vid %1 svarar givaren %2 gånger svagare än vid den lägsta frekvensen, och bruset skulle förstärkas lika mycket (högst %3 gånger); begär ett smalare band (--band).</translation>
+    </message>
+    <message>
+        <source>The recording has no sample rate; state it (import.sample_rate_hz of a recipe).</source>
+        <translation>Inspelningen har ingen samplingsfrekvens; ange den (import.sample_rate_hz i ett recept).</translation>
+    </message>
+    <message>
+        <source>The measured response departs from the shape of its model, most at %1 (%2 times its uncertainty), so that nothing can be said between the measured frequencies; calibrate with another order, or ask for a narrower band (--band, --edge).</source>
+        <translation>Det uppmätta svaret avviker från modellens form, mest vid %1 (%2 gånger sin osäkerhet), så att ingenting kan sägas mellan de uppmätta frekvenserna; kalibrera med en annan ordning, eller begär ett smalare band (--band, --edge).</translation>
+    </message>
+    <message>
+        <source>Shot %1: channel %2 is in &quot;%3&quot;, but the calibration is of a sensor in &quot;%4&quot;; state the unit and scale of the recording (section import of a recipe).</source>
+        <translation>Skott %1: kanal %2 är i ”%3”, men kalibreringen gäller en givare i ”%4”; ange inspelningens enhet och skala (avsnittet import i ett recept).</translation>
+    </message>
+    <message>
+        <source>Shot %1 was recorded at %2, the filter is for %3; correct recordings of different rates one after the other.</source>
+        <translation>Skott %1 spelades in med %2, filtret är för %3; korrigera inspelningar med olika samplingsfrekvens en i taget.</translation>
+    </message>
+    <message>
+        <source>Shot %1: no start of a pressure was found in channel %2, so its level and noise without pressure are not known; state a stretch without pressure (--quiet).</source>
+        <translation>Skott %1: ingen tryckstart hittades i kanal %2, så dess nivå och brus utan tryck är inte kända; ange en sträcka utan tryck (--quiet).</translation>
+    </message>
+    <message>
+        <source>Shot %1: channel %2 has %3 samples without pressure, but at least %4 are needed to know its level and noise; state a longer stretch (--quiet).</source>
+        <translation>Skott %1: kanal %2 har %3 sampel utan tryck, men minst %4 behövs för att känna dess nivå och brus; ange en längre sträcka (--quiet).</translation>
+    </message>
+    <message>
+        <source>Shot %1: channel %2 has samples without pressure that are no numbers; state another stretch (--quiet).</source>
+        <translation>Skott %1: kanal %2 har sampel utan tryck som inte är tal; ange en annan sträcka (--quiet).</translation>
+    </message>
+    <message>
+        <source>Shot %1: the stretch to be corrected has %2 samples of channel %3; it needs 1 to %4 (--window BEGIN,END in seconds of the recording).</source>
+        <translation>Skott %1: sträckan som ska korrigeras har %2 sampel av kanal %3; den behöver 1 till %4 (--window BEGIN,END i inspelningens sekunder).</translation>
+    </message>
+    <message>
+        <source>The window %1 to %2 lies where the filter would need samples beyond the ends of the recording; choose another (--window).</source>
+        <translation>Fönstret %1 till %2 ligger där filtret skulle behöva sampel bortom inspelningens ändar; välj ett annat (--window).</translation>
+    </message>
+    <message>
+        <source>Shot %1: the samples of channel %2 cannot be read any more; leave the recording alone meanwhile.</source>
+        <translation>Skott %1: samplen i kanal %2 kan inte läsas längre; lämna inspelningen i fred under tiden.</translation>
+    </message>
+    <message>
+        <source>The results are not whole: their model has not as many poles as states; repeat the calibration.</source>
+        <translation>Resultaten är inte hela: deras modell har inte lika många poler som tillstånd; upprepa kalibreringen.</translation>
+    </message>
+    <message>
+        <source>The model of these results is not stable (a pole does not decay), so nothing can be said between the measured frequencies; calibrate with another order.</source>
+        <translation>Modellen i dessa resultat är inte stabil (en pol avklingar inte), så ingenting kan sägas mellan de uppmätta frekvenserna; kalibrera med en annan ordning.</translation>
+    </message>
+    <message>
+        <source>The model of these results has a pole at half its rate, which is no sensor&apos;s; calibrate with another order.</source>
+        <translation>Modellen i dessa resultat har en pol vid halva sin samplingsfrekvens, vilken inte är någon givares; kalibrera med en annan ordning.</translation>
+    </message>
+    <message>
+        <source>The model of these results has the same pole twice; calibrate with another order.</source>
+        <translation>Modellen i dessa resultat har samma pol två gånger; kalibrera med en annan ordning.</translation>
+    </message>
+    <message>
+        <source>The results have no model that carries the response between the measured frequencies; calibrate with another order.</source>
+        <translation>Resultaten har ingen modell som bär svaret mellan de uppmätta frekvenserna; kalibrera med en annan ordning.</translation>
+    </message>
+    <message>
+        <source>The poles of these results have no uncertainty (the model was not refined), so what lies between the measured frequencies is not known; calibrate with realization.refine.</source>
+        <translation>Polerna i dessa resultat har ingen osäkerhet (modellen förfinades inte), så det som ligger mellan de uppmätta frekvenserna är inte känt; kalibrera med realization.refine.</translation>
+    </message>
+    <message>
+        <source>The results have no budget of the single frequencies (they are left out of more than 200); calibrate at fewer of them (response.frequencies_hz).</source>
+        <translation>Resultaten har ingen budget för de enskilda frekvenserna (den utelämnas vid fler än 200); kalibrera vid färre (response.frequencies_hz).</translation>
+    </message>
+    <message>
+        <source>The results contradict themselves: at %1 the lines of the budget do not make the stated uncertainty; repeat the calibration.</source>
+        <translation>Resultaten motsäger sig själva: vid %1 ger budgetens rader inte den angivna osäkerheten; upprepa kalibreringen.</translation>
+    </message>
+    <message>
+        <source>The results contradict themselves: the lists of the response differ in length, or its frequencies do not ascend; repeat the calibration.</source>
+        <translation>Resultaten motsäger sig själva: svarets listor är olika långa, eller dess frekvenser stiger inte; upprepa kalibreringen.</translation>
+    </message>
+    <message>
+        <source>The results have no frequency with magnitude, phase and their complete uncertainties, so no correction follows from them; the findings of the calibration say what is missing (a known pressure step, a refined model).</source>
+        <translation>Resultaten har ingen frekvens med belopp, fas och deras fullständiga osäkerheter, så ingen korrektion följer av dem; kalibreringens anmärkningar säger vad som saknas (ett känt trycksteg, en förfinad modell).</translation>
+    </message>
 </context>
 <context>
     <name>dyncal::ArrivalPanel</name>

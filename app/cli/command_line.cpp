@@ -24,8 +24,8 @@
 namespace dyncal {
 namespace {
 
-constexpr std::array<std::string_view, 7> kVerbs{
-    "simulate", "info", "import", "check", "run", "compare", "export"};
+constexpr std::array<std::string_view, 8> kVerbs{
+    "simulate", "info", "import", "check", "run", "compare", "export", "correct"};
 /// Files open at once while a recording is read and results are written.
 constexpr int kFilesOfAVerb = 12;
 /// A word that differs by more letters than this is not taken for a misspelt subcommand.
@@ -65,6 +65,7 @@ int parseAndAct(int argc, char **argv)
     addRun(program, action);
     addCompare(program, action);
     addExport(program, action);
+    addCorrect(program, action);
     try {
         program.parse(argc, argv);
     } catch (const CLI::ParseError &e) {

@@ -20,5 +20,6 @@ void addCheck(CLI::App &program, VerbAction &action);
 void addRun(CLI::App &program, VerbAction &action);
 void addCompare(CLI::App &program, VerbAction &action);
 void addExport(CLI::App &program, VerbAction &action);
+void addCorrect(CLI::App &program, VerbAction &action);
 
 } // namespace dyncal

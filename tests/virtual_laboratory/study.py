@@ -10,7 +10,7 @@ import shutil
 import sys
 from pathlib import Path
 
-from . import (comparison, coverage, orders, power, readings, runner, studies_conditions as sc, tables,
+from . import (comparison, correction, coverage, orders, power, readings, runner, studies_conditions as sc, tables,
                unmodelled)
 from .conditions_laboratory import CONDITIONS
 
@@ -19,7 +19,7 @@ ORDINARY = [name for name in CONDITIONS if name not in SPECIAL]
 SHORT = ["heat_slow", "one_velocity_for_all", "gas_recorded", "humidity_recorded", "rate_doubled",
          "temperature_misread", "pressure_misread", "scale_wrong"]
 RESUMABLE = {"coverage": coverage, "comparison": comparison, "unmodelled": unmodelled}  # with lines of `runs`
-ALONE = {"power": power, "orders": orders, **RESUMABLE}  # with tables of their own
+ALONE = {"power": power, "orders": orders, "correction": correction, **RESUMABLE}  # with tables of their own
 # conditions, runs each, quantities
 STUDIES = {
     "conditions": (ORDINARY, 40, tables.QUANTITIES),
